@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/point.hpp>
+
+#include <limits>
+
+namespace typemesh {
+
+/// The smallest upright rectangle around some points. Empty (low above high) until the first point comes.
+struct box {
+    point low{(std::numeric_limits<double>::max)(), (std::numeric_limits<double>::max)()};
+    point high{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest()};
+
+    [[nodiscard]] constexpr bool empty() const noexcept { return !(low.x <= high.x && low.y <= high.y); }
+    [[nodiscard]] constexpr double width() const noexcept { return empty() ? 0.0 : high.x - low.x; }
+    [[nodiscard]] constexpr double height() const noexcept { return empty() ? 0.0 : high.y - low.y; }
+
+    constexpr void add(point p) noexcept
+    {
+        low = {p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y};
+        high = {p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y};
+    }
+    constexpr void add(const box& other) noexcept
+    {
+        if (other.empty()) return;
+        add(other.low);
+        add(other.high);
+    }
+};
+
+}  // namespace typemesh

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/curve.hpp>
+#include <typemesh/core/grid.hpp>
+
+#include <cstdint>
+#include <span>
+
+namespace typemesh {
+
+/// Where a straight edge comes from: it leaves its first point on `curve` at t0 and reaches the next point at t1.
+/// t0 > t1 where the contour has been turned round and runs against its curve.
+struct contour_edge {
+    std::uint32_t curve = 0;
+    float t0 = 0.0f;
+    float t1 = 1.0f;
+};
+
+/// Closed polylines on the grid: what a discretiser leaves and fill reads. Nothing is proven of them; see region.
+///
+///     points   [ first contour | second contour | ... ]            last point joins the first again
+///     edges    edges[i] runs from points[i] to the next point of the same contour
+///     starts   [ 0 | first point of each further contour | ... | points.size() ]
+///     curves   the curves that edges name
+///
+/// Every contour has at least 3 points and no two equal neighbours.
+struct contours {
+    buffer<grid_point> points;
+    buffer<contour_edge> edges;
+    buffer<std::uint32_t> starts;
+    std::span<const curve> curves;  ///< not owned: the outline's
+    typemesh::grid grid;
+
+    explicit contours(memory source = heap()) noexcept : points{source}, edges{source}, starts{source} {}
+
+    [[nodiscard]] std::uint32_t contour_count() const noexcept
+    {
+        return starts.empty() ? 0u : static_cast<std::uint32_t>(starts.size() - 1);
+    }
+    void clear() noexcept
+    {
+        points.clear();
+        edges.clear();
+        starts.clear();
+        curves = {};
+    }
+};
+
+}  // namespace typemesh

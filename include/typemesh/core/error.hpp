@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/glyph_id.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <span>
+
+namespace typemesh {
+
+/// What went wrong, where, and how much of it: the only way this library reports trouble. Nothing throws.
+///
+/// `return error::out_of_memory;` makes one; `if (error e = ...)` asks for one; `message()` is a plain sentence.
+struct [[nodiscard]] error {
+    enum kind : std::uint8_t {
+        none,
+        out_of_memory,        ///< the memory source returned null
+        buffer_too_small,     ///< the caller's vertices or indices do not fit; count = how many are needed
+        index_overflow,       ///< the index type cannot number the vertices; count = how many there are
+        too_large,            ///< more than 2^32 - 1 vertices, points or characters
+        unreadable_file,      ///< the file cannot be opened or read
+        not_a_font,           ///< the bytes are no font that the font library understands
+        no_such_face,         ///< the file has no face of that number; count = how many it has
+        no_outlines,          ///< a font of bitmaps only, or not scalable
+        unknown_glyph,        ///< the font has no such glyph, or its outline cannot be loaded
+        unknown_variation,    ///< the font has no such axis
+        bad_feature,          ///< an OpenType feature is not of the form "liga=0"
+        bad_outline,          ///< an outline starts without move_to, or the like
+        outline_not_finite,   ///< an outline holds NaN or infinity
+        outline_beyond_grid,  ///< an outline is too large for the integer grid
+        crossing_contours,    ///< contours cross, touch or overlap
+        bad_tolerance,        ///< a tolerance is not a positive finite number
+        bad_option,           ///< an option is outside its range
+        mixed_direction,      ///< one line holds left-to-right and right-to-left text
+        needs_shaping,        ///< the plain shaper was given a script that it would set wrongly
+        font_library_failed,  ///< FreeType or HarfBuzz refused; count = its own error number, if it has one
+        refused_by_user,      ///< for policies of the caller's own
+    };
+
+    kind code = none;
+    glyph_id glyph = no_glyph;        ///< the glyph concerned, or no_glyph
+    cluster_id cluster = no_cluster;  ///< its place in the caller's text, or no_cluster
+    std::uint64_t count = 0;          ///< meaning beside each code
+
+    constexpr error() noexcept = default;
+    constexpr error(kind k, std::uint64_t how_many = 0) noexcept : code{k}, count{how_many} {}
+
+    /// True when something is wrong.
+    [[nodiscard]] explicit constexpr operator bool() const noexcept { return code != none; }
+    friend constexpr bool operator==(const error& e, kind k) noexcept { return e.code == k; }
+
+    /// The same error, said of this glyph.
+    [[nodiscard]] constexpr error at(glyph_id g, cluster_id c) const noexcept
+    {
+        error e = *this;
+        e.glyph = g;
+        e.cluster = c;
+        return e;
+    }
+
+    /// One sentence, without numbers. Never null; the text lives as long as the program.
+    [[nodiscard]] constexpr const char* message() const noexcept
+    {
+        switch (code) {
+        case none: return "No error.";
+        case out_of_memory: return "The memory source has no more memory.";
+        case buffer_too_small: return "The caller's buffer is too small for the mesh.";
+        case index_overflow: return "The index type is too small to number the mesh's vertices; use 32-bit indices.";
+        case too_large: return "The text is too large: points, vertices and indices are numbered with 32 bits.";
+        case unreadable_file: return "The font file cannot be opened or read.";
+        case not_a_font: return "The data is not a font, or is damaged.";
+        case no_such_face: return "The font file has no face of that number.";
+        case no_outlines: return "The font has no outlines (it holds bitmaps only).";
+        case unknown_glyph: return "The font has no such glyph, or its outline cannot be loaded.";
+        case unknown_variation: return "The font has no such variation axis.";
+        case bad_feature: return "The OpenType feature is not of the form 'liga', 'liga=0' or '-liga'.";
+        case bad_outline: return "The outline is malformed: a contour must begin with move_to.";
+        case outline_not_finite: return "The outline holds a coordinate that is not a finite number.";
+        case outline_beyond_grid: return "The outline is too large for the integer grid.";
+        case crossing_contours: return "Contours of the outline cross, touch or overlap.";
+        case bad_tolerance: return "The tolerance is not a positive finite number.";
+        case bad_option: return "An option is outside its range.";
+        case mixed_direction: return "A line holds both left-to-right and right-to-left text; shape its runs one by one.";
+        case needs_shaping: return "The text needs a real shaper (HarfBuzz): its script is not set by character map and kerning alone.";
+        case font_library_failed: return "The font library refused the request.";
+        case refused_by_user: return "A policy of the caller refused.";
+        }
+        return "Unknown error.";
+    }
+};
+
+/// Writes the sentence with its numbers into `out` (always ended by a zero, cut where it does not fit); returns `out.data()`.
+///
+/// "glyph 37, cluster 4: Contours of the outline cross, touch or overlap."
+inline const char* describe(const error& e, std::span<char> out) noexcept
+{
+    if (out.empty()) return "";
+    char where[64] = "";
+    if (e.glyph != no_glyph && e.cluster != no_cluster)
+        std::snprintf(where, sizeof where, "glyph %lu, cluster %lu: ", static_cast<unsigned long>(e.glyph), static_cast<unsigned long>(e.cluster));
+    else if (e.glyph != no_glyph)
+        std::snprintf(where, sizeof where, "glyph %lu: ", static_cast<unsigned long>(e.glyph));
+    char how_many[48] = "";
+    if (e.count != 0) std::snprintf(how_many, sizeof how_many, " (%llu)", static_cast<unsigned long long>(e.count));
+    std::snprintf(out.data(), out.size(), "%s%s%s", where, e.message(), how_many);
+    return out.data();
+}
+
+}  // namespace typemesh

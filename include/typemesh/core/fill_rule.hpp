@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+namespace typemesh {
+
+/// Which places closed contours fill, told by the winding number w: how often they run round a place, counter-clockwise positive.
+enum class fill_rule : std::uint8_t {
+    non_zero,  ///< filled where w != 0: what TrueType, CFF and PostScript mean
+    even_odd,  ///< filled where w is odd
+};
+
+[[nodiscard]] constexpr bool is_filled(fill_rule rule, std::int32_t winding) noexcept
+{
+    return rule == fill_rule::non_zero ? winding != 0 : (winding & 1) != 0;
+}
+
+}  // namespace typemesh

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+
+namespace typemesh {
+
+/// True for every number but NaN and the infinities; read from the bits, so it holds under -ffast-math too.
+[[nodiscard]] inline bool is_finite(double value) noexcept
+{
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &value, sizeof bits);
+    return (bits & 0x7FF0'0000'0000'0000u) != 0x7FF0'0000'0000'0000u;
+}
+
+}  // namespace typemesh

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+namespace typemesh {
+
+/// A glyph's number inside its font; 0 is the font's own "missing glyph" (.notdef).
+using glyph_id = std::uint32_t;
+
+/// Where in the caller's text a glyph comes from: an offset in the caller's own units
+/// (bytes of UTF-8, 16-bit units of UTF-16).
+using cluster_id = std::uint32_t;
+
+inline constexpr glyph_id no_glyph = 0xFFFF'FFFFu;
+inline constexpr cluster_id no_cluster = 0xFFFF'FFFFu;
+
+}  // namespace typemesh

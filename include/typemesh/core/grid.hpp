@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/box.hpp>
+#include <typemesh/core/finite.hpp>
+#include <typemesh/core/result.hpp>
+
+#include <cstdint>
+#include <cstring>
+
+namespace typemesh {
+
+/// The integer grid on which a shape is decided: `cells` grid steps to one font unit, a power of two (512 for ordinary fonts).
+///
+/// Every grid point is within snap_error() of the point it stands for, and is what is drawn in the end.
+struct grid {
+    static constexpr double reach = 0x1p28;  ///< no coordinate lies farther from 0 than this many cells
+
+    double cells = 512.0;
+
+    /// Half a cell's diagonal, in font units: how far snap() can move a point.
+    [[nodiscard]] constexpr double snap_error() const noexcept { return 0.70710678118654757 / cells; }
+
+    /// The nearest grid point. Needs |p| * cells <= reach.
+    [[nodiscard]] grid_point snap(point p) const noexcept { return {nearest(p.x * cells), nearest(p.y * cells)}; }
+
+    /// The place of a grid point in font units; exact.
+    [[nodiscard]] constexpr point place(grid_point g) const noexcept { return {g.x / cells, g.y / cells}; }
+
+    /// The grid for an outline: 512 cells a unit where the em has 64 to 65,536 units; for any other em the power of two that
+    /// gives it 2^20 to 2^21 cells; halved as often as `around` (a box that holds all control points) needs to fit.
+    ///
+    /// Fails  error::bad_option: units_per_em is not positive and finite
+    ///        error::outline_not_finite: a corner of the box is NaN or infinite
+    ///        error::outline_beyond_grid: not even 2^-40 cells a unit would fit
+    [[nodiscard]] static result<grid> fitting(double units_per_em, const box& around) noexcept
+    {
+        if (!is_finite(units_per_em) || !(units_per_em > 0x1p-40) || !(units_per_em < 0x1p40)) return error::bad_option;
+        grid g;
+        if (units_per_em < 64.0 || units_per_em > 65536.0) {
+            while (g.cells * units_per_em < 0x1p20) g.cells *= 2.0;
+            while (g.cells * units_per_em >= 0x1p21) g.cells *= 0.5;
+        }
+        if (around.empty()) return g;
+        double farthest = 0.0;
+        for (const double v : {around.low.x, around.low.y, around.high.x, around.high.y}) {
+            if (!is_finite(v)) return error::outline_not_finite;
+            const double size = v < 0.0 ? -v : v;
+            farthest = size > farthest ? size : farthest;
+        }
+        while (farthest * g.cells > reach - 1.0) {
+            g.cells *= 0.5;
+            if (g.cells < 0x1p-40) return error::outline_beyond_grid;
+        }
+        return g;
+    }
+
+private:
+    /// Round half to even by the layout of doubles: 2^52 + 2^51 leaves the integer in the lowest bits. 1 ns less than lrint,
+    /// and no compiler flag can fold it away, for the bits are read as an integer.
+    [[nodiscard]] static std::int32_t nearest(double v) noexcept
+    {
+        const double shifted = v + 0x1.8p52;
+        std::uint64_t bits = 0;
+        std::memcpy(&bits, &shifted, sizeof bits);
+        return static_cast<std::int32_t>(static_cast<std::uint32_t>(bits));
+    }
+};
+
+}  // namespace typemesh

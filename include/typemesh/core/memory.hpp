@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <new>
+
+namespace typemesh {
+
+/// Where scratch memory comes from: three pointers, so that no container and no signature needs an allocator parameter.
+///
+/// `allocate` returns at least `bytes` bytes aligned to `alignment` (a power of two), or null: the call under way then
+/// ends with error::out_of_memory and leaves everything usable. `deallocate` gets the same numbers back.
+/// One memory is used from one thread at a time unless its author says more.
+struct memory {
+    void* user = nullptr;
+    void* (*allocate)(void* user, std::size_t bytes, std::size_t alignment) noexcept = nullptr;
+    void (*deallocate)(void* user, void* block, std::size_t bytes, std::size_t alignment) noexcept = nullptr;
+};
+
+/// The C++ heap, without exceptions.
+[[nodiscard]] inline memory heap() noexcept
+{
+    return {nullptr,
+            [](void*, std::size_t bytes, std::size_t alignment) noexcept -> void* {
+                return ::operator new(bytes, std::align_val_t{alignment}, std::nothrow);
+            },
+            [](void*, void* block, std::size_t, std::size_t alignment) noexcept {
+                ::operator delete(block, std::align_val_t{alignment});
+            }};
+}
+
+}  // namespace typemesh

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/box.hpp>
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/curve.hpp>
+#include <typemesh/core/fill_rule.hpp>
+
+#include <cstdint>
+
+namespace typemesh {
+
+/// One glyph's closed contours as curves, in font units.
+///
+///     curves   [ first contour's curves | second contour's | ... ]   each begins where the one before it ends,
+///     starts   [ 0 | first curve of each further contour | ... | curves.size() ]   and the last ends where the first began
+struct outline {
+    buffer<curve> curves;
+    buffer<std::uint32_t> starts;
+    box bounds;  ///< around all control points
+    fill_rule rule = fill_rule::non_zero;
+
+    explicit outline(memory source = heap()) noexcept : curves{source}, starts{source} {}
+
+    [[nodiscard]] std::uint32_t contour_count() const noexcept
+    {
+        return starts.empty() ? 0u : static_cast<std::uint32_t>(starts.size() - 1);
+    }
+    void clear() noexcept
+    {
+        curves.clear();
+        starts.clear();
+        bounds = {};
+    }
+};
+
+}  // namespace typemesh

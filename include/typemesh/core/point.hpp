@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace typemesh {
+
+/// A place or a direction in the plane, in font units unless said otherwise; x to the right, y up.
+struct point {
+    double x = 0.0;
+    double y = 0.0;
+
+    friend constexpr point operator+(point a, point b) noexcept { return {a.x + b.x, a.y + b.y}; }
+    friend constexpr point operator-(point a, point b) noexcept { return {a.x - b.x, a.y - b.y}; }
+    friend constexpr point operator*(double s, point a) noexcept { return {s * a.x, s * a.y}; }
+    friend constexpr point operator*(point a, double s) noexcept { return s * a; }
+    friend constexpr bool operator==(point, point) noexcept = default;
+};
+
+[[nodiscard]] constexpr double dot(point a, point b) noexcept { return a.x * b.x + a.y * b.y; }
+[[nodiscard]] constexpr double cross(point a, point b) noexcept { return a.x * b.y - a.y * b.x; }
+[[nodiscard]] inline double length(point a) noexcept { return std::sqrt(dot(a, a)); }
+
+/// a at s = 0, b at s = 1.
+[[nodiscard]] constexpr point lerp(point a, point b, double s) noexcept { return (1.0 - s) * a + s * b; }
+
+/// A place on the integer grid on which every decision is made (see grid.hpp); |coordinate| <= 2^28.
+struct grid_point {
+    std::int32_t x = 0;
+    std::int32_t y = 0;
+
+    friend constexpr bool operator==(grid_point, grid_point) noexcept = default;
+};
+
+/// Two and three 32-bit floats: what leaves the library.
+struct vec2 {
+    float x = 0.0f;
+    float y = 0.0f;
+
+    friend constexpr bool operator==(vec2, vec2) noexcept = default;
+};
+
+struct vec3 {
+    float x = 0.0f;
+    float y = 0.0f;
+    float z = 0.0f;
+
+    friend constexpr bool operator==(vec3, vec3) noexcept = default;
+};
+
+}  // namespace typemesh

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/assert.hpp>
+#include <typemesh/core/error.hpp>
+
+#include <optional>
+#include <utility>
+
+namespace typemesh {
+
+/// A value, or the error that kept it from being made.
+///
+///     if (auto made = f()) use(*made); else puts(made.error().message());
+template <class T>
+class [[nodiscard]] result {
+public:
+    result(T value) noexcept : value_{std::move(value)} {}
+    result(typemesh::error e) noexcept : error_{e} { TYPEMESH_ASSERT(e, "a result without a value must carry an error"); }
+    result(typemesh::error::kind k) noexcept : result{typemesh::error{k}} {}
+
+    [[nodiscard]] explicit operator bool() const noexcept { return value_.has_value(); }
+
+    [[nodiscard]] T& operator*() & noexcept { return *checked(); }
+    [[nodiscard]] const T& operator*() const& noexcept { return *const_cast<result*>(this)->checked(); }
+    [[nodiscard]] T&& operator*() && noexcept { return std::move(*checked()); }
+    [[nodiscard]] T* operator->() noexcept { return checked(); }
+    [[nodiscard]] const T* operator->() const noexcept { return const_cast<result*>(this)->checked(); }
+
+    /// What went wrong; error::none when there is a value.
+    [[nodiscard]] typemesh::error error() const noexcept { return error_; }
+
+private:
+    T* checked() noexcept
+    {
+        TYPEMESH_ASSERT(value_.has_value(), "the value of a failed result was asked for; test it with `if` first");
+        return &*value_;
+    }
+
+    std::optional<T> value_;
+    typemesh::error error_;
+};
+
+}  // namespace typemesh

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/curve.hpp>
+
+namespace typemesh {
+
+/// An `emit` that does nothing: what the concept below is tried with.
+struct ignore_points {
+    constexpr void operator()(point, double) const noexcept {}
+};
+
+/// Walks one curve and hands out points on it: emit(point, t) with 0 < t <= 1 ascending, the last at t = 1 and the curve's
+/// own end. The start is not handed out. Lines never come here.
+///
+/// The compiler tests the signatures. The author promises the rest: every chord between neighbouring points (the start
+/// included) stays within `tolerance` of the curve, and the curve within `tolerance` of its chord. The tolerance is
+/// positive and in the curve's own unit. `emit` is noexcept and takes any number of points, but broken fonts hold
+/// curves as large as the grid: cap the count.
+///
+///     struct thirds {                                       // a discretiser of your own
+///         template <class Curve, class Emit>
+///         void operator()(const Curve& c, double, Emit&& emit) const noexcept
+///         {
+///             for (int i = 1; i <= 3; ++i) emit(c.at(i / 3.0), i / 3.0);
+///         }
+///     };
+///
+/// A point that lies where the curve stops and turns (a cusp, a reversal) becomes a hard corner of the walls by itself:
+/// the two tangents there are found from the curve and t (see core/tangent.hpp).
+template <class D>
+concept discretiser = requires(const D& d, const quadratic& q, const cubic& c, double tolerance, ignore_points emit) {
+    { d(q, tolerance, emit) } noexcept;
+    { d(c, tolerance, emit) } noexcept;
+};
+
+}  // namespace typemesh

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace typemesh {
+
+/// The direction in which a line is set.
+enum class direction : std::uint8_t {
+    automatic,      ///< left-to-right or right-to-left, as the line's script asks
+    left_to_right,
+    right_to_left,
+    top_to_bottom,  ///< columns, the next to the left of the one before
+};
+
+/// An OpenType feature switched on (1), off (0) or set to one of its alternates (2, 3, ...), for the whole text.
+struct feature {
+    char tag[4] = {};  ///< such as 'l','i','g','a'
+    std::uint32_t value = 1;
+};
+
+/// What a shaper is told besides the text.
+struct shape_options {
+    typemesh::direction direction = typemesh::direction::automatic;
+    std::string_view language;          ///< BCP 47, such as "tr" or "zh-Hant"; empty: no language, never the machine's locale
+    std::string_view script;            ///< ISO 15924, such as "Arab"; empty: found from the text
+    std::span<const feature> features;  ///< besides those that the script has on by default
+};
+
+}  // namespace typemesh

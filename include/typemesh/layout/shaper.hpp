@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/result.hpp>
+#include <typemesh/layout/glyph_run.hpp>
+#include <typemesh/layout/shape_options.hpp>
+#include <typemesh/layout/text_view.hpp>
+
+#include <concepts>
+#include <cstddef>
+
+namespace typemesh {
+
+/// A font's own measures for lines, in font units, y up.
+///
+///     ascender  ────────────────   positive            horizontal: the distance between baselines is
+///     baseline  ──A─g──────────   0                    ascender - descender + gap
+///     descender ────────────────   negative            vertical: columns stand that far apart, x to the right
+struct line_metrics {
+    double ascender = 0.0;
+    double descender = 0.0;
+    double gap = 0.0;
+};
+
+/// Turns text into glyphs at pen positions: HarfBuzz, or something of your own.
+///
+///     s.units_per_em()                    as in outline_source; of the same font
+///     s.metrics(direction)                the font's line metrics, for horizontal or vertical lines
+///     s.shape(text, first, last, o, run)  appends the glyphs of text[first, last), one line without line breaks, to run.glyphs,
+///                                         in drawing order, with the pen starting at (0, 0), and gives the pen's
+///                                         way: {advance x, advance y} in font units; horizontal lines always run
+///                                         to the right, vertical lines down. Clusters count from the start of
+///                                         `text`, in its units. Adds to run.missing and run.invalid_units.
+///
+/// Fails  error::mixed_direction: the line holds text of both directions (never drawn in the wrong order)
+///        error::needs_shaping: the shaper is not made for this script
+///        error::out_of_memory; the run may then hold some of the line's glyphs
+template <class S>
+concept shaper = requires(S& s, text_view text, std::size_t i, const shape_options& o, glyph_run& run) {
+    { s.units_per_em() } noexcept -> std::convertible_to<double>;
+    { s.metrics(o.direction) } noexcept -> std::same_as<line_metrics>;
+    { s.shape(text, i, i, o, run) } noexcept -> std::same_as<result<point>>;
+};
+
+}  // namespace typemesh

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <type_traits>
+
+namespace typemesh {
+
+enum class encoding : std::uint8_t { utf8, utf16 };
+
+/// The caller's text where it lies: UTF-8 (char, char8_t) or UTF-16 (char16_t). Nothing is copied, nothing owned.
+///
+/// Offsets and clusters count units: bytes of UTF-8, 16-bit units of UTF-16. What is not valid in its encoding reads as U+FFFD
+/// (see utf.hpp).
+class text_view {
+public:
+    constexpr text_view() noexcept = default;
+
+    template <class Text>
+        requires std::is_convertible_v<const Text&, std::string_view>
+    constexpr text_view(const Text& text) noexcept : text_view{std::string_view{text}}
+    {
+    }
+    template <class Text>
+        requires std::is_convertible_v<const Text&, std::u8string_view>
+    constexpr text_view(const Text& text) noexcept : text_view{std::u8string_view{text}}
+    {
+    }
+    template <class Text>
+        requires std::is_convertible_v<const Text&, std::u16string_view>
+    constexpr text_view(const Text& text) noexcept : text_view{std::u16string_view{text}}
+    {
+    }
+    constexpr text_view(std::string_view text) noexcept : units_{text.data()}, size_{text.size()} {}
+    constexpr text_view(std::u8string_view text) noexcept : units_{text.data()}, size_{text.size()} {}
+    constexpr text_view(std::u16string_view text) noexcept : units_{text.data()}, size_{text.size()}, encoding_{typemesh::encoding::utf16} {}
+
+    /// How many units, and of which encoding.
+    [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
+    [[nodiscard]] constexpr bool empty() const noexcept { return size_ == 0; }
+    [[nodiscard]] constexpr typemesh::encoding encoding() const noexcept { return encoding_; }
+
+    /// The units themselves; the first only for UTF-8, the second only for UTF-16.
+    [[nodiscard]] const char* utf8() const noexcept { return static_cast<const char*>(units_); }
+    [[nodiscard]] const char16_t* utf16() const noexcept { return static_cast<const char16_t*>(units_); }
+
+    /// The unit at i, as a number. Needs i < size().
+    [[nodiscard]] std::uint32_t unit(std::size_t i) const noexcept
+    {
+        return encoding_ == typemesh::encoding::utf8 ? static_cast<unsigned char>(utf8()[i]) : utf16()[i];
+    }
+
+private:
+    const void* units_ = nullptr;
+    std::size_t size_ = 0;
+    typemesh::encoding encoding_ = typemesh::encoding::utf8;
+};
+
+}  // namespace typemesh

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/glyph_id.hpp>
+#include <typemesh/layout/text_view.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace typemesh {
+
+/// One code point as it was read, and where the next one begins.
+struct code_point {
+    char32_t value = 0xFFFD;
+    std::size_t next = 0;
+    bool valid = true;  ///< false where U+FFFD stands for something that is not UTF
+};
+
+/// Reads the code point at text[i], looking no further than `end`. Needs i < end <= text.size(); never fails, always moves on.
+///
+/// UTF-8 follows Unicode's "substitution of maximal subparts" (The Unicode Standard, 3.9; what WHATWG's decoder does too):
+/// as many bytes as could begin a code point become one U+FFFD, any other byte becomes one of its own. Overlong forms,
+/// surrogates and what lies beyond U+10FFFF are not valid.
+///
+///     E2 82 | 41        one U+FFFD, then A         E2 82 begins a sequence that breaks off
+///     C0 | AF           two U+FFFD                 no sequence begins with C0
+///     ED | A0 | 80      three U+FFFD               a surrogate, which UTF-8 does not write
+///
+/// In UTF-16 each half of a surrogate pair that stands alone is one U+FFFD.
+[[nodiscard]] inline code_point decode(text_view text, std::size_t i, std::size_t end) noexcept
+{
+    if (text.encoding() == encoding::utf16) {
+        const char32_t unit = text.utf16()[i];
+        if (unit < 0xD800 || unit > 0xDFFF) return {unit, i + 1, true};
+        if (unit < 0xDC00 && i + 1 < end) {
+            const char32_t low = text.utf16()[i + 1];
+            if (low >= 0xDC00 && low <= 0xDFFF) return {0x10000 + ((unit - 0xD800) << 10) + (low - 0xDC00), i + 2, true};
+        }
+        return {0xFFFD, i + 1, false};
+    }
+
+    const auto byte = [&](std::size_t k) noexcept -> char32_t { return static_cast<unsigned char>(text.utf8()[k]); };
+    const char32_t lead = byte(i);
+    if (lead < 0x80) return {lead, i + 1, true};
+    if (lead < 0xC2 || lead > 0xF4) return {0xFFFD, i + 1, false};
+
+    const std::size_t length = lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
+    const char32_t lowest = lead == 0xE0 ? 0xA0 : lead == 0xF0 ? 0x90 : 0x80;   // of the second byte
+    const char32_t highest = lead == 0xED ? 0x9F : lead == 0xF4 ? 0x8F : 0xBF;
+    char32_t value = lead & (0x7Fu >> length);
+    for (std::size_t k = 1; k < length; ++k) {
+        if (i + k >= end) return {0xFFFD, i + k, false};
+        const char32_t b = byte(i + k);
+        if (k == 1 ? (b < lowest || b > highest) : (b & 0xC0) != 0x80) return {0xFFFD, i + k, false};
+        value = value << 6 | (b & 0x3F);
+    }
+    return {value, i + length, true};
+}
+
+[[nodiscard]] inline code_point decode(text_view text, std::size_t i) noexcept { return decode(text, i, text.size()); }
+
+/// How often U+FFFD is read for something invalid, and where first.
+struct invalid_places {
+    std::uint32_t count = 0;
+    cluster_id first = no_cluster;
+};
+
+/// Looks through text[first, last); O(n).
+[[nodiscard]] inline invalid_places find_invalid(text_view text, std::size_t first, std::size_t last) noexcept
+{
+    invalid_places found;
+    for (std::size_t i = first; i < last;) {
+        const code_point c = decode(text, i, last);
+        if (!c.valid && found.count++ == 0) found.first = static_cast<cluster_id>(i);
+        i = c.next;
+    }
+    return found;
+}
+
+}  // namespace typemesh

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/error.hpp>
+#include <typemesh/core/finite.hpp>
+#include <typemesh/core/outline.hpp>
+#include <typemesh/outline/outline_sink.hpp>
+#include <typemesh/outline/outline_source.hpp>
+
+namespace typemesh {
+
+/// The sink that keeps an outline as curves (core/outline.hpp): the first step of every mesh.
+///
+/// Curves of length zero are dropped, open contours are closed with a line, contours without a curve are forgotten.
+/// After the first trouble all further calls are ignored; finish() tells it.
+class outline_recorder {
+public:
+    /// Starts to record into `out`, which is emptied first and must outlive the recorder.
+    explicit outline_recorder(outline& out) noexcept : out_{out} { out_.clear(); }
+
+    void move(point p) noexcept
+    {
+        close();
+        start_ = current_ = p;
+        open_ = true;
+        note(p);
+    }
+    void line(point p) noexcept
+    {
+        if (!note(p)) return;
+        if (!(p == current_)) keep(curve::from(current_, p));
+        current_ = p;
+    }
+    void quadratic(point control, point p) noexcept
+    {
+        if (!note(control) || !note(p)) return;
+        if (!(control == current_ && p == current_)) keep(curve::from(typemesh::quadratic{current_, control, p}));
+        current_ = p;
+    }
+    void cubic(point control1, point control2, point p) noexcept
+    {
+        if (!note(control1) || !note(control2) || !note(p)) return;
+        if (!(control1 == current_ && control2 == current_ && p == current_))
+            keep(curve::from(typemesh::cubic{current_, control1, control2, p}));
+        current_ = p;
+    }
+    void close() noexcept
+    {
+        if (!open_) return;
+        if (!(current_ == start_)) line(start_);
+        open_ = false;
+        if (trouble_) return;
+        const auto end = static_cast<std::uint32_t>(out_.curves.size());
+        const std::uint32_t begin = out_.starts.empty() ? 0u : out_.starts.back();
+        if (end == begin) return;
+        if (out_.starts.empty() && !out_.starts.push_back(0)) trouble_ = error::out_of_memory;
+        else if (!out_.starts.push_back(end)) trouble_ = error::out_of_memory;
+    }
+
+    /// Closes what is open and says how it went: error::outline_not_finite, error::bad_outline (a contour that does not begin
+    /// with move), error::out_of_memory, error::too_large, or none.
+    error finish() noexcept
+    {
+        close();
+        return trouble_;
+    }
+
+private:
+    bool note(point p) noexcept
+    {
+        if (trouble_) return false;
+        if (!open_) trouble_ = error::bad_outline;
+        else if (!is_finite(p.x) || !is_finite(p.y)) trouble_ = error::outline_not_finite;
+        else {
+            out_.bounds.add(p);
+            return true;
+        }
+        return false;
+    }
+    void keep(const curve& c) noexcept
+    {
+        if (out_.curves.size() == 0xFFFF'FFFFu) trouble_ = error::too_large;
+        else if (!out_.curves.push_back(c)) trouble_ = error::out_of_memory;
+    }
+
+    outline& out_;
+    point start_;
+    point current_;
+    bool open_ = false;
+    error trouble_;
+};
+
+static_assert(outline_sink<outline_recorder>);
+
+/// Reads one glyph of a source into `out`, fill rule included. The stage in one call.
+template <outline_source Source>
+error record(Source& source, glyph_id id, outline& out) noexcept
+{
+    outline_recorder recorder{out};
+    if (error e = source.outline(id, recorder)) return e;
+    out.rule = source.fill();
+    return recorder.finish();
+}
+
+}  // namespace typemesh

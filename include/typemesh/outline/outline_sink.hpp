@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/point.hpp>
+
+namespace typemesh {
+
+/// Takes an outline in five calls, in font units, y up.
+///
+/// Every contour begins with move() and ends with close(), or with the next move(), or with the outline's end; whichever it
+/// is, it is closed, with a straight line where its last point is not its first.
+template <class S>
+concept outline_sink = requires(S& s, point p) {
+    { s.move(p) } noexcept;
+    { s.line(p) } noexcept;          // to p
+    { s.quadratic(p, p) } noexcept;  // control point, end
+    { s.cubic(p, p, p) } noexcept;   // two control points, end
+    { s.close() } noexcept;
+};
+
+/// A sink that forgets everything: what outline_source is tried with.
+struct ignore_outline {
+    constexpr void move(point) noexcept {}
+    constexpr void line(point) noexcept {}
+    constexpr void quadratic(point, point) noexcept {}
+    constexpr void cubic(point, point, point) noexcept {}
+    constexpr void close() noexcept {}
+};
+
+}  // namespace typemesh

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/error.hpp>
+#include <typemesh/core/fill_rule.hpp>
+#include <typemesh/outline/outline_sink.hpp>
+
+#include <concepts>
+
+namespace typemesh {
+
+/// Turns a glyph id into an outline: a font, or a set of drawings of your own.
+///
+///     s.units_per_em()      how many font units make one em; positive
+///     s.fill()              the rule by which its contours fill; fonts mean non_zero
+///     s.outline(id, sink)   makes the sink's five calls (any outline_sink). A blank glyph makes none, which is no error;
+///                           an id that does not exist, or that cannot be loaded, is error::unknown_glyph.
+template <class S>
+concept outline_source = requires(S& s, glyph_id id, ignore_outline& sink) {
+    { s.units_per_em() } noexcept -> std::convertible_to<double>;
+    { s.fill() } noexcept -> std::same_as<fill_rule>;
+    { s.outline(id, sink) } noexcept -> std::same_as<error>;
+};
+
+}  // namespace typemesh

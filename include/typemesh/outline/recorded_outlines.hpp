@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/result.hpp>
+#include <typemesh/outline/outline_recorder.hpp>
+#include <typemesh/outline/outline_source.hpp>
+
+namespace typemesh {
+
+/// An outline source of your own drawings: logos, icons, a test's shapes.
+///
+///     recorded_outlines icons{1000.0};                              // units per em
+///     auto id = icons.add([](outline_sink auto& pen) {
+///         pen.move({0, 0}); pen.line({800, 0}); pen.quadratic({800, 900}, {0, 900}); pen.close();
+///     });                                                           // ids count from 0
+class recorded_outlines {
+public:
+    explicit recorded_outlines(double units_per_em, fill_rule rule = fill_rule::non_zero, memory source = heap()) noexcept
+        : units_per_em_{units_per_em}, rule_{rule}, scratch_{source}, curves_{source}, contours_{source}, glyphs_{source}
+    {
+    }
+
+    /// Calls draw(sink) once and keeps what it draws; gives its id. A failed add leaves the set as it was. Errors: see outline_recorder.
+    template <class Draw>
+    result<glyph_id> add(Draw&& draw) noexcept
+    {
+        outline_recorder recorder{scratch_};
+        draw(recorder);
+        if (error e = recorder.finish()) return e;
+
+        const glyph kept{contours_.size(), scratch_.contour_count(), curves_.size()};
+        if (!contours_.append(scratch_.starts.view()) || !curves_.append(scratch_.curves.view()) || !glyphs_.push_back(kept)) {
+            contours_.truncate(kept.first_start);
+            curves_.truncate(kept.first_curve);
+            return error::out_of_memory;
+        }
+        return static_cast<glyph_id>(glyphs_.size() - 1);
+    }
+
+    [[nodiscard]] double units_per_em() const noexcept { return units_per_em_; }
+    [[nodiscard]] fill_rule fill() const noexcept { return rule_; }
+    [[nodiscard]] std::size_t size() const noexcept { return glyphs_.size(); }
+
+    template <outline_sink Sink>
+    error outline(glyph_id id, Sink& sink) const noexcept
+    {
+        if (id >= glyphs_.size()) return error{error::unknown_glyph}.at(id, no_cluster);
+        const glyph& g = glyphs_[id];
+        for (std::size_t k = 0; k < g.contour_count; ++k) {
+            const std::size_t first = g.first_curve + contours_[g.first_start + k], last = g.first_curve + contours_[g.first_start + k + 1];
+            sink.move(curves_[first].start());
+            for (std::size_t i = first; i < last; ++i) {
+                const curve& c = curves_[i];
+                if (c.degree == 1) sink.line(c.p[1]);
+                else if (c.degree == 2) sink.quadratic(c.p[1], c.p[2]);
+                else sink.cubic(c.p[1], c.p[2], c.p[3]);
+            }
+            sink.close();
+        }
+        return {};
+    }
+
+private:
+    struct glyph {
+        std::size_t first_start;
+        std::size_t contour_count;
+        std::size_t first_curve;
+    };
+
+    double units_per_em_;
+    fill_rule rule_;
+    typemesh::outline scratch_;
+    buffer<curve> curves_;
+    buffer<std::uint32_t> contours_;
+    buffer<glyph> glyphs_;
+};
+
+static_assert(outline_source<recorded_outlines>);
+
+}  // namespace typemesh

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/layout/shaper.hpp>
+#include <typemesh/outline/outline_source.hpp>
+
+namespace typemesh {
+
+/// A shaper and an outline source that go together: text shaped by one library, drawn by another. Both must outlive it and
+/// speak of the same font, with the same units per em.
+template <shaper Shaper, outline_source Source>
+class shaped_by {
+public:
+    shaped_by(Shaper& shapes, Source& draws) noexcept : shapes_{&shapes}, draws_{&draws} {}
+
+    [[nodiscard]] double units_per_em() noexcept { return draws_->units_per_em(); }
+    [[nodiscard]] fill_rule fill() noexcept { return draws_->fill(); }
+    [[nodiscard]] line_metrics metrics(direction d) noexcept { return shapes_->metrics(d); }
+
+    [[nodiscard]] result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& options, glyph_run& run) noexcept
+    {
+        return shapes_->shape(text, first, last, options, run);
+    }
+    template <outline_sink Sink>
+    error outline(glyph_id id, Sink& sink) noexcept
+    {
+        return draws_->outline(id, sink);
+    }
+
+private:
+    Shaper* shapes_;
+    Source* draws_;
+};
+
+}  // namespace typemesh

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/fill_rule.hpp>
+#include <typemesh/discretise/quality.hpp>
+#include <typemesh/layout/layout.hpp>
+#include <typemesh/vertex/frame.hpp>
+
+#include <cstdint>
+#include <optional>
+
+namespace typemesh {
+
+/// In what unit positions are written. x and y as said; z likewise, for depths are given in em.
+enum class output_unit : std::uint8_t {
+    em,          ///< the font's size is 1
+    font_units,  ///< the font's own units, units_per_em to the em
+    pixels,      ///< pixels_per_em to the em
+    unit_box,    ///< the text's box, made to fit [-1, 1]: its longer side does, its centre is at 0
+};
+
+/// Over what the `box` texture mapping spreads the square [0, 1]: the whole text, each line, or each glyph.
+enum class texture_box : std::uint8_t { text, line, glyph };
+
+/// How a text is set and written. All have defaults that suit a headline in a 3D scene.
+struct text_options {
+    shape_options shape = {};    ///< direction, language, script, features
+    layout_options layout = {};  ///< alignment, line spacing
+
+    double tolerance = quality::high;    ///< the largest distance between curve and mesh, in em; see discretise/quality.hpp
+    std::optional<fill_rule> fill = {};  ///< instead of the outline source's own rule
+
+    output_unit unit = output_unit::em;
+    double pixels_per_em = 64.0;  ///< for output_unit::pixels alone
+    texture_box texture_over = texture_box::text;
+    typemesh::frame frame = right_handed_y_up;
+
+    bool draw_missing = false;  ///< draw the font's .notdef (a box, mostly) for glyphs that it lacks; they are reported either way
+};
+
+}  // namespace typemesh

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/error.hpp>
+
+#include <cstdint>
+
+namespace typemesh {
+
+/// What happened to a text's glyphs: what is not in the mesh, and why. A text that lost glyphs is still built.
+struct text_report {
+    std::uint32_t glyphs = 0;   ///< in the run, blank and missing ones included
+    std::uint32_t blank = 0;    ///< without an outline, such as spaces, or enclosing nothing
+    std::uint32_t refused = 0;  ///< left out because their outline cannot be built
+    error first_refusal;        ///< why, with glyph and cluster; none when refused == 0
+    std::uint32_t missing = 0;  ///< the font lacks them
+    cluster_id first_missing = no_cluster;
+    std::uint32_t invalid_units = 0;  ///< places of the text that are not valid UTF, read as U+FFFD
+    cluster_id first_invalid_unit = no_cluster;
+
+    /// True when every glyph of the text is in the mesh.
+    [[nodiscard]] constexpr bool complete() const noexcept { return refused == 0 && missing == 0 && invalid_units == 0; }
+};
+
+}  // namespace typemesh

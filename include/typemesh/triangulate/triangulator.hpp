@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/error.hpp>
+#include <typemesh/core/region.hpp>
+#include <typemesh/core/result.hpp>
+#include <typemesh/core/triangle.hpp>
+#include <typemesh/core/workspace.hpp>
+
+#include <concepts>
+
+namespace typemesh {
+
+/// Cuts a region into counter-clockwise triangles over its own points; adds no point and drops none.
+///
+///     t(r, space, out)    appends r.triangle_count() triangles of indices into r.points() to `out`
+///
+/// The region is proven: see region.hpp for what may be relied on. Every edge of the region must be an edge of exactly
+/// one triangle, so that the walls that are put up on it meet the caps without a crack; no triangle may have area zero.
+/// Scratch memory comes from `space`. When memory fails: error::out_of_memory, and `out` is as it was.
+template <class T>
+concept triangulator = requires(const T& t, const region& r, workspace& space, triangle_list& out) {
+    { t(r, space, out) } noexcept -> std::same_as<error>;
+};
+
+/// A triangulator that can also take loops of which nothing is proven, and proves them while it works.
+///
+///     t.prove(loops, space, out)    the region that the loops bound, its triangles appended to `out`; or
+///                                   error::crossing_contours, `out` being as it was: "I refuse", which is no verdict:
+///                                   the loops then take the way through fill.
+///
+/// It may refuse what it likes, but must accept only loops that do not cross, touch or overlap and whose interior, by
+/// even-odd and by non-zero winding alike, lies on the left of every edge (see fill/orient.hpp).
+template <class T>
+concept proving_triangulator = triangulator<T> && requires(const T& t, const contours& loops, workspace& space, triangle_list& out) {
+    { t.prove(loops, space, out) } noexcept -> std::same_as<result<region>>;
+};
+
+}  // namespace typemesh

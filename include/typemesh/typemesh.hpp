@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The whole core: text to triangles, nothing third-party. Fonts come in through one of the adapters:
+// <typemesh/adapt/harfbuzz.hpp>, <typemesh/adapt/freetype.hpp>, or outlines of your own.
+
+#include <typemesh/core/version.hpp>
+
+#include <typemesh/outline/outline_source.hpp>
+#include <typemesh/outline/recorded_outlines.hpp>
+#include <typemesh/outline/transformed_outlines.hpp>
+
+#include <typemesh/layout/layout.hpp>
+
+#include <typemesh/discretise/adaptive_subdivision.hpp>
+#include <typemesh/discretise/certified.hpp>
+#include <typemesh/discretise/discretise.hpp>
+#include <typemesh/discretise/quality.hpp>
+#include <typemesh/discretise/two_lines.hpp>
+
+#include <typemesh/fill/fill.hpp>
+
+#include <typemesh/triangulate/monotone.hpp>
+
+#include <typemesh/vertex/frame.hpp>
+#include <typemesh/vertex/growing_sink.hpp>
+#include <typemesh/vertex/stream_sink.hpp>
+
+#include <typemesh/extrude/extrude.hpp>
+#include <typemesh/extrude/extruded.hpp>
+#include <typemesh/extrude/flat.hpp>
+
+#include <typemesh/text/shaped_by.hpp>
+#include <typemesh/text/text_mesher.hpp>

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/vertex/mesh_sink.hpp>
+#include <typemesh/vertex/vertex_traits.hpp>
+
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+namespace typemesh {
+
+/// 0xFFFF and 0xFFFFFFFF are kept free: graphics interfaces read them as "restart".
+template <std::unsigned_integral Index>
+[[nodiscard]] constexpr bool index_can_number(std::uint64_t vertices) noexcept
+{
+    return vertices <= (std::numeric_limits<Index>::max)();
+}
+
+/// Writes whole vertices and indices into two arrays of the caller's, mapped GPU memory included: each element once, in
+/// ascending order, never read back. Both hold still until end(). base_vertex is added to every index.
+///
+/// Fails in begin(), before anything is written:
+///        error::buffer_too_small  a span is too short; count = how many elements it needs
+///        error::index_overflow    Index cannot number base_vertex + vertices; count = how many vertices
+template <class Vertex, std::unsigned_integral Index, vertex_writer Writer>
+class array_sink {
+public:
+    static constexpr attribute wants = Writer::wants;
+
+    array_sink(std::span<Vertex> vertices, std::span<Index> indices, Writer writer, std::uint32_t base_vertex = 0) noexcept
+        : vertices_{vertices}, indices_{indices}, writer_{std::move(writer)}, base_{base_vertex}
+    {
+    }
+
+    error begin(mesh_size exact) noexcept
+    {
+        if (!index_can_number<Index>(base_ + exact.vertices)) return {error::index_overflow, base_ + exact.vertices};
+        if (exact.vertices > vertices_.size()) return {error::buffer_too_small, exact.vertices};
+        if (exact.indices() > indices_.size()) return {error::buffer_too_small, exact.indices()};
+        next_vertex_ = vertices_.data();
+        next_index_ = indices_.data();
+        return {};
+    }
+    void vertex(const surface_point<wants>& s) noexcept { *next_vertex_++ = writer_(s); }
+    void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept
+    {
+        next_index_[0] = static_cast<Index>(base_ + a);
+        next_index_[1] = static_cast<Index>(base_ + b);
+        next_index_[2] = static_cast<Index>(base_ + c);
+        next_index_ += 3;
+    }
+    void end() noexcept {}
+
+private:
+    std::span<Vertex> vertices_;
+    std::span<Index> indices_;
+    Vertex* next_vertex_ = nullptr;
+    Index* next_index_ = nullptr;
+    [[no_unique_address]] Writer writer_;
+    std::uint32_t base_;
+};
+
+/// Asks for the missing specialisation by name.
+template <class Vertex>
+consteval void require_vertex_traits() noexcept
+{
+    static_assert(mesh_vertex<Vertex>,
+                  "typemesh: this vertex type has no usable typemesh::vertex_traits<Vertex>. Specialise it for your vertex: "
+                  "`static constexpr auto wants = ...` and `Vertex operator()(const surface_point<wants>&) const noexcept`; "
+                  "see typemesh/vertex/vertex_traits.hpp.");
+}
+
+/// A sink over two arrays; the writer is the vertex' own vertex_traits.
+template <class Vertex, std::unsigned_integral Index>
+[[nodiscard]] auto into(std::span<Vertex> vertices, std::span<Index> indices, std::uint32_t base_vertex = 0) noexcept
+{
+    require_vertex_traits<Vertex>();
+    return array_sink<Vertex, Index, vertex_traits<Vertex>>{vertices, indices, {}, base_vertex};
+}
+
+/// The same with a writer of your own, which may carry state.
+template <class Vertex, std::unsigned_integral Index, vertex_writer Writer>
+[[nodiscard]] auto into(std::span<Vertex> vertices, std::span<Index> indices, Writer writer, std::uint32_t base_vertex = 0) noexcept
+{
+    return array_sink<Vertex, Index, Writer>{vertices, indices, std::move(writer), base_vertex};
+}
+
+}  // namespace typemesh

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+namespace typemesh {
+
+/// What a point of the surface can tell; a set, joined by |. Only what is asked for is computed.
+enum class attribute : std::uint32_t {
+    none = 0,
+    position = 1u << 0,
+    normal = 1u << 1,
+    uv = 1u << 2,
+};
+
+[[nodiscard]] constexpr attribute operator|(attribute a, attribute b) noexcept
+{
+    return static_cast<attribute>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
+}
+
+[[nodiscard]] constexpr bool has(attribute set, attribute one) noexcept
+{
+    return (static_cast<std::uint32_t>(set) & static_cast<std::uint32_t>(one)) != 0;
+}
+
+}  // namespace typemesh

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/point.hpp>
+
+#include <cstdint>
+
+namespace typemesh {
+
+/// Where texture coordinate v = 0 lies: at the top (Direct3D, Vulkan, glTF, Unreal) or at the bottom (OpenGL, Unity).
+enum class uv_origin : std::uint8_t { top_left, bottom_left };
+
+/// The caller's coordinate system: where the text's own directions point in it, and which way its triangles must turn.
+///
+///        up                       Text runs along `right`, stands along `up` and looks along `toward` (the front cap's
+///         |   the text's front    normal). The three are unit vectors at right angles; they may be left-handed.
+///         |
+///         +------ right           winding: the sign of dot(cross(b - a, c - a), normal) for a triangle a, b, c, computed
+///        /                        in these very coordinates. +1 for OpenGL, glTF, Direct3D and Unity; -1 for Godot. It
+///     toward                      says what "clockwise" leaves open: a left-handed frame by itself turns no triangle.
+struct frame {
+    vec3 right{1.0f, 0.0f, 0.0f};
+    vec3 up{0.0f, 1.0f, 0.0f};
+    vec3 toward{0.0f, 0.0f, 1.0f};
+    std::int8_t winding = 1;
+    uv_origin uv = uv_origin::top_left;
+
+    /// Whether two corners of each triangle must be exchanged: the mapping mirrors, or the winding asked for is negative.
+    [[nodiscard]] constexpr bool turns_triangles() const noexcept
+    {
+        const float determinant = right.x * (up.y * toward.z - up.z * toward.y) - right.y * (up.x * toward.z - up.z * toward.x) +
+                                  right.z * (up.x * toward.y - up.y * toward.x);
+        return (determinant < 0.0f) != (winding < 0);
+    }
+
+    [[nodiscard]] constexpr vec3 operator()(float x, float y, float z) const noexcept
+    {
+        return {right.x * x + up.x * y + toward.x * z, right.y * x + up.y * y + toward.y * z, right.z * x + up.z * y + toward.z * z};
+    }
+};
+
+/// The usual frames. Right-handed, y up, front towards +z: OpenGL, glTF, three.js (and Godot with .winding = -1).
+inline constexpr frame right_handed_y_up{};
+
+/// Left-handed, y up, front towards -z, so that a viewer who looks along +z reads it: Direct3D, Unity.
+inline constexpr frame left_handed_y_up{.toward = {0.0f, 0.0f, -1.0f}};
+
+/// Right-handed, z up, front towards -y: Blender, CAD.
+inline constexpr frame right_handed_z_up{.up = {0.0f, 0.0f, 1.0f}, .toward = {0.0f, -1.0f, 0.0f}};
+
+/// Left-handed, z up, front towards -x, text along +y: Unreal's axes (see its own pages for the winding that it expects).
+inline constexpr frame left_handed_z_up{.right = {0.0f, 1.0f, 0.0f}, .up = {0.0f, 0.0f, 1.0f}, .toward = {-1.0f, 0.0f, 0.0f}};
+
+}  // namespace typemesh

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/vertex/array_sink.hpp>
+
+namespace typemesh {
+
+/// A container that can be sized and lies in one piece: std::vector, and those of most engines.
+template <class C>
+concept sizable_array = requires(C& c, std::size_t n) {
+    typename C::value_type;
+    { c.resize(n) };
+    { c.data() } -> std::same_as<typename C::value_type*>;
+};
+
+/// Sizes two containers of the caller's to fit, then writes as array_sink does. What they held before is replaced.
+///
+/// A container that throws when memory fails gives error::out_of_memory (where exceptions are on), both then being as they were
+/// if they have reserve().
+template <sizable_array Vertices, sizable_array Indices, vertex_writer Writer>
+class growing_sink {
+    using array = array_sink<typename Vertices::value_type, typename Indices::value_type, Writer>;
+
+public:
+    static constexpr attribute wants = Writer::wants;
+
+    growing_sink(Vertices& vertices, Indices& indices, Writer writer) noexcept
+        : vertices_{&vertices}, indices_{&indices}, array_{{}, {}, writer}, writer_{std::move(writer)}
+    {
+    }
+
+    error begin(mesh_size exact) noexcept
+    {
+        if (!index_can_number<typename Indices::value_type>(exact.vertices)) return {error::index_overflow, exact.vertices};
+        if (!resize(exact)) return error::out_of_memory;
+        array_ = array{{vertices_->data(), static_cast<std::size_t>(exact.vertices)},
+                       {indices_->data(), static_cast<std::size_t>(exact.indices())}, writer_};
+        return array_.begin(exact);
+    }
+    void vertex(const surface_point<wants>& s) noexcept { array_.vertex(s); }
+    void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept { array_.triangle(a, b, c); }
+    void end() noexcept {}
+
+private:
+    bool resize(mesh_size exact) noexcept
+    {
+        const auto vertices = static_cast<std::size_t>(exact.vertices), indices = static_cast<std::size_t>(exact.indices());
+#if defined(__cpp_exceptions)
+        try {
+#endif
+            if constexpr (requires { vertices_->reserve(vertices); indices_->reserve(indices); }) {
+                vertices_->reserve(vertices);
+                indices_->reserve(indices);
+            }
+            vertices_->resize(vertices);
+            indices_->resize(indices);
+            return true;
+#if defined(__cpp_exceptions)
+        } catch (...) {
+            return false;
+        }
+#endif
+    }
+
+    Vertices* vertices_;
+    Indices* indices_;
+    array array_;
+    Writer writer_;
+};
+
+/// A sink that sizes two containers: `std::vector<my_vertex>` and `std::vector<std::uint32_t>`, or the like.
+template <sizable_array Vertices, sizable_array Indices>
+[[nodiscard]] auto into(Vertices& vertices, Indices& indices) noexcept
+{
+    require_vertex_traits<typename Vertices::value_type>();
+    return growing_sink<Vertices, Indices, vertex_traits<typename Vertices::value_type>>{vertices, indices, {}};
+}
+
+template <sizable_array Vertices, sizable_array Indices, vertex_writer Writer>
+[[nodiscard]] auto into(Vertices& vertices, Indices& indices, Writer writer) noexcept
+{
+    return growing_sink<Vertices, Indices, Writer>{vertices, indices, std::move(writer)};
+}
+
+}  // namespace typemesh

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/vertex/array_sink.hpp>
+
+#include <cstddef>
+#include <cstring>
+#include <tuple>
+
+namespace typemesh {
+
+/// One attribute in an array of its own: element i of type T lies `stride` bytes behind element i - 1.
+///
+/// T is made from the attribute's floats: T{x, y, z} for positions and normals, T{u, v} for texture coordinates.
+template <attribute A, class T>
+struct stream {
+    static constexpr attribute wants = A;
+
+    void* data = nullptr;        ///< the first element; aligned for T
+    std::size_t capacity = 0;    ///< elements
+    std::size_t stride = sizeof(T);
+
+    constexpr stream(void* first, std::size_t elements, std::size_t bytes_apart = sizeof(T)) noexcept
+        : data{first}, capacity{elements}, stride{bytes_apart}
+    {
+    }
+    constexpr stream(std::span<T> elements) noexcept : data{elements.data()}, capacity{elements.size()} {}
+
+    void put(std::size_t i, const surface_point<wants>& s) const noexcept
+    {
+        T* place = reinterpret_cast<T*>(static_cast<std::byte*>(data) + i * stride);
+        if constexpr (A == attribute::position) *place = T{s.position.x, s.position.y, s.position.z};
+        else if constexpr (A == attribute::normal) *place = T{s.normal.x, s.normal.y, s.normal.z};
+        else *place = T{s.uv.x, s.uv.y};
+    }
+};
+
+/// What stream_sink asks of a stream: `wants`, `capacity` in elements, and put(i, point), called once for each i, ascending.
+/// Write your own for packed formats.
+template <class S>
+concept vertex_stream = requires(const S& s, std::size_t i, const surface_point<S::wants>& p) {
+    { S::wants } -> std::convertible_to<attribute>;
+    { s.capacity } -> std::convertible_to<std::size_t>;
+    { s.put(i, p) } noexcept;
+};
+
+/// Writes each attribute into an array of its own (structure of arrays), and the indices into one more.
+///
+///     stream_sink sink{std::span{indices}, stream<attribute::position, float3>{positions}, stream<attribute::uv, float2>{uvs}};
+///
+/// Fails in begin(), before anything is written, as array_sink does.
+template <std::unsigned_integral Index, vertex_stream... Streams>
+class stream_sink {
+public:
+    static constexpr attribute wants = (attribute::none | ... | Streams::wants);
+
+    explicit stream_sink(std::span<Index> indices, Streams... streams) noexcept : indices_{indices}, streams_{streams...} {}
+
+    error begin(mesh_size exact) noexcept
+    {
+        if (!index_can_number<Index>(exact.vertices)) return {error::index_overflow, exact.vertices};
+        if (exact.indices() > indices_.size()) return {error::buffer_too_small, exact.indices()};
+        const bool fits = std::apply([&](const auto&... s) { return ((exact.vertices <= s.capacity) && ...); }, streams_);
+        if (!fits) return {error::buffer_too_small, exact.vertices};
+        next_vertex_ = 0;
+        next_index_ = indices_.data();
+        return {};
+    }
+    void vertex(const surface_point<wants>& p) noexcept
+    {
+        std::apply([&](const auto&... s) { (s.put(next_vertex_, only<std::remove_cvref_t<decltype(s)>::wants>(p)), ...); }, streams_);
+        ++next_vertex_;
+    }
+    void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept
+    {
+        next_index_[0] = static_cast<Index>(a);
+        next_index_[1] = static_cast<Index>(b);
+        next_index_[2] = static_cast<Index>(c);
+        next_index_ += 3;
+    }
+    void end() noexcept {}
+
+private:
+    std::span<Index> indices_;
+    std::tuple<Streams...> streams_;
+    std::size_t next_vertex_ = 0;
+    Index* next_index_ = nullptr;
+};
+
+template <class Index, class... Streams>
+stream_sink(std::span<Index>, Streams...) -> stream_sink<Index, Streams...>;
+
+}  // namespace typemesh

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/vertex/surface_point.hpp>
+
+#include <concepts>
+#include <type_traits>
+
+namespace typemesh {
+
+/// Makes a vertex of yours from a point of the surface.
+///
+///     W::wants    the attributes it takes, known at compile time; no other is computed
+///     w(s)        your vertex, from a surface_point<W::wants>; noexcept
+///
+/// A writer may carry state (a colour, a box to quantise to): hand it to the sink.
+template <class W>
+concept vertex_writer = requires(const W& w, const surface_point<W::wants>& s) {
+    { W::wants } -> std::convertible_to<attribute>;
+    { w(s) } noexcept;
+    requires !std::is_void_v<decltype(w(s))>;
+};
+
+/// The writer that a vertex type is made with unless another is given: specialise it for your vertex, once.
+///
+///     template <>
+///     struct typemesh::vertex_traits<my_vertex> {
+///         static constexpr auto wants = attribute::position | attribute::normal | attribute::uv;
+///         my_vertex operator()(const surface_point<wants>& s) const noexcept
+///         {
+///             return {s.position.x, s.position.y, s.position.z, s.normal.x, s.normal.y, s.normal.z, s.uv.x, s.uv.y};
+///         }
+///     };
+///     static_assert(typemesh::mesh_vertex<my_vertex>);   // an error then appears here, in your file
+template <class Vertex>
+struct vertex_traits;
+
+/// A type with a vertex_traits of its own that makes it.
+template <class V>
+concept mesh_vertex = vertex_writer<vertex_traits<V>> && requires(const vertex_traits<V>& w, const surface_point<vertex_traits<V>::wants>& s) {
+    { w(s) } -> std::convertible_to<V>;
+};
+
+}  // namespace typemesh
