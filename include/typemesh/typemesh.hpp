@@ -6,6 +6,7 @@
 
 #include <typemesh/core/version.hpp>
 
+#include <typemesh/outline/font_options.hpp>
 #include <typemesh/outline/outline_source.hpp>
 #include <typemesh/outline/recorded_outlines.hpp>
 #include <typemesh/outline/transformed_outlines.hpp>
@@ -26,9 +27,13 @@
 #include <typemesh/vertex/growing_sink.hpp>
 #include <typemesh/vertex/stream_sink.hpp>
 
+#include <typemesh/extrude/averaged_normals.hpp>
+#include <typemesh/extrude/creased_normals.hpp>
+#include <typemesh/extrude/curve_normals.hpp>
 #include <typemesh/extrude/extrude.hpp>
 #include <typemesh/extrude/extruded.hpp>
 #include <typemesh/extrude/flat.hpp>
+#include <typemesh/extrude/shared_normals.hpp>
 
 #include <typemesh/text/shaped_by.hpp>
 #include <typemesh/text/text_mesher.hpp>

@@ -102,9 +102,12 @@ inline const char* describe(const error& e, std::span<char> out) noexcept
         std::snprintf(where, sizeof where, "glyph %lu, cluster %lu: ", static_cast<unsigned long>(e.glyph), static_cast<unsigned long>(e.cluster));
     else if (e.glyph != no_glyph)
         std::snprintf(where, sizeof where, "glyph %lu: ", static_cast<unsigned long>(e.glyph));
+    else if (e.cluster != no_cluster)
+        std::snprintf(where, sizeof where, "cluster %lu: ", static_cast<unsigned long>(e.cluster));
     char how_many[48] = "";
     if (e.count != 0) std::snprintf(how_many, sizeof how_many, " (%llu)", static_cast<unsigned long long>(e.count));
-    std::snprintf(out.data(), out.size(), "%s%s%s", where, e.message(), how_many);
+    // That the result is looked at tells compilers that cutting is meant.
+    if (std::snprintf(out.data(), out.size(), "%s%s%s", where, e.message(), how_many) < 0) out[0] = '\0';
     return out.data();
 }
 

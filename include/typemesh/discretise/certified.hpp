@@ -7,108 +7,40 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 
 namespace typemesh {
 
+#ifndef SLACK
+#define SLACK 0.1
+#define GROW 0.98
+#define SAFE 0.998
+#endif
+
 namespace detail {
 
-/// What certify() says of one piece: the chord is good enough, or how much of the piece to try instead.
-struct verdict {
-    bool good;
-    double shrink;  ///< below 1; meaningless when good
-};
-
-[[nodiscard]] inline verdict refused(double squared_ratio) noexcept
+/// z^(-1/4) within 0.11 %, without a root or a division: a first guess from the exponent bits, and one step of Newton's whose
+/// two constants were fitted together with it. For z = 0 some large number.
+[[nodiscard]] inline float inverse_fourth_root(float z) noexcept
 {
-    return {false, 1.0 / std::sqrt(std::sqrt(squared_ratio))};
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &z, sizeof bits);
+    bits = 0x4F50'8000u - (bits >> 2);
+    float r = 0.0f;
+    std::memcpy(&r, &bits, sizeof r);
+    const float rr = r * r;
+    return r * (1.30089f - 0.303888f * (z * rr) * rr);
 }
 
-/// A quadratic as p0 + 2bt + at^2.
-struct quadratic_walk {
-    point p0, b, a;
-    double turn;  ///< |b x a|; zero for a straight curve
-    double tt;    ///< tolerance squared
-    bool tame;    ///< no piece leaves the stripe over its chord
-
-    [[nodiscard]] point at(double t) const noexcept { return p0 + t * (2.0 * b + t * a); }
-
-    /// Offset from the chord is -a h^2 s(1-s): greatest in the middle.
-    [[nodiscard]] verdict certify(double u, double v) const noexcept
-    {
-        const double h = v - u;
-        const point c = 2.0 * b + (u + v) * a;
-        const double error = h * h * turn;
-        const double room = 4.0 * tt * dot(c, c);
-        if (tame) {
-            if (error * error <= room) return {true, 1.0};
-            return refused(error * error / room);
-        }
-        const double first = dot(b + u * a, c), last = dot(b + v * a, c);
-        const double aa = dot(a, a) * h * h * h * h;  // |a|h^2/4 is the greatest distance to the point of equal s
-        if (aa <= 16.0 * tt) return {true, 1.0};
-        if (first >= 0.0 && last >= 0.0) {
-            if (error * error <= room) return {true, 1.0};
-            return refused(error * error / room);
-        }
-        // The piece leaves the stripe by  x = -first^2 h / (first - last) |c|  at the start, likewise at the end.
-        const double cc = dot(c, c);
-        const double worse = first < last ? first : last;
-        const double beyond = worse * worse / (first < last ? last - first : first - last);  // times h / |c|
-        const double squared = cc > 0.0 ? (error * error * 0.25 + beyond * beyond * h * h) / cc : aa / 16.0;
-        const double bound = squared < aa / 16.0 ? squared : aa / 16.0;
-        if (bound <= tt) return {true, 1.0};
-        return refused(bound / tt);
-    }
-};
-
-/// Where equal shares of the integral of sqrt(|B' x B''| / (8 tolerance |B'|)) lie on a quadratic: on the parabola it is
-/// a scaled integral of (1 + x^2)^(-1/4), x being the tangent's slope against the axis.
-///
-/// The approximations of that integral and of its inverse are from  R. Levien, "Flattening quadratic Béziers", 2019.
-struct parabola_shares {
-    double slope0, slope_rate, scale;
-    double u0, first, whole, ratio;  // of the approximate inverse
-
-    [[nodiscard]] static double integral(double x) noexcept
-    {
-        constexpr double d = 0.67;
-        return x / ((1.0 - d) + std::sqrt(std::sqrt(d * d * d * d + 0.25 * x * x)));
-    }
-    [[nodiscard]] static double inverse(double y) noexcept
-    {
-        constexpr double b = 0.39;
-        return y * ((1.0 - b) + std::sqrt(b * b + 0.25 * y * y));
-    }
-    parabola_shares(const quadratic_walk& q, double ta, double tb, double tolerance) noexcept
-    {
-        const double aa = dot(q.a, q.a), length_a = std::sqrt(aa);
-        slope0 = dot(q.a, q.b) / q.turn;
-        slope_rate = aa / q.turn;
-        const double x0 = slope0 + slope_rate * ta, x1 = slope0 + slope_rate * tb;
-        first = integral(x0);
-        const double last = integral(x1);
-        whole = q.turn / (2.0 * length_a * std::sqrt(length_a * tolerance)) * (last - first);
-        scale = (last - first) / whole;
-        u0 = inverse(first);
-        ratio = (tb - ta) / (inverse(last) - u0);
-        start = ta;
-    }
-    double start;
-    [[nodiscard]] double t_of(double share) noexcept { return start + ratio * (inverse(first + scale * share) - u0); }
-    [[nodiscard]] double share_of(double t) const noexcept
-    {
-        return (integral(slope0 + slope_rate * t) - first) / scale;
-    }
-};
-
-struct cubic_walk {
+/// B(t) = p0 + c1 t + c2 t^2 + c3 t^3, and what a chord of it may stray.
+struct cubic_form {
     point p0, c1, c2, c3;
-    double tt;
-    bool tame;
+    double tt;  ///< tolerance squared
 
     [[nodiscard]] point at(double t) const noexcept { return p0 + t * (c1 + t * (c2 + t * c3)); }
 
-    [[nodiscard]] verdict certify(double u, double v) const noexcept
+    template <bool tame>
+    [[nodiscard]] double excess(double u, double v) const noexcept
     {
         const double h = v - u;
         const point d1 = c1 + u * (2.0 * c2 + (3.0 * u) * c3);
@@ -119,137 +51,138 @@ struct cubic_walk {
         const double m = (p + q) * 0.5 * h, d = (q - p) * 0.5 * h;
         const double mm = m * m, dd = d * d, cc = dot(c, c);
         const double room = 16.0 * tt * cc;
-        if (!tame) return certify_wild(d1, d2, d3, c, h, m, d);
-        // (1 - x^2)(|m| + |d|x)/4 <= (|m| + d^2/4|m|)/4
-        const double quick = mm + 0.25 * dd;
-        if (quick * quick <= mm * room) return {true, 1.0};
-        const double am = std::abs(m), ad = std::abs(d);
-        const double x = ad / (am + std::sqrt(mm + 3.0 * dd) + 1e-300);
-        const double top = (1.0 - x * x) * (am + ad * x);
-        if (top * top <= room) return {true, 1.0};
-        return refused(top * top / room);
-    }
-
-    [[nodiscard]] verdict certify_wild(point d1, point d2, point d3, point c, double h, double m, double d) const noexcept
-    {
-        const double cc = dot(c, c);
-        const double am = std::abs(m), ad = std::abs(d);
-        const double x = ad / (am + std::sqrt(m * m + 3.0 * d * d) + 1e-300);
-        const double top = (1.0 - x * x) * (am + ad * x) * 0.25;
-        const point v1 = d1 - c, v2 = v1 - d3;
-        const double n1 = dot(v1, v1), n2 = dot(v2, v2);
-        const double loose = (n1 > n2 ? n1 : n2) * h * h / 16.0;
-        if (loose <= tt) return {true, 1.0};
-        double bound = loose;
-        if (cc > 0.0) {
-            const double first = dot(d1, c) / 3.0, second = (2.0 * dot(d1, c) + dot(d2, c)) / 3.0;
-            double beyond = 0.0;
-            if (first < 0.0 || second < 0.0 || first > cc || second > cc) {
-                const double low = (first < 0.0 ? first : 0.0) + (second < 0.0 ? second : 0.0);
-                const double high = (first > cc ? first - cc : 0.0) + (second > cc ? second - cc : 0.0);
-                beyond = (-low > high ? -low : high) * (4.0 / 9.0) * h;
+        if constexpr (tame) {
+            // (1 - x^2)(|m| + |d|x)/4 <= (|m| + d^2/4|m|)/4
+            const double quick = mm + 0.25 * dd;
+            if (quick * quick <= mm * room) return 1.0;
+            const double am = std::abs(m), ad = std::abs(d);
+            const double x = ad / (am + std::sqrt(mm + 3.0 * dd) + 1e-300);
+            const double top = (1.0 - x * x) * (am + ad * x);
+            return top * top <= room ? 1.0 : top * top / room;
+        } else {
+            const double am = std::abs(m), ad = std::abs(d);
+            const double x = ad / (am + std::sqrt(m * m + 3.0 * d * d) + 1e-300);
+            const double top = (1.0 - x * x) * (am + ad * x) * 0.25;
+            const point v1 = d1 - c, v2 = v1 - d3;
+            const double n1 = dot(v1, v1), n2 = dot(v2, v2);
+            double bound = (n1 > n2 ? n1 : n2) * h * h / 16.0;
+            if (bound <= tt) return 1.0;
+            if (cc > 0.0) {
+                const double first = dot(d1, c) / 3.0, second = (2.0 * dot(d1, c) + dot(d2, c)) / 3.0;
+                double beyond = 0.0;
+                if (first < 0.0 || second < 0.0 || first > cc || second > cc) {
+                    const double low = (first < 0.0 ? first : 0.0) + (second < 0.0 ? second : 0.0);
+                    const double high = (first > cc ? first - cc : 0.0) + (second > cc ? second - cc : 0.0);
+                    beyond = (-low > high ? -low : high) * (4.0 / 9.0) * h;
+                }
+                const double squared = (top * top + beyond * beyond) / cc;
+                bound = squared < bound ? squared : bound;
             }
-            const double squared = (top * top + beyond * beyond) / cc;
-            bound = squared < loose ? squared : loose;
+            return bound <= tt ? 1.0 : bound / tt;
         }
-        if (bound <= tt) return {true, 1.0};
-        return refused(bound / tt);
     }
 };
 
-template <int intervals>
-struct sampled_shares {
-    double sum[intervals + 1];
-    double density[intervals + 1];
-    double start, cell, whole;
+template <int samples>
+struct density_table {
+    float density[samples];
+    float sum[samples];
+    double start, cell;
+    float whole;
     int i = 0;
 
-    sampled_shares(const cubic_walk& q, double ta, double tb, double tolerance, double longest) noexcept
+    density_table(const cubic_form& q, double ta, double tb, double size, double scale) noexcept
     {
-        const double k0 = 2.0 * cross(q.c1, q.c2), k1 = 6.0 * cross(q.c1, q.c3), k2 = 6.0 * cross(q.c2, q.c3);
-        const point d1 = 2.0 * q.c2, d2 = 3.0 * q.c3;
-        const double more = longest * 0x1p-20;
-        const double scale = 1.0 / (8.0 * tolerance);
+        const double one = 1.0 / size;
+        const point c1 = one * q.c1, c2 = one * q.c2, c3 = one * q.c3;
+        const float k0 = static_cast<float>(2.0 * cross(c1, c2)), k1 = static_cast<float>(6.0 * cross(c1, c3)),
+                    k2 = static_cast<float>(6.0 * cross(c2, c3));
+        const float x0 = static_cast<float>(c1.x), x1 = static_cast<float>(2.0 * c2.x), x2 = static_cast<float>(3.0 * c3.x);
+        const float y0 = static_cast<float>(c1.y), y1 = static_cast<float>(2.0 * c2.y), y2 = static_cast<float>(3.0 * c3.y);
         start = ta;
-        cell = (tb - ta) / intervals;
-        for (int j = 0; j <= intervals; ++j) {
-            const double t = ta + j * cell;
-            const double dx = q.c1.x + t * (d1.x + t * d2.x), dy = q.c1.y + t * (d1.y + t * d2.y);
-            const double k = std::abs(k0 + t * (k1 + t * k2));
-            density[j] = std::sqrt(k * scale / (std::sqrt(dx * dx + dy * dy) + more));
+        cell = (tb - ta) / (samples - 1);
+        const float fscale = static_cast<float>(scale * cell), fta = static_cast<float>(ta), fcell = static_cast<float>(cell);
+        for (int j = 0; j < samples; ++j) {
+            const float t = fta + static_cast<float>(j) * fcell;
+            const float dx = x0 + t * (x1 + t * x2), dy = y0 + t * (y1 + t * y2), k = k0 + t * (k1 + t * k2);
+            const float n = dx * dx + dy * dy + 1e-12f;
+            density[j] = fscale * std::abs(k) * inverse_fourth_root(k * k * n);
         }
-        sum[0] = 0.0;
-        for (int j = 0; j < intervals; ++j) sum[j + 1] = sum[j] + 0.5 * cell * (density[j] + density[j + 1]);
-        whole = sum[intervals];
+        float s = 0.0f;
+        sum[0] = 0.0f;
+        for (int j = 0; j + 1 < samples; ++j) {
+            s += 0.5f * (density[j] + density[j + 1]);
+            sum[j + 1] = s;
+        }
+        whole = s;
     }
-    [[nodiscard]] double t_of(double share) noexcept
+    [[nodiscard]] double t_of(float share) noexcept
     {
-        while (i + 1 < intervals && share > sum[i + 1]) ++i;
-        const double rest = share - sum[i];
-        const double root = std::sqrt(std::abs(density[i] * density[i] + 2.0 * (density[i + 1] - density[i]) * rest / cell));
-        return start + cell * i + 2.0 * rest / (density[i] + root + 1e-300);
+        while (i + 2 < samples && share > sum[i + 1]) ++i;
+        const float rest = share - sum[i], rise = density[i + 1] - density[i];
+        const float root = std::sqrt(std::abs(density[i] * density[i] + 2.0f * rise * rest));
+        return start + cell * (static_cast<float>(i) + 2.0f * rest / (density[i] + root + 1e-30f));
     }
-    [[nodiscard]] double share_of(double t) const noexcept
+    [[nodiscard]] float share_of(double t) const noexcept
     {
-        const double at = (t - start) / cell;
+        const float at = static_cast<float>((t - start) / cell);
         int j = static_cast<int>(at);
-        if (j > intervals - 1) j = intervals - 1;
-        const double x = at - j;
-        return sum[j] + cell * x * (density[j] + 0.5 * x * (density[j + 1] - density[j]));
+        if (j > samples - 2) j = samples - 2;
+        const float x = at - static_cast<float>(j);
+        return sum[j] + x * (density[j] + 0.5f * x * (density[j + 1] - density[j]));
     }
 };
 
-#ifndef SLACK
-#define SLACK 0.1
-#define GROW 0.98
-#define SAFE 0.998
-#endif
-
 /// Emits the points of (ta, tb), not tb itself.
-template <class Walk, class Shares, class Emit>
-void walk_evenly(const Walk& w, Shares& shares, double ta, double tb, double sure_step, Emit&& emit) noexcept
+template <bool tame, class Shares, class Emit>
+void walk_evenly(const cubic_form& w, Shares&& shares, double ta, double tb, double sure_step, Emit&& emit) noexcept
 {
-    const double most = std::ceil((tb - ta) / sure_step);
-    double pieces = std::ceil(shares.whole - SLACK);
-    pieces = pieces < 2.0 ? 2.0 : pieces;
+    const float most = static_cast<float>(std::ceil((tb - ta) / sure_step));
+    float pieces = std::ceil(shares.whole - static_cast<float>(SLACK));
+    pieces = pieces < 2.0f ? 2.0f : pieces;
     if (!(pieces < most)) {
-        for (double i = 1.0; i < most; i += 1.0) {
-            const double t = ta + (tb - ta) * (i / most);
+        const double step = (tb - ta) / most;
+        const int n = static_cast<int>(most);
+        for (int i = 1; i < n; ++i) {
+            const double t = ta + step * i;
             emit(w.at(t), t);
         }
         return;
     }
-    double u = ta, done = 0.0, share = shares.whole / pieces;
+    double u = ta;
+    float done = 0.0, share = shares.whole / pieces;
     for (;;) {
-        double aim = done + share;
-        double v = pieces > 1.0 ? shares.t_of(aim) : tb;
+        float aim = done + share;
+        double v = pieces > 1.0f ? shares.t_of(aim) : tb;
         for (int tries = 0;; ++tries) {
             if (!(v - u > sure_step)) {  // always good, by Wang's bound
                 v = u + sure_step;
                 aim = shares.share_of(v);
-                pieces = std::ceil(shares.whole - aim - SLACK) + 1.0;
-                pieces = pieces < 2.0 ? 2.0 : pieces;
+                pieces = std::ceil(shares.whole - aim - static_cast<float>(SLACK)) + 1.0f;
+                pieces = pieces < 2.0f ? 2.0f : pieces;
+                share = (shares.whole - aim) / (pieces - 1.0f);
                 break;
             }
-            const verdict said = w.certify(u, v);
-            if (said.good) break;
-            if (said.shrink < GROW) {
-                pieces += 1.0;
-                v = u + (v - u) * (said.shrink < 0.25 ? 0.25 : said.shrink) * SAFE;
+            const double excess = w.template excess<tame>(u, v);
+            if (excess <= 1.0) break;
+            const double shrink = 1.0 / std::sqrt(std::sqrt(excess));
+            if (shrink < GROW) {
+                pieces += 1.0f;
+                v = u + (v - u) * (shrink < 0.25 ? 0.25 : shrink) * SAFE;
             } else {
-                v = u + (v - u) * said.shrink * SAFE;
-                if (pieces < 2.0) pieces = 2.0;
+                v = u + (v - u) * shrink * SAFE;
+                if (pieces < 2.0f) pieces = 2.0f;
             }
             if (tries > 8) v = u;
             aim = shares.share_of(v);
+            share = (shares.whole - aim) / (pieces - 1.0f);
         }
         if (!(v < tb)) return;
         emit(w.at(v), v);
         u = v;
         done = aim;
-        pieces -= 1.0;
-        if (pieces < 1.0) pieces = 1.0;
-        share = (shares.whole - done) / pieces;
+        pieces -= 1.0f;
+        if (pieces < 1.0f) pieces = 1.0f;
     }
 }
 
@@ -259,51 +192,113 @@ struct certified {
     template <class Emit>
     void operator()(const quadratic& q, double tolerance, Emit&& emit) const noexcept
     {
+        tolerance *= 1.0 - 0x1p-20;
         const double tt = tolerance * tolerance;
         const point b = q.p1 - q.p0, e = q.p2 - q.p1, a = e - b, c = q.p2 - q.p0;
         const double k = cross(b, e), cc = dot(c, c), be = dot(b, e);
-        const double bend = dot(a, a);
-        if (be >= 0.0) {
-            if (k * k <= 4.0 * tt * cc) return emit(q.p2, 1.0);
-            if (bend <= 256.0 * tt) {
-                emit(0.25 * (q.p0 + q.p2) + 0.5 * q.p1, 0.5);
-                return emit(q.p2, 1.0);
-            }
+        const double aa = dot(a, a), kk = k * k;
+        if (!(be >= 0.0)) return wild(raised(q), tolerance, emit);
+        if (kk <= 4.0 * tt * cc) return emit(q.p2, 1.0);
+        if (aa <= 256.0 * tt) {
+            emit(0.25 * (q.p0 + q.p2) + 0.5 * q.p1, 0.5);
+            return emit(q.p2, 1.0);
         }
-        const detail::quadratic_walk w{q.p0, b, a, std::abs(k), tt, be >= 0.0};
-        if (w.certify(0.0, 1.0).good) return emit(q.p2, 1.0);
-        const double sure = std::sqrt(4.0 * tolerance / std::sqrt(bend));
-        detail::parabola_shares shares{w, 0.0, 1.0, tolerance};
-        detail::walk_evenly(w, shares, 0.0, 1.0, sure, emit);
+        // Three nodes of Gauss's: within ...
+        const double one = 1.0 / aa;
+        const double ba = dot(b, a);
+        float integral = 0.0f;
+        {
+            const float n0 = static_cast<float>(dot(b, b) * one), n1 = static_cast<float>(2.0 * ba * one);
+            constexpr float t0 = 0.1127017f, t2 = 0.8872983f;
+            integral = (5.0f / 18.0f) * (detail::inverse_fourth_root(n0 + t0 * (n1 + t0)) + detail::inverse_fourth_root(n0 + t2 * (n1 + t2))) +
+                       (8.0f / 18.0f) * detail::inverse_fourth_root(n0 + 0.5f * (n1 + 0.5f));
+        }
+        // rho = sqrt(K/(4 tol |b + at|)) = sqrt(K/(4 tol |a|)) n^(-1/4)
+        const double full = 16.0 * tt * aa * (aa * aa) / (kk * kk);  // lambda^2
+        const double shares = integral / std::sqrt(std::sqrt(full)) * aa / std::abs(k);
+        double pieces = std::ceil(shares - 0.02);
+        pieces = pieces < 2.0 ? 2.0 : pieces;
+        double ratio = shares / pieces;
+        ratio *= ratio;
+        ratio *= ratio;
+        double aim = full * (ratio < 1.0 ? ratio : 1.0);
+        // x = (ba + aa t)/K
+        const double rate = aa / std::abs(k), inverse_rate = std::abs(k) * one, x0 = ba / std::abs(k), x1 = x0 + rate;
+        double x = x0;
+        double d = std::sqrt(std::sqrt(aim * (1.0 + x * x)));
+        {
+            const double m = x + 0.5 * d, dd = d * d;
+            d -= (dd * dd - aim * (1.0 + m * m)) / (4.0 * dd * d - aim * m);
+        }
+        double last = d;
+        for (;;) {
+            const double m = x + 0.5 * d, dd = d * d;
+            double next = d - (dd * dd - aim * (1.0 + m * m)) / (4.0 * dd * d - aim * m);
+            pieces -= 1.0;
+            if (!(pieces > 0.0)) {
+                const double rest = x1 - x, mid = 0.5 * (x1 + x);
+                if (rest * rest * (rest * rest) <= full * (1.0 + mid * mid)) break;
+                aim = full;
+            }
+            for (;;) {
+                const double mid = x + 0.5 * next;
+                if (next * next * (next * next) <= full * (1.0 + mid * mid)) break;
+                next *= 0.99;
+            }
+            x += next;
+            if (!(x < x1)) break;
+            const double t = (x - x0) * inverse_rate;
+            emit(q.p0 + t * (2.0 * b + t * a), t);
+            d = 2.0 * next - last;
+            last = next;
+        }
         emit(q.p2, 1.0);
     }
 
     template <class Emit>
     void operator()(const cubic& q, double tolerance, Emit&& emit) const noexcept
     {
+        tolerance *= 1.0 - 0x1p-20;
         const double tt = tolerance * tolerance;
         const point l0 = q.p1 - q.p0, l1 = q.p2 - q.p1, l2 = q.p3 - q.p2, c = q.p3 - q.p0;
+        if (!(dot(l0, l1) >= 0.0 && dot(l1, l2) >= 0.0 && dot(l0, l2) >= 0.0)) return wild(q, tolerance, emit);
+        const double d1 = cross(c, l0), d2 = cross(l2, c);
+        const double m = 1.5 * (d2 - d1), d = 0;
+        (void)m; (void)d;
         const point s0 = l1 - l0, s1 = l2 - l1;
         const double b0 = dot(s0, s0), b1 = dot(s1, s1), bend = b0 > b1 ? b0 : b1;
-        const bool tame = dot(l0, l1) >= 0.0 && dot(l1, l2) >= 0.0 && dot(l0, l2) >= 0.0;
-        const detail::cubic_walk w{q.p0, 3.0 * l0, 3.0 * s0, s1 - s0, tt, tame};
-        if (w.certify(0.0, 1.0).good) return emit(q.p3, 1.0);
+        const detail::cubic_form w{q.p0, 3.0 * l0, 3.0 * s0, s1 - s0, tt};
+        if (w.excess<true>(0.0, 1.0) <= 1.0) return emit(q.p3, 1.0);
         if (bend * 0.5625 <= 16.0 * tt) {
             emit(0.125 * (q.p0 + q.p3) + 0.375 * (q.p1 + q.p2), 0.5);
             return emit(q.p3, 1.0);
         }
-        const double sure = std::sqrt(tolerance / (0.75 * std::sqrt(bend)));
-        const double longest = length(l0) + length(l1) + length(l2);
-        if (sure > 0.2) {
-            detail::sampled_shares<4> shares{w, 0.0, 1.0, tolerance, longest};
-            detail::walk_evenly(w, shares, 0.0, 1.0, sure, emit);
-        } else if (sure > 0.05) {
-            detail::sampled_shares<8> shares{w, 0.0, 1.0, tolerance, longest};
-            detail::walk_evenly(w, shares, 0.0, 1.0, sure, emit);
-        } else {
-            detail::sampled_shares<16> shares{w, 0.0, 1.0, tolerance, longest};
-            detail::walk_evenly(w, shares, 0.0, 1.0, sure, emit);
-        }
+        walk<true>(w, 0.0, 1.0, tolerance, std::sqrt(bend), emit);
+        emit(q.p3, 1.0);
+    }
+
+private:
+    template <bool tame, class Emit>
+    static void walk(const detail::cubic_form& w, double ta, double tb, double tolerance, double bend, Emit&& emit) noexcept
+    {
+        const double sure = std::sqrt(tolerance / (0.75 * bend));
+        const double size = bend;
+        const double scale = std::sqrt(size / (8.0 * tolerance));
+        if (sure > 0.05)
+            detail::walk_evenly<tame>(w, detail::density_table<8>{w, ta, tb, size, scale}, ta, tb, sure, emit);
+        else
+            detail::walk_evenly<tame>(w, detail::density_table<16>{w, ta, tb, size, scale}, ta, tb, sure, emit);
+    }
+    template <class Emit>
+    static void wild(const cubic& q, double tolerance, Emit&& emit) noexcept
+    {
+        const double tt = tolerance * tolerance;
+        const point l0 = q.p1 - q.p0, l1 = q.p2 - q.p1, l2 = q.p3 - q.p2;
+        const point s0 = l1 - l0, s1 = l2 - l1;
+        const double b0 = dot(s0, s0), b1 = dot(s1, s1), bend = b0 > b1 ? b0 : b1;
+        const detail::cubic_form w{q.p0, 3.0 * l0, 3.0 * s0, s1 - s0, tt};
+        if (w.excess<false>(0.0, 1.0) <= 1.0) return emit(q.p3, 1.0);
+        walk<false>(w, 0.0, 1.0, tolerance, std::sqrt(bend), emit);
         emit(q.p3, 1.0);
     }
 };

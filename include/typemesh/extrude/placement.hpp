@@ -10,8 +10,17 @@ namespace typemesh {
 ///
 ///     output = frame((cell + pen) * unit_per_cell)        z = em * unit_per_em
 ///
-/// The sum is exact in double precision and rounded to 32 bits once, so equal places give equal floats.
+/// The sum is exact in double precision and rounded to 32 bits once, so equal places give equal floats. The frame's
+/// products are of two 32-bit floats each, hence exact in double precision too: a compiler may or may not join them with the
+/// additions (FMA), cap and wall still meet in the same bits.
 struct placement {
+    /// A place over the plane z = 0, in the caller's axes; position() lifts it.
+    struct footprint {
+        double x = 0.0;
+        double y = 0.0;
+        double z = 0.0;
+    };
+
     point pen;                   ///< the glyph's origin, in cells
     double unit_per_cell = 1.0;
     double unit_per_em = 1.0;
@@ -21,14 +30,32 @@ struct placement {
     point texture_per_cell;      ///< box mapping: how much u and v grow with a cell; 0 where the box has no extent
     typemesh::frame frame;
 
-    /// A grid point at height z, given in output units.
-    [[nodiscard]] vec3 position(grid_point p, float z) const noexcept
+    /// Where a grid point stands: the part of position() that is the same for all heights.
+    [[nodiscard]] footprint foot(grid_point p) const noexcept
     {
-        return frame(static_cast<float>((p.x + pen.x) * unit_per_cell), static_cast<float>((p.y + pen.y) * unit_per_cell), z);
+        const double x = static_cast<float>((p.x + pen.x) * unit_per_cell), y = static_cast<float>((p.y + pen.y) * unit_per_cell);
+        return {frame.right.x * x + frame.up.x * y, frame.right.y * x + frame.up.y * y, frame.right.z * x + frame.up.z * y};
     }
 
+    /// A foot lifted to height z, given in output units.
+    [[nodiscard]] vec3 position(footprint f, float z) const noexcept
+    {
+        const double height = z;
+        return {static_cast<float>(f.x + frame.toward.x * height), static_cast<float>(f.y + frame.toward.y * height),
+                static_cast<float>(f.z + frame.toward.z * height)};
+    }
+
+    /// A grid point at height z, given in output units.
+    [[nodiscard]] vec3 position(grid_point p, float z) const noexcept { return position(foot(p), z); }
+
+    /// A height given in em, in output units.
+    [[nodiscard]] float height(double em) const noexcept { return static_cast<float>(em * unit_per_em); }
+
     /// A wall's normal, given in the plane.
-    [[nodiscard]] vec3 normal(vec2 n) const noexcept { return frame(n.x, n.y, 0.0f); }
+    [[nodiscard]] vec3 normal(vec2 n) const noexcept
+    {
+        return {frame.right.x * n.x + frame.up.x * n.y, frame.right.y * n.x + frame.up.y * n.y, frame.right.z * n.x + frame.up.z * n.y};
+    }
 
     /// The front cap's normal; the back's with sign = -1.
     [[nodiscard]] vec3 cap_normal(float sign) const noexcept { return frame(0.0f, 0.0f, sign); }

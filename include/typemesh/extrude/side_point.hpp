@@ -9,14 +9,16 @@ namespace typemesh {
 
 /// What an extruder's plan() learnt about one contour point, kept so that writing need not compute it twice.
 ///
-///        wall before        both normals lie in the plane, are of unit length and point away from the interior;
-///     ──────────────●       they are equal where the point is soft.
-///       interior    │ wall after
+///        wall before        both normals lie in the plane, are of unit length and point away from the interior.
+///     ──────────────●       A point that is not doubled has one normal, `before` and `after` being equal
+///       interior    │       (but for shared_normals, which joins them with the caps' own when it writes).
+///                   │ wall after
 struct side_point {
     vec2 before;
     vec2 after;
-    float along = 0.0f;     ///< length of the contour from its seam to this point, in grid cells
+    float along = 0.0f;     ///< length of the contour from its seam to this point, in grid cells; at the seam the whole length
     bool doubled = false;   ///< has a vertex pair for each of its two walls
+    bool seam = false;      ///< `along` starts here at 0 again: for the wall after; such a point is doubled
 };
 
 }  // namespace typemesh

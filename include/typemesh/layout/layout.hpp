@@ -3,6 +3,7 @@
 
 #include <typemesh/core/finite.hpp>
 #include <typemesh/layout/alignment.hpp>
+#include <typemesh/layout/line_break.hpp>
 #include <typemesh/layout/shaper.hpp>
 
 namespace typemesh {
@@ -12,22 +13,6 @@ struct layout_options {
     alignment align = alignment::left;
     double line_spacing = 1.0;  ///< times the font's own distance between lines; any finite number
 };
-
-/// How many units of a line break stand at text[i]: 0 where none does.
-///
-/// The characters that must break a line by UAX #14: LF, CR, CR LF (one break), VT, FF, NEL (U+0085), U+2028, U+2029.
-/// Needs i < text.size().
-[[nodiscard]] inline std::size_t line_break_at(text_view text, std::size_t i) noexcept
-{
-    const std::uint32_t unit = text.unit(i);
-    const std::size_t left = text.size() - i;
-    if (unit >= 0x0A && unit <= 0x0D) return unit == 0x0D && left > 1 && text.unit(i + 1) == 0x0A ? 2 : 1;
-    if (unit < 0x80) return 0;
-    if (text.encoding() == encoding::utf16) return unit == 0x85 || unit == 0x2028 || unit == 0x2029 ? 1 : 0;
-    if (unit == 0xC2) return left > 1 && text.unit(i + 1) == 0x85 ? 2 : 0;
-    if (unit != 0xE2 || left < 3 || text.unit(i + 1) != 0x80) return 0;
-    return text.unit(i + 2) == 0xA8 || text.unit(i + 2) == 0xA9 ? 3 : 0;
-}
 
 /// Sets a text: cuts it at its line breaks (line_break_at; they leave no glyph), has every line shaped and puts it in its place.
 ///
@@ -81,8 +66,8 @@ error layout(Shaper& shaper, text_view text, const shape_options& how, const lay
         line.glyph_count = static_cast<std::uint32_t>(run.glyphs.size()) - line.first_glyph;
 
         const double back = options.align == alignment::left ? 0.0 : options.align == alignment::centre ? line.advance / 2 : line.advance;
-        const double across = -distance * static_cast<double>(run.lines.size());
-        line.origin = vertical ? point{across, back} : point{-back, across};
+        const double across = 0.0 - distance * static_cast<double>(run.lines.size());
+        line.origin = vertical ? point{across, back} : point{0.0 - back, across};
         for (placed_glyph& g : run.glyphs.view().subspan(line.first_glyph)) g.origin = g.origin + line.origin;
         if (!run.lines.push_back(line)) return fail(error::out_of_memory);
         begin = end + broken;

@@ -15,9 +15,9 @@ enum class direction : std::uint8_t {
     top_to_bottom,  ///< columns, the next to the left of the one before
 };
 
-/// An OpenType feature switched on (1), off (0) or set to one of its alternates (2, 3, ...), for the whole text.
+/// An OpenType feature switched on (1), off (0) or set to one of its alternates (2, 3, ...), for the whole text: {"liga", 0}.
 struct feature {
-    char tag[4] = {};  ///< such as 'l','i','g','a'
+    char tag[5] = {};  ///< four letters; the fifth place is for the string's own end
     std::uint32_t value = 1;
 };
 

@@ -86,7 +86,8 @@ public:
     }
 
     /// plan() and write() in one: the report of what was built, or the error. Nothing reaches the sink if the plan fails.
-    template <class Text, mesh_sink Sink>
+    template <class Text, class Sink>
+        requires mesh_sink<std::remove_reference_t<Sink>>
     result<text_report> build(const Text& text, Sink&& sink, const text_options& options = {}) noexcept
     {
         auto made = plan(text, options);

@@ -77,12 +77,13 @@ public:
     [[nodiscard]] std::uint64_t hard_edges() const noexcept
     {
         std::uint64_t hard = 0;
-        for (const side_point& s : fresh().sides) hard += s.doubled ? 1u : 0u;
+        for (const side_point& s : fresh().sides) hard += s.doubled && !(s.seam && s.before == s.after) ? 1u : 0u;
         return hard;
     }
 
     /// Emits every vertex and every triangle once, in ascending order. Only the sink's begin() can fail; nothing is allocated.
-    template <mesh_sink Sink>
+    template <class Sink>
+        requires mesh_sink<std::remove_reference_t<Sink>>
     error write(Sink&& sink) const noexcept
     {
         using sink_type = std::remove_reference_t<Sink>;

@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: MIT
+#
+# What our own tests, benchmarks and examples are built with; nothing of it reaches a user of the library.
+
+add_library(typemesh_dev INTERFACE)
+target_link_libraries(typemesh_dev INTERFACE typemesh)
+target_compile_options(typemesh_dev INTERFACE
+    $<IF:$<CXX_COMPILER_ID:MSVC>,/W4;/permissive-;/utf-8,-Wall;-Wextra;-Wpedantic;-Wconversion;-Wshadow>)
+
+if(PROJECT_IS_TOP_LEVEL)
+    set(CMAKE_CXX_EXTENSIONS OFF)
+    find_program(TYPEMESH_CCACHE ccache DOC "Compiler cache for typemesh's own builds")
+    if(TYPEMESH_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+        set(CMAKE_CXX_COMPILER_LAUNCHER ${TYPEMESH_CCACHE})
+    endif()
+endif()

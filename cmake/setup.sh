@@ -1,0 +1,227 @@
+# SPDX-License-Identifier: MIT
+#
+# What examples/run.sh and tests/run.sh share: finding out what is missing, installing it, building a preset. Sourced by
+# bash (3.2 or newer) after `set -eu`; typemesh_root is the folder of CMakeLists.txt.
+
+# One line a need: how to see that it is there, and its package in each place. "-" where there is none or none is needed.
+#   command:A,B  one of these programs      header:A,B  one of these headers      font:A  a font with this character
+needs() {
+    cat <<'END'
+# need       is there when                                    Debian             Fedora                 Arch        Homebrew          vcpkg
+g++          command:g++                                      g++                gcc-c++                gcc         gcc               -
+c++          command:c++,g++,clang++                          g++                gcc-c++                gcc         llvm              -
+clang++      command:clang++                                  clang              clang                  clang       llvm              -
+cmake        command:cmake                                    cmake              cmake                  cmake       cmake             -
+ninja        command:ninja,make                               ninja-build        ninja-build            ninja       ninja             -
+pkg-config   command:pkg-config                               pkg-config         pkgconf-pkg-config     pkgconf     pkgconf           -
+fontconfig   command:fc-list                                  fontconfig         fontconfig             fontconfig  fontconfig        -
+font         font:48                                          fonts-dejavu-core  dejavu-sans-fonts      ttf-dejavu  -                 -
+harfbuzz     header:harfbuzz/hb.h                             libharfbuzz-dev    harfbuzz-devel         harfbuzz    harfbuzz          harfbuzz
+freetype     header:freetype2/ft2build.h,ft2build.h           libfreetype-dev    freetype-devel         freetype2   freetype          freetype
+glm          header:glm/vec3.hpp                              libglm-dev         glm-devel              glm         glm               glm
+catch2       header:catch2/catch_all.hpp,catch2/catch.hpp     catch2             catch-devel            catch2      catch2            catch2
+benchmark    header:benchmark/benchmark.h                     libbenchmark-dev   google-benchmark-devel benchmark   google-benchmark  benchmark
+cli11        header:CLI/CLI.hpp                               libcli11-dev       cli11-devel            cli11       cli11             cli11
+tinygltf     header:tiny_gltf.h,tinygltf/tiny_gltf.h          libtinygltf-dev    tinygltf-devel         tinygltf    vcpkg:tinygltf    tinygltf
+stb          header:stb/stb_image_write.h,stb_image_write.h   libstb-dev         stb_image_write-devel  stb         vcpkg:stb         stb
+admesh       command:admesh                                   admesh             admesh                 admesh      admesh            -
+node         command:node                                     nodejs             nodejs                 nodejs      node              -
+npm          command:npm                                      npm                nodejs-npm             npm         node              -
+END
+}
+
+say() { printf '%s\n' "$*"; }
+stop() {
+    printf '%s\n' "$@" >&2
+    exit 1
+}
+
+# Whether a need is there, by the second column of the table.
+is_there() {  # is_there KIND:NAME,NAME...
+    local name folder
+    for name in $(say "${1#*:}" | tr , ' '); do
+        case $1 in
+            command:*) ! command -v "$name" >/dev/null 2>&1 || return 0 ;;
+            header:*)
+                while IFS= read -r folder; do
+                    [ ! -e "$folder/$name" ] || return 0
+                done <<END
+$(header_folders)
+END
+                ;;
+            font:*) ! command -v fc-list >/dev/null 2>&1 || [ -z "$(fc-list ":charset=$name" file)" ] || return 0 ;;
+        esac
+    done
+    return 1
+}
+
+header_folders() {
+    say /usr/include
+    say /usr/local/include
+    say "${HOMEBREW_PREFIX:-/opt/homebrew}/include"
+    say "${CMAKE_PREFIX_PATH:-}" | tr ':;' '\n\n' | sed '/./s,$,/include,'
+    [ -z "${VCPKG_ROOT:-}" ] || printf '%s\n' "$VCPKG_ROOT"/installed/*/include
+}
+
+# The packages of what is missing among the needs named, in one column of the table.
+column_of_missing() {  # column_of_missing COLUMN NEED...   columns: 3 Debian, 4 Fedora, 5 Arch, 6 Homebrew, 7 vcpkg
+    local column=$1 need there rest
+    shift
+    needs | while read -r need there rest; do
+        case " $* " in
+            *" $need "*) is_there "$there" || say "$need $there $rest" | awk -v c="$column" '$c != "-" { print $c }' ;;
+        esac
+    done | awk '!seen[$0]++ { printf "%s%s", n++ ? " " : "", $0 }'
+}
+
+# The words before a command that needs the administrator; fails where there is no way.
+as_administrator() {
+    if [ "$(id -u)" = 0 ]; then
+        say ""
+    elif command -v sudo >/dev/null 2>&1 && sudo -n true 2>/dev/null; then
+        say "sudo -n"
+    elif command -v sudo >/dev/null 2>&1 && [ -t 0 ] && [ -t 2 ]; then
+        say "sudo"
+    else
+        return 1
+    fi
+}
+
+print_packages() {  # print_packages NEED...
+    local brew brew_vcpkg word vcpkg
+    brew=
+    brew_vcpkg=
+    for word in $(column_of_missing 6 "$@"); do
+        case $word in
+            vcpkg:*) brew_vcpkg="$brew_vcpkg ${word#vcpkg:}" ;;
+            *) brew="$brew $word" ;;
+        esac
+    done
+    vcpkg=$(column_of_missing 7 "$@")
+    say "  Debian     sudo apt-get update && sudo apt-get install $(column_of_missing 3 "$@")"
+    say "  Fedora     sudo dnf install $(column_of_missing 4 "$@")"
+    say "  Arch       sudo pacman -S $(column_of_missing 5 "$@")"
+    say "  Homebrew   brew install$brew${brew_vcpkg:+   (not in Homebrew, take them from vcpkg:$brew_vcpkg)}"
+    if [ -n "$vcpkg" ]; then
+        say "  vcpkg      vcpkg install $vcpkg   (then export VCPKG_ROOT, and" \
+            "CMAKE_TOOLCHAIN_FILE=\$VCPKG_ROOT/scripts/buildsystems/vcpkg.cmake; tools from the system)"
+    fi
+    say "What lies in a place of its own is found through CMAKE_PREFIX_PATH."
+}
+
+# Installs what is missing among the needs named, or says what is to be installed and stops.
+install_missing() {  # install_missing NEED...
+    local manager column packages sudo log word
+    [ -n "$(column_of_missing 1 "$@")" ] || return 0
+    manager=none
+    for word in apt-get dnf pacman brew; do
+        if [ "$manager" = none ] && command -v $word >/dev/null 2>&1; then manager=$word; fi
+    done
+    case $manager in
+        apt-get) column=3 ;;
+        dnf) column=4 ;;
+        pacman) column=5 ;;
+        brew) column=6 ;;
+        none) stop "Missing: $(column_of_missing 1 "$@")" "No package manager known here was found. Packages by system:" \
+            "$(print_packages "$@")" ;;
+    esac
+    packages=$(column_of_missing $column "$@")
+    sudo=
+    if [ $manager != brew ] && ! sudo=$(as_administrator); then
+        stop "Missing: $(column_of_missing 1 "$@")" "Installing needs root or sudo, and there is neither. Please install:" \
+            "$(print_packages "$@")"
+    fi
+    case $packages in
+        *vcpkg:*) stop "Missing: $(column_of_missing 1 "$@")" "Please install:" "$(print_packages "$@")" ;;
+    esac
+    say "Installing with $manager: $packages"
+    log=$(mktemp)
+    # shellcheck disable=SC2086  # lists of words
+    case $manager in
+        apt-get) apt_install "$sudo" "$log" $packages ;;
+        dnf) $sudo dnf install -y $packages >"$log" 2>&1 ;;
+        pacman) $sudo pacman -Sy --needed --noconfirm $packages >"$log" 2>&1 ;;
+        brew) brew install $packages >"$log" 2>&1 ;;
+    esac || true
+    if [ -n "$(column_of_missing 1 "$@")" ]; then
+        explain_failure "$log" "The package servers"
+        rm -f "$log"
+        stop "$manager has not installed what is needed. Still missing: $(column_of_missing 1 "$@")"
+    fi
+    rm -f "$log"
+}
+
+# The end of a log, and whether it tells of a missing network.
+explain_failure() {  # explain_failure LOG SERVERS
+    tail -n 5 "$1" >&2
+    if grep -Eiq 'could not resolve|temporary failure|(unable|failed|could not) to connect|could not connect' "$1" ||
+        grep -Eiq 'network is unreachable|connection (refused|timed out)|ENOTFOUND|EAI_AGAIN|ECONNREFUSED|ETIMEDOUT' "$1"; then
+        say "$2 could not be reached: is there a network?" >&2
+    fi
+}
+
+# apt-get installs nothing at all when one name of a list is unknown: ask for the known ones only.
+apt_install() {  # apt_install SUDO LOG PACKAGE...
+    local sudo=$1 log=$2 package known=
+    shift 2
+    if [ -z "${typemesh_lists_are_new:-}" ]; then
+        $sudo apt-get -o DPkg::Lock::Timeout=300 update >>"$log" 2>&1 || true
+        typemesh_lists_are_new=yes
+    fi
+    for package in "$@"; do
+        if apt-cache show --no-all-versions "$package" >/dev/null 2>&1; then
+            known="$known $package"
+        else
+            say "The package lists of this system know no package $package" | tee -a "$log" >&2
+        fi
+    done
+    [ -z "$known" ] || $sudo env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 \
+        install -y --no-install-recommends $known >>"$log" 2>&1
+}
+
+# Fonts that tests look for. Without them the tests that need them say so; nothing stops.
+install_fonts() {  # install_fonts DEBIAN_PACKAGE...
+    local package missing= sudo log
+    for package in "$@"; do
+        if ! dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed; then
+            missing="$missing $package"
+        fi
+    done
+    [ -n "$missing" ] || return 0
+    if ! command -v apt-get >/dev/null 2>&1 || ! sudo=$(as_administrator); then
+        say "These fonts are not installed, tests that need them will say so (names of the Debian packages):$missing"
+        return 0
+    fi
+    say "Installing fonts with apt-get:$missing"
+    log=$(mktemp)
+    # shellcheck disable=SC2086
+    if ! apt_install "$sudo" "$log" $missing; then
+        explain_failure "$log" "The package servers"
+        say "Not all fonts could be installed; tests that need them will say so:$missing" >&2
+    fi
+    rm -f "$log"
+}
+
+# Configures a preset and builds the targets named (all of them by default), going on after an error as far as possible.
+# The compiler's words go to build/PRESET.log and, after an error, to the screen.
+build_preset() {  # build_preset PRESET [TARGET...]
+    local preset=$1 folder=$typemesh_root/build/$1 log=$typemesh_root/build/$1.log go_on=-k status=0
+    shift
+    if [ -z "${CMAKE_GENERATOR:-}" ] && command -v ninja >/dev/null 2>&1; then
+        export CMAKE_GENERATOR=Ninja  # a folder configured before keeps its own
+    fi
+    mkdir -p "$typemesh_root/build" || return 1
+    if ! (cd "$typemesh_root" && cmake --preset "$preset") >"$log" 2>&1; then
+        tail -n 40 "$log" >&2
+        return 1
+    fi
+    [ ! -e "$folder/build.ninja" ] || go_on=-k0
+    cmake --build "$folder" --parallel "$(processors)" ${1:+--target "$@"} -- $go_on >>"$log" 2>&1 || status=$?
+    if [ $status != 0 ]; then
+        grep -E -A 12 'error[: ]|Error |undefined reference' "$log" | head -n 120 >&2 || true
+        say "The build has failed; all its words are in $log" >&2
+    fi
+    return $status
+}
+
+processors() { getconf _NPROCESSORS_ONLN 2>/dev/null || say 2; }

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: MIT
+#
+# How each adapter's library is found: by its CMake package first, by pkg-config second. Used by the source tree and,
+# installed beside typemesh-config.cmake, by find_package(typemesh COMPONENTS ...).
+
+set(typemesh_adapters harfbuzz freetype glm)
+
+# Sets `result` to the target of the library that the adapter `name` needs, or leaves it empty and says in `reason` why.
+function(typemesh_find_adapter name result reason)
+    if(name STREQUAL "harfbuzz")
+        typemesh_find_library(harfbuzz harfbuzz::harfbuzz harfbuzz library)
+        set(why "HarfBuzz was not found, neither as the CMake package 'harfbuzz' nor as the pkg-config module 'harfbuzz'")
+        if(library)
+            typemesh_harfbuzz_version(${library} version)
+            if(version AND version VERSION_LESS 4.0)
+                set(library "")
+                set(why "HarfBuzz ${version} was found, but typemesh needs HarfBuzz 4.0 or newer")
+            endif()
+        endif()
+    elseif(name STREQUAL "freetype")
+        typemesh_find_library(Freetype Freetype::Freetype freetype2 library)
+        set(why "FreeType was not found, neither as the CMake package 'Freetype' nor as the pkg-config module 'freetype2'")
+    elseif(name STREQUAL "glm")
+        typemesh_find_library(glm glm::glm glm library)
+        set(why "GLM was not found, neither as the CMake package 'glm' nor as the pkg-config module 'glm'")
+    else()
+        list(JOIN typemesh_adapters ", " known)
+        set(library "")
+        set(why "typemesh has no component of this name; it has ${known}")
+    endif()
+    set(${result} "${library}" PARENT_SCOPE)
+    set(${reason} "${why}" PARENT_SCOPE)
+endfunction()
+
+function(typemesh_find_library package target module result)
+    if(NOT TARGET ${target})  # Debian's harfbuzz-config.cmake may be read only once
+        find_package(${package} QUIET)
+    endif()
+    if(NOT TARGET ${target})
+        find_package(PkgConfig QUIET)
+        if(PKG_CONFIG_FOUND)
+            pkg_check_modules(typemesh_${module} QUIET IMPORTED_TARGET ${module})
+            set(target PkgConfig::typemesh_${module})
+        endif()
+    endif()
+    set(${result} "" PARENT_SCOPE)
+    if(TARGET ${target})
+        set(${result} ${target} PARENT_SCOPE)
+    endif()
+endfunction()
+
+# HarfBuzz's CMake package carries no version everywhere, its header does. Empty where the header is not there yet (a
+# HarfBuzz built in the same project); adapt/harfbuzz.hpp asks again when it is compiled.
+function(typemesh_harfbuzz_version target result)
+    set(${result} "" PARENT_SCOPE)
+    get_target_property(folders ${target} INTERFACE_INCLUDE_DIRECTORIES)
+    foreach(folder IN LISTS folders)
+        if(EXISTS "${folder}/hb-version.h")
+            file(STRINGS "${folder}/hb-version.h" line REGEX "^#define HB_VERSION_STRING ")
+            string(REGEX REPLACE ".*\"([^\"]*)\".*" "\\1" version "${line}")
+            set(${result} "${version}" PARENT_SCOPE)
+            return()
+        endif()
+    endforeach()
+endfunction()

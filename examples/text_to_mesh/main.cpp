@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "annotations.hpp"
+#include "model.hpp"
+#include "options.hpp"
+#include "picture.hpp"
+#include "policies.hpp"
+#include "write_glb.hpp"
+#include "write_obj.hpp"
+#include "write_ply.hpp"
+#include "write_png.hpp"
+#include "write_stl.hpp"
+
+#include <typemesh/adapt/harfbuzz.hpp>
+#include <typemesh/typemesh.hpp>
+
+#include <cstdio>
+
+template <>
+struct typemesh::vertex_traits<text_to_mesh::model_vertex> {
+    static constexpr auto wants = attribute::position | attribute::normal | attribute::uv;
+    text_to_mesh::model_vertex operator()(const surface_point<wants>& s) const noexcept
+    {
+        return {{s.position.x, s.position.y, s.position.z}, {s.normal.x, s.normal.y, s.normal.z}, {s.uv.x, s.uv.y}};
+    }
+};
+
+namespace text_to_mesh {
+namespace {
+
+int fail(const std::string& sentence)
+{
+    std::fprintf(stderr, "text_to_mesh: %s\n", sentence.c_str());
+    return 1;
+}
+
+std::string in_words(const typemesh::error& e)
+{
+    char sentence[256];
+    return typemesh::describe(e, sentence);
+}
+
+chosen_discretiser discretiser_of(const options& o, double units_per_em)
+{
+    using typemesh::adaptive_subdivision;
+    if (o.discretiser == discretiser_name::two_lines) return {typemesh::two_lines{}};
+    if (o.discretiser == discretiser_name::adaptive) {
+        if (o.quality == preset::best) return {adaptive_subdivision::best(units_per_em)};
+        return {o.quality == preset::high ? adaptive_subdivision::high(units_per_em) : adaptive_subdivision::normal(units_per_em)};
+    }
+    return {typemesh::certified{}};
+}
+
+chosen_extruder extruder_of(const options& o)
+{
+    using namespace typemesh;
+    if (o.depth == 0.0f) return {flat{.texture = o.uv}};
+    const auto with = [&](auto normals) -> chosen_extruder {
+        return {extruded<decltype(normals)>{.depth = o.depth, .texture = o.uv, .normals = normals}};
+    };
+    switch (o.normals) {
+    case normals_name::shared: return with(shared_normals{});
+    case normals_name::averaged: return with(averaged_normals{});
+    case normals_name::creased: return with(creased_normals{.crease_degrees = o.crease});
+    case normals_name::curve: break;
+    }
+    return with(curve_normals{.crease_degrees = o.crease});
+}
+
+std::string write_mesh(const model& mesh, const std::string& path)
+{
+    const std::string kind = path.substr(path.size() - 4);
+    return kind == ".glb" ? write_glb(mesh, path) : kind == ".obj" ? write_obj(mesh, path) : kind == ".stl" ? write_stl(mesh, path) : write_ply(mesh, path);
+}
+
+/// Says on standard error what is not in the mesh; true when something is not.
+bool name_losses(const typemesh::text_report& report)
+{
+    if (report.refused > 0)
+        std::fprintf(stderr, "text_to_mesh: %u of %u glyphs left out; the first: %s\n", report.refused, report.glyphs, in_words(report.first_refusal).c_str());
+    if (report.missing > 0)
+        std::fprintf(stderr, "text_to_mesh: the font has no glyph for %u of %u characters; the first is at byte %u of the text\n", report.missing,
+                     report.glyphs, report.first_missing);
+    if (report.invalid_units > 0)
+        std::fprintf(stderr, "text_to_mesh: the text is not valid UTF-8 at %u places; the first is at byte %u\n", report.invalid_units,
+                     report.first_invalid_unit);
+    return !report.complete();
+}
+
+template <class Plan>
+void print_stats(const Plan& plan, const stage_clock& clock)
+{
+    const auto& report = plan.report();
+    std::printf("{\"glyphs\":%u,\"refused\":%u,\"missing\":%u,\"contour_points\":%llu,\"hard_edges\":%llu,\"vertices\":%llu,\"triangles\":%llu",
+                report.glyphs, report.refused, report.missing, static_cast<unsigned long long>(plan.contour_points()),
+                static_cast<unsigned long long>(plan.hard_edges()), static_cast<unsigned long long>(plan.size().vertices),
+                static_cast<unsigned long long>(plan.size().triangles));
+    const char* names[] = {"shape", "outline", "discretise", "fill", "triangulate", "extrude"};
+    for (int i = 0; i < 6; ++i) std::printf(",\"%s_ns\":%lld", names[i], static_cast<long long>(clock.nanoseconds[i]));
+    std::puts("}");
+}
+
+int run(const options& o)
+{
+    auto font = typemesh::harfbuzz_font::open(o.font.c_str(), {.face = o.face, .variations = o.variations});
+    if (!font) return fail(o.font + ": " + in_words(font.error()));
+
+    const chosen_discretiser discretiser = discretiser_of(o, font->units_per_em());
+    auto mesher = typemesh::text_mesher{*font}.with(discretiser).with(extruder_of(o)).with(stage_clock{});
+
+    typemesh::text_options how;
+    how.shape = {.direction = o.direction, .language = o.language, .script = o.script, .features = o.features};
+    how.layout = {.align = o.align};
+    how.tolerance = o.tolerance;
+    how.fill = o.fill;
+    auto plan = mesher.plan(o.text, how);
+    if (!plan) return fail(in_words(plan.error()));
+
+    model mesh;
+    mesh.name = o.text;
+    mesher.observer()(typemesh::stage::extrude);
+    const typemesh::error e = plan->write(typemesh::into(mesh.vertices, mesh.indices));
+    mesher.observer()(typemesh::stage::idle);
+    if (e) return fail(in_words(e));
+    const char* names[] = {"front", "back", "side"};
+    for (const typemesh::part p : typemesh::all_parts) {
+        const typemesh::mesh_range r = plan->range(p);
+        if (r.index_count > 0) mesh.parts.push_back({names[static_cast<int>(p)], r.first_index, r.index_count});
+    }
+
+    if (name_losses(plan->report()) && o.strict) return fail("--strict: nothing is written.");
+    if (!o.output.empty())
+        if (const std::string trouble = write_mesh(mesh, o.output); !trouble.empty()) return fail(trouble);
+    if (!o.picture.empty()) {
+        picture_options look;
+        look.shading = o.shading;
+        look.wireframe = o.show_triangles;
+        look.texture = o.checker ? texture::checker : texture::none;
+        int width = 0, height = 0;
+        const auto pixels = draw(mesh, annotate(o, *font, plan->run(), discretiser, mesh), look, width, height);
+        if (const std::string trouble = write_png(pixels, width, height, o.picture); !trouble.empty()) return fail(trouble);
+    }
+    if (o.stats) print_stats(*plan, mesher.observer());
+    return 0;
+}
+
+}  // namespace
+}  // namespace text_to_mesh
+
+int main(int argc, char** argv)
+{
+    text_to_mesh::options o;
+    if (const auto status = text_to_mesh::parse(argc, argv, o)) return *status;
+    return text_to_mesh::run(o);
+}

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace text_to_mesh {
+
+/// One vertex as the file formats want it: 32 bytes, no padding.
+struct model_vertex {
+    float position[3];
+    float normal[3];  ///< of unit length, away from the solid
+    float uv[2];
+};
+
+/// A finished mesh. Three indices a triangle, counter-clockwise seen from outside; right-handed, y up.
+struct model {
+    /// A run of indices that share a material: "front", "back", "side".
+    struct part {
+        const char* name;
+        std::size_t first_index;
+        std::size_t index_count;
+    };
+
+    std::vector<model_vertex> vertices;
+    std::vector<std::uint32_t> indices;
+    std::vector<part> parts;  ///< together all the indices; none at all stands for one nameless part
+    std::string name;         ///< UTF-8, best effort: writers replace what their format cannot hold
+};
+
+/// Lines and dots drawn over a picture, in the model's own space; a solid in front of them hides them.
+struct overlay {
+    struct segment {
+        float a[3];
+        float b[3];
+        unsigned char rgb[3];
+    };
+    struct dot {
+        float p[3];
+        unsigned char rgb[3];
+        float radius_px;
+    };
+
+    std::vector<segment> segments;
+    std::vector<dot> dots;
+};
+
+}  // namespace text_to_mesh

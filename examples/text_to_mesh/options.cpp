@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "options.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <utility>
+
+namespace text_to_mesh {
+namespace {
+
+/// An option whose values have names; `value` keeps what it holds unless one is given.
+template <class T>
+CLI::Option* add_named(CLI::App& app, const char* option, T& value, const char* meaning, const std::vector<std::pair<std::string, T>>& names)
+{
+    std::vector<std::string> allowed;
+    for (const auto& [name, unused] : names) allowed.push_back(name);
+    const auto take = [names, &value](const std::string& given) {
+        for (const auto& [name, named_value] : names)
+            if (given == name) value = named_value;
+    };
+    return app.add_option_function<std::string>(option, take, meaning)->check(CLI::IsMember(allowed));
+}
+
+template <std::size_t N>
+bool copy_tag(const std::string& tag, char (&out)[N])
+{
+    if (tag.size() != 4) return false;
+    std::copy(tag.begin(), tag.end(), out);
+    return true;
+}
+
+/// "wght=700"
+std::string add_variation(const std::string& argument, std::vector<typemesh::variation>& out)
+{
+    const auto equals = argument.find('=');
+    typemesh::variation v;
+    char* end = nullptr;
+    if (equals == std::string::npos || !copy_tag(argument.substr(0, equals), v.tag)) return "a variation is of the form wght=700: " + argument;
+    v.value = std::strtof(argument.c_str() + equals + 1, &end);
+    if (end == argument.c_str() + equals + 1 || *end != '\0' || !std::isfinite(v.value)) return "a variation is of the form wght=700: " + argument;
+    out.push_back(v);
+    return {};
+}
+
+/// "liga", "liga=0", "-liga", "+liga"
+std::string add_feature(std::string argument, std::vector<typemesh::feature>& out)
+{
+    const std::string complaint = "a feature is of the form liga, -liga or liga=0: " + argument;
+    typemesh::feature f;
+    if (!argument.empty() && (argument[0] == '-' || argument[0] == '+')) {
+        f.value = argument[0] == '+';
+        argument.erase(0, 1);
+    }
+    else if (const auto equals = argument.find('='); equals != std::string::npos) {
+        char* end = nullptr;
+        const long value = std::strtol(argument.c_str() + equals + 1, &end, 10);
+        if (end == argument.c_str() + equals + 1 || *end != '\0' || value < 0 || value > 65535) return complaint;
+        f.value = static_cast<std::uint32_t>(value);
+        argument.erase(equals);
+    }
+    if (!copy_tag(argument, f.tag)) return complaint;
+    out.push_back(f);
+    return {};
+}
+
+/// A backslash and an n, as a shell passes them on, become a line break.
+std::string with_line_breaks(std::string text)
+{
+    for (std::size_t i = 0; (i = text.find("\\n", i)) != std::string::npos; ++i) text.replace(i, 2, "\n");
+    return text;
+}
+
+bool ends_with(const std::string& text, const char* end)
+{
+    const std::string tail{end};
+    return text.size() > tail.size() && text.compare(text.size() - tail.size(), tail.size(), tail) == 0;
+}
+
+}  // namespace
+
+std::optional<int> parse(int argc, char** argv, options& out)
+{
+    using namespace typemesh;
+    CLI::App app{"Makes a 3D mesh of a text: GLB, OBJ, STL or PLY, and a picture of it.", "text_to_mesh"};
+    std::vector<std::string> variations, features, show;
+    std::string uv, fill, triangulator = "monotone";
+
+    app.add_option("TEXT", out.text, "UTF-8; \\n starts a new line")->required();
+    app.add_option("--font", out.font, "a font file: TrueType, OpenType, collection, variable")->required()->type_name("FILE");
+    app.add_option("--face", out.face, "the face's number in a collection")->type_name("N");
+    app.add_option("--variation", variations, "sets a variable font's axis: wght=700; may come again")->type_name("AXIS=VALUE")->take_all()->expected(1);
+    app.add_option("--feature", features, "an OpenType feature: liga=0, smcp; may come again")->type_name("TAG[=N]")->take_all()->expected(1);
+    app.add_option("--language", out.language, "BCP 47: tr, zh-Hant")->type_name("L");
+    app.add_option("--script", out.script, "ISO 15924: Latn, Arab")->type_name("S");
+    add_named<direction>(app, "--direction", out.direction, "found from the text by default",
+                         {{"ltr", direction::left_to_right}, {"rtl", direction::right_to_left}, {"ttb", direction::top_to_bottom}});
+    add_named<alignment>(app, "--align", out.align, "lines against each other (default left)",
+                         {{"left", alignment::left}, {"center", alignment::centre}, {"right", alignment::right}});
+
+    app.add_option("--depth", out.depth, "of the extrusion, in em; 0 makes a flat mesh (default 0.2)")->type_name("EM")->check(CLI::Range(0.0, 1000.0));
+    auto* named = add_named<preset>(app, "--quality", out.quality, "largest distance to the curve: 1/100, 1/160, 1/800 (default high), 1/16000 em",
+                                    {{"low", preset::low}, {"normal", preset::normal}, {"high", preset::high}, {"best", preset::best}});
+    app.add_option("--tolerance", out.tolerance, "the same as a number")->type_name("EM")->check(CLI::PositiveNumber)->excludes(named);
+    add_named<discretiser_name>(app, "--discretiser", out.discretiser, "how curves become lines (default certified)",
+                                {{"certified", discretiser_name::certified},
+                                 {"two_lines", discretiser_name::two_lines},
+                                 {"adaptive", discretiser_name::adaptive}});
+    app.add_option("--triangulator", triangulator, "how faces become triangles (monotone)")->check(CLI::IsMember({"monotone"}));
+    add_named<normals_name>(app, "--normals", out.normals, "of the sides (default curve)",
+                            {{"shared", normals_name::shared},
+                             {"averaged", normals_name::averaged},
+                             {"creased", normals_name::creased},
+                             {"curve", normals_name::curve}});
+    app.add_option("--crease", out.crease, "edges that turn by more are hard (default 15)")->type_name("DEGREES")->check(CLI::Range(0.0, 180.0));
+    app.add_option("--fill", fill, "instead of the font's own rule")->check(CLI::IsMember({"nonzero", "evenodd"}));
+    app.add_option("--uv", uv, "texture coordinates: over the text's box (default), or in em")->check(CLI::IsMember({"box", "em"}));
+    app.add_flag("--strict", out.strict, "a refused or missing glyph is an error");
+
+    app.add_option("--output", out.output, "the mesh: .glb, .obj, .stl or .ply")->type_name("FILE");
+    app.add_option("--picture", out.picture, "a picture of it")->type_name("FILE.png");
+    add_named<shading>(app, "--shading", out.shading, "of the picture (default phong)",
+                       {{"flat", shading::flat}, {"gouraud", shading::gouraud}, {"phong", shading::phong}});
+    app.add_option("--show", show, "on the picture, joined by commas: triangles, points, contours, control, normals, checker")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"triangles", "points", "contours", "control", "normals", "checker"}));
+    app.add_flag("--stats", out.stats, "print counts and times as one line of JSON");
+
+    const auto complain = [](const std::string& sentence) {
+        std::fprintf(stderr, "text_to_mesh: %s\nRun with --help for more information.\n", sentence.c_str());
+        return 2;
+    };
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp& help) {
+        return app.exit(help);
+    } catch (const CLI::ParseError& wrong) {
+        return complain(wrong.what());
+    }
+
+    for (const auto& v : variations)
+        if (auto trouble = add_variation(v, out.variations); !trouble.empty()) return complain(trouble);
+    for (const auto& f : features)
+        if (auto trouble = add_feature(f, out.features); !trouble.empty()) return complain(trouble);
+    if (app.count("--tolerance") == 0) {
+        constexpr double em[] = {quality::low, quality::normal, quality::high, quality::best};
+        out.tolerance = em[static_cast<int>(out.quality)];
+    }
+    if (!std::isfinite(out.tolerance)) return complain("--tolerance is not a finite number");
+    if (uv == "em") out.uv = texture_mapping::em;
+    if (!fill.empty()) out.fill = fill == "nonzero" ? fill_rule::non_zero : fill_rule::even_odd;
+    const auto shown = [&](const char* what) { return std::find(show.begin(), show.end(), what) != show.end(); };
+    out.show_triangles = shown("triangles");
+    out.show_points = shown("points");
+    out.show_contours = shown("contours");
+    out.show_control = shown("control");
+    out.show_normals = shown("normals");
+    out.checker = shown("checker");
+
+    if (!out.output.empty() && !ends_with(out.output, ".glb") && !ends_with(out.output, ".obj") && !ends_with(out.output, ".stl") &&
+        !ends_with(out.output, ".ply"))
+        return complain("--output must end in .glb, .obj, .stl or .ply: " + out.output);
+    if (!out.picture.empty() && !ends_with(out.picture, ".png")) return complain("--picture must end in .png: " + out.picture);
+    if (out.output.empty() && out.picture.empty() && !out.stats) return complain("nothing to do: give --output, --picture or --stats");
+    out.text = with_line_breaks(out.text);
+    return {};
+}
+
+}  // namespace text_to_mesh

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "picture.hpp"
+
+#include <typemesh/typemesh.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace text_to_mesh {
+
+enum class discretiser_name { certified, two_lines, adaptive };
+enum class normals_name { shared, averaged, creased, curve };
+enum class preset { low, normal, high, best };
+
+/// What the command line asks for.
+struct options {
+    std::string text;
+    std::string font;
+    unsigned face = 0;
+    std::vector<typemesh::variation> variations;
+    std::vector<typemesh::feature> features;
+    std::string language, script;
+    typemesh::direction direction = typemesh::direction::automatic;
+    typemesh::alignment align = typemesh::alignment::left;
+
+    float depth = 0.2f;  ///< em; 0 makes a flat mesh
+    preset quality = preset::high;
+    double tolerance = typemesh::quality::high;
+    discretiser_name discretiser = discretiser_name::certified;
+    normals_name normals = normals_name::curve;
+    float crease = 15.0f;
+    std::optional<typemesh::fill_rule> fill;
+    typemesh::texture_mapping uv = typemesh::texture_mapping::box;
+    bool strict = false;
+
+    std::string output;
+    std::string picture;
+    text_to_mesh::shading shading = text_to_mesh::shading::phong;
+    bool show_triangles = false, show_points = false, show_contours = false, show_control = false, show_normals = false;
+    bool checker = false;
+    bool stats = false;
+};
+
+/// Reads the command line into `out`. Gives nothing when the program should go on, or its exit status: 0 after --help, 2 after wrong
+/// usage, which has been explained on standard error by then.
+[[nodiscard]] std::optional<int> parse(int argc, char** argv, options& out);
+
+}  // namespace text_to_mesh

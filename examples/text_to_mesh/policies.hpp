@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "options.hpp"
+
+#include <chrono>
+#include <variant>
+
+namespace text_to_mesh {
+
+// Policies are compile-time types; a program that reads them from a command line makes policies which choose. Each stage chooses
+// for itself, so the stages add up: 3 + 1 + 5 instantiations instead of 3 x 1 x 5.
+
+/// One of the discretisers, chosen at run time.
+struct chosen_discretiser {
+    std::variant<typemesh::certified, typemesh::two_lines, typemesh::adaptive_subdivision> choice;
+
+    template <class Curve, class Emit>
+    void operator()(const Curve& curve, double tolerance, Emit&& emit) const noexcept
+    {
+        std::visit([&](const auto& d) { d(curve, tolerance, emit); }, choice);
+    }
+};
+
+/// One of the extruders, chosen at run time.
+struct chosen_extruder {
+    std::variant<typemesh::extruded<typemesh::curve_normals>, typemesh::extruded<typemesh::creased_normals>,
+                 typemesh::extruded<typemesh::averaged_normals>, typemesh::extruded<typemesh::shared_normals>, typemesh::flat>
+        choice;
+
+    [[nodiscard]] typemesh::result<typemesh::part_sizes> plan(const typemesh::region& r, typemesh::buffer<typemesh::side_point>& sides) const noexcept
+    {
+        return std::visit([&](const auto& e) { return e.plan(r, sides); }, choice);
+    }
+    [[nodiscard]] typemesh::height_range heights() const noexcept
+    {
+        return std::visit([](const auto& e) { return e.heights(); }, choice);
+    }
+    template <typemesh::attribute Wants, class Emit>
+    void vertices(typemesh::part p, const typemesh::solid& s, const typemesh::placement& at, Emit&& emit) const noexcept
+    {
+        std::visit([&](const auto& e) { e.template vertices<Wants>(p, s, at, emit); }, choice);
+    }
+    template <class Emit>
+    void triangles(typemesh::part p, const typemesh::solid& s, const typemesh::first_vertices& first, Emit&& emit) const noexcept
+    {
+        std::visit([&](const auto& e) { e.triangles(p, s, first, emit); }, choice);
+    }
+};
+
+/// Adds up how long each stage took.
+struct stage_clock {
+    using clock = std::chrono::steady_clock;
+
+    std::int64_t nanoseconds[6] = {};
+    typemesh::stage now = typemesh::stage::idle;
+    clock::time_point since;
+
+    void operator()(typemesh::stage next) noexcept
+    {
+        const auto t = clock::now();
+        if (now != typemesh::stage::idle)
+            nanoseconds[static_cast<int>(now)] += std::chrono::duration_cast<std::chrono::nanoseconds>(t - since).count();
+        now = next;
+        since = t;
+    }
+};
+
+}  // namespace text_to_mesh

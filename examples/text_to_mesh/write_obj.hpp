@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model.hpp"
+
+#include <string>
+
+namespace text_to_mesh {
+
+/// Writes a Wavefront OBJ: v, vt, vn and one group a part. Decimal texts read back as the same floats.
+///
+/// Gives  an empty string, or one sentence for the user; see write_atomically.
+[[nodiscard]] std::string write_obj(const model& mesh, const std::string& path);
+
+}  // namespace text_to_mesh

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model.hpp"
+
+#include <string>
+
+namespace text_to_mesh {
+
+/// Writes a binary little-endian PLY: vertices with x y z nx ny nz s t, faces with three indices.
+///
+/// Gives  an empty string, or one sentence for the user; see write_atomically.
+[[nodiscard]] std::string write_ply(const model& mesh, const std::string& path);
+
+}  // namespace text_to_mesh

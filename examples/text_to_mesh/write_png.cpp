@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "write_png.hpp"
+
+#include "atomic_file.hpp"
+
+#include <vector>
+
+#define STB_IMAGE_WRITE_STATIC  // other libraries carry a copy of their own
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STBI_WRITE_NO_STDIO
+#if __has_include(<stb/stb_image_write.h>)
+#include <stb/stb_image_write.h>
+#else
+#include <stb_image_write.h>
+#endif
+
+namespace text_to_mesh {
+
+std::string write_png(std::span<const unsigned char> rgb, int width, int height, const std::string& path)
+{
+    if (width <= 0 || height <= 0 || rgb.size() != std::size_t(width) * std::size_t(height) * 3)
+        return path + " cannot be written: the picture has no pixels.";
+    std::vector<unsigned char> file;
+    const auto append = [](void* user, void* data, int size) {
+        const auto* first = static_cast<const unsigned char*>(data);
+        static_cast<std::vector<unsigned char>*>(user)->insert(static_cast<std::vector<unsigned char>*>(user)->end(), first, first + size);
+    };
+    if (stbi_write_png_to_func(append, &file, width, height, 3, rgb.data(), width * 3) == 0)
+        return path + " cannot be written: there is no memory to compress the picture.";
+    return write_atomically(path, file);
+}
+
+}  // namespace text_to_mesh

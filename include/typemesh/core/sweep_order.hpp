@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/orientation.hpp>
+#include <typemesh/core/workspace.hpp>
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+
+namespace typemesh {
+
+namespace detail {
+
+/// A point's place in the sweep order and its index, in one word: x - left | y - bottom | index, as many bits each as needed.
+struct packed_sweep_key {
+    std::uint64_t word;
+    [[nodiscard]] std::uint64_t place(std::uint32_t index_bits) const noexcept { return word >> index_bits; }
+    [[nodiscard]] bool before(packed_sweep_key other) const noexcept { return word < other.word; }
+};
+
+/// The same for shapes whose coordinates leave no room for the index.
+struct wide_sweep_key {
+    std::uint64_t word;
+    std::uint32_t index;
+    [[nodiscard]] std::uint64_t place(std::uint32_t) const noexcept { return word; }
+    [[nodiscard]] bool before(wide_sweep_key other) const noexcept
+    {
+        return word != other.word ? word < other.word : index < other.index;
+    }
+};
+
+template <class Key>
+void insertion_sort(Key* keys, std::size_t n) noexcept
+{
+    for (std::size_t i = 1; i < n; ++i) {
+        const Key k = keys[i];
+        std::size_t j = i;
+        for (; j != 0 && k.before(keys[j - 1]); --j) keys[j] = keys[j - 1];
+        keys[j] = k;
+    }
+}
+
+template <class Key>
+void heap_sort(Key* keys, std::size_t n) noexcept
+{
+    const auto sink = [keys](std::size_t root, std::size_t size) noexcept {
+        const Key k = keys[root];
+        for (std::size_t child = 2 * root + 1; child < size; child = 2 * root + 1) {
+            if (child + 1 < size && keys[child].before(keys[child + 1])) ++child;
+            if (!k.before(keys[child])) break;
+            keys[root] = keys[child];
+            root = child;
+        }
+        keys[root] = k;
+    };
+    for (std::size_t i = n / 2; i-- != 0;) sink(i, n);
+    for (std::size_t size = n; size-- > 1;) {
+        const Key last = keys[size];
+        keys[size] = keys[0];
+        keys[0] = last;
+        sink(0, size);
+    }
+}
+
+/// One pass into buckets by the leading bits, then insertion; buckets that hold a crowd are put in order on their own first.
+/// `from` is left sorted; needs 2 <= n <= 4096.
+template <class Key>
+void bucket_sort(Key* from, Key* to, std::size_t n, std::uint32_t index_bits, std::uint32_t place_bits) noexcept
+{
+    constexpr std::uint32_t crowd = 16;
+    const auto bucket_bits = static_cast<std::uint32_t>(std::bit_width(n));
+    const std::size_t buckets = std::size_t{1} << bucket_bits;
+    const std::uint32_t shift = place_bits > bucket_bits ? place_bits - bucket_bits : 0;
+    std::uint16_t first[8192];
+    std::memset(first, 0, buckets * sizeof first[0]);
+    for (std::size_t i = 0; i < n; ++i) ++first[from[i].place(index_bits) >> shift];
+    std::uint32_t sum = 0, fullest = 0;
+    for (std::size_t b = 0; b < buckets; ++b) {
+        const std::uint32_t size = first[b];
+        first[b] = static_cast<std::uint16_t>(sum);
+        sum += size;
+        fullest = size > fullest ? size : fullest;
+    }
+    for (std::size_t i = 0; i < n; ++i) to[first[from[i].place(index_bits) >> shift]++] = from[i];
+    if (fullest > crowd) {
+        std::size_t begin = 0;
+        for (std::size_t b = 0; b < buckets; ++b) {  // first[b] is the end of bucket b by now
+            if (first[b] - begin > crowd) heap_sort(to + begin, first[b] - begin);
+            begin = first[b];
+        }
+    }
+    insertion_sort(to, n);
+}
+
+/// Least significant digit first, 11 bits a pass. Returns where the sorted keys lie: `a` or `b`.
+template <class Key>
+[[nodiscard]] Key* radix_sort(Key* a, Key* b, std::size_t n, std::uint32_t index_bits, std::uint32_t place_bits) noexcept
+{
+    constexpr std::uint32_t digit_bits = 11, digits = 1u << digit_bits;
+    std::uint32_t first[digits];
+    for (std::uint32_t shift = 0; shift < place_bits; shift += digit_bits) {
+        std::memset(first, 0, sizeof first);
+        for (std::size_t i = 0; i < n; ++i) ++first[(a[i].place(index_bits) >> shift) & (digits - 1)];
+        if (first[(a[0].place(index_bits) >> shift) & (digits - 1)] == n) continue;  // all alike
+        std::uint32_t sum = 0;
+        for (std::uint32_t d = 0; d < digits; ++d) {
+            const std::uint32_t size = first[d];
+            first[d] = sum;
+            sum += size;
+        }
+        for (std::size_t i = 0; i < n; ++i) b[first[(a[i].place(index_bits) >> shift) & (digits - 1)]++] = a[i];
+        Key* const swapped = a;
+        a = b;
+        b = swapped;
+    }
+    return a;
+}
+
+/// Where the sorted keys lie: `keys` or `spare`.
+template <class Key>
+[[nodiscard]] const Key* sort_sweep_keys(Key* keys, Key* spare, std::size_t n, std::uint32_t index_bits, std::uint32_t place_bits) noexcept
+{
+    if (n <= 12) {
+        insertion_sort(keys, n);
+        return keys;
+    }
+    if (n <= 4096) {
+        bucket_sort(keys, spare, n, index_bits, place_bits);
+        return spare;
+    }
+    return radix_sort(keys, spare, n, index_bits, place_bits);
+}
+
+}  // namespace detail
+
+/// The indices of `points` in the order of a left-to-right sweep: by x, then y, then index. `order` holds points.size() values.
+///
+/// False when `space` has no memory. O(n log n) at worst; O(n) passes over 64-bit keys in practice, about half of what
+/// std::sort takes on glyphs. Scratch: 16 bytes a point (32 where x, y and index together need more than 64 bits).
+[[nodiscard]] inline bool sweep_order(std::span<const grid_point> points, workspace& space, std::uint32_t* order) noexcept
+{
+    const std::size_t n = points.size();
+    if (n == 0) return true;
+    std::int32_t left = points[0].x, right = left, bottom = points[0].y, top = bottom;
+    for (const grid_point p : points) {
+        left = p.x < left ? p.x : left;
+        right = p.x > right ? p.x : right;
+        bottom = p.y < bottom ? p.y : bottom;
+        top = p.y > top ? p.y : top;
+    }
+    const auto bits = [](std::uint64_t v) noexcept { return static_cast<std::uint32_t>(std::bit_width(v)); };
+    const std::uint32_t x_bits = bits(static_cast<std::uint32_t>(right) - static_cast<std::uint32_t>(left));
+    const std::uint32_t y_bits = bits(static_cast<std::uint32_t>(top) - static_cast<std::uint32_t>(bottom));
+    const std::uint32_t index_bits = bits(n - 1);
+
+    workspace::scope scratch{space};
+    const auto sorted_by = [&]<class Key>(Key) noexcept {
+        Key* const keys = scratch.take<Key>(n);
+        Key* const spare = scratch.take<Key>(n);
+        if (keys == nullptr || spare == nullptr) return false;
+        for (std::size_t i = 0; i < n; ++i) {
+            const std::uint64_t x = static_cast<std::uint32_t>(points[i].x) - static_cast<std::uint32_t>(left);
+            const std::uint64_t y = static_cast<std::uint32_t>(points[i].y) - static_cast<std::uint32_t>(bottom);
+            if constexpr (sizeof(Key) == sizeof(std::uint64_t))
+                keys[i].word = (x << y_bits | y) << index_bits | i;
+            else
+                keys[i] = {x << y_bits | y, static_cast<std::uint32_t>(i)};
+        }
+        const Key* const sorted = detail::sort_sweep_keys(keys, spare, n, index_bits, x_bits + y_bits);
+        for (std::size_t i = 0; i < n; ++i) {
+            if constexpr (sizeof(Key) == sizeof(std::uint64_t))
+                order[i] = static_cast<std::uint32_t>(sorted[i].word & ((std::uint64_t{1} << index_bits) - 1));
+            else
+                order[i] = sorted[i].index;
+        }
+        return true;
+    };
+    return x_bits + y_bits + index_bits <= 64 ? sorted_by(detail::packed_sweep_key{}) : sorted_by(detail::wide_sweep_key{});
+}
+
+}  // namespace typemesh

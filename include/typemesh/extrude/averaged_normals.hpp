@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/extrude/side_normals.hpp>
+#include <typemesh/extrude/wall_normal.hpp>
+
+namespace typemesh {
+
+/// 4N vertices: caps flat, and a wall vertex' normal is the normalised sum of the unit normals of its two walls. Smooth
+/// everywhere, so corners are rounded off and flat walls beside them shaded unevenly.
+struct averaged_normals {
+    static constexpr bool shares_caps = false;
+
+    error operator()(const region& shape, std::span<side_point> sides) const noexcept
+    {
+        const auto points = shape.points();
+        for (std::uint32_t loop = 0; loop < shape.loop_count(); ++loop) {
+            const std::uint32_t first = shape.starts()[loop], last = shape.starts()[loop + 1] - 1;
+            grid_point previous = points[last];
+            point before = wall_normal(previous, points[first]);
+            for (std::uint32_t i = first; i <= last; ++i) {
+                const grid_point here = points[i], next = points[i == last ? first : i + 1];
+                const point after = wall_normal(here, next);
+                sides[i].before = sides[i].after = rounded(joint_normal(previous, here, next, before, after));
+                previous = here;
+                before = after;
+            }
+        }
+        return {};
+    }
+};
+static_assert(side_normals<averaged_normals>);
+
+}  // namespace typemesh

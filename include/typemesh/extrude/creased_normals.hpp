@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/extrude/side_normals.hpp>
+#include <typemesh/extrude/wall_normal.hpp>
+
+namespace typemesh {
+
+/// 4N + 2H vertices: as averaged_normals, but a point whose two walls' normals differ by more than the crease angle is hard: it
+/// is doubled, and each wall keeps its own normal.
+///
+/// It knows the polygon alone, whose turns on coarse curves are as large as those of blunt corners: at 30 degrees and the
+/// `high` quality about 1 in 200 curve points is taken for a corner, at `normal` 1 in 13. curve_normals has no such trouble.
+struct creased_normals {
+    static constexpr bool shares_caps = false;
+
+    float crease_degrees = 30.0f;  ///< 0 to 180
+
+    error operator()(const region& shape, std::span<side_point> sides) const noexcept
+    {
+        if (!is_crease_angle(crease_degrees)) return error::bad_option;
+        const double crease = crease_cosine(crease_degrees);
+        const auto points = shape.points();
+        for (std::uint32_t loop = 0; loop < shape.loop_count(); ++loop) {
+            const std::uint32_t first = shape.starts()[loop], last = shape.starts()[loop + 1] - 1;
+            grid_point previous = points[last];
+            const point closing = wall_normal(previous, points[first]);
+            point before = closing;
+            for (std::uint32_t i = first; i <= last; ++i) {
+                const grid_point here = points[i], next = points[i == last ? first : i + 1];
+                const point after = i == last ? closing : wall_normal(here, next);
+                if (dot(before, after) < crease) {
+                    sides[i].before = rounded(before);
+                    sides[i].after = rounded(after);
+                    sides[i].doubled = true;
+                } else {
+                    sides[i].before = sides[i].after = rounded(joint_normal(previous, here, next, before, after));
+                }
+                previous = here;
+                before = after;
+            }
+        }
+        return {};
+    }
+};
+static_assert(side_normals<creased_normals>);
+
+}  // namespace typemesh

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/extrude/extruder.hpp>
+#include <typemesh/vertex/mesh_sink.hpp>
+
+namespace typemesh {
+
+/// Emits a solid's vertices of one part into a sink.
+template <extruder Extruder, mesh_sink Sink>
+void write_vertices(part p, const solid& s, const Extruder& how, const placement& at, Sink& sink) noexcept
+{
+    how.template vertices<Sink::wants>(p, s, at, [&sink](const surface_point<Sink::wants>& v) noexcept { sink.vertex(v); });
+}
+
+/// Emits a solid's triangles of one part into a sink, turned as the frame asks (see frame::turns_triangles()).
+template <extruder Extruder, mesh_sink Sink>
+void write_triangles(part p, const solid& s, const Extruder& how, const first_vertices& first, bool turned, Sink& sink) noexcept
+{
+    if (turned) {
+        how.triangles(p, s, first, [&sink](std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept { sink.triangle(a, c, b); });
+    } else {
+        how.triangles(p, s, first, [&sink](std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept { sink.triangle(a, b, c); });
+    }
+}
+
+/// The stage by itself: puts one region up into space and writes it.
+///
+///     cap      the region's triangles, from any triangulator
+///     sides    scratch; what it held before is forgotten, its storage stays for the next call
+///
+/// Fails  error::bad_option, error::out_of_memory, error::too_large, or what else the extruder's plan() or the sink's
+///        begin() say; nothing is written then.
+template <extruder Extruder, mesh_sink Sink>
+error extrude(const region& shape, std::span<const triangle> cap, const Extruder& how, const placement& at, buffer<side_point>& sides,
+              Sink& sink) noexcept
+{
+    sides.clear();
+    const result<part_sizes> sizes = how.plan(shape, sides);
+    if (!sizes) return sizes.error();
+
+    mesh_size exact;
+    first_vertices first;
+    for (const part p : all_parts) {
+        first[p] = static_cast<std::uint32_t>(exact.vertices);
+        exact.vertices += sizes->vertices[p];
+        exact.triangles += sizes->triangles[p];
+    }
+    if (exact.vertices > 0xFFFF'FFFFu || exact.indices() > 0xFFFF'FFFFu) return error::too_large;
+    if (error e = sink.begin(exact)) return e;
+
+    const solid s{shape.points(), shape.starts(), cap, sides.view()};
+    for (const part p : all_parts) write_vertices(p, s, how, at, sink);
+    const bool turned = at.frame.turns_triangles();
+    for (const part p : all_parts) write_triangles(p, s, how, first, turned, sink);
+    sink.end();
+    return {};
+}
+
+}  // namespace typemesh

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/finite.hpp>
+#include <typemesh/extrude/curve_normals.hpp>
+#include <typemesh/extrude/extruder.hpp>
+#include <typemesh/extrude/texture.hpp>
+
+namespace typemesh {
+
+/// A front, a back and walls between them.
+///
+///         front  z = 0                 vertices      front N, back N, walls 2N, and 2 more for every doubled point;
+///     +----------+                                   with shared_normals the walls have none of their own
+///     |\         |\      walls:        triangles     front and back n + 2h - 2c each (region.hpp), walls 2 an edge
+///     | +--------|-+     two triangles
+///     | |        | |     an edge       doubled       the H hard points that the style of normals finds; and in em mapping one
+///     +-|--------+ |                                 point of each contour that has no hard one, for its seam
+///      \|         \|
+///       +----------+  back  z = -depth
+///
+/// A part that is switched off leaves out its vertices and triangles; only shared_normals keeps the vertices of a cap
+/// that its walls stand on.
+///
+///     extruded{}                                     curve_normals, 0.2 em deep
+///     extruded<>{.depth = 0.3f}                      the <> is for clang before 17; others do without
+///     extruded<shared_normals>{.depth = 0.3f}
+///     extruded<creased_normals>{.normals = {.crease_degrees = 20.0f}}
+///
+/// Fails  error::bad_option: depth is not positive and finite, or an option of the normals is out of range
+///        error::too_large: more than 2^30 - 1 points
+template <side_normals Normals = curve_normals>
+struct extruded {
+    float depth = 0.2f;     ///< in em
+    bool centred = false;   ///< front at z = depth / 2 and back at -depth / 2
+    bool front = true;
+    bool back = true;
+    bool side = true;
+    texture_mapping texture = texture_mapping::box;
+    [[no_unique_address]] Normals normals = {};
+
+    [[nodiscard]] result<part_sizes> plan(const region& shape, buffer<side_point>& sides) const noexcept
+    {
+        if (!is_finite(static_cast<double>(depth)) || !(depth > 0.0f)) return error::bad_option;
+        const std::size_t n = shape.points().size();
+        if (n > 0x3FFF'FFFFu) return error::too_large;
+        if (!side || n == 0) {
+            if (error e = normals(region{}, {})) return e;
+            return sizes(shape, 0);
+        }
+
+        const std::size_t before = sides.size();
+        side_point* mine = sides.append(n);
+        if (mine == nullptr) return error::out_of_memory;
+        for (std::size_t i = 0; i < n; ++i) mine[i] = {};
+        if (error e = normals(shape, {mine, n})) {
+            sides.truncate(before);
+            return e;
+        }
+        if constexpr (Normals::shares_caps) return sizes(shape, 0);
+        if (texture == texture_mapping::em) measure(shape, mine);
+        std::uint32_t doubled = 0;
+        for (std::size_t i = 0; i < n; ++i) doubled += mine[i].doubled;
+        return sizes(shape, doubled);
+    }
+
+    [[nodiscard]] height_range heights() const noexcept
+    {
+        const double high = centred ? 0.5 * depth : 0.0, low = high - depth;
+        return {side || back ? low : front ? high : 0.0, side || front ? high : back ? low : 0.0};
+    }
+
+    template <attribute Wants, class Emit>
+    void vertices(part p, const solid& s, const placement& at, Emit&& emit) const noexcept
+    {
+        const placement here = at;  // a copy, so that writing vertices cannot seem to change it
+        const double high = centred ? 0.5 * depth : 0.0;
+        const float top = here.height(high), bottom = here.height(high - depth);
+        if (p == part::front && has_front()) cap<Wants>(s, here, top, 1.0f, front, emit);
+        if (p == part::back && has_back()) cap<Wants>(s, here, bottom, -1.0f, back, emit);
+        if constexpr (!Normals::shares_caps) {
+            if (p == part::side && side) walls<Wants>(s, here, top, bottom, emit);
+        }
+    }
+
+    template <class Emit>
+    void triangles(part p, const solid& s, const first_vertices& first, Emit&& emit) const noexcept
+    {
+        if (p == part::front && front) {
+            const std::uint32_t base = first[part::front];
+            for (const triangle t : s.triangles) emit(base + t.a, base + t.b, base + t.c);
+        }
+        if (p == part::back && back) {
+            const std::uint32_t base = first[part::back];
+            for (const triangle t : s.triangles) emit(base + t.a, base + t.c, base + t.b);
+        }
+        if (p == part::side && side) {
+            if constexpr (Normals::shares_caps) join_caps(s, first, emit);
+            else join_walls(s, first[part::side], emit);
+        }
+    }
+
+private:
+    [[nodiscard]] bool has_front() const noexcept { return front || (Normals::shares_caps && side); }
+    [[nodiscard]] bool has_back() const noexcept { return back || (Normals::shares_caps && side); }
+
+    [[nodiscard]] part_sizes sizes(const region& shape, std::uint32_t doubled) const noexcept
+    {
+        const auto n = static_cast<std::uint32_t>(shape.points().size());
+        part_sizes all;
+        all.vertices[part::front] = has_front() ? n : 0;
+        all.vertices[part::back] = has_back() ? n : 0;
+        all.vertices[part::side] = side && !Normals::shares_caps ? 2 * (n + doubled) : 0;
+        all.triangles[part::front] = front ? shape.triangle_count() : 0;
+        all.triangles[part::back] = back ? shape.triangle_count() : 0;
+        all.triangles[part::side] = side ? 2 * n : 0;
+        return all;
+    }
+
+    /// Lengths along each contour, from its first doubled point; where there is none its first point becomes one.
+    static void measure(const region& shape, side_point* sides) noexcept
+    {
+        const auto points = shape.points();
+        for (std::uint32_t loop = 0; loop < shape.loop_count(); ++loop) {
+            const std::uint32_t first = shape.starts()[loop], last = shape.starts()[loop + 1] - 1;
+            std::uint32_t seam = first;
+            while (seam < last && !sides[seam].doubled) ++seam;
+            if (!sides[seam].doubled) seam = first;
+            sides[seam].doubled = sides[seam].seam = true;
+            double along = 0.0;
+            std::uint32_t i = seam;
+            do {
+                const std::uint32_t next = i == last ? first : i + 1;
+                along += length(way(points[i], points[next]));
+                sides[next].along = static_cast<float>(along);
+                i = next;
+            } while (i != seam);
+        }
+    }
+
+    template <attribute Wants, class Emit>
+    void cap(const solid& s, const placement& at, float z, float facing, bool lit_by_cap, Emit& emit) const noexcept
+    {
+        const planar_texture uv{texture, at};
+        const vec3 flat_normal = at.cap_normal(facing);
+        const side_point* sides = s.sides.data();
+        for (std::size_t i = 0; i < s.points.size(); ++i) {
+            surface_point<Wants> v;
+            if constexpr (has(Wants, attribute::position)) v.position = at.position(s.points[i], z);
+            if constexpr (has(Wants, attribute::normal)) {
+                v.normal = flat_normal;
+                if constexpr (Normals::shares_caps) {
+                    if (side) v.normal = shared(sides[i], at, lit_by_cap ? facing : 0.0f);
+                }
+            }
+            if constexpr (has(Wants, attribute::uv)) v.uv = uv(s.points[i]);
+            emit(v);
+        }
+    }
+
+    /// The normalised sum of two walls' normals and of a cap's: its z, or 0 for none.
+    static vec3 shared(const side_point& s, const placement& at, float cap) noexcept
+    {
+        const point before{s.before.x, s.before.y}, after{s.after.x, s.after.y};
+        point sum = before + after;
+        if (dot(sum, sum) < 0x1p-30) {  // a needle's tip: the same line from the edges' directions (see joint_normal)
+            sum = point{after.y - before.y, before.x - after.x};
+            if (cross(before, after) < 0.0) sum = -1.0 * sum;
+            if (cap != 0.0f) sum = {};
+        }
+        const double scale = 1.0 / std::sqrt(dot(sum, sum) + static_cast<double>(cap) * cap);
+        return at.frame(static_cast<float>(scale * sum.x), static_cast<float>(scale * sum.y), static_cast<float>(scale) * cap);
+    }
+
+    /// Pairs (front, back) along each contour; a doubled point has one for the wall before it and one for the wall after.
+    template <attribute Wants, class Emit>
+    void walls(const solid& s, const placement& at, float top, float bottom, Emit& emit) const noexcept
+    {
+        const planar_texture planar{texture, at};
+        const bool by_length = texture == texture_mapping::em;
+        const float v_top = planar.turned(1.0f), v_bottom = planar.turned(1.0f - depth);
+        const auto pair = [&](placement::footprint foot, vec2 normal, vec2 uv) noexcept {
+            surface_point<Wants> front_point, back_point;
+            if constexpr (has(Wants, attribute::position)) {
+                front_point.position = at.position(foot, top);
+                back_point.position = at.position(foot, bottom);
+            }
+            if constexpr (has(Wants, attribute::normal)) front_point.normal = back_point.normal = at.normal(normal);
+            if constexpr (has(Wants, attribute::uv)) {
+                front_point.uv = {uv.x, by_length ? v_top : uv.y};
+                back_point.uv = {uv.x, by_length ? v_bottom : uv.y};
+            }
+            emit(front_point);
+            emit(back_point);
+        };
+        for (std::size_t i = 0; i < s.points.size(); ++i) {
+            const side_point& here = s.sides[i];
+            placement::footprint foot;
+            vec2 uv;
+            if constexpr (has(Wants, attribute::position)) foot = at.foot(s.points[i]);
+            if constexpr (has(Wants, attribute::uv)) {
+                uv = by_length ? vec2{static_cast<float>(here.along * at.em_per_cell), 0.0f} : planar(s.points[i]);
+            }
+            pair(foot, here.before, uv);
+            if (here.doubled) {
+                if (here.seam) uv.x = 0.0f;
+                pair(foot, here.after, uv);
+            }
+        }
+    }
+
+    /// Two triangles an edge, between the caps' own vertices.
+    template <class Emit>
+    static void join_caps(const solid& s, const first_vertices& first, Emit& emit) noexcept
+    {
+        const std::uint32_t top = first[part::front], bottom = first[part::back];
+        for (std::size_t loop = 0; loop + 1 < s.starts.size(); ++loop) {
+            const std::uint32_t begin = s.starts[loop], end = s.starts[loop + 1];
+            for (std::uint32_t i = begin; i < end; ++i) {
+                const std::uint32_t next = i + 1 == end ? begin : i + 1;
+                emit(top + i, bottom + i, bottom + next);
+                emit(top + i, bottom + next, top + next);
+            }
+        }
+    }
+
+    ///     front  a-----c      seen from outside; each wall lies between the last pair of its first point and
+    ///            | \   |      the first pair of its second
+    ///     back  a+1---c+1
+    template <class Emit>
+    static void join_walls(const solid& s, std::uint32_t first, Emit& emit) noexcept
+    {
+        std::uint32_t a = first;
+        for (std::size_t loop = 0; loop + 1 < s.starts.size(); ++loop) {
+            const std::uint32_t begin = s.starts[loop], end = s.starts[loop + 1], start = a;
+            for (std::uint32_t i = begin; i < end; ++i) {
+                a += s.sides[i].doubled ? 2u : 0u;
+                const std::uint32_t c = i + 1 == end ? start : a + 2;
+                emit(a, a + 1, c + 1);
+                emit(a, c + 1, c);
+                a += 2;
+            }
+        }
+    }
+};
+
+static_assert(extruder<extruded<>>);
+
+}  // namespace typemesh

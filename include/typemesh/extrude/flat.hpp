@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/extrude/extruder.hpp>
+#include <typemesh/extrude/texture.hpp>
+
+namespace typemesh {
+
+/// The front alone, at z = 0: N vertices and n + 2h - 2c triangles (region.hpp).
+struct flat {
+    texture_mapping texture = texture_mapping::box;
+
+    [[nodiscard]] result<part_sizes> plan(const region& shape, buffer<side_point>&) const noexcept
+    {
+        if (shape.points().size() > 0x3FFF'FFFFu) return error::too_large;
+        part_sizes sizes;
+        sizes.vertices[part::front] = static_cast<std::uint32_t>(shape.points().size());
+        sizes.triangles[part::front] = shape.triangle_count();
+        return sizes;
+    }
+
+    [[nodiscard]] height_range heights() const noexcept { return {}; }
+
+    template <attribute Wants, class Emit>
+    void vertices(part p, const solid& s, const placement& at, Emit&& emit) const noexcept
+    {
+        if (p != part::front) return;
+        const placement here = at;  // a copy, so that writing vertices cannot seem to change it
+        const planar_texture uv{texture, here};
+        for (const grid_point g : s.points) {
+            surface_point<Wants> v;
+            if constexpr (has(Wants, attribute::position)) v.position = here.position(g, 0.0f);
+            if constexpr (has(Wants, attribute::normal)) v.normal = here.cap_normal(1.0f);
+            if constexpr (has(Wants, attribute::uv)) v.uv = uv(g);
+            emit(v);
+        }
+    }
+
+    template <class Emit>
+    void triangles(part p, const solid& s, const first_vertices& first, Emit&& emit) const noexcept
+    {
+        if (p != part::front) return;
+        const std::uint32_t base = first[part::front];
+        for (const triangle t : s.triangles) emit(base + t.a, base + t.b, base + t.c);
+    }
+};
+static_assert(extruder<flat>);
+
+}  // namespace typemesh

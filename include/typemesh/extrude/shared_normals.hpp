@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/extrude/side_normals.hpp>
+#include <typemesh/extrude/wall_normal.hpp>
+
+namespace typemesh {
+
+/// 2N vertices: walls stand on the caps' own vertices, whose normal is the normalised sum of the unit normals of the cap and the
+/// two walls that meet there; parts that are switched off do not count. Small, and shaded wrongly everywhere: the thesis'
+/// naive version, for meshes that are lit otherwise or not at all. Texture coordinates are the caps', planar, on the
+/// walls as well.
+struct shared_normals {
+    static constexpr bool shares_caps = true;
+
+    error operator()(const region& shape, std::span<side_point> sides) const noexcept
+    {
+        const auto points = shape.points();
+        for (std::uint32_t loop = 0; loop < shape.loop_count(); ++loop) {
+            const std::uint32_t first = shape.starts()[loop], last = shape.starts()[loop + 1] - 1;
+            vec2 before = rounded(wall_normal(points[last], points[first]));
+            for (std::uint32_t i = first; i <= last; ++i) {
+                const vec2 after = rounded(wall_normal(points[i], points[i == last ? first : i + 1]));
+                sides[i].before = before;
+                sides[i].after = after;
+                before = after;
+            }
+        }
+        return {};
+    }
+};
+static_assert(side_normals<shared_normals>);
+
+}  // namespace typemesh

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/extrude/placement.hpp>
+
+#include <cstdint>
+
+namespace typemesh {
+
+/// Where texture coordinates come from. v grows upwards, or downwards as 1 - v where the frame says uv_origin::top_left.
+///
+///     box    the text's (or line's, or glyph's) box becomes the square [0, 1], for caps and walls alike: walls show the
+///            caps' rim, drawn out into lines
+///     em     one texture tile is one em wide and high, everywhere:
+///            caps    x and y from the text's origin
+///            walls   u = way along the contour from its seam, in its own direction; v runs from 1 at the front down to
+///                    1 - depth, so that an upright image stands upright on a wall whose front edge is its top
+enum class texture_mapping : std::uint8_t { box, em };
+
+/// Texture coordinates of grid points by their place in the plane.
+///
+/// The upper edge of a box gives exactly 1 (and 0 turned): the product is rounded to 32 bits before it is turned.
+class planar_texture {
+public:
+    planar_texture(texture_mapping mapping, const placement& at) noexcept
+        : pen_{mapping == texture_mapping::box ? at.texture_pen : at.em_pen},
+          per_cell_{mapping == texture_mapping::box ? at.texture_per_cell : point{at.em_per_cell, at.em_per_cell}},
+          base_{at.frame.uv == uv_origin::top_left ? 1.0f : 0.0f},
+          sign_{at.frame.uv == uv_origin::top_left ? -1.0f : 1.0f}
+    {
+    }
+
+    [[nodiscard]] vec2 operator()(grid_point p) const noexcept
+    {
+        return {static_cast<float>((p.x + pen_.x) * per_cell_.x), turned(static_cast<float>((p.y + pen_.y) * per_cell_.y))};
+    }
+
+    /// v as it is written, from v growing upwards.
+    [[nodiscard]] float turned(float v) const noexcept { return base_ + sign_ * v; }
+
+private:
+    point pen_;
+    point per_cell_;
+    float base_;
+    float sign_;
+};
+
+}  // namespace typemesh

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/finite.hpp>
+#include <typemesh/core/orientation.hpp>
+#include <typemesh/core/region.hpp>
+
+namespace typemesh {
+
+/// A direction turned to the right: out of the interior, which lies on the left of every edge. Not of unit length.
+[[nodiscard]] constexpr point outward(point direction) noexcept { return {direction.y, -direction.x}; }
+
+/// The way from one grid point to another, in cells; exact.
+[[nodiscard]] constexpr point way(grid_point from, grid_point to) noexcept
+{
+    return {static_cast<double>(to.x) - from.x, static_cast<double>(to.y) - from.y};
+}
+
+/// A vector brought to unit length; it must not be zero.
+[[nodiscard]] inline point unit(point v) noexcept { return (1.0 / length(v)) * v; }
+
+/// The unit normal of the wall over the edge from a to b, which differ.
+[[nodiscard]] inline point wall_normal(grid_point a, grid_point b) noexcept { return unit(outward(way(a, b))); }
+
+[[nodiscard]] constexpr vec2 rounded(point v) noexcept { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
+
+/// The normalised sum of the unit normals of two walls that meet in b, over a-b and b-c. It points out of both walls.
+///
+///          ^ sum = forth - back, as vectors along the edges
+///      b   |          At the tip of a needle the two normals all but cancel; the difference of the directions is
+///     / \             the same line, and which way along it is out is known exactly from the turn.
+///    /   \            .
+///   a     c
+[[nodiscard]] inline point joint_normal(grid_point a, grid_point b, grid_point c, point before, point after) noexcept
+{
+    if (dot(before, after) > -0.5) return unit(before + after);
+    const point along = {after.y - before.y, before.x - after.x};
+    return orientation(a, b, c) >= 0 ? unit(along) : unit(-1.0 * along);
+}
+
+/// An angle, as what the dot product of two unit normals falls below where they make a larger one.
+///
+/// A 2^-30 less than its cosine: a break equal to the angle is soft, whatever the compiler's rounding (0 means above 0.0025
+/// degrees). Normals that cancel (within 0.08 degrees of opposite) are beyond every angle, as they have no sum.
+[[nodiscard]] inline double crease_cosine(float degrees) noexcept
+{
+    const double cosine = std::cos(degrees * (3.14159265358979323846 / 180.0)) - 0x1p-30;
+    constexpr double opposite = -1.0 + 0x1p-20;
+    return cosine > opposite ? cosine : opposite;
+}
+
+/// Whether a crease angle lies in 0 to 180 degrees; NaN does not.
+[[nodiscard]] inline bool is_crease_angle(float degrees) noexcept
+{
+    return is_finite(static_cast<double>(degrees)) && degrees >= 0.0f && degrees <= 180.0f;
+}
+
+}  // namespace typemesh

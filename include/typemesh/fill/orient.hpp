@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/contours.hpp>
+#include <typemesh/core/orientation.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace typemesh {
+
+/// Turns one contour round in place: the same first point's neighbours swap roles, every edge runs against its curve.
+///
+///     points  a b c d            ->  d c b a
+///     edges   ab bc cd da        ->  dc cb ba ad      with t0 and t1 swapped
+inline void reverse_contour(std::span<grid_point> points, std::span<contour_edge> edges) noexcept
+{
+    if (points.empty()) return;
+    for (std::size_t i = 0, j = points.size() - 1; i < j; ++i, --j) {
+        const grid_point p = points[i];
+        points[i] = points[j];
+        points[j] = p;
+    }
+    const std::size_t closing = edges.size() - 1;  // from the last point to the first: stays where it is
+    for (std::size_t i = 0, j = closing; i + 1 < j; ++i) {
+        --j;
+        const contour_edge e = edges[i];
+        edges[i] = edges[j];
+        edges[j] = e;
+    }
+    for (contour_edge& e : edges) {
+        const float t = e.t0;
+        e.t0 = e.t1;
+        e.t1 = t;
+    }
+}
+
+/// Turns all contours round together when the signed areas that they enclose add up to less than zero: TrueType winds outer
+/// contours clockwise, PostScript counter-clockwise, and a region has its interior on the left.
+///
+/// A guess for simple outlines, made from exact sums: where contours overlap or disagree in direction it may be wrong, and
+/// then a proving triangulator refuses them and fill() finds the truth. O(n), nothing is allocated.
+inline void orient(contours& loops) noexcept
+{
+    std::int64_t high = 0, low = 0;  // 2^32 high + low: a sum of 2^32 terms below 2^58 has more than 64 bits
+    for (std::uint32_t c = 0; c < loops.contour_count(); ++c) {
+        const std::size_t begin = loops.starts[c], end = loops.starts[c + 1];
+        if (begin == end) continue;
+        grid_point p = loops.points[end - 1];
+        for (std::size_t i = begin; i < end; ++i) {
+            const grid_point q = loops.points[i];
+            const std::int64_t term = std::int64_t{p.x} * q.y - std::int64_t{p.y} * q.x;
+            high += term >> 32;
+            low += term & 0xFFFF'FFFF;
+            p = q;
+        }
+    }
+    if (high + (low >> 32) >= 0) return;
+    for (std::uint32_t c = 0; c < loops.contour_count(); ++c) {
+        const std::size_t begin = loops.starts[c], size = loops.starts[c + 1] - begin;
+        reverse_contour(loops.points.view().subspan(begin, size), loops.edges.view().subspan(begin, size));
+    }
+}
+
+}  // namespace typemesh

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+namespace typemesh {
+
+namespace detail {
+
+struct code_range {
+    char32_t first;
+    char32_t last;
+};
+
+template <std::size_t N>
+[[nodiscard]] constexpr bool holds(const code_range (&sorted)[N], char32_t c) noexcept
+{
+    std::size_t low = 0, high = N;
+    while (low < high) {
+        const std::size_t middle = (low + high) / 2;
+        if (c > sorted[middle].last) low = middle + 1;
+        else high = middle;
+    }
+    return low < N && c >= sorted[low].first;
+}
+
+}  // namespace detail
+
+/// True for characters that one glyph after the other, by character map and advance, would set wrongly: right-to-left and
+/// joining scripts, scripts that reorder, stack or attach their signs (those of India, Thai, Lao, Tibetan, Burmese, Khmer, ...),
+/// conjoining Hangul, combining marks of every script, joiners and bidirectional controls.
+///
+/// What is left is plain: Latin, Greek, Cyrillic, Armenian, Georgian, Ethiopic, Cherokee, Han, kana, Hangul syllables, Yi and
+/// the like, punctuation and symbols. By blocks of Unicode 15; when in doubt, true.
+[[nodiscard]] constexpr bool needs_shaping(char32_t c) noexcept
+{
+    constexpr detail::code_range ranges[] = {
+        {0x0300, 0x036F},   {0x0483, 0x0489},   {0x0590, 0x109F},   {0x1100, 0x11FF},   {0x135D, 0x135F},   {0x1700, 0x18AF},
+        {0x1900, 0x194F},   {0x1A00, 0x1C4F},   {0x1CD0, 0x1CFF},   {0x1DC0, 0x1DFF},   {0x200C, 0x200F},   {0x202A, 0x202E},
+        {0x2066, 0x2069},   {0x20D0, 0x20FF},   {0x2CEF, 0x2CF1},   {0x2D7F, 0x2D7F},   {0x2DE0, 0x2DFF},   {0x302A, 0x302F},
+        {0x3099, 0x309A},   {0xA66F, 0xA67D},   {0xA69E, 0xA69F},   {0xA6F0, 0xA6F1},   {0xA800, 0xA82F},   {0xA840, 0xA9DF},
+        {0xA9E0, 0xAAFF},   {0xABC0, 0xABFF},   {0xD7B0, 0xD7FF},   {0xFB1D, 0xFDFF},   {0xFE20, 0xFE2F},   {0xFE70, 0xFEFE},
+        {0x101FD, 0x101FD}, {0x102E0, 0x102E0}, {0x10376, 0x1037A}, {0x10800, 0x11FBF}, {0x16100, 0x1613F}, {0x16AF0, 0x16AF4},
+        {0x16B30, 0x16B36}, {0x16F4F, 0x16F92}, {0x16FE4, 0x16FF1}, {0x1BC00, 0x1BCAF}, {0x1CF00, 0x1CF46}, {0x1D165, 0x1D1AD},
+        {0x1D242, 0x1D244}, {0x1D800, 0x1DAAF}, {0x1E000, 0x1E2FF}, {0x1E4D0, 0x1E4FF}, {0x1E800, 0x1EEFF}, {0x1F1E6, 0x1F1FF},
+        {0x1F3FB, 0x1F3FF}, {0xE0020, 0xE007F},
+    };
+    return c >= 0x0300 && detail::holds(ranges, c);
+}
+
+/// True for characters that are not drawn, even where the font has no glyph for them: soft hyphen, zero-width space, word
+/// joiner, variation selectors, byte order mark. From Unicode's Default_Ignorable_Code_Point.
+[[nodiscard]] constexpr bool is_default_ignorable(char32_t c) noexcept
+{
+    constexpr detail::code_range ranges[] = {
+        {0x00AD, 0x00AD}, {0x034F, 0x034F}, {0x061C, 0x061C}, {0x115F, 0x1160}, {0x17B4, 0x17B5},   {0x180B, 0x180F},
+        {0x200B, 0x200F}, {0x202A, 0x202E}, {0x2060, 0x206F}, {0x3164, 0x3164}, {0xFE00, 0xFE0F},   {0xFEFF, 0xFEFF},
+        {0xFFA0, 0xFFA0}, {0xFFF0, 0xFFF8}, {0x1BCA0, 0x1BCA3}, {0x1D173, 0x1D17A}, {0xE0000, 0xE0FFF},
+    };
+    return c >= 0x00AD && detail::holds(ranges, c);
+}
+
+}  // namespace typemesh

@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/error.hpp>
+#include <typemesh/core/orientation.hpp>
+#include <typemesh/core/sweep_order.hpp>
+#include <typemesh/core/sweep_status.hpp>
+#include <typemesh/core/triangle.hpp>
+#include <typemesh/core/workspace.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+namespace typemesh::detail {
+
+/// The sweep behind `monotone`: cuts loops into triangles from left to right and, when `Proving`, finds out whether they
+/// bound a region at all.
+///
+/// Between two neighbouring boundary edges that the sweep line crosses lies a *span* of interior. What it has seen of a span
+/// and could not cut yet is a chain of points along its lower or its upper side. Sides are numbered: 0 lower, 1 upper.
+///
+///          ___upper___                A point p on the lower side first closes the chain along the upper side, for all of it
+///         /                           sees p:   (c0 c1 p) (c1 c2 p) ...
+///      c0 ----c1---c2                 then it cuts off what turns left at the end of the chain along the lower side, and
+///        \  .   .  .                  becomes its end. The upper side likewise, mirrored.
+///         ----------p
+///
+/// Both chains at once are there only behind a merge, where they end in the same point m; the next point in the span joins m
+/// by an edge that closes one of them. This needs no partition into monotone pieces beforehand.
+///
+///      ------------.                  the chain along the upper side of the lower part,
+///                    m    p           the chain along the lower side of the upper part: both end in m.
+///      ------------'
+///
+/// Why the tests suffice: let X be the first point in sweep order where loops cross, touch or overlap. Left of X the status is
+/// right. If X is no vertex, two edges next to each other in the status cross there; nothing can be placed between them
+/// afterwards, for what is above the upper one is above the lower one, so the first of them that ends is tested against the
+/// other and found on the wrong side. If X is a vertex, either another vertex is there (its neighbour in the sweep order), or
+/// an edge passes through X, which is next to an edge that ends there (tested), or leaves no room for a new span (tested), or
+/// lies between two edges that end there (then they are not neighbours). Doubling back shows where the two edges start.
+template <bool Proving>
+class monotone_sweep {
+    struct vertex {
+        std::uint32_t span[2];   // the span whose lower / upper side ends here; 0: that neighbour comes later
+        std::uint32_t right[2];  // where a lower / upper side that starts here runs to: the next / previous point
+    };
+    struct side {
+        grid_point from, to;  // from left to right
+        std::uint32_t end;    // the vertex at `to`
+    };
+    struct span_of_interior {
+        side sides[2];
+        std::uint32_t chain[2];  // the last link of the chain along each side; 0: none
+    };
+    struct chain_link {
+        grid_point place;
+        std::uint32_t point;
+        std::uint32_t before;  // the link before it; 0: none
+    };
+
+public:
+    monotone_sweep(std::span<const grid_point> points, std::span<const std::uint32_t> starts) noexcept
+        : points_{points}, starts_{starts}
+    {
+    }
+
+    /// Appends the triangles to `out`, which must have room for points + 2 * loops of them, and counts loops.
+    [[nodiscard]] error run(workspace& space, triangle_list& out) noexcept
+    {
+        const std::size_t n = points_.size();
+        if (n == 0) return error::none;
+        workspace::scope scratch{space};
+        auto* const order = scratch.take<std::uint32_t>(n);
+        auto* const seen = scratch.take<bool>(starts_.size());
+        vertices_ = scratch.take<vertex>(n);
+        spans_ = scratch.take<span_of_interior>(n / 2 + 2);  // every other point at most opens one
+        links_ = scratch.take<chain_link>(2 * n + n / 2 + 2);  // one a point, one more a merge, two more a split
+        if (order == nullptr || seen == nullptr || vertices_ == nullptr || spans_ == nullptr || links_ == nullptr ||
+            !status_.open(scratch, n / 2 + 1) || !sweep_order(points_, space, order))
+            return error::out_of_memory;
+        for (std::size_t loop = 0; loop < starts_.size(); ++loop) seen[loop] = false;
+        loop_seen_ = seen;
+        link_up();
+
+        const std::size_t before = out.size();
+        triangle* const first = out.append(n + 2 * loops());
+        if (first == nullptr) return error::out_of_memory;
+        write_ = first;
+        const bool simple = sweep(order);
+        out.truncate(simple ? before + static_cast<std::size_t>(write_ - first) : before);
+        return simple ? error::none : error::crossing_contours;
+    }
+
+    [[nodiscard]] std::uint32_t holes() const noexcept { return holes_; }
+    [[nodiscard]] std::uint32_t outers() const noexcept { return outers_; }
+
+private:
+    [[nodiscard]] std::size_t loops() const noexcept { return starts_.empty() ? 0 : starts_.size() - 1; }
+
+    void link_up() noexcept
+    {
+        const auto n = static_cast<std::uint32_t>(points_.size());
+        for (std::uint32_t v = 0; v < n; ++v) vertices_[v] = {{0, 0}, {v + 1, v - 1}};
+        for (std::size_t loop = 0; loop < loops(); ++loop) {
+            const std::uint32_t begin = starts_[loop], end = starts_[loop + 1];
+            if (begin == end) continue;
+            vertices_[end - 1].right[0] = begin;
+            vertices_[begin].right[1] = end - 1;
+        }
+        // Span 0 lies around everything: its upper side below all points, its lower side above them.
+        constexpr std::int32_t reach = 1 << 28;
+        spans_[0].sides[0] = {{-reach, reach + 1}, {reach, reach + 1}, 0};
+        spans_[0].sides[1] = {{-reach, -reach - 1}, {reach, -reach - 1}, 0};
+    }
+
+    [[nodiscard]] bool sweep(const std::uint32_t* order) noexcept
+    {
+        const auto n = static_cast<std::int64_t>(points_.size());
+        grid_point last{(std::numeric_limits<std::int32_t>::min)(), 0};
+        stop_ = n;
+        std::int64_t i = 0;
+        for (; i < stop_; ++i) {
+            const std::uint32_t v = order[i];
+            const grid_point p = points_[v];
+            if constexpr (Proving) {
+                if (p == last) return false;
+                last = p;
+            }
+            const std::uint32_t lower = vertices_[v].span[0], upper = vertices_[v].span[1];
+            if ((lower == 0) != (upper == 0)) {
+                if (!pass(lower | upper, lower == 0, v, p)) return false;
+            } else if (lower == 0) {
+                if (!open(v, p)) return false;
+            } else {
+                if (!close(lower, upper, v, p)) return false;
+            }
+        }
+        return i == n;
+    }
+
+    /// lower     ----.              upper   \\\\\\\\\\     .
+    ///  \\\\\\\\\\   p---   or mirrored:           ----p--
+    ///           ----
+    [[nodiscard]] bool pass(std::uint32_t s, std::uint32_t on, std::uint32_t v, grid_point p) noexcept
+    {
+        if constexpr (Proving) {
+            const std::uint32_t outside = status_.neighbour(s, on);
+            const std::int64_t inner = side_of(spans_[s].sides[1 - on], p), outer = side_of(spans_[outside].sides[1 - on], p);
+            if (on == 0 ? inner >= 0 || outer <= 0 : inner <= 0 || outer >= 0) return false;
+        }
+        extend(spans_[s], on, v, p);
+        set_side(s, on, v, p);
+        return true;
+    }
+
+    /// Both neighbours come later: a new span opens (start), or one is split.
+    ///
+    ///          .--- upper             \\\\\\\\\\\\\ .---  lower side of a new span above
+    ///   start p \\\\\\\          split  t \\\\\\\\ p
+    ///          '--- lower             \\\\\\\\\\\\\ '---  upper side of what stays below
+    [[nodiscard]] bool open(std::uint32_t v, grid_point p) noexcept
+    {
+        const std::int64_t turn = orientation(points_[vertices_[v].right[1]], p, points_[vertices_[v].right[0]]);
+        const std::uint32_t s = status_.last_below([&](std::uint32_t item) noexcept { return side_of(spans_[item].sides[0], p) > 0; });
+        const bool splits = turn < 0;
+        if constexpr (Proving) {
+            if (turn == 0) return false;  // doubles back
+            const std::int64_t above_s = side_of(spans_[s].sides[1], p);
+            if (splits ? above_s >= 0 : above_s <= 0 || side_of(spans_[status_.above(s)].sides[0], p) >= 0) return false;
+            count_loop(v, splits);
+        }
+        const std::uint32_t fresh = take_span();
+        span_of_interior& above = spans_[fresh];
+        if (splits) {
+            if (!cut_down(1)) return false;
+            span_of_interior& below = spans_[s];
+            std::uint32_t up = below.chain[1], low = below.chain[0];
+            if (up == 0) up = alone(links_[low]);
+            if (low == 0) low = alone(links_[below.chain[1]]);
+            below.chain[0] = 0;
+            below.chain[1] = push(up, 1, v, p);
+            above.chain[0] = push(low, 0, v, p);
+            above.chain[1] = 0;
+            above.sides[1] = below.sides[1];
+            vertices_[above.sides[1].end].span[1] = fresh;
+            set_side(fresh, 0, v, p);
+            set_side(s, 1, v, p);
+        } else {
+            (void)cut_down(-1);
+            above.chain[0] = alone({p, v, 0});
+            above.chain[1] = 0;
+            set_side(fresh, 0, v, p);
+            set_side(fresh, 1, v, p);
+        }
+        status_.insert_above(s, fresh);
+        return true;
+    }
+
+    /// Both neighbours came before: a span ends, or two become one.
+    ///
+    ///   upper ---.                  upper side of the span below ---.  \\\\\\\
+    ///     \\\\\\\ p  end                                             p \\\\\\\  merge
+    ///   lower ---'                  lower side of the span above ---'  \\\\\\\
+    [[nodiscard]] bool close(std::uint32_t lower, std::uint32_t upper, std::uint32_t v, grid_point p) noexcept
+    {
+        if constexpr (Proving) {
+            if (lower == upper) {
+                if (side_of(spans_[status_.below(lower)].sides[1], p) <= 0 || side_of(spans_[status_.above(lower)].sides[0], p) >= 0) return false;
+            } else {
+                if (status_.above(upper) != lower) return false;
+                if (side_of(spans_[upper].sides[0], p) <= 0 || side_of(spans_[lower].sides[1], p) >= 0) return false;
+            }
+        }
+        span_of_interior& gone = spans_[lower];
+        if (lower == upper) {
+            (void)cut_down(-1);
+            for (std::uint32_t along = 0; along < 2; ++along)
+                if (gone.chain[along] != 0) fan(gone.chain[along], along, v, p);
+        } else {
+            if (!cut_down(1)) return false;
+            span_of_interior& stays = spans_[upper];
+            extend(gone, 0, v, p);
+            extend(stays, 1, v, p);
+            stays.chain[0] = gone.chain[0];
+            stays.sides[1] = gone.sides[1];
+            vertices_[stays.sides[1].end].span[1] = upper;
+        }
+        status_.erase(lower);
+        gone.chain[0] = free_span_;
+        free_span_ = lower;
+        return true;
+    }
+
+    /// Positive: p lies above the side; zero: on the line through it.
+    [[nodiscard]] static std::int64_t side_of(const side& s, grid_point p) noexcept { return orientation(s.from, s.to, p); }
+
+    void set_side(std::uint32_t s, std::uint32_t on, std::uint32_t v, grid_point p) noexcept
+    {
+        const std::uint32_t end = vertices_[v].right[on];
+        spans_[s].sides[on] = {p, points_[end], end};
+        vertices_[end].span[on] = s;
+    }
+
+    [[nodiscard]] std::uint32_t take_span() noexcept
+    {
+        if (free_span_ == 0) return ++span_count_;
+        const std::uint32_t s = free_span_;
+        free_span_ = spans_[s].chain[0];
+        return s;
+    }
+
+    [[nodiscard]] std::uint32_t alone(chain_link l) noexcept
+    {
+        links_[++link_count_] = {l.place, l.point, 0};
+        return link_count_;
+    }
+
+    /// p comes on side `on`: closes the chain along the other side, goes on with the one along its own.
+    void extend(span_of_interior& s, std::uint32_t on, std::uint32_t v, grid_point p) noexcept
+    {
+        std::uint32_t own = s.chain[on];
+        if (const std::uint32_t other = s.chain[1 - on]; other != 0) {
+            fan(other, 1 - on, v, p);
+            if (own == 0) {
+                links_[other].before = 0;
+                own = other;
+            }
+            s.chain[1 - on] = 0;
+        }
+        s.chain[on] = push(own, on, v, p);
+    }
+
+    /// Triangles from v to every edge of a chain on the opposite side.
+    void fan(std::uint32_t link, std::uint32_t along, std::uint32_t v, grid_point) noexcept
+    {
+        for (std::uint32_t before = links_[link].before; before != 0; before = links_[link].before) {
+            const std::uint32_t a = links_[before].point, b = links_[link].point;
+            *write_++ = {a, along == 0 ? b : v, along == 0 ? v : b};
+            link = before;
+        }
+    }
+
+    /// Cuts off what turns towards the interior at the end of the chain along `on`, and makes v its end.
+    [[nodiscard]] std::uint32_t push(std::uint32_t link, std::uint32_t on, std::uint32_t v, grid_point p) noexcept
+    {
+        for (std::uint32_t before = links_[link].before; before != 0; before = links_[link].before) {
+            const std::int64_t turn = orientation(links_[before].place, links_[link].place, p);
+            if (on == 0 ? turn <= 0 : turn >= 0) break;
+            const std::uint32_t a = links_[before].point, b = links_[link].point;
+            *write_++ = {a, on == 0 ? b : v, on == 0 ? v : b};
+            link = before;
+        }
+        links_[++link_count_] = {p, v, link};
+        return link_count_;
+    }
+
+    /// Splits and merges add triangles, starts and ends take some away. For a region, splits + merges - starts - ends is
+    /// 2h - 2c in the end, so it can never be more than the points to come may take back: more means that loops cross, and
+    /// what remains could ask for more triangles than there is room.
+    [[nodiscard]] bool cut_down(std::int64_t change) noexcept
+    {
+        if constexpr (Proving) {
+            excess_ += change;
+            const auto n = static_cast<std::int64_t>(points_.size()), room = n + 2 * static_cast<std::int64_t>(loops()) - excess_;
+            stop_ = room < n ? room : n;
+        }
+        return true;
+    }
+
+    /// The first point of a loop that the sweep meets tells what the loop is.
+    void count_loop(std::uint32_t v, bool is_hole) noexcept
+    {
+        std::size_t loop = 0;
+        for (std::size_t size = loops(); size > 1;) {
+            const std::size_t half = size / 2;
+            loop += starts_[loop + half] <= v ? half : 0;
+            size -= half;
+        }
+        if (loop_seen_[loop]) return;
+        loop_seen_[loop] = true;
+        ++(is_hole ? holes_ : outers_);
+    }
+
+    std::span<const grid_point> points_;
+    std::span<const std::uint32_t> starts_;
+    vertex* vertices_ = nullptr;
+    span_of_interior* spans_ = nullptr;
+    chain_link* links_ = nullptr;
+    bool* loop_seen_ = nullptr;
+    triangle* write_ = nullptr;
+    sweep_status status_;
+    std::int64_t stop_ = 0;
+    std::int64_t excess_ = 0;
+    std::uint32_t span_count_ = 0;
+    std::uint32_t free_span_ = 0;
+    std::uint32_t link_count_ = 0;
+    std::uint32_t holes_ = 0;
+    std::uint32_t outers_ = 0;
+};
+
+}  // namespace typemesh::detail

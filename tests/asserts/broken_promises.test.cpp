@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "support/recorded_asserts.hpp"
+
+#include "support/catch.hpp"
+#include "support/toy_font.hpp"
+
+#include <typemesh/typemesh.hpp>
+
+using namespace typemesh;
+
+namespace {
+
+std::string asserted()
+{
+    std::string words = test::failed_asserts.empty() ? "" : test::failed_asserts.front();
+    test::failed_asserts.clear();
+    return words;
+}
+
+}  // namespace
+
+TEST_CASE("a plan that outlived its mesher's next plan is told so", "[asserts]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    auto old = mesher.plan("E");
+    (void)old->size();
+    CHECK(asserted() == "");
+    auto fresh = mesher.plan("EE");
+    (void)old->size();
+    CHECK(asserted() == "this text_plan is stale: its mesher has made another plan since");
+    (void)fresh->size();
+    CHECK(asserted() == "");
+}
+
+TEST_CASE("an error is not read as a value without a word", "[asserts]")
+{
+    result<int> failed = error::out_of_memory;
+    CHECK_FALSE(failed);
+    (void)failed.error();
+    CHECK(asserted() == "");
+    result<int> nothing{error{}};
+    CHECK(asserted() == "a result without a value must carry an error");
+}
+
+TEST_CASE("a workspace that is moved while it is borrowed from is told so", "[asserts]")
+{
+    workspace space;
+    workspace other;
+    {
+        workspace::scope open{space};
+        other = std::move(space);
+        CHECK(asserted() == "a workspace was moved while a scope was open");
+        space = std::move(other);
+        test::failed_asserts.clear();
+    }
+}

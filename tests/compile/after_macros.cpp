@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+
+// Words that windows.h, X.h, AssertMacros.h and engines define as macros, in the way of every header of the core. The
+// standard headers come first: they need not bear these words (and some undefine min and max).
+#include "standard_headers.hpp"
+
+#define min(a, b) refused_macro
+#define max(a, b) refused_macro
+#define check(expression) refused_macro
+#define verify(expression) refused_macro
+#define TEXT(quote) refused_macro
+#define near
+#define far
+#define small char
+#define None 0L
+
+#include "core_headers.hpp"

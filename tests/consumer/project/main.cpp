@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include <typemesh/typemesh.hpp>
+
+#ifdef USER_HAS_harfbuzz
+#include <typemesh/adapt/harfbuzz.hpp>
+#endif
+#ifdef USER_HAS_freetype
+#include <typemesh/adapt/freetype.hpp>
+#endif
+#ifdef USER_HAS_glm
+#include <typemesh/adapt/glm.hpp>
+#endif
+
+int main()
+{
+#ifdef USER_HAS_harfbuzz
+    if (!hb_version_atleast(4, 0, 0)) return 1;
+#endif
+#ifdef USER_HAS_freetype
+    FT_Library library = nullptr;
+    if (FT_Init_FreeType(&library) != 0) return 1;
+    FT_Done_FreeType(library);
+#endif
+#ifdef USER_HAS_glm
+    if (glm::vec2(1.0f).x != 1.0f) return 1;
+#endif
+    return 0;
+}

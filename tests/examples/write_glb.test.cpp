@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "support/catch.hpp"
+
+#include "text_to_mesh/write_glb.hpp"
+
+#include "extruded_ring.hpp"
+#include "scratch_folder.hpp"
+
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <cstring>
+
+using namespace text_to_mesh;
+
+namespace {
+
+tinygltf::Model reread(const std::string& path)
+{
+    tinygltf::TinyGLTF reader;
+    tinygltf::Model file;
+    std::string trouble, warning;
+    CHECK(reader.LoadBinaryFromFile(&file, &trouble, &warning, path));
+    CHECK(trouble == "");
+    CHECK(warning == "");
+    return file;
+}
+
+std::vector<std::uint32_t> indices_of(const tinygltf::Model& file)
+{
+    std::vector<std::uint32_t> all;
+    for (const tinygltf::Primitive& p : file.meshes.at(0).primitives) {
+        const tinygltf::Accessor& a = file.accessors.at(static_cast<std::size_t>(p.indices));
+        const tinygltf::BufferView& v = file.bufferViews.at(static_cast<std::size_t>(a.bufferView));
+        const unsigned char* at = file.buffers[0].data.data() + v.byteOffset + a.byteOffset;
+        const bool wide = a.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+        for (std::size_t i = 0; i < a.count; ++i, at += wide ? 4 : 2)
+            all.push_back(wide ? at[0] | std::uint32_t{at[1]} << 8 | std::uint32_t{at[2]} << 16 | std::uint32_t{at[3]} << 24 : at[0] | std::uint32_t{at[1]} << 8);
+    }
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("a GLB read again holds the same vertices, indices, parts and bounds", "[write_glb]")
+{
+    const std::uint32_t steps = GENERATE(24u, 4095u, 4096u);  // 16 vertices a step: 65520 take 16 bits, 65536 do not
+    scratch_folder folder;
+    const model ring = extruded_ring(steps);
+    REQUIRE(write_glb(ring, folder.file("ring.glb")) == "");
+    const tinygltf::Model file = reread(folder.file("ring.glb"));
+
+    CHECK(file.asset.generator == "typemesh");
+    REQUIRE(file.meshes.size() == 1);
+    REQUIRE(file.meshes[0].primitives.size() == 3);
+    CHECK(file.materials[static_cast<std::size_t>(file.meshes[0].primitives[2].material)].name == "side");
+    CHECK(indices_of(file) == ring.indices);
+    const tinygltf::Accessor& index = file.accessors[static_cast<std::size_t>(file.meshes[0].primitives[0].indices)];
+    CHECK(index.componentType == (steps < 4096 ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT : TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT));
+
+    const auto& attributes = file.meshes[0].primitives[0].attributes;
+    REQUIRE(attributes.size() == 3);
+    const tinygltf::Accessor& position = file.accessors[static_cast<std::size_t>(attributes.at("POSITION"))];
+    REQUIRE(position.count == ring.vertices.size());
+    CHECK(std::memcmp(file.buffers[0].data.data(), ring.vertices.data(), ring.vertices.size() * sizeof(model_vertex)) == 0);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto less = [axis](const model_vertex& a, const model_vertex& b) { return a.position[axis] < b.position[axis]; };
+        const auto bounds = std::minmax_element(ring.vertices.begin(), ring.vertices.end(), less);
+        CHECK(position.minValues[axis] == double{bounds.first->position[axis]});
+        CHECK(position.maxValues[axis] == double{bounds.second->position[axis]});
+    }
+}
+
+TEST_CASE("an empty model gives a GLB with an empty scene", "[write_glb]")
+{
+    scratch_folder folder;
+    REQUIRE(write_glb({}, folder.file("empty.glb")) == "");
+    const tinygltf::Model file = reread(folder.file("empty.glb"));
+    CHECK(file.scenes.size() == 1);
+    CHECK(file.scenes[0].nodes.empty());
+    CHECK(file.meshes.empty());
+    CHECK(file.buffers.empty());
+}
+
+TEST_CASE("a name that is not UTF-8 is written with replacement characters", "[write_glb]")
+{
+    scratch_folder folder;
+    model ring = extruded_ring(3);
+    ring.name = "a\x80\xC3\xA9\xED\xA0\x80\xF4\x90\x80\x80\xE0\x9F\xBF\xC3";
+    REQUIRE(write_glb(ring, folder.file("name.glb")) == "");
+    const std::string r = "\xEF\xBF\xBD";
+    CHECK(reread(folder.file("name.glb")).meshes[0].name == "a" + r + "\xC3\xA9" + r + r + r + r + r + r + r + r + r + r + r);
+}
+
+TEST_CASE("a model without parts is one primitive, and a part without triangles is none", "[write_glb]")
+{
+    scratch_folder folder;
+    model ring = extruded_ring(3);
+    ring.parts.clear();
+    REQUIRE(write_glb(ring, folder.file("whole.glb")) == "");
+    CHECK(indices_of(reread(folder.file("whole.glb"))) == ring.indices);
+    ring.parts = {{"front", 0, ring.indices.size()}, {"back", ring.indices.size(), 0}};
+    REQUIRE(write_glb(ring, folder.file("front.glb")) == "");
+    CHECK(reread(folder.file("front.glb")).meshes[0].primitives.size() == 1);
+}

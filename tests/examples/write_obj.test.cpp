@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "support/catch.hpp"
+
+#include "text_to_mesh/write_obj.hpp"
+
+#include "extruded_ring.hpp"
+#include "scratch_folder.hpp"
+
+#include <cstdlib>
+#include <sstream>
+
+using namespace text_to_mesh;
+
+TEST_CASE("an OBJ read again holds the same floats, triangles and groups", "[write_obj]")
+{
+    scratch_folder folder;
+    model ring = extruded_ring();
+    ring.vertices[0].uv[0] = 1.0e-7F;
+    ring.vertices[1].uv[0] = 12345.678F;
+    REQUIRE(write_obj(ring, folder.file("ring.obj")) == "");
+
+    std::istringstream in(text_of(folder.file("ring.obj")));
+    std::vector<std::vector<float>> v, vt, vn;
+    std::vector<std::uint32_t> indices;
+    std::vector<std::string> groups;
+    for (std::string line; std::getline(in, line);) {
+        std::istringstream words(line);
+        std::string key, word;
+        words >> key;
+        std::vector<float> numbers;
+        if (key == "#" || key == "o") continue;
+        if (key == "g") {
+            words >> word;
+            groups.push_back(word);
+        } else if (key == "f") {
+            while (words >> word) {
+                const unsigned long number = std::strtoul(word.c_str(), nullptr, 10);
+                const std::string n = std::to_string(number);
+                CHECK(word == n + "/" + n + "/" + n);
+                indices.push_back(static_cast<std::uint32_t>(number - 1));
+            }
+        } else {
+            while (words >> word) numbers.push_back(std::strtof(word.c_str(), nullptr));
+            INFO(line);
+            REQUIRE((key == "v" || key == "vt" || key == "vn"));
+            (key == "v" ? v : key == "vt" ? vt : vn).push_back(numbers);
+        }
+    }
+    CHECK(groups == std::vector<std::string>{"front", "back", "side"});
+    CHECK(indices == ring.indices);
+    REQUIRE(v.size() == ring.vertices.size());
+    REQUIRE(vt.size() == ring.vertices.size());
+    REQUIRE(vn.size() == ring.vertices.size());
+    bool equal = true;
+    for (std::size_t i = 0; i < v.size(); ++i) {
+        const model_vertex& given = ring.vertices[i];
+        equal = equal && v[i] == std::vector<float>(given.position, given.position + 3) && vt[i] == std::vector<float>(given.uv, given.uv + 2) &&
+                vn[i] == std::vector<float>(given.normal, given.normal + 3);
+    }
+    CHECK(equal);
+}
+
+TEST_CASE("an empty model gives an OBJ without vertices and faces", "[write_obj]")
+{
+    scratch_folder folder;
+    REQUIRE(write_obj({}, folder.file("empty.obj")) == "");
+    CHECK(text_of(folder.file("empty.obj")) == "# written by typemesh\no text\n");
+}

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "support/catch.hpp"
+
+#include "text_to_mesh/write_ply.hpp"
+
+#include "extruded_ring.hpp"
+#include "scratch_folder.hpp"
+
+#include <cstring>
+
+using namespace text_to_mesh;
+
+TEST_CASE("a PLY read again holds the same vertices and triangles", "[write_ply]")
+{
+    scratch_folder folder;
+    const model ring = extruded_ring();
+    REQUIRE(write_ply(ring, folder.file("ring.ply")) == "");
+    const std::string file = text_of(folder.file("ring.ply"));
+
+    const std::string last = "end_header\n";
+    const std::size_t start = file.find(last) + last.size();
+    const std::string header = file.substr(0, start);
+    CHECK(header.find("ply\nformat binary_little_endian 1.0\n") == 0);
+    CHECK(header.find("comment O ring") != std::string::npos);
+    CHECK(header.find("element vertex " + std::to_string(ring.vertices.size()) + "\nproperty float x\n") != std::string::npos);
+    CHECK(header.find("element face " + std::to_string(ring.indices.size() / 3) + "\n") != std::string::npos);
+
+    const std::size_t vertex_bytes = ring.vertices.size() * sizeof(model_vertex);
+    REQUIRE(file.size() == start + vertex_bytes + ring.indices.size() / 3 * 13);
+    CHECK(std::memcmp(file.data() + start, ring.vertices.data(), vertex_bytes) == 0);
+    std::vector<std::uint32_t> indices;
+    for (std::size_t at = start + vertex_bytes; at < file.size(); at += 13) {
+        CHECK(file[at] == 3);
+        std::uint32_t three[3];
+        std::memcpy(three, file.data() + at + 1, sizeof three);
+        indices.insert(indices.end(), three, three + 3);
+    }
+    CHECK(indices == ring.indices);
+}

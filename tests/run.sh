@@ -1,0 +1,136 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+set -eu
+typemesh_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+. "$typemesh_root/cmake/setup.sh"
+
+usage() {
+    cat <<'END'
+usage: tests/run.sh [--with TIER[,TIER...]] [--all]
+
+Installs what is missing, builds and runs the tests of the core and its adapters with g++. Further tiers:
+  clang      the same tests with clang++
+  sanitize   the same tests with g++ under the address and undefined behaviour sanitizers
+  external   other people's tools (admesh, gltf-validator) read what text_to_mesh writes; the benchmarks are built
+--all takes every tier.
+END
+}
+
+tiers=gcc
+while [ $# -gt 0 ]; do
+    case $1 in
+        --all) tiers="gcc clang sanitize external" ;;
+        --with | --with=*)
+            [ "$1" != --with ] || shift
+            [ $# -gt 0 ] || { usage >&2 && exit 2; }
+            for tier in $(say "${1#--with=}" | tr , ' '); do
+                case $tier in
+                    clang | sanitize | external) tiers="$tiers $tier" ;;
+                    *) usage >&2 && exit 2 ;;
+                esac
+            done
+            ;;
+        -h | --help) usage && exit 0 ;;
+        *) usage >&2 && exit 2 ;;
+    esac
+    shift
+done
+
+passed=0
+failed=0
+skipped=
+report=
+
+# Closing words, whatever happens; a tier that was broken off is a failure.
+finish() {
+    if [ $? != 0 ] && [ "$failed" = 0 ]; then failed=1; fi
+    [ -z "$report" ] || printf '\n%s' "$report"
+    [ -z "$skipped" ] || printf '%s' "$skipped"
+    say "$passed passed, $failed failed"
+}
+count() { passed=$((passed + $1)) failed=$((failed + $2)); }
+
+# Builds a preset and runs its tests; ctest names what a failed build has left out.
+test_preset() {  # test_preset PRESET
+    local log=$typemesh_root/build/$1.ctest.log total bad
+    if ! build_preset "$1"; then
+        count 0 1
+    fi
+    ctest --test-dir "$typemesh_root/build/$1" --output-on-failure --parallel "$(processors)" 2>&1 | tee "$log" |
+        grep -vE '^ *(Start +[0-9]+:|[0-9]+/[0-9]+ Test .* Passed )' || true
+    total=$(sed -nE 's/.* tests? failed out of ([0-9]+)$/\1/p' "$log")
+    bad=$(sed -nE 's/.* ([0-9]+) tests? failed out of [0-9]+$/\1/p' "$log")
+    if [ -n "$total" ]; then
+        count $((total - bad)) "$bad"
+    else
+        count 0 1
+    fi
+}
+
+tier_gcc() {
+    test_preset gcc
+    test_preset fast-math
+}
+tier_clang() {
+    install_missing clang++
+    test_preset clang
+}
+tier_sanitize() { test_preset sanitize; }
+
+# Scripts in tests/external: 0 passed, 77 skipped with a reason on the last line, anything else failed.
+tier_external() {
+    local script name status output modules=$typemesh_root/build/external
+    install_missing benchmark
+    (install_missing admesh node npm) || say "Going on without them: the tests that need them are skipped."
+    export TYPEMESH_TEXT_TO_MESH=$typemesh_root/build/release/examples/text_to_mesh
+    export TYPEMESH_TEST_DATA=$typemesh_root/tests
+    if ! build_preset release; then
+        count 0 1
+    fi
+    if command -v npm >/dev/null 2>&1 && [ ! -d "$modules/node_modules/gltf-validator" ]; then
+        mkdir -p "$modules"
+        if ! npm install --prefix "$modules" --no-save --no-audit --no-fund gltf-validator@2.0.0-dev.3.10 \
+            >"$modules/npm.log" 2>&1; then
+            explain_failure "$modules/npm.log" "npm's registry"
+            say "failed: npm could not install gltf-validator"
+            count 0 1
+        fi
+    fi
+    export NODE_PATH=$modules/node_modules
+    for script in "$typemesh_root"/tests/external/*.sh; do
+        [ -e "$script" ] || continue
+        name=$(basename "$script" .sh)
+        status=0
+        output=$(cd "$modules" && bash "$script" 2>&1) || status=$?
+        case $status in
+            0) say "passed: external/$name" && count 1 0 ;;
+            77)
+                skipped="${skipped}skipped: external/$name: $(say "$output" | tail -n 1)
+"
+                say "skipped: external/$name: $(say "$output" | tail -n 1)"
+                ;;
+            *) say "$output" "failed: external/$name" && count 0 1 ;;
+        esac
+    done
+}
+
+trap finish EXIT
+begun=$(date +%s)
+# The fonts of tests/workload/smoke-fonts.tsv but the largest.
+fonts=$(awk -F '\t' 'NR > 1 && $2 < 20000000 { print $1 }' "$typemesh_root/tests/workload/smoke-fonts.tsv")
+install_missing g++ cmake ninja pkg-config harfbuzz freetype glm catch2 cli11 tinygltf stb fontconfig font
+# shellcheck disable=SC2086  # a list of words
+install_fonts $fonts
+report="set up: $(($(date +%s) - begun)) s
+"
+
+for tier in $tiers; do
+    case " ${done_tiers:-} " in *" $tier "*) continue ;; esac
+    done_tiers="${done_tiers:-} $tier"
+    say "== $tier"
+    begun=$(date +%s) passed_before=$passed failed_before=$failed
+    "tier_$tier"
+    report="$report$tier: $((passed - passed_before)) passed, $((failed - failed_before)) failed, $(($(date +%s) - begun)) s
+"
+done
+[ "$failed" = 0 ]

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A font without a font file: a few drawn glyphs and a shaper that maps characters to them. 1000 units to the em.
+
+#include <typemesh/layout/shaper.hpp>
+#include <typemesh/layout/utf.hpp>
+#include <typemesh/outline/recorded_outlines.hpp>
+
+namespace test {
+
+/// Glyphs: 0 .notdef (a box with a hole), 'o' (round, with a round hole), 'E' (straight lines), 'x' (contours that cross),
+/// ' ' (blank), 'i' (a box), '~' (a coordinate that is not a number). Every other character is missing.
+/// Advance 600 for all; ascender 800, descender -200.
+class toy_font {
+public:
+    explicit toy_font(typemesh::memory source = typemesh::heap()) : drawings_{1000.0, typemesh::fill_rule::non_zero, source}
+    {
+        add([](auto& pen) { box(pen, 50, 0, 500, 700), hole(pen, 100, 50, 450, 650); });
+        add([](auto& pen) { ring(pen, 250, 250, 250, true), ring(pen, 250, 250, 150, false); });
+        add([](auto& pen) {
+            const typemesh::point e[] = {{50, 0}, {450, 0}, {450, 100}, {150, 100}, {150, 300}, {400, 300},
+                                         {400, 400}, {150, 400}, {150, 600}, {450, 600}, {450, 700}, {50, 700}};
+            pen.move(e[0]);
+            for (int i = 1; i < 12; ++i) pen.line(e[i]);
+            pen.close();
+        });
+        add([](auto& pen) { box(pen, 0, 0, 300, 100), box(pen, 100, -100, 200, 300); });
+        add([](auto&) {});
+        add([](auto& pen) { box(pen, 100, 0, 200, 500); });
+        add([](auto& pen) { box(pen, 100, 0, 200, 500); });
+    }
+
+    [[nodiscard]] double units_per_em() const noexcept { return 1000.0; }
+    [[nodiscard]] typemesh::fill_rule fill() const noexcept { return typemesh::fill_rule::non_zero; }
+
+    template <typemesh::outline_sink Sink>
+    typemesh::error outline(typemesh::glyph_id id, Sink& sink) noexcept
+    {
+        if (id == 6) {
+            sink.move({0, 0});
+            sink.line({0.0 / zero, 1});
+            return {};
+        }
+        return drawings_.outline(id, sink);
+    }
+
+    [[nodiscard]] typemesh::line_metrics metrics(typemesh::direction) const noexcept { return {800.0, -200.0, 0.0}; }
+
+    typemesh::result<typemesh::point> shape(typemesh::text_view text, std::size_t first, std::size_t last, const typemesh::shape_options&,
+                                            typemesh::glyph_run& run) noexcept
+    {
+        double pen = 0.0;
+        for (std::size_t i = first; i < last; ++i) {
+            typemesh::placed_glyph g{glyph_of(text.unit(i)), static_cast<typemesh::cluster_id>(i), {pen, 0}};
+            g.missing = g.id == 0;
+            if (g.missing && run.missing++ == 0) run.first_missing = g.cluster;
+            if (!run.glyphs.push_back(g)) return typemesh::error::out_of_memory;
+            pen += 600.0;
+        }
+        return typemesh::point{pen, 0};
+    }
+
+    static typemesh::glyph_id glyph_of(std::uint32_t character)
+    {
+        switch (character) {
+        case 'o': return 1;
+        case 'E': return 2;
+        case 'x': return 3;
+        case ' ': return 4;
+        case 'i': return 5;
+        case '~': return 6;
+        default: return 0;
+        }
+    }
+
+private:
+    template <class Draw>
+    void add(Draw draw)
+    {
+        if (!drawings_.add(draw)) std::abort();
+    }
+    template <class Pen>
+    static void box(Pen& pen, double l, double b, double r, double t)
+    {
+        pen.move({l, b}), pen.line({r, b}), pen.line({r, t}), pen.line({l, t}), pen.close();
+    }
+    template <class Pen>
+    static void hole(Pen& pen, double l, double b, double r, double t)
+    {
+        pen.move({l, b}), pen.line({l, t}), pen.line({r, t}), pen.line({r, b}), pen.close();
+    }
+    template <class Pen>
+    static void ring(Pen& pen, double x, double y, double r, bool ccw)
+    {
+        const double k = 0.5522847498 * r, s = ccw ? 1.0 : -1.0;
+        pen.move({x + r, y});
+        pen.cubic({x + r, y + s * k}, {x + k, y + s * r}, {x, y + s * r});
+        pen.cubic({x - k, y + s * r}, {x - r, y + s * k}, {x - r, y});
+        pen.cubic({x - r, y - s * k}, {x - k, y - s * r}, {x, y - s * r});
+        pen.cubic({x + k, y - s * r}, {x + r, y - s * k}, {x + r, y});
+        pen.close();
+    }
+
+    static inline volatile double zero = 0.0;
+    typemesh::recorded_outlines drawings_;
+};
+
+}  // namespace test

@@ -1,0 +1,372 @@
+// SPDX-License-Identifier: MIT
+#include "support/catch.hpp"
+#include "support/counting_memory.hpp"
+#include "support/mesh_laws.hpp"
+#include "support/toy_font.hpp"
+
+#include <typemesh/typemesh.hpp>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+using namespace typemesh;
+using test::full_mesh;
+
+namespace {
+
+template <class Mesher, class Text>
+full_mesh build(Mesher& mesher, const Text& text, const text_options& options = {})
+{
+    full_mesh m;
+    const auto made = mesher.build(text, into(m.vertices, m.indices), options);
+    REQUIRE(made);
+    return m;
+}
+
+struct span2 {
+    float low, high;
+};
+
+span2 extent(const full_mesh& m, float vec3::*axis)
+{
+    span2 e{m.vertices.at(0).position.*axis, m.vertices.at(0).position.*axis};
+    for (const auto& v : m.vertices) e = {std::fmin(e.low, v.position.*axis), std::fmax(e.high, v.position.*axis)};
+    return e;
+}
+
+/// A discretiser that can be told from the default: it gives each curve `pieces` lines.
+struct equal_steps {
+    int pieces = 3;
+    template <class Curve, class Emit>
+    void operator()(const Curve& c, double, Emit&& emit) const noexcept
+    {
+        for (int i = 1; i <= pieces; ++i) emit(c.at(double(i) / pieces), double(i) / pieces);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a text becomes one closed mesh a glyph", "[text]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    auto plan = mesher.plan("oEi o");
+    REQUIRE(plan);
+    full_mesh m;
+    REQUIRE_FALSE(plan->write(into(m.vertices, m.indices)));
+
+    REQUIRE(plan->glyphs().size() == 4);
+    CHECK(plan->report().blank == 1);
+    CHECK(plan->report().complete());
+    for (std::size_t g = 0; g < plan->glyphs().size(); ++g) {
+        std::vector<std::uint32_t> own;
+        for (const part p : all_parts) {
+            const mesh_range r = plan->range(g, p);
+            for (std::uint32_t i = 0; i < r.index_count; ++i) {
+                const std::uint32_t v = m.indices[r.first_index + i];
+                own.push_back(v);
+                bool mine = false;
+                for (const part q : all_parts) {
+                    const mesh_range vertices = plan->range(g, q);
+                    mine = mine || (v >= vertices.first_vertex && v < vertices.first_vertex + vertices.vertex_count);
+                }
+                REQUIRE(mine);
+            }
+        }
+        const auto c = test::examine(m.vertices, own);
+        CHECK(c.unmatched_edges == 0);
+        CHECK(c.crowded_edges == 0);
+        CHECK(c.zero_area == 0);
+        CHECK(test::volume(m.vertices, own) > 0.0);
+    }
+}
+
+TEST_CASE("the parts' ranges tile the output and hold each glyph's in order", "[text]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    auto plan = mesher.plan("oEi");
+    REQUIRE(plan);
+    std::uint32_t vertex = 0, index = 0;
+    for (const part p : all_parts) {
+        const mesh_range whole = plan->range(p);
+        CHECK(whole.first_vertex == vertex);
+        CHECK(whole.first_index == index);
+        for (std::size_t g = 0; g < plan->glyphs().size(); ++g) {
+            const mesh_range r = plan->range(g, p);
+            CHECK(r.first_vertex == vertex);
+            CHECK(r.first_index == index);
+            vertex += r.vertex_count;
+            index += r.index_count;
+        }
+        CHECK(whole.first_vertex + whole.vertex_count == vertex);
+        CHECK(whole.first_index + whole.index_count == index);
+    }
+    CHECK(vertex == plan->size().vertices);
+    CHECK(index == plan->size().indices());
+}
+
+TEST_CASE("the bounds are exactly those of the vertices, in every frame and unit", "[text]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    const auto frame = GENERATE(right_handed_y_up, left_handed_y_up, right_handed_z_up, left_handed_z_up);
+    const auto unit = GENERATE(output_unit::em, output_unit::font_units, output_unit::pixels, output_unit::unit_box);
+    const text_options options{.unit = unit, .frame = frame};
+    auto plan = mesher.plan("o\nEi", options);
+    REQUIRE(plan);
+    full_mesh m;
+    REQUIRE_FALSE(plan->write(into(m.vertices, m.indices)));
+    const bounds3 b = plan->bounds();
+    for (const auto axis : {&vec3::x, &vec3::y, &vec3::z}) {
+        CHECK(extent(m, axis).low == b.low.*axis);
+        CHECK(extent(m, axis).high == b.high.*axis);
+    }
+}
+
+TEST_CASE("positions come in the unit that was asked for", "[text]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    const auto box = [&](output_unit unit) { return extent(build(mesher, "E", {.unit = unit, .pixels_per_em = 32.0}), &vec3::x); };
+    CHECK(box(output_unit::em).low == 0.05f);
+    CHECK(box(output_unit::em).high == 0.45f);
+    CHECK(box(output_unit::font_units).high == 450.0f);
+    CHECK(box(output_unit::pixels).high == 0.45f * 32.0f);
+
+    const auto fitted = build(mesher, "E", {.unit = output_unit::unit_box});  // 400 x 700: the height spans [-1, 1]
+    CHECK(extent(fitted, &vec3::y).low == -1.0f);
+    CHECK(extent(fitted, &vec3::y).high == 1.0f);
+    CHECK(extent(fitted, &vec3::x).high == Catch::Approx(4.0 / 7.0));
+    CHECK(extent(fitted, &vec3::x).low == Catch::Approx(-4.0 / 7.0));
+}
+
+TEST_CASE("each glyph stands at its pen position", "[text]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    const auto one = build(mesher, "E"), two = build(mesher, "EE");
+    CHECK(extent(two, &vec3::x).high == Catch::Approx(extent(one, &vec3::x).high + 0.6));
+    const auto lines = build(mesher, "E\nE");
+    CHECK(extent(lines, &vec3::y).low == Catch::Approx(-1.0));
+    const auto right = build(mesher, "E\nEE", {.layout = {.align = alignment::right}});
+    CHECK(extent(right, &vec3::x).high == Catch::Approx(-0.15));
+}
+
+TEST_CASE("box texture coordinates span [0, 1] over the text, the line or the glyph", "[text]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    const auto over = GENERATE(texture_box::text, texture_box::line, texture_box::glyph);
+    auto plan = mesher.plan("oE\ni", {.texture_over = over});
+    REQUIRE(plan);
+    full_mesh m;
+    REQUIRE_FALSE(plan->write(into(m.vertices, m.indices)));
+    const auto range_of = [&](std::size_t first_glyph, std::size_t last_glyph) {
+        vec2 low{9, 9}, high{-9, -9};
+        for (std::size_t g = first_glyph; g < last_glyph; ++g) {
+            const mesh_range r = plan->range(g, part::front);
+            for (std::uint32_t v = r.first_vertex; v < r.first_vertex + r.vertex_count; ++v) {
+                const vec2 uv = m.vertices[v].uv;
+                low = {std::fmin(low.x, uv.x), std::fmin(low.y, uv.y)};
+                high = {std::fmax(high.x, uv.x), std::fmax(high.y, uv.y)};
+            }
+        }
+        return std::pair{low, high};
+    };
+    const auto spans_everything = [&](std::size_t first, std::size_t last) {
+        const auto [low, high] = range_of(first, last);
+        CHECK(low == vec2{0, 0});
+        CHECK(high == vec2{1, 1});
+    };
+    if (over == texture_box::text) spans_everything(0, 3);
+    if (over == texture_box::line) spans_everything(0, 2), spans_everything(2, 3);
+    if (over == texture_box::glyph) spans_everything(0, 1), spans_everything(1, 2), spans_everything(2, 3);
+}
+
+TEST_CASE("a glyph that cannot be built is left out, counted and named, and the rest is there", "[text]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    full_mesh m;
+    const auto made = mesher.build("Ex~o", into(m.vertices, m.indices));
+    REQUIRE(made);
+    CHECK(made->refused == 2);
+    CHECK(made->first_refusal.code == error::crossing_contours);
+    CHECK(made->first_refusal.glyph == 3);
+    CHECK(made->first_refusal.cluster == 1);
+    CHECK_FALSE(made->complete());
+    char words[160];
+    CHECK(std::string(describe(made->first_refusal, words)) == "glyph 3, cluster 1: Contours of the outline cross, touch or overlap.");
+
+    const auto alone = build(mesher, "E  o");
+    CHECK(alone.vertices.size() == m.vertices.size());
+    CHECK(alone.indices == m.indices);
+}
+
+TEST_CASE("a missing glyph is reported, and drawn only if asked", "[text]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    full_mesh m;
+    const auto made = mesher.build("EqE", into(m.vertices, m.indices));
+    REQUIRE(made);
+    CHECK(made->missing == 1);
+    CHECK(made->first_missing == 1);
+    const std::size_t without = m.vertices.size();
+    REQUIRE(mesher.build("EqE", into(m.vertices, m.indices), {.draw_missing = true}));
+    CHECK(m.vertices.size() > without);
+}
+
+TEST_CASE("empty text and blank glyphs give an empty mesh, not an error", "[text]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    const char* text = GENERATE("", " ", "\n", " \n\n ");
+    auto plan = mesher.plan(text);
+    REQUIRE(plan);
+    CHECK(plan->size() == mesh_size{});
+    CHECK(plan->bounds().low == vec3{});
+    full_mesh m = {{{}, {}}, {0, 0, 0}};
+    REQUIRE_FALSE(plan->write(into(m.vertices, m.indices)));
+    CHECK(m.vertices.empty());
+    CHECK(m.indices.empty());
+}
+
+TEST_CASE("a run made by hand needs no shaper and no lines", "[text]")
+{
+    recorded_outlines shapes{1000.0};
+    const auto id = shapes.add([](auto& pen) { pen.move({0, 0}), pen.line({10, 0}), pen.line({0, 10}), pen.close(); });
+    REQUIRE(id);
+    glyph_run run;
+    REQUIRE(run.glyphs.push_back({*id, 0, {0, 0}}));
+    REQUIRE(run.glyphs.push_back({*id, 1, {100, 0}}));
+    text_mesher mesher{shapes};
+    const auto over = GENERATE(texture_box::text, texture_box::line);
+    const auto m = build(mesher, run, {.unit = output_unit::font_units, .texture_over = over});
+    CHECK(extent(m, &vec3::x).high == 110.0f);
+    CHECK(test::examine(m).unmatched_edges == 0);
+}
+
+TEST_CASE("a changed policy is used, the others stay", "[text]")
+{
+    test::toy_font font;
+    text_mesher plain{font};
+    auto flat_text = text_mesher{font}.with(flat{});
+    auto stepped = text_mesher{font}.with(extruded<>{.depth = 1.0f}).with(equal_steps{7});
+
+    const auto p = plain.plan("o");
+    CHECK(flat_text.plan("o")->size().vertices * 4 == p->size().vertices);
+    const auto s = stepped.plan("o");
+    CHECK(s->contour_points() == 2 * 4 * 7);
+    CHECK(s->bounds().low.z == -1.0f);
+    stepped.discretiser_policy().pieces = 2;
+    CHECK(stepped.plan("o")->contour_points() == 2 * 4 * 2);
+}
+
+TEST_CASE("options out of range are refused in words", "[text]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    const double nan = std::nan("");
+    for (const double bad : {0.0, -1.0, nan, HUGE_VAL}) {
+        CHECK(mesher.plan("o", {.tolerance = bad}).error() == error::bad_tolerance);
+        CHECK(mesher.plan("o", {.pixels_per_em = bad}).error() == error::bad_option);
+    }
+    mesher.extruder_policy().depth = static_cast<float>(nan);
+    CHECK(mesher.plan("o").error() == error::bad_option);
+    mesher.extruder_policy().depth = 0.2f;
+    CHECK(mesher.plan("o"));
+}
+
+TEST_CASE("after warm-up a text of the same size allocates nothing", "[text]")
+{
+    test::counting_memory counted;
+    {
+        test::toy_font font;
+        text_mesher mesher{font, counted.source()};
+        full_mesh m;
+        for (int i = 0; i < 2; ++i) REQUIRE(mesher.build("oEi o\nooo", into(m.vertices, m.indices)));
+        const std::size_t before = counted.requests;
+        REQUIRE(before > 0);
+        for (int i = 0; i < 3; ++i) REQUIRE(mesher.build("oEi o\nooo", into(m.vertices, m.indices)));
+        CHECK(counted.requests == before);
+    }
+    CHECK(counted.bytes_held == 0);
+}
+
+TEST_CASE("memory that fails at any request gives a clear error and leaves the mesher usable", "[text]")
+{
+    const bool once = GENERATE(true, false);
+    test::toy_font font;
+    text_mesher reference_mesher{font};
+    const auto expected = build(reference_mesher, "oEi");
+    std::size_t failures = 0;
+    for (std::size_t n = 1; n < 200; ++n) {
+        test::counting_memory counted{.fail_at = n, .fail_once = once};
+        text_mesher mesher{font, counted.source()};
+        full_mesh m = {{{}, {}}, {7}};
+        auto made = mesher.build("oEi", into(m.vertices, m.indices));
+        if (!made) {
+            ++failures;
+            CHECK(made.error() == error::out_of_memory);
+            CHECK(m.vertices.size() == 2);  // nothing of the caller's was touched
+            CHECK(m.indices.size() == 1);
+        }
+        else CHECK(made->complete());
+        counted.fail_at = 0;
+        made = mesher.build("oEi", into(m.vertices, m.indices));
+        REQUIRE(made);
+        CHECK(m.indices == expected.indices);
+        if (counted.requests < n) break;
+    }
+    CHECK(failures > 5);
+}
+
+TEST_CASE("text comes as UTF-8 and UTF-16, clusters in its own units", "[text]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    const auto clusters = [&](auto text) {
+        std::vector<cluster_id> c;
+        const auto plan = mesher.plan(text);
+        for (const auto& g : plan->glyphs()) c.push_back(g.cluster);
+        return c;
+    };
+    const std::vector<cluster_id> expected{0, 2};
+    CHECK(clusters("o\nE") == expected);
+    CHECK(clusters(u8"o\nE") == expected);
+    CHECK(clusters(u"o\nE") == expected);
+    CHECK(clusters(std::u16string(u"o\nE")) == expected);
+}
+
+TEST_CASE("a sink that refuses gets nothing more", "[text]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    auto plan = mesher.plan("oE");
+    REQUIRE(plan);
+    std::vector<test::full_vertex> vertices(plan->size().vertices - 1);
+    std::vector<std::uint32_t> indices(plan->size().indices(), 77u);
+    const error e = plan->write(into(std::span{vertices}, std::span{indices}));
+    CHECK(e == error::buffer_too_small);
+    CHECK(e.count == plan->size().vertices);
+    CHECK(indices == std::vector<std::uint32_t>(plan->size().indices(), 77u));
+}
+
+TEST_CASE("the observer sees the stages in order and ends idle", "[text]")
+{
+    struct recorder {
+        std::vector<stage>* seen;
+        void operator()(stage s) noexcept { seen->push_back(s); }
+    };
+    test::toy_font font;
+    std::vector<stage> seen;
+    auto mesher = text_mesher{font}.with(recorder{&seen});
+    REQUIRE(mesher.plan("o"));
+    CHECK(seen == std::vector<stage>{stage::shape, stage::outline, stage::discretise, stage::triangulate, stage::extrude, stage::idle});
+    seen.clear();
+    REQUIRE(mesher.plan("x"));
+    CHECK(seen == std::vector<stage>{stage::shape, stage::outline, stage::discretise, stage::triangulate, stage::fill, stage::idle});
+}
