@@ -59,7 +59,7 @@ header_folders() {
     say /usr/include
     say /usr/local/include
     say "${HOMEBREW_PREFIX:-/opt/homebrew}/include"
-    say "${CMAKE_PREFIX_PATH:-}" | tr ':;' '\n\n' | sed '/./s,$,/include,'
+    say "${CMAKE_PREFIX_PATH:-}" | tr ':;' '\n' | sed '/./s,$,/include,'
     [ -z "${VCPKG_ROOT:-}" ] || printf '%s\n' "$VCPKG_ROOT"/installed/*/include
 }
 
@@ -162,7 +162,7 @@ explain_failure() {  # explain_failure LOG SERVERS
 
 # apt-get installs nothing at all when one name of a list is unknown: ask for the known ones only.
 apt_install() {  # apt_install SUDO LOG PACKAGE...
-    local sudo=$1 log=$2 package known=
+    local sudo=$1 log=$2 package known=''
     shift 2
     if [ -z "${typemesh_lists_are_new:-}" ]; then
         $sudo apt-get -o DPkg::Lock::Timeout=300 update >>"$log" 2>&1 || true
@@ -175,13 +175,14 @@ apt_install() {  # apt_install SUDO LOG PACKAGE...
             say "The package lists of this system know no package $package" | tee -a "$log" >&2
         fi
     done
+    # shellcheck disable=SC2086  # a list of words
     [ -z "$known" ] || $sudo env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 \
         install -y --no-install-recommends $known >>"$log" 2>&1
 }
 
 # Fonts that tests look for. Without them the tests that need them say so; nothing stops.
 install_fonts() {  # install_fonts DEBIAN_PACKAGE...
-    local package missing= sudo log
+    local package missing='' sudo log
     for package in "$@"; do
         if ! dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed; then
             missing="$missing $package"
@@ -218,7 +219,7 @@ build_preset() {  # build_preset PRESET [TARGET...]
     [ ! -e "$folder/build.ninja" ] || go_on=-k0
     cmake --build "$folder" --parallel "$(processors)" ${1:+--target "$@"} -- $go_on >>"$log" 2>&1 || status=$?
     if [ $status != 0 ]; then
-        grep -E -A 12 'error[: ]|Error |undefined reference' "$log" | head -n 120 >&2 || true
+        grep -E -A 12 '(^|: )(fatal )?error: |undefined reference|CMake Error' "$log" | head -n 120 >&2 || true
         say "The build has failed; all its words are in $log" >&2
     fi
     return $status

@@ -38,7 +38,7 @@ code_points() {  # code_points TEXT
 # One line for the script of a text: its name, the Debian package of a font for it, and font families in order of
 # preference. The first script of the table that the text has decides: kana before Han tells Japanese from Chinese.
 script_of() {  # script_of CODE_POINT...
-    local first last package families code line
+    local name first last package families code
     while IFS='|' read -r name first last package families; do
         for code in "$@"; do
             if [ $((16#$code)) -ge $((16#$first)) ] && [ $((16#$code)) -le $((16#$last)) ]; then

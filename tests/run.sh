@@ -77,18 +77,19 @@ tier_clang() {
 }
 tier_sanitize() { test_preset sanitize; }
 
-# Scripts in tests/external: 0 passed, 77 skipped with a reason on the last line, anything else failed.
+# Scripts in tests/external, each run in a scratch folder: 0 passed, 77 skipped with the reason on the last line, anything
+# else failed. They find the tool in TYPEMESH_TEXT_TO_MESH, tests/ in TYPEMESH_TEST_DATA, npm's packages by NODE_PATH.
 tier_external() {
     local script name status output modules=$typemesh_root/build/external
     install_missing benchmark
     (install_missing admesh node npm) || say "Going on without them: the tests that need them are skipped."
     export TYPEMESH_TEXT_TO_MESH=$typemesh_root/build/release/examples/text_to_mesh
     export TYPEMESH_TEST_DATA=$typemesh_root/tests
+    mkdir -p "$modules"
     if ! build_preset release; then
         count 0 1
     fi
     if command -v npm >/dev/null 2>&1 && [ ! -d "$modules/node_modules/gltf-validator" ]; then
-        mkdir -p "$modules"
         if ! npm install --prefix "$modules" --no-save --no-audit --no-fund gltf-validator@2.0.0-dev.3.10 \
             >"$modules/npm.log" 2>&1; then
             explain_failure "$modules/npm.log" "npm's registry"

@@ -150,6 +150,8 @@ std::optional<int> parse(int argc, char** argv, options& out)
         out.tolerance = em[static_cast<int>(out.quality)];
     }
     if (!std::isfinite(out.tolerance)) return complain("--tolerance is not a finite number");
+    if (!std::isfinite(out.depth)) return complain("--depth is not a finite number");
+    if (!std::isfinite(out.crease)) return complain("--crease is not a finite number");
     if (uv == "em") out.uv = texture_mapping::em;
     if (!fill.empty()) out.fill = fill == "nonzero" ? fill_rule::non_zero : fill_rule::even_odd;
     const auto shown = [&](const char* what) { return std::find(show.begin(), show.end(), what) != show.end(); };

@@ -61,6 +61,7 @@ inline std::string font_file(const std::string& name)
         std::string package = "of its package";
         for (const font_package& p : smoke_fonts())
             if (name.rfind(p.folder, 0) == 0 && p.files.empty()) package = p.name;
+        if (name.rfind("X11/Type1", 0) == 0) package = "culmus";
         FAIL("The font " << path.string() << " is missing: install the Debian package " << package << ", or set TYPEMESH_FONT_DIR.");
     }
     return path.string();

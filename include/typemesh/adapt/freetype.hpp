@@ -167,7 +167,7 @@ public:
             FT_Vector kern = {};
             if (kerning && before != 0 && id != 0 && FT_Get_Kerning(face_, before, id, FT_KERNING_UNSCALED, &kern) == 0)
                 at.x += static_cast<double>(kern.x);
-            if (!run.glyphs.push_back({id, cluster, at})) return error::out_of_memory;
+            if (!run.glyphs.push_back({id, cluster, at, id == 0})) return error::out_of_memory;
             FT_Fixed advance = 0;
             if (FT_Get_Advance(face_, id, FT_LOAD_NO_SCALE | FT_LOAD_NO_HINTING | FT_LOAD_IGNORE_TRANSFORM, &advance) == 0)
                 at.x += static_cast<double>(advance);

@@ -446,9 +446,10 @@ private:
         const point unit = unit_size();
         for (unsigned i = 0; i < count; ++i) {
             const auto cluster = static_cast<cluster_id>(first_unit_ + info[i].cluster);
-            out[i] = {info[i].codepoint, cluster, {at.x + unit.x * position[i].x_offset, at.y + unit.y * position[i].y_offset}};
+            const bool missing = info[i].codepoint == 0;
+            out[i] = {info[i].codepoint, cluster, {at.x + unit.x * position[i].x_offset, at.y + unit.y * position[i].y_offset}, missing};
             at = {at.x + unit.x * position[i].x_advance, at.y + unit.y * position[i].y_advance};
-            if (info[i].codepoint == 0) {
+            if (missing) {
                 ++run.missing;
                 if (cluster < run.first_missing) run.first_missing = cluster;
             }

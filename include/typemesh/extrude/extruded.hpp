@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/finite.hpp>
+#include <typemesh/extrude/axes.hpp>
 #include <typemesh/extrude/curve_normals.hpp>
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/extrude/texture.hpp>
@@ -73,14 +74,16 @@ struct extruded {
     template <attribute Wants, class Emit>
     void vertices(part p, const solid& s, const placement& at, Emit&& emit) const noexcept
     {
-        const placement here = at;  // a copy, so that writing vertices cannot seem to change it
         const double high = centred ? 0.5 * depth : 0.0;
-        const float top = here.height(high), bottom = here.height(high - depth);
-        if (p == part::front && has_front()) cap<Wants>(s, here, top, 1.0f, front, emit);
-        if (p == part::back && has_back()) cap<Wants>(s, here, bottom, -1.0f, back, emit);
-        if constexpr (!Normals::shares_caps) {
-            if (p == part::side && side) walls<Wants>(s, here, top, bottom, emit);
-        }
+        const float top = at.height(high), bottom = at.height(high - depth);
+        const planar_texture planar{texture, at};
+        with_axes(at, [&](const auto& axes) noexcept {
+            if (p == part::front && has_front()) cap<Wants>(s, axes, top, 1.0f, front, planar, emit);
+            if (p == part::back && has_back()) cap<Wants>(s, axes, bottom, -1.0f, back, planar, emit);
+            if constexpr (!Normals::shares_caps) {
+                if (p == part::side && side) walls<Wants>(s, axes, top, bottom, at.em_per_cell, planar, emit);
+            }
+        });
     }
 
     template <class Emit>
@@ -138,74 +141,74 @@ private:
         }
     }
 
-    template <attribute Wants, class Emit>
-    void cap(const solid& s, const placement& at, float z, float facing, bool lit_by_cap, Emit& emit) const noexcept
+    template <attribute Wants, class Axes, class Emit>
+    void cap(const solid& s, const Axes& axes, float z, float facing, bool lit_by_cap, planar_texture uv, Emit& emit) const noexcept
     {
-        const planar_texture uv{texture, at};
-        const vec3 flat_normal = at.cap_normal(facing);
+        const vec3 flat_normal = axes.direction(0.0f, 0.0f, facing);
         const side_point* sides = s.sides.data();
         for (std::size_t i = 0; i < s.points.size(); ++i) {
+            const grid_point g = s.points[i];
             surface_point<Wants> v;
-            if constexpr (has(Wants, attribute::position)) v.position = at.position(s.points[i], z);
+            if constexpr (has(Wants, attribute::position)) v.position = axes.position(axes.foot(g), z);
             if constexpr (has(Wants, attribute::normal)) {
                 v.normal = flat_normal;
                 if constexpr (Normals::shares_caps) {
-                    if (side) v.normal = shared(sides[i], at, lit_by_cap ? facing : 0.0f);
+                    if (side) v.normal = shared(sides[i], axes, lit_by_cap ? facing : 0.0f);
                 }
             }
-            if constexpr (has(Wants, attribute::uv)) v.uv = uv(s.points[i]);
+            if constexpr (has(Wants, attribute::uv)) v.uv = uv(g);
             emit(v);
         }
     }
 
     /// The normalised sum of two walls' normals and of a cap's: its z, or 0 for none.
-    static vec3 shared(const side_point& s, const placement& at, float cap) noexcept
+    template <class Axes>
+    static vec3 shared(const side_point& s, const Axes& axes, float cap) noexcept
     {
         const point before{s.before.x, s.before.y}, after{s.after.x, s.after.y};
         point sum = before + after;
         if (dot(sum, sum) < 0x1p-30) {  // a needle's tip: the same line from the edges' directions (see joint_normal)
-            sum = point{after.y - before.y, before.x - after.x};
-            if (cross(before, after) < 0.0) sum = -1.0 * sum;
+            sum = {after.y - before.y, before.x - after.x};
             if (cap != 0.0f) sum = {};
+            if (cross(before, after) < 0.0) sum = -1.0 * sum;
         }
         const double scale = 1.0 / std::sqrt(dot(sum, sum) + static_cast<double>(cap) * cap);
-        return at.frame(static_cast<float>(scale * sum.x), static_cast<float>(scale * sum.y), static_cast<float>(scale) * cap);
+        return axes.direction(static_cast<float>(scale * sum.x), static_cast<float>(scale * sum.y), static_cast<float>(scale) * cap);
     }
 
     /// Pairs (front, back) along each contour; a doubled point has one for the wall before it and one for the wall after.
-    template <attribute Wants, class Emit>
-    void walls(const solid& s, const placement& at, float top, float bottom, Emit& emit) const noexcept
+    template <attribute Wants, class Axes, class Emit>
+    void walls(const solid& s, const Axes& axes, float top, float bottom, double em_per_cell, planar_texture planar, Emit& emit) const noexcept
     {
-        const planar_texture planar{texture, at};
         const bool by_length = texture == texture_mapping::em;
         const float v_top = planar.turned(1.0f), v_bottom = planar.turned(1.0f - depth);
-        const auto pair = [&](placement::footprint foot, vec2 normal, vec2 uv) noexcept {
+        for (std::size_t i = 0; i < s.points.size(); ++i) {
+            const grid_point g = s.points[i];
+            const side_point& here = s.sides[i];
             surface_point<Wants> front_point, back_point;
             if constexpr (has(Wants, attribute::position)) {
-                front_point.position = at.position(foot, top);
-                back_point.position = at.position(foot, bottom);
+                const auto foot = axes.foot(g);
+                front_point.position = axes.position(foot, top);
+                back_point.position = axes.position(foot, bottom);
             }
-            if constexpr (has(Wants, attribute::normal)) front_point.normal = back_point.normal = at.normal(normal);
+            if constexpr (has(Wants, attribute::normal)) {
+                front_point.normal = back_point.normal = axes.direction(here.before.x, here.before.y, 0.0f);
+            }
             if constexpr (has(Wants, attribute::uv)) {
-                front_point.uv = {uv.x, by_length ? v_top : uv.y};
-                back_point.uv = {uv.x, by_length ? v_bottom : uv.y};
+                front_point.uv = back_point.uv = by_length ? vec2{static_cast<float>(here.along * em_per_cell), v_top} : planar(g);
+                if (by_length) back_point.uv.y = v_bottom;
             }
             emit(front_point);
             emit(back_point);
-        };
-        for (std::size_t i = 0; i < s.points.size(); ++i) {
-            const side_point& here = s.sides[i];
-            placement::footprint foot;
-            vec2 uv;
-            if constexpr (has(Wants, attribute::position)) foot = at.foot(s.points[i]);
+            if (!here.doubled) continue;
+            if constexpr (has(Wants, attribute::normal)) {
+                front_point.normal = back_point.normal = axes.direction(here.after.x, here.after.y, 0.0f);
+            }
             if constexpr (has(Wants, attribute::uv)) {
-                uv = by_length ? vec2{static_cast<float>(here.along * at.em_per_cell), 0.0f} : planar(s.points[i]);
+                if (here.seam) front_point.uv.x = back_point.uv.x = 0.0f;
             }
-            pair(foot, here.before, uv);
-            if (here.doubled) {
-                if (here.seam) uv.x = 0.0f;
-                pair(foot, here.after, uv);
-            }
+            emit(front_point);
+            emit(back_point);
         }
     }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/extrude/axes.hpp>
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/extrude/texture.hpp>
 
@@ -25,15 +26,17 @@ struct flat {
     void vertices(part p, const solid& s, const placement& at, Emit&& emit) const noexcept
     {
         if (p != part::front) return;
-        const placement here = at;  // a copy, so that writing vertices cannot seem to change it
-        const planar_texture uv{texture, here};
-        for (const grid_point g : s.points) {
-            surface_point<Wants> v;
-            if constexpr (has(Wants, attribute::position)) v.position = here.position(g, 0.0f);
-            if constexpr (has(Wants, attribute::normal)) v.normal = here.cap_normal(1.0f);
-            if constexpr (has(Wants, attribute::uv)) v.uv = uv(g);
-            emit(v);
-        }
+        const planar_texture uv{texture, at};
+        with_axes(at, [&](const auto& axes) noexcept {
+            const vec3 normal = axes.direction(0.0f, 0.0f, 1.0f);
+            for (const grid_point g : s.points) {
+                surface_point<Wants> v;
+                if constexpr (has(Wants, attribute::position)) v.position = axes.position(axes.foot(g), 0.0f);
+                if constexpr (has(Wants, attribute::normal)) v.normal = normal;
+                if constexpr (has(Wants, attribute::uv)) v.uv = uv(g);
+                emit(v);
+            }
+        });
     }
 
     template <class Emit>

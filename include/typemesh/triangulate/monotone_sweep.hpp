@@ -140,9 +140,11 @@ private:
         return i == n;
     }
 
-    /// lower     ----.              upper   \\\\\\\\\\     .
-    ///  \\\\\\\\\\   p---   or mirrored:           ----p--
-    ///           ----
+    /// One neighbour came before, the other comes later: a side of a span goes on.
+    ///
+    ///   upper  -----------.                 :::::::::::
+    ///          ::::::::::  '---       or    :::::::: .----
+    ///   lower  --------p----                --------p
     [[nodiscard]] bool pass(std::uint32_t s, std::uint32_t on, std::uint32_t v, grid_point p) noexcept
     {
         if constexpr (Proving) {
@@ -157,9 +159,9 @@ private:
 
     /// Both neighbours come later: a new span opens (start), or one is split.
     ///
-    ///          .--- upper             \\\\\\\\\\\\\ .---  lower side of a new span above
-    ///   start p \\\\\\\          split  t \\\\\\\\ p
-    ///          '--- lower             \\\\\\\\\\\\\ '---  upper side of what stays below
+    ///          .--- upper             ::::::::::::: .---  lower side of a new span above
+    ///   start p :::::::          split  t :::::::: p
+    ///          '--- lower             ::::::::::::: '---  upper side of what stays below
     [[nodiscard]] bool open(std::uint32_t v, grid_point p) noexcept
     {
         const std::int64_t turn = orientation(points_[vertices_[v].right[1]], p, points_[vertices_[v].right[0]]);
@@ -174,7 +176,7 @@ private:
         const std::uint32_t fresh = take_span();
         span_of_interior& above = spans_[fresh];
         if (splits) {
-            if (!cut_down(1)) return false;
+            bound_triangles(1);
             span_of_interior& below = spans_[s];
             std::uint32_t up = below.chain[1], low = below.chain[0];
             if (up == 0) up = alone(links_[low]);
@@ -188,7 +190,7 @@ private:
             set_side(fresh, 0, v, p);
             set_side(s, 1, v, p);
         } else {
-            (void)cut_down(-1);
+            bound_triangles(-1);
             above.chain[0] = alone({p, v, 0});
             above.chain[1] = 0;
             set_side(fresh, 0, v, p);
@@ -200,9 +202,9 @@ private:
 
     /// Both neighbours came before: a span ends, or two become one.
     ///
-    ///   upper ---.                  upper side of the span below ---.  \\\\\\\
-    ///     \\\\\\\ p  end                                             p \\\\\\\  merge
-    ///   lower ---'                  lower side of the span above ---'  \\\\\\\
+    ///   upper ---.                  upper side of the span below ---.  :::::::
+    ///     ::::::: p  end                                             p :::::::  merge
+    ///   lower ---'                  lower side of the span above ---'  :::::::
     [[nodiscard]] bool close(std::uint32_t lower, std::uint32_t upper, std::uint32_t v, grid_point p) noexcept
     {
         if constexpr (Proving) {
@@ -215,11 +217,11 @@ private:
         }
         span_of_interior& gone = spans_[lower];
         if (lower == upper) {
-            (void)cut_down(-1);
+            bound_triangles(-1);
             for (std::uint32_t along = 0; along < 2; ++along)
                 if (gone.chain[along] != 0) fan(gone.chain[along], along, v, p);
         } else {
-            if (!cut_down(1)) return false;
+            bound_triangles(1);
             span_of_interior& stays = spans_[upper];
             extend(gone, 0, v, p);
             extend(stays, 1, v, p);
@@ -299,14 +301,13 @@ private:
     /// Splits and merges add triangles, starts and ends take some away. For a region, splits + merges - starts - ends is
     /// 2h - 2c in the end, so it can never be more than the points to come may take back: more means that loops cross, and
     /// what remains could ask for more triangles than there is room.
-    [[nodiscard]] bool cut_down(std::int64_t change) noexcept
+    void bound_triangles(std::int64_t change) noexcept
     {
         if constexpr (Proving) {
             excess_ += change;
             const auto n = static_cast<std::int64_t>(points_.size()), room = n + 2 * static_cast<std::int64_t>(loops()) - excess_;
             stop_ = room < n ? room : n;
         }
-        return true;
     }
 
     /// The first point of a loop that the sweep meets tells what the loop is.

@@ -3,6 +3,10 @@
 
 #include <typemesh/vertex/array_sink.hpp>
 
+#include <concepts>
+#include <cstddef>
+#include <utility>
+
 namespace typemesh {
 
 /// A container that can be sized and lies in one piece: std::vector, and those of most engines.
@@ -13,38 +17,46 @@ concept sizable_array = requires(C& c, std::size_t n) {
     { c.data() } -> std::same_as<typename C::value_type*>;
 };
 
-/// Sizes two containers of the caller's to fit, then writes as array_sink does. What they held before is replaced.
+/// Sizes two containers of the caller's to fit, then writes as array_sink does. What they held before is replaced. They are
+/// referred to until end().
 ///
 /// A container that throws when memory fails gives error::out_of_memory (where exceptions are on), both then being as they were
 /// if they have reserve().
 template <sizable_array Vertices, sizable_array Indices, vertex_writer Writer>
 class growing_sink {
-    using array = array_sink<typename Vertices::value_type, typename Indices::value_type, Writer>;
+    using vertex_type = typename Vertices::value_type;
+    using index_type = typename Indices::value_type;
+    static_assert(std::unsigned_integral<index_type>, "typemesh: indices are unsigned: std::uint16_t or std::uint32_t");
 
 public:
     static constexpr attribute wants = Writer::wants;
 
     growing_sink(Vertices& vertices, Indices& indices, Writer writer) noexcept
-        : vertices_{&vertices}, indices_{&indices}, array_{{}, {}, writer}, writer_{std::move(writer)}
+        : vertices_{&vertices}, indices_{&indices}, writer_{std::move(writer)}
     {
     }
 
     error begin(mesh_size exact) noexcept
     {
-        if (!index_can_number<typename Indices::value_type>(exact.vertices)) return {error::index_overflow, exact.vertices};
-        if (!resize(exact)) return error::out_of_memory;
-        array_ = array{{vertices_->data(), static_cast<std::size_t>(exact.vertices)},
-                       {indices_->data(), static_cast<std::size_t>(exact.indices())}, writer_};
-        return array_.begin(exact);
+        if (!index_can_number<index_type>(exact.vertices)) return {error::index_overflow, exact.vertices};
+        if (!resize(static_cast<std::size_t>(exact.vertices), static_cast<std::size_t>(exact.indices()))) return error::out_of_memory;
+        next_vertex_ = vertices_->data();
+        next_index_ = indices_->data();
+        return {};
     }
-    void vertex(const surface_point<wants>& s) noexcept { array_.vertex(s); }
-    void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept { array_.triangle(a, b, c); }
+    void vertex(const surface_point<wants>& s) noexcept { *next_vertex_++ = writer_(s); }
+    void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept
+    {
+        next_index_[0] = static_cast<index_type>(a);
+        next_index_[1] = static_cast<index_type>(b);
+        next_index_[2] = static_cast<index_type>(c);
+        next_index_ += 3;
+    }
     void end() noexcept {}
 
 private:
-    bool resize(mesh_size exact) noexcept
+    bool resize(std::size_t vertices, std::size_t indices) noexcept
     {
-        const auto vertices = static_cast<std::size_t>(exact.vertices), indices = static_cast<std::size_t>(exact.indices());
 #if defined(__cpp_exceptions)
         try {
 #endif
@@ -64,8 +76,9 @@ private:
 
     Vertices* vertices_;
     Indices* indices_;
-    array array_;
-    Writer writer_;
+    vertex_type* next_vertex_ = nullptr;
+    index_type* next_index_ = nullptr;
+    [[no_unique_address]] Writer writer_;
 };
 
 /// A sink that sizes two containers: `std::vector<my_vertex>` and `std::vector<std::uint32_t>`, or the like.

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/curve.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+namespace typemesh::detail {
+
+/// z^(-1/4) within 0.11 % for normal z > 0, without a root or a division: a first guess from the exponent's bits, and one step
+/// of Newton's whose two constants were fitted together with the guess. Some large number for z = 0.
+[[nodiscard]] inline float inverse_fourth_root(float z) noexcept
+{
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &z, sizeof bits);
+    bits = 0x4F50'8000u - (bits >> 2);
+    float r = 0.0f;
+    std::memcpy(&r, &bits, sizeof r);
+    const float rr = r * r;
+    return r * (1.30089f - 0.303888f * (z * rr) * rr);
+}
+
+// What follows are curves in a form that answers two questions about their pieces [u, v], quickly:
+//
+//     fits(u, v)      is the piece within the tolerance of its chord? May say no to a piece that only just is.
+//     excess(u, v)    1 when it is; else the square of error over tolerance, or of some bound on it
+//
+// and one about the whole: sample() gives, at equal steps of t, the density of points that a fine polyline of equal errors
+// has, sqrt(|B' x B''| / (8 tolerance |B'|)), times the step. Densities are estimates, in float; fits and excess are proofs.
+//
+// Where a piece's derivative never turns by more than 90 degrees ("tame"), the piece stays in the stripe over its chord, and
+// its distance from the chord is its offset from the chord's line. With w the piece's middle, h = v - u and t = w + xh/2:
+//
+//     chord / h = B'(w) + B'''h²/24         offset = (1 - x²) h²/4 |M + xD| / |chord / h|
+//     M = B' x B''/2 - h²/4 (B''/2 x B'''/6)        D = h/2 (B' x B'''/6)            (all at w; D = 0 for a quadratic)
+
+/// B(t) = p0 + 2bt + at², tame.
+struct quadratic_chords {
+    point p0, b, a;
+    double kk;  ///< (b x a)²
+    double tt;  ///< tolerance²
+
+    [[nodiscard]] point at(double t) const noexcept { return p0 + t * (2.0 * b + t * a); }
+
+    [[nodiscard]] bool fits(double u, double v) const noexcept
+    {
+        const double h = v - u, hh = h * h;
+        const point c = b + (0.5 * (u + v)) * a;
+        return hh * hh * kk <= 16.0 * tt * dot(c, c);
+    }
+
+    [[nodiscard]] double excess(double u, double v) const noexcept
+    {
+        const double h = v - u, hh = h * h;
+        const point c = b + (0.5 * (u + v)) * a;
+        const double error = hh * hh * kk, room = 16.0 * tt * dot(c, c);
+        return error <= room ? 1.0 : error / room;
+    }
+
+    template <int samples>
+    void sample(float (&density)[samples], double from, double step, double tolerance) const noexcept
+    {
+        const double size = std::abs(b.x) + std::abs(b.y) + std::abs(a.x) + std::abs(a.y);
+        const double one = 1.0 / (size * size);
+        const float n0 = static_cast<float>(dot(b, b) * one), n1 = static_cast<float>(2.0 * dot(a, b) * one),
+                    n2 = static_cast<float>(dot(a, a) * one);
+        const float scale = static_cast<float>(step * std::sqrt(std::sqrt(kk) / (4.0 * tolerance * size)));
+        const float t0 = static_cast<float>(from), dt = static_cast<float>(step);
+        for (int j = 0; j < samples; ++j) {
+            const float t = t0 + static_cast<float>(j) * dt;
+            density[j] = scale * inverse_fourth_root(n0 + t * (n1 + t * n2) + 1e-12f);
+        }
+    }
+};
+
+/// B(t) = p0 + c1 t + c2 t² + c3 t³. `tame` or not: when not, pieces may also run out past the ends of their chords.
+template <bool tame>
+struct cubic_chords {
+    point p0, c1, c2, c3;
+    double tt;  ///< tolerance²
+    double k12 = cross(c1, c2), k13 = cross(c1, c3), k23 = cross(c2, c3);
+
+    [[nodiscard]] point at(double t) const noexcept { return p0 + t * (c1 + t * (c2 + t * c3)); }
+
+    [[nodiscard]] bool fits(double u, double v) const noexcept
+    {
+        if constexpr (tame) {
+            const piece p{*this, u, v};
+            return p.surely_fits();
+        } else {
+            return excess(u, v) <= 1.0;
+        }
+    }
+
+    /// Like fits, but never says no to a piece that is good. Only for tame curves.
+    [[nodiscard]] bool fits_exactly(double u, double v) const noexcept
+    {
+        const piece p{*this, u, v};
+        if (p.mm > p.room) return false;
+        if (p.surely_fits()) return true;
+        return p.offset() <= p.room;
+    }
+
+    [[nodiscard]] double excess(double u, double v) const noexcept
+    {
+        const piece p{*this, u, v};
+        if constexpr (tame) {
+            if (p.surely_fits()) return 1.0;
+            if (p.mm > p.room) return p.mm / p.room;
+            const double offset = p.offset();
+            return offset <= p.room ? 1.0 : offset / p.room;
+        } else {
+            // Two bounds, either holds for whatever curve. First: the distance between points of equal s on piece and chord.
+            const double h = p.h, hh = h * h;
+            const point second = c2 + (3.0 * u) * c3;                        // B(u + hs) - chord = s(s-1)(v1 + s (v2 - v1)),
+            const point v1 = second + h * c3, v2 = second + (2.0 * h) * c3;  // both over h²
+            const double n1 = dot(v1, v1), n2 = dot(v2, v2);
+            const double loose = (n1 > n2 ? n1 : n2) * hh * hh * 0.0625;
+            if (loose <= tt) return 1.0;
+            double bound = loose;
+            // Second: the offset, and how far the control points make the piece run out past the chord's ends.
+            const double cc = dot(p.c, p.c);
+            if (cc > 0.0) {
+                const point d1 = c1 + u * (2.0 * c2 + (3.0 * u) * c3), d2 = h * second;  // legs of the piece, over h
+                const double first = dot(d1, p.c) / 3.0, next = (2.0 * dot(d1, p.c) + dot(d2, p.c)) / 3.0;
+                const double below = (first < 0.0 ? first : 0.0) + (next < 0.0 ? next : 0.0);
+                const double above = (first > cc ? first - cc : 0.0) + (next > cc ? next - cc : 0.0);
+                const double out = (-below > above ? -below : above) * (4.0 / 9.0) * h;
+                const double tight = (p.offset() * 0.0625 + out * out) / cc;
+                bound = tight < loose ? tight : loose;
+            }
+            return bound <= tt ? 1.0 : bound / tt;
+        }
+    }
+
+    template <int samples>
+    void sample(float (&density)[samples], double from, double step, double tolerance) const noexcept
+    {
+        const double size =
+            std::abs(c1.x) + std::abs(c1.y) + std::abs(c2.x) + std::abs(c2.y) + std::abs(c3.x) + std::abs(c3.y);
+        const double one = 1.0 / size, square = 6.0 * one * one;
+        const float k0 = static_cast<float>(k12 * square / 3.0), k1 = static_cast<float>(k13 * square),
+                    k2 = static_cast<float>(k23 * square);
+        const float x0 = static_cast<float>(c1.x * one), x1 = static_cast<float>(2.0 * c2.x * one),
+                    x2 = static_cast<float>(3.0 * c3.x * one);
+        const float y0 = static_cast<float>(c1.y * one), y1 = static_cast<float>(2.0 * c2.y * one),
+                    y2 = static_cast<float>(3.0 * c3.y * one);
+        const float scale = static_cast<float>(step * std::sqrt(size / (8.0 * tolerance)));
+        const float t0 = static_cast<float>(from), dt = static_cast<float>(step);
+        for (int j = 0; j < samples; ++j) {
+            const float t = t0 + static_cast<float>(j) * dt;
+            const float dx = x0 + t * (x1 + t * x2), dy = y0 + t * (y1 + t * y2), k = k0 + t * (k1 + t * k2);
+            const float n = dx * dx + dy * dy + 1e-12f;
+            density[j] = scale * std::abs(k) * inverse_fourth_root(k * k * n);  // sqrt(|k| / sqrt(n))
+        }
+    }
+
+private:
+    struct piece {
+        double h, m, d, mm, dd, room;
+        point c;  // chord / h
+
+        piece(const cubic_chords& q, double u, double v) noexcept
+        {
+            h = v - u;
+            const double w = 0.5 * (u + v), hh = h * h, quarter = 0.25 * hh;
+            m = hh * (q.k12 + w * (3.0 * q.k13 + (3.0 * w) * q.k23) - quarter * q.k23);
+            d = (0.5 * h * hh) * (q.k13 + (2.0 * w) * q.k23);
+            c = q.c1 + (2.0 * w) * q.c2 + (3.0 * w * w + quarter) * q.c3;
+            mm = m * m;
+            dd = d * d;
+            room = 16.0 * q.tt * dot(c, c);
+        }
+
+        /// By (1 - x²)(|m| + |d|x) <= |m| + d²/4|m|, and no root.
+        [[nodiscard]] bool surely_fits() const noexcept
+        {
+            const double quick = mm + 0.25 * dd;
+            return quick * quick <= mm * room;
+        }
+
+        /// The greatest (1 - x²)²(|m| + |d|x)², where x solves a quadratic equation: the offset is a cubic with both ends zero.
+        [[nodiscard]] double offset() const noexcept
+        {
+            const double am = std::abs(m), ad = std::abs(d);
+            const double x = ad / (am + std::sqrt(mm + 3.0 * dd) + 1e-300);
+            const double top = (1.0 - x * x) * (am + ad * x);
+            return top * top;
+        }
+    };
+};
+
+/// A running integral of the density, and its inverse: at which t a given share of the points is spent.
+///
+/// Between two samples the density is taken as linear; its inverse by two steps of a fixed-point iteration instead of a root.
+template <int samples>
+class share_table {
+public:
+    template <class Chords>
+    share_table(const Chords& chords, double from, double to, double tolerance) noexcept
+        : start_{from}, step_{(to - from) / (samples - 1)}
+    {
+        float density[samples];
+        chords.sample(density, from, step_, tolerance);
+        float total = 0.0f;
+        for (int j = 0; j + 1 < samples; ++j) {
+            const float part = 0.5f * (density[j] + density[j + 1]) + 1e-30f;
+            inverse_[j] = 1.0f / part;
+            lean_[j] = (density[j + 1] - density[j]) * 0.5f * inverse_[j];
+            sum_[j] = total;
+            total += part;
+        }
+        whole_ = total;
+        for (int j = 0; j < samples; ++j) upper_[j] = j + 2 < samples ? sum_[j + 1] : 3e38f;
+    }
+
+    /// How many pieces the curve needs, nearly; not rounded.
+    [[nodiscard]] float whole() const noexcept { return whole_; }
+
+    /// Ascends with the share.
+    [[nodiscard]] double t_of(float share) const noexcept
+    {
+        int i = 0;
+        for (int j = 0; j < samples; ++j) i += share > upper_[j] ? 1 : 0;  // no branch to guess wrong
+        const float even = (share - sum_[i]) * inverse_[i];
+        float x = even + lean_[i] * (even - even * even);
+        x = even + lean_[i] * (x - x * x);
+        return start_ + step_ * static_cast<double>(static_cast<float>(i) + x);
+    }
+
+    [[nodiscard]] float share_of(double t) const noexcept
+    {
+        const float place = static_cast<float>((t - start_) / step_);
+        int j = static_cast<int>(place);
+        j = j > samples - 2 ? samples - 2 : j;
+        const float x = place - static_cast<float>(j);
+        return sum_[j] + (x - lean_[j] * (x - x * x)) / inverse_[j];
+    }
+
+private:
+    double start_, step_;
+    float sum_[samples], inverse_[samples], lean_[samples], upper_[samples];
+    float whole_ = 0.0f;
+};
+
+}  // namespace typemesh::detail

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+#include "support/catch.hpp"
+#include "support/font_file.hpp"
+
+#include <typemesh/adapt/freetype.hpp>
+#include <typemesh/layout/layout.hpp>
+#include <typemesh/outline/outline_recorder.hpp>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace typemesh;
+
+namespace {
+
+const char* const dejavu = "truetype/dejavu/DejaVuSans.ttf";
+const char* const liberation = "truetype/liberation/LiberationSans-Regular.ttf";
+const char* const comic = "opentype/comic-neue/ComicNeue-Regular.otf";
+const char* const inter = "truetype/inter-vf/Inter-roman.var.ttf";
+const char* const microhei = "truetype/wqy/wqy-microhei.ttc";
+const char* const type1 = "X11/Type1/AharoniCLM-Book.pfa";
+
+freetype_font opened(const char* name, const font_options& options = {})
+{
+    auto font = freetype_font::open(font_file(name).c_str(), options);
+    INFO(font.error().message());
+    REQUIRE(font);
+    return std::move(*font);
+}
+
+glyph_run shaped(freetype_font& font, text_view text, const shape_options& how = {})
+{
+    glyph_run run;
+    const error e = layout(font, text, how, {}, run);
+    INFO(e.message());
+    REQUIRE(!e);
+    return run;
+}
+
+error refusal(freetype_font& font, text_view text, direction d = direction::automatic)
+{
+    glyph_run run;
+    shape_options how;
+    how.direction = d;
+    return layout(font, text, how, {}, run);
+}
+
+outline drawn(freetype_font& font, glyph_id id)
+{
+    outline o;
+    REQUIRE(!record(font, id, o));
+    return o;
+}
+
+std::vector<point> points_of(freetype_font& font, glyph_id id)
+{
+    std::vector<point> all;
+    for (const curve& c : drawn(font, id).curves) all.insert(all.end(), c.p, c.p + c.degree + 1);
+    return all;
+}
+
+/// A library and a face as a caller would hold them.
+struct callers_face {
+    FT_Library library = nullptr;
+    FT_Face face = nullptr;
+
+    explicit callers_face(const std::string& path)
+    {
+        REQUIRE(FT_Init_FreeType(&library) == 0);
+        REQUIRE(FT_New_Face(library, path.c_str(), 0, &face) == 0);
+    }
+    callers_face(const callers_face&) = delete;
+    callers_face& operator=(const callers_face&) = delete;
+    ~callers_face()
+    {
+        FT_Done_Face(face);
+        FT_Done_FreeType(library);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("quadratics stay quadratics, cubics cubics", "[adapt][freetype]")
+{
+    freetype_font truetype = opened(dejavu), cff = opened(comic), postscript = opened(type1);
+    const auto highest = [](freetype_font& font) {
+        std::uint32_t degree = 0;
+        for (const curve& c : drawn(font, shaped(font, "o").glyphs[0].id).curves) degree = degree > c.degree ? degree : c.degree;
+        return degree;
+    };
+    CHECK(highest(truetype) == 2);
+    CHECK(highest(cff) == 3);
+    CHECK(postscript.units_per_em() == 1090.0);  // from its font matrix
+    CHECK(highest(postscript) == 3);
+}
+
+TEST_CASE("plain text is set by character map, advances and kerning", "[adapt][freetype]")
+{
+    freetype_font font = opened(liberation);
+    CHECK(font.units_per_em() == 2048.0);
+    const glyph_run run = shaped(font, u8"Grüße, мир");
+    REQUIRE(run.glyphs.size() == 10);
+    CHECK(run.glyphs[2].cluster == 2);
+    CHECK(run.glyphs[3].cluster == 4);
+    CHECK(run.missing == 0);
+
+    const double a = shaped(font, "A").lines[0].advance, v = shaped(font, "V").lines[0].advance;
+    const glyph_run kerned = shaped(font, "AV");
+    CHECK(kerned.lines[0].advance < a + v);
+    CHECK(kerned.glyphs[1].origin.x < a);
+    const feature off[] = {{"kern", 0}};
+    shape_options how;
+    how.features = off;
+    CHECK(shaped(font, "AV", how).lines[0].advance == a + v);
+}
+
+TEST_CASE("lines of a FreeType face stand as far apart as the font says", "[adapt][freetype]")
+{
+    freetype_font font = opened(dejavu);
+    const line_metrics m = font.metrics(direction::automatic);
+    CHECK(m.ascender == 1901.0);
+    CHECK(m.descender == -483.0);
+    CHECK(m.ascender - m.descender + m.gap == 2384.0);
+    CHECK(shaped(font, "a\nb").lines[1].origin == point{0.0, -2384.0});
+}
+
+TEST_CASE("what the plain shaper would set wrongly it refuses, and names the place", "[adapt][freetype]")
+{
+    freetype_font font = opened(dejavu);
+    const error e = refusal(font, u"ok\nab \u0633\u0644\u0627\u0645");
+    CHECK(e == error::needs_shaping);
+    CHECK(e.cluster == 6);
+    for (const char16_t* text : {u"\u05D0", u"\u0915\u093F", u"\u0E01\u0E34", u"e\u0301", u"\u1112\u1161", u"\u200D", u"\u202E", u"\u1780"})
+        CHECK(refusal(font, text) == error::needs_shaping);
+    CHECK(refusal(font, "abc", direction::right_to_left) == error::needs_shaping);
+    CHECK(refusal(font, "abc", direction::top_to_bottom) == error::needs_shaping);
+    CHECK(!refusal(font, "abc", direction::left_to_right));
+}
+
+TEST_CASE("missing and invalid characters are counted as by any shaper", "[adapt][freetype]")
+{
+    freetype_font font = opened(comic);
+    const glyph_run run = shaped(font, u8"a世b\u00AD界");
+    CHECK(run.missing == 2);
+    CHECK(run.first_missing == 1);
+    REQUIRE(run.glyphs.size() == 4);  // the soft hyphen is not drawn
+    CHECK(run.glyphs[1].missing);
+    CHECK(run.glyphs[1].id == 0);
+
+    freetype_font wide = opened(dejavu);
+    const glyph_run broken = shaped(wide, "a\xE2\x82z\xFF");
+    CHECK(broken.invalid_units == 2);
+    CHECK(broken.first_invalid_unit == 1);
+    REQUIRE(broken.glyphs.size() == 4);
+    CHECK(broken.glyphs[1].id == broken.glyphs[3].id);
+    CHECK(broken.glyphs[3].cluster == 4);
+}
+
+TEST_CASE("varied outlines keep 1/64 unit", "[adapt][freetype]")
+{
+    const variation between[] = {{"wght", 603.0f}}, bold[] = {{"wght", 900.0f}}, beyond[] = {{"wght", 4000.0f}};
+    freetype_font varied = opened(inter, {0, between}), plain = opened(inter), heavy = opened(inter, {0, bold}), heaviest = opened(inter, {0, beyond});
+    const glyph_id o = shaped(plain, "o").glyphs[0].id;
+    bool fractions = false;
+    for (const point p : points_of(varied, o)) fractions = fractions || p.x != std::floor(p.x);
+    CHECK(fractions);
+    CHECK(points_of(plain, o) != points_of(heavy, o));
+    CHECK(points_of(heavy, o) == points_of(heaviest, o));
+    CHECK(shaped(plain, "HAV").lines[0].advance < shaped(heavy, "HAV").lines[0].advance);
+
+    const variation unknown[] = {{"abcd", 1.0f}}, infinite[] = {{"wght", std::numeric_limits<float>::infinity()}};
+    CHECK(freetype_font::open(font_file(inter).c_str(), {0, unknown}).error() == error::unknown_variation);
+    CHECK(freetype_font::open(font_file(dejavu).c_str(), {0, bold}).error() == error::unknown_variation);
+    CHECK(freetype_font::open(font_file(inter).c_str(), {0, infinite}).error() == error::bad_option);
+}
+
+TEST_CASE("a font opens alike from its path, its bytes and the caller's library", "[adapt][freetype]")
+{
+    const auto bytes = bytes_of(font_file(comic));
+    auto lent = freetype_font::open(bytes);
+    REQUIRE(lent);
+    freetype_font read = opened(comic);
+    const callers_face other{font_file(dejavu)};
+    auto shared = freetype_font::open(font_file(comic).c_str(), {}, other.library);
+    REQUIRE(shared);
+    for (glyph_id id = 0; id < read.glyph_count(); id += 7) {
+        CHECK(points_of(*lent, id) == points_of(read, id));
+        CHECK(points_of(*shared, id) == points_of(read, id));
+    }
+}
+
+TEST_CASE("the caller's FT_Face keeps its size and transform, and has no part in the outlines", "[adapt][freetype]")
+{
+    const callers_face callers{font_file(dejavu)};
+    REQUIRE(FT_Set_Pixel_Sizes(callers.face, 0, 13) == 0);
+    FT_Matrix doubled{2 << 16, 0, 0, 2 << 16};
+    FT_Set_Transform(callers.face, &doubled, nullptr);
+    const FT_Size size = callers.face->size;
+    freetype_font own = opened(dejavu);
+    {
+        auto wrapped = freetype_font::wrap(callers.face);
+        REQUIRE(wrapped);
+        CHECK(callers.face->size == size);
+        CHECK(points_of(*wrapped, 36) == points_of(own, 36));
+        CHECK(callers.face->size == size);
+        CHECK(shaped(*wrapped, "AV").lines[0].advance == shaped(own, "AV").lines[0].advance);
+
+        freetype_font moved = std::move(*wrapped);
+        CHECK(points_of(moved, 37) == points_of(own, 37));
+    }
+    CHECK(callers.face->size == size);
+    CHECK(callers.face->size->metrics.y_ppem == 13);
+}
+
+TEST_CASE("glyphs that do not exist are an error, blank ones are not", "[adapt][freetype]")
+{
+    freetype_font font = opened(dejavu);
+    CHECK(points_of(font, shaped(font, " ").glyphs[0].id).empty());
+    outline o;
+    const error e = record(font, font.glyph_count(), o);
+    CHECK(e == error::unknown_glyph);
+    CHECK(e.glyph == font.glyph_count());
+}
+
+TEST_CASE("a FreeType face that does not open says why", "[adapt][freetype]")
+{
+    CHECK(freetype_font::open("/no/such/font.ttf").error() == error::unreadable_file);
+    CHECK(freetype_font::open(TYPEMESH_TEST_DATA "/workload/README.md").error() == error::not_a_font);
+    CHECK(freetype_font::open(std::span<const std::byte>{}).error() == error::not_a_font);
+    const auto words = bytes_of(TYPEMESH_TEST_DATA "/workload/README.md");
+    CHECK(freetype_font::open(words).error() == error::not_a_font);
+    const error face = freetype_font::open(font_file(microhei).c_str(), {2, {}}).error();
+    CHECK(face == error::no_such_face);
+    CHECK(face.count == 2);
+    CHECK(freetype_font::open(font_file(microhei).c_str(), {1, {}}));
+    CHECK(freetype_font::open(font_file(dejavu).c_str(), {65536, {}}).error() == error::no_such_face);
+    CHECK(freetype_font::open(font_file(type1).c_str(), {3, {}}).error() == error::no_such_face);
+    CHECK(freetype_font::open(font_file("../wine/fonts/courier.ttf").c_str()).error() == error::no_outlines);
+    CHECK(freetype_font::open(font_file("../wine/fonts/coure.fon").c_str()).error() == error::no_outlines);
+}

@@ -1,0 +1,473 @@
+// SPDX-License-Identifier: MIT
+#include "support/catch.hpp"
+#include "support/font_file.hpp"
+
+#include <typemesh/adapt/harfbuzz.hpp>
+#include <typemesh/layout/layout.hpp>
+#include <typemesh/outline/outline_recorder.hpp>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace typemesh;
+
+namespace {
+
+const char* const dejavu = "truetype/dejavu/DejaVuSans.ttf";
+const char* const amiri = "opentype/fonts-hosny-amiri/Amiri-Regular.ttf";
+const char* const inter = "truetype/inter-vf/Inter-roman.var.ttf";
+const char* const sawarabi = "truetype/sawarabi-mincho/sawarabi-mincho-medium.ttf";
+const char* const lohit = "truetype/lohit-devanagari/Lohit-Devanagari.ttf";
+const char* const microhei = "truetype/wqy/wqy-microhei.ttc";
+
+harfbuzz_font opened(const char* name, const font_options& options = {})
+{
+    auto font = harfbuzz_font::open(font_file(name).c_str(), options);
+    INFO(font.error().message());
+    REQUIRE(font);
+    return std::move(*font);
+}
+
+glyph_run shaped(harfbuzz_font& font, text_view text, const shape_options& how = {})
+{
+    glyph_run run;
+    const error e = layout(font, text, how, {}, run);
+    INFO(e.message());
+    REQUIRE(!e);
+    return run;
+}
+
+error refusal(harfbuzz_font& font, text_view text, const shape_options& how = {})
+{
+    glyph_run run;
+    return layout(font, text, how, {}, run);
+}
+
+std::vector<cluster_id> clusters(const glyph_run& run)
+{
+    std::vector<cluster_id> all;
+    for (const placed_glyph& g : run.glyphs) all.push_back(g.cluster);
+    return all;
+}
+
+std::vector<glyph_id> ids(const glyph_run& run)
+{
+    std::vector<glyph_id> all;
+    for (const placed_glyph& g : run.glyphs) all.push_back(g.id);
+    return all;
+}
+
+std::vector<point> points_of(harfbuzz_font& font, glyph_id id)
+{
+    outline o;
+    REQUIRE(!record(font, id, o));
+    std::vector<point> all;
+    for (const curve& c : o.curves) all.insert(all.end(), c.p, c.p + c.degree + 1);
+    return all;
+}
+
+bool same_run(const glyph_run& a, const glyph_run& b, double within = 0.0)
+{
+    if (a.glyphs.size() != b.glyphs.size()) return false;
+    for (std::size_t i = 0; i < a.glyphs.size(); ++i) {
+        const placed_glyph &g = a.glyphs[i], &h = b.glyphs[i];
+        if (g.id != h.id || g.cluster != h.cluster || length(g.origin - h.origin) > within) return false;
+    }
+    return true;
+}
+
+template <class Text>
+shape_options with(direction d, Text script)
+{
+    shape_options how;
+    how.direction = d;
+    how.script = script;
+    return how;
+}
+
+}  // namespace
+
+TEST_CASE("Latin text is set glyph by glyph, in order, by the font's advances", "[adapt][harfbuzz]")
+{
+    harfbuzz_font font = opened(dejavu);
+    CHECK(font.units_per_em() == 2048.0);
+    const glyph_run run = shaped(font, "Hello world!");
+    CHECK(clusters(run) == std::vector<cluster_id>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11});
+    CHECK(run.missing == 0);
+    CHECK(run.invalid_units == 0);
+    CHECK(run.glyphs[0].origin == point{0.0, 0.0});
+    for (std::size_t i = 1; i < run.glyphs.size(); ++i) CHECK(run.glyphs[i].origin.x > run.glyphs[i - 1].origin.x);
+    CHECK(run.lines[0].advance > run.glyphs.back().origin.x);
+}
+
+TEST_CASE("lines stand as far apart as the font says", "[adapt][harfbuzz]")
+{
+    harfbuzz_font font = opened(dejavu);
+    const line_metrics m = font.metrics(direction::automatic);
+    CHECK(m.ascender == 1901.0);
+    CHECK(m.descender == -483.0);
+    CHECK(m.gap == 0.0);
+    CHECK(shaped(font, "a\nb").lines[1].origin == point{0.0, -2384.0});
+}
+
+TEST_CASE("Arabic comes in drawing order, its clusters descending, its letters joined", "[adapt][harfbuzz]")
+{
+    harfbuzz_font font = opened(amiri);
+    const std::u8string text = u8"مرحبا بالعالم!";
+    const glyph_run run = shaped(font, text);
+    REQUIRE(run.glyphs.size() >= 10);
+    for (std::size_t i = 1; i < run.glyphs.size(); ++i) {
+        CHECK(run.glyphs[i].cluster < run.glyphs[i - 1].cluster);
+        CHECK(run.glyphs[i].origin.x >= run.glyphs[i - 1].origin.x);
+    }
+    CHECK(run.glyphs[0].cluster == text.size() - 1);  // "!" is drawn leftmost
+    CHECK(run.glyphs.back().cluster == 0);
+    CHECK(run.missing == 0);
+
+    // Joined: the first letter is not the one that stands alone.
+    const glyph_run alone = shaped(font, u8"م");
+    REQUIRE(alone.glyphs.size() == 1);
+    CHECK(run.glyphs.back().id != alone.glyphs[0].id);
+
+    // In UTF-16 the same glyphs, with clusters in units of 16 bits.
+    const glyph_run wide = shaped(font, u"مرحبا بالعالم!");
+    CHECK(ids(wide) == ids(run));
+    CHECK(wide.glyphs[0].cluster == 13);
+}
+
+TEST_CASE("a letter joins across the end of what is shaped, for the text round it is context", "[adapt][harfbuzz]")
+{
+    harfbuzz_font font = opened(dejavu);
+    const std::u16string text = u"بب";
+    glyph_run halves, whole = shaped(font, text);
+    REQUIRE(font.shape(text, 0, 1, {}, halves));
+    REQUIRE(font.shape(text, 1, 2, {}, halves));
+    REQUIRE(whole.glyphs.size() == 2);
+    CHECK(halves.glyphs[0].id == whole.glyphs[1].id);
+    CHECK(halves.glyphs[1].id == whole.glyphs[0].id);
+    CHECK(halves.glyphs[1].cluster == 1);
+
+    const glyph_run lines = shaped(font, u"ب\nب");  // but not across a line break
+    CHECK(lines.glyphs[0].id == lines.glyphs[1].id);
+    CHECK(lines.glyphs[0].id != whole.glyphs[0].id);
+}
+
+TEST_CASE("ligatures are there by default and go when switched off", "[adapt][harfbuzz]")
+{
+    harfbuzz_font font = opened(dejavu);
+    CHECK(shaped(font, "office").glyphs.size() < 6);
+    const feature off[] = {{"liga", 0}};
+    shape_options how;
+    how.features = off;
+    CHECK(shaped(font, "office", how).glyphs.size() == 6);
+
+    const feature nonsense[] = {{"\x01iga", 1}};
+    how.features = nonsense;
+    CHECK(refusal(font, "office", how) == error::bad_feature);
+    const feature cut[] = {{"lig", 1}};
+    how.features = cut;
+    CHECK(refusal(font, "office", how) == error::bad_feature);
+}
+
+TEST_CASE("A and V are kerned", "[adapt][harfbuzz]")
+{
+    harfbuzz_font font = opened(dejavu);
+    const double a = shaped(font, "A").lines[0].advance, v = shaped(font, "V").lines[0].advance;
+    CHECK(shaped(font, "AV").lines[0].advance < a + v);
+    const feature off[] = {{"kern", 0}};
+    shape_options how;
+    how.features = off;
+    CHECK(shaped(font, "AV", how).lines[0].advance == a + v);
+}
+
+TEST_CASE("marks stand at their base", "[adapt][harfbuzz]")
+{
+    harfbuzz_font font = opened(dejavu);
+    const glyph_run run = shaped(font, u"q\u0301\u0323");
+    REQUIRE(run.glyphs.size() == 3);
+    for (std::size_t i = 0; i < 3; ++i) CHECK(run.glyphs[i].cluster == 0);
+    CHECK(run.lines[0].advance == shaped(font, "q").lines[0].advance);
+}
+
+TEST_CASE("a line of both directions is refused, and the place named", "[adapt][harfbuzz]")
+{
+    harfbuzz_font font = opened(dejavu);
+    error e = refusal(font, u"abc \u05D0\u05D1");
+    CHECK(e == error::mixed_direction);
+    CHECK(e.cluster == 4);
+    e = refusal(font, u"ok\n\u05D0\u05D1 abc");
+    CHECK(e == error::mixed_direction);
+    CHECK(e.cluster == 6);
+    for (const direction d : {direction::left_to_right, direction::right_to_left}) CHECK(refusal(font, u"a\u05D0", with(d, "")) == error::mixed_direction);
+    CHECK(refusal(font, u"abc \u200F!") == error::mixed_direction);
+    CHECK(refusal(font, u"abc \u202Edef\u202C") == error::mixed_direction);
+
+    // One direction a line is fine.
+    const glyph_run run = shaped(font, u"abc\n\u05D0\u05D1");
+    CHECK(clusters(run) == std::vector<cluster_id>{0, 1, 2, 5, 4});
+}
+
+TEST_CASE("numbers in right-to-left lines are refused unless they read the same both ways", "[adapt][harfbuzz]")
+{
+    harfbuzz_font font = opened(amiri);
+    const error e = refusal(font, u"عام 2024");
+    CHECK(e == error::mixed_direction);
+    CHECK(e.cluster == 4);
+    CHECK(refusal(font, u"عام \u0662\u0660") == error::mixed_direction);
+    CHECK(refusal(font, u"٥٪ من") == error::mixed_direction);
+    CHECK(refusal(font, "42", with(direction::right_to_left, "")) == error::mixed_direction);
+    CHECK(shaped(font, u"عام 7").glyphs[0].cluster == 4);
+    CHECK(shaped(font, "1234").glyphs[0].cluster == 0);
+    CHECK(shaped(font, u"\u0661\u0662").glyphs[0].cluster == 0);  // digits alone are read to the right
+}
+
+TEST_CASE("a direction that is asked for is obeyed", "[adapt][harfbuzz]")
+{
+    harfbuzz_font font = opened(dejavu);
+    CHECK(clusters(shaped(font, "abc", with(direction::right_to_left, ""))) == std::vector<cluster_id>{2, 1, 0});
+    CHECK(clusters(shaped(font, "(?", with(direction::right_to_left, ""))) == std::vector<cluster_id>{1, 0});
+    CHECK(clusters(shaped(font, u"\u05D0\u05D1", with(direction::left_to_right, ""))) == std::vector<cluster_id>{0, 1});
+    // A line without letters follows the script, where one is given.
+    CHECK(clusters(shaped(font, "(?", with(direction::automatic, "Hebr"))) == std::vector<cluster_id>{1, 0});
+    CHECK(clusters(shaped(font, "(?")) == std::vector<cluster_id>{0, 1});
+}
+
+TEST_CASE("scripts are shaped each by its own rules in one line", "[adapt][harfbuzz]")
+{
+    harfbuzz_font font = opened(lohit);
+    const glyph_run alone = shaped(font, u"\u0915\u093F");  // the sign i is drawn before its letter
+    REQUIRE(alone.glyphs.size() == 2);
+    const glyph_run mixed = shaped(font, u"A \u0915\u093F");
+    REQUIRE(mixed.glyphs.size() == 4);
+    CHECK(mixed.glyphs[2].id == alone.glyphs[0].id);
+    CHECK(mixed.glyphs[3].id == alone.glyphs[1].id);
+    CHECK(mixed.glyphs[2].origin.x < mixed.glyphs[3].origin.x);
+
+    // Right-to-left pieces follow each other to the left.
+    harfbuzz_font both = opened(dejavu);
+    const glyph_run rtl = shaped(both, u"\u05D0\u05D1 \u0627\u062F");
+    CHECK(clusters(rtl) == std::vector<cluster_id>{4, 3, 2, 1, 0});
+    for (std::size_t i = 1; i < rtl.glyphs.size(); ++i) CHECK(rtl.glyphs[i].origin.x > rtl.glyphs[i - 1].origin.x);
+}
+
+TEST_CASE("script and language reach the font", "[adapt][harfbuzz]")
+{
+    harfbuzz_font font = opened(dejavu);
+    CHECK(refusal(font, "a", with(direction::automatic, "La")) == error::bad_option);
+    CHECK(refusal(font, "a", with(direction::automatic, "L4t!")) == error::bad_option);
+    CHECK(refusal(font, "a", with(direction::automatic, "Latin")) == error::bad_option);
+    CHECK(shaped(font, "a", with(direction::automatic, "Latn")).glyphs.size() == 1);
+
+    // The Sami form of the capital eng is another than the African; the machine's locale plays no part.
+    shape_options sami;
+    sami.language = "se";
+    CHECK(ids(shaped(font, u"\u014A")) != ids(shaped(font, u"\u014A", sami)));
+}
+
+TEST_CASE("missing glyphs are counted, flagged and placed, but not what is never drawn", "[adapt][harfbuzz]")
+{
+    harfbuzz_font font = opened(sawarabi);
+    const glyph_run run = shaped(font, u"a\u0E01b\u0E02");
+    CHECK(run.missing == 2);
+    CHECK(run.first_missing == 1);
+    REQUIRE(run.glyphs.size() == 4);
+    CHECK(run.glyphs[1].missing);
+    CHECK(run.glyphs[1].id == 0);
+    CHECK(!run.glyphs[2].missing);
+    CHECK(shaped(font, u"a\u200D\u2060\uFE0Fb").missing == 0);
+}
+
+TEST_CASE("invalid text reads as U+FFFD, once for each maximal subpart", "[adapt][harfbuzz]")
+{
+    harfbuzz_font font = opened(dejavu);
+    const glyph_id replacement = shaped(font, u"\uFFFD").glyphs[0].id;
+    const glyph_run run = shaped(font, "a\xE2\x82z\xFF\n\xC0");
+    CHECK(run.invalid_units == 3);
+    CHECK(run.first_invalid_unit == 1);
+    CHECK(clusters(run) == std::vector<cluster_id>{0, 1, 3, 4, 6});
+    CHECK(run.glyphs[1].id == replacement);
+    CHECK(run.glyphs[3].id == replacement);
+
+    const glyph_run wide = shaped(font, std::u16string{u'a', 0xD800, u'z'});
+    CHECK(wide.invalid_units == 1);
+    CHECK(wide.glyphs[1].id == replacement);
+
+    // Broken Arabic still joins.
+    harfbuzz_font arabic = opened(amiri);
+    const glyph_run whole = shaped(arabic, u8"بب"), broken = shaped(arabic, "\u0628\u0628\xFF");
+    REQUIRE(broken.glyphs.size() == 3);
+    CHECK(broken.glyphs[2].id == whole.glyphs[1].id);
+}
+
+TEST_CASE("Japanese runs down in columns, centred on the pen", "[adapt][harfbuzz]")
+{
+    harfbuzz_font font = opened(sawarabi);
+    const glyph_run run = shaped(font, u"こんにちは、\n世界！", with(direction::top_to_bottom, ""));
+    REQUIRE(run.lines.size() == 2);
+    CHECK(run.lines[0].advance > 0.0);
+    CHECK(run.lines[1].origin.x < 0.0);
+    for (const text_line& line : run.lines)
+        for (std::uint32_t i = 1; i < line.glyph_count; ++i)
+            CHECK(run.glyphs[line.first_glyph + i].origin.y < run.glyphs[line.first_glyph + i - 1].origin.y);
+    outline o;
+    REQUIRE(!record(font, run.glyphs[0].id, o));
+    const double middle = run.glyphs[0].origin.x + (o.bounds.low.x + o.bounds.high.x) / 2;
+    CHECK(std::fabs(middle) < 0.1 * font.units_per_em());
+    CHECK(run.glyphs[0].origin.y + o.bounds.high.y <= 0.02 * font.units_per_em());
+    CHECK(font.metrics(direction::top_to_bottom).ascender > 0.0);
+    CHECK(font.metrics(direction::top_to_bottom).descender < 0.0);
+}
+
+TEST_CASE("variations change outlines and advances, and are kept inside their range", "[adapt][harfbuzz]")
+{
+    const variation bold[] = {{"wght", 900.0f}}, beyond[] = {{"wght", 4000.0f}}, regular[] = {{"wght", 400.0f}};
+    harfbuzz_font plain = opened(inter), heavy = opened(inter, {0, bold}), heaviest = opened(inter, {0, beyond}), same = opened(inter, {0, regular});
+    const glyph_id h = shaped(plain, "H").glyphs[0].id;
+    CHECK(points_of(plain, h) != points_of(heavy, h));
+    CHECK(points_of(heavy, h) == points_of(heaviest, h));
+    CHECK(points_of(plain, h) == points_of(same, h));
+    CHECK(shaped(plain, "HAV").lines[0].advance < shaped(heavy, "HAV").lines[0].advance);
+
+    const variation unknown[] = {{"wght", 500.0f}, {"abcd", 1.0f}}, infinite[] = {{"wght", std::numeric_limits<float>::infinity()}};
+    CHECK(harfbuzz_font::open(font_file(inter).c_str(), {0, unknown}).error() == error::unknown_variation);
+    CHECK(harfbuzz_font::open(font_file(dejavu).c_str(), {0, bold}).error() == error::unknown_variation);
+    CHECK(harfbuzz_font::open(font_file(inter).c_str(), {0, infinite}).error() == error::bad_option);
+}
+
+TEST_CASE("a font opens alike from its path and from its bytes", "[adapt][harfbuzz]")
+{
+    const auto bytes = bytes_of(font_file(amiri));
+    auto lent = harfbuzz_font::open(bytes);
+    REQUIRE(lent);
+    harfbuzz_font read = opened(amiri);
+    CHECK(same_run(shaped(*lent, u8"مرحبا بالعالم!"), shaped(read, u8"مرحبا بالعالم!")));
+    for (glyph_id id = 0; id < read.glyph_count(); id += 97) CHECK(points_of(*lent, id) == points_of(read, id));
+}
+
+TEST_CASE("the caller's hb_font_t is right at any scale, also with y down, and is left as it was", "[adapt][harfbuzz]")
+{
+    harfbuzz_font own = opened(dejavu);
+    hb_font_t* callers = hb_font_create(hb_font_get_face(own.handle()));
+    for (const auto& [x, y] : {std::pair{2048, 2048}, {2048 * 64, -2048 * 64}, {1 << 20, 1 << 20}, {-2048, 4096}}) {
+        INFO(x << " x " << y);
+        hb_font_set_scale(callers, x, y);
+        auto wrapped = harfbuzz_font::wrap(callers);
+        REQUIRE(wrapped);
+        CHECK(wrapped->units_per_em() == 2048.0);
+        CHECK(std::fabs(wrapped->metrics(direction::automatic).ascender - 1901.0) < 1.0);
+        CHECK(same_run(shaped(*wrapped, u"AVq\u0301"), shaped(own, u"AVq\u0301"), 2.0));
+        const auto a = points_of(own, 36), b = points_of(*wrapped, 36);
+        REQUIRE(a.size() == b.size());
+        for (std::size_t i = 0; i < a.size(); ++i) CHECK(length(a[i] - b[i]) < 0.01);
+        int kept_x = 0, kept_y = 0;
+        hb_font_get_scale(callers, &kept_x, &kept_y);
+        CHECK(kept_x == x);
+        CHECK(kept_y == y);
+    }
+    hb_font_set_scale(callers, 0, 2048);
+    CHECK(harfbuzz_font::wrap(callers).error() == error::bad_option);
+
+    hb_font_set_scale(callers, 2048, 2048);
+    auto kept = harfbuzz_font::wrap(callers);
+    hb_font_destroy(callers);  // the wrapper has its own reference
+    REQUIRE(kept);
+    CHECK(shaped(*kept, "ab").glyphs.size() == 2);
+}
+
+TEST_CASE("a font moves with all it holds", "[adapt][harfbuzz]")
+{
+    harfbuzz_font first = opened(dejavu);
+    const glyph_run before = shaped(first, "Hello");
+    harfbuzz_font second = std::move(first);
+    CHECK(same_run(shaped(second, "Hello"), before));
+    harfbuzz_font third = opened(amiri);
+    third = std::move(second);
+    CHECK(third.units_per_em() == 2048.0);
+    CHECK(same_run(shaped(third, "Hello"), before));
+    CHECK(!points_of(third, before.glyphs[0].id).empty());
+    auto shared = harfbuzz_font::wrap(third.handle());
+    REQUIRE(shared);
+    CHECK(same_run(shaped(*shared, "Hello"), before));
+}
+
+TEST_CASE("glyphs draw into sinks of different types in turn", "[adapt][harfbuzz]")
+{
+    struct counter {
+        int calls = 0;
+        void move(point) noexcept { ++calls; }
+        void line(point) noexcept { ++calls; }
+        void quadratic(point, point) noexcept { ++calls; }
+        void cubic(point, point, point) noexcept { ++calls; }
+        void close() noexcept { ++calls; }
+    };
+    harfbuzz_font font = opened(dejavu);
+    const glyph_id o = shaped(font, "o").glyphs[0].id;
+    const auto points = points_of(font, o);
+    counter count;
+    REQUIRE(!font.outline(o, count));
+    CHECK(count.calls > 4);
+    CHECK(points_of(font, o) == points);
+    const int once = count.calls;
+    REQUIRE(!font.outline(o, count));
+    CHECK(count.calls == 2 * once);
+}
+
+TEST_CASE("blank glyphs draw nothing; glyphs that do not exist are an error", "[adapt][harfbuzz]")
+{
+    harfbuzz_font font = opened(dejavu);
+    CHECK(points_of(font, shaped(font, " ").glyphs[0].id).empty());
+    outline o;
+    const error e = record(font, font.glyph_count(), o);
+    CHECK(e == error::unknown_glyph);
+    CHECK(e.glyph == font.glyph_count());
+    CHECK(record(font, no_glyph, o) == error::unknown_glyph);
+}
+
+TEST_CASE("a font that does not open says why", "[adapt][harfbuzz]")
+{
+    CHECK(harfbuzz_font::open("/no/such/font.ttf").error() == error::unreadable_file);
+    CHECK(std::string{harfbuzz_font::open("/no/such/font.ttf").error().message()} == "The font file cannot be opened or read.");
+    CHECK(harfbuzz_font::open(TYPEMESH_TEST_DATA "/workload/README.md").error() == error::not_a_font);
+    CHECK(harfbuzz_font::open(std::span<const std::byte>{}).error() == error::not_a_font);
+    const auto words = bytes_of(TYPEMESH_TEST_DATA "/workload/README.md");
+    CHECK(harfbuzz_font::open(words).error() == error::not_a_font);
+    const error face = harfbuzz_font::open(font_file(microhei).c_str(), {2, {}}).error();
+    CHECK(face == error::no_such_face);
+    CHECK(face.count == 2);
+    CHECK(harfbuzz_font::open(font_file(microhei).c_str(), {1, {}}));
+    CHECK(harfbuzz_font::open(font_file(dejavu).c_str(), {65536, {}}).error() == error::no_such_face);
+    CHECK(harfbuzz_font::open(font_file("../wine/fonts/courier.ttf").c_str()).error() == error::no_outlines);
+}
+
+TEST_CASE("empty text is an empty line", "[adapt][harfbuzz]")
+{
+    harfbuzz_font font = opened(dejavu);
+    const glyph_run run = shaped(font, "");
+    CHECK(run.glyphs.empty());
+    CHECK(run.lines.size() == 1);
+    CHECK(run.units_per_em == 2048.0);
+    glyph_run direct;
+    REQUIRE(font.shape("", 0, 0, {}, direct));
+    CHECK(direct.glyphs.empty());
+}
+
+TEST_CASE("letters read as HarfBuzz's own Unicode data say", "[adapt][reading_order]")
+{
+    hb_unicode_funcs_t* unicode = hb_unicode_funcs_get_default();
+    std::vector<std::uint32_t> wrong;
+    for (char32_t c = 0; c <= 0x10FFFF; ++c) {
+        const auto category = hb_unicode_general_category(unicode, c);
+        if (category != HB_UNICODE_GENERAL_CATEGORY_LOWERCASE_LETTER && category != HB_UNICODE_GENERAL_CATEGORY_UPPERCASE_LETTER &&
+            category != HB_UNICODE_GENERAL_CATEGORY_OTHER_LETTER)
+            continue;
+        const auto script = hb_unicode_script(unicode, c);
+        const auto way = hb_script_get_horizontal_direction(script);
+        const reading what = reading_of(c);
+        if (way == HB_DIRECTION_RTL && what != reading::to_the_left) wrong.push_back(c);
+        if (way == HB_DIRECTION_LTR && script != HB_SCRIPT_COMMON && what != reading::to_the_right) wrong.push_back(c);
+    }
+    CHECK(wrong == std::vector<std::uint32_t>{});
+}

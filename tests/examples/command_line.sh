@@ -1,0 +1,95 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# What text_to_mesh promises on its command line: exit statuses, one sentence on standard error, no file half-written.
+#
+#     command_line.sh PROGRAM
+set -u
+program=$1
+scratch=$(mktemp -d) && trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+sans=/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf
+arabic=/usr/share/fonts/opentype/fonts-hosny-amiri/Amiri-Regular.ttf
+passed=0
+failed=0
+
+# expect STATUS 'PATTERN ON STANDARD ERROR' ARGUMENT...   a pattern of "" wants silence
+expect() {
+    local status=$1 pattern=$2 got
+    shift 2
+    "$program" "$@" >out 2>err
+    got=$?
+    if [ "$got" = "$status" ] && if [ -z "$pattern" ]; then [ ! -s err ]; else grep -qE -- "$pattern" err; fi; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        printf 'FAILED: text_to_mesh'
+        printf ' %q' "$@"
+        printf '\n  status %s instead of %s; standard error: %s\n' "$got" "$status" "$(cat err)"
+    fi
+}
+that() {  # that 'WHAT MUST HOLD' COMMAND...
+    local what=$1
+    shift
+    if "$@"; then passed=$((passed + 1)); else failed=$((failed + 1)) && echo "FAILED: $what"; fi
+}
+lines() { [ "$(wc -l <err)" = "$1" ]; }
+
+# Every format, every option once.
+for kind in glb obj stl ply; do
+    expect 0 "" "Hello world!" --font $sans --output mesh.$kind
+    that "a $kind is written" test -s mesh.$kind
+done
+expect 0 "" "Two\\nlines" --font $sans --picture p.png --align center --shading gouraud --show triangles,points,contours,control,normals
+expect 0 "" "fi" --font $sans --feature liga=0 --feature -kern --language tr --script Latn --direction ltr --stats
+that "the statistics are one line" [ "$(wc -l <out)" = 1 ]
+for key in glyphs refused missing contour_points hard_edges vertices triangles shape_ns outline_ns discretise_ns fill_ns triangulate_ns extrude_ns; do
+    that "the statistics hold $key" grep -qE "\"$key\":[0-9]+[,}]" out
+done
+for option in "--quality low" "--quality best" "--tolerance 0.01" "--discretiser two_lines" "--discretiser adaptive" \
+    "--triangulator monotone" "--normals shared" "--normals averaged" "--normals creased --crease 40" "--normals curve" "--depth 0" \
+    "--depth 1.5" "--fill evenodd" "--fill nonzero" "--uv em" "--uv box" "--strict" "--direction ttb" "--align right"; do
+    # shellcheck disable=SC2086  # words
+    expect 0 "" "Ego" --font $sans $option --output option.glb
+done
+expect 0 "" "مرحبا" --font $arabic --direction rtl --output arabic.glb
+expect 0 "" "" --font $sans --output empty.glb
+that "an empty text gives a valid file" test -s empty.glb
+expect 0 "" --help
+that "the help names every option" grep -q -- --triangulator out
+
+# Losses are named, and are errors only with --strict.
+expect 0 "no glyph for 2 of 3 characters.*byte 1" "a日本" --font $sans --output some.glb
+that "what can be drawn is drawn" test -s some.glb
+expect 1 "strict" "a日本" --font $sans --output strict.glb --strict
+that "--strict leaves no file behind" [ ! -e strict.glb ]
+expect 0 "glyphs left out.*cross, touch or overlap" "Å" --font $sans --output ring.glb
+expect 1 "strict" "Å" --font $sans --output ring2.glb --strict
+expect 0 "not valid UTF-8 at 1 place" "$(printf 'a\377b')" --font $sans --output bytes.glb
+
+# One clear sentence, status 1.
+expect 1 "cannot be opened or read" x --font /nowhere/font.ttf --output x.glb
+that "one line is enough" lines 1
+head -c 2000 /dev/urandom >noise.ttf
+expect 1 "not a font" x --font noise.ttf --output x.glb
+expect 1 "no face of that number" x --font $sans --face 7 --output x.glb
+expect 1 "no such variation axis" x --font $sans --variation wght=700 --output x.glb
+expect 1 "left-to-right and right-to-left" "abc مرحبا" --font $arabic --output x.glb
+expect 1 "cannot be written" x --font $sans --output /nowhere/x.glb
+that "nothing was half-written" [ ! -e x.glb ]
+
+# Wrong usage, status 2.
+expect 2 "TEXT" --font $sans --output x.glb
+expect 2 "--font" x --output x.glb
+expect 2 "nothing to do" x --font $sans
+expect 2 "must end in" x --font $sans --output x.fbx
+expect 2 "quality" x --font $sans --output x.glb --quality superb
+expect 2 "excludes" x --font $sans --output x.glb --quality low --tolerance 0.1
+expect 2 "feature" x --font $sans --output x.glb --feature ligatures
+expect 2 "variation" x --font $sans --output x.glb --variation bold
+expect 2 "nonsense" x --font $sans --output x.glb --nonsense
+expect 2 "tolerance" x --font $sans --output x.glb --tolerance -1
+expect 2 "depth" x --font $sans --output x.glb --depth nan
+
+echo "$passed passed, $failed failed"
+[ "$failed" = 0 ]

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: MIT
+#
+# What the scripts of this folder share. They get TYPEMESH_TEXT_TO_MESH (the program) and TYPEMESH_TEST_DATA (the folder
+# tests/) from tests/run.sh, end with 0 when all is well, with 77 after a last line that says why they skip, else with 1.
+set -u
+scratch=$(mktemp -d) && trap 'rm -rf "$scratch"' EXIT
+failures=0
+
+fail() {
+    printf '%s\n' "$*"
+    failures=$((failures + 1))
+}
+
+# Calls `$1 FONT FACE TEXT` for every text of the workload with every installed font of its script.
+for_every_text() {
+    local check=$1 role name package path script text
+    while IFS=$'\t' read -r role _ name package path _; do
+        [ "$role" != role ] || continue
+        path=/$path
+        if [ ! -e "$path" ]; then
+            case $package in
+                fonts-mplus | fonts-noto-cjk) printf 'without %s, which is not installed (%s)\n' "$name" "$package" ;;
+                *) fail "$name is not installed (Debian package $package)" ;;
+            esac
+            continue
+        fi
+        for script in latin arabic chinese japanese; do
+            case $role in *"$script"*) ;; *) continue ;; esac
+            while IFS= read -r text; do
+                [ -z "$text" ] || "$check" "$path" "$text"
+            done < <(
+                tr '\n' ' ' <"$TYPEMESH_TEST_DATA/workload/chars-$script.txt" && echo
+                cat "$TYPEMESH_TEST_DATA/workload/phrases-$script.txt"
+                [ "$script" != latin ] || cat "$TYPEMESH_TEST_DATA/workload/long-latin.txt"
+            )
+        done
+    done <"$TYPEMESH_TEST_DATA/workload/fonts.tsv"
+}

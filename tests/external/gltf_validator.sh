@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: MIT
+#
+# Khronos' glTF validator finds no error and no warning in the GLB of any text, the empty one included.
+. "$(dirname "${BASH_SOURCE[0]}")/common.bash"
+command -v node >/dev/null 2>&1 || { echo "node is not installed"; exit 77; }
+node -e 'require("gltf-validator")' 2>/dev/null || { echo "the npm package gltf-validator is not installed"; exit 77; }
+
+count=0
+write() {  # write FONT TEXT
+    count=$((count + 1))
+    "$TYPEMESH_TEXT_TO_MESH" --font "$1" --output "$scratch/$count.glb" -- "$2" 2>"$scratch/losses" || fail "text_to_mesh failed: $1: $2: $(cat "$scratch/losses")"
+}
+for_every_text write
+write /usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf " "
+cat >"$scratch/validate.js" <<'END'
+const fs = require('fs'), validator = require('gltf-validator');
+(async () => {
+    let bad = 0;
+    for (const file of process.argv.slice(2)) {
+        const { issues } = await validator.validateBytes(new Uint8Array(fs.readFileSync(file)));
+        if (issues.numErrors + issues.numWarnings === 0) continue;
+        console.log(file, JSON.stringify(issues.messages.slice(0, 3)));
+        bad = 1;
+    }
+    process.exit(bad);
+})();
+END
+node "$scratch/validate.js" "$scratch"/*.glb || fail "gltf-validator complains"
+echo "$count texts"
+[ "$failures" = 0 ] && [ "$count" -gt 50 ]

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+
+#include <typemesh/extrude/extrude.hpp>
+
+#include <typemesh/extrude/flat.hpp>
+
+#include "mesh.hpp"
+#include "support/catch.hpp"
+
+using namespace typemesh;
+using namespace meshes;
+
+namespace {
+
+struct refusing_sink : mesh<> {
+    error begin(mesh_size exact) noexcept
+    {
+        (void)mesh<>::begin(exact);
+        return {error::buffer_too_small, exact.vertices};
+    }
+};
+
+/// More vertices than 32 bits can number.
+struct endless {
+    result<part_sizes> plan(const region&, buffer<side_point>&) const noexcept
+    {
+        part_sizes s;
+        s.vertices[part::front] = s.vertices[part::back] = 0xF000'0000u;
+        return s;
+    }
+    height_range heights() const noexcept { return {}; }
+    template <attribute Wants, class Emit>
+    void vertices(part, const solid&, const placement&, Emit&&) const noexcept
+    {
+    }
+    template <class Emit>
+    void triangles(part, const solid&, const first_vertices&, Emit&&) const noexcept
+    {
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a sink that refuses in begin() gets nothing else", "[extrude]")
+{
+    const auto s = shapes::letter_e();
+    buffer<side_point> sides;
+    refusing_sink sink;
+    const error e = extrude(s.made(), s.cap, extruded<>{}, in_em(), sides, sink);
+    CHECK(e == error::buffer_too_small);
+    CHECK(e.count == 72);
+    CHECK(sink.vertices.empty());
+    CHECK(sink.triangles.empty());
+    CHECK(sink.ended == 0);
+}
+
+TEST_CASE("more vertices than 32 bits number are too large", "[extrude]")
+{
+    const auto s = shapes::rectangle();
+    buffer<side_point> sides;
+    mesh<> sink;
+    CHECK(extrude(s.made(), s.cap, endless{}, in_em(), sides, sink) == error::too_large);
+    CHECK(sink.begun == 0);
+}
+
+TEST_CASE("scratch from an earlier shape does not leak into the next", "[extrude]")
+{
+    buffer<side_point> sides;
+    const auto d = shapes::letter_d();
+    const auto e = shapes::letter_e();
+    mesh<> used, fresh;
+    REQUIRE_FALSE(extrude(d.made(), d.cap, extruded<>{.texture = texture_mapping::em}, in_em(), sides, used));
+    used = {};
+    REQUIRE_FALSE(extrude(e.made(), e.cap, extruded<>{}, in_em(), sides, used));
+    buffer<side_point> clean;
+    REQUIRE_FALSE(extrude(e.made(), e.cap, extruded<>{}, in_em(), clean, fresh));
+    REQUIRE(used.vertices.size() == fresh.vertices.size());
+    for (std::size_t i = 0; i < used.vertices.size(); ++i) {
+        CHECK(used.vertices[i].position == fresh.vertices[i].position);
+        CHECK(used.vertices[i].normal == fresh.vertices[i].normal);
+    }
+    CHECK(used.triangles == fresh.triangles);
+}
+
+TEST_CASE("parts lie one behind the other, vertices and triangles alike", "[extrude]")
+{
+    const auto s = shapes::ring();
+    const built b = build(s, extruded<>{});
+    for (const part p : all_parts) {
+        for (std::uint32_t t = b.first_triangle(p); t < b.end_triangle(p); ++t) {
+            for (const auto v : b.triangles[t]) {
+                CHECK(v >= b.first_vertex(p));
+                CHECK(v < b.first_vertex(p) + b.sizes.vertices[p]);
+            }
+        }
+    }
+}

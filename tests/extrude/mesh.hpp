@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Meshes collected whole, and what their laws need.
+
+#include <typemesh/extrude/averaged_normals.hpp>
+#include <typemesh/extrude/creased_normals.hpp>
+#include <typemesh/extrude/extrude.hpp>
+#include <typemesh/extrude/extruded.hpp>
+#include <typemesh/extrude/shared_normals.hpp>
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "shapes.hpp"
+
+namespace meshes {
+
+using namespace typemesh;
+
+inline constexpr attribute everything = attribute::position | attribute::normal | attribute::uv;
+
+/// 1000 font units to the em, 512 cells to the unit; positions in em.
+inline placement in_em(const frame& f = right_handed_y_up)
+{
+    placement at;
+    at.unit_per_cell = at.em_per_cell = 1.0 / 512000.0;
+    at.frame = f;
+    return at;
+}
+
+/// A mesh as a sink gets it.
+template <attribute Wants = everything>
+struct mesh {
+    static constexpr attribute wants = Wants;
+
+    std::vector<surface_point<Wants>> vertices;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    mesh_size announced;
+    int begun = 0, ended = 0;
+    bool in_order = true;
+
+    error begin(mesh_size exact) noexcept
+    {
+        announced = exact;
+        ++begun;
+        return {};
+    }
+    void vertex(const surface_point<Wants>& v) noexcept
+    {
+        in_order = in_order && begun == 1 && triangles.empty() && ended == 0;
+        vertices.push_back(v);
+    }
+    void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept
+    {
+        in_order = in_order && vertices.size() == announced.vertices && ended == 0;
+        triangles.push_back({a, b, c});
+    }
+    void end() noexcept { ++ended; }
+};
+
+/// The mesh with what was planned of it.
+struct built : mesh<everything> {
+    part_sizes sizes;
+    std::vector<side_point> sides;
+
+    std::uint32_t first_vertex(part p) const
+    {
+        std::uint32_t first = 0;
+        for (const part q : all_parts) {
+            if (q < p) first += sizes.vertices[q];
+        }
+        return first;
+    }
+    std::uint32_t first_triangle(part p) const
+    {
+        std::uint32_t first = 0;
+        for (const part q : all_parts) {
+            if (q < p) first += sizes.triangles[q];
+        }
+        return first;
+    }
+    /// The last triangle of one part, and one more.
+    std::uint32_t end_triangle(part p) const { return first_triangle(p) + sizes.triangles[p]; }
+    std::uint32_t doubled() const
+    {
+        std::uint32_t n = 0;
+        for (const side_point& s : sides) n += s.doubled;
+        return n;
+    }
+};
+
+template <class E>
+built build(const shapes::shape& s, const E& how, const placement& at = in_em())
+{
+    built b;
+    buffer<side_point> sides;
+    const region r = s.made();
+    if (const auto sizes = how.plan(r, sides)) b.sizes = *sizes;
+    else std::abort();
+    if (extrude(r, s.cap, how, at, sides, static_cast<mesh<everything>&>(b))) std::abort();
+    b.sides.assign(sides.begin(), sides.end());
+    return b;
+}
+
+inline std::array<double, 3> wide(vec3 v) { return {v.x, v.y, v.z}; }
+inline double dot(std::array<double, 3> a, std::array<double, 3> b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline double length(vec3 v) { return std::sqrt(dot(wide(v), wide(v))); }
+
+/// The triangle's own normal by its winding, of unit length.
+template <class Mesh>
+std::array<double, 3> face_normal(const Mesh& m, const std::array<std::uint32_t, 3>& t)
+{
+    std::array<double, 3> p[3];
+    for (std::size_t k = 0; k < 3; ++k) p[k] = wide(m.vertices[t[k]].position);
+    std::array<double, 3> u, v;
+    for (std::size_t k = 0; k < 3; ++k) {
+        u[k] = p[1][k] - p[0][k];
+        v[k] = p[2][k] - p[0][k];
+    }
+    std::array<double, 3> n = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    const double l = std::sqrt(dot(n, n));
+    for (double& x : n) x /= l;
+    return n;
+}
+
+/// Directed edges between welded positions that are not met by their reverse equally often.
+template <class Mesh>
+std::size_t open_edges(const Mesh& m)
+{
+    std::map<std::array<float, 3>, std::uint32_t> welded;
+    std::vector<std::uint32_t> id;
+    for (const auto& v : m.vertices) {
+        const std::array<float, 3> key = {v.position.x + 0.0f, v.position.y + 0.0f, v.position.z + 0.0f};
+        id.push_back(welded.emplace(key, static_cast<std::uint32_t>(welded.size())).first->second);
+    }
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> balance;
+    for (const auto& t : m.triangles) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t a = id[t[k]], b = id[t[(k + 1) % 3]];
+            ++balance[{a, b}];
+            --balance[{b, a}];
+        }
+    }
+    std::size_t open = 0;
+    for (const auto& entry : balance) open += entry.second != 0;
+    return open;
+}
+
+inline std::vector<frame> frames()
+{
+    frame godot = right_handed_y_up;
+    godot.winding = -1;
+    frame bottom = right_handed_z_up;
+    bottom.uv = uv_origin::bottom_left;
+    const float c = std::cos(0.7f), s = std::sin(0.7f);
+    frame turned{.right = {c, s, 0.0f}, .up = {-s * c, c * c, s}, .toward = {s * s, -c * s, c}};
+    frame turned_left = turned;
+    turned_left.right = {-c, -s, 0.0f};
+    turned_left.winding = -1;
+    return {right_handed_y_up, left_handed_y_up, right_handed_z_up, left_handed_z_up, godot, bottom, turned, turned_left};
+}
+
+}  // namespace meshes

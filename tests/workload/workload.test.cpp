@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+//
+// Every text of the workload with every font of its script, glyph by glyph, against the laws and the oracle.
+
+#include "support/catch.hpp"
+#include "support/mesh_laws.hpp"
+#include "support/oracle.hpp"
+#include "support/workload.hpp"
+
+#include <typemesh/adapt/freetype.hpp>
+#include <typemesh/adapt/harfbuzz.hpp>
+#include <typemesh/typemesh.hpp>
+
+#include <cmath>
+#include <set>
+#include <string>
+
+using namespace typemesh;
+
+namespace {
+
+struct subject {
+    std::string script;
+    test::workload_font font;
+};
+
+std::vector<subject> subjects()
+{
+    std::vector<subject> all;
+    for (const auto& font : test::workload_fonts())
+        for (const char* script : {"latin", "arabic", "chinese", "japanese"})
+            if (font.serves(script)) all.push_back({script, font});
+    return all;
+}
+
+/// What the oracle says of one glyph: true when its contours cross or touch at this tolerance.
+template <discretiser D>
+bool oracle_refuses(outline_source auto& font, glyph_id id, const D& how, double tolerance_em)
+{
+    outline shape;
+    contours loops;
+    REQUIRE_FALSE(record(font, id, shape));
+    if (shape.curves.empty()) return false;
+    const auto g = grid::fitting(font.units_per_em(), shape.bounds);
+    REQUIRE(g);
+    REQUIRE_FALSE(discretise(shape, how, tolerance_em * font.units_per_em(), *g, loops));
+    return test::oracle::is_crossing(test::oracle::loops_of(loops));
+}
+
+/// Twice the area of a cap as it was written, in square cells: exact, for caps in font units hold grid points exactly.
+double cap_area(const test::full_mesh& m, const mesh_range& r)
+{
+    double area = 0.0;
+    for (std::uint32_t i = r.first_index; i < r.first_index + r.index_count; i += 3) {
+        const vec3 a = m.vertices[m.indices[i]].position, b = m.vertices[m.indices[i + 1]].position, c = m.vertices[m.indices[i + 2]].position;
+        const double twice = (double(b.x) - a.x) * (double(c.y) - a.y) - (double(b.y) - a.y) * (double(c.x) - a.x);
+        REQUIRE(twice > 0.0);
+        area += twice;
+    }
+    return area;
+}
+
+}  // namespace
+
+TEST_CASE("every glyph of every text of the workload is closed, and refused exactly where the oracle finds contours that meet", "[workload]")
+{
+    const auto s = GENERATE(from_range(subjects()));
+    if (!s.font.available()) return;
+    INFO(s.font.name << " (" << s.script << ")");
+    auto font = harfbuzz_font::open(s.font.path.c_str());
+    REQUIRE(font);
+    text_mesher mesher{*font};
+
+    std::size_t built = 0;
+    std::set<glyph_id> refused, known_good;
+    for (const double tolerance : {quality::low, quality::high}) {
+        for (const std::string& text : test::workload_texts(s.script)) {
+            INFO(text << " at " << tolerance);
+            auto plan = mesher.plan(text, {.tolerance = tolerance});
+            REQUIRE(plan);
+            CHECK(plan->report().invalid_units == 0);
+            test::full_mesh m;
+            REQUIRE_FALSE(plan->write(into(m.vertices, m.indices)));
+
+            std::set<glyph_id> present;
+            for (std::size_t g = 0; g < plan->glyphs().size(); ++g) {
+                present.insert(plan->glyphs()[g].id);
+                std::vector<std::uint32_t> own;
+                for (const part p : all_parts) {
+                    const mesh_range r = plan->range(g, p);
+                    own.insert(own.end(), m.indices.begin() + r.first_index, m.indices.begin() + r.first_index + r.index_count);
+                }
+                const auto law = test::examine(m.vertices, own);
+                INFO("glyph " << plan->glyphs()[g].id);
+                CHECK(law.unmatched_edges == 0);
+                CHECK(law.crowded_edges == 0);
+                CHECK(law.zero_area == 0);
+                CHECK(test::volume(m.vertices, own) > 0.0);
+                ++built;
+            }
+            for (const auto& v : m.vertices) REQUIRE(std::fabs(test::dot(v.normal, v.normal) - 1.0) < 1e-5);
+            for (const auto& g : plan->run().glyphs) {
+                if (g.missing) continue;
+                const bool refuses = oracle_refuses(*font, g.id, certified{}, tolerance);
+                if (refuses) refused.insert(g.id);
+                CHECK(!(refuses && present.count(g.id)));
+                if (!refuses && !present.count(g.id)) {  // then it must be blank
+                    outline shape;
+                    REQUIRE_FALSE(record(*font, g.id, shape));
+                    CHECK(shape.bounds.width() * shape.bounds.height() == 0.0);
+                }
+            }
+        }
+    }
+    CHECK(built > 100);
+    std::string list;
+    for (const glyph_id g : refused) list += " " + std::to_string(g);
+    if (!refused.empty()) WARN(s.font.name << ": contours meet in glyphs" << list);
+}
+
+TEST_CASE("the four styles of normals make 2N, 4N, 4N+2H and 4N+2H vertices of every phrase", "[workload]")
+{
+    const auto s = GENERATE(from_range(subjects()));
+    if (!s.font.available()) return;
+    INFO(s.font.name << " (" << s.script << ")");
+    auto font = harfbuzz_font::open(s.font.path.c_str());
+    REQUIRE(font);
+    const auto law = [&](auto extruder, std::uint64_t per_point, bool doubles) {
+        auto mesher = text_mesher{*font}.with(extruder);
+        for (const std::string& text : test::workload_lines("phrases-" + s.script + ".txt")) {
+            auto plan = mesher.plan(text);
+            REQUIRE(plan);
+            const std::uint64_t n = plan->contour_points(), h = plan->hard_edges();
+            CHECK(plan->size().vertices == per_point * n + (doubles ? 2 * h : 0));
+            if (!doubles) CHECK(h == 0);
+            CHECK(plan->range(part::side).index_count == 6 * n);
+            test::full_mesh m;
+            REQUIRE_FALSE(plan->write(into(m.vertices, m.indices)));
+            CHECK(m.vertices.size() == plan->size().vertices);
+            CHECK(test::examine(m).unmatched_edges == 0);
+        }
+    };
+    law(extruded<shared_normals>{}, 2, false);
+    law(extruded<averaged_normals>{}, 4, false);
+    law(extruded<creased_normals>{}, 4, true);
+    law(extruded<curve_normals>{}, 4, true);
+}
+
+TEST_CASE("caps have exactly the area of the region, however the glyph is turned", "[workload]")
+{
+    const auto s = GENERATE(from_range(subjects()));
+    if (!s.font.available()) return;
+    auto font = harfbuzz_font::open(s.font.path.c_str());
+    REQUIRE(font);
+    const double degrees = GENERATE(0.0, 0.001, 90.0, 180.0);
+    const bool mirrored = GENERATE(false, true);
+    INFO(s.font.name << " (" << s.script << ") turned by " << degrees << (mirrored ? ", mirrored" : ""));
+
+    const double angle = degrees * 3.14159265358979323846 / 180.0;
+    const bool quarter = degrees == 90.0, half = degrees == 180.0;
+    const double c = quarter ? 0.0 : half ? -1.0 : std::cos(angle), n = quarter ? 1.0 : half ? 0.0 : std::sin(angle), m = mirrored ? -1.0 : 1.0;
+    transformed_outlines turned{*font, {.xx = c * m, .xy = -n, .yx = n * m, .yy = c}};
+
+    shaped_by both{*font, turned};
+    auto mesher = text_mesher{both}.with(flat{});
+    auto plan = mesher.plan(test::workload_texts(s.script).front(), {.unit = output_unit::font_units});
+    REQUIRE(plan);
+    test::full_mesh mesh;
+    REQUIRE_FALSE(plan->write(into(mesh.vertices, mesh.indices)));
+    std::size_t refusals = 0;
+    for (const auto& g : plan->run().glyphs)
+        if (!g.missing && oracle_refuses(turned, g.id, certified{}, quality::high)) ++refusals;
+    CHECK(plan->report().refused == refusals);
+
+    outline shape;
+    contours loops;
+    workspace space;
+    for (std::size_t g = 0; g < plan->glyphs().size(); ++g) {
+        const auto& glyph = plan->glyphs()[g];
+        glyph_run alone;  // at the origin, so that 32-bit floats hold the grid points exactly
+        alone.units_per_em = font->units_per_em();
+        REQUIRE(alone.glyphs.push_back({glyph.id, 0, {0, 0}}));
+        auto single = text_mesher{turned}.with(flat{});
+        auto own = single.plan(alone, {.unit = output_unit::font_units});
+        REQUIRE(own);
+        REQUIRE_FALSE(own->write(into(mesh.vertices, mesh.indices)));
+        REQUIRE_FALSE(record(turned, glyph.id, shape));
+        const auto grid_of = grid::fitting(font->units_per_em(), shape.bounds);
+        REQUIRE_FALSE(discretise(shape, certified{}, quality::high * font->units_per_em(), *grid_of, loops));
+        const double cells = grid_of->cells;
+        const double area = cap_area(mesh, own->range(part::front)) * cells * cells;
+        CHECK(area == Catch::Approx(test::oracle::doubled_filled_area(test::oracle::loops_of(loops), shape.rule)).epsilon(1e-11));
+        const auto filled = fill(loops, shape.rule, space);
+        REQUIRE(filled);
+        CHECK(area == static_cast<double>(test::oracle::doubled_area(test::oracle::loops_of(*filled))));
+        CHECK(own->range(part::front).index_count == 3 * filled->triangle_count());
+    }
+}
+
+TEST_CASE("the same text from FreeType's outlines is as closed as from HarfBuzz'", "[workload]")
+{
+    const auto s = GENERATE(from_range(subjects()));
+    if (!s.font.available()) return;
+    INFO(s.font.name);
+    auto shapes = harfbuzz_font::open(s.font.path.c_str());
+    auto draws = freetype_font::open(s.font.path.c_str());
+    REQUIRE(shapes);
+    REQUIRE(draws);
+    shaped_by font{*shapes, *draws};
+    text_mesher mesher{font};
+    text_mesher reference{*shapes};
+    for (const std::string& text : test::workload_lines("phrases-" + s.script + ".txt")) {
+        test::full_mesh m;
+        const auto made = mesher.build(text, into(m.vertices, m.indices));
+        REQUIRE(made);
+        CHECK(test::examine(m).unmatched_edges == 0);
+        CHECK(made->refused == reference.plan(text)->report().refused);
+    }
+}
