@@ -66,10 +66,12 @@ chosen_extruder extruder_of(const options& o)
     return with(curve_normals{.crease_degrees = o.crease});
 }
 
+std::string kind_of(const std::string& path) { return path.substr(path.size() - 4); }
+
 std::string write_mesh(const model& mesh, const std::string& path)
 {
-    const std::string kind = path.substr(path.size() - 4);
-    return kind == ".glb" ? write_glb(mesh, path) : kind == ".obj" ? write_obj(mesh, path) : kind == ".stl" ? write_stl(mesh, path) : write_ply(mesh, path);
+    const std::string kind = kind_of(path);
+    return kind == ".glb" ? write_glb(mesh, path) : kind == ".obj" ? write_obj(mesh, path) : write_ply(mesh, path);
 }
 
 /// Says on standard error what is not in the mesh; true when something is not.
@@ -84,6 +86,22 @@ bool name_losses(const typemesh::text_report& report)
         std::fprintf(stderr, "text_to_mesh: the text is not valid UTF-8 at %u places; the first is at byte %u\n", report.invalid_units,
                      report.first_invalid_unit);
     return !report.complete();
+}
+
+/// The indices glyph by glyph instead of part by part: STL has no indices, so a reader welds corners by their places, and letters
+/// that touch in an edge are told apart only by which facets come together.
+template <class Plan>
+std::vector<std::uint32_t> solid_by_solid(const Plan& plan, const std::vector<std::uint32_t>& indices)
+{
+    std::vector<std::uint32_t> ordered;
+    ordered.reserve(indices.size());
+    for (std::size_t g = 0; g < plan.glyphs().size(); ++g) {
+        for (const typemesh::part p : typemesh::all_parts) {
+            const auto first = indices.begin() + plan.range(g, p).first_index;
+            ordered.insert(ordered.end(), first, first + plan.range(g, p).index_count);
+        }
+    }
+    return ordered;
 }
 
 template <class Plan>
@@ -128,8 +146,12 @@ int run(const options& o)
     }
 
     if (name_losses(plan->report()) && o.strict) return fail("--strict: nothing is written.");
-    if (!o.output.empty())
-        if (const std::string trouble = write_mesh(mesh, o.output); !trouble.empty()) return fail(trouble);
+    if (!o.output.empty()) {
+        std::string trouble;
+        if (kind_of(o.output) == ".stl") trouble = write_stl({mesh.vertices, solid_by_solid(*plan, mesh.indices), {}, mesh.name}, o.output);
+        else trouble = write_mesh(mesh, o.output);
+        if (!trouble.empty()) return fail(trouble);
+    }
     if (!o.picture.empty()) {
         picture_options look;
         look.shading = o.shading;

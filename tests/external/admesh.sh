@@ -7,7 +7,6 @@ command -v admesh >/dev/null 2>&1 || { echo "admesh is not installed"; exit 77; 
 checked=0
 check() {  # check FONT TEXT
     "$TYPEMESH_TEXT_TO_MESH" --font "$1" --output "$scratch/text.stl" -- "$2" 2>"$scratch/losses" || fail "text_to_mesh failed: $1: $2: $(cat "$scratch/losses")"
-    # Neighbouring glyphs may touch (Arabic joins do): admesh looks at the letters one by one where it complains of a text.
     admesh -nfudv "$scratch/text.stl" >"$scratch/report" 2>&1 || fail "admesh failed: $1: $2"
     awk -F: '
         /Total disconnected facets/ || /Degenerate facets/ || /Edges fixed/ || /Facets removed/ || /Facets added/ || /Facets reversed/ || /Backwards edges/ {

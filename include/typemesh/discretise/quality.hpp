@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/finite.hpp>
+
+namespace typemesh {
+
+/// How smooth curves become: the greatest distance between a curve and its chords, in em. Multiply by the font's units per em
+/// for a tolerance in font units.
+///
+/// The four are the errors that the presets of the thesis reach on real fonts ("Study of mesh generation and optimization
+/// techniques applied to parametric forms", J. Vandenbergh, 2020), with 18 to 28 % fewer points.
+namespace quality {
+
+inline constexpr double low = 1.0 / 100;
+inline constexpr double normal = 1.0 / 160;
+inline constexpr double high = 1.0 / 800;
+inline constexpr double best = 1.0 / 16000;
+
+}  // namespace quality
+
+/// The tolerance in em with which no curve is off by more than `error_in_pixels` where one em is drawn `pixels_per_em` large.
+/// A quarter of a pixel is hard to see.
+///
+/// 0, which discretise() refuses as error::bad_tolerance, when either number is not positive and finite.
+[[nodiscard]] inline double tolerance_for_pixels(double pixels_per_em, double error_in_pixels = 0.25) noexcept
+{
+    if (!is_finite(pixels_per_em) || !is_finite(error_in_pixels)) return 0.0;
+    if (!(pixels_per_em > 0.0) || !(error_in_pixels > 0.0)) return 0.0;
+    const double tolerance = error_in_pixels / pixels_per_em;
+    return is_finite(tolerance) ? tolerance : 0.0;
+}
+
+}  // namespace typemesh

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/discretise/discretiser.hpp>
+
+namespace typemesh {
+
+/// Every curve becomes two lines that meet at t = 1/2: the lowest quality of the thesis, word for word.
+///
+/// Keeps no tolerance, and ignores the one it is given: real fonts are off by up to 1/20 em.
+struct two_lines {
+    template <class Emit>
+    void operator()(const quadratic& q, double, Emit&& emit) const noexcept
+    {
+        emit(0.25 * (q.p0 + q.p2) + 0.5 * q.p1, 0.5);
+        emit(q.p2, 1.0);
+    }
+
+    template <class Emit>
+    void operator()(const cubic& q, double, Emit&& emit) const noexcept
+    {
+        emit(0.125 * (q.p0 + q.p3) + 0.375 * (q.p1 + q.p2), 0.5);
+        emit(q.p3, 1.0);
+    }
+};
+static_assert(discretiser<two_lines>);
+
+}  // namespace typemesh
