@@ -21,14 +21,22 @@
 #include <vector>
 
 namespace {
-
-using namespace typemesh;
-
 struct vertex {
-    vec3 position, normal;
-    vec2 uv;
+    typemesh::vec3 position, normal;
+    typemesh::vec2 uv;
 };
 static_assert(sizeof(vertex) == 32);
+}  // namespace
+
+template <>
+struct typemesh::vertex_traits<vertex> {
+    static constexpr auto wants = attribute::position | attribute::normal | attribute::uv;
+    vertex operator()(const surface_point<wants>& s) const noexcept { return {s.position, s.normal, s.uv}; }
+};
+
+namespace {
+
+using namespace typemesh;
 
 struct sample {
     const char* name;
@@ -127,9 +135,8 @@ void register_sample(const sample& s)
         auto plan = mesher.plan(s.text);
         std::vector<vertex> vertices(plan->size().vertices);
         std::vector<std::uint32_t> indices(plan->size().indices());
-        const auto sink = into(std::span{vertices}, std::span{indices});
         for (auto _ : state) {
-            if (plan->write(decltype(sink){sink})) std::abort();
+            if (plan->write(into(std::span{vertices}, std::span{indices}))) std::abort();
             benchmark::ClobberMemory();
         }
     });

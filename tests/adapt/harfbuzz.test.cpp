@@ -415,7 +415,7 @@ TEST_CASE("glyphs draw into sinks of different types in turn", "[adapt][harfbuzz
     CHECK(count.calls == 2 * once);
 }
 
-TEST_CASE("blank glyphs draw nothing; glyphs that do not exist are an error", "[adapt][harfbuzz]")
+TEST_CASE("blank glyphs draw nothing, glyphs that do not exist are an error", "[adapt][harfbuzz]")
 {
     harfbuzz_font font = opened(dejavu);
     CHECK(points_of(font, shaped(font, " ").glyphs[0].id).empty());

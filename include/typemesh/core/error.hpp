@@ -106,8 +106,10 @@ inline const char* describe(const error& e, std::span<char> out) noexcept
         std::snprintf(where, sizeof where, "cluster %lu: ", static_cast<unsigned long>(e.cluster));
     char how_many[48] = "";
     if (e.count != 0) std::snprintf(how_many, sizeof how_many, " (%llu)", static_cast<unsigned long long>(e.count));
-    // That the result is looked at tells compilers that cutting is meant.
-    if (std::snprintf(out.data(), out.size(), "%s%s%s", where, e.message(), how_many) < 0) out[0] = '\0';
+    std::size_t size = 0;
+    for (const char* part : {static_cast<const char*>(where), e.message(), static_cast<const char*>(how_many)})
+        while (*part != '\0' && size + 1 < out.size()) out[size++] = *part++;
+    out[size] = '\0';
     return out.data();
 }
 

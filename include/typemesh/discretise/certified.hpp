@@ -237,7 +237,7 @@ private:
             const double stop = speed(low) < speed(high) ? low : high;
             const double stored = static_cast<double>(static_cast<float>(stop));
             const bool inside = stop > 0x1p-20 && stop < 1.0 - 0x1p-20 && (count == 0 || stop > stops[count - 1]);
-            if (inside && speed(stored) <= longest * 0x1p-40) stops[count++] = stop;
+            if (inside && tangents_at(curve::from(q), stored).stops) stops[count++] = stop;
         }
         return count;
     }

@@ -149,8 +149,10 @@ private:
     {
         if constexpr (Proving) {
             const std::uint32_t outside = status_.neighbour(s, on);
-            const std::int64_t inner = side_of(spans_[s].sides[1 - on], p), outer = side_of(spans_[outside].sides[1 - on], p);
-            if (on == 0 ? inner >= 0 || outer <= 0 : inner <= 0 || outer >= 0) return false;
+            const std::int64_t mirror = 1 - 2 * static_cast<std::int64_t>(on);
+            const std::int64_t inner = mirror * side_of(spans_[s].sides[1 - on], p);
+            const std::int64_t outer = mirror * side_of(spans_[outside].sides[1 - on], p);
+            if ((inner >= 0) | (outer <= 0)) return false;
         }
         extend(spans_[s], on, v, p);
         set_side(s, on, v, p);
