@@ -219,6 +219,20 @@ TEST_CASE("handles of no length and curves that are a point still give unit norm
     CHECK(found[1].before == vec2{0.0f, -1.0f});
 }
 
+TEST_CASE("a point inside a curve is soft even where the polygon leaves the curve", "[extrude]")
+{
+    // At t = 1/2 the curve runs to the left, against the first edge: that wall falls back on its own direction.
+    const curve hook = curve::from(quadratic{{0, 0}, {200, 25}, {-100, 50}});
+    const curve rest = curve::from(point{0, 1}, point{0, 0});
+    const loose_shape s{{{0, 0}, {100, 0}, {100, 100}, {0, 100}}, {{0, 0.0f, 0.5f}, {0, 0.5f, 1.0f}, {1, 0.0f, 0.5f}, {1, 0.5f, 1.0f}}, {hook, rest}};
+    std::vector<side_point> sides(4);
+    REQUIRE_FALSE(curve_normals{}(s.made(), sides));
+    CHECK_FALSE(hard(sides[1]));
+    CHECK(sides[1].before == sides[1].after);
+    CHECK(sides[1].after.x > 0.0f);
+    CHECK(sides[1].after.y < 0.0f);
+}
+
 TEST_CASE("normals are of unit length and point out of their walls, whatever the curves behind the polygon say", "[extrude]")
 {
     std::mt19937 random{11};

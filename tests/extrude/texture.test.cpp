@@ -109,6 +109,7 @@ TEST_CASE("the seam of em mapping lies in a hard point where there is one, and u
                 seams += b.sides[i].seam;
                 hard += plain.sides[i].doubled;
                 if (b.sides[i].seam) CHECK(b.sides[i].doubled);
+                if (b.sides[i].seam && !plain.sides[i].doubled) CHECK(i == s.loops.starts[k]);
                 for (int twice = 0; twice <= int(b.sides[i].doubled); ++twice, v += 2) {
                     CHECK(b.vertices[v].uv.x == b.vertices[v + 1].uv.x);
                     least = (std::min)(least, b.vertices[v].uv.x);

@@ -278,7 +278,7 @@ private:
             return options.face >= faces ? error{error::no_such_face, faces} : e;
         }
         // The upper half of FreeType's number names an instance, which is not what was asked for.
-        if (options.face >= static_cast<std::uint64_t>(made.face_->num_faces))
+        if (options.face != 0 && options.face >= static_cast<std::uint64_t>(made.face_->num_faces))
             return error{error::no_such_face, static_cast<std::uint64_t>(made.face_->num_faces)};
         if (!FT_IS_SCALABLE(made.face_)) return error::no_outlines;
         if (error e = made.vary(options.variations)) return e;

@@ -47,11 +47,12 @@ class monotone_sweep {
         std::uint32_t right[2];  // where a lower / upper side that starts here runs to: the next / previous point
     };
     struct side {
-        grid_point from, to;  // from left to right
-        std::uint32_t end;    // the vertex at `to`
+        grid_point from, to;  // as its loop runs: the interior is on the left
+        [[nodiscard]] std::int64_t at(grid_point p) const noexcept { return orientation(from, to, p); }
     };
     struct span_of_interior {
         side sides[2];
+        std::uint32_t end[2];    // the vertex where each side ends
         std::uint32_t chain[2];  // the last link of the chain along each side; 0: none
     };
     struct chain_link {
@@ -66,7 +67,7 @@ public:
     {
     }
 
-    /// Appends the triangles to `out`, which must have room for points + 2 * loops of them, and counts loops.
+    /// Appends the triangles to `out` and counts loops. On failure `out` is as it was.
     [[nodiscard]] error run(workspace& space, triangle_list& out) noexcept
     {
         const std::size_t n = points_.size();
@@ -85,11 +86,11 @@ public:
         link_up();
 
         const std::size_t before = out.size();
-        triangle* const first = out.append(n + 2 * loops());
+        triangle* const first = out.append(n + 2 * loops() + 1);
         if (first == nullptr) return error::out_of_memory;
-        write_ = first;
+        cut_ = {first, 0};
         const bool simple = sweep(order);
-        out.truncate(simple ? before + static_cast<std::size_t>(write_ - first) : before);
+        out.truncate(simple ? before + static_cast<std::size_t>(cut_.write - first) : before);
         return simple ? error::none : error::crossing_contours;
     }
 
@@ -97,6 +98,12 @@ public:
     [[nodiscard]] std::uint32_t outers() const noexcept { return outers_; }
 
 private:
+    /// Where triangles and links are written. The loop keeps its own copy, which stays in registers.
+    struct cutter {
+        triangle* write;
+        std::uint32_t links;
+    };
+
     [[nodiscard]] std::size_t loops() const noexcept { return starts_.empty() ? 0 : starts_.size() - 1; }
 
     void link_up() noexcept
@@ -109,16 +116,17 @@ private:
             vertices_[end - 1].right[0] = begin;
             vertices_[begin].right[1] = end - 1;
         }
-        // Span 0 lies around everything: its upper side below all points, its lower side above them.
+        // Span 0 lies around everything: its lower side above all points, its upper side below them.
         constexpr std::int32_t reach = 1 << 28;
-        spans_[0].sides[0] = {{-reach, reach + 1}, {reach, reach + 1}, 0};
-        spans_[0].sides[1] = {{-reach, -reach - 1}, {reach, -reach - 1}, 0};
+        links_[0] = {};
+        spans_[0] = {{{{-reach, reach + 1}, {reach, reach + 1}}, {{reach, -reach - 1}, {-reach, -reach - 1}}}, {0, 0}, {0, 0}};
     }
 
     [[nodiscard]] bool sweep(const std::uint32_t* order) noexcept
     {
         const auto n = static_cast<std::int64_t>(points_.size());
         grid_point last{(std::numeric_limits<std::int32_t>::min)(), 0};
+        cutter cut = cut_;
         stop_ = n;
         std::int64_t i = 0;
         for (; i < stop_; ++i) {
@@ -130,13 +138,14 @@ private:
             }
             const std::uint32_t lower = vertices_[v].span[0], upper = vertices_[v].span[1];
             if ((lower == 0) != (upper == 0)) {
-                if (!pass(lower | upper, lower == 0, v, p)) return false;
-            } else if (lower == 0) {
-                if (!open(v, p)) return false;
-            } else {
-                if (!close(lower, upper, v, p)) return false;
+                if (!pass(cut, lower | upper, lower == 0, v, p)) return false;
+                continue;
             }
+            cut_ = cut;
+            if (lower == 0 ? !open(v, p) : !close(lower, upper, v, p)) return false;
+            cut = cut_;
         }
+        cut_ = cut;
         return i == n;
     }
 
@@ -145,16 +154,13 @@ private:
     ///   upper  -----------.                 :::::::::::
     ///          ::::::::::  '---       or    :::::::: .----
     ///   lower  --------p----                --------p
-    [[nodiscard]] bool pass(std::uint32_t s, std::uint32_t on, std::uint32_t v, grid_point p) noexcept
+    [[nodiscard]] bool pass(cutter& cut, std::uint32_t s, std::uint32_t on, std::uint32_t v, grid_point p) noexcept
     {
         if constexpr (Proving) {
             const std::uint32_t outside = status_.neighbour(s, on);
-            const std::int64_t mirror = 1 - 2 * static_cast<std::int64_t>(on);
-            const std::int64_t inner = mirror * side_of(spans_[s].sides[1 - on], p);
-            const std::int64_t outer = mirror * side_of(spans_[outside].sides[1 - on], p);
-            if ((inner >= 0) | (outer <= 0)) return false;
+            if ((spans_[s].sides[1 - on].at(p) <= 0) | (spans_[outside].sides[1 - on].at(p) >= 0)) return false;
         }
-        extend(spans_[s], on, v, p);
+        extend(cut, spans_[s], on, v, p);
         set_side(s, on, v, p);
         return true;
     }
@@ -167,37 +173,35 @@ private:
     [[nodiscard]] bool open(std::uint32_t v, grid_point p) noexcept
     {
         const std::int64_t turn = orientation(points_[vertices_[v].right[1]], p, points_[vertices_[v].right[0]]);
-        const std::uint32_t s = status_.last_below([&](std::uint32_t item) noexcept { return side_of(spans_[item].sides[0], p) > 0; });
+        const std::uint32_t s = status_.last_below([&](std::uint32_t item) noexcept { return spans_[item].sides[0].at(p) > 0; });
         const bool splits = turn < 0;
         if constexpr (Proving) {
             if (turn == 0) return false;  // doubles back
-            const std::int64_t above_s = side_of(spans_[s].sides[1], p);
-            if (splits ? above_s >= 0 : above_s <= 0 || side_of(spans_[status_.above(s)].sides[0], p) >= 0) return false;
+            const std::int64_t inside_s = spans_[s].sides[1].at(p);
+            if (splits ? inside_s <= 0 : inside_s >= 0 || spans_[status_.above(s)].sides[0].at(p) >= 0) return false;
             count_loop(v, splits);
         }
+        bound_triangles(splits ? 1 : -1);
         const std::uint32_t fresh = take_span();
         span_of_interior& above = spans_[fresh];
+        above.chain[1] = 0;
         if (splits) {
-            bound_triangles(1);
             span_of_interior& below = spans_[s];
             std::uint32_t up = below.chain[1], low = below.chain[0];
-            if (up == 0) up = alone(links_[low]);
-            if (low == 0) low = alone(links_[below.chain[1]]);
+            if (up == 0) up = link(cut_, links_[low].place, links_[low].point, 0);
+            if (low == 0) low = link(cut_, links_[up].place, links_[up].point, 0);
             below.chain[0] = 0;
-            below.chain[1] = push(up, 1, v, p);
-            above.chain[0] = push(low, 0, v, p);
-            above.chain[1] = 0;
+            below.chain[1] = push(cut_, up, 1, v, p);
+            above.chain[0] = push(cut_, low, 0, v, p);
             above.sides[1] = below.sides[1];
-            vertices_[above.sides[1].end].span[1] = fresh;
-            set_side(fresh, 0, v, p);
+            above.end[1] = below.end[1];
+            vertices_[above.end[1]].span[1] = fresh;
             set_side(s, 1, v, p);
         } else {
-            bound_triangles(-1);
-            above.chain[0] = alone({p, v, 0});
-            above.chain[1] = 0;
-            set_side(fresh, 0, v, p);
+            above.chain[0] = link(cut_, p, v, 0);
             set_side(fresh, 1, v, p);
         }
+        set_side(fresh, 0, v, p);
         status_.insert_above(s, fresh);
         return true;
     }
@@ -209,41 +213,38 @@ private:
     ///   lower ---'                  lower side of the span above ---'  :::::::
     [[nodiscard]] bool close(std::uint32_t lower, std::uint32_t upper, std::uint32_t v, grid_point p) noexcept
     {
+        const bool ends = lower == upper;
         if constexpr (Proving) {
-            if (lower == upper) {
-                if (side_of(spans_[status_.below(lower)].sides[1], p) <= 0 || side_of(spans_[status_.above(lower)].sides[0], p) >= 0) return false;
-            } else {
-                if (status_.above(upper) != lower) return false;
-                if (side_of(spans_[upper].sides[0], p) <= 0 || side_of(spans_[lower].sides[1], p) >= 0) return false;
-            }
+            const bool clear = ends ? spans_[status_.below(lower)].sides[1].at(p) < 0 && spans_[status_.above(lower)].sides[0].at(p) < 0
+                                    : status_.above(upper) == lower && spans_[upper].sides[0].at(p) > 0 && spans_[lower].sides[1].at(p) > 0;
+            if (!clear) return false;
         }
+        bound_triangles(ends ? -1 : 1);
         span_of_interior& gone = spans_[lower];
-        if (lower == upper) {
-            bound_triangles(-1);
+        if (ends) {
             for (std::uint32_t along = 0; along < 2; ++along)
-                if (gone.chain[along] != 0) fan(gone.chain[along], along, v, p);
+                if (gone.chain[along] != 0) (void)cut_off(cut_, gone.chain[along], along, v, p);
         } else {
-            bound_triangles(1);
             span_of_interior& stays = spans_[upper];
-            extend(gone, 0, v, p);
-            extend(stays, 1, v, p);
+            extend(cut_, gone, 0, v, p);
+            extend(cut_, stays, 1, v, p);
             stays.chain[0] = gone.chain[0];
             stays.sides[1] = gone.sides[1];
-            vertices_[stays.sides[1].end].span[1] = upper;
+            stays.end[1] = gone.end[1];
+            vertices_[stays.end[1]].span[1] = upper;
         }
         status_.erase(lower);
-        gone.chain[0] = free_span_;
+        gone.end[0] = free_span_;
         free_span_ = lower;
         return true;
     }
 
-    /// Positive: p lies above the side; zero: on the line through it.
-    [[nodiscard]] static std::int64_t side_of(const side& s, grid_point p) noexcept { return orientation(s.from, s.to, p); }
-
     void set_side(std::uint32_t s, std::uint32_t on, std::uint32_t v, grid_point p) noexcept
     {
         const std::uint32_t end = vertices_[v].right[on];
-        spans_[s].sides[on] = {p, points_[end], end};
+        const grid_point q = points_[end];
+        spans_[s].sides[on] = on == 0 ? side{p, q} : side{q, p};
+        spans_[s].end[on] = end;
         vertices_[end].span[on] = s;
     }
 
@@ -251,53 +252,55 @@ private:
     {
         if (free_span_ == 0) return ++span_count_;
         const std::uint32_t s = free_span_;
-        free_span_ = spans_[s].chain[0];
+        free_span_ = spans_[s].end[0];
         return s;
     }
 
-    [[nodiscard]] std::uint32_t alone(chain_link l) noexcept
+    std::uint32_t link(cutter& cut, grid_point p, std::uint32_t v, std::uint32_t before) noexcept
     {
-        links_[++link_count_] = {l.place, l.point, 0};
-        return link_count_;
+        links_[++cut.links] = {p, v, before};
+        return cut.links;
     }
 
     /// p comes on side `on`: closes the chain along the other side, goes on with the one along its own.
-    void extend(span_of_interior& s, std::uint32_t on, std::uint32_t v, grid_point p) noexcept
+    void extend(cutter& cut, span_of_interior& s, std::uint32_t on, std::uint32_t v, grid_point p) noexcept
     {
         std::uint32_t own = s.chain[on];
-        if (const std::uint32_t other = s.chain[1 - on]; other != 0) {
-            fan(other, 1 - on, v, p);
-            if (own == 0) {
-                links_[other].before = 0;
-                own = other;
-            }
+        const std::uint32_t other = s.chain[1 - on];
+        if (own != 0 && other != 0) {  // behind a merge
+            (void)cut_off(cut, other, 1 - on, v, p);
             s.chain[1 - on] = 0;
+            s.chain[on] = push(cut, own, on, v, p);
+            return;
         }
-        s.chain[on] = push(own, on, v, p);
+        // Which side the chain lies along is as good as random: no branch may depend on it.
+        const bool crosses = own == 0;
+        const std::uint32_t top = own | other, left = cut_off(cut, top, crosses ? 1 - on : on, v, p);
+        links_[top].before = crosses ? 0 : links_[top].before;
+        s.chain[1 - on] = 0;
+        s.chain[on] = link(cut, p, v, crosses ? top : left);
     }
 
-    /// Triangles from v to every edge of a chain on the opposite side.
-    void fan(std::uint32_t link, std::uint32_t along, std::uint32_t v, grid_point) noexcept
+    /// Cuts triangles off the end of the chain along `along`, while its last two points and p turn left round the interior: all
+    /// of the chain when p is on the other side. Returns what is left.
+    [[nodiscard]] std::uint32_t cut_off(cutter& cut, std::uint32_t at, std::uint32_t along, std::uint32_t v, grid_point p) noexcept
     {
-        for (std::uint32_t before = links_[link].before; before != 0; before = links_[link].before) {
-            const std::uint32_t a = links_[before].point, b = links_[link].point;
-            *write_++ = {a, along == 0 ? b : v, along == 0 ? v : b};
-            link = before;
-        }
+        bool more = true;
+        do {
+            const chain_link& b = links_[at];
+            const chain_link& a = links_[b.before];
+            const std::int64_t turn = orientation(a.place, b.place, p);
+            more = (b.before != 0) & ((along == 0 ? turn : -turn) > 0);
+            *cut.write = {a.point, along == 0 ? b.point : v, along == 0 ? v : b.point};  // there is room for one too many
+            cut.write += more;
+            at = more ? b.before : at;
+        } while (more);
+        return at;
     }
 
-    /// Cuts off what turns towards the interior at the end of the chain along `on`, and makes v its end.
-    [[nodiscard]] std::uint32_t push(std::uint32_t link, std::uint32_t on, std::uint32_t v, grid_point p) noexcept
+    [[nodiscard]] std::uint32_t push(cutter& cut, std::uint32_t at, std::uint32_t on, std::uint32_t v, grid_point p) noexcept
     {
-        for (std::uint32_t before = links_[link].before; before != 0; before = links_[link].before) {
-            const std::int64_t turn = orientation(links_[before].place, links_[link].place, p);
-            if (on == 0 ? turn <= 0 : turn >= 0) break;
-            const std::uint32_t a = links_[before].point, b = links_[link].point;
-            *write_++ = {a, on == 0 ? b : v, on == 0 ? v : b};
-            link = before;
-        }
-        links_[++link_count_] = {p, v, link};
-        return link_count_;
+        return link(cut, p, v, cut_off(cut, at, on, v, p));
     }
 
     /// Splits and merges add triangles, starts and ends take some away. For a region, splits + merges - starts - ends is
@@ -332,13 +335,12 @@ private:
     span_of_interior* spans_ = nullptr;
     chain_link* links_ = nullptr;
     bool* loop_seen_ = nullptr;
-    triangle* write_ = nullptr;
     sweep_status status_;
+    cutter cut_{nullptr, 0};
     std::int64_t stop_ = 0;
     std::int64_t excess_ = 0;
     std::uint32_t span_count_ = 0;
     std::uint32_t free_span_ = 0;
-    std::uint32_t link_count_ = 0;
     std::uint32_t holes_ = 0;
     std::uint32_t outers_ = 0;
 };
