@@ -327,12 +327,12 @@ int main(int argc, char** argv)
         unsigned most;     ///< glyphs
     };
     const font_set fonts[] = {
-        {"Liberation Sans, 2.6 units", "truetype/liberation/LiberationSans-Regular.ttf", 2.6, 100'000},
-        {"Liberation Sans, 0.13 units", "truetype/liberation/LiberationSans-Regular.ttf", 0.13, 100'000},
-        {"DejaVu Sans, 2.6 units", "truetype/dejavu/DejaVuSans.ttf", 2.6, 100'000},
-        {"WenQuanYi Micro Hei, 1 unit", "truetype/wqy/wqy-microhei.ttc", 1.0, 3000},
-        {"Inter variable, 2.6 units", "truetype/inter-vf/Inter.var.ttf", 2.6, 100'000},
-        {"M+ 1p, 0.3 units", "truetype/mplus/mplus-1p-regular.ttf", 0.3, 3000},
+        {"Liberation Sans, 1.2 units", "truetype/liberation/LiberationSans-Regular.ttf", 1.2, 100'000},     // 60 points
+        {"Liberation Sans, 0.06 units", "truetype/liberation/LiberationSans-Regular.ttf", 0.06, 100'000},   // 200 points
+        {"DejaVu Sans, 1.6 units", "truetype/dejavu/DejaVuSans.ttf", 1.6, 100'000},                         // 60 points
+        {"WenQuanYi Micro Hei, 0.14 units", "truetype/wqy/wqy-microhei.ttc", 0.14, 3000},                   // 200 points
+        {"Inter variable, 2.6 units", "truetype/inter-vf/Inter.var.ttf", 2.6, 100'000},                     // 60 points
+        {"M+ 1p, 0.1 units", "truetype/mplus/mplus-1p-regular.ttf", 0.1, 3000},
     };
     std::vector<set> sets;
     sets.reserve(100);

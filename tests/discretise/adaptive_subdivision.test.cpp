@@ -94,7 +94,7 @@ TEST_CASE("adaptive_subdivision on curves of real fonts gives the recorded numbe
         std::uint32_t degree;
         std::size_t normal, high, best;
     };
-    const record r = GENERATE(record{2, 0, 0, 0}, record{3, 0, 0, 0});
+    const record r = GENERATE(record{2, 537, 723, 3023}, record{3, 660, 1342, 5956});
     std::size_t normal = 0, high = 0, best = 0;
     for (const font_curve& f : font_curves(r.degree)) {
         normal += ts_of(adaptive_subdivision::normal(f.units_per_em), f.c).size();

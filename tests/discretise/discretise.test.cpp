@@ -160,7 +160,7 @@ TEST_CASE("contours of which fewer than three points are left are dropped", "[di
     REQUIRE_FALSE(discretise(o, certified{}, 2.0, coarse, out));
     CHECK(points(out) == std::vector<grid_point>{{0, 0}, {10, 0}, {5, 5}});
     CHECK(out.contour_count() == 1);
-    CHECK(edges(out) == "3:0-1 4:0-1 5:0-1 ");
+    CHECK(edges(out) == "6:0-1 7:0-1 8:0-1 ");
 }
 
 TEST_CASE("an outline of nothing becomes contours of nothing, and forgets what was there", "[discretise]")

@@ -35,7 +35,7 @@ placement with_origin(uv_origin origin)
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("box mapping fills [0, 1] exactly, walls by the place of their edge", "[extrude]", shared_normals, averaged_normals,
+TEMPLATE_TEST_CASE("box mapping runs from exactly 0 to exactly 1, on walls by the place of their edge", "[extrude]", shared_normals, averaged_normals,
                    curve_normals)
 {
     for (const auto origin : {uv_origin::top_left, uv_origin::bottom_left}) {

@@ -26,7 +26,7 @@ namespace typemesh {
 /// Limit    65,536 points a piece between corners. Only tolerances below 2^-31 of the curve's size would need more, which
 ///          cannot come from discretise(): its grid is coarser. Beyond the limit points lie at equal steps of t, and the
 ///          tolerance is not kept.
-/// Cost     Two or three times that of equal steps of t; no allocation, no transcendental function.
+/// Cost     At 1/800 em and coarser about that of equal steps of t for quadratics, two to four times that for cubics; no allocation, no transcendental function.
 ///
 /// Curves must be finite and `tolerance` positive.
 ///
@@ -92,10 +92,10 @@ private:
     template <class Chords, class Emit>
     static void part(const Chords& chords, double from, double to, double tolerance, double bend, Emit& emit) noexcept
     {
-        const double sure = sure_step(tolerance, bend);
-        if (sure > 0.25)
+        const double sure = sure_step(tolerance, bend), tt = tolerance * tolerance;
+        if (bend < 1024.0 * tt)  // Wang's bound is below 5.7; so asked because the root would come late
             walk(chords, detail::share_table<4>{chords, from, to, tolerance}, from, to, sure, emit);
-        else if (sure > 0.05)
+        else if (bend < 0x1p17 * tt)  // below 19
             walk(chords, detail::share_table<8>{chords, from, to, tolerance}, from, to, sure, emit);
         else
             walk(chords, detail::share_table<16>{chords, from, to, tolerance}, from, to, sure, emit);
@@ -113,7 +113,8 @@ private:
             }
             return;
         }
-        const int pieces = shares.whole() > 1.0f ? static_cast<int>(shares.whole()) + 1 : 2;
+        const float wanted = shares.whole() - 0.02f;  // a try at one piece less where the estimate is close
+        const int pieces = wanted > 1.0f ? static_cast<int>(wanted) + 1 : 2;
         const float share = shares.whole() / static_cast<float>(pieces);
 
         constexpr int chunk = 16;  // points are set, measured and emitted in three short loops without surprises

@@ -60,7 +60,7 @@ struct quadratic_chords {
     }
 
     template <int samples>
-    void sample(float (&density)[samples], double from, double step, double tolerance) const noexcept
+    void sample(float* density, double from, double step, double tolerance) const noexcept
     {
         const double size = std::abs(b.x) + std::abs(b.y) + std::abs(a.x) + std::abs(a.y);
         const double one = 1.0 / (size * size);
@@ -136,7 +136,7 @@ struct cubic_chords {
     }
 
     template <int samples>
-    void sample(float (&density)[samples], double from, double step, double tolerance) const noexcept
+    void sample(float* density, double from, double step, double tolerance) const noexcept
     {
         const double size =
             std::abs(c1.x) + std::abs(c1.y) + std::abs(c2.x) + std::abs(c2.y) + std::abs(c3.x) + std::abs(c3.y);
@@ -194,32 +194,36 @@ private:
 
 /// A running integral of the density, and its inverse: at which t a given share of the points is spent.
 ///
-/// Between two samples the density is taken as linear; its inverse by two steps of a fixed-point iteration instead of a root.
+/// Samples lie in the middle of equal cells of t; in a cell the density is taken as linear, with the slope between the cell's
+/// neighbours. The inverse comes from two steps of a fixed-point iteration, which spares a root.
 template <int samples>
 class share_table {
 public:
     template <class Chords>
     share_table(const Chords& chords, double from, double to, double tolerance) noexcept
-        : start_{from}, step_{(to - from) / (samples - 1)}
+        : start_{from}, step_{(to - from) / samples}
     {
-        float density[samples];
-        chords.sample(density, from, step_, tolerance);
+        float density[samples + 2];
+        chords.template sample<samples>(density + 1, from + 0.5 * step_, step_, tolerance);
+        density[0] = 2.0f * density[1] - density[2];
+        density[samples + 1] = 2.0f * density[samples] - density[samples - 1];
         float total = 0.0f;
-        for (int j = 0; j + 1 < samples; ++j) {
-            const float part = 0.5f * (density[j] + density[j + 1]) + 1e-30f;
+        for (int j = 0; j < samples; ++j) {
+            const float part = density[j + 1] + 1e-30f;
             inverse_[j] = 1.0f / part;
-            lean_[j] = (density[j + 1] - density[j]) * 0.5f * inverse_[j];
+            const float lean = 0.25f * (density[j + 2] - density[j]) * inverse_[j];
+            lean_[j] = lean < -1.0f ? -1.0f : lean > 1.0f ? 1.0f : lean;
             sum_[j] = total;
             total += part;
+            upper_[j] = j + 1 < samples ? total : 3e38f;
         }
         whole_ = total;
-        for (int j = 0; j < samples; ++j) upper_[j] = j + 2 < samples ? sum_[j + 1] : 3e38f;
     }
 
     /// How many pieces the curve needs, nearly; not rounded.
     [[nodiscard]] float whole() const noexcept { return whole_; }
 
-    /// Ascends with the share.
+    /// Ascends with the share, from 0 to whole().
     [[nodiscard]] double t_of(float share) const noexcept
     {
         int i = 0;
@@ -234,7 +238,7 @@ public:
     {
         const float place = static_cast<float>((t - start_) / step_);
         int j = static_cast<int>(place);
-        j = j > samples - 2 ? samples - 2 : j;
+        j = j > samples - 1 ? samples - 1 : j;
         const float x = place - static_cast<float>(j);
         return sum_[j] + (x - lean_[j] * (x - x * x)) / inverse_[j];
     }

@@ -23,6 +23,9 @@ namespace typemesh {
 /// A part that is switched off leaves out its vertices and triangles; only shared_normals keeps the vertices of a cap
 /// that its walls stand on.
 ///
+/// plan() cannot know what a vertex will take: it finds the normals and places the seams in any case. Writing computes only
+/// what is asked for.
+///
 ///     extruded{}                                     curve_normals, 0.2 em deep
 ///     extruded<>{.depth = 0.3f}                      the <> is for clang before 17; others do without
 ///     extruded<shared_normals>{.depth = 0.3f}
@@ -30,6 +33,8 @@ namespace typemesh {
 ///
 /// Fails  error::bad_option: depth is not positive and finite, or an option of the normals is out of range
 ///        error::too_large: more than 2^30 - 1 points
+///        error::out_of_memory
+/// Cost   O(n), and one side_point a contour point while there are walls
 template <side_normals Normals = curve_normals>
 struct extruded {
     float depth = 0.2f;     ///< in em

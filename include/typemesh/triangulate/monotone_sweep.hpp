@@ -67,26 +67,23 @@ public:
     {
     }
 
-    /// Appends the triangles to `out` and counts loops. On failure `out` is as it was.
+    /// Appends the triangles to `out`. On failure `out` is as it was.
     [[nodiscard]] error run(workspace& space, triangle_list& out) noexcept
     {
         const std::size_t n = points_.size();
         if (n == 0) return error::none;
         workspace::scope scratch{space};
         auto* const order = scratch.take<std::uint32_t>(n);
-        auto* const seen = scratch.take<bool>(starts_.size());
         vertices_ = scratch.take<vertex>(n);
         spans_ = scratch.take<span_of_interior>(n / 2 + 2);  // every other point at most opens one
         links_ = scratch.take<chain_link>(2 * n + n / 2 + 2);  // one a point, one more a merge, two more a split
-        if (order == nullptr || seen == nullptr || vertices_ == nullptr || spans_ == nullptr || links_ == nullptr ||
+        if (order == nullptr || vertices_ == nullptr || spans_ == nullptr || links_ == nullptr ||
             !status_.open(scratch, n / 2 + 1) || !sweep_order(points_, space, order))
             return error::out_of_memory;
-        for (std::size_t loop = 0; loop < starts_.size(); ++loop) seen[loop] = false;
-        loop_seen_ = seen;
         link_up();
 
         const std::size_t before = out.size();
-        triangle* const first = out.append(n + 2 * loops() + 1);
+        triangle* const first = out.append(n + 2 * loops());
         if (first == nullptr) return error::out_of_memory;
         cut_ = {first, 0};
         const bool simple = sweep(order);
@@ -94,8 +91,9 @@ public:
         return simple ? error::none : error::crossing_contours;
     }
 
-    [[nodiscard]] std::uint32_t holes() const noexcept { return holes_; }
-    [[nodiscard]] std::uint32_t outers() const noexcept { return outers_; }
+    /// After a proof: every loop is a hole or an outer one, and excess_ is 2h - 2c.
+    [[nodiscard]] std::uint32_t holes() const noexcept { return static_cast<std::uint32_t>((loops_met_ + excess_ / 2) / 2); }
+    [[nodiscard]] std::uint32_t outers() const noexcept { return loops_met_ - holes(); }
 
 private:
     /// Where triangles and links are written. The loop keeps its own copy, which stays in registers.
@@ -113,12 +111,12 @@ private:
         for (std::size_t loop = 0; loop < loops(); ++loop) {
             const std::uint32_t begin = starts_[loop], end = starts_[loop + 1];
             if (begin == end) continue;
+            ++loops_met_;
             vertices_[end - 1].right[0] = begin;
             vertices_[begin].right[1] = end - 1;
         }
         // Span 0 lies around everything: its lower side above all points, its upper side below them.
         constexpr std::int32_t reach = 1 << 28;
-        links_[0] = {};
         spans_[0] = {{{{-reach, reach + 1}, {reach, reach + 1}}, {{reach, -reach - 1}, {-reach, -reach - 1}}}, {0, 0}, {0, 0}};
     }
 
@@ -138,7 +136,7 @@ private:
             }
             const std::uint32_t lower = vertices_[v].span[0], upper = vertices_[v].span[1];
             if ((lower == 0) != (upper == 0)) {
-                if (!pass(cut, lower | upper, lower == 0, v, p)) return false;
+                if (lower != 0 ? !pass<0>(cut, lower, v, p) : !pass<1>(cut, upper, v, p)) return false;
                 continue;
             }
             cut_ = cut;
@@ -154,14 +152,15 @@ private:
     ///   upper  -----------.                 :::::::::::
     ///          ::::::::::  '---       or    :::::::: .----
     ///   lower  --------p----                --------p
-    [[nodiscard]] bool pass(cutter& cut, std::uint32_t s, std::uint32_t on, std::uint32_t v, grid_point p) noexcept
+    template <std::uint32_t on>
+    [[nodiscard]] bool pass(cutter& cut, std::uint32_t s, std::uint32_t v, grid_point p) noexcept
     {
         if constexpr (Proving) {
             const std::uint32_t outside = status_.neighbour(s, on);
             if ((spans_[s].sides[1 - on].at(p) <= 0) | (spans_[outside].sides[1 - on].at(p) >= 0)) return false;
         }
-        extend(cut, spans_[s], on, v, p);
-        set_side(s, on, v, p);
+        extend<on>(cut, spans_[s], v, p);
+        set_side<on>(s, v, p);
         return true;
     }
 
@@ -179,7 +178,6 @@ private:
             if (turn == 0) return false;  // doubles back
             const std::int64_t inside_s = spans_[s].sides[1].at(p);
             if (splits ? inside_s <= 0 : inside_s >= 0 || spans_[status_.above(s)].sides[0].at(p) >= 0) return false;
-            count_loop(v, splits);
         }
         bound_triangles(splits ? 1 : -1);
         const std::uint32_t fresh = take_span();
@@ -191,17 +189,17 @@ private:
             if (up == 0) up = link(cut_, links_[low].place, links_[low].point, 0);
             if (low == 0) low = link(cut_, links_[up].place, links_[up].point, 0);
             below.chain[0] = 0;
-            below.chain[1] = push(cut_, up, 1, v, p);
-            above.chain[0] = push(cut_, low, 0, v, p);
+            below.chain[1] = push<1>(cut_, up, v, p);
+            above.chain[0] = push<0>(cut_, low, v, p);
             above.sides[1] = below.sides[1];
             above.end[1] = below.end[1];
             vertices_[above.end[1]].span[1] = fresh;
-            set_side(s, 1, v, p);
+            set_side<1>(s, v, p);
         } else {
             above.chain[0] = link(cut_, p, v, 0);
-            set_side(fresh, 1, v, p);
+            set_side<1>(fresh, v, p);
         }
-        set_side(fresh, 0, v, p);
+        set_side<0>(fresh, v, p);
         status_.insert_above(s, fresh);
         return true;
     }
@@ -222,12 +220,12 @@ private:
         bound_triangles(ends ? -1 : 1);
         span_of_interior& gone = spans_[lower];
         if (ends) {
-            for (std::uint32_t along = 0; along < 2; ++along)
-                if (gone.chain[along] != 0) (void)cut_off(cut_, gone.chain[along], along, v, p);
+            if (gone.chain[0] != 0) fan<0>(cut_, gone.chain[0], v);
+            if (gone.chain[1] != 0) fan<1>(cut_, gone.chain[1], v);
         } else {
             span_of_interior& stays = spans_[upper];
-            extend(cut_, gone, 0, v, p);
-            extend(cut_, stays, 1, v, p);
+            extend<0>(cut_, gone, v, p);
+            extend<1>(cut_, stays, v, p);
             stays.chain[0] = gone.chain[0];
             stays.sides[1] = gone.sides[1];
             stays.end[1] = gone.end[1];
@@ -239,11 +237,15 @@ private:
         return true;
     }
 
-    void set_side(std::uint32_t s, std::uint32_t on, std::uint32_t v, grid_point p) noexcept
+    template <std::uint32_t on>
+    void set_side(std::uint32_t s, std::uint32_t v, grid_point p) noexcept
     {
         const std::uint32_t end = vertices_[v].right[on];
         const grid_point q = points_[end];
-        spans_[s].sides[on] = on == 0 ? side{p, q} : side{q, p};
+        if constexpr (on == 0)
+            spans_[s].sides[0] = {p, q};
+        else
+            spans_[s].sides[1] = {q, p};
         spans_[s].end[on] = end;
         vertices_[end].span[on] = s;
     }
@@ -263,44 +265,45 @@ private:
     }
 
     /// p comes on side `on`: closes the chain along the other side, goes on with the one along its own.
-    void extend(cutter& cut, span_of_interior& s, std::uint32_t on, std::uint32_t v, grid_point p) noexcept
+    template <std::uint32_t on>
+    void extend(cutter& cut, span_of_interior& s, std::uint32_t v, grid_point p) noexcept
     {
-        std::uint32_t own = s.chain[on];
-        const std::uint32_t other = s.chain[1 - on];
-        if (own != 0 && other != 0) {  // behind a merge
-            (void)cut_off(cut, other, 1 - on, v, p);
+        const std::uint32_t own = s.chain[on], other = s.chain[1 - on];
+        if (other != 0) {
+            fan<1 - on>(cut, other, v);
             s.chain[1 - on] = 0;
-            s.chain[on] = push(cut, own, on, v, p);
-            return;
+            if (own == 0) {
+                links_[other].before = 0;
+                s.chain[on] = link(cut, p, v, other);
+                return;
+            }
         }
-        // Which side the chain lies along is as good as random: no branch may depend on it.
-        const bool crosses = own == 0;
-        const std::uint32_t top = own | other, left = cut_off(cut, top, crosses ? 1 - on : on, v, p);
-        links_[top].before = crosses ? 0 : links_[top].before;
-        s.chain[1 - on] = 0;
-        s.chain[on] = link(cut, p, v, crosses ? top : left);
+        s.chain[on] = push<on>(cut, own, v, p);
     }
 
-    /// Cuts triangles off the end of the chain along `along`, while its last two points and p turn left round the interior: all
-    /// of the chain when p is on the other side. Returns what is left.
-    [[nodiscard]] std::uint32_t cut_off(cutter& cut, std::uint32_t at, std::uint32_t along, std::uint32_t v, grid_point p) noexcept
+    /// Triangles from v to every edge of a chain on the opposite side.
+    template <std::uint32_t along>
+    void fan(cutter& cut, std::uint32_t at, std::uint32_t v) noexcept
     {
-        bool more = true;
-        do {
-            const chain_link& b = links_[at];
-            const chain_link& a = links_[b.before];
-            const std::int64_t turn = orientation(a.place, b.place, p);
-            more = (b.before != 0) & ((along == 0 ? turn : -turn) > 0);
-            *cut.write = {a.point, along == 0 ? b.point : v, along == 0 ? v : b.point};  // there is room for one too many
-            cut.write += more;
-            at = more ? b.before : at;
-        } while (more);
-        return at;
+        for (std::uint32_t before = links_[at].before; before != 0; before = links_[at].before) {
+            const std::uint32_t b = links_[at].point;
+            *cut.write++ = {links_[before].point, along == 0 ? b : v, along == 0 ? v : b};
+            at = before;
+        }
     }
 
-    [[nodiscard]] std::uint32_t push(cutter& cut, std::uint32_t at, std::uint32_t on, std::uint32_t v, grid_point p) noexcept
+    /// Cuts off what turns towards the interior at the end of the chain along `on`, and makes v its end.
+    template <std::uint32_t on>
+    [[nodiscard]] std::uint32_t push(cutter& cut, std::uint32_t at, std::uint32_t v, grid_point p) noexcept
     {
-        return link(cut, p, v, cut_off(cut, at, on, v, p));
+        for (std::uint32_t before = links_[at].before; before != 0; before = links_[at].before) {
+            const std::int64_t turn = orientation(links_[before].place, links_[at].place, p);
+            if ((on == 0 ? turn : -turn) <= 0) break;
+            const std::uint32_t b = links_[at].point;
+            *cut.write++ = {links_[before].point, on == 0 ? b : v, on == 0 ? v : b};
+            at = before;
+        }
+        return link(cut, p, v, at);
     }
 
     /// Splits and merges add triangles, starts and ends take some away. For a region, splits + merges - starts - ends is
@@ -315,34 +318,18 @@ private:
         }
     }
 
-    /// The first point of a loop that the sweep meets tells what the loop is.
-    void count_loop(std::uint32_t v, bool is_hole) noexcept
-    {
-        std::size_t loop = 0;
-        for (std::size_t size = loops(); size > 1;) {
-            const std::size_t half = size / 2;
-            loop += starts_[loop + half] <= v ? half : 0;
-            size -= half;
-        }
-        if (loop_seen_[loop]) return;
-        loop_seen_[loop] = true;
-        ++(is_hole ? holes_ : outers_);
-    }
-
     std::span<const grid_point> points_;
     std::span<const std::uint32_t> starts_;
     vertex* vertices_ = nullptr;
     span_of_interior* spans_ = nullptr;
     chain_link* links_ = nullptr;
-    bool* loop_seen_ = nullptr;
     sweep_status status_;
     cutter cut_{nullptr, 0};
     std::int64_t stop_ = 0;
     std::int64_t excess_ = 0;
     std::uint32_t span_count_ = 0;
     std::uint32_t free_span_ = 0;
-    std::uint32_t holes_ = 0;
-    std::uint32_t outers_ = 0;
+    std::uint32_t loops_met_ = 0;
 };
 
 }  // namespace typemesh::detail
