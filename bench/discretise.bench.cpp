@@ -137,7 +137,8 @@ font_outlines load(const std::string& name)
         nullptr, nullptr);
     hb_draw_funcs_set_cubic_to_func(
         calls,
-        [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, float cx, float cy, float ex, float ey, float x, float y, void*) {
+        [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, float cx, float cy, float ex, float ey, float x, float y,
+           void*) {
             recorder& r = recorder::of(d);
             r.add(curve::from(cubic{r.at, recorder::from(cx, cy), recorder::from(ex, ey), recorder::from(x, y)}));
         },
@@ -222,10 +223,12 @@ void curves(benchmark::State& state, const font_outlines& font)
         const double s = seconds([&] { count = pass(D{}, font.bent, tolerance, room); });
         state.SetIterationTime(s);
         mine.push_back(s);
-        if constexpr (!std::is_same_v<D, uniform_steps>) wang.push_back(seconds([&] { pass(uniform_steps{}, font.bent, tolerance, room); }));
+        if constexpr (!std::is_same_v<D, uniform_steps>)
+            wang.push_back(seconds([&] { pass(uniform_steps{}, font.bent, tolerance, room); }));
     }
     const double n = static_cast<double>(font.bent.size()), middle = median(mine);
-    state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()) * static_cast<std::int64_t>(font.bent.size()));
+    state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()) *
+                            static_cast<std::int64_t>(font.bent.size()));
     state.counters["ns_curve"] = middle * 1e9 / n;
     state.counters["chords"] = static_cast<double>(count) / n;
     if (!wang.empty()) state.counters["over_wang"] = middle / median(wang);
@@ -266,7 +269,8 @@ int main(int argc, char** argv)
     const struct {
         const char* name;
         const char* file;
-    } fonts[] = {{"quadratic", "truetype/liberation/LiberationSans-Regular.ttf"}, {"cubic", "opentype/comic-neue/ComicNeue-Regular.otf"}};
+    } fonts[] = {{"quadratic", "truetype/liberation/LiberationSans-Regular.ttf"},
+                 {"cubic", "opentype/comic-neue/ComicNeue-Regular.otf"}};
     std::vector<std::unique_ptr<font_outlines>> loaded;
     for (const auto& f : fonts) {
         loaded.push_back(std::make_unique<font_outlines>(load(f.file)));
@@ -275,7 +279,11 @@ int main(int argc, char** argv)
         const auto add = [&](const char* what, void (*run)(benchmark::State&, const font_outlines&)) {
             const std::string name = std::string{what} + "/" + f.name;
             benchmark::RegisterBenchmark(name.c_str(), [run, &font](benchmark::State& state) { run(state, font); })
-                ->Arg(160)->Arg(800)->Arg(16000)->UseManualTime()->Unit(benchmark::kMicrosecond);
+                ->Arg(160)
+                ->Arg(800)
+                ->Arg(16000)
+                ->UseManualTime()
+                ->Unit(benchmark::kMicrosecond);
         };
         add("certified", curves<certified>);
         add("wang", curves<uniform_steps>);

@@ -351,7 +351,7 @@ int main(int argc, char** argv)
     for (int n = 100; n <= 1'000'000; n *= 10) {
         const std::pair<const char*, polygon> shapes[] = {
             {"circle", circle(n)}, {"comb", comb(n)}, {"spiral", spiral(n)}, {"star", star(n)}, {"square with holes", square_with_holes(n)},
-            {"parabola", parabola((std::min)(n, 10'000), true)}, {"parabola on its side", parabola((std::min)(n, 10'000), false)}};
+            {"parabola", parabola(n, true)}, {"parabola on its side", parabola(n, false)}};
         for (const auto& [name, p] : shapes) {
             set s{std::string{name} + " of " + std::to_string(n), {}, {}, 0, 0};
             s.take(p, space, out);

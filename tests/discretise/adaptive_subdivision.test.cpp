@@ -23,13 +23,16 @@ const curve wave = curve::from(cubic{{0, 0}, {2, 4}, {4, -16}, {6, 36}});
 
 TEST_CASE("adaptive_subdivision halves even a straight curve once", "[adaptive_subdivision]")
 {
-    const adaptive_subdivision how = GENERATE(adaptive_subdivision{}, adaptive_subdivision{0, 1e9, 4.0}, adaptive_subdivision{15, 1e9, 4.0});
+    const adaptive_subdivision how =
+        GENERATE(adaptive_subdivision{}, adaptive_subdivision{0, 1e9, 4.0}, adaptive_subdivision{15, 1e9, 4.0});
     CHECK(ts_of(how, curve::from(cubic{{0, 0}, {1, 0}, {2, 0}, {3, 0}})) == list{0.5, 1.0});
     CHECK(ts_of(how, curve::from(quadratic{{0, 0}, {1, 0}, {3, 0}})) == list{0.5, 1.0});
     CHECK(ts_of(how, curve::from(quadratic{{1, 1}, {1, 1}, {1, 1}})) == list{0.5, 1.0});
 }
 
-TEST_CASE("adaptive_subdivision takes a half for a line when its segments P1-P4 and P2-P3 come closer than the distance", "[adaptive_subdivision]")
+TEST_CASE(
+    "adaptive_subdivision takes a half for a line when its segments P1-P4 and P2-P3 come closer than the distance",
+    "[adaptive_subdivision]")
 {
     CHECK(ts_of(adaptive_subdivision{15, 1.201, 0.0}, arch) == list{0.5, 1.0});
     CHECK(ts_of(adaptive_subdivision{15, 1.199, 0.0}, arch) == list{0.25, 0.5, 0.75, 1.0});
@@ -37,7 +40,8 @@ TEST_CASE("adaptive_subdivision takes a half for a line when its segments P1-P4 
     CHECK(ts_of(adaptive_subdivision{3, 0.4127, 0.0}, arch) == list{0.125, 0.25, 0.5, 0.75, 0.875, 1.0});
 }
 
-TEST_CASE("adaptive_subdivision takes a half for a line when it turns by less than the angle at its midpoint", "[adaptive_subdivision]")
+TEST_CASE("adaptive_subdivision takes a half for a line when it turns by less than the angle at its midpoint",
+          "[adaptive_subdivision]")
 {
     CHECK(ts_of(adaptive_subdivision{15, 0.0, 0.798}, arch) == list{0.5, 1.0});
     CHECK(ts_of(adaptive_subdivision{2, 0.0, 0.797}, arch) == list{0.25, 0.5, 0.75, 1.0});
@@ -63,7 +67,8 @@ TEST_CASE("adaptive_subdivision takes more than 20 levels as 20", "[adaptive_sub
     CHECK(count > std::size_t{1} << 19);
 }
 
-TEST_CASE("adaptive_subdivision takes an S whose segments cross for a line at once, as the thesis does", "[adaptive_subdivision]")
+TEST_CASE("adaptive_subdivision takes an S whose segments cross for a line at once, as the thesis does",
+          "[adaptive_subdivision]")
 {
     const auto ts = ts_of(adaptive_subdivision{15, 1e-9, 0.0}, wave);
     REQUIRE(ts.front() == 0.5);
@@ -77,7 +82,8 @@ TEST_CASE("adaptive_subdivision raises quadratics to cubics and ignores the tole
     CHECK(ts_of(how, curve::from(q), 1e-9) == ts_of(how, curve::from(raised(q)), 1e9));
 }
 
-TEST_CASE("the presets of adaptive_subdivision are the thesis' for 64 units per em, and scale with the em", "[adaptive_subdivision]")
+TEST_CASE("the presets of adaptive_subdivision are the thesis' for 64 units per em, and scale with the em",
+          "[adaptive_subdivision]")
 {
     const auto same = [](const adaptive_subdivision& a, std::uint32_t levels, double distance, double angle) {
         return a.levels == levels && a.distance == Catch::Detail::Approx(distance) && a.angle == angle;

@@ -32,7 +32,8 @@ outline outline_of(const std::vector<std::vector<curve>>& contours_given, memory
 std::vector<curve> polygon(const std::vector<point>& corners)
 {
     std::vector<curve> lines;
-    for (std::size_t i = 0; i < corners.size(); ++i) lines.push_back(curve::from(corners[i], corners[(i + 1) % corners.size()]));
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        lines.push_back(curve::from(corners[i], corners[(i + 1) % corners.size()]));
     return lines;
 }
 
@@ -63,7 +64,8 @@ std::string edges(const contours& c)
 std::string broken_law(const contours& c)
 {
     if (c.points.size() != c.edges.size()) return "as many edges as points";
-    if (c.starts.empty() ? !c.points.empty() : c.starts[0] != 0 || c.starts.back() != c.points.size()) return "starts frame the points";
+    if (c.starts.empty() ? !c.points.empty() : c.starts[0] != 0 || c.starts.back() != c.points.size())
+        return "starts frame the points";
     for (std::uint32_t k = 0; k < c.contour_count(); ++k) {
         const std::uint32_t first = c.starts[k], n = c.starts[k + 1] - first;
         if (n < 3) return "three points at least";
@@ -73,10 +75,12 @@ std::string broken_law(const contours& c)
             if (!(e.t0 <= e.t1)) return "t ascends along an edge";
             if (i + 1 < n && next.curve < e.curve) return "curves come in order";
             if (next.curve == e.curve && i + 1 < n && next.t0 < e.t1) return "t ascends along a curve";
-            const point start = c.curves[e.curve].at(static_cast<double>(e.t0)), end = c.curves[e.curve].at(static_cast<double>(e.t1));
+            const point start = c.curves[e.curve].at(static_cast<double>(e.t0)),
+                        end = c.curves[e.curve].at(static_cast<double>(e.t1));
             const double close = 1e-3 + 2.0 * c.grid.snap_error();
             if (length(start - c.grid.place(c.points[first + i])) > close) return "an edge leaves its point";
-            if (length(end - c.grid.place(c.points[first + (i + 1) % n])) > close) return "an edge reaches the next point";
+            if (length(end - c.grid.place(c.points[first + (i + 1) % n])) > close)
+                return "an edge reaches the next point";
         }
     }
     return "";
@@ -109,7 +113,8 @@ TEST_CASE("the points of curves carry their curve and t", "[discretise]")
     CHECK(edges(out) == "0:0-0.5 0:0.5-1 1:0-1 ");
 }
 
-TEST_CASE("of points that fall on one grid point the first stays, and the next edge starts where the last was", "[discretise]")
+TEST_CASE("of points that fall on one grid point the first stays, and the next edge starts where the last was",
+          "[discretise]")
 {
     const scripted how{{{{9.9, 10.2}, 0.25}, {{10.1, 9.8}, 0.375}, {{9.6, 9.6}, 0.5}, {{15, 5}, 0.75}}};
     const outline o = outline_of({{curve::from(quadratic{{0, 0}, {10, 20}, {20, 0}}), curve::from({20, 0}, {0, 0})}});
@@ -148,12 +153,12 @@ TEST_CASE("curves that fall on one grid point leave no edge", "[discretise]")
 TEST_CASE("contours of which fewer than three points are left are dropped", "[discretise]")
 {
     const outline o = outline_of({
-        polygon({{3, 3}}),                            // an anchor
-        polygon({{0, 0}, {10, 0}}),                   // there and back
-        polygon({{5, 5}, {5.2, 5}, {5.2, 5.2}}),      // less than a cell
-        polygon({{0, 0}, {10, 0}, {5, 5}}),           // this one stays
-        {},                                           // nothing
-        polygon({{0, 0}, {10, 0}, {10.2, 0.2}}),      // there and back after snapping
+        polygon({{3, 3}}),                        // an anchor
+        polygon({{0, 0}, {10, 0}}),               // there and back
+        polygon({{5, 5}, {5.2, 5}, {5.2, 5.2}}),  // less than a cell
+        polygon({{0, 0}, {10, 0}, {5, 5}}),       // this one stays
+        {},                                       // nothing
+        polygon({{0, 0}, {10, 0}, {10.2, 0.2}}),  // there and back after snapping
         {curve::from(quadratic{{7, 7}, {7, 7}, {7, 7}})},
     });
     contours out;
@@ -190,8 +195,8 @@ TEST_CASE("the discretiser gets the tolerance less the snap, but no less than th
 
 TEST_CASE("a tolerance that is not positive and finite is refused", "[discretise]")
 {
-    const double bad = GENERATE(0.0, -0.0, -1.0, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
-                                std::numeric_limits<double>::quiet_NaN());
+    const double bad = GENERATE(0.0, -0.0, -1.0, std::numeric_limits<double>::infinity(),
+                                -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN());
     const outline o = outline_of({polygon({{0, 0}, {10, 0}, {10, 10}})});
     contours out;
     REQUIRE_FALSE(discretise(o, certified{}, 1.0, grid{}, out));
@@ -218,7 +223,8 @@ TEST_CASE("curves of real fonts stay within the tolerance on the grid, edges and
             if (e.curve != 0) continue;
             const point a = g->place(out.points[i]), b = g->place(out.points[(i + 1) % out.points.size()]);
             for (int k = 0; k <= 32; ++k) {
-                const double t = static_cast<double>(e.t0) + (static_cast<double>(e.t1) - static_cast<double>(e.t0)) * k / 32.0;
+                const double t =
+                    static_cast<double>(e.t0) + (static_cast<double>(e.t1) - static_cast<double>(e.t0)) * k / 32.0;
                 REQUIRE(distance_to_segment(f.c.at(t), a, b) <= tolerance + 1e-3 * g->snap_error());  // t is a float
             }
         }
@@ -287,7 +293,8 @@ TEST_CASE("a failed request leaves empty contours that can be used again", "[dis
 TEST_CASE("nothing is allocated once contours have grown", "[discretise]")
 {
     counting_memory counted;
-    const outline o = outline_of({{curve::from(cubic{{0, 0}, {1000, 2000}, {2000, 2000}, {3000, 0}}), curve::from({3000, 0}, {0, 0})}});
+    const outline o = outline_of(
+        {{curve::from(cubic{{0, 0}, {1000, 2000}, {2000, 2000}, {3000, 0}}), curve::from({3000, 0}, {0, 0})}});
     contours out{counted.source()};
     REQUIRE_FALSE(discretise(o, certified{}, 0.01, grid{64.0}, out));
     const std::size_t before = counted.requests;

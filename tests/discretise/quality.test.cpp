@@ -22,10 +22,11 @@ TEST_CASE("tolerance_for_pixels is the error in em, a quarter of a pixel unless 
     CHECK(tolerance_for_pixels(64.0, 1.0) == 1.0 / 64.0);
 }
 
-TEST_CASE("tolerance_for_pixels gives a tolerance that is refused when a number is not positive and finite", "[quality]")
+TEST_CASE("tolerance_for_pixels gives a tolerance that is refused when a number is not positive and finite",
+          "[quality]")
 {
-    const double bad = GENERATE(0.0, -1.0, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
-                                std::numeric_limits<double>::quiet_NaN());
+    const double bad = GENERATE(0.0, -1.0, std::numeric_limits<double>::infinity(),
+                                -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN());
     CHECK(tolerance_for_pixels(bad) == 0.0);
     CHECK(tolerance_for_pixels(64.0, bad) == 0.0);
     CHECK(tolerance_for_pixels(1e-300, 1e300) == 0.0);  // overflows

@@ -94,9 +94,10 @@ struct cubic_chords {
         }
     }
 
-    /// Like fits, but never says no to a piece that is good. Only for tame curves.
+    /// Like fits, but for a tame curve never says no to a piece that is good.
     [[nodiscard]] bool fits_exactly(double u, double v) const noexcept
     {
+        if constexpr (!tame) return fits(u, v);
         const piece p{*this, u, v};
         if (p.mm > p.room) return false;
         if (p.surely_fits()) return true;
@@ -114,7 +115,7 @@ struct cubic_chords {
         } else {
             // Two bounds, either holds for whatever curve. First: the distance between points of equal s on piece and chord.
             const double h = p.h, hh = h * h;
-            const point second = c2 + (3.0 * u) * c3;                        // B(u + hs) - chord = s(s-1)(v1 + s (v2 - v1)),
+            const point second = c2 + (3.0 * u) * c3;  // B(u + hs) - chord = s(s-1)(v1 + s (v2 - v1)),
             const point v1 = second + h * c3, v2 = second + (2.0 * h) * c3;  // both over h²
             const double n1 = dot(v1, v1), n2 = dot(v2, v2);
             const double loose = (n1 > n2 ? n1 : n2) * hh * hh * 0.0625;
@@ -133,6 +134,19 @@ struct cubic_chords {
             }
             return bound <= tt ? 1.0 : bound / tt;
         }
+    }
+
+    /// Where the curve goes from bending left to bending right, or from right to left, between the ends of [u, v]; u where it
+    /// does not, or does so twice.
+    [[nodiscard]] double inflection(double u, double v) const noexcept
+    {
+        const double k0 = k12, k1 = 3.0 * k13, k2 = 3.0 * k23;  // B' x B'' / 2
+        const double at_u = k0 + u * (k1 + u * k2), at_v = k0 + v * (k1 + v * k2);
+        if (!((at_u < 0.0) != (at_v < 0.0))) return u;
+        const double square = k1 * k1 - 4.0 * k0 * k2;
+        const double root = std::sqrt(square > 0.0 ? square : 0.0), twice = -(k1 < 0.0 ? k1 - root : k1 + root);
+        const double one = k2 != 0.0 ? twice / (2.0 * k2) : u, other = twice != 0.0 ? 2.0 * k0 / twice : u;
+        return u < one && one < v ? one : u < other && other < v ? other : u;
     }
 
     template <int samples>

@@ -24,7 +24,8 @@ public:
     /// Room for what the last call of this kind used, and for `wanted` points at least.
     void begin(std::size_t wanted) noexcept
     {
-        const std::size_t kept = out_.points.capacity() < out_.edges.capacity() ? out_.points.capacity() : out_.edges.capacity();
+        const std::size_t kept =
+            out_.points.capacity() < out_.edges.capacity() ? out_.points.capacity() : out_.edges.capacity();
         claim(kept > wanted ? kept : wanted);
     }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/assert.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/sweep_order.hpp>
@@ -18,14 +19,13 @@ namespace typemesh::detail {
 /// The sweep behind `monotone`: cuts loops into triangles from left to right and, when `Proving`, finds out whether they
 /// bound a region at all.
 ///
-/// Between two neighbouring boundary edges that the sweep line crosses lies a *span* of interior. What it has seen of a span
-/// and could not cut yet is a chain of points along its lower or its upper side. Sides are numbered: 0 lower, 1 upper.
+/// Between two neighbouring boundary edges that the sweep line crosses lies a *span* of interior. What the sweep has seen of
+/// it and could not cut yet is a chain of points along its lower or its upper side. Sides are numbered: 0 lower, 1 upper.
 ///
-///          ___upper___                A point p on the lower side first closes the chain along the upper side, for all of it
-///         /                           sees p:   (c0 c1 p) (c1 c2 p) ...
-///      c0 ----c1---c2                 then it cuts off what turns left at the end of the chain along the lower side, and
-///        \  .   .  .                  becomes its end. The upper side likewise, mirrored.
-///         ----------p
+///      c0 ---- c1 ----- c2 ------       p comes on the lower side. It sees all of a chain along the upper side, which is cut
+///        '.     .      .   ::::::       into (c0 p c1) (c1 p c2) and closed: what is left is the chain c2 p.
+///          '.    .   .    :::::::
+///            '---- p ------------       Of a chain along its own side it cuts off what turns left at the end, and joins it.
 ///
 /// Both chains at once are there only behind a merge, where they end in the same point m; the next point in the span joins m
 /// by an edge that closes one of them. This needs no partition into monotone pieces beforehand.
@@ -72,6 +72,7 @@ public:
     {
         const std::size_t n = points_.size();
         if (n == 0) return error::none;
+        TYPEMESH_ASSERT(loops() != 0 && starts_[loops()] == n, "the last of the starts must be the number of points");
         workspace::scope scratch{space};
         auto* const order = scratch.take<std::uint32_t>(n);
         vertices_ = scratch.take<vertex>(n);
@@ -157,7 +158,7 @@ private:
     {
         if constexpr (Proving) {
             const std::uint32_t outside = status_.neighbour(s, on);
-            if ((spans_[s].sides[1 - on].at(p) <= 0) | (spans_[outside].sides[1 - on].at(p) >= 0)) return false;
+            if (spans_[s].sides[1 - on].at(p) <= 0 || spans_[outside].sides[1 - on].at(p) >= 0) return false;
         }
         extend<on>(cut, spans_[s], v, p);
         set_side<on>(s, v, p);
