@@ -11,7 +11,8 @@
 
 using namespace typemesh;
 
-TEST_CASE("a sweep status keeps the order of its items through thousands of insertions and removals", "[core][sweep_status]")
+TEST_CASE("a sweep status keeps the order of its items through thousands of insertions and removals",
+          "[core][sweep_status]")
 {
     for (const std::size_t most : {1u, 10u, 17u, 60u, 3000u}) {
         workspace space;
@@ -21,7 +22,10 @@ TEST_CASE("a sweep status keeps the order of its items through thousands of inse
         std::vector<std::uint32_t> expected, height(most + 1, 0), unused;  // heights make the order
         for (std::uint32_t item = 1; item <= most; ++item) unused.push_back(item);
         std::uint64_t seed = most;
-        const auto random = [&] { return static_cast<std::uint32_t>((seed = seed * 6'364'136'223'846'793'005u + 1'442'695'040'888'963'407u) >> 33); };
+        const auto random = [&] {
+            return static_cast<std::uint32_t>((seed = seed * 6'364'136'223'846'793'005u + 1'442'695'040'888'963'407u) >>
+                                              33);
+        };
         std::size_t most_steps = 0;
         for (int i = 0; i < 20'000; ++i) {
             const bool grow = i % 8000 < 5000 ? random() % 4 != 0 : random() % 4 == 0;
@@ -30,9 +34,13 @@ TEST_CASE("a sweep status keeps the order of its items through thousands of inse
                 unused.pop_back();
                 height[item] = random();
                 std::size_t steps = 0;
-                const std::uint32_t under = status.last_below([&](std::uint32_t other) { ++steps; return other != 0 && height[other] < height[item]; });
+                const std::uint32_t under = status.last_below([&](std::uint32_t other) {
+                    ++steps;
+                    return other != 0 && height[other] < height[item];
+                });
                 most_steps = (std::max)(most_steps, steps);
-                const auto at = std::lower_bound(expected.begin(), expected.end(), height[item], [&](std::uint32_t a, std::uint32_t h) { return height[a] < h; });
+                const auto at = std::lower_bound(expected.begin(), expected.end(), height[item],
+                                                 [&](std::uint32_t a, std::uint32_t h) { return height[a] < h; });
                 REQUIRE(under == (at == expected.begin() ? 0 : *(at - 1)));
                 status.insert_above(under, item);
                 expected.insert(at, item);
@@ -61,7 +69,8 @@ TEST_CASE("two items may follow one search", "[core][sweep_status]")
     sweep_status status;
     REQUIRE(status.open(scratch, 2000));
     for (std::uint32_t item = 1; item < 2000; item += 2) {
-        const std::uint32_t under = status.last_below([&](std::uint32_t other) { return other != 0 && (other | 1) < item && other % 5 != 0; });
+        const std::uint32_t under =
+            status.last_below([&](std::uint32_t other) { return other != 0 && (other | 1) < item && other % 5 != 0; });
         status.insert_above(under, item);
         status.insert_above(item, item + 1);
         REQUIRE(status.above(under) == item);

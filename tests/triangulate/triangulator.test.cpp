@@ -34,7 +34,8 @@ std::string broken_law(const test::shape& s, fill_rule rule = fill_rule::non_zer
 
 }  // namespace
 
-TEMPLATE_LIST_TEST_CASE("a triangulator cuts every shape of the corpus into triangles over its own points", "[triangulate]", triangulators)
+TEMPLATE_LIST_TEST_CASE("a triangulator cuts every shape of the corpus into triangles over its own points",
+                        "[triangulate]", triangulators)
 {
     for (const test::corpus_shape& c : test::corpus("regions.txt")) {
         if (c.is_crossing) continue;
@@ -54,7 +55,8 @@ TEMPLATE_LIST_TEST_CASE("a triangulator cuts every shape of the corpus into tria
     }
 }
 
-TEMPLATE_LIST_TEST_CASE("a triangulator cuts shapes of all kinds into triangles over their own points", "[triangulate]", triangulators)
+TEMPLATE_LIST_TEST_CASE("a triangulator cuts shapes of all kinds into triangles over their own points", "[triangulate]",
+                        triangulators)
 {
     for (const test::shape& s : test::generated_regions()) {
         for (const double degrees : {0.0, 0.001, 33.0, 90.0, 180.0}) {
@@ -78,7 +80,8 @@ TEMPLATE_LIST_TEST_CASE("a triangulator cuts random polygons on tiny grids", "[t
     }
 }
 
-TEMPLATE_LIST_TEST_CASE("the laws do not depend on where contours begin or how they are ordered", "[triangulate]", triangulators)
+TEMPLATE_LIST_TEST_CASE("the laws do not depend on where contours begin or how they are ordered", "[triangulate]",
+                        triangulators)
 {
     for (const test::shape& s : test::generated_regions()) {
         for (std::uint64_t seed = 0; seed < 3; ++seed) {
@@ -88,11 +91,14 @@ TEMPLATE_LIST_TEST_CASE("the laws do not depend on where contours begin or how t
     }
 }
 
-TEMPLATE_LIST_TEST_CASE("equal regions give equal triangles, whatever the workspace was used for before", "[triangulate]", triangulators)
+TEMPLATE_LIST_TEST_CASE("equal regions give equal triangles, whatever the workspace was used for before",
+                        "[triangulate]", triangulators)
 {
-    contours loops = test::contours_of(test::circle_with_holes(300, 40)), others = test::contours_of(test::square_with_holes(9, 9));
+    contours loops = test::contours_of(test::circle_with_holes(300, 40)),
+             others = test::contours_of(test::square_with_holes(9, 9));
     workspace fresh, used;
-    const result<region> filled = fill(loops, fill_rule::non_zero, fresh), other = fill(others, fill_rule::non_zero, fresh);
+    const result<region> filled = fill(loops, fill_rule::non_zero, fresh),
+                         other = fill(others, fill_rule::non_zero, fresh);
     REQUIRE(filled);
     REQUIRE(other);
     triangle_list first, second;
@@ -111,7 +117,8 @@ TEMPLATE_LIST_TEST_CASE("the empty region has no triangles", "[triangulate]", tr
     CHECK(out.empty());
 }
 
-TEMPLATE_LIST_TEST_CASE("a triangulator without memory says so and leaves everything as it was", "[triangulate]", triangulators)
+TEMPLATE_LIST_TEST_CASE("a triangulator without memory says so and leaves everything as it was", "[triangulate]",
+                        triangulators)
 {
     contours loops = test::contours_of(test::square_with_holes(30, 12));
     workspace for_fill;

@@ -14,7 +14,8 @@ namespace typemesh {
 
 namespace detail {
 
-/// A point's place in the sweep order and its index, in one word: x - left | y - bottom | index, as many bits each as needed.
+/// A point's place in the sweep order and its index, in one word: x - left | y - bottom | index, as many bits each as
+/// needed.
 struct packed_sweep_key {
     std::uint64_t word;
     [[nodiscard]] std::uint64_t place(std::uint32_t index_bits) const noexcept { return word >> index_bits; }
@@ -67,7 +68,8 @@ void heap_sort(Key* keys, std::size_t n) noexcept
 
 /// Least significant digit first, 11 bits a pass. Returns where the sorted keys lie: `a` or `b`.
 template <class Key>
-[[nodiscard]] Key* radix_sort(Key* a, Key* b, std::size_t n, std::uint32_t index_bits, std::uint32_t place_bits) noexcept
+[[nodiscard]] Key* radix_sort(Key* a, Key* b, std::size_t n, std::uint32_t index_bits,
+                              std::uint32_t place_bits) noexcept
 {
     constexpr std::uint32_t digit_bits = 11, digits = 1u << digit_bits;
     std::uint32_t first[digits];
@@ -91,11 +93,12 @@ template <class Key>
 
 inline constexpr std::size_t most_for_buckets = 2048;  // points; beyond, the radix sort is faster (measured)
 
-/// One pass into buckets by the leading bits, then insertion: what glyphs take. Where many points share a bucket (they stand
-/// in one column) that bucket is sorted on its own first; where very many do, all go the way of large shapes.
+/// One pass into buckets by the leading bits, then insertion: what glyphs take. Where many points share a bucket (they
+/// stand in one column) that bucket is sorted on its own first; where very many do, all go the way of large shapes.
 /// Returns where the sorted keys lie: `a` or `b`. Needs 1 <= n <= most_for_buckets.
 template <class Key>
-[[nodiscard]] Key* bucket_sort(Key* a, Key* b, std::size_t n, std::uint32_t index_bits, std::uint32_t place_bits) noexcept
+[[nodiscard]] Key* bucket_sort(Key* a, Key* b, std::size_t n, std::uint32_t index_bits,
+                               std::uint32_t place_bits) noexcept
 {
     constexpr std::uint32_t crowd = 16, great_crowd = 256;  // powers of two, to be seen in the union of all sizes
     const auto bucket_bits = static_cast<std::uint32_t>(std::bit_width(n)) + 1;  // 2 to 4 buckets a point
@@ -126,7 +129,8 @@ template <class Key>
 
 /// Where the sorted keys lie: `keys` or `spare`.
 template <class Key>
-[[nodiscard]] const Key* sort_sweep_keys(Key* keys, Key* spare, std::size_t n, std::uint32_t index_bits, std::uint32_t place_bits) noexcept
+[[nodiscard]] const Key* sort_sweep_keys(Key* keys, Key* spare, std::size_t n, std::uint32_t index_bits,
+                                         std::uint32_t place_bits) noexcept
 {
     if (n <= 12) {
         insertion_sort(keys, n);
@@ -138,11 +142,13 @@ template <class Key>
 
 }  // namespace detail
 
-/// The indices of `points` in the order of a left-to-right sweep: by x, then y, then index. `order` holds points.size() values.
+/// The indices of `points` in the order of a left-to-right sweep: by x, then y, then index. `order` holds points.size()
+/// values.
 ///
 /// False when `space` has no memory. O(n log n) at worst; O(n) passes over 64-bit keys in practice, about half of what
 /// std::sort takes on glyphs. Scratch: 16 bytes a point (32 where x, y and index together need more than 64 bits).
-[[nodiscard]] inline bool sweep_order(std::span<const grid_point> points, workspace& space, std::uint32_t* order) noexcept
+[[nodiscard]] inline bool sweep_order(std::span<const grid_point> points, workspace& space,
+                                      std::uint32_t* order) noexcept
 {
     const std::size_t n = points.size();
     if (n == 0) return true;
@@ -180,7 +186,8 @@ template <class Key>
         }
         return true;
     };
-    return x_bits + y_bits + index_bits <= 64 ? sorted_by(detail::packed_sweep_key{}) : sorted_by(detail::wide_sweep_key{});
+    return x_bits + y_bits + index_bits <= 64 ? sorted_by(detail::packed_sweep_key{})
+                                              : sorted_by(detail::wide_sweep_key{});
 }
 
 }  // namespace typemesh

@@ -43,7 +43,8 @@ struct certified {
     {
         TYPEMESH_ASSERT(tolerance > 0.0, "a discretiser's tolerance must be positive");
         const point b = q.p1 - q.p0, e = q.p2 - q.p1;
-        if (!(dot(b, e) >= 0.0)) return wild(raised(q), tolerance, emit);
+        if (!(dot(b, e) >= 0.0)) [[unlikely]]
+            return wild(raised(q), tolerance, emit);
 
         tolerance *= 1.0 - 0x1p-20;
         const double tt = tolerance * tolerance;
@@ -65,7 +66,8 @@ struct certified {
     {
         TYPEMESH_ASSERT(tolerance > 0.0, "a discretiser's tolerance must be positive");
         const point l0 = q.p1 - q.p0, l1 = q.p2 - q.p1, l2 = q.p3 - q.p2;
-        if (!(dot(l0, l1) >= 0.0 && dot(l1, l2) >= 0.0 && dot(l0, l2) >= 0.0)) return wild(q, tolerance, emit);
+        if (!(dot(l0, l1) >= 0.0 && dot(l1, l2) >= 0.0 && dot(l0, l2) >= 0.0)) [[unlikely]]
+            return wild(q, tolerance, emit);
 
         tolerance *= 1.0 - 0x1p-20;
         const double tt = tolerance * tolerance;
@@ -160,7 +162,7 @@ private:
         const int pieces = shares.whole() > 1.0f ? static_cast<int>(shares.whole()) + 1 : 2;
         const float share = shares.whole() / static_cast<float>(pieces);
 
-        constexpr int chunk = 16;  // points are set, measured and emitted in three short loops without surprises
+        constexpr int chunk = 16;  // points are set, measured and emitted in three short loops, quicker than in one
         double t[chunk + 1];
         t[0] = from;
         for (int done = 0;;) {
@@ -169,7 +171,7 @@ private:
             if (count == left) t[count] = to;
             bool good = t[count] <= to;
             for (int i = 0; i < count; ++i) good = good & (t[i] < t[i + 1]) & chords.fits(t[i], t[i + 1]);
-            if (!good)
+            if (!good) [[unlikely]]
                 return walk_carefully(chords, shares, t[0], share * static_cast<float>(done), left, to, sure, emit);
             const int inner = count == left ? count - 1 : count;
             for (int i = 1; i <= inner; ++i) emit(chords.at(t[i]), t[i]);

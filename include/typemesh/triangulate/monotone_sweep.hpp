@@ -11,35 +11,36 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 
 namespace typemesh::detail {
 
-/// The sweep behind `monotone`: cuts loops into triangles from left to right and, when `Proving`, finds out whether they
-/// bound a region at all.
+/// The sweep behind `monotone`: cuts loops into triangles from left to right and, when `Proving`, finds out whether
+/// they bound a region at all.
 ///
-/// Between two neighbouring boundary edges that the sweep line crosses lies a *span* of interior. What the sweep has seen of
-/// it and could not cut yet is a chain of points along its lower or its upper side. Sides are numbered: 0 lower, 1 upper.
+/// Between two neighbouring boundary edges that the sweep line crosses lies a *span* of interior. What the sweep has
+/// seen of it and could not cut yet is a chain of points along its lower or its upper side. Sides are numbered: 0
+/// lower, 1 upper.
 ///
-///      c0 ---- c1 ----- c2 ------       p comes on the lower side. It sees all of a chain along the upper side, which is cut
-///        '.     .      .   ::::::       into (c0 p c1) (c1 p c2) and closed: what is left is the chain c2 p.
-///          '.    .   .    :::::::
-///            '---- p ------------       Of a chain along its own side it cuts off what turns left at the end, and joins it.
+///      c0 ---- c1 ----- c2 ----     p comes on the lower side. It sees all of a chain along the upper side, which
+///        '.     .      .   ::::     is cut into (c0 p c1) (c1 p c2) and closed: what is left is the chain c2 p.
+///          '.    .   .    :::::
+///            '---- p ----------     Of a chain along its own side it cuts off what turns left, and becomes its end.
 ///
-/// Both chains at once are there only behind a merge, where they end in the same point m; the next point in the span joins m
-/// by an edge that closes one of them. This needs no partition into monotone pieces beforehand.
+/// Both chains at once are there only behind a merge, where they end in the same point m; the next point in the span
+/// joins m by an edge that closes one of them. This needs no partition into monotone pieces beforehand.
 ///
 ///      ------------.                  the chain along the upper side of the lower part,
 ///                    m    p           the chain along the lower side of the upper part: both end in m.
 ///      ------------'
 ///
-/// Why the tests suffice: let X be the first point in sweep order where loops cross, touch or overlap. Left of X the status is
-/// right. If X is no vertex, two edges next to each other in the status cross there; nothing can be placed between them
-/// afterwards, for what is above the upper one is above the lower one, so the first of them that ends is tested against the
-/// other and found on the wrong side. If X is a vertex, either another vertex is there (its neighbour in the sweep order), or
-/// an edge passes through X, which is next to an edge that ends there (tested), or leaves no room for a new span (tested), or
-/// lies between two edges that end there (then they are not neighbours). Doubling back shows where the two edges start.
+/// Why the tests suffice: let X be the first point in sweep order where loops cross, touch or overlap. Left of X the
+/// status is right. If X is no vertex, two edges next to each other in the status cross there; nothing can be placed
+/// between them afterwards, for what is above the upper one is above the lower one, so the first of them that ends is
+/// tested against the other and found on the wrong side. If X is a vertex, either another vertex is there (its
+/// neighbour in the sweep order), or an edge passes through X, which is next to an edge that ends there (tested), or
+/// leaves no room for a new span (tested), or lies between two edges that end there (then they are not neighbours).
+/// Doubling back shows where the two edges start.
 template <bool Proving>
 class monotone_sweep {
     struct vertex {
@@ -76,7 +77,7 @@ public:
         workspace::scope scratch{space};
         auto* const order = scratch.take<std::uint32_t>(n);
         vertices_ = scratch.take<vertex>(n);
-        spans_ = scratch.take<span_of_interior>(n / 2 + 2);  // every other point at most opens one
+        spans_ = scratch.take<span_of_interior>(n / 2 + 2);    // every other point at most opens one
         links_ = scratch.take<chain_link>(2 * n + n / 2 + 2);  // one a point, one more a merge, two more a split
         if (order == nullptr || vertices_ == nullptr || spans_ == nullptr || links_ == nullptr ||
             !status_.open(scratch, n / 2 + 1) || !sweep_order(points_, space, order))
@@ -93,7 +94,10 @@ public:
     }
 
     /// After a proof: every loop is a hole or an outer one, and excess_ is 2h - 2c.
-    [[nodiscard]] std::uint32_t holes() const noexcept { return static_cast<std::uint32_t>((loops_met_ + excess_ / 2) / 2); }
+    [[nodiscard]] std::uint32_t holes() const noexcept
+    {
+        return static_cast<std::uint32_t>((loops_met_ + excess_ / 2) / 2);
+    }
     [[nodiscard]] std::uint32_t outers() const noexcept { return loops_met_ - holes(); }
 
 private:
@@ -118,13 +122,14 @@ private:
         }
         // Span 0 lies around everything: its lower side above all points, its upper side below them.
         constexpr std::int32_t reach = 1 << 28;
-        spans_[0] = {{{{-reach, reach + 1}, {reach, reach + 1}}, {{reach, -reach - 1}, {-reach, -reach - 1}}}, {0, 0}, {0, 0}};
+        spans_[0] = {
+            {{{-reach, reach + 1}, {reach, reach + 1}}, {{reach, -reach - 1}, {-reach, -reach - 1}}}, {0, 0}, {0, 0}};
     }
 
     [[nodiscard]] bool sweep(const std::uint32_t* order) noexcept
     {
         const auto n = static_cast<std::int64_t>(points_.size());
-        grid_point last{(std::numeric_limits<std::int32_t>::min)(), 0};
+        grid_point last{-(1 << 28) - 1, 0};  // no point of the grid
         cutter cut = cut_;
         stop_ = n;
         std::int64_t i = 0;
@@ -173,7 +178,8 @@ private:
     [[nodiscard]] bool open(std::uint32_t v, grid_point p) noexcept
     {
         const std::int64_t turn = orientation(points_[vertices_[v].right[1]], p, points_[vertices_[v].right[0]]);
-        const std::uint32_t s = status_.last_below([&](std::uint32_t item) noexcept { return spans_[item].sides[0].at(p) > 0; });
+        const std::uint32_t s =
+            status_.last_below([&](std::uint32_t item) noexcept { return spans_[item].sides[0].at(p) > 0; });
         const bool splits = turn < 0;
         if constexpr (Proving) {
             if (turn == 0) return false;  // doubles back
@@ -214,8 +220,10 @@ private:
     {
         const bool ends = lower == upper;
         if constexpr (Proving) {
-            const bool clear = ends ? spans_[status_.below(lower)].sides[1].at(p) < 0 && spans_[status_.above(lower)].sides[0].at(p) < 0
-                                    : status_.above(upper) == lower && spans_[upper].sides[0].at(p) > 0 && spans_[lower].sides[1].at(p) > 0;
+            const bool clear = ends ? spans_[status_.below(lower)].sides[1].at(p) < 0 &&
+                                          spans_[status_.above(lower)].sides[0].at(p) < 0
+                                    : status_.above(upper) == lower && spans_[upper].sides[0].at(p) > 0 &&
+                                          spans_[lower].sides[1].at(p) > 0;
             if (!clear) return false;
         }
         bound_triangles(ends ? -1 : 1);
@@ -307,14 +315,15 @@ private:
         return link(cut, p, v, at);
     }
 
-    /// Splits and merges add triangles, starts and ends take some away. For a region, splits + merges - starts - ends is
-    /// 2h - 2c in the end, so it can never be more than the points to come may take back: more means that loops cross, and
-    /// what remains could ask for more triangles than there is room.
+    /// Splits and merges add triangles, starts and ends take some away. For a region, splits + merges - starts - ends
+    /// is 2h - 2c in the end, so it can never be more than the points to come may take back: more means that loops
+    /// cross, and what remains could ask for more triangles than there is room.
     void bound_triangles(std::int64_t change) noexcept
     {
         if constexpr (Proving) {
             excess_ += change;
-            const auto n = static_cast<std::int64_t>(points_.size()), room = n + 2 * static_cast<std::int64_t>(loops()) - excess_;
+            const auto n = static_cast<std::int64_t>(points_.size()),
+                       room = n + 2 * static_cast<std::int64_t>(loops()) - excess_;
             stop_ = room < n ? room : n;
         }
     }
