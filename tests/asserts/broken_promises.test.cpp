@@ -55,3 +55,14 @@ TEST_CASE("a workspace that is moved while it is borrowed from is told so", "[as
         test::failed_asserts.clear();
     }
 }
+
+TEST_CASE("a text that is read in another encoding than its own is told so", "[asserts]")
+{
+    (void)text_view{"abc"}.utf8();
+    (void)text_view{u"abc"}.utf16();
+    CHECK(asserted() == "");
+    (void)text_view{"abc"}.utf16();
+    CHECK(asserted() == "a text in UTF-8 was read as UTF-16");
+    (void)text_view{u"abc"}.utf8();
+    CHECK(asserted() == "a text in UTF-16 was read as UTF-8");
+}

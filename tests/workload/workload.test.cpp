@@ -52,7 +52,8 @@ double cap_area(const test::full_mesh& m, const mesh_range& r)
 {
     double area = 0.0;
     for (std::uint32_t i = r.first_index; i < r.first_index + r.index_count; i += 3) {
-        const vec3 a = m.vertices[m.indices[i]].position, b = m.vertices[m.indices[i + 1]].position, c = m.vertices[m.indices[i + 2]].position;
+        const vec3 a = m.vertices[m.indices[i]].position, b = m.vertices[m.indices[i + 1]].position,
+                   c = m.vertices[m.indices[i + 2]].position;
         const double twice = (double(b.x) - a.x) * (double(c.y) - a.y) - (double(b.y) - a.y) * (double(c.x) - a.x);
         REQUIRE(twice > 0.0);
         area += twice;
@@ -62,7 +63,10 @@ double cap_area(const test::full_mesh& m, const mesh_range& r)
 
 }  // namespace
 
-TEST_CASE("every glyph of every text of the workload is closed, and refused exactly where the oracle finds contours that meet", "[workload]")
+TEST_CASE(
+    "every glyph of every text of the workload is closed, and refused exactly where the oracle finds contours that "
+    "meet",
+    "[workload]")
 {
     const auto s = GENERATE(from_range(subjects()));
     if (!s.font.available()) return;
@@ -88,7 +92,8 @@ TEST_CASE("every glyph of every text of the workload is closed, and refused exac
                 std::vector<std::uint32_t> own;
                 for (const part p : all_parts) {
                     const mesh_range r = plan->range(g, p);
-                    own.insert(own.end(), m.indices.begin() + r.first_index, m.indices.begin() + r.first_index + r.index_count);
+                    own.insert(own.end(), m.indices.begin() + r.first_index,
+                               m.indices.begin() + r.first_index + r.index_count);
                 }
                 const auto law = test::examine(m.vertices, own);
                 INFO("glyph " << plan->glyphs()[g].id);
@@ -158,7 +163,13 @@ TEST_CASE("caps have exactly the area of the region, however the glyph is turned
 
     const double angle = degrees * 3.14159265358979323846 / 180.0;
     const bool quarter = degrees == 90.0, half = degrees == 180.0;
-    const double c = quarter ? 0.0 : half ? -1.0 : std::cos(angle), n = quarter ? 1.0 : half ? 0.0 : std::sin(angle), m = mirrored ? -1.0 : 1.0;
+    const double c = quarter ? 0.0
+                     : half  ? -1.0
+                             : std::cos(angle),
+                 n = quarter ? 1.0
+                     : half  ? 0.0
+                             : std::sin(angle),
+                 m = mirrored ? -1.0 : 1.0;
     transformed_outlines turned{*font, {.xx = c * m, .xy = -n, .yx = n * m, .yy = c}};
 
     shaped_by both{*font, turned};
@@ -189,7 +200,9 @@ TEST_CASE("caps have exactly the area of the region, however the glyph is turned
         REQUIRE_FALSE(discretise(shape, certified{}, quality::high * font->units_per_em(), *grid_of, loops));
         const double cells = grid_of->cells;
         const double area = cap_area(mesh, own->range(part::front)) * cells * cells;
-        CHECK(area == Catch::Approx(test::oracle::doubled_filled_area(test::oracle::loops_of(loops), shape.rule)).epsilon(1e-11));
+        CHECK(
+            area ==
+            Catch::Approx(test::oracle::doubled_filled_area(test::oracle::loops_of(loops), shape.rule)).epsilon(1e-11));
         const auto filled = fill(loops, shape.rule, space);
         REQUIRE(filled);
         CHECK(area == static_cast<double>(test::oracle::doubled_area(test::oracle::loops_of(*filled))));

@@ -55,14 +55,14 @@ struct placement {
     /// A height given in em, in output units.
     [[nodiscard]] float height(double em) const noexcept { return static_cast<float>(em * unit_per_em); }
 
-    /// A wall's normal, given in the plane.
+    /// A wall's normal, given in the plane, in the caller's axes.
     [[nodiscard]] vec3 normal(vec2 n) const noexcept
     {
         return {frame.right.x * n.x + frame.up.x * n.y, frame.right.y * n.x + frame.up.y * n.y,
                 frame.right.z * n.x + frame.up.z * n.y};
     }
 
-    /// The front cap's normal; the back's with sign = -1.
+    /// A cap's normal: 1 for the front, -1 for the back.
     [[nodiscard]] vec3 cap_normal(float sign) const noexcept { return frame(0.0f, 0.0f, sign); }
 
 private:

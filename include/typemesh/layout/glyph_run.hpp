@@ -27,12 +27,12 @@ struct text_line {
 
 /// Shaped text: what every stage after shaping works from. Fill one by hand and no shaper is needed.
 ///
-/// Glyphs lie in the order of drawing (left to right in a horizontal line, whatever the script's direction); a line's glyphs
-/// lie together. A run that was made by hand may leave `lines` empty: it then counts as one line.
+/// Glyphs lie in the order of drawing (left to right in a horizontal line, whatever the script's direction); a line's
+/// glyphs lie together. A run that was made by hand may leave `lines` empty: it then counts as one line.
 struct glyph_run {
     buffer<placed_glyph> glyphs;
     buffer<text_line> lines;
-    double units_per_em = 1000.0;
+    double units_per_em = 1000.0;  ///< of the font that `id` and `origin` belong to
 
     std::uint32_t missing = 0;                 ///< glyphs that the font lacks (drawn as .notdef only if asked)
     cluster_id first_missing = no_cluster;     ///< where in the text the first of them is

@@ -114,8 +114,8 @@ struct line_reading {
 /// ("5%"). One digit alone reads the same in both directions. line_reading::nowhere if there is none.
 [[nodiscard]] inline std::size_t find_number(text_view text, std::size_t first, std::size_t last) noexcept
 {
-    auto before = reading::neutral,
-         earlier = reading::neutral;  // the character before this one, and the one before that
+    // The character before this one, and the one before that.
+    reading before = reading::neutral, earlier = reading::neutral;
     std::size_t before_at = first, earlier_at = first;
     for (std::size_t i = first; i < last;) {
         const code_point c = decode(text, i, last);
@@ -125,8 +125,10 @@ struct line_reading {
             if (before == reading::separator && earlier == reading::digit) return earlier_at;
         }
         if (what == reading::terminator && before == reading::digit) return before_at;
-        earlier = before, earlier_at = before_at;
-        before = what, before_at = i;
+        earlier = before;
+        earlier_at = before_at;
+        before = what;
+        before_at = i;
         i = c.next;
     }
     return line_reading::nowhere;

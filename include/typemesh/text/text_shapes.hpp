@@ -124,8 +124,10 @@ struct text_shapes {
 
     [[nodiscard]] solid solid_of(const shape_record& s) const noexcept
     {
-        return {points.view().subspan(s.first_point, s.point_count), starts.view().subspan(s.first_start, s.start_count),
-                triangles.view().subspan(s.first_triangle, s.triangle_count), sides.view().subspan(s.first_side, s.side_count)};
+        return {points.view().subspan(s.first_point, s.point_count),
+                starts.view().subspan(s.first_start, s.start_count),
+                triangles.view().subspan(s.first_triangle, s.triangle_count),
+                sides.view().subspan(s.first_side, s.side_count)};
     }
 
     /// A shape's own box, in font units, seen from the text's origin.

@@ -15,9 +15,10 @@ enum class uv_origin : std::uint8_t { top_left, bottom_left };
 ///        up                       Text runs along `right`, stands along `up` and looks along `toward` (the front cap's
 ///         |   the text's front    normal). The three are unit vectors at right angles; they may be left-handed.
 ///         |
-///         +------ right           winding: the sign of dot(cross(b - a, c - a), normal) for a triangle a, b, c, computed
-///        /                        in these very coordinates. +1 for OpenGL, glTF, Direct3D and Unity; -1 for Godot. It
-///     toward                      says what "clockwise" leaves open: a left-handed frame by itself turns no triangle.
+///         +------ right           winding: the sign of dot(cross(b - a, c - a), normal) for a triangle a, b, c,
+///        /                        computed in these very coordinates. +1 for OpenGL, glTF, Direct3D and Unity; -1 for
+///     toward                      Godot. It says what "clockwise" leaves open: a left-handed frame by itself turns no
+///                                 triangle.
 struct frame {
     vec3 right{1.0f, 0.0f, 0.0f};
     vec3 up{0.0f, 1.0f, 0.0f};
