@@ -17,6 +17,8 @@ std::string asserted()
     return words;
 }
 
+const char* const stale = "this text_plan is stale: its mesher has made another plan or was moved since";
+
 }  // namespace
 
 TEST_CASE("a plan that outlived its mesher's next plan is told so", "[asserts]")
@@ -28,8 +30,28 @@ TEST_CASE("a plan that outlived its mesher's next plan is told so", "[asserts]")
     CHECK(asserted() == "");
     auto fresh = mesher.plan("EE");
     (void)old->size();
-    CHECK(asserted() == "this text_plan is stale: its mesher has made another plan since");
+    CHECK(asserted() == stale);
     (void)fresh->size();
+    CHECK(asserted() == "");
+}
+
+TEST_CASE("a plan whose mesher was moved is told so", "[asserts]")
+{
+    test::toy_font font;
+    text_mesher mesher{font}, other{font};
+    auto plan = mesher.plan("E");
+    auto of_other = other.plan("o");
+    other = std::move(mesher);
+    (void)plan->size();
+    CHECK(asserted() == stale);
+    (void)of_other->size();
+    CHECK(asserted() == stale);
+
+    auto again = other.plan("E");
+    auto flat_text = std::move(other).with(flat{});
+    (void)again->size();
+    CHECK(asserted() == stale);
+    (void)flat_text.plan("E")->size();
     CHECK(asserted() == "");
 }
 

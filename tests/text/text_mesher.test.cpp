@@ -237,6 +237,8 @@ TEST_CASE("empty text and blank glyphs give an empty mesh, not an error", "[text
     CHECK(m.indices.empty());
 }
 
+static_assert(std::is_nothrow_move_constructible_v<text_plan<flat>> && !std::is_copy_constructible_v<text_plan<flat>>);
+
 // A plan refers to its run, so a run that ends with the line is refused; text of any kind may end.
 template <class M, class Run>
 concept plans = requires(M& mesher, Run&& run) { mesher.plan(std::forward<Run>(run)); };

@@ -13,7 +13,9 @@
 
 #include <cmath>
 #include <set>
+#include <sstream>
 #include <string>
+#include <vector>
 
 using namespace typemesh;
 
@@ -229,4 +231,46 @@ TEST_CASE("the same text from FreeType's outlines is as closed as from HarfBuzz'
         CHECK(test::examine(m).unmatched_edges == 0);
         CHECK(made->refused == reference.plan(text)->report().refused);
     }
+}
+
+TEST_CASE("the worst glyphs known are closed, or refused exactly where the oracle finds contours that meet", "[workload]")
+{
+    std::size_t tried = 0;
+    std::string absent;
+    const auto rows = test::workload_lines("nasty-glyphs.tsv");
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        std::vector<std::string> column;
+        std::istringstream row{rows[i]};
+        for (std::string cell; std::getline(row, cell, '\t');) column.push_back(cell);
+        INFO(column.at(1) << ", glyph " << column.at(3) << ": " << column.at(6));
+        auto font = harfbuzz_font::open(("/" + column[1]).c_str(), {.face = std::uint32_t(std::stoul(column[2]))});
+        if (font.error() == error::unreadable_file) {
+            absent += " " + column[0];
+            continue;
+        }
+        REQUIRE(font);
+        ++tried;
+        const auto id = glyph_id(std::stoul(column[3]));
+        glyph_run run;
+        run.units_per_em = font->units_per_em();
+        REQUIRE(run.glyphs.push_back({id, 0, {0, 0}}));
+        text_mesher mesher{*font};
+        for (const double tolerance : {quality::low, quality::high}) {
+            test::full_mesh m;
+            const auto made = mesher.build(run, into(m.vertices, m.indices), {.tolerance = tolerance});
+            REQUIRE(made);
+            CHECK(made->refused == (oracle_refuses(*font, id, certified{}, tolerance) ? 1u : 0u));
+            if (made->refused != 0) {
+                CHECK(made->first_refusal == error::crossing_contours);
+                CHECK(m.vertices.empty());
+                continue;
+            }
+            const auto law = test::examine(m);
+            CHECK(law.unmatched_edges == 0);
+            CHECK(law.zero_area == 0);
+            CHECK(test::volume(m.vertices, m.indices) > 0.0);
+        }
+    }
+    if (!absent.empty()) WARN("skipped, fonts not installed:" << absent);
+    CHECK(tried != 0);
 }

@@ -24,14 +24,14 @@ struct placement {
         double z = 0.0;
     };
 
-    point pen;  ///< the glyph's origin, in cells
-    double unit_per_cell = 1.0;
-    double unit_per_em = 1.0;
+    point pen = {};              ///< the glyph's origin, in cells
+    double unit_per_cell = 1.0;  ///< output units to a cell
+    double unit_per_em = 1.0;    ///< output units to an em: what depths are scaled by
     double em_per_cell = 1.0;
-    point em_pen;            ///< em mapping: the glyph's origin, in cells, seen from the text's own origin
-    point texture_pen;       ///< box mapping: the glyph's origin, in cells, seen from the box's lower left corner
-    point texture_per_cell;  ///< box mapping: how much u and v grow with a cell; 0 where the box has no extent
-    typemesh::frame frame;
+    point em_pen = {};            ///< em mapping: the glyph's origin, in cells, seen from the text's own origin
+    point texture_pen = {};       ///< box mapping: the glyph's origin, in cells, seen from the box's lower left corner
+    point texture_per_cell = {};  ///< box mapping: how much u and v grow with a cell; 0 where the box has no extent
+    typemesh::frame frame = {};
 
     /// Where a grid point stands: the part of position() that is the same for all heights.
     [[nodiscard]] footprint foot(grid_point p) const noexcept

@@ -13,7 +13,7 @@ namespace typemesh {
 struct placed_glyph {
     glyph_id id = 0;
     cluster_id cluster = 0;
-    point origin;
+    point origin = {};
     bool missing = false;  ///< the font has no glyph for this text: `id` is its .notdef, drawn only if asked
 };
 
@@ -21,7 +21,7 @@ struct placed_glyph {
 struct text_line {
     std::uint32_t first_glyph = 0;
     std::uint32_t glyph_count = 0;
-    point origin;          ///< where the pen stood at the line's start, alignment included
+    point origin = {};     ///< where the pen stood at the line's start, alignment included
     double advance = 0.0;  ///< how far the pen went, in font units, never negative
 };
 

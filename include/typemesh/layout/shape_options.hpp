@@ -25,9 +25,9 @@ struct feature {
 /// What a shaper is told besides the text.
 struct shape_options {
     typemesh::direction direction = typemesh::direction::automatic;
-    std::string_view language;  ///< BCP 47, such as "tr" or "zh-Hant"; empty: no language, never the machine's locale
-    std::string_view script;            ///< ISO 15924, such as "Arab"; empty: found from the text
-    std::span<const feature> features;  ///< besides those that the script has on by default
+    std::string_view language = {};  ///< BCP 47, such as "tr" or "zh-Hant"; empty: none, never the machine's locale
+    std::string_view script = {};    ///< ISO 15924, such as "Arab"; empty: found from the text
+    std::span<const feature> features = {};  ///< besides those that the script has on by default
 };
 
 }  // namespace typemesh

@@ -26,13 +26,13 @@ struct mesh_range {
 ///     vertices   [ front: glyph 0, glyph 1, ... | back: ... | side: ... ]       each part in one piece, so that it can
 ///     indices    [ front: glyph 0, glyph 1, ... | back: ... | side: ... ]       be drawn with a material of its own
 ///
-/// Move-only. It refers to its mesher's memory: the mesher must stay where it is, and its next plan() ends this one
+/// Move-only. It refers to its mesher's memory: a move of the mesher ends this one, and so does its next plan()
 /// (using it then is asserted). Only glyphs that have triangles are counted among glyphs().
 template <extruder Extruder>
 class text_plan {
 public:
     text_plan(const text_shapes& shapes, const glyph_run& run, const Extruder& extruder) noexcept
-        : shapes_{&shapes}, run_{&run}, extruder_{extruder}, generation_{shapes.generation}
+        : shapes_{&shapes}, run_{&run}, extruder_{extruder}, generation_{shapes.generation.number}
     {
     }
     text_plan(text_plan&&) noexcept = default;
@@ -112,8 +112,8 @@ public:
 private:
     const text_shapes& fresh() const noexcept
     {
-        TYPEMESH_ASSERT(shapes_->generation == generation_,
-                        "this text_plan is stale: its mesher has made another plan since");
+        TYPEMESH_ASSERT(shapes_->generation.number == generation_,
+                        "this text_plan is stale: its mesher has made another plan or was moved since");
         return *shapes_;
     }
 
