@@ -91,3 +91,97 @@ TEST_CASE("resolve() makes regions of random polylines on tiny grids", "[fill][r
     }
     WARN("at most " << most_walks << " walks");
 }
+
+TEST_CASE("resolve() makes regions of random polylines of all sizes and slants", "[fill][resolve]")
+{
+    test::dice d{22};
+    int mistakes = 0;
+    for (int i = 0; i < 3000 && mistakes < 3; ++i) {
+        const int wide = d.roll(29), high = d.roll(29), count = 1 + d.roll(3);
+        test::shape s{"polylines " + std::to_string(i), {}};
+        for (int c = 0; c < count; ++c) {
+            test::polyline l;
+            for (int n = 1 + d.roll(40); n > 0; --n) {
+                if (l.size() > 3 && d.roll(4) == 0)
+                    l.push_back({l[l.size() - 3].x + d.roll(3) - 1, l[l.size() - 3].y + d.roll(3) - 1});  // all but back again
+                else
+                    l.push_back({d.roll(1 << wide) - (1 << wide) / 2, d.roll(1 << high) - (1 << high) / 2});
+            }
+            s.loops.push_back(l);
+        }
+        const std::string mistake = mistake_on(s);
+        if (!mistake.empty()) {
+            INFO(s);
+            CHECK(mistake == "");
+            ++mistakes;
+        }
+    }
+    WARN("at most " << most_walks << " walks");
+}
+
+TEST_CASE("resolve() makes regions of the corpus in every position", "[fill][resolve]")
+{
+    for (const test::corpus_shape& c : test::corpus("regions.txt")) {
+        INFO(c);
+        for (const double degrees : {0.0, 90.0, 180.0, 270.0, 33.0}) {
+            const test::shape s = test::turned(c.shape, degrees);
+            CHECK(mistake_on(s) == "");
+            CHECK(mistake_on(test::mirrored(s)) == "");
+            CHECK(mistake_on(test::reversed(s)) == "");
+        }
+    }
+}
+
+namespace {
+
+test::shape doubled(test::shape s, grid_point by, bool turned_round)
+{
+    s.name += ", doubled";
+    const std::size_t n = s.loops.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        test::polyline l = s.loops[i];
+        for (grid_point& p : l) p = {p.x + by.x, p.y + by.y};
+        if (turned_round) std::reverse(l.begin(), l.end());
+        s.loops.push_back(l);
+    }
+    return s;
+}
+
+/// A star drawn in one go: every point joined with the one `skip` further on.
+test::polyline pentagram(int n, int skip, double radius)
+{
+    test::polyline l;
+    for (int i = 0; i < n; ++i) l.push_back(test::on_circle(0, 0, radius, test::turn_once * i * skip / n));
+    return l;
+}
+
+}  // namespace
+
+TEST_CASE("resolve() makes regions of doubled, shifted and wound-up shapes", "[fill][resolve]")
+{
+    for (const test::shape& s : test::generated_regions()) {
+        if (s.loops.size() > 30 || s.loops[0].size() > 300 || s.name.find("largest") == 0) continue;
+        INFO(s.name);
+        for (const bool round : {false, true}) {
+            for (const grid_point by : {grid_point{0, 0}, grid_point{1, 0}, grid_point{0, -1}, grid_point{3, 7}, grid_point{1234, 567}}) {
+                CHECK(mistake_on(doubled(s, by, round)) == "");
+                CHECK(mistake_on(test::turned(doubled(s, by, round), 90.0)) == "");
+            }
+        }
+        CHECK(mistake_on(doubled(doubled(doubled(s, {5, 5}, false), {5, 5}, false), {-30, 2}, false)) == "");
+    }
+    for (const int n : {5, 7, 11, 31, 101}) {
+        for (int skip = 2; skip < n / 2; skip += 1 + n / 10) {
+            for (const double radius : {3.0, 20.0, 1000.0, 2e8}) {
+                const test::shape s{"pentagram " + std::to_string(n) + " by " + std::to_string(skip), {pentagram(n, skip, radius)}};
+                INFO(s);
+                CHECK(mistake_on(s, fill_rule::non_zero, n > 50 ? 4 : 12) == "");
+                CHECK(mistake_on(s, fill_rule::even_odd, n > 50 ? 4 : 12) == "");
+            }
+        }
+    }
+    for (int depth = 1; depth < 12; ++depth) {
+        CHECK(mistake_on(test::nested_squares(depth, false)) == "");
+        CHECK(mistake_on(test::nested_squares(depth, true)) == "");
+    }
+}
