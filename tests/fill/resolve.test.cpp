@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include <typemesh/fill/resolve.hpp>
+#include <typemesh/triangulate/monotone.hpp>
 
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
@@ -35,6 +36,10 @@ std::string mistake_on(const test::shape& s, fill_rule rule, int samples = 12)
     for (const grid_point p : made->points()) places.push_back(detail::sweep_place(p));
     std::sort(places.begin(), places.end());
     if ((std::adjacent_find(places.begin(), places.end()) != places.end()) != made->is_touching()) return "is_touching() is wrong";
+
+    triangle_list triangles;
+    if (const error e = monotone{}(*made, space, triangles)) return e.message();
+    if (std::string law = test::oracle::broken_law(*made, triangles.view()); !law.empty()) return law;
 
     std::int32_t left = 1 << 29, right = -left, bottom = left, top = -left;
     for (const auto& l : s.loops) {

@@ -11,9 +11,10 @@ namespace typemesh {
 ///     points   [ outer | hole | hole | outer | ... ]   on the grid, |coordinate| <= 2^28
 ///     out      three indices into `points` per triangle, counter-clockwise, no area zero
 ///
-/// Loops in any order, holes need not be told from outer loops, collinear points and vertical edges are nothing special.
-/// No point is dropped and none added: every edge of the loops is an edge of exactly one triangle. The triangles are as
-/// slender as the sweep leaves them; where their shape matters (lighting per vertex, bending) take another policy.
+/// Loops in any order, holes need not be told from outer loops, collinear points and vertical edges are nothing
+/// special. No point is dropped and none added: every edge of the loops is an edge of exactly one triangle. The
+/// triangles are as slender as the sweep leaves them; where their shape matters (lighting per vertex, bending) take
+/// another policy.
 ///
 /// Cost   O(n log n); one pass. Only points that open a span are searched for, all others know theirs by their edges.
 /// Space  about 120 bytes a point from `space`, nothing else after `out` has room
@@ -24,15 +25,15 @@ struct monotone {
     /// Relies on the region's promise. Fails with error::out_of_memory, `out` being as it was.
     [[nodiscard]] error operator()(const region& r, workspace& space, triangle_list& out) const noexcept
     {
-        detail::monotone_sweep<false> sweep{r.points(), r.starts()};
-        return sweep.run(space, out);
+        if (r.is_touching()) return detail::monotone_sweep<false, true>{r.points(), r.starts()}.run(space, out);
+        return detail::monotone_sweep<false>{r.points(), r.starts()}.run(space, out);
     }
 
     /// The region that `loops` bound, its triangles appended to `out`.
     ///
-    /// Fails  error::crossing_contours  exactly when two edges cross, touch or overlap (neighbours of a loop may share their
-    ///                                  common point and no more), or an edge does not have the interior, and only the
-    ///                                  interior, on its left: a lone clockwise loop, one loop in another of its direction
+    /// Fails  error::crossing_contours: exactly when two edges cross, touch or overlap (neighbours of a loop may share
+    ///        their common point and no more), or an edge does not have the interior on its left alone: a lone
+    ///        clockwise loop, one loop in another of its direction
     ///        error::out_of_memory
     /// In both cases `out` is as it was.
     [[nodiscard]] result<region> prove(const contours& loops, workspace& space, triangle_list& out) const noexcept
