@@ -211,6 +211,18 @@ inline std::int32_t winding(const std::vector<loop>& loops, grid_point p)
     return w;
 }
 
+/// How long all edges are together: snapping them by half a cell moves at most half of that in area.
+inline double length(const std::vector<loop>& loops)
+{
+    double sum = 0.0;
+    for (const loop l : loops)
+        for (std::size_t i = 0; i < l.size(); ++i) {
+            const grid_point a = l[i], b = l[(i + 1) % l.size()];
+            sum += std::hypot(double(b.x) - a.x, double(b.y) - a.y);
+        }
+    return sum;
+}
+
 /// How far p is from the nearest edge.
 inline double distance(const std::vector<loop>& loops, grid_point p)
 {

@@ -93,7 +93,8 @@ public:
             !status_.open(scratch, n / 2 + 1) || !sweep_order(points_, space, order))
             return error::out_of_memory;
         link_up();
-        if constexpr (Touching) order_visits(order);
+        if constexpr (Touching)
+            if (!order_visits(order, scratch)) return error::out_of_memory;
 
         const std::size_t before = out.size();
         triangle* const first = out.append(n + 2 * loops());
@@ -138,17 +139,21 @@ private:
     }
 
     /// Puts visits of one point into the order told above.
-    void order_visits(std::uint32_t* order) const noexcept
+    [[nodiscard]] bool order_visits(std::uint32_t* order, workspace::scope& scratch) const noexcept
     {
         const std::size_t n = points_.size();
-        for (std::size_t i = 1; i < n; ++i) {
-            const std::uint32_t v = order[i];
-            const std::uint32_t rank = visit_rank(v);
-            std::size_t k = i;
-            for (; k != 0 && points_[order[k - 1]] == points_[v] && visit_rank(order[k - 1]) > rank; --k)
-                order[k] = order[k - 1];
-            order[k] = v;
+        auto* const ordered = scratch.take<std::uint32_t>(n);
+        if (ordered == nullptr) return false;
+        for (std::size_t begin = 0, end = 1; begin < n; begin = end++) {
+            while (end < n && points_[order[end]] == points_[order[begin]]) ++end;
+            if (end - begin == 1) continue;
+            std::size_t k = begin;
+            for (std::uint32_t rank = 0; rank < 4; ++rank)
+                for (std::size_t i = begin; i < end; ++i)
+                    if (visit_rank(order[i]) == rank) ordered[k++] = order[i];
+            for (k = begin; k < end; ++k) order[k] = ordered[k];
         }
+        return true;
     }
 
     /// 0: an end, 1: a pass, 2: a merge or a split, 3: a start.
