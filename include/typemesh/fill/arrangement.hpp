@@ -34,6 +34,7 @@ struct stretch {
     std::int32_t turn;         // the winding number right above it less the one right below
     std::int32_t below;        // the winding number right below, once the sweep has met it
     contour_edge source;       // t0 belongs to `from`, t1 to `to`
+    std::uint32_t origin;      // the contour point whose edge it was cut from
     std::uint32_t next;        // before the sweep: the next stretch that starts in the same point; behind it: see boundary_walk
 
     void flip() noexcept
@@ -71,6 +72,22 @@ struct arrangement {
     grid_point* spare = nullptr;   // of the same size
     std::uint32_t* first = nullptr;  // of the stretches that start in each point: the first, the others follow by `next`
     std::uint32_t point_count = 0;
+    const contours* loops = nullptr;  // what was taken apart
+
+    /// Whether p lies within about one cell of the line of a stretch's original edge: bending may not lead farther away.
+    [[nodiscard]] bool is_at_home(const stretch& s, grid_point p) const noexcept
+    {
+        std::uint32_t contour = 0;
+        for (std::uint32_t size = loops->contour_count(); size > 1;) {
+            const std::uint32_t half = size / 2;
+            if (loops->starts[contour + half] <= s.origin) contour += half;
+            size -= half;
+        }
+        const std::uint32_t next = s.origin + 1 < loops->starts[contour + 1] ? s.origin + 1 : loops->starts[contour];
+        const grid_point a = loops->points[s.origin], b = loops->points[next];
+        const std::int64_t dx = std::int64_t{b.x} - a.x, dy = std::int64_t{b.y} - a.y, side = orientation(a, b, p);
+        return (side < 0 ? -side : side) <= (dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy);
+    }
 
     /// Room for `most` stretches. What is there already is kept. False when there is no memory.
     [[nodiscard]] bool reserve(workspace::scope& scratch, std::uint32_t most) noexcept
@@ -86,15 +103,17 @@ struct arrangement {
         return true;
     }
 
-    /// Takes contours apart; edges without length vanish. Needs capacity >= loops.points.size().
-    [[nodiscard]] bool take_apart(const contours& loops, workspace& space) noexcept
+    /// Takes contours apart; edges without length vanish. Needs capacity >= given.points.size(),
+    /// and `given` to stay while the arrangement is cut.
+    [[nodiscard]] bool take_apart(const contours& given, workspace& space) noexcept
     {
-        const auto n = static_cast<std::uint32_t>(loops.points.size());
+        loops = &given;
+        const auto n = static_cast<std::uint32_t>(given.points.size());
         workspace::scope scratch{space};
         auto* const order = scratch.take<std::uint32_t>(n);
         auto* const number = scratch.take<std::uint32_t>(n);
-        if (order == nullptr || number == nullptr || !sweep_order(loops.points.view(), space, order)) return false;
-        const grid_point* const place = loops.points.data();
+        if (order == nullptr || number == nullptr || !sweep_order(given.points.view(), space, order)) return false;
+        const grid_point* const place = given.points.data();
         point_count = 0;
         for (std::uint32_t i = 0; i < n; ++i) {
             const grid_point p = place[order[i]];
@@ -105,18 +124,18 @@ struct arrangement {
             number[order[i]] = point_count - 1;
         }
         count = 0;
-        const contour_edge* const edges = loops.edges.data();
-        for (std::uint32_t c = 0; c < loops.contour_count(); ++c) {
-            const std::uint32_t begin = loops.starts[c], end = loops.starts[c + 1];
+        const contour_edge* const edges = given.edges.data();
+        for (std::uint32_t c = 0; c < given.contour_count(); ++c) {
+            const std::uint32_t begin = given.starts[c], end = given.starts[c + 1];
             for (std::uint32_t v = begin; v < end; ++v) {
                 const std::uint32_t w = v + 1 < end ? v + 1 : begin;
                 const std::uint32_t i = number[v], k = number[w];
                 if (i == k) continue;
                 const contour_edge e = edges[v];
                 if (i < k)
-                    stretches[count] = {place[v], place[w], i, k, 1, 0, e, first[i]};
+                    stretches[count] = {place[v], place[w], i, k, 1, 0, e, v, first[i]};
                 else
-                    stretches[count] = {place[w], place[v], k, i, -1, 0, {e.curve, e.t1, e.t0}, first[k]};
+                    stretches[count] = {place[w], place[v], k, i, -1, 0, {e.curve, e.t1, e.t0}, v, first[k]};
                 first[i < k ? i : k] = count++;
             }
         }

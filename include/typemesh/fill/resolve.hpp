@@ -39,10 +39,10 @@ namespace typemesh {
             if (!sweep.full) return error::crossing_contours;  // not reached
             if (a.capacity > 0x3FFF'FFFF) return error::too_large;
             if (!a.reserve(scratch, 2 * a.capacity) || !a.put_in_order(space)) return error::out_of_memory;
-        } else if (sweep.full && a.capacity < 12 * n + 256) {
+        } else if (sweep.full && !sweep.astray && a.capacity < 12 * n + 256) {
             bent = 0;
             if (!a.reserve(scratch, 2 * a.capacity) || !a.take_apart(loops, space)) return error::out_of_memory;
-        } else if (sweep.full || ++bent == most_bends) {
+        } else if (sweep.full || sweep.astray || ++bent == most_bends) {
             if (!a.take_apart(loops, space) || !detail::snap_rounding::run(a, scratch, space)) return error::out_of_memory;
             rounded = true;
         }

@@ -47,6 +47,9 @@ class resolving_sweep {
         grid_point from, to;
         std::uint32_t stretch;  // no_number: the slot is free
         std::int32_t above;     // the winding number right above it
+        std::uint32_t margin;   // orientation(from, to, p) of a point p two cells away, at least
+        bool tight;             // a point came nearer than that
+        bool bent;
     };
     struct ray {
         std::int32_t x, y;  // direction
@@ -61,6 +64,7 @@ class resolving_sweep {
 
 public:
     bool again = false;     ///< something was bent: one more walk is needed
+    bool astray = false;    ///< something was bent away from where it belongs: only snap rounding helps
     bool full = false;      ///< ended early, for there was no room for more stretches
     bool touching = false;  ///< the boundary comes through some point more than once
 
@@ -80,13 +84,14 @@ public:
             !status_.open(scratch, room) || !queue_.open(scratch, room))
             return false;
         constexpr std::int32_t beyond = (std::numeric_limits<std::int32_t>::max)();
-        edges_[0] = {{beyond, beyond}, {beyond, beyond}, no_number, 0};
+        edges_[0] = {{beyond, beyond}, {beyond, beyond}, no_number, 0, 0, false, false};
         for (std::uint32_t i = 0; i < a_.point_count; ++i) hints_[i] = 0;
         passed_ = 0;
         sweep();
-        again = bent_ || full;
+        const bool out_of_order = full || late_ || status_.above(0) != 0;
+        again = unsure_ || out_of_order || astray;
         if (again) {
-            if (full || late_ || status_.above(0) != 0) return a_.put_in_order(space);
+            if (out_of_order) return a_.put_in_order(space);
             take_points();
             a_.list();
         } else {
@@ -162,6 +167,7 @@ private:
         const std::uint32_t ending = e.stretch;
         stretch& s = a_.stretches[starting];
         s.below = a_.stretches[ending].below;
+        unsure_ |= s.turn != a_.stretches[ending].turn;
         finish(ending);
         begin(slot, starting, p);
         const bool up = is_filled(rule_, e.above), down = is_filled(rule_, s.below);
@@ -235,9 +241,30 @@ private:
             status_.insert_above(last, fresh);
             last = fresh;
         }
+        const std::uint32_t over = status_.above(last);
+        if (winding != (over != 0 ? a_.stretches[edges_[over].stretch].below : 0)) unsure_ = true;
         join(starting_count, ending_count);
+        if (ending_count == 0) {
+            come_near(under, p);
+            come_near(over, p);
+        }
         test(under, status_.above(under));
-        if (last != under) test(last, status_.above(last));
+        if (last != under) test(last, over);
+    }
+
+    /// Whether of two edges that end in one point, `l` lies below `h`.
+    [[nodiscard]] static bool are_in_order(const crossed_edge& l, const crossed_edge& h) noexcept
+    {
+        return sweep_place(l.from) < sweep_place(h.from) ? orientation(l.from, l.to, h.from) > 0
+                                                         : orientation(h.from, h.to, l.from) < 0;
+    }
+
+    void come_near(std::uint32_t slot, grid_point p) noexcept
+    {
+        if (slot == 0) return;
+        crossed_edge& e = edges_[slot];
+        const std::int64_t side = orientation(e.from, e.to, p);
+        e.tight |= (side < 0 ? -side : side) <= e.margin;
     }
 
     /// The last edge below p.
@@ -255,7 +282,8 @@ private:
     {
         stretch& s = a_.stretches[starting];
         s.start = passed_ - 1;
-        edges_[slot] = {p, s.to, starting, s.below + s.turn};
+        const std::int32_t dx = s.to.x - p.x, dy = s.to.y - p.y;
+        edges_[slot] = {p, s.to, starting, s.below + s.turn, 2 * static_cast<std::uint32_t>(dx + (dy < 0 ? -dy : dy)), false, false};
         if (s.end != no_number) hints_[s.end] = slot;
     }
 
@@ -352,26 +380,42 @@ private:
     void test(std::uint32_t low, std::uint32_t high) noexcept
     {
         if (low == 0 || high == 0) return;
-        const crossed_edge& l = edges_[low];
-        const crossed_edge& h = edges_[high];
-        if (l.to == h.to) return;
+        crossed_edge& l = edges_[low];
+        crossed_edge& h = edges_[high];
+        if (l.to == h.to) {
+            if (l.bent || h.bent) unsure_ |= !are_in_order(l, h);
+            return;
+        }
         if (sweep_place(l.to) < sweep_place(h.to)) {
             const std::int64_t side = orientation(h.from, h.to, l.to);
-            if (side < 0) return;
+            if (side < 0) {
+                h.tight |= -side <= h.margin;
+                return;
+            }
             if (side == 0) {
+                h.tight = true;
                 if (is_between(h.from, l.to, h.to)) (void)cut(high, l.to);
+                else unsure_ = true;
                 return;
             }
         } else {
             const std::int64_t side = orientation(l.from, l.to, h.to);
-            if (side > 0) return;
+            if (side > 0) {
+                l.tight |= side <= l.margin;
+                return;
+            }
             if (side == 0) {
+                l.tight = true;
                 if (is_between(l.from, h.to, l.to)) (void)cut(low, h.to);
+                else unsure_ = true;
                 return;
             }
         }
         grid_point x;
-        if (!crossing_of(l.from, l.to, h.from, h.to, x)) return;
+        if (!crossing_of(l.from, l.to, h.from, h.to, x)) {
+            unsure_ = true;
+            return;
+        }
         if (cut(low, x)) (void)cut(high, x);
     }
 
@@ -408,10 +452,14 @@ private:
             return false;
         }
         crossed_edge& e = edges_[slot];
-        if (orientation(e.from, e.to, x) != 0) bent_ = true;
+        if (orientation(e.from, e.to, x) != 0) {
+            if (e.tight || e.bent) unsure_ = true;
+            e.bent = true;
+            astray |= !a_.is_at_home(a_.stretches[e.stretch], x);
+        }
         stretch& s = a_.stretches[e.stretch];
         const float t = s.t_at(x);
-        a_.stretches[a_.count++] = {x, s.to, no_number, s.end, s.turn, 0, {s.source.curve, t, s.source.t1}, no_number};
+        a_.stretches[a_.count++] = {x, s.to, no_number, s.end, s.turn, 0, {s.source.curve, t, s.source.t1}, s.origin, no_number};
         s.to = x;
         s.end = no_number;
         s.source.t1 = t;
@@ -432,7 +480,7 @@ private:
     std::uint32_t dirty_count_ = 0;
     std::uint32_t slot_count_ = 0;
     std::uint32_t free_slot_ = 0;
-    bool bent_ = false;
+    bool unsure_ = false;
     bool late_ = false;
 };
 
