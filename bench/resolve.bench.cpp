@@ -103,8 +103,11 @@ void run(benchmark::State& state, set& s, way w, int passes)
 
 void add(set& s, int passes)
 {
-    const std::pair<const char*, way> all[] = {{"simple", way::simple}, {"all", way::all}, {"refuse", way::refuse},
-                                               {"resolve", way::resolve}, {"triangulate", way::triangulate}};
+    const std::pair<const char*, way> all[] = {{"simple", way::simple},
+                                               {"all", way::all},
+                                               {"refuse", way::refuse},
+                                               {"resolve", way::resolve},
+                                               {"triangulate", way::triangulate}};
     for (const auto& [name, w] : all) {
         if ((w == way::simple ? s.simple : s.crossing).empty()) continue;
         benchmark::RegisterBenchmark((s.name + " / " + name).c_str(),
@@ -132,7 +135,8 @@ bool glyphs_of(const char* file, double tolerance, std::uint32_t most, set& s)
         const auto cells = grid::fitting(font->units_per_em(), drawn.bounds);
         if (!cells || discretise(drawn, certified{}, tolerance * font->units_per_em(), *cells, loops)) continue;
         if (loops.points.empty()) continue;
-        const polygon p{{loops.points.begin(), loops.points.end()}, {loops.edges.begin(), loops.edges.end()},
+        const polygon p{{loops.points.begin(), loops.points.end()},
+                        {loops.edges.begin(), loops.edges.end()},
                         {loops.starts.begin(), loops.starts.end()}};
         orient(loops);
         out.clear();
@@ -143,8 +147,8 @@ bool glyphs_of(const char* file, double tolerance, std::uint32_t most, set& s)
         for (const polygon& p : all) n += p.points.size();
         return all.empty() ? 0.0 : static_cast<double>(n) / static_cast<double>(all.size());
     };
-    std::printf("%s: %zu simple glyphs of %.0f points, %zu that cross or touch of %.0f\n", s.name.c_str(), s.simple.size(), points(s.simple),
-                s.crossing.size(), points(s.crossing));
+    std::printf("%s: %zu simple glyphs of %.0f points, %zu that cross or touch of %.0f\n", s.name.c_str(),
+                s.simple.size(), points(s.simple), s.crossing.size(), points(s.crossing));
     return true;
 }
 
@@ -219,7 +223,8 @@ std::vector<std::pair<const char*, polygon>> shapes(int n)
     std::vector<std::vector<grid_point>> chain;
     for (int i = 0; i < n / 16; ++i) {
         chain.emplace_back();
-        for (int k = 0; k < 16; ++k) chain.back().push_back(shifted({on_circle(1000, k / 16.0)}, {1500 * (i % 100), 1500 * (i / 100)})[0]);
+        for (int k = 0; k < 16; ++k)
+            chain.back().push_back(shifted({on_circle(1000, k / 16.0)}, {1500 * (i % 100), 1500 * (i / 100)})[0]);
     }
     all.emplace_back("overlapping discs", from(chain));
     return all;

@@ -49,7 +49,8 @@ bool is_font(const std::filesystem::path& p)
 
 int usage()
 {
-    std::fprintf(stderr, "every_glyph [--quality low|normal|high|best]... [--step N] [--threads N] FILE_OR_FOLDER...\n");
+    std::fprintf(stderr,
+                 "every_glyph [--quality low|normal|high|best]... [--step N] [--threads N] FILE_OR_FOLDER...\n");
     return 2;
 }
 
@@ -124,7 +125,9 @@ int main(int argc, char** argv)
     std::atomic<std::size_t> next{0}, done{0}, broken{0};
     std::mutex lock;
     const auto start = std::chrono::steady_clock::now();
-    const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
+    const auto seconds = [&] {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    };
     const auto work = [&] {
         test::glyph_laws laws;
         for (std::size_t j; (j = next++) < jobs.size();) {
@@ -147,8 +150,8 @@ int main(int argc, char** argv)
                     ++sum.broken;
                     ++broken;
                     const std::lock_guard guard{lock};
-                    std::printf("%s@%u:%u %s %s: %s\n", it.face.path.c_str(), it.face.face, g, it.face.name().c_str(), q.name,
-                                f.wrong.c_str());
+                    std::printf("%s@%u:%u %s %s: %s\n", it.face.path.c_str(), it.face.face, g, it.face.name().c_str(),
+                                q.name, f.wrong.c_str());
                     std::fflush(stdout);
                 }
                 ++done;
@@ -163,7 +166,8 @@ int main(int argc, char** argv)
             t.broken += sum.broken;
             t.points += sum.points;
             t.moved = (std::max)(t.moved, sum.moved);
-            std::fprintf(stderr, "\r%zu of %zu glyphs, %.0f s, %zu broken laws ", done.load(), all, seconds(), broken.load());
+            std::fprintf(stderr, "\r%zu of %zu glyphs, %.0f s, %zu broken laws ", done.load(), all, seconds(),
+                         broken.load());
         }
     };
     std::vector<std::thread> workers;
@@ -172,22 +176,26 @@ int main(int argc, char** argv)
     for (std::thread& w : workers) w.join();
 
     std::fprintf(stderr, "\n");
-    std::printf("%-52s %6s %8s %9s %9s %9s %9s %11s %6s %7s\n", "", "faces", "glyphs", "blank", "resolved", "touching", "crowded", "points",
-                "moved", "broken");
+    std::printf("%-52s %6s %8s %9s %9s %9s %9s %11s %6s %7s\n", "", "faces", "glyphs", "blank", "resolved", "touching",
+                "crowded", "points", "moved", "broken");
     total sum{"all", 0, 0, 0, 0, 0, 0, 0, 0, 0};
     const auto print = [](const total& t) {
         const std::string name = t.name.size() > 52 ? "..." + t.name.substr(t.name.size() - 49) : t.name;
-        std::printf("%-52s %6zu %8zu %9zu %9zu %9zu %9zu %11zu %6.3f %7zu\n", name.c_str(), t.faces, t.glyphs, t.blank, t.resolved, t.touching,
-                    t.crowded, t.points, t.moved, t.broken);
+        std::printf("%-52s %6zu %8zu %9zu %9zu %9zu %9zu %11zu %6.3f %7zu\n", name.c_str(), t.faces, t.glyphs, t.blank,
+                    t.resolved, t.touching, t.crowded, t.points, t.moved, t.broken);
     };
     for (const total& t : totals) {
         print(t);
-        sum.faces += t.faces, sum.glyphs += t.glyphs, sum.blank += t.blank, sum.resolved += t.resolved, sum.touching += t.touching;
-        sum.crowded += t.crowded, sum.points += t.points, sum.broken += t.broken, sum.moved = (std::max)(sum.moved, t.moved);
+        sum.faces += t.faces, sum.glyphs += t.glyphs, sum.blank += t.blank, sum.resolved += t.resolved,
+            sum.touching += t.touching;
+        sum.crowded += t.crowded, sum.points += t.points, sum.broken += t.broken,
+            sum.moved = (std::max)(sum.moved, t.moved);
     }
     print(sum);
-    std::printf("blank, resolved, touching, crowded (vertical edges with more than two faces), points: over %zu qualities; moved: in cells\n",
-                wanted.size());
+    std::printf(
+        "blank, resolved, touching, crowded (vertical edges with more than two faces), points: over %zu qualities; "
+        "moved: in cells\n",
+        wanted.size());
     std::printf("%.0f s\n", seconds());
     return sum.broken == 0 ? 0 : 1;
 }

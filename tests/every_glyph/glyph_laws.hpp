@@ -32,10 +32,14 @@ struct face_instance {
     {
         std::string s = std::filesystem::path{path}.filename().string();
         if (face != 0) s += " face " + std::to_string(face);
-        for (const auto& v : variations) s += " " + std::string{v.tag} + "=" + std::to_string(static_cast<int>(v.value));
+        for (const auto& v : variations)
+            s += " " + std::string{v.tag} + "=" + std::to_string(static_cast<int>(v.value));
         return s;
     }
-    [[nodiscard]] auto open() const { return typemesh::harfbuzz_font::open(path.c_str(), {.face = face, .variations = variations}); }
+    [[nodiscard]] auto open() const
+    {
+        return typemesh::harfbuzz_font::open(path.c_str(), {.face = face, .variations = variations});
+    }
 };
 
 /// All faces of a file that have outlines: variable ones at their default, at each axis' ends and at mixed corners.
@@ -128,7 +132,8 @@ public:
         if (f.wrong = oracle::broken_law(*made, triangles_.view()); !f.wrong.empty()) return f;
         if (f.resolved)
             if (f.wrong = oracle::broken_walk(kept); !f.wrong.empty()) return f;
-        const double area = static_cast<double>(oracle::doubled_area(kept)), filled = oracle::doubled_filled_area(given, outline_.rule);
+        const double area = static_cast<double>(oracle::doubled_area(kept)),
+                     filled = oracle::doubled_filled_area(given, outline_.rule);
         const double off = std::fabs(area - filled) - 1e-11 * filled;
         f.moved = off > 0 ? off / (2 * oracle::length(given)) : 0;
         if (f.resolved ? f.moved > 0.71 : off > 0) return f.wrong = "the area is not what the contours fill", f;
@@ -175,14 +180,16 @@ private:
 
     /// Places farther than the tolerance from all curves are filled exactly where the curves' winding number says so.
     template <class Font>
-    void sample(Font&, typemesh::glyph_id id, double tolerance, double cells, const std::vector<oracle::loop>& kept, glyph_findings& f)
+    void sample(Font&, typemesh::glyph_id id, double tolerance, double cells, const std::vector<oracle::loop>& kept,
+                glyph_findings& f)
     {
         using namespace typemesh;
         constexpr int steps = 24;
         dense_.clear();
         for (const curve& c : outline_.curves) {
             const int n = c.degree == 1 ? 1 : steps;
-            for (int i = 0; i < n; ++i) dense_.push_back({cells * at(c, double(i) / n), cells * at(c, double(i + 1) / n)});
+            for (int i = 0; i < n; ++i)
+                dense_.push_back({cells * at(c, double(i) / n), cells * at(c, double(i + 1) / n)});
         }
         const box& b = outline_.bounds;
         std::uint64_t state = id * 0x9E37'79B9'7F4A'7C15u + 1;

@@ -47,7 +47,8 @@ TEST_CASE("fill() of nothing is the empty region", "[fill]")
     REQUIRE(empty);
     CHECK(empty->points().empty());
     CHECK(empty->triangle_count() == 0);
-    for (const test::polyline& l : {test::polyline{}, test::polyline{{3, 4}}, test::polyline{{3, 4}, {5, 6}}, test::polyline{{3, 4}, {5, 6}, {3, 4}}}) {
+    for (const test::polyline& l : {test::polyline{}, test::polyline{{3, 4}}, test::polyline{{3, 4}, {5, 6}},
+                                    test::polyline{{3, 4}, {5, 6}, {3, 4}}}) {
         contours point = test::contours_of({l});
         const result<region> nothing = fill(point, fill_rule::non_zero, space);
         REQUIRE(nothing);

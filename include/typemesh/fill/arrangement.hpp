@@ -15,7 +15,8 @@ namespace typemesh::detail {
 /// A point's place in the sweep order, by x and then by y, as one number.
 [[nodiscard]] constexpr std::uint64_t sweep_place(grid_point p) noexcept
 {
-    return std::uint64_t{static_cast<std::uint32_t>(p.x) ^ 0x8000'0000u} << 32 | (static_cast<std::uint32_t>(p.y) ^ 0x8000'0000u);
+    return std::uint64_t{static_cast<std::uint32_t>(p.x) ^ 0x8000'0000u} << 32 |
+           (static_cast<std::uint32_t>(p.y) ^ 0x8000'0000u);
 }
 [[nodiscard]] constexpr grid_point point_at(std::uint64_t sweep_place) noexcept
 {
@@ -29,13 +30,14 @@ inline constexpr std::uint32_t no_number = 0xFFFF'FFFFu;
 ///
 /// Several edges that lie upon each other are one stretch; when they cancel, its turn is 0 and it is none at all.
 struct stretch {
-    grid_point from, to;      // from before to in the sweep order, but see resolving_sweep::cut
+    grid_point from, to;       // from before to in the sweep order, but see resolving_sweep::cut
     std::uint32_t start, end;  // the numbers of these two points
     std::int32_t turn;         // the winding number right above it less the one right below
     std::int32_t below;        // the winding number right below, once the sweep has met it
     contour_edge source;       // t0 belongs to `from`, t1 to `to`
     std::uint32_t origin;      // the contour point whose edge it was cut from
-    std::uint32_t next;        // before the sweep: the next stretch that starts in the same point; behind it: see boundary_walk
+    std::uint32_t
+        next;  // before the sweep: the next stretch that starts in the same point; behind it: see boundary_walk
 
     void flip() noexcept
     {
@@ -70,7 +72,8 @@ struct arrangement {
     std::uint32_t capacity = 0;
     grid_point* points = nullptr;  // all different, in the sweep order; room for as many as there may be stretches
     grid_point* spare = nullptr;   // of the same size
-    std::uint32_t* first = nullptr;  // of the stretches that start in each point: the first, the others follow by `next`
+    std::uint32_t* first =
+        nullptr;  // of the stretches that start in each point: the first, the others follow by `next`
     std::uint32_t point_count = 0;
     const contours* loops = nullptr;  // what was taken apart
 

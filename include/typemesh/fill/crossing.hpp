@@ -16,7 +16,8 @@ namespace detail {
 /// how far the guess is off. The guess only has to be good to a few units, so any rounding mode and compiler flag will do.
 [[nodiscard]] inline std::int64_t scaled(std::int64_t size, std::int64_t part, std::int64_t whole) noexcept
 {
-    auto guess = static_cast<std::int64_t>(static_cast<double>(size) * (static_cast<double>(part) / static_cast<double>(whole)));
+    auto guess =
+        static_cast<std::int64_t>(static_cast<double>(size) * (static_cast<double>(part) / static_cast<double>(whole)));
     auto rest = static_cast<std::int64_t>(static_cast<std::uint64_t>(size) * static_cast<std::uint64_t>(part) -
                                           static_cast<std::uint64_t>(guess) * static_cast<std::uint64_t>(whole));
     for (; rest < 0; rest += whole) --guess;
@@ -34,11 +35,13 @@ namespace detail {
 ///           '-----x--- b
 ///
 /// Exact. Budget: |coordinate| <= 2^28; cross products below 2^61, see scaled() for the rest. O(1)
-[[nodiscard]] inline bool crossing_of(grid_point a, grid_point b, grid_point c, grid_point d, grid_point& nearest) noexcept
+[[nodiscard]] inline bool crossing_of(grid_point a, grid_point b, grid_point c, grid_point d,
+                                      grid_point& nearest) noexcept
 {
     std::int64_t abc = orientation(a, b, c), abd = orientation(a, b, d);
     std::int64_t cda = orientation(c, d, a), cdb = orientation(c, d, b);
-    if ((abc >= 0) == (abd >= 0) || (cda >= 0) == (cdb >= 0) || abc == 0 || abd == 0 || cda == 0 || cdb == 0) return false;
+    if ((abc >= 0) == (abd >= 0) || (cda >= 0) == (cdb >= 0) || abc == 0 || abd == 0 || cda == 0 || cdb == 0)
+        return false;
     const std::int64_t part = cda < 0 ? -cda : cda, whole = part + (cdb < 0 ? -cdb : cdb);
     nearest = {static_cast<std::int32_t>(a.x + detail::scaled(std::int64_t{b.x} - a.x, part, whole)),
                static_cast<std::int32_t>(a.y + detail::scaled(std::int64_t{b.y} - a.y, part, whole))};

@@ -54,7 +54,10 @@ class resolving_sweep {
     struct ray {
         std::int32_t x, y;  // direction
         std::uint32_t stretch;
-        [[nodiscard]] std::int64_t cross(ray other) const noexcept { return std::int64_t{x} * other.y - std::int64_t{y} * other.x; }
+        [[nodiscard]] std::int64_t cross(ray other) const noexcept
+        {
+            return std::int64_t{x} * other.y - std::int64_t{y} * other.x;
+        }
         [[nodiscard]] bool before(ray other) const noexcept
         {
             const std::int64_t turn = cross(other);
@@ -270,7 +273,8 @@ private:
     /// The last edge below p.
     [[nodiscard]] std::uint32_t find(grid_point p) noexcept
     {
-        return status_.last_below([&](std::uint32_t s) noexcept { return s != 0 && orientation(edges_[s].from, edges_[s].to, p) > 0; });
+        return status_.last_below(
+            [&](std::uint32_t s) noexcept { return s != 0 && orientation(edges_[s].from, edges_[s].to, p) > 0; });
     }
 
     [[nodiscard]] static bool is_between(grid_point a, grid_point p, grid_point b) noexcept
@@ -283,7 +287,9 @@ private:
         stretch& s = a_.stretches[starting];
         s.start = passed_ - 1;
         const std::int32_t dx = s.to.x - p.x, dy = s.to.y - p.y;
-        edges_[slot] = {p, s.to, starting, s.below + s.turn, 2 * static_cast<std::uint32_t>(dx + (dy < 0 ? -dy : dy)), false, false};
+        edges_[slot] = {
+            p,     s.to, starting, s.below + s.turn, 2 * static_cast<std::uint32_t>(dx + (dy < 0 ? -dy : dy)),
+            false, false};
         if (s.end != no_number) hints_[s.end] = slot;
     }
 
@@ -394,8 +400,10 @@ private:
             }
             if (side == 0) {
                 h.tight = true;
-                if (is_between(h.from, l.to, h.to)) (void)cut(high, l.to);
-                else unsure_ = true;
+                if (is_between(h.from, l.to, h.to))
+                    (void)cut(high, l.to);
+                else
+                    unsure_ = true;
                 return;
             }
         } else {
@@ -406,8 +414,10 @@ private:
             }
             if (side == 0) {
                 l.tight = true;
-                if (is_between(l.from, h.to, l.to)) (void)cut(low, h.to);
-                else unsure_ = true;
+                if (is_between(l.from, h.to, l.to))
+                    (void)cut(low, h.to);
+                else
+                    unsure_ = true;
                 return;
             }
         }
@@ -426,8 +436,10 @@ private:
     [[nodiscard]] bool cut(std::uint32_t slot, grid_point x) noexcept
     {
         if (edges_[slot].to == x || edges_[slot].from == x) {
-            if (queue_.room() == 0) full = true;
-            else queue_.push({sweep_place(x), no_number, slot});
+            if (queue_.room() == 0)
+                full = true;
+            else
+                queue_.push({sweep_place(x), no_number, slot});
             return !full;
         }
         if (!split(slot, x)) return false;
@@ -459,7 +471,8 @@ private:
         }
         stretch& s = a_.stretches[e.stretch];
         const float t = s.t_at(x);
-        a_.stretches[a_.count++] = {x, s.to, no_number, s.end, s.turn, 0, {s.source.curve, t, s.source.t1}, s.origin, no_number};
+        a_.stretches[a_.count++] = {x,        s.to,     no_number, s.end, s.turn, 0, {s.source.curve, t, s.source.t1},
+                                    s.origin, no_number};
         s.to = x;
         s.end = no_number;
         s.source.t1 = t;

@@ -41,7 +41,9 @@ public:
         auto* const order = scratch.take<std::uint32_t>(hot.count);
         auto* const cells = scratch.take<grid_point>(hot.count);
         auto* const columns = scratch.take<std::uint32_t>(hot.count + 1);
-        if (order == nullptr || cells == nullptr || columns == nullptr || !sweep_order({hot.values, hot.count}, space, order)) return false;
+        if (order == nullptr || cells == nullptr || columns == nullptr ||
+            !sweep_order({hot.values, hot.count}, space, order))
+            return false;
         std::uint32_t count = 0, column_count = 0;
         for (std::size_t i = 0; i < hot.count; ++i) {
             const grid_point p = hot.values[order[i]];
@@ -83,7 +85,8 @@ private:
         }
     };
 
-    [[nodiscard]] static bool find_crossings(const arrangement& a, workspace::scope& scratch, growing<grid_point>& out) noexcept
+    [[nodiscard]] static bool find_crossings(const arrangement& a, workspace::scope& scratch,
+                                             growing<grid_point>& out) noexcept
     {
         auto* const open = scratch.take<std::uint32_t>(a.count);
         if (open == nullptr) return false;
@@ -91,7 +94,8 @@ private:
         for (std::uint32_t v = 0; v < a.point_count; ++v) {
             for (std::uint32_t i = a.first[v]; i != no_number; i = a.stretches[i].next) {
                 const stretch& s = a.stretches[i];
-                const std::int32_t bottom = s.from.y < s.to.y ? s.from.y : s.to.y, top = s.from.y < s.to.y ? s.to.y : s.from.y;
+                const std::int32_t bottom = s.from.y < s.to.y ? s.from.y : s.to.y,
+                                   top = s.from.y < s.to.y ? s.to.y : s.from.y;
                 std::uint32_t still = 0;
                 for (std::uint32_t k = 0; k < open_count; ++k) {
                     const stretch& o = a.stretches[open[k]];
@@ -117,8 +121,8 @@ private:
     }
 
     /// Leads one stretch through its hot cells.
-    [[nodiscard]] static bool lead(const stretch& s, const grid_point* cells, const std::uint32_t* columns, std::uint32_t column_count,
-                                   growing<stretch>& out) noexcept
+    [[nodiscard]] static bool lead(const stretch& s, const grid_point* cells, const std::uint32_t* columns,
+                                   std::uint32_t column_count, growing<stretch>& out) noexcept
     {
         stretch rest = s;
         const auto step = [&](grid_point p) noexcept {
@@ -131,7 +135,9 @@ private:
             return out.add(part);
         };
         const std::int32_t bottom = s.from.y < s.to.y ? s.from.y : s.to.y, top = s.from.y < s.to.y ? s.to.y : s.from.y;
-        const double slope = s.to.x == s.from.x ? 0.0 : (static_cast<double>(s.to.y) - s.from.y) / (static_cast<double>(s.to.x) - s.from.x);
+        const double slope = s.to.x == s.from.x
+                                 ? 0.0
+                                 : (static_cast<double>(s.to.y) - s.from.y) / (static_cast<double>(s.to.x) - s.from.x);
         std::uint32_t c = 0;  // the first column that is not left of the stretch
         for (std::uint32_t size = column_count; size != 0;) {
             const std::uint32_t half = size / 2;
@@ -146,7 +152,8 @@ private:
             // What is cut off here is 2 cells away at least: rounding does not matter.
             double low = bottom, high = top;
             if (s.to.x != s.from.x) {
-                const double middle = s.from.y + slope * (static_cast<double>(cells[columns[c]].x) - s.from.x), reach = std::fabs(slope) + 3.0;
+                const double middle = s.from.y + slope * (static_cast<double>(cells[columns[c]].x) - s.from.x),
+                             reach = std::fabs(slope) + 3.0;
                 low = middle - reach > low ? middle - reach : low;
                 high = middle + reach < high ? middle + reach : high;
             }
@@ -164,7 +171,8 @@ private:
         return out.add(rest);
     }
 
-    [[nodiscard]] static std::uint32_t first_from(const grid_point* cells, std::uint32_t begin, std::uint32_t end, double y) noexcept
+    [[nodiscard]] static std::uint32_t first_from(const grid_point* cells, std::uint32_t begin, std::uint32_t end,
+                                                  double y) noexcept
     {
         while (begin < end) {
             const std::uint32_t middle = begin + (end - begin) / 2;
