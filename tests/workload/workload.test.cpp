@@ -35,9 +35,9 @@ std::vector<subject> subjects()
     return all;
 }
 
-/// What the oracle says of one glyph: true when its contours cross or touch at this tolerance.
+/// What the oracle says of one glyph: true when its contours cross or touch at this tolerance, so that they were resolved.
 template <discretiser D>
-bool oracle_refuses(outline_source auto& font, glyph_id id, const D& how, double tolerance_em)
+bool is_resolved(outline_source auto& font, glyph_id id, const D& how, double tolerance_em)
 {
     outline shape;
     contours loops;
@@ -65,10 +65,7 @@ double cap_area(const test::full_mesh& m, const mesh_range& r)
 
 }  // namespace
 
-TEST_CASE(
-    "every glyph of every text of the workload is closed, and refused exactly where the oracle finds contours that "
-    "meet",
-    "[workload]")
+TEST_CASE("every glyph of every text of the workload is there and closed, also where its contours meet", "[workload]")
 {
     const auto s = GENERATE(from_range(subjects()));
     if (!s.font.available()) return;
@@ -78,13 +75,14 @@ TEST_CASE(
     text_mesher mesher{*font};
 
     std::size_t built = 0;
-    std::set<glyph_id> refused, known_good;
+    std::set<glyph_id> resolved;
     for (const double tolerance : {quality::low, quality::high}) {
         for (const std::string& text : test::workload_texts(s.script)) {
             INFO(text << " at " << tolerance);
             auto plan = mesher.plan(text, {.tolerance = tolerance});
             REQUIRE(plan);
             CHECK(plan->report().invalid_units == 0);
+            CHECK(plan->report().refused == 0);
             test::full_mesh m;
             REQUIRE_FALSE(plan->write(into(m.vertices, m.indices)));
 
@@ -100,7 +98,7 @@ TEST_CASE(
                 const auto law = test::examine(m.vertices, own);
                 INFO("glyph " << plan->glyphs()[g].id);
                 CHECK(law.unmatched_edges == 0);
-                CHECK(law.crowded_edges == 0);
+                CHECK(law.crowded_slanted == 0);
                 CHECK(law.zero_area == 0);
                 CHECK(test::volume(m.vertices, own) > 0.0);
                 ++built;
@@ -108,10 +106,8 @@ TEST_CASE(
             for (const auto& v : m.vertices) REQUIRE(std::fabs(test::dot(v.normal, v.normal) - 1.0) < 1e-5);
             for (const auto& g : plan->run().glyphs) {
                 if (g.missing) continue;
-                const bool refuses = oracle_refuses(*font, g.id, certified{}, tolerance);
-                if (refuses) refused.insert(g.id);
-                CHECK(!(refuses && present.count(g.id)));
-                if (!refuses && !present.count(g.id)) {  // then it must be blank
+                if (is_resolved(*font, g.id, certified{}, tolerance)) resolved.insert(g.id);
+                if (!present.count(g.id)) {  // then it must be blank
                     outline shape;
                     REQUIRE_FALSE(record(*font, g.id, shape));
                     CHECK(shape.bounds.width() * shape.bounds.height() == 0.0);
@@ -121,8 +117,8 @@ TEST_CASE(
     }
     CHECK(built > 100);
     std::string list;
-    for (const glyph_id g : refused) list += " " + std::to_string(g);
-    if (!refused.empty()) WARN(s.font.name << ": contours meet in glyphs" << list);
+    for (const glyph_id g : resolved) list += " " + std::to_string(g);
+    if (!resolved.empty()) WARN(s.font.name << ": contours meet in glyphs" << list);
 }
 
 TEST_CASE("the four styles of normals make 2N, 4N, 4N+2H and 4N+2H vertices of every phrase", "[workload]")
@@ -180,10 +176,7 @@ TEST_CASE("caps have exactly the area of the region, however the glyph is turned
     REQUIRE(plan);
     test::full_mesh mesh;
     REQUIRE_FALSE(plan->write(into(mesh.vertices, mesh.indices)));
-    std::size_t refusals = 0;
-    for (const auto& g : plan->run().glyphs)
-        if (!g.missing && oracle_refuses(turned, g.id, certified{}, quality::high)) ++refusals;
-    CHECK(plan->report().refused == refusals);
+    CHECK(plan->report().refused == 0);
 
     outline shape;
     contours loops;
@@ -202,9 +195,10 @@ TEST_CASE("caps have exactly the area of the region, however the glyph is turned
         REQUIRE_FALSE(discretise(shape, certified{}, quality::high * font->units_per_em(), *grid_of, loops));
         const double cells = grid_of->cells;
         const double area = cap_area(mesh, own->range(part::front)) * cells * cells;
-        CHECK(
-            area ==
-            Catch::Approx(test::oracle::doubled_filled_area(test::oracle::loops_of(loops), shape.rule)).epsilon(1e-11));
+        const double filled_area = test::oracle::doubled_filled_area(test::oracle::loops_of(loops), shape.rule);
+        const double snapped = test::oracle::is_crossing(test::oracle::loops_of(loops)) ? 2.0 * test::oracle::length(test::oracle::loops_of(loops)) : 0.0;
+        CHECK(std::fabs(area - filled_area) <= 1e-11 * filled_area + snapped);
+        orient(loops);
         const auto filled = fill(loops, shape.rule, space);
         REQUIRE(filled);
         CHECK(area == static_cast<double>(test::oracle::doubled_area(test::oracle::loops_of(*filled))));

@@ -3,6 +3,7 @@
 
 #include <typemesh/fill/fill.hpp>
 #include <typemesh/fill/orient.hpp>
+#include <typemesh/fill/resolve.hpp>
 #include <typemesh/text/stage.hpp>
 #include <typemesh/triangulate/triangulator.hpp>
 
@@ -11,7 +12,7 @@ namespace typemesh {
 /// Contours to a proven region and its triangles: fill and triangulate joined.
 ///
 ///     proving triangulator    loops ── orient ──▶ prove ──────────────────────▶ region + triangles
-///                                                  └ refuses ─▶ fill ─▶ triangulate ──▶
+///                                                  └ refuses ─▶ resolve ─▶ triangulate ──▶
 ///     any other               loops ─────────────────────────▶ fill ─▶ triangulate ──▶
 ///
 /// So outlines that are already simple, which is nearly all, pay for one sweep only. `loops` is turned and compacted in
@@ -27,7 +28,7 @@ template <triangulator Triangulator, stage_observer Observer>
         if (proven || proven.error().code != error::crossing_contours) return proven;
     }
     observe(stage::fill);
-    auto filled = fill(loops, rule, space);
+    auto filled = proving_triangulator<Triangulator> ? resolve(loops, rule, space) : fill(loops, rule, space);
     if (!filled) return filled;
     observe(stage::triangulate);
     if (error e = how(*filled, space, out)) return e;

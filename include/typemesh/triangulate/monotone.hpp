@@ -25,8 +25,8 @@ struct monotone {
     /// Relies on the region's promise. Fails with error::out_of_memory, `out` being as it was.
     [[nodiscard]] error operator()(const region& r, workspace& space, triangle_list& out) const noexcept
     {
-        detail::monotone_sweep<false> sweep{r.points(), r.starts()};
-        return sweep.run(space, out);
+        if (r.is_touching()) return detail::monotone_sweep<false, true>{r.points(), r.starts()}.run(space, out);
+        return detail::monotone_sweep<false>{r.points(), r.starts()}.run(space, out);
     }
 
     /// The region that `loops` bound, its triangles appended to `out`.
