@@ -227,7 +227,7 @@ TEST_CASE("the same text from FreeType's outlines is as closed as from HarfBuzz'
     }
 }
 
-TEST_CASE("the worst glyphs known are closed, or refused exactly where the oracle finds contours that meet", "[workload]")
+TEST_CASE("the worst glyphs known are built and closed", "[workload]")
 {
     std::size_t tried = 0;
     std::string absent;
@@ -253,12 +253,7 @@ TEST_CASE("the worst glyphs known are closed, or refused exactly where the oracl
             test::full_mesh m;
             const auto made = mesher.build(run, into(m.vertices, m.indices), {.tolerance = tolerance});
             REQUIRE(made);
-            CHECK(made->refused == (oracle_refuses(*font, id, certified{}, tolerance) ? 1u : 0u));
-            if (made->refused != 0) {
-                CHECK(made->first_refusal == error::crossing_contours);
-                CHECK(m.vertices.empty());
-                continue;
-            }
+            CHECK(made->refused == 0);
             const auto law = test::examine(m);
             CHECK(law.unmatched_edges == 0);
             CHECK(law.zero_area == 0);

@@ -62,9 +62,6 @@ struct placement {
                 frame.right.z * n.x + frame.up.z * n.y};
     }
 
-    /// A cap's normal: 1 for the front, -1 for the back.
-    [[nodiscard]] vec3 cap_normal(float sign) const noexcept { return frame(0.0f, 0.0f, sign); }
-
 private:
     /// What a cast to float and back gives, done on the bits: seeing the casts, -ffast-math would compute the whole
     /// position in floats, where FMA does matter, and differently in each loop.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/glyph_id.hpp>
 #include <typemesh/layout/utf.hpp>
 
 #include <cstddef>
@@ -80,6 +81,12 @@ enum class reading : std::uint8_t {
         return false;
     return reading_of(c) == reading::to_the_left;
 }
+
+/// How often U+FFFD is read for something invalid, and where first.
+struct invalid_places {
+    std::uint32_t count = 0;
+    cluster_id first = no_cluster;
+};
 
 /// What a line holds, and where each was met first.
 struct line_reading {

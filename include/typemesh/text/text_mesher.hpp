@@ -49,6 +49,8 @@ public:
     {
     }
 
+    text_mesher(const Font&&, memory = heap()) = delete;  // the mesher refers to its font: a temporary will not do
+
     /// The same mesher with one policy exchanged: a discretiser, a triangulator, an extruder or a stage_observer.
     template <class Policy>
     [[nodiscard]] auto with(Policy policy) && noexcept
@@ -80,7 +82,7 @@ public:
     /// mesh.
     /// Fails  what layout() fails with (error::mixed_direction, ...); error::bad_tolerance, error::bad_option;
     ///        error::too_large; error::out_of_memory
-    [[nodiscard]] result<plan_type> plan(text_view text, const text_options& options = {}) noexcept
+    [[nodiscard]] result<plan_type> plan(text_view text, const text_options& options = {}) & noexcept
         requires shaper<Font>
     {
         shapes_.clear();
@@ -90,12 +92,16 @@ public:
     }
 
     /// The same from shaped text; no shaper is needed. The run must stay as it is while the plan is used.
-    [[nodiscard]] result<plan_type> plan(const glyph_run& run, const text_options& options = {}) noexcept
+    [[nodiscard]] result<plan_type> plan(const glyph_run& run, const text_options& options = {}) & noexcept
     {
         shapes_.clear();
         return plan_run(run, options);
     }
-    result<plan_type> plan(glyph_run&& run, const text_options& options = {}) = delete;  // the plan refers to it
+
+    // A plan refers to its run and to its mesher: temporaries would leave it in the air.
+    result<plan_type> plan(glyph_run&& run, const text_options& options = {}) & = delete;
+    result<plan_type> plan(text_view text, const text_options& options = {}) && = delete;
+    result<plan_type> plan(const glyph_run& run, const text_options& options = {}) && = delete;
 
     /// plan() and write() in one: the report of what was built, or the error. Nothing reaches the sink if the plan
     /// fails.
@@ -152,6 +158,9 @@ private:
         if (!is_finite(options.pixels_per_em) || !(options.pixels_per_em > 0.0)) return stop(error::bad_option);
         if (!is_finite(run.units_per_em) || !(run.units_per_em > 0.0)) return stop(error::bad_option);
 
+        TYPEMESH_ASSERT(run.units_per_em == font_->units_per_em(), "the glyph_run was made for a font of other units per em");
+        TYPEMESH_ASSERT(options.frame.is_orthonormal(), "a frame's axes must be unit vectors at right angles");
+
         text_report& report = shapes_.report;
         report.missing = run.missing;
         report.first_missing = run.first_missing;
@@ -165,9 +174,8 @@ private:
             ++report.glyphs;
             if (glyph.missing && !options.draw_missing) continue;
             if (error e = add(glyph, static_cast<std::uint32_t>(line), options)) {
-                e = e.at(glyph.id, glyph.cluster);
                 if (!concerns_the_glyph_alone(e)) return stop(e);
-                if (report.refused++ == 0) report.first_refusal = e;
+                if (report.refused++ == 0) report.first_refusal = e.at(glyph.id, glyph.cluster);
             }
         }
         if (error e = arrange(run, options)) return stop(e);
@@ -306,5 +314,7 @@ template <class Font>
 text_mesher(Font&) -> text_mesher<Font>;
 template <class Font>
 text_mesher(Font&, memory) -> text_mesher<Font>;
+template <class Font>
+text_mesher(const Font&&) -> text_mesher<Font>;  // chosen only to be refused: see the deleted constructor
 
 }  // namespace typemesh

@@ -26,8 +26,8 @@ struct mesh_range {
 ///     vertices   [ front: glyph 0, glyph 1, ... | back: ... | side: ... ]       each part in one piece, so that it can
 ///     indices    [ front: glyph 0, glyph 1, ... | back: ... | side: ... ]       be drawn with a material of its own
 ///
-/// Move-only. It refers to its mesher's memory: a move of the mesher ends this one, and so does its next plan()
-/// (using it then is asserted). Only glyphs that have triangles are counted among glyphs().
+/// Move-only. It refers to its mesher, which must outlive it; a move of the mesher ends it, and so does the mesher's
+/// next plan() (using it then is asserted). Only glyphs that have triangles are counted among glyphs().
 template <extruder Extruder>
 class text_plan {
 public:
@@ -67,7 +67,11 @@ public:
     [[nodiscard]] const text_report& report() const noexcept { return fresh().report; }
 
     /// The shaped text behind the mesh: every glyph with its place and cluster, every line.
-    [[nodiscard]] const glyph_run& run() const noexcept { return *run_; }
+    [[nodiscard]] const glyph_run& run() const noexcept
+    {
+        (void)fresh();
+        return *run_;
+    }
 
     /// The box around all vertices; exact for frames whose axes lie along the coordinate axes, else it may be larger.
     [[nodiscard]] bounds3 bounds() const noexcept { return fresh().bounds; }

@@ -36,6 +36,17 @@ struct frame {
         return (determinant < 0.0f) != (winding < 0);
     }
 
+    /// Whether the three are unit vectors at right angles, but for rounding.
+    [[nodiscard]] constexpr bool is_orthonormal() const noexcept
+    {
+        const auto product = [](vec3 a, vec3 b) noexcept { return a.x * b.x + a.y * b.y + a.z * b.z; };
+        const auto is = [](float value, float wanted) noexcept {
+            return value > wanted - 1e-3f && value < wanted + 1e-3f;
+        };
+        return is(product(right, right), 1.0f) && is(product(up, up), 1.0f) && is(product(toward, toward), 1.0f) &&
+               is(product(right, up), 0.0f) && is(product(up, toward), 0.0f) && is(product(toward, right), 0.0f);
+    }
+
     [[nodiscard]] constexpr vec3 operator()(float x, float y, float z) const noexcept
     {
         return {right.x * x + up.x * y + toward.x * z, right.y * x + up.y * y + toward.y * z,
