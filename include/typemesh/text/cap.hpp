@@ -18,8 +18,8 @@ namespace typemesh {
 /// So outlines that are already simple, which is nearly all, pay for one sweep only. `loops` is turned and compacted in
 /// place; the region refers to it. Triangles are appended to `out`, which is as it was after an error.
 template <triangulator Triangulator, stage_observer Observer>
-[[nodiscard]] result<region> cap(contours& loops, fill_rule rule, const Triangulator& how, workspace& space, triangle_list& out,
-                                 Observer& observe) noexcept
+[[nodiscard]] result<region> cap(contours& loops, fill_rule rule, const Triangulator& how, workspace& space,
+                                 triangle_list& out, Observer& observe) noexcept
 {
     if constexpr (proving_triangulator<Triangulator>) {
         observe(stage::triangulate);
@@ -36,7 +36,8 @@ template <triangulator Triangulator, stage_observer Observer>
 }
 
 template <triangulator Triangulator>
-[[nodiscard]] result<region> cap(contours& loops, fill_rule rule, const Triangulator& how, workspace& space, triangle_list& out) noexcept
+[[nodiscard]] result<region> cap(contours& loops, fill_rule rule, const Triangulator& how, workspace& space,
+                                 triangle_list& out) noexcept
 {
     no_observer nobody;
     return cap(loops, rule, how, space, out, nobody);
