@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 
 // The laws that every triangulator obeys. A new one joins the list.
-#define TYPEMESH_TEST_TRIANGULATORS typemesh::monotone
+#define TYPEMESH_TEST_TRIANGULATORS typemesh::monotone, typemesh::constrained_delaunay
 
 #include <typemesh/fill/fill.hpp>
+#include <typemesh/triangulate/constrained_delaunay.hpp>
 #include <typemesh/triangulate/monotone.hpp>
 
 #include "support/catch.hpp"

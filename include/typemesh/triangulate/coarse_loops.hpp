@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/orientation.hpp>
+#include <typemesh/core/workspace.hpp>
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace typemesh::detail {
+
+/// Loops with the points left out that only smooth them, and the order in which those come back: from coarse to fine, each
+/// halving a stretch.
+///
+///        4                    A stretch runs from one kept point to the next, while no edge turns away from the stretch's first by
+///     2     6                 more than about 30 degrees. Of its points 1, 2, 3, ... those come first which the highest power
+///    1 3   5 7                of two divides. Point i then comes between i - (its lowest bit) and whatever is next there.
+///   0         8
+///
+/// A loop that would keep fewer than three points keeps all. 20 bytes a point.
+class coarse_loops {
+public:
+    /// False when there is no memory.
+    [[nodiscard]] bool take(workspace::scope& scratch, std::span<const grid_point> points, std::span<const std::uint32_t> starts) noexcept
+    {
+        const std::size_t n = points.size();
+        places_ = scratch.take<grid_point>(n);
+        names_ = scratch.take<std::uint32_t>(n);
+        starts_ = scratch.take<std::uint32_t>(starts.size());
+        left_out_ = scratch.take<left_out>(n);
+        if (places_ == nullptr || names_ == nullptr || starts_ == nullptr || left_out_ == nullptr) return false;
+        for (std::uint32_t& head : first_of_level_) head = none;
+        loops_ = starts.size() - 1;
+        size_ = 0;
+        for (std::size_t l = 0; l < loops_; ++l) {
+            starts_[l] = size_;
+            thin_out(points.data(), starts[l], starts[l + 1]);
+        }
+        starts_[loops_] = size_;
+        return true;
+    }
+
+    [[nodiscard]] std::span<const grid_point> points() const noexcept { return {places_, size_}; }
+    [[nodiscard]] std::span<const std::uint32_t> starts() const noexcept { return {starts_, loops_ + 1}; }
+    /// Which points these are.
+    [[nodiscard]] const std::uint32_t* names() const noexcept { return names_; }
+
+    /// f(point before it on the boundary, point) for each point left out, from coarse to fine, until f is false; then false.
+    template <class F>
+    [[nodiscard]] bool bring_back(F&& f) const noexcept
+    {
+        for (std::uint32_t level = levels; level-- != 0;)
+            for (std::uint32_t v = first_of_level_[level]; v != none; v = left_out_[v].next)
+                if (!f(left_out_[v].before, v)) return false;
+        return true;
+    }
+
+private:
+    static constexpr std::uint32_t none = ~std::uint32_t{0}, levels = 32;
+    struct left_out {
+        std::uint32_t before;
+        std::uint32_t next;
+    };
+
+    void thin_out(const grid_point* points, std::uint32_t begin, std::uint32_t end) noexcept
+    {
+        const std::uint32_t kept_before = size_;
+        std::int64_t dx = 0, dy = 0;
+        for (std::uint32_t v = begin; v < end; ++v) {
+            const grid_point p = points[v], q = points[v + 1 == end ? begin : v + 1];
+            const std::int64_t ex = std::int64_t{q.x} - p.x, ey = std::int64_t{q.y} - p.y;
+            const std::int64_t cross = dx * ey - dy * ex, dot = dx * ex + dy * ey;
+            if (dot > 0 && 2 * (cross < 0 ? -cross : cross) < dot) continue;
+            names_[size_] = v;
+            places_[size_++] = p;
+            dx = ex;
+            dy = ey;
+        }
+        if (size_ - kept_before < 3) {
+            size_ = kept_before;
+            for (std::uint32_t v = begin; v < end; ++v) {
+                names_[size_] = v;
+                places_[size_++] = points[v];
+            }
+            return;
+        }
+        for (std::uint32_t k = kept_before; k < size_; ++k) {  // the first point of a loop is always kept
+            const std::uint32_t from = names_[k], to = k + 1 < size_ ? names_[k + 1] : end;
+            for (std::uint32_t v = from + 1; v < to; ++v) {
+                const auto level = static_cast<std::uint32_t>(std::countr_zero(v - from));
+                left_out_[v] = {v - (1u << level), first_of_level_[level]};
+                first_of_level_[level] = v;
+            }
+        }
+    }
+
+    grid_point* places_ = nullptr;
+    std::uint32_t* names_ = nullptr;
+    std::uint32_t* starts_ = nullptr;
+    left_out* left_out_ = nullptr;
+    std::size_t loops_ = 0;
+    std::uint32_t size_ = 0;
+    std::uint32_t first_of_level_[levels] = {};
+};
+
+}  // namespace typemesh::detail

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/in_circle.hpp>
+#include <typemesh/triangulate/half_edges.hpp>
+
+#include <cstddef>
+
+namespace typemesh::detail {
+
+/// Keeps a triangulation Delaunay: exchanges diagonals until no edge wants it, from edges that are on a stack.
+///
+/// From  C. Lawson, Software for C1 surface interpolation (1977); S. Sloan, A fast algorithm for generating constrained Delaunay
+///       triangulations (1993)
+class delaunay_flips {
+public:
+    explicit delaunay_flips(half_edges& mesh, std::span<const grid_point> points) noexcept : mesh_{mesh}, points_{points} {}
+
+    /// Room for a mesh of so many triangles; false when there is no memory.
+    [[nodiscard]] bool open(workspace::scope& scratch, std::size_t triangles) noexcept
+    {
+        room_ = 4 * triangles + 8;
+        stack_ = scratch.take<std::uint32_t>(room_);
+        return stack_ != nullptr;
+    }
+
+    /// Makes the whole mesh Delaunay. Quadratic at worst in the number of triangles.
+    void everywhere() noexcept
+    {
+        do {
+            overflow_ = false;
+            for (std::uint32_t h = 0; h < mesh_.end(); ++h) {
+                if ((h & 3) == 3 || mesh_.twin(h) < h) continue;
+                push(h);
+                around();
+            }
+        } while (overflow_);
+    }
+
+    /// Makes p a point of the boundary between `before` and the point after it, in a mesh that is Delaunay and stays so.
+    ///
+    /// False when that cannot be done here: p lies behind what is seen from the boundary edge. Then the mesh is of no use any more.
+    [[nodiscard]] bool insert(std::uint32_t before, std::uint32_t p) noexcept
+    {
+        const std::uint32_t h = mesh_.boundary_from(before), after = mesh_.origin(half_edges::next(h));
+        const grid_point a = points_[before], b = points_[after], at = points_[p];
+        if (orientation(a, at, b) > 0) {
+            size_ = 0;
+            push(mesh_.add_ear(h, p));
+            towards_apex();
+            return true;
+        }
+        bool flipped = false;
+        for (;;) {
+            const grid_point c = mesh_.place(half_edges::previous(h));
+            const bool beyond_b = orientation(b, c, at) <= 0, beyond_a = orientation(c, a, at) <= 0;
+            if (!beyond_a && !beyond_b) break;
+            if (beyond_a && beyond_b) return false;
+            const std::uint32_t blocking = beyond_b ? half_edges::next(h) : half_edges::previous(h);
+            if (mesh_.is_boundary(blocking)) return false;
+            const grid_point d = mesh_.place(half_edges::previous(mesh_.twin(blocking)));
+            if (orientation(a, b, d) <= 0 || (beyond_b ? orientation(a, d, c) : orientation(b, c, d)) <= 0) return false;
+            if (!flipped) size_ = 0;
+            flipped = true;
+            const std::uint32_t g = mesh_.twin(blocking);
+            mesh_.flip(blocking);
+            push(blocking);
+            push(half_edges::previous(blocking));
+            push(g);
+            push(half_edges::previous(g));
+        }
+        if (!flipped) {
+            size_ = 0;
+            push(mesh_.dent(h, p));
+            push(half_edges::previous(h));
+            towards_apex();
+            return true;
+        }
+        push(mesh_.dent(h, p));
+        push(half_edges::previous(h));
+        around();
+        return !overflow_;
+    }
+
+    [[nodiscard]] std::uint64_t flips() const noexcept { return flips_; }
+    [[nodiscard]] std::uint64_t tests() const noexcept { return tests_; }
+
+private:
+    void push(std::uint32_t h) noexcept
+    {
+        if (size_ < room_) stack_[size_++] = h;
+        else overflow_ = true;
+    }
+
+    [[nodiscard]] bool wants_flip(std::uint32_t h, std::uint32_t g) noexcept
+    {
+        ++tests_;
+        return prefers_other_diagonal(mesh_.place(h), mesh_.place(g), mesh_.place(half_edges::previous(h)), mesh_.place(half_edges::previous(g)));
+    }
+
+    /// Until the stack is empty; a flip puts all four edges round it there.
+    void around() noexcept
+    {
+        while (size_ != 0) {
+            const std::uint32_t h = stack_[--size_];
+            if (mesh_.is_boundary(h)) continue;
+            const std::uint32_t g = mesh_.twin(h);
+            if (!wants_flip(h, g)) continue;
+            mesh_.flip(h);
+            ++flips_;
+            push(half_edges::previous(g));
+            push(g);
+            push(half_edges::previous(h));
+            push(h);
+        }
+    }
+
+    /// The same where all on the stack are edges seen from one new point: what a flip joins to it stays.
+    void towards_apex() noexcept
+    {
+        while (size_ != 0) {
+            const std::uint32_t h = stack_[--size_];
+            if (mesh_.is_boundary(h)) continue;
+            const std::uint32_t g = mesh_.twin(h);
+            if (!wants_flip(h, g)) continue;
+            mesh_.flip(h);
+            ++flips_;
+            push(half_edges::previous(g));
+            push(h);
+        }
+    }
+
+    half_edges& mesh_;
+    std::span<const grid_point> points_;
+    std::uint32_t* stack_ = nullptr;
+    std::size_t room_ = 0;
+    std::size_t size_ = 0;
+    bool overflow_ = false;
+    std::uint64_t flips_ = 0;
+    std::uint64_t tests_ = 0;
+};
+
+}  // namespace typemesh::detail
