@@ -31,16 +31,15 @@ struct two_words {
     return {first.high + second.high + (low < first.low ? 1u : 0u), low};
 }
 
-/// The sign of a * b + c * d: -1, 0 or 1. Needs |each| < 2^62.
-[[nodiscard]] constexpr int sign_of_sum_of_products(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) noexcept
+/// a * b + c * d in two words. Needs |each| < 2^62.
+[[nodiscard]] constexpr two_words sum_of_products(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) noexcept
 {
 #if defined(__SIZEOF_INT128__)
     __extension__ using wide = __int128;
     const wide sum = static_cast<wide>(a) * b + static_cast<wide>(c) * d;
-    return (sum > 0) - (sum < 0);
+    return {static_cast<std::uint64_t>(sum >> 64), static_cast<std::uint64_t>(sum)};
 #else
-    const two_words sum = sum_of_products_in_halves(a, b, c, d);
-    return static_cast<std::int64_t>(sum.high) < 0 ? -1 : (sum.high | sum.low) != 0 ? 1 : 0;
+    return sum_of_products_in_halves(a, b, c, d);
 #endif
 }
 
@@ -63,7 +62,8 @@ struct two_words {
     const std::int64_t adx = std::int64_t{a.x} - d.x, ady = std::int64_t{a.y} - d.y, bdx = std::int64_t{b.x} - d.x, bdy = std::int64_t{b.y} - d.y;
     const std::int64_t sine_c = acx * bcy - acy * bcx, cosine_c = acx * bcx + acy * bcy;
     const std::int64_t sine_d = bdx * ady - bdy * adx, cosine_d = adx * bdx + ady * bdy;
-    return -detail::sign_of_sum_of_products(sine_c, cosine_d, cosine_c, sine_d);
+    const detail::two_words sum = detail::sum_of_products(sine_c, cosine_d, cosine_c, sine_d);
+    return static_cast<std::int64_t>(sum.high) < 0 ? 1 : (sum.high | sum.low) != 0 ? -1 : 0;
 }
 
 /// Whether of the quadrilateral a, d, b, c (counter-clockwise, cut by ab into two triangles) the other diagonal, dc, is the
@@ -74,8 +74,10 @@ struct two_words {
 /// lowered by infinitely more than every greater one on the paraboloid whose lower hull is the triangulation.
 [[nodiscard]] constexpr bool prefers_other_diagonal(grid_point a, grid_point b, grid_point c, grid_point d) noexcept
 {
-    const int inside = in_circle(a, b, c, d);
-    if (inside != 0) [[likely]] return inside > 0;
+    const std::int64_t acx = std::int64_t{a.x} - c.x, acy = std::int64_t{a.y} - c.y, bcx = std::int64_t{b.x} - c.x, bcy = std::int64_t{b.y} - c.y;
+    const std::int64_t adx = std::int64_t{a.x} - d.x, ady = std::int64_t{a.y} - d.y, bdx = std::int64_t{b.x} - d.x, bdy = std::int64_t{b.y} - d.y;
+    const detail::two_words sum = detail::sum_of_products(acx * bcy - acy * bcx, adx * bdx + ady * bdy, acx * bcx + acy * bcy, bdx * ady - bdy * adx);
+    if ((sum.high | sum.low) != 0) [[likely]] return static_cast<std::int64_t>(sum.high) < 0;
     return lexicographic_less(lexicographic_less(c, d) ? c : d, lexicographic_less(a, b) ? a : b);
 }
 

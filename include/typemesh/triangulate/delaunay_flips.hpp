@@ -45,9 +45,8 @@ public:
         const std::uint32_t h = mesh_.boundary_from(before), after = mesh_.origin(half_edges::next(h));
         const grid_point a = points_[before], b = points_[after], at = points_[p];
         if (orientation(a, at, b) > 0) {
-            size_ = 0;
-            push(mesh_.add_ear(h, p));
-            towards_apex();
+            stack_[0] = mesh_.add_ear(h, p);
+            towards_apex(1);
             return true;
         }
         bool flipped = false;
@@ -70,10 +69,9 @@ public:
             push(half_edges::previous(g));
         }
         if (!flipped) {
-            size_ = 0;
-            push(mesh_.dent(h, p));
-            push(half_edges::previous(h));
-            towards_apex();
+            stack_[0] = mesh_.dent(h, p);
+            stack_[1] = half_edges::previous(h);
+            towards_apex(2);
             return true;
         }
         push(mesh_.dent(h, p));
@@ -82,9 +80,6 @@ public:
         return !overflow_;
     }
 
-    [[nodiscard]] std::uint64_t flips() const noexcept { return flips_; }
-    [[nodiscard]] std::uint64_t tests() const noexcept { return tests_; }
-
 private:
     void push(std::uint32_t h) noexcept
     {
@@ -92,10 +87,9 @@ private:
         else overflow_ = true;
     }
 
-    [[nodiscard]] bool wants_flip(std::uint32_t h, std::uint32_t g) noexcept
+    [[nodiscard]] static bool wants_flip(const half_edges& mesh, std::uint32_t h, std::uint32_t g) noexcept
     {
-        ++tests_;
-        return prefers_other_diagonal(mesh_.place(h), mesh_.place(g), mesh_.place(half_edges::previous(h)), mesh_.place(half_edges::previous(g)));
+        return prefers_other_diagonal(mesh.place(h), mesh.place(g), mesh.place(half_edges::previous(h)), mesh.place(half_edges::previous(g)));
     }
 
     /// Until the stack is empty; a flip puts all four edges round it there.
@@ -105,9 +99,8 @@ private:
             const std::uint32_t h = stack_[--size_];
             if (mesh_.is_boundary(h)) continue;
             const std::uint32_t g = mesh_.twin(h);
-            if (!wants_flip(h, g)) continue;
+            if (!wants_flip(mesh_, h, g)) continue;
             mesh_.flip(h);
-            ++flips_;
             push(half_edges::previous(g));
             push(g);
             push(half_edges::previous(h));
@@ -115,19 +108,21 @@ private:
         }
     }
 
-    /// The same where all on the stack are edges seen from one new point: what a flip joins to it stays.
-    void towards_apex() noexcept
+    /// The same where the first `size` on the stack are edges seen from one new point: what a flip joins to it stays, so the stack
+    /// never holds more than the triangles round that point.
+    void towards_apex(std::size_t size) noexcept
     {
-        while (size_ != 0) {
-            const std::uint32_t h = stack_[--size_];
-            if (mesh_.is_boundary(h)) continue;
-            const std::uint32_t g = mesh_.twin(h);
-            if (!wants_flip(h, g)) continue;
-            mesh_.flip(h);
-            ++flips_;
-            push(half_edges::previous(g));
-            push(h);
-        }
+        std::uint32_t* const stack = stack_;
+        half_edges mesh = mesh_;
+        do {
+            const std::uint32_t h = stack[--size];
+            if (mesh.is_boundary(h)) continue;
+            const std::uint32_t g = mesh.twin(h);
+            if (!wants_flip(mesh, h, g)) continue;
+            mesh.flip(h);
+            stack[size++] = half_edges::previous(g);
+            stack[size++] = h;
+        } while (size != 0);
     }
 
     half_edges& mesh_;
@@ -136,8 +131,6 @@ private:
     std::size_t room_ = 0;
     std::size_t size_ = 0;
     bool overflow_ = false;
-    std::uint64_t flips_ = 0;
-    std::uint64_t tests_ = 0;
 };
 
 }  // namespace typemesh::detail
