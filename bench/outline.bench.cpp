@@ -3,10 +3,11 @@
 // The floor under every text: shaping and outlines alone, by HarfBuzz and FreeType side by side.
 //
 //     shape      text to glyph run (layout included)
+//     bare_shape the same by hb_buffer_add_utf8() and hb_shape() alone
 //     outlines   the run's outlines into a sink that only adds up what it is given
 //     bare       the same through the font library's own calls, with callbacks that do the same
 //     record     the outlines kept as curves, as every mesh begins
-//     font       the outlines of all glyphs of a font, streamed: no loop over one glyph, which trains the branch predictor
+//     font       the outlines of all glyphs of a font, streamed (a loop over one glyph trains the branch predictor)
 //
 // Items are glyphs. A font that is not installed is left out with a word.
 #include <typemesh/adapt/freetype.hpp>
@@ -55,13 +56,22 @@ struct bare_harfbuzz {
 
     bare_harfbuzz()
     {
-        hb_draw_funcs_set_move_to_func(calls, [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, float x, float, void*) { add(d, x); }, nullptr, nullptr);
-        hb_draw_funcs_set_line_to_func(calls, [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, float x, float, void*) { add(d, x); }, nullptr, nullptr);
-        hb_draw_funcs_set_quadratic_to_func(
-            calls, [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, float c, float, float x, float, void*) { add(d, c + x); }, nullptr, nullptr);
-        hb_draw_funcs_set_cubic_to_func(
-            calls, [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, float c, float, float e, float, float x, float, void*) { add(d, c + e + x); }, nullptr,
+        hb_draw_funcs_set_move_to_func(
+            calls, [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, float x, float, void*) { add(d, x); }, nullptr,
             nullptr);
+        hb_draw_funcs_set_line_to_func(
+            calls, [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, float x, float, void*) { add(d, x); }, nullptr,
+            nullptr);
+        hb_draw_funcs_set_quadratic_to_func(
+            calls,
+            [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, float c, float, float x, float, void*) { add(d, c + x); },
+            nullptr, nullptr);
+        hb_draw_funcs_set_cubic_to_func(
+            calls,
+            [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, float c, float, float e, float, float x, float, void*) {
+                add(d, c + e + x);
+            },
+            nullptr, nullptr);
         hb_draw_funcs_make_immutable(calls);
     }
     bare_harfbuzz(const bare_harfbuzz&) = delete;
@@ -89,7 +99,11 @@ struct bare_freetype {
             [](const FT_Vector* p, void* d) { return to(d) += x(p), 0; },
             [](const FT_Vector* p, void* d) { return to(d) += x(p), 0; },
             [](const FT_Vector* c, const FT_Vector* p, void* d) { return to(d) += x(c) + x(p), 0; },
-            [](const FT_Vector* c, const FT_Vector* e, const FT_Vector* p, void* d) { return to(d) += x(c) + x(e) + x(p), 0; }, 0, 0};
+            [](const FT_Vector* c, const FT_Vector* e, const FT_Vector* p, void* d) {
+                return to(d) += x(c) + x(e) + x(p), 0;
+            },
+            0,
+            0};
         if (FT_Load_Glyph(face, id, FT_LOAD_NO_SCALE) == 0) FT_Outline_Decompose(&face->glyph->outline, &calls, &total);
     }
 };
@@ -112,7 +126,25 @@ void shape(benchmark::State& state, const std::string& path, const std::string& 
         if (layout(*font, text, {}, {}, run)) break;
         benchmark::DoNotOptimize(run.glyphs.data());
     }
-    state.SetItemsProcessed(static_cast<std::int64_t>(run.glyphs.size()) * static_cast<std::int64_t>(state.iterations()));
+    state.SetItemsProcessed(static_cast<std::int64_t>(run.glyphs.size()) *
+                            static_cast<std::int64_t>(state.iterations()));
+}
+
+void bare_shape(benchmark::State& state, const std::string& path, const std::string& text)
+{
+    auto font = harfbuzz_font::open(path.c_str());
+    if (!font) return state.SkipWithError(font.error().message());
+    hb_buffer_t* units = hb_buffer_create();
+    unsigned count = 0;
+    for (auto _ : state) {
+        hb_buffer_clear_contents(units);
+        hb_buffer_add_utf8(units, text.data(), static_cast<int>(text.size()), 0, -1);
+        hb_buffer_guess_segment_properties(units);
+        hb_shape(font->handle(), units, nullptr, 0);
+        benchmark::DoNotOptimize(hb_buffer_get_glyph_positions(units, &count));
+    }
+    hb_buffer_destroy(units);
+    state.SetItemsProcessed(static_cast<std::int64_t>(count) * static_cast<std::int64_t>(state.iterations()));
 }
 
 /// Calls draw(font, glyph id) for each glyph of a text, or for each of the font where the text is empty.
@@ -152,14 +184,16 @@ void bare(benchmark::State& state, const std::string& path, const std::string& t
 {
     const bare_harfbuzz calls;
     double total = 0.0;
-    each_glyph<harfbuzz_font>(state, path, text, [&](harfbuzz_font& font, glyph_id id) { calls.draw(font.handle(), id, total); });
+    each_glyph<harfbuzz_font>(state, path, text,
+                              [&](harfbuzz_font& font, glyph_id id) { calls.draw(font.handle(), id, total); });
     benchmark::DoNotOptimize(total);
 }
 
 void bare(benchmark::State& state, const std::string& path, const std::string& text, freetype_font*)
 {
     double total = 0.0;
-    each_glyph<freetype_font>(state, path, text, [&](freetype_font& font, glyph_id id) { bare_freetype::draw(font.handle(), id, total); });
+    each_glyph<freetype_font>(state, path, text,
+                              [&](freetype_font& font, glyph_id id) { bare_freetype::draw(font.handle(), id, total); });
     benchmark::DoNotOptimize(total);
 }
 
@@ -177,7 +211,8 @@ void add(const std::string& library, const std::string& label, const std::string
 {
     const auto name = [&](const char* what) { return std::string{what} + "/" + library + "/" + label; };
     benchmark::RegisterBenchmark(name("outlines").c_str(), [=](benchmark::State& s) { outlines<Font>(s, path, text); });
-    benchmark::RegisterBenchmark(name("bare").c_str(), [=](benchmark::State& s) { bare(s, path, text, static_cast<Font*>(nullptr)); });
+    benchmark::RegisterBenchmark(name("bare").c_str(),
+                                 [=](benchmark::State& s) { bare(s, path, text, static_cast<Font*>(nullptr)); });
     benchmark::RegisterBenchmark(name("record").c_str(), [=](benchmark::State& s) { record_all<Font>(s, path, text); });
 }
 
@@ -195,21 +230,28 @@ int main(int argc, char** argv)
         {"hello_DejaVu", "truetype/dejavu/DejaVuSans.ttf", "hello", true},
         {"hello_ComicNeue", "opentype/comic-neue/ComicNeue-Regular.otf", "hello", true},
         {"lorem_DejaVu", "truetype/dejavu/DejaVuSans.ttf", "long-latin.txt", true},
-        {"japanese_SawarabiMincho", "truetype/sawarabi-mincho/sawarabi-mincho-medium.ttf", "phrases-japanese.txt", true},
+        {"japanese_SawarabiMincho", "truetype/sawarabi-mincho/sawarabi-mincho-medium.ttf", "phrases-japanese.txt",
+         true},
         {"arabic_Amiri", "opentype/fonts-hosny-amiri/Amiri-Regular.ttf", "phrases-arabic.txt", false},
         {"font_DejaVu", "truetype/dejavu/DejaVuSans.ttf", nullptr, true},
         {"font_Inter", "truetype/inter-vf/Inter-roman.var.ttf", nullptr, true},
         {"font_ComicNeue", "opentype/comic-neue/ComicNeue-Regular.otf", nullptr, true},
     };
     for (const entry& e : entries) {
-        const std::string path = font_path(e.font), text = e.text != nullptr ? text_of(e.text) : std::string{}, label = e.label;
+        const std::string path = font_path(e.font), text = e.text != nullptr ? text_of(e.text) : std::string{},
+                          label = e.label;
         if (!std::ifstream{path}) {
             std::fprintf(stderr, "left out: %s is not installed\n", path.c_str());
             continue;
         }
         if (e.text != nullptr) {
-            benchmark::RegisterBenchmark(("shape/harfbuzz/" + label).c_str(), [=](benchmark::State& s) { shape<harfbuzz_font>(s, path, text); });
-            if (e.plain) benchmark::RegisterBenchmark(("shape/freetype/" + label).c_str(), [=](benchmark::State& s) { shape<freetype_font>(s, path, text); });
+            benchmark::RegisterBenchmark(("shape/harfbuzz/" + label).c_str(),
+                                         [=](benchmark::State& s) { shape<harfbuzz_font>(s, path, text); });
+            benchmark::RegisterBenchmark(("bare_shape/harfbuzz/" + label).c_str(),
+                                         [=](benchmark::State& s) { bare_shape(s, path, text); });
+            if (e.plain)
+                benchmark::RegisterBenchmark(("shape/freetype/" + label).c_str(),
+                                             [=](benchmark::State& s) { shape<freetype_font>(s, path, text); });
         }
         add<harfbuzz_font>("harfbuzz", label, path, text);
         add<freetype_font>("freetype", label, path, text);

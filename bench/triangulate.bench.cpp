@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// Triangulation alone, a stream of different glyphs (a loop over one glyph trains the branch predictor and flatters by a factor
-// of 2 to 4), beside the floor in the same run: std::sort of the same points packed into 64-bit keys.
+// Triangulation alone, a stream of different glyphs (a loop over one glyph trains the branch predictor and flatters by
+// a factor of 2 to 4), beside the floor in the same run: std::sort of the same points packed into 64-bit keys.
 //
 //     bench_triangulate                          every set that has its font
 //     bench_triangulate --benchmark_filter=Sans
 //
-// Columns: ns_per_point (best pass of five) and of_floor (that by the floor's). A set states its tolerance in font units and
-// prints how many points a glyph it gives. Outlines are flattened here by equal steps of t, snapped to 1/512 unit.
+// Columns: ns_per_point (best pass of five) and of_floor (that by the floor's). A set states its tolerance in font
+// units and prints how many points a glyph it gives. Outlines are flattened here by equal steps of t, snapped to 1/512
+// unit.
 //
-// Fonts are looked for under $TYPEMESH_FONT_DIR (default /usr/share/fonts); packages fonts-liberation, fonts-dejavu-core,
-// fonts-wqy-microhei, fonts-inter-variable, fonts-mplus.
+// Fonts are looked for under $TYPEMESH_FONT_DIR (default /usr/share/fonts); packages fonts-liberation,
+// fonts-dejavu-core, fonts-wqy-microhei, fonts-inter-variable, fonts-mplus.
 
 #include <typemesh/fill/fill.hpp>
 #include <typemesh/triangulate/monotone.hpp>
@@ -31,7 +32,8 @@ namespace {
 
 using namespace typemesh;
 
-// --- glyphs as polygons ----------------------------------------------------------------------------------------------------
+// --- glyphs as polygons
+// ----------------------------------------------------------------------------------------------------
 
 using polygon = std::vector<std::vector<grid_point>>;
 
@@ -58,7 +60,8 @@ struct flattener {
     void quadratic_to(point b, point c)
     {
         const quadratic q{at, b, c};
-        const int n = (std::max)(1, static_cast<int>(std::ceil(std::sqrt(length(q.p0 - 2.0 * b + c) / (4.0 * tolerance)))));
+        const int n =
+            (std::max)(1, static_cast<int>(std::ceil(std::sqrt(length(q.p0 - 2.0 * b + c) / (4.0 * tolerance)))));
         for (int i = 1; i <= n; ++i) add(i == n ? c : q.at(double(i) / n));
         at = c;
     }
@@ -80,16 +83,32 @@ struct flattener {
 hb_draw_funcs_t* drawing()
 {
     hb_draw_funcs_t* f = hb_draw_funcs_create();
-    hb_draw_funcs_set_move_to_func(f, [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, float x, float y, void*) {
-        flattener::self(d).move(flattener::of(x, y)); }, nullptr, nullptr);
-    hb_draw_funcs_set_line_to_func(f, [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, float x, float y, void*) {
-        flattener::self(d).line(flattener::of(x, y)); }, nullptr, nullptr);
-    hb_draw_funcs_set_quadratic_to_func(f, [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, float a, float b, float x, float y, void*) {
-        flattener::self(d).quadratic_to(flattener::of(a, b), flattener::of(x, y)); }, nullptr, nullptr);
-    hb_draw_funcs_set_cubic_to_func(f, [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, float a, float b, float p, float q, float x, float y, void*) {
-        flattener::self(d).cubic_to(flattener::of(a, b), flattener::of(p, q), flattener::of(x, y)); }, nullptr, nullptr);
-    hb_draw_funcs_set_close_path_func(f, [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, void*) {
-        flattener::self(d).close(); }, nullptr, nullptr);
+    hb_draw_funcs_set_move_to_func(
+        f,
+        [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, float x, float y, void*) {
+            flattener::self(d).move(flattener::of(x, y));
+        },
+        nullptr, nullptr);
+    hb_draw_funcs_set_line_to_func(
+        f,
+        [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, float x, float y, void*) {
+            flattener::self(d).line(flattener::of(x, y));
+        },
+        nullptr, nullptr);
+    hb_draw_funcs_set_quadratic_to_func(
+        f,
+        [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, float a, float b, float x, float y, void*) {
+            flattener::self(d).quadratic_to(flattener::of(a, b), flattener::of(x, y));
+        },
+        nullptr, nullptr);
+    hb_draw_funcs_set_cubic_to_func(
+        f,
+        [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, float a, float b, float p, float q, float x, float y, void*) {
+            flattener::self(d).cubic_to(flattener::of(a, b), flattener::of(p, q), flattener::of(x, y));
+        },
+        nullptr, nullptr);
+    hb_draw_funcs_set_close_path_func(
+        f, [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, void*) { flattener::self(d).close(); }, nullptr, nullptr);
     hb_draw_funcs_make_immutable(f);
     return f;
 }
@@ -134,7 +153,8 @@ contours contours_of(const polygon& loops)
     return c;
 }
 
-// --- timing ----------------------------------------------------------------------------------------------------------------
+// --- timing
+// ----------------------------------------------------------------------------------------------------------------
 
 /// Nanoseconds a point: the best of `passes` over all of `work`.
 template <class Work, class F>
@@ -144,7 +164,8 @@ double best_pass(const Work& work, double points, int passes, F&& f)
     for (int i = 0; i < passes; ++i) {
         const auto begin = std::chrono::steady_clock::now();
         for (auto& w : work) f(w);
-        best = (std::min)(best, std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - begin).count());
+        best = (std::min)(best,
+                          std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - begin).count());
     }
     return best / points;
 }
@@ -175,7 +196,8 @@ void sort_points(const contours& c, std::vector<std::uint64_t>& keys)
 {
     keys.clear();
     for (const grid_point p : c.points)
-        keys.push_back(static_cast<std::uint64_t>(static_cast<std::uint32_t>(p.x) ^ 0x8000'0000u) << 32 | (static_cast<std::uint32_t>(p.y) ^ 0x8000'0000u));
+        keys.push_back(static_cast<std::uint64_t>(static_cast<std::uint32_t>(p.x) ^ 0x8000'0000u) << 32 |
+                       (static_cast<std::uint32_t>(p.y) ^ 0x8000'0000u));
     std::sort(keys.begin(), keys.end());
     benchmark::DoNotOptimize(keys.data());
 }
@@ -199,7 +221,8 @@ void run(benchmark::State& state, const set& s, what w, int passes)
     double floor = 1e300, best = 1e300;
     for ([[maybe_unused]] auto unused : state) {
         for (int pass = 0; pass < passes; ++pass) {
-            floor = (std::min)(floor, best_pass(simple, s.points, 1, [&](const contours* c) { sort_points(*c, keys); }));
+            floor =
+                (std::min)(floor, best_pass(simple, s.points, 1, [&](const contours* c) { sort_points(*c, keys); }));
             double now = floor;
             if (w == what::prove)
                 now = best_pass(simple, s.points, 1, [&](const contours* c) {
@@ -215,15 +238,19 @@ void run(benchmark::State& state, const set& s, what w, int passes)
                 std::vector<contours> copies;
                 for (const contours& c : s.given) {
                     copies.emplace_back();
-                    if (!copies.back().points.append(c.points.view()) || !copies.back().edges.append(c.edges.view()) || !copies.back().starts.append(c.starts.view()))
+                    if (!copies.back().points.append(c.points.view()) || !copies.back().edges.append(c.edges.view()) ||
+                        !copies.back().starts.append(c.starts.view()))
                         std::abort();
                 }
                 const auto begin = std::chrono::steady_clock::now();
                 for (contours& c : copies) {
-                    if (w == what::orient) orient(c);
-                    else if (!fill(c, fill_rule::non_zero, space)) std::abort();
+                    if (w == what::orient)
+                        orient(c);
+                    else if (!fill(c, fill_rule::non_zero, space))
+                        std::abort();
                 }
-                now = std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - begin).count() / s.points;
+                now = std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - begin).count() /
+                      s.points;
             }
             best = (std::min)(best, now);
         }
@@ -237,15 +264,20 @@ void run(benchmark::State& state, const set& s, what w, int passes)
 
 void add(const set& s, int passes)
 {
-    const std::pair<const char*, what> all[] = {
-        {"std::sort", what::sort}, {"monotone proving", what::prove}, {"monotone trusting", what::trust}, {"orient", what::orient}, {"fill", what::fill}};
+    const std::pair<const char*, what> all[] = {{"std::sort", what::sort},
+                                                {"monotone proving", what::prove},
+                                                {"monotone trusting", what::trust},
+                                                {"orient", what::orient},
+                                                {"fill", what::fill}};
     for (const auto& [name, w] : all)
-        benchmark::RegisterBenchmark((s.name + " / " + name).c_str(), [&s, w = w, passes](benchmark::State& state) { run(state, s, w, passes); })
+        benchmark::RegisterBenchmark((s.name + " / " + name).c_str(),
+                                     [&s, w = w, passes](benchmark::State& state) { run(state, s, w, passes); })
             ->Iterations(1)
             ->Unit(benchmark::kMillisecond);
 }
 
-// --- shapes of all sizes ---------------------------------------------------------------------------------------------------
+// --- shapes of all sizes
+// ---------------------------------------------------------------------------------------------------
 
 std::uint64_t next_random(std::uint64_t& state)
 {
@@ -257,7 +289,8 @@ std::uint64_t next_random(std::uint64_t& state)
 grid_point on_circle(double cx, double cy, double radius, double turn)
 {
     const double angle = 6.283185307179586 * turn;
-    return {static_cast<std::int32_t>(std::lround(cx + radius * std::cos(angle))), static_cast<std::int32_t>(std::lround(cy + radius * std::sin(angle)))};
+    return {static_cast<std::int32_t>(std::lround(cx + radius * std::cos(angle))),
+            static_cast<std::int32_t>(std::lround(cy + radius * std::sin(angle)))};
 }
 
 polygon circle(int n)
@@ -279,8 +312,10 @@ polygon spiral(int n)
 {
     polygon p(1);
     const double turns = std::sqrt(n / 20.0), step = 2e8 / turns;
-    for (int i = 0; i <= n / 2; ++i) p[0].push_back(on_circle(0, 0, step * (0.5 + turns * i / (n / 2)), turns * i / (n / 2)));
-    for (int i = n / 2; i >= 0; --i) p[0].push_back(on_circle(0, 0, step * (0.8 + turns * i / (n / 2)), turns * i / (n / 2)));
+    for (int i = 0; i <= n / 2; ++i)
+        p[0].push_back(on_circle(0, 0, step * (0.5 + turns * i / (n / 2)), turns * i / (n / 2)));
+    for (int i = n / 2; i >= 0; --i)
+        p[0].push_back(on_circle(0, 0, step * (0.8 + turns * i / (n / 2)), turns * i / (n / 2)));
     std::reverse(p[0].begin(), p[0].end());
     return p;
 }
@@ -288,7 +323,9 @@ polygon star(int n)
 {
     polygon p(1);
     std::uint64_t seed = 1;
-    for (int i = 0; i < n; ++i) p[0].push_back(on_circle(0, 0, 5e7 + 2e8 * static_cast<double>(next_random(seed) >> 11) * 0x1p-53, double(i) / n));
+    for (int i = 0; i < n; ++i)
+        p[0].push_back(
+            on_circle(0, 0, 5e7 + 2e8 * static_cast<double>(next_random(seed) >> 11) * 0x1p-53, double(i) / n));
     return p;
 }
 polygon parabola(int n, bool upwards)
@@ -297,7 +334,8 @@ polygon parabola(int n, bool upwards)
     const double half = n / 2;
     for (int i = 0; i < n; ++i) {
         const double x = (i - half) / half;
-        p[0].push_back({static_cast<std::int32_t>(std::lround(2.5e8 * x)), static_cast<std::int32_t>(std::lround(2.5e8 * x * x))});
+        p[0].push_back(
+            {static_cast<std::int32_t>(std::lround(2.5e8 * x)), static_cast<std::int32_t>(std::lround(2.5e8 * x * x))});
     }
     if (!upwards)
         for (grid_point& q : p[0]) q = {-q.y, q.x};
@@ -311,7 +349,8 @@ polygon square_with_holes(int n)
     for (int y = 0; y < rows; ++y)
         for (int x = 0; x < rows; ++x) {
             p.emplace_back();
-            for (int i = 16; i-- != 0;) p.back().push_back(on_circle((x + 0.5) * pitch, (y + 0.5) * pitch, 0.4 * pitch, i / 16.0));
+            for (int i = 16; i-- != 0;)
+                p.back().push_back(on_circle((x + 0.5) * pitch, (y + 0.5) * pitch, 0.4 * pitch, i / 16.0));
         }
     return p;
 }
@@ -327,12 +366,12 @@ int main(int argc, char** argv)
         unsigned most;     ///< glyphs
     };
     const font_set fonts[] = {
-        {"Liberation Sans, 2.6 units", "truetype/liberation/LiberationSans-Regular.ttf", 2.6, 100'000},
-        {"Liberation Sans, 0.13 units", "truetype/liberation/LiberationSans-Regular.ttf", 0.13, 100'000},
-        {"DejaVu Sans, 2.6 units", "truetype/dejavu/DejaVuSans.ttf", 2.6, 100'000},
-        {"WenQuanYi Micro Hei, 1 unit", "truetype/wqy/wqy-microhei.ttc", 1.0, 3000},
-        {"Inter variable, 2.6 units", "truetype/inter-vf/Inter.var.ttf", 2.6, 100'000},
-        {"M+ 1p, 0.3 units", "truetype/mplus/mplus-1p-regular.ttf", 0.3, 3000},
+        {"Liberation Sans, 1.2 units", "truetype/liberation/LiberationSans-Regular.ttf", 1.2, 100'000},    // 60 points
+        {"Liberation Sans, 0.06 units", "truetype/liberation/LiberationSans-Regular.ttf", 0.06, 100'000},  // 200 points
+        {"DejaVu Sans, 1.6 units", "truetype/dejavu/DejaVuSans.ttf", 1.6, 100'000},                        // 60 points
+        {"WenQuanYi Micro Hei, 0.14 units", "truetype/wqy/wqy-microhei.ttc", 0.14, 3000},                  // 200 points
+        {"Inter variable, 2.6 units", "truetype/inter-vf/Inter.var.ttf", 2.6, 100'000},                    // 60 points
+        {"M+ 1p, 0.1 units", "truetype/mplus/mplus-1p-regular.ttf", 0.1, 3000},
     };
     std::vector<set> sets;
     sets.reserve(100);
@@ -349,9 +388,13 @@ int main(int argc, char** argv)
         add(sets.back(), 5);
     }
     for (int n = 100; n <= 1'000'000; n *= 10) {
-        const std::pair<const char*, polygon> shapes[] = {
-            {"circle", circle(n)}, {"comb", comb(n)}, {"spiral", spiral(n)}, {"star", star(n)}, {"square with holes", square_with_holes(n)},
-            {"parabola", parabola((std::min)(n, 10'000), true)}, {"parabola on its side", parabola((std::min)(n, 10'000), false)}};
+        const std::pair<const char*, polygon> shapes[] = {{"circle", circle(n)},
+                                                          {"comb", comb(n)},
+                                                          {"spiral", spiral(n)},
+                                                          {"star", star(n)},
+                                                          {"square with holes", square_with_holes(n)},
+                                                          {"parabola", parabola(n, true)},
+                                                          {"parabola on its side", parabola(n, false)}};
         for (const auto& [name, p] : shapes) {
             set s{std::string{name} + " of " + std::to_string(n), {}, {}, 0, 0};
             s.take(p, space, out);

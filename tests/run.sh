@@ -83,6 +83,7 @@ tier_external() {
     local script name status output modules=$typemesh_root/build/external
     install_missing benchmark
     (install_missing admesh node npm) || say "Going on without them: the tests that need them are skipped."
+    install_fonts fonts-mplus fonts-noto-cjk  # large ones of tests/workload/fonts.tsv
     export TYPEMESH_TEXT_TO_MESH=$typemesh_root/build/release/examples/text_to_mesh
     export TYPEMESH_TEST_DATA=$typemesh_root/tests
     mkdir -p "$modules"

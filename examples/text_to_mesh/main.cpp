@@ -60,10 +60,10 @@ chosen_extruder extruder_of(const options& o)
     switch (o.normals) {
     case normals_name::shared: return with(shared_normals{});
     case normals_name::averaged: return with(averaged_normals{});
-    case normals_name::creased: return with(creased_normals{.crease_degrees = o.crease});
+    case normals_name::creased: return with(creased_normals{.crease_degrees = o.crease.value_or(creased_normals{}.crease_degrees)});
     case normals_name::curve: break;
     }
-    return with(curve_normals{.crease_degrees = o.crease});
+    return with(curve_normals{.crease_degrees = o.crease.value_or(curve_normals{}.crease_degrees)});
 }
 
 std::string kind_of(const std::string& path) { return path.substr(path.size() - 4); }
@@ -113,8 +113,9 @@ void print_stats(const Plan& plan, const stage_clock& clock)
                 static_cast<unsigned long long>(plan.hard_edges()), static_cast<unsigned long long>(plan.size().vertices),
                 static_cast<unsigned long long>(plan.size().triangles));
     const char* names[] = {"shape", "outline", "discretise", "fill", "triangulate", "extrude"};
-    for (int i = 0; i < 6; ++i) std::printf(",\"%s_ns\":%lld", names[i], static_cast<long long>(clock.nanoseconds[i]));
-    std::puts("}");
+    std::printf(",\"nanoseconds\":{");
+    for (int i = 0; i < 6; ++i) std::printf("%s\"%s\":%lld", i > 0 ? "," : "", names[i], static_cast<long long>(clock.nanoseconds[i]));
+    std::puts("}}");
 }
 
 int run(const options& o)

@@ -115,7 +115,7 @@ std::optional<int> parse(int argc, char** argv, options& out)
                              {"averaged", normals_name::averaged},
                              {"creased", normals_name::creased},
                              {"curve", normals_name::curve}});
-    app.add_option("--crease", out.crease, "edges that turn by more are hard (default 15)")->type_name("DEGREES")->check(CLI::Range(0.0, 180.0));
+    app.add_option("--crease", out.crease, "edges that turn by more are hard (default 15, for creased 30)")->type_name("DEGREES")->check(CLI::Range(0.0, 180.0));
     app.add_option("--fill", fill, "instead of the font's own rule")->check(CLI::IsMember({"nonzero", "evenodd"}));
     app.add_option("--uv", uv, "texture coordinates: over the text's box (default), or in em")->check(CLI::IsMember({"box", "em"}));
     app.add_flag("--strict", out.strict, "a refused or missing glyph is an error");
@@ -151,7 +151,7 @@ std::optional<int> parse(int argc, char** argv, options& out)
     }
     if (!std::isfinite(out.tolerance)) return complain("--tolerance is not a finite number");
     if (!std::isfinite(out.depth)) return complain("--depth is not a finite number");
-    if (!std::isfinite(out.crease)) return complain("--crease is not a finite number");
+    if (out.crease && !std::isfinite(*out.crease)) return complain("--crease is not a finite number");
     if (uv == "em") out.uv = texture_mapping::em;
     if (!fill.empty()) out.fill = fill == "nonzero" ? fill_rule::non_zero : fill_rule::even_odd;
     const auto shown = [&](const char* what) { return std::find(show.begin(), show.end(), what) != show.end(); };

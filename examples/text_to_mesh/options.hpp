@@ -31,7 +31,7 @@ struct options {
     double tolerance = typemesh::quality::high;
     discretiser_name discretiser = discretiser_name::certified;
     normals_name normals = normals_name::curve;
-    float crease = 15.0f;
+    std::optional<float> crease;  ///< degrees; each style has a default of its own
     std::optional<typemesh::fill_rule> fill;
     typemesh::texture_mapping uv = typemesh::texture_mapping::box;
     bool strict = false;

@@ -88,7 +88,8 @@ TEST_CASE("quadratics stay quadratics, cubics cubics", "[adapt][freetype]")
     freetype_font truetype = opened(dejavu), cff = opened(comic), postscript = opened(type1);
     const auto highest = [](freetype_font& font) {
         std::uint32_t degree = 0;
-        for (const curve& c : drawn(font, shaped(font, "o").glyphs[0].id).curves) degree = degree > c.degree ? degree : c.degree;
+        for (const curve& c : drawn(font, shaped(font, "o").glyphs[0].id).curves)
+            degree = degree > c.degree ? degree : c.degree;
         return degree;
     };
     CHECK(highest(truetype) == 2);
@@ -133,7 +134,8 @@ TEST_CASE("what the plain shaper would set wrongly it refuses, and names the pla
     const error e = refusal(font, u"ok\nab \u0633\u0644\u0627\u0645");
     CHECK(e == error::needs_shaping);
     CHECK(e.cluster == 6);
-    for (const char16_t* text : {u"\u05D0", u"\u0915\u093F", u"\u0E01\u0E34", u"e\u0301", u"\u1112\u1161", u"\u200D", u"\u202E", u"\u1780"})
+    for (const char16_t* text :
+         {u"\u05D0", u"\u0915\u093F", u"\u0E01\u0E34", u"e\u0301", u"\u1112\u1161", u"\u200D", u"\u202E", u"\u1780"})
         CHECK(refusal(font, text) == error::needs_shaping);
     CHECK(refusal(font, "abc", direction::right_to_left) == error::needs_shaping);
     CHECK(refusal(font, "abc", direction::top_to_bottom) == error::needs_shaping);
@@ -162,7 +164,8 @@ TEST_CASE("missing and invalid characters are counted as by any shaper", "[adapt
 TEST_CASE("varied outlines keep 1/64 unit", "[adapt][freetype]")
 {
     const variation between[] = {{"wght", 603.0f}}, bold[] = {{"wght", 900.0f}}, beyond[] = {{"wght", 4000.0f}};
-    freetype_font varied = opened(inter, {0, between}), plain = opened(inter), heavy = opened(inter, {0, bold}), heaviest = opened(inter, {0, beyond});
+    freetype_font varied = opened(inter, {0, between}), plain = opened(inter), heavy = opened(inter, {0, bold}),
+                  heaviest = opened(inter, {0, beyond});
     const glyph_id o = shaped(plain, "o").glyphs[0].id;
     bool fractions = false;
     for (const point p : points_of(varied, o)) fractions = fractions || p.x != std::floor(p.x);

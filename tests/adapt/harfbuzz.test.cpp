@@ -201,7 +201,8 @@ TEST_CASE("a line of both directions is refused, and the place named", "[adapt][
     e = refusal(font, u"ok\n\u05D0\u05D1 abc");
     CHECK(e == error::mixed_direction);
     CHECK(e.cluster == 6);
-    for (const direction d : {direction::left_to_right, direction::right_to_left}) CHECK(refusal(font, u"a\u05D0", with(d, "")) == error::mixed_direction);
+    for (const direction d : {direction::left_to_right, direction::right_to_left})
+        CHECK(refusal(font, u"a\u05D0", with(d, "")) == error::mixed_direction);
     CHECK(refusal(font, u"abc \u200F!") == error::mixed_direction);
     CHECK(refusal(font, u"abc \u202Edef\u202C") == error::mixed_direction);
 
@@ -324,14 +325,16 @@ TEST_CASE("Japanese runs down in columns, centred on the pen", "[adapt][harfbuzz
 TEST_CASE("variations change outlines and advances, and are kept inside their range", "[adapt][harfbuzz]")
 {
     const variation bold[] = {{"wght", 900.0f}}, beyond[] = {{"wght", 4000.0f}}, regular[] = {{"wght", 400.0f}};
-    harfbuzz_font plain = opened(inter), heavy = opened(inter, {0, bold}), heaviest = opened(inter, {0, beyond}), same = opened(inter, {0, regular});
+    harfbuzz_font plain = opened(inter), heavy = opened(inter, {0, bold}), heaviest = opened(inter, {0, beyond}),
+                  same = opened(inter, {0, regular});
     const glyph_id h = shaped(plain, "H").glyphs[0].id;
     CHECK(points_of(plain, h) != points_of(heavy, h));
     CHECK(points_of(heavy, h) == points_of(heaviest, h));
     CHECK(points_of(plain, h) == points_of(same, h));
     CHECK(shaped(plain, "HAV").lines[0].advance < shaped(heavy, "HAV").lines[0].advance);
 
-    const variation unknown[] = {{"wght", 500.0f}, {"abcd", 1.0f}}, infinite[] = {{"wght", std::numeric_limits<float>::infinity()}};
+    const variation unknown[] = {{"wght", 500.0f}, {"abcd", 1.0f}},
+                    infinite[] = {{"wght", std::numeric_limits<float>::infinity()}};
     CHECK(harfbuzz_font::open(font_file(inter).c_str(), {0, unknown}).error() == error::unknown_variation);
     CHECK(harfbuzz_font::open(font_file(dejavu).c_str(), {0, bold}).error() == error::unknown_variation);
     CHECK(harfbuzz_font::open(font_file(inter).c_str(), {0, infinite}).error() == error::bad_option);
@@ -429,7 +432,8 @@ TEST_CASE("blank glyphs draw nothing, glyphs that do not exist are an error", "[
 TEST_CASE("a font that does not open says why", "[adapt][harfbuzz]")
 {
     CHECK(harfbuzz_font::open("/no/such/font.ttf").error() == error::unreadable_file);
-    CHECK(std::string{harfbuzz_font::open("/no/such/font.ttf").error().message()} == "The font file cannot be opened or read.");
+    CHECK(std::string{harfbuzz_font::open("/no/such/font.ttf").error().message()} ==
+          "The font file cannot be opened or read.");
     CHECK(harfbuzz_font::open(TYPEMESH_TEST_DATA "/workload/README.md").error() == error::not_a_font);
     CHECK(harfbuzz_font::open(std::span<const std::byte>{}).error() == error::not_a_font);
     const auto words = bytes_of(TYPEMESH_TEST_DATA "/workload/README.md");
@@ -460,7 +464,8 @@ TEST_CASE("letters read as HarfBuzz's own Unicode data say", "[adapt][reading_or
     std::vector<std::uint32_t> wrong;
     for (char32_t c = 0; c <= 0x10FFFF; ++c) {
         const auto category = hb_unicode_general_category(unicode, c);
-        if (category != HB_UNICODE_GENERAL_CATEGORY_LOWERCASE_LETTER && category != HB_UNICODE_GENERAL_CATEGORY_UPPERCASE_LETTER &&
+        if (category != HB_UNICODE_GENERAL_CATEGORY_LOWERCASE_LETTER &&
+            category != HB_UNICODE_GENERAL_CATEGORY_UPPERCASE_LETTER &&
             category != HB_UNICODE_GENERAL_CATEGORY_OTHER_LETTER)
             continue;
         const auto script = hb_unicode_script(unicode, c);

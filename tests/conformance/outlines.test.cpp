@@ -4,15 +4,15 @@
 //
 // Tolerated differences, each with a law of its own that is tested in its place:
 //
-//   start       A contour may begin at another of its points: HarfBuzz and FreeType choose differently where TrueType leaves
-//               the choice. The curves must agree in order.
-//   fractions   FreeType (2.12, psft.c) draws unhinted CFF at "unity scale" and rounds down to whole units: each coordinate
-//               may lie up to one unit below HarfBuzz's. Fonts: David CLM and Nachlieli CLM (culmus).
-//   components  FreeType (2.12, ttgload.c) rounds the place of a component to whole units after it has varied it. Each contour
-//               of a varied font must agree up to a shift of at most one unit (half a unit for each of two levels of
-//               components). Fonts: Inter, away from its masters.
-//   sums        FreeType adds up the deltas of several regions, and infers those between, in fixed point: up to 1/32 unit, in
-//               few glyphs. Fonts: Inter, away from its masters.
+//   start       A contour may begin at another of its points: HarfBuzz and FreeType choose differently where TrueType
+//               leaves the choice. The curves must agree in order.
+//   fractions   FreeType (2.12, psft.c) draws unhinted CFF at "unity scale" and rounds down to whole units: each
+//               coordinate may lie up to one unit below HarfBuzz's. Fonts: David CLM and Nachlieli CLM (culmus).
+//   components  FreeType (2.12, ttgload.c) rounds the place of a component to whole units after it has varied it. Each
+//               contour of a varied font must agree up to a shift of at most one unit (half a unit for each of two
+//               levels of components). Fonts: Inter, away from its masters.
+//   sums        FreeType adds up the deltas of several regions, and infers those between, in fixed point: up to 1/32
+//               unit, in few glyphs. Fonts: Inter, away from its masters.
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
 
@@ -72,8 +72,8 @@ bool agree(std::span<const curve> a, std::span<const curve> b, law holds)
     return a.empty();
 }
 
-/// A contour's curves, if asked without lines of at most 1/64 unit: sums of CFF's decimals may miss the contour's start by so
-/// much, and it is then closed with a line.
+/// A contour's curves, if asked without lines of at most 1/64 unit: sums of CFF's decimals may miss the contour's
+/// start by so much, and it is then closed with a line.
 std::vector<curve> contour(const outline& o, std::uint32_t k, bool without_specks)
 {
     std::vector<curve> kept;
@@ -93,7 +93,7 @@ bool agree(const outline& a, const outline& b, law holds, bool without_specks = 
 struct tally {
     std::size_t compared = 0;
     std::size_t varied = 0;
-    std::size_t sums = 0;             // how often each exception was needed, and where
+    std::size_t sums = 0;  // how often each exception was needed, and where
     std::set<std::string> fractions;
     std::set<std::string> components;
 };
@@ -122,9 +122,12 @@ void compare(const std::string& path, const font_options& options, bool varied, 
         seen.varied += varied ? 1 : 0;
         bool fine = !ea && !eb && agree(a, b, equal);
         if (!fine && !ea && !eb) {
-            if (varied && agree(a, b, summed)) ++seen.sums, fine = true;
-            else if (varied && agree(a, b, shifted)) seen.components.insert(short_name(path)), fine = true;
-            else if (!varied && agree(a, b, rounded_down, true)) seen.fractions.insert(short_name(path)), fine = true;
+            if (varied && agree(a, b, summed))
+                ++seen.sums, fine = true;
+            else if (varied && agree(a, b, shifted))
+                seen.components.insert(short_name(path)), fine = true;
+            else if (!varied && agree(a, b, rounded_down, true))
+                seen.fractions.insert(short_name(path)), fine = true;
         }
         if (!fine && wrong++ == 0) first_wrong = id;
     }

@@ -49,9 +49,11 @@ TEST_CASE("a box is empty until a point comes, and then holds all of them tightl
 TEST_CASE("only NaN and the infinities are not finite", "[core][finite]")
 {
     using limits = std::numeric_limits<double>;
-    for (const double v : {0.0, -0.0, 1.0, limits::denorm_min(), (limits::max)(), limits::lowest()}) CHECK(is_finite(v));
+    for (const double v : {0.0, -0.0, 1.0, limits::denorm_min(), (limits::max)(), limits::lowest()})
+        CHECK(is_finite(v));
     volatile double zero = 0.0;
-    for (const double v : {limits::infinity(), -limits::infinity(), limits::quiet_NaN(), -limits::quiet_NaN(), limits::signaling_NaN(), 1.0 / zero, zero / zero})
+    for (const double v : {limits::infinity(), -limits::infinity(), limits::quiet_NaN(), -limits::quiet_NaN(),
+                           limits::signaling_NaN(), 1.0 / zero, zero / zero})
         CHECK(!is_finite(v));
 }
 

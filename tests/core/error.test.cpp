@@ -27,7 +27,8 @@ TEST_CASE("only error::none is no error", "[core][error]")
 {
     CHECK(!error{});
     CHECK(!error{error::none});
-    for (int code = error::none + 1; code <= error::refused_by_user; ++code) CHECK(error{static_cast<error::kind>(code)});
+    for (int code = error::none + 1; code <= error::refused_by_user; ++code)
+        CHECK(error{static_cast<error::kind>(code)});
     CHECK(error{error::too_large} == error::too_large);
     CHECK(!(error{error::too_large} == error::none));
 }
@@ -44,10 +45,12 @@ TEST_CASE("an error keeps what is said of its place", "[core][error]")
 TEST_CASE("a description names glyph, cluster and count where they are known", "[core][error]")
 {
     char room[300];
-    CHECK(std::string{describe(error{error::crossing_contours}.at(37, 4), room)} == "glyph 37, cluster 4: Contours of the outline cross, touch or overlap.");
+    CHECK(std::string{describe(error{error::crossing_contours}.at(37, 4), room)} ==
+          "glyph 37, cluster 4: Contours of the outline cross, touch or overlap.");
     CHECK(std::string{describe(error{error::unknown_glyph}.at(37, no_cluster), room)}.rfind("glyph 37: ", 0) == 0);
     CHECK(std::string{describe(error{error::mixed_direction}.at(no_glyph, 9), room)}.rfind("cluster 9: ", 0) == 0);
-    CHECK(std::string{describe(error{error::no_such_face, 2}, room)} == "The font file has no face of that number. (2)");
+    CHECK(std::string{describe(error{error::no_such_face, 2}, room)} ==
+          "The font file has no face of that number. (2)");
     CHECK(std::string{describe(error{}, room)} == "No error.");
 }
 

@@ -75,7 +75,8 @@ TEST_CASE("ordinary fonts get 512 cells a unit, and every outline fits its grid"
 TEST_CASE("what is no number, or too large, has no grid", "[core][grid]")
 {
     const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
-    for (const double upem : {0.0, -1000.0, nan, infinite}) CHECK(grid::fitting(upem, around(1.0)).error() == error::bad_option);
+    for (const double upem : {0.0, -1000.0, nan, infinite})
+        CHECK(grid::fitting(upem, around(1.0)).error() == error::bad_option);
     CHECK(grid::fitting(1000.0, around(1e30)).error() == error::outline_beyond_grid);
     box open = around(1.0);
     open.high.x = infinite;

@@ -11,7 +11,8 @@ using namespace typemesh;
 
 namespace {
 
-/// A second way, in coordinates around the origin: a x b + b x c + c x a, in long double where 64 bits suffice for each sum.
+/// A second way, in coordinates around the origin: a x b + b x c + c x a, in long double where 64 bits suffice for
+/// each sum.
 long double area_by_sum(grid_point a, grid_point b, grid_point c)
 {
     const auto cross = [](grid_point p, grid_point q) {

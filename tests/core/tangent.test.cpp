@@ -64,7 +64,8 @@ TEST_CASE("a cusp and a reversal have two opposite tangents, every other point o
     CHECK(unit(tangent(reversal, 0.5, side_of::before)) == point{1, 0});
     CHECK(unit(tangent(reversal, 0.5, side_of::after)) == point{-1, 0});
 
-    for (const double t : {0.1, 0.4, 0.6, 1.0}) CHECK(tangent(cusp, t, side_of::before) == tangent(cusp, t, side_of::after));
+    for (const double t : {0.1, 0.4, 0.6, 1.0})
+        CHECK(tangent(cusp, t, side_of::before) == tangent(cusp, t, side_of::after));
 }
 
 TEST_CASE("only a curve that is one point has no tangent", "[core][tangent]")

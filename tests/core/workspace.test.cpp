@@ -26,7 +26,8 @@ TEST_CASE("blocks of a scope do not overlap, are aligned, and hold until it ends
     }
     std::size_t wrong = 0;
     for (std::size_t i = 0; i < taken.size(); ++i)
-        for (std::size_t k = 0; k < taken[i].second; ++k) wrong += taken[i].first[k] != static_cast<unsigned char>(i + 1);
+        for (std::size_t k = 0; k < taken[i].second; ++k)
+            wrong += taken[i].first[k] != static_cast<unsigned char>(i + 1);
     CHECK(wrong == 0);
 }
 
@@ -83,8 +84,10 @@ TEST_CASE("a workspace without memory gives null and stays usable", "[core][work
                 workspace::scope a{space};
                 for (std::size_t n : {1000u, 100000u, 1000000u}) {
                     auto* block = a.take<char>(n);
-                    if (block == nullptr) ++refused;
-                    else std::memset(block, 1, n);
+                    if (block == nullptr)
+                        ++refused;
+                    else
+                        std::memset(block, 1, n);
                 }
             }
             CHECK(refused <= 1);

@@ -66,10 +66,14 @@ inline curve random_curve(std::mt19937& dice, std::uint32_t degree)
     curve c;
     c.degree = degree;
     for (std::uint32_t i = 0; i <= degree; ++i) {
-        if (k == 0 || k == 1) c.p[i] = {wide(dice), wide(dice)};
-        else if (k == 2) c.p[i] = {100.0 * lattice(dice), 100.0 * lattice(dice)};
-        else if (k == 3) c.p[i] = base + (0.25 * lattice(dice)) * along;
-        else c.p[i] = base + (0.001 * wide(dice)) * along;
+        if (k == 0 || k == 1)
+            c.p[i] = {wide(dice), wide(dice)};
+        else if (k == 2)
+            c.p[i] = {100.0 * lattice(dice), 100.0 * lattice(dice)};
+        else if (k == 3)
+            c.p[i] = base + (0.25 * lattice(dice)) * along;
+        else
+            c.p[i] = base + (0.001 * wide(dice)) * along;
     }
     if (k == 1) c.p[degree] = c.p[0] + point{0.001 * wide(dice), 0.001 * wide(dice)};
     return c;
@@ -88,7 +92,8 @@ inline double chord_error(const curve& c, double u, double v, int samples = 64)
 {
     const point a = c.at(u), b = c.at(v);
     double worst = 0.0;
-    for (int i = 1; i < samples; ++i) worst = (std::max)(worst, distance_to_segment(c.at(u + (v - u) * i / samples), a, b));
+    for (int i = 1; i < samples; ++i)
+        worst = (std::max)(worst, distance_to_segment(c.at(u + (v - u) * i / samples), a, b));
     return worst;
 }
 
@@ -102,8 +107,10 @@ std::vector<emitted> points_of(const D& how, const curve& c, double tolerance)
 {
     std::vector<emitted> out;
     const auto emit = [&](point p, double t) noexcept { out.push_back({p, t}); };
-    if (c.degree == 2) how(c.as_quadratic(), tolerance, emit);
-    else how(c.as_cubic(), tolerance, emit);
+    if (c.degree == 2)
+        how(c.as_quadratic(), tolerance, emit);
+    else
+        how(c.as_cubic(), tolerance, emit);
     return out;
 }
 
@@ -150,7 +157,8 @@ inline int lattice_count(const curve& c, double tolerance, int limit)
     const auto good = [&](int i, int j) {
         const int step = (std::max)(1, (j - i) * fine / 48);
         for (int k = i * fine + step; k < j * fine; k += step)
-            if (distance_to_segment(p[static_cast<std::size_t>(k)], p[static_cast<std::size_t>(i * fine)], p[static_cast<std::size_t>(j * fine)]) > tolerance)
+            if (distance_to_segment(p[static_cast<std::size_t>(k)], p[static_cast<std::size_t>(i * fine)],
+                                    p[static_cast<std::size_t>(j * fine)]) > tolerance)
                 return false;
         return true;
     };

@@ -56,7 +56,7 @@ TEST_CASE("a triangle without area has a zero normal in an STL, never NaN", "[wr
 {
     scratch_folder folder;
     model line;
-    line.vertices.resize(3, model_vertex{});
+    line.vertices = std::vector<model_vertex>(3);
     line.vertices[1].position[0] = -0.0F;
     line.indices = {0, 1, 2};
     REQUIRE(write_stl(line, folder.file("line.stl")) == "");

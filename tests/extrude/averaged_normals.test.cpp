@@ -22,7 +22,8 @@ struct walls {
 walls at(const shapes::shape& s, std::uint32_t i)
 {
     const auto normal = [&](std::uint32_t a, std::uint32_t b) {
-        const double dx = double(s.loops.points[b].x) - s.loops.points[a].x, dy = double(s.loops.points[b].y) - s.loops.points[a].y;
+        const double dx = double(s.loops.points[b].x) - s.loops.points[a].x,
+                     dy = double(s.loops.points[b].y) - s.loops.points[a].y;
         return point{dy / std::hypot(dx, dy), -dx / std::hypot(dx, dy)};
     };
     const point p = normal(s.previous(i), i), q = normal(i, s.next(i));
@@ -74,21 +75,24 @@ TEST_CASE("creased normals double the corners of the polygon, each wall with its
             CHECK(b.announced.vertices == 4 * s.points() + 2 * hard);
         }
     }
-    for (const auto& side : build(shapes::rectangle(), extruded<creased_normals>{.normals = {90.0f}}).sides) CHECK_FALSE(side.doubled);
+    for (const auto& side : build(shapes::rectangle(), extruded<creased_normals>{.normals = {90.0f}}).sides)
+        CHECK_FALSE(side.doubled);
 }
 
 TEST_CASE("shared normals sum a cap and two walls, of the parts that are there", "[extrude]")
 {
     for (const auto& s : shapes::all()) {
         for (unsigned bits = 0; bits < 8; ++bits) {
-            const extruded<shared_normals> how{.front = (bits & 1u) != 0, .back = (bits & 2u) != 0, .side = (bits & 4u) != 0};
+            const extruded<shared_normals> how{
+                .front = (bits & 1u) != 0, .back = (bits & 2u) != 0, .side = (bits & 4u) != 0};
             INFO(s.name << ", switches " << bits);
             const built b = build(s, how);
             for (std::uint32_t i = 0; i < s.points(); ++i) {
                 const walls w = at(s, i);
                 const point sum = how.side ? w.before + w.after : point{};
                 if (how.front || how.side) check_equal(b.vertices[i].normal, sum, how.front ? 1.0 : 0.0);
-                if (how.back || how.side) check_equal(b.vertices[b.first_vertex(part::back) + i].normal, sum, how.back ? -1.0 : 0.0);
+                if (how.back || how.side)
+                    check_equal(b.vertices[b.first_vertex(part::back) + i].normal, sum, how.back ? -1.0 : 0.0);
             }
         }
     }
@@ -99,7 +103,8 @@ TEST_CASE("at the tip of a needle the polygon's styles still give unit normals a
     contours needle;
     const grid_point points[] = {{-(1 << 28), 0}, {1 << 28, 1}, {-(1 << 28), 1}};
     const contour_edge edges[] = {{0, 0, 1}, {1, 0, 1}, {2, 0, 1}};
-    const curve curves[] = {curve::from(point{-524288, 0}, point{524288, 0.001}), curve::from(point{524288, 0.001}, point{-524288, 0.001}),
+    const curve curves[] = {curve::from(point{-524288, 0}, point{524288, 0.001}),
+                            curve::from(point{524288, 0.001}, point{-524288, 0.001}),
                             curve::from(point{-524288, 0.001}, point{-524288, 0})};
     for (const auto g : points) REQUIRE(needle.points.push_back(g));
     for (const auto e : edges) REQUIRE(needle.edges.push_back(e));

@@ -33,7 +33,10 @@ point derivative(const curve& c, double t)
     return {at([](point p) { return p.x; }), at([](point p) { return p.y; })};
 }
 
-double degrees_between(point a, point b) { return std::atan2(std::abs(cross(a, b)), typemesh::dot(a, b)) * 180.0 / 3.14159265358979323846; }
+double degrees_between(point a, point b)
+{
+    return std::atan2(std::abs(cross(a, b)), typemesh::dot(a, b)) * 180.0 / 3.14159265358979323846;
+}
 point wide(vec2 v) { return {v.x, v.y}; }
 bool hard(const side_point& s) { return s.doubled; }
 
@@ -42,10 +45,11 @@ struct loose_shape {
     std::vector<curve> curves;
     contours loops;
 
-    loose_shape(const std::vector<grid_point>& points, const std::vector<contour_edge>& edges, std::vector<curve> c) : curves{std::move(c)}
+    loose_shape(const std::vector<grid_point>& points, const std::vector<contour_edge>& edges, std::vector<curve> c)
+        : curves{std::move(c)}
     {
-        if (!loops.points.append(std::span{points}) || !loops.edges.append(std::span{edges}) || !loops.starts.push_back(0) ||
-            !loops.starts.push_back(static_cast<std::uint32_t>(points.size())))
+        if (!loops.points.append(std::span{points}) || !loops.edges.append(std::span{edges}) ||
+            !loops.starts.push_back(0) || !loops.starts.push_back(static_cast<std::uint32_t>(points.size())))
             std::abort();
         loops.curves = curves;
     }
@@ -181,8 +185,9 @@ TEST_CASE("a joint is hard when its tangents break by more than the crease angle
     for (const double degrees : {0.0, 5.0, 14.9, 15.1, 30.0, 89.9, 150.0}) {
         const double turn = degrees * 3.14159265358979323846 / 180.0;
         const point joint{0, 0}, next{500 * std::cos(turn), 500 * std::sin(turn)};
-        const shapes::shape s{"bent", {{curve::from(point{-500, 0}, joint), curve::from(joint, next), curve::from(next, point{-600, 900}),
-                                        curve::from(point{-600, 900}, point{-500, 0})}}};
+        const shapes::shape s{"bent",
+                              {{curve::from(point{-500, 0}, joint), curve::from(joint, next),
+                                curve::from(next, point{-600, 900}), curve::from(point{-600, 900}, point{-500, 0})}}};
         for (const float crease : {1.0f, 15.0f, 60.0f, 120.0f, 180.0f}) {
             INFO(degrees << " degrees, crease at " << crease);
             const auto sides = sides_of(s, {crease});
@@ -206,7 +211,9 @@ TEST_CASE("a break that equals the crease angle is soft", "[extrude]")
 TEST_CASE("handles of no length and curves that are a point still give unit normals", "[extrude]")
 {
     const point a{0, 0}, b{400, 0}, c{400, 400};
-    const shapes::shape s{"handles", {{curve::from(cubic{a, a, {200, -100}, b}), curve::from(quadratic{b, b, c}), curve::from(cubic{c, c, a, a})}}};
+    const shapes::shape s{
+        "handles",
+        {{curve::from(cubic{a, a, {200, -100}, b}), curve::from(quadratic{b, b, c}), curve::from(cubic{c, c, a, a})}}};
     const auto sides = sides_of(s);
     CHECK(degrees_between(wide(sides[0].after), outward({200, -100})) < 0.01);
     for (const auto& side : sides) CHECK(typemesh::length(wide(side.after)) == Approx(1.0).margin(1e-6));
@@ -219,7 +226,24 @@ TEST_CASE("handles of no length and curves that are a point still give unit norm
     CHECK(found[1].before == vec2{0.0f, -1.0f});
 }
 
-TEST_CASE("normals are of unit length and point out of their walls, whatever the curves behind the polygon say", "[extrude]")
+TEST_CASE("a point inside a curve is soft even where the polygon leaves the curve", "[extrude]")
+{
+    // At t = 1/2 the curve runs to the left, against the first edge: that wall falls back on its own direction.
+    const curve hook = curve::from(quadratic{{0, 0}, {200, 25}, {-100, 50}});
+    const curve rest = curve::from(point{0, 1}, point{0, 0});
+    const loose_shape s{{{0, 0}, {100, 0}, {100, 100}, {0, 100}},
+                        {{0, 0.0f, 0.5f}, {0, 0.5f, 1.0f}, {1, 0.0f, 0.5f}, {1, 0.5f, 1.0f}},
+                        {hook, rest}};
+    std::vector<side_point> sides(4);
+    REQUIRE_FALSE(curve_normals{}(s.made(), sides));
+    CHECK_FALSE(hard(sides[1]));
+    CHECK(sides[1].before == sides[1].after);
+    CHECK(sides[1].after.x > 0.0f);
+    CHECK(sides[1].after.y < 0.0f);
+}
+
+TEST_CASE("normals are of unit length and point out of their walls, whatever the curves behind the polygon say",
+          "[extrude]")
 {
     std::mt19937 random{11};
     std::uniform_real_distribution<double> anywhere{-1000.0, 1000.0};
@@ -230,7 +254,8 @@ TEST_CASE("normals are of unit length and point out of their walls, whatever the
         std::vector<contour_edge> edges;
         std::vector<curve> curves;
         for (std::size_t i = 0; i < n; ++i) {
-            const double angle = 6.283185307 * static_cast<double>(i) / static_cast<double>(n), r = 300.0 + 0.25 * anywhere(random);
+            const double angle = 6.283185307 * static_cast<double>(i) / static_cast<double>(n),
+                         r = 300.0 + 0.25 * anywhere(random);
             points.push_back(grid{}.snap({r * std::cos(angle), r * std::sin(angle)}));
         }
         // some edges share a curve, forth or back; some curves are small integers, with all their coincidences
@@ -243,8 +268,10 @@ TEST_CASE("normals are of unit length and point out of their walls, whatever the
             const std::size_t pieces = (std::min)(n - i, 1 + std::size_t{random() % 4});
             const bool forth = random() % 2 == 0;
             for (std::size_t k = 0; k < pieces; ++k) {
-                const float t0 = static_cast<float>(k) / static_cast<float>(pieces), t1 = static_cast<float>(k + 1) / static_cast<float>(pieces);
-                edges.push_back({static_cast<std::uint32_t>(curves.size()), forth ? t0 : 1.0f - t0, forth ? t1 : 1.0f - t1});
+                const float t0 = static_cast<float>(k) / static_cast<float>(pieces),
+                            t1 = static_cast<float>(k + 1) / static_cast<float>(pieces);
+                edges.push_back(
+                    {static_cast<std::uint32_t>(curves.size()), forth ? t0 : 1.0f - t0, forth ? t1 : 1.0f - t1});
             }
             curves.push_back({degree, {p(), p(), p(), p()}});
             i += pieces;

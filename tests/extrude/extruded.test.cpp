@@ -38,13 +38,14 @@ std::uint32_t expected_side_vertices(const shapes::shape& s, const built& b, tex
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("extruded has exactly the vertices and triangles of its style, for all switches", "[extrude]", shared_normals,
-                   averaged_normals, creased_normals, curve_normals)
+TEMPLATE_TEST_CASE("extruded has exactly the vertices and triangles of its style, for all switches", "[extrude]",
+                   shared_normals, averaged_normals, creased_normals, curve_normals)
 {
     for (const auto& s : shapes::all()) {
         for (unsigned bits = 0; bits < 16; ++bits) {
             const auto texture = (bits & 8u) != 0 ? texture_mapping::em : texture_mapping::box;
-            const extruded<TestType> how{.front = (bits & 1u) != 0, .back = (bits & 2u) != 0, .side = (bits & 4u) != 0, .texture = texture};
+            const extruded<TestType> how{
+                .front = (bits & 1u) != 0, .back = (bits & 2u) != 0, .side = (bits & 4u) != 0, .texture = texture};
             INFO(s.name << ", switches " << bits);
             const built b = build(s, how);
             const std::uint32_t n = s.points(), cap = s.made().triangle_count();
@@ -95,13 +96,14 @@ TEST_CASE("the four styles have 2N, 4N, 4N + 2H and 4N + 2H vertices", "[extrude
     CHECK(total(build(d, extruded<shared_normals>{.texture = texture_mapping::em})) == 44);
 }
 
-TEMPLATE_TEST_CASE("extruded is closed, faces outward and turns as the frame asks", "[extrude]", shared_normals, averaged_normals,
-                   creased_normals, curve_normals)
+TEMPLATE_TEST_CASE("extruded is closed, faces outward and turns as the frame asks", "[extrude]", shared_normals,
+                   averaged_normals, creased_normals, curve_normals)
 {
     for (const frame& f : frames()) {
         for (const auto& s : shapes::all()) {
             for (const auto texture : {texture_mapping::box, texture_mapping::em}) {
-                INFO(s.name << " in a frame whose right is " << f.right.x << " " << f.right.y << ", winding " << int(f.winding));
+                INFO(s.name << " in a frame whose right is " << f.right.x << " " << f.right.y << ", winding "
+                            << int(f.winding));
                 const built b = build(s, extruded<TestType>{.texture = texture}, in_em(f));
                 CHECK(open_edges(b) == 0);
                 for (const auto& v : b.vertices) REQUIRE(meshes::length(v.normal) == Approx(1.0).margin(1e-6));
@@ -114,8 +116,8 @@ TEMPLATE_TEST_CASE("extruded is closed, faces outward and turns as the frame ask
     }
 }
 
-TEMPLATE_TEST_CASE("caps are flat and at their heights, walls stand straight between them", "[extrude]", averaged_normals, creased_normals,
-                   curve_normals)
+TEMPLATE_TEST_CASE("caps are flat and at their heights, walls stand straight between them", "[extrude]",
+                   averaged_normals, creased_normals, curve_normals)
 {
     for (const bool centred : {false, true}) {
         const extruded<TestType> how{.depth = 0.25f, .centred = centred};
@@ -128,7 +130,8 @@ TEMPLATE_TEST_CASE("caps are flat and at their heights, walls stand straight bet
             const std::uint32_t n = s.points(), side = b.first_vertex(part::side);
             for (std::uint32_t i = 0; i < n; ++i) {
                 const grid_point g = s.loops.points[i];
-                CHECK(b.vertices[i].position == vec3{static_cast<float>(g.x / 512000.0), static_cast<float>(g.y / 512000.0), top});
+                CHECK(b.vertices[i].position ==
+                      vec3{static_cast<float>(g.x / 512000.0), static_cast<float>(g.y / 512000.0), top});
                 CHECK(b.vertices[i].normal == vec3{0.0f, 0.0f, 1.0f});
                 CHECK(b.vertices[n + i].position == vec3{b.vertices[i].position.x, b.vertices[i].position.y, bottom});
                 CHECK(b.vertices[n + i].normal == vec3{0.0f, 0.0f, -1.0f});
@@ -189,14 +192,17 @@ TEST_CASE("a depth that is not positive and finite is a bad option, and nothing 
     const auto s = shapes::rectangle();
     buffer<side_point> sides;
     REQUIRE(sides.push_back({}));
-    for (const float depth : {0.0f, -0.1f, std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(),
-                              std::numeric_limits<float>::quiet_NaN()}) {
+    for (const float depth : {0.0f, -0.1f, std::numeric_limits<float>::infinity(),
+                              -std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
         CHECK(extruded<>{.depth = depth}.plan(s.made(), sides).error() == error::bad_option);
     }
-    for (const float crease : {-1.0f, 180.5f, std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
+    for (const float crease :
+         {-1.0f, 180.5f, std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
         for (const bool side : {true, false}) {
-            CHECK(extruded<curve_normals>{.side = side, .normals = {crease}}.plan(s.made(), sides).error() == error::bad_option);
-            CHECK(extruded<creased_normals>{.side = side, .normals = {crease}}.plan(s.made(), sides).error() == error::bad_option);
+            CHECK(extruded<curve_normals>{.side = side, .normals = {crease}}.plan(s.made(), sides).error() ==
+                  error::bad_option);
+            CHECK(extruded<creased_normals>{.side = side, .normals = {crease}}.plan(s.made(), sides).error() ==
+                  error::bad_option);
         }
     }
     CHECK(sides.size() == 1);
@@ -225,7 +231,8 @@ TEST_CASE("memory that fails in plan() is reported, and what was there stays", "
     CHECK(extruded<>{}.plan(shapes::rectangle().made(), sides).error() == error::out_of_memory);
     CHECK(sides.empty());
     mesh<> m;
-    CHECK(extrude(shapes::rectangle().made(), shapes::rectangle().cap, extruded<>{}, in_em(), sides, m) == error::out_of_memory);
+    CHECK(extrude(shapes::rectangle().made(), shapes::rectangle().cap, extruded<>{}, in_em(), sides, m) ==
+          error::out_of_memory);
     CHECK(m.begun == 0);
 }
 
@@ -237,6 +244,7 @@ TEST_CASE("fewer attributes give the same positions", "[extrude]")
     REQUIRE_FALSE(extrude(s.made(), s.cap, extruded<>{}, in_em(), sides, bare));
     const built full = build(s, extruded<>{});
     REQUIRE(bare.vertices.size() == full.vertices.size());
-    for (std::size_t i = 0; i < bare.vertices.size(); ++i) CHECK(bare.vertices[i].position == full.vertices[i].position);
+    for (std::size_t i = 0; i < bare.vertices.size(); ++i)
+        CHECK(bare.vertices[i].position == full.vertices[i].position);
     CHECK(bare.triangles == full.triangles);
 }

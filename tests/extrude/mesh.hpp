@@ -99,8 +99,10 @@ built build(const shapes::shape& s, const E& how, const placement& at = in_em())
     built b;
     buffer<side_point> sides;
     const region r = s.made();
-    if (const auto sizes = how.plan(r, sides)) b.sizes = *sizes;
-    else std::abort();
+    if (const auto sizes = how.plan(r, sides))
+        b.sizes = *sizes;
+    else
+        std::abort();
     if (extrude(r, s.cap, how, at, sides, static_cast<mesh<everything>&>(b))) std::abort();
     b.sides.assign(sides.begin(), sides.end());
     return b;
@@ -161,7 +163,8 @@ inline std::vector<frame> frames()
     frame turned_left = turned;
     turned_left.right = {-c, -s, 0.0f};
     turned_left.winding = -1;
-    return {right_handed_y_up, left_handed_y_up, right_handed_z_up, left_handed_z_up, godot, bottom, turned, turned_left};
+    return {right_handed_y_up, left_handed_y_up, right_handed_z_up, left_handed_z_up, godot, bottom, turned,
+            turned_left};
 }
 
 }  // namespace meshes

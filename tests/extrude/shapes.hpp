@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Shapes built by hand, and their triangles by the plainest of methods: so that the tests of extruders rest on no other stage.
+// Shapes built by hand, and their triangles by the plainest of methods: so that the tests of extruders rest on no other
+// stage.
 
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/region.hpp>
@@ -29,8 +30,11 @@ public:
     std::vector<triangle> cap;
 
     /// Outer contours first told by their area: a contour that runs the wrong way round is turned.
-    shape(std::string n, std::vector<std::vector<curve>> outers, std::vector<std::vector<curve>> holes = {}, int pieces = 4)
-        : name{std::move(n)}, holes_{static_cast<std::uint32_t>(holes.size())}, outers_{static_cast<std::uint32_t>(outers.size())}
+    shape(std::string n, std::vector<std::vector<curve>> outers, std::vector<std::vector<curve>> holes = {},
+          int pieces = 4)
+        : name{std::move(n)},
+          holes_{static_cast<std::uint32_t>(holes.size())},
+          outers_{static_cast<std::uint32_t>(outers.size())}
     {
         push(loops.starts, 0u);
         for (const auto& c : outers) add(c, pieces, true);
@@ -73,7 +77,8 @@ private:
         for (const curve& c : contour) {
             const int n = c.degree == 1 ? 1 : pieces;
             for (int i = 0; i < n; ++i) {
-                const float t0 = static_cast<float>(i) / static_cast<float>(n), t1 = static_cast<float>(i + 1) / static_cast<float>(n);
+                const float t0 = static_cast<float>(i) / static_cast<float>(n),
+                            t1 = static_cast<float>(i + 1) / static_cast<float>(n);
                 points.push_back(loops.grid.snap(c.at(t0)));
                 edges.push_back({static_cast<std::uint32_t>(curves.size()), t0, t1});
             }
@@ -105,12 +110,14 @@ private:
     {
         const auto sign = [](std::int64_t v) { return v > 0 ? 1 : v < 0 ? -1 : 0; };
         const auto on = [](grid_point p, grid_point q, grid_point r) {
-            return orientation(p, q, r) == 0 && (std::min)(p.x, q.x) <= r.x && r.x <= (std::max)(p.x, q.x) && (std::min)(p.y, q.y) <= r.y &&
-                   r.y <= (std::max)(p.y, q.y);
+            return orientation(p, q, r) == 0 && (std::min)(p.x, q.x) <= r.x && r.x <= (std::max)(p.x, q.x) &&
+                   (std::min)(p.y, q.y) <= r.y && r.y <= (std::max)(p.y, q.y);
         };
-        if (sign(orientation(a, b, c)) * sign(orientation(a, b, d)) < 0 && sign(orientation(c, d, a)) * sign(orientation(c, d, b)) < 0) return true;
-        return (!(c == a) && !(c == b) && on(a, b, c)) || (!(d == a) && !(d == b) && on(a, b, d)) || (!(a == c) && !(a == d) && on(c, d, a)) ||
-               (!(b == c) && !(b == d) && on(c, d, b));
+        if (sign(orientation(a, b, c)) * sign(orientation(a, b, d)) < 0 &&
+            sign(orientation(c, d, a)) * sign(orientation(c, d, b)) < 0)
+            return true;
+        return (!(c == a) && !(c == b) && on(a, b, c)) || (!(d == a) && !(d == b) && on(a, b, d)) ||
+               (!(a == c) && !(a == d) && on(c, d, a)) || (!(b == c) && !(b == d) && on(c, d, b));
     }
 
     /// Whether the ray from point i to `to` starts inside the region.
@@ -135,7 +142,8 @@ private:
                 const grid_point a = loops.points[i], b = loops.points[j];
                 if (joined[i][j] || !leaves_inside(i, b) || !leaves_inside(j, a)) continue;
                 bool free = true;
-                for (const auto& l : lines) free = free && !cross_or_touch(a, b, loops.points[l[0]], loops.points[l[1]]);
+                for (const auto& l : lines)
+                    free = free && !cross_or_touch(a, b, loops.points[l[0]], loops.points[l[1]]);
                 if (!free) continue;
                 lines.push_back({i, j});
                 inner.push_back({i, j});
@@ -153,9 +161,12 @@ private:
                 least = area;
             }
             if (best == n) std::abort();
-            if (a < b && a < best) found.push_back({a, b, best});
-            else if (b < a && b < best) found.push_back({b, best, a});
-            else found.push_back({best, a, b});
+            if (a < b && a < best)
+                found.push_back({a, b, best});
+            else if (b < a && b < best)
+                found.push_back({b, best, a});
+            else
+                found.push_back({best, a, b});
         };
         for (std::uint32_t i = 0; i < n; ++i) face(i, next(i));
         for (const auto& d : inner) {
@@ -198,7 +209,9 @@ inline std::vector<curve> quadratic_circle(point m, double r)
     std::vector<curve> c;
     const double step = 3.14159265358979323846 / 4.0, out = r / std::cos(step / 2.0);
     for (int i = 0; i < 8; ++i) {
-        const auto at = [&](double angle, double radius) { return point{m.x + radius * std::cos(angle), m.y + radius * std::sin(angle)}; };
+        const auto at = [&](double angle, double radius) {
+            return point{m.x + radius * std::cos(angle), m.y + radius * std::sin(angle)};
+        };
         c.push_back(quad(at(i * step, r), at((i + 0.5) * step, out), at((i + 1) * step, r)));
     }
     return c;
@@ -208,20 +221,36 @@ inline shape rectangle() { return {"rectangle", {polygon({{100, 0}, {500, 0}, {5
 
 inline shape letter_e()
 {
-    return {"E", {polygon({{0, 0}, {600, 0}, {600, 100}, {120, 100}, {120, 300}, {500, 300}, {500, 400}, {120, 400}, {120, 600}, {600, 600}, {600, 700}, {0, 700}})}};
+    return {"E",
+            {polygon({{0, 0},
+                      {600, 0},
+                      {600, 100},
+                      {120, 100},
+                      {120, 300},
+                      {500, 300},
+                      {500, 400},
+                      {120, 400},
+                      {120, 600},
+                      {600, 600},
+                      {600, 700},
+                      {0, 700}})}};
 }
 
 /// Outer contour of cubics, hole of quadratics; both given counter-clockwise, so the hole is turned.
-inline shape ring(int pieces = 4) { return {"ring", {cubic_circle({400, 300}, 300)}, {quadratic_circle({400, 300}, 150)}, pieces}; }
+inline shape ring(int pieces = 4)
+{
+    return {"ring", {cubic_circle({400, 300}, 300)}, {quadratic_circle({400, 300}, 150)}, pieces};
+}
 
 /// A stem with a bowl: lines that run softly into curves, four corners, a hole with two corners.
 inline shape letter_d(int pieces = 4)
 {
     const double k = 0.5522847498307936;
     const auto bowl = [k](double x0, double x1, double y0, double r) {
-        return std::vector<curve>{line({x0, y0}, {x1, y0}), cube({x1, y0}, {x1 + k * r, y0}, {x1 + r, y0 + r - k * r}, {x1 + r, y0 + r}),
-                                  cube({x1 + r, y0 + r}, {x1 + r, y0 + r + k * r}, {x1 + k * r, y0 + 2 * r}, {x1, y0 + 2 * r}),
-                                  line({x1, y0 + 2 * r}, {x0, y0 + 2 * r}), line({x0, y0 + 2 * r}, {x0, y0})};
+        return std::vector<curve>{
+            line({x0, y0}, {x1, y0}), cube({x1, y0}, {x1 + k * r, y0}, {x1 + r, y0 + r - k * r}, {x1 + r, y0 + r}),
+            cube({x1 + r, y0 + r}, {x1 + r, y0 + r + k * r}, {x1 + k * r, y0 + 2 * r}, {x1, y0 + 2 * r}),
+            line({x1, y0 + 2 * r}, {x0, y0 + 2 * r}), line({x0, y0 + 2 * r}, {x0, y0})};
     };
     return {"D", {bowl(0, 300, 0, 350)}, {bowl(100, 300, 100, 250)}, pieces};
 }
@@ -229,7 +258,11 @@ inline shape letter_d(int pieces = 4)
 /// A ribbon of two cubics, given clockwise, so that edges run against their curves.
 inline shape ribbon(int pieces = 6)
 {
-    return {"S", {{line({0, 0}, {0, 100}), cube({0, 100}, {300, 500}, {300, -300}, {600, 100}), line({600, 100}, {600, 0}), cube({600, 0}, {300, -400}, {300, 400}, {0, 0})}}, {}, pieces};
+    return {"S",
+            {{line({0, 0}, {0, 100}), cube({0, 100}, {300, 500}, {300, -300}, {600, 100}), line({600, 100}, {600, 0}),
+              cube({600, 0}, {300, -400}, {300, 400}, {0, 0})}},
+            {},
+            pieces};
 }
 
 /// A cubic with an exact cusp at t = 1/2, over a line.
@@ -241,7 +274,10 @@ inline shape drop(int pieces = 8) { return {"drop", {{cube({0, 0}, {600, 500}, {
 /// Two outer contours, one with a hole.
 inline shape pair(int pieces = 3)
 {
-    return {"pair", {polygon({{0, 0}, {200, 0}, {100, 180}}), cubic_circle({600, 200}, 200)}, {polygon({{550, 150}, {550, 250}, {650, 250}, {650, 150}})}, pieces};
+    return {"pair",
+            {polygon({{0, 0}, {200, 0}, {100, 180}}), cubic_circle({600, 200}, 200)},
+            {polygon({{550, 150}, {550, 250}, {650, 250}, {650, 150}})},
+            pieces};
 }
 
 inline std::vector<shape> all()

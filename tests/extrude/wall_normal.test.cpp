@@ -22,7 +22,8 @@ TEST_CASE("a joint's normal is the normalised sum of its walls' normals", "[extr
 {
     for (int degrees = -179; degrees < 180; ++degrees) {
         const double turn = degrees * 3.14159265358979323846 / 180.0;
-        const grid_point a{-100000000, 0}, b{0, 0}, c{static_cast<std::int32_t>(1e8 * std::cos(turn)), static_cast<std::int32_t>(1e8 * std::sin(turn))};
+        const grid_point a{-100000000, 0}, b{0, 0},
+            c{static_cast<std::int32_t>(1e8 * std::cos(turn)), static_cast<std::int32_t>(1e8 * std::sin(turn))};
         const point n = joint_normal(a, b, c, wall_normal(a, b), wall_normal(b, c));
         INFO(degrees);
         CHECK(n.x == Approx(std::sin(turn / 2)).margin(1e-6));

@@ -10,8 +10,8 @@ using namespace typemesh;
 
 namespace {
 
-/// What is wrong with what fill() makes of a shape under a rule; empty when it refuses exactly what meets, and else keeps
-/// exactly the boundary, interior on the left, with the edges that belong to it.
+/// What is wrong with what fill() makes of a shape under a rule; empty when it refuses exactly what meets, and else
+/// keeps exactly the boundary, interior on the left, with the edges that belong to it.
 std::string mistake_on(const test::shape& s, fill_rule rule)
 {
     contours loops = test::contours_of(s);
@@ -22,7 +22,8 @@ std::string mistake_on(const test::shape& s, fill_rule rule)
         if (filled) return "accepted contours that meet";
         if (!(filled.error() == error::crossing_contours)) return filled.error().message();
         const contours before = test::contours_of(s);
-        if (!std::equal(before.points.begin(), before.points.end(), loops.points.begin(), loops.points.end())) return "a refusal changed the contours";
+        if (!std::equal(before.points.begin(), before.points.end(), loops.points.begin(), loops.points.end()))
+            return "a refusal changed the contours";
         return {};
     }
     if (!filled) return filled.error().message();
@@ -45,20 +46,25 @@ std::string mistake_on(const test::shape& s, fill_rule rule)
     const auto kept = test::oracle::loops_of(*filled);
     if (kept.size() != expected.size()) return "keeps the wrong contours";
     for (std::size_t l = 0; l < kept.size(); ++l) {
-        if (!std::equal(kept[l].begin(), kept[l].end(), expected[l].begin(), expected[l].end())) return "a contour has the wrong points";
+        if (!std::equal(kept[l].begin(), kept[l].end(), expected[l].begin(), expected[l].end()))
+            return "a contour has the wrong points";
         const contours before = test::contours_of(s);
         for (std::size_t i = 0; i < kept[l].size(); ++i) {
             const contour_edge e = filled->edges()[filled->starts()[l] + i];
             const std::uint32_t local = e.curve - first_edge[l], size = static_cast<std::uint32_t>(kept[l].size());
             if (local >= size) return "an edge comes from another contour";
-            const grid_point from = before.points[first_edge[l] + local], to = before.points[first_edge[l] + (local + 1) % size];
+            const grid_point from = before.points[first_edge[l] + local],
+                             to = before.points[first_edge[l] + (local + 1) % size];
             const grid_point a = kept[l][i], b = kept[l][(i + 1) % size];
-            if (!(e.t0 < e.t1 ? a == from && b == to : a == to && b == from)) return "an edge does not lie between its points";
+            if (!(e.t0 < e.t1 ? a == from && b == to : a == to && b == from))
+                return "an edge does not lie between its points";
         }
     }
-    if (filled->holes() != holes || filled->outers() != expected.size() - holes) return "holes and outer loops are miscounted";
+    if (filled->holes() != holes || filled->outers() != expected.size() - holes)
+        return "holes and outer loops are miscounted";
     if (!test::oracle::is_region(kept)) return "what is left is no region";
-    const double area = test::oracle::doubled_filled_area(given, rule), left = static_cast<double>(test::oracle::doubled_area(kept));
+    const double area = test::oracle::doubled_filled_area(given, rule),
+                 left = static_cast<double>(test::oracle::doubled_area(kept));
     if (std::fabs(area - left) > 1e-9 * (area + 1)) return "the area is not what the contours fill";
     return {};
 }

@@ -9,8 +9,8 @@ using namespace typemesh;
 
 namespace {
 
-/// Edges of contours_of() carry the index of the point that they left: after turning, edge i must be the one between the
-/// places of point i and the next one, with t0 and t1 swapped.
+/// Edges of contours_of() carry the index of the point that they left: after turning, edge i must be the one between
+/// the places of point i and the next one, with t0 and t1 swapped.
 bool edges_follow(const contours& now, const contours& before)
 {
     for (std::uint32_t c = 0; c < now.contour_count(); ++c) {
@@ -52,7 +52,8 @@ TEST_CASE("orient() sums areas beyond 64 bits exactly", "[fill][orient]")
         s.loops.push_back(test::square(-(1 << 28), -(1 << 28), 1 << 29));
         s.loops.push_back(test::reversed(s.loops.back()));
     }
-    std::stable_sort(s.loops.begin(), s.loops.end(), [](auto& a, auto& b) { return test::oracle::doubled_area(a) < test::oracle::doubled_area(b); });
+    std::stable_sort(s.loops.begin(), s.loops.end(),
+                     [](auto& a, auto& b) { return test::oracle::doubled_area(a) < test::oracle::doubled_area(b); });
     s.loops.push_back(test::square(0, 0, 1));
     contours c = test::contours_of(s);
     orient(c);

@@ -3,8 +3,8 @@
 // Bad fonts get a clear error or an outline that is finite and whole; never a crash, a hang, or an index out of range.
 //
 // Damaged copies of installed fonts are made here, from fixed seeds. A folder of others' hostile fonts can be named in
-// TYPEMESH_HOSTILE_FONTS. Under the sanitizers (g++ -fsanitize=address,undefined) these tests say the most; what they find
-// inside HarfBuzz or FreeType is for those projects.
+// TYPEMESH_HOSTILE_FONTS. Under the sanitizers (g++ -fsanitize=address,undefined) these tests say the most; what they
+// find inside HarfBuzz or FreeType is for those projects.
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
 
@@ -24,8 +24,12 @@ using namespace typemesh;
 
 namespace {
 
-const char* const texts[] = {"Hello world! AV fi 12,5%", "\u0645\u0631\u062D\u0628\u0627", "\u3053\u3093\u306B\u3061\u306F\u4E16\u754C",
-                             "\u0915\u094D\u0937\u093F", "a\u0301\u200D\U0001F468\u200D\U0001F469\uFE0F", "\xFF\xC0\x80 \xED\xA0\x80"};
+const char* const texts[] = {"Hello world! AV fi 12,5%",
+                             "\u0645\u0631\u062D\u0628\u0627",
+                             "\u3053\u3093\u306B\u3061\u306F\u4E16\u754C",
+                             "\u0915\u094D\u0937\u093F",
+                             "a\u0301\u200D\U0001F468\u200D\U0001F469\uFE0F",
+                             "\xFF\xC0\x80 \xED\xA0\x80"};
 
 /// What was seen, so that a run which tried nothing is noticed.
 struct tally {
@@ -35,12 +39,12 @@ struct tally {
 bool is_an_answer(error e)
 {
     switch (e.code) {
-    case error::not_a_font:
-    case error::no_such_face:
-    case error::no_outlines:
-    case error::font_library_failed:
-    case error::unreadable_file: return true;
-    default: return false;
+        case error::not_a_font:
+        case error::no_such_face:
+        case error::no_outlines:
+        case error::font_library_failed:
+        case error::unreadable_file: return true;
+        default: return false;
     }
 }
 
@@ -70,13 +74,17 @@ std::size_t try_text(Font& font, const char* text, direction d, glyph_run& run)
     if (layout(font, text, how, {}, run)) return run.glyphs.empty() && run.lines.empty() ? 0 : 1;
     const std::size_t size = std::char_traits<char>::length(text);
     std::size_t wrong = 0;
-    for (const placed_glyph& g : run.glyphs) wrong += g.cluster >= size || !is_finite(g.origin.x) || !is_finite(g.origin.y);
-    for (const text_line& line : run.lines) wrong += line.first_glyph + line.glyph_count > run.glyphs.size() || !(line.advance >= 0.0) || !is_finite(line.advance);
+    for (const placed_glyph& g : run.glyphs)
+        wrong += g.cluster >= size || !is_finite(g.origin.x) || !is_finite(g.origin.y);
+    for (const text_line& line : run.lines)
+        wrong += line.first_glyph + line.glyph_count > run.glyphs.size() || !(line.advance >= 0.0) ||
+                 !is_finite(line.advance);
     return wrong;
 }
 
 template <class Font>
-std::size_t try_font(std::span<const std::byte> bytes, std::uint32_t most_glyphs, std::span<const variation> variations, tally& seen)
+std::size_t try_font(std::span<const std::byte> bytes, std::uint32_t most_glyphs, std::span<const variation> variations,
+                     tally& seen)
 {
     ++seen.fonts;
     std::size_t wrong = 0;
@@ -92,7 +100,8 @@ std::size_t try_font(std::span<const std::byte> bytes, std::uint32_t most_glyphs
         outline out;
         const std::uint32_t count = font->glyph_count(), step = count / most_glyphs + 1;
         for (glyph_id id = 0; id < count; id += step) wrong += try_glyph(*font, id, out, seen);
-        wrong += !(record(*font, count, out) == error::unknown_glyph) + !(record(*font, no_glyph, out) == error::unknown_glyph);
+        wrong += !(record(*font, count, out) == error::unknown_glyph) +
+                 !(record(*font, no_glyph, out) == error::unknown_glyph);
         for (const direction d : {direction::automatic, direction::top_to_bottom}) {
             const line_metrics m = font->metrics(d);
             wrong += !is_finite(m.ascender) || !is_finite(m.descender) || !is_finite(m.gap);
@@ -107,13 +116,16 @@ std::size_t try_font(std::span<const std::byte> bytes, std::uint32_t most_glyphs
 std::size_t try_both(std::span<const std::byte> bytes, std::uint32_t most_glyphs, tally& seen)
 {
     const variation weight[] = {{"wght", 650.0f}};
-    return try_font<harfbuzz_font>(bytes, most_glyphs, {}, seen) + try_font<freetype_font>(bytes, most_glyphs, {}, seen) +
-           try_font<harfbuzz_font>(bytes, most_glyphs / 4 + 1, weight, seen) + try_font<freetype_font>(bytes, most_glyphs / 4 + 1, weight, seen);
+    return try_font<harfbuzz_font>(bytes, most_glyphs, {}, seen) +
+           try_font<freetype_font>(bytes, most_glyphs, {}, seen) +
+           try_font<harfbuzz_font>(bytes, most_glyphs / 4 + 1, weight, seen) +
+           try_font<freetype_font>(bytes, most_glyphs / 4 + 1, weight, seen);
 }
 
-const char* const victims[] = {"truetype/liberation/LiberationMono-Regular.ttf", "opentype/comic-neue/ComicNeue-Regular.otf",
-                               "truetype/lohit-devanagari/Lohit-Devanagari.ttf", "truetype/inter-vf/Inter-roman.var.ttf",
-                               "opentype/fonts-hosny-amiri/AmiriQuranColored.ttf"};
+const char* const victims[] = {
+    "truetype/liberation/LiberationMono-Regular.ttf", "opentype/comic-neue/ComicNeue-Regular.otf",
+    "truetype/lohit-devanagari/Lohit-Devanagari.ttf", "truetype/inter-vf/Inter-roman.var.ttf",
+    "opentype/fonts-hosny-amiri/AmiriQuranColored.ttf"};
 
 }  // namespace
 
@@ -146,22 +158,24 @@ TEST_CASE("a font with damaged bytes is refused or drawn finitely", "[hostile]")
             INFO(name << ", round " << round);
             auto damaged = whole;
             switch (round % 4) {
-            case 0:  // single bits
-                for (int k = 0; k < 64; ++k) damaged[below(damaged.size())] ^= static_cast<std::byte>(1u << below(8));
-                break;
-            case 1:  // a stretch of noise
-                for (std::size_t k = 0, at = below(damaged.size() - 256); k < 256; ++k) damaged[at + k] = static_cast<std::byte>(below(256));
-                break;
-            case 2:  // extreme numbers
-                for (int k = 0; k < 32; ++k) {
-                    const std::size_t at = below(damaged.size() - 2);
-                    const unsigned extreme = std::vector<unsigned>{0x0000, 0xFFFF, 0x7FFF, 0x8000}[below(4)];
-                    damaged[at] = static_cast<std::byte>(extreme >> 8);
-                    damaged[at + 1] = static_cast<std::byte>(extreme & 0xFF);
-                }
-                break;
-            default:  // the directory of tables
-                for (int k = 0; k < 4; ++k) damaged[below(12 + 16 * 16)] = static_cast<std::byte>(below(256));
+                case 0:  // single bits
+                    for (int k = 0; k < 64; ++k)
+                        damaged[below(damaged.size())] ^= static_cast<std::byte>(1u << below(8));
+                    break;
+                case 1:  // a stretch of noise
+                    for (std::size_t k = 0, at = below(damaged.size() - 256); k < 256; ++k)
+                        damaged[at + k] = static_cast<std::byte>(below(256));
+                    break;
+                case 2:  // extreme numbers
+                    for (int k = 0; k < 32; ++k) {
+                        const std::size_t at = below(damaged.size() - 2);
+                        const unsigned extreme = std::vector<unsigned>{0x0000, 0xFFFF, 0x7FFF, 0x8000}[below(4)];
+                        damaged[at] = static_cast<std::byte>(extreme >> 8);
+                        damaged[at + 1] = static_cast<std::byte>(extreme & 0xFF);
+                    }
+                    break;
+                default:  // the directory of tables
+                    for (int k = 0; k < 4; ++k) damaged[below(12 + 16 * 16)] = static_cast<std::byte>(below(256));
             }
             CHECK(try_both(damaged, 60, seen) == 0);
         }
@@ -203,7 +217,7 @@ TEST_CASE("the fonts of fuzzing suites are refused or drawn finitely", "[hostile
         CHECK((by_path.error().code == by_bytes.error().code || bytes.empty()));
         CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
     }
-    WARN(files.size() << " files, " << seen.opened << " of " << seen.fonts << " tries opened a face, " << seen.glyphs << " glyphs: " << seen.drawn
-                      << " drawn, " << seen.refused << " refused");
+    WARN(files.size() << " files, " << seen.opened << " of " << seen.fonts << " tries opened a face, " << seen.glyphs
+                      << " glyphs: " << seen.drawn << " drawn, " << seen.refused << " refused");
     CHECK(!files.empty());
 }

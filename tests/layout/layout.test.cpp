@@ -21,15 +21,18 @@ struct plain_shaper {
 
     double units_per_em() const noexcept { return 1000.0; }
     line_metrics metrics(direction) const noexcept { return lines; }
-    result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& how, glyph_run& run) noexcept
+    result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& how,
+                        glyph_run& run) noexcept
     {
         if (text.encoding() == encoding::utf8) seen.emplace_back(text.utf8() + first, last - first);
         point pen;
         for (std::size_t i = first; i < last;) {
             const code_point c = decode(text, i, last);
             if (c.value == '!') return error{error::mixed_direction}.at(no_glyph, static_cast<cluster_id>(i));
-            if (!run.glyphs.push_back({static_cast<glyph_id>(c.value), static_cast<cluster_id>(i), pen})) return error::out_of_memory;
-            (how.direction == direction::top_to_bottom ? pen.y : pen.x) += how.direction == direction::top_to_bottom ? -advance : advance;
+            if (!run.glyphs.push_back({static_cast<glyph_id>(c.value), static_cast<cluster_id>(i), pen}))
+                return error::out_of_memory;
+            (how.direction == direction::top_to_bottom ? pen.y : pen.x) +=
+                how.direction == direction::top_to_bottom ? -advance : advance;
             i = c.next;
         }
         return pen;
@@ -37,7 +40,8 @@ struct plain_shaper {
 };
 static_assert(shaper<plain_shaper>);
 
-glyph_run set(text_view text, const layout_options& options = {}, direction d = direction::automatic, plain_shaper font = {})
+glyph_run set(text_view text, const layout_options& options = {}, direction d = direction::automatic,
+              plain_shaper font = {})
 {
     glyph_run run;
     shape_options how;
@@ -56,8 +60,17 @@ TEST_CASE("a text has one line more than it has breaks, and breaks leave no glyp
         const char* text;
         std::vector<std::uint32_t> glyphs;  // of each line
     };
-    for (const auto& [text, glyphs] : {expected{"", {0}}, {"ab", {2}}, {"\n", {0, 0}}, {"ab\ncd", {2, 2}}, {"ab\r\ncd", {2, 2}}, {"a\rb", {1, 1}},
-                                       {"a\n\nb\n", {1, 0, 1, 0}}, {"a\xE2\x80\xA8" "b", {1, 1}}, {"\n\r", {0, 0, 0}}}) {
+    for (const auto& [text, glyphs] : {expected{"", {0}},
+                                       {"ab", {2}},
+                                       {"\n", {0, 0}},
+                                       {"ab\ncd", {2, 2}},
+                                       {"ab\r\ncd", {2, 2}},
+                                       {"a\rb", {1, 1}},
+                                       {"a\n\nb\n", {1, 0, 1, 0}},
+                                       {"a\xE2\x80\xA8"
+                                        "b",
+                                        {1, 1}},
+                                       {"\n\r", {0, 0, 0}}}) {
         INFO(text);
         const glyph_run run = set(text);
         REQUIRE(run.lines.size() == glyphs.size());
@@ -85,7 +98,8 @@ TEST_CASE("baselines are the font's line distance times the spacing apart, downw
 {
     const double spacing = GENERATE(1.0, 1.5, 0.0, -2.0);
     const glyph_run run = set("a\nb\n\nc", {.line_spacing = spacing});
-    for (std::size_t i = 0; i < 4; ++i) CHECK(equal(run.lines[i].origin, {0.0, -1000.0 * spacing * static_cast<double>(i)}));
+    for (std::size_t i = 0; i < 4; ++i)
+        CHECK(equal(run.lines[i].origin, {0.0, -1000.0 * spacing * static_cast<double>(i)}));
     CHECK(equal(run.glyphs[2].origin, {0.0, -3000.0 * spacing}));
     CHECK(run.units_per_em == 1000.0);
 }
@@ -99,7 +113,8 @@ TEST_CASE("a font without line metrics is set one em apart", "[layout]")
 TEST_CASE("every line is aligned to x = 0 by itself, its glyphs with it", "[layout]")
 {
     const char* text = "abc\nd";
-    for (const auto& [align, at] : {std::pair{alignment::left, 0.0}, {alignment::centre, 0.5}, {alignment::right, 1.0}}) {
+    for (const auto& [align, at] :
+         {std::pair{alignment::left, 0.0}, {alignment::centre, 0.5}, {alignment::right, 1.0}}) {
         const glyph_run run = set(text, {.align = align});
         CHECK(equal(run.lines[0].origin, {-1500.0 * at, 0.0}));
         CHECK(equal(run.lines[1].origin, {-500.0 * at, -1000.0}));
@@ -110,7 +125,8 @@ TEST_CASE("every line is aligned to x = 0 by itself, its glyphs with it", "[layo
 
 TEST_CASE("columns run down, the next to the left, aligned to y = 0", "[layout]")
 {
-    for (const auto& [align, at] : {std::pair{alignment::left, 0.0}, {alignment::centre, 0.5}, {alignment::right, 1.0}}) {
+    for (const auto& [align, at] :
+         {std::pair{alignment::left, 0.0}, {alignment::centre, 0.5}, {alignment::right, 1.0}}) {
         const glyph_run run = set("abc\nd", {.align = align}, direction::top_to_bottom);
         CHECK(run.lines[0].advance == 1500.0);
         CHECK(equal(run.lines[0].origin, {0.0, 1500.0 * at}));
@@ -166,7 +182,8 @@ TEST_CASE("a line spacing that is no number is refused", "[layout]")
 {
     plain_shaper font;
     glyph_run run;
-    for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()})
+    for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+                             -std::numeric_limits<double>::infinity()})
         CHECK(layout(font, "x", {}, {.line_spacing = bad}, run) == error::bad_option);
 }
 

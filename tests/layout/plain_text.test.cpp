@@ -14,25 +14,32 @@ TEST_CASE("right-to-left text is never plain", "[layout][plain_text]")
     for (char32_t c = 0; c <= 0x10FFFF; ++c) {
         const reading what = reading_of(c);
         const bool arabic_number = (c >= 0x0600 && c <= 0x06FF && what == reading::digit);
-        if (what == reading::to_the_left || arabic_number) wrong += !needs_shaping(c);
+        if (what == reading::to_the_left || arabic_number) wrong += !is_complex(c);
     }
     CHECK(wrong == 0);
 }
 
 TEST_CASE("plain scripts are plain and complex ones are not", "[layout][plain_text]")
 {
-    for (const char32_t c : std::u32string_view{U"Az09 \u00E9\u0142\u03B1\u0416\u0531\u10D0\u1200\u13A0\u1401\u16A0\u1E00\u1F00\u2014\u20AC\u2122\u2500\u3042\u30A2\u4E16\uAC00\uA000\uFF21\uFFFD\uE000\U00020000\U0001F600"}) {
+    for (const char32_t c :
+         std::u32string_view{U"Az09 "
+                             U"\u00E9\u0142\u03B1\u0416\u0531\u10D0\u1200\u13A0\u1401\u16A0\u1E00\u1F00\u2014\u20AC"
+                             U"\u2122\u2500\u3042\u30A2\u4E16\uAC00\uA000\uFF21\uFFFD\uE000\U00020000\U0001F600"}) {
         INFO(static_cast<std::uint32_t>(c));
-        CHECK(!needs_shaping(c));
+        CHECK(!is_complex(c));
     }
-    for (const char32_t c : std::u32string_view{U"\u0301\u05D0\u0627\u0710\u0780\u07CA\u0905\u0995\u0B85\u0C05\u0D05\u0D85\u0E01\u0E81\u0F40\u1000\u1100\u1780\u1820\u1A20\u1B05\u200D\u3099\uA8F2\uA984\uABC0\uFB50\uFE8D\U00010A00\U00011103\U0001E900"}) {
+    for (const char32_t c : std::u32string_view{
+             U"\u0301\u05D0\u0627\u0710\u0780\u07CA\u0905\u0995\u0B85\u0C05\u0D05\u0D85\u0E01\u0E81\u0F40\u1000\u1100"
+             U"\u1780\u1820\u1A20\u1B05\u200D\u3099\uA8F2\uA984\uABC0\uFB50\uFE8D\U00010A00\U00011103\U0001E900"}) {
         INFO(static_cast<std::uint32_t>(c));
-        CHECK(needs_shaping(c));
+        CHECK(is_complex(c));
     }
 }
 
 TEST_CASE("default-ignorable characters are those that leave no mark", "[layout][plain_text]")
 {
-    for (const char32_t c : std::u32string_view{U"\u00AD\u034F\u200B\u200E\u2060\uFE0F\uFEFF\U000E0100"}) CHECK(is_default_ignorable(c));
-    for (const char32_t c : std::u32string_view{U"a \u00A0\u0300\u2010\u3000\uFFFD\uFE10"}) CHECK(!is_default_ignorable(c));
+    for (const char32_t c : std::u32string_view{U"\u00AD\u034F\u200B\u200E\u2060\uFE0F\uFEFF\U000E0100"})
+        CHECK(is_default_ignorable(c));
+    for (const char32_t c : std::u32string_view{U"a \u00A0\u0300\u2010\u3000\uFFFD\uFE10"})
+        CHECK(!is_default_ignorable(c));
 }

@@ -23,12 +23,17 @@ TEST_CASE("characters read as Unicode's bidirectional classes say", "[layout][re
         std::u32string_view characters;
     };
     for (const auto& [what, characters] :
-         {expected{reading::to_the_right, U"azAZ\u00AA\u00E9\u03B1\u0416\u0531\u0905\u0E01\u10D0\u1100\u3042\u30A2\u4E16\uAC00\uA000\uFF21\U00020000\u200E"},
-          {reading::to_the_left, U"\u05D0\u05EA\u0627\u064A\u0710\u0780\u07CA\u07C1\u0800\u08A0\u200F\u202B\u202E\u2067\uFB1D\uFB50\uFE8D\U00010800\U0001E900\u061F"},
+         {expected{reading::to_the_right,
+                   U"azAZ\u00AA\u00E9\u03B1\u0416\u0531\u0905\u0E01\u10D0\u1100\u3042\u30A2\u4E16\uAC00\uA000\uFF21"
+                   U"\U00020000\u200E"},
+          {reading::to_the_left,
+           U"\u05D0\u05EA\u0627\u064A\u0710\u0780\u07CA\u07C1\u0800\u08A0\u200F\u202B\u202E\u2067\uFB1D\uFB50\uFE8D"
+           U"\U00010800\U0001E900\u061F"},
           {reading::digit, U"09\u0660\u0669\u06F0\u00B2\u2070\uFF10\U0001D7CE"},
           {reading::separator, U".,:/+-\u00A0\u060C\u2212"},
           {reading::terminator, U"%$#\u00B0\u20AC\u066A"},
-          {reading::neutral, U" !?()[]&*;\t\u00AB\u0300\u200B\u2014\u2190\u2500\u3000\u3001\uFF01\U0001F600\uFFFD\uFE0F"}})
+          {reading::neutral,
+           U" !?()[]&*;\t\u00AB\u0300\u200B\u2014\u2190\u2500\u3000\u3001\uFF01\U0001F600\uFFFD\uFE0F"}})
         for (const char32_t c : characters) {
             INFO(static_cast<std::uint32_t>(c));
             CHECK(reading_of(c) == what);

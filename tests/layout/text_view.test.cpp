@@ -13,7 +13,8 @@ TEST_CASE("text in every string type is seen where it lies", "[layout][text_view
     const std::u8string typed = u8"na\u00EFve";
     const std::u16string wide = u"na\u00EFve";
 
-    const text_view a = bytes, b = typed, c = wide, d = "na\xC3\xAFve", e = u8"na\u00EFve", f = u"na\u00EFve", g = std::u16string_view{wide};
+    const text_view a = bytes, b = typed, c = wide, d = "na\xC3\xAFve", e = u8"na\u00EFve", f = u"na\u00EFve",
+                    g = std::u16string_view{wide};
     CHECK(a.utf8() == bytes.data());
     CHECK(c.utf16() == wide.data());
     for (const text_view& eight : {a, b, d, e}) {

@@ -52,16 +52,19 @@ TEST_CASE("every code point survives UTF-8 and UTF-16", "[layout][utf]")
         const std::string eight = utf8_of(c);
         const std::u16string sixteen = utf16_of(c);
         const code_point a = decode(eight, 0), b = decode(sixteen, 0);
-        wrong += !(a.valid && a.value == c && a.next == eight.size() && b.valid && b.value == c && b.next == sixteen.size());
+        wrong +=
+            !(a.valid && a.value == c && a.next == eight.size() && b.valid && b.value == c && b.next == sixteen.size());
     }
     CHECK(wrong == 0);
 }
 
-TEST_CASE("invalid UTF-8 is replaced by maximal subparts, as in tables 3-8 to 3-11 of the Unicode Standard", "[layout][utf]")
+TEST_CASE("invalid UTF-8 is replaced by maximal subparts, as in tables 3-8 to 3-11 of the Unicode Standard",
+          "[layout][utf]")
 {
     CHECK(read("\xC0\xAF\xE0\x80\xBF\xF0\x81\x82\x41") == std::u32string{bad, bad, bad, bad, bad, bad, bad, bad, U'A'});
     CHECK(read("\xED\xA0\x80\xED\xBF\xBF\xED\xAF\x41") == std::u32string{bad, bad, bad, bad, bad, bad, bad, bad, U'A'});
-    CHECK(read("\xF4\x91\x92\x93\xFF\x41\x80\xBF\x42") == std::u32string{bad, bad, bad, bad, bad, U'A', bad, bad, U'B'});
+    CHECK(read("\xF4\x91\x92\x93\xFF\x41\x80\xBF\x42") ==
+          std::u32string{bad, bad, bad, bad, bad, U'A', bad, bad, U'B'});
     CHECK(read("\xE1\x80\xE2\xF0\x91\x92\xF1\xBF\x41") == std::u32string{bad, bad, bad, bad, U'A'});
 }
 
@@ -77,13 +80,15 @@ TEST_CASE("a code point cut off by the end is one U+FFFD", "[layout][utf]")
 
 TEST_CASE("each surrogate without its partner is one U+FFFD", "[layout][utf]")
 {
-    CHECK(read(std::u16string{0xDC00, 0xD800, u'a', 0xD83D, 0xDE00, 0xD800, 0xD800}) == std::u32string{bad, bad, U'a', U'\U0001F600', bad, bad});
+    CHECK(read(std::u16string{0xDC00, 0xD800, u'a', 0xD83D, 0xDE00, 0xD800, 0xD800}) ==
+          std::u32string{bad, bad, U'a', U'\U0001F600', bad, bad});
 }
 
 TEST_CASE("decoding moves on and stays inside for every sequence of three bytes of interest", "[layout][utf]")
 {
-    const std::vector<unsigned> bytes{0x00, 0x41, 0x7F, 0x80, 0x8F, 0x90, 0x9F, 0xA0, 0xBF, 0xC0, 0xC1, 0xC2, 0xDF, 0xE0,
-                                      0xE1, 0xEC, 0xED, 0xEE, 0xEF, 0xF0, 0xF1, 0xF3, 0xF4, 0xF5, 0xF8, 0xFE, 0xFF};
+    const std::vector<unsigned> bytes{0x00, 0x41, 0x7F, 0x80, 0x8F, 0x90, 0x9F, 0xA0, 0xBF,
+                                      0xC0, 0xC1, 0xC2, 0xDF, 0xE0, 0xE1, 0xEC, 0xED, 0xEE,
+                                      0xEF, 0xF0, 0xF1, 0xF3, 0xF4, 0xF5, 0xF8, 0xFE, 0xFF};
     std::size_t wrong = 0;
     for (const unsigned a : bytes)
         for (const unsigned b : bytes)
@@ -94,8 +99,10 @@ TEST_CASE("decoding moves on and stays inside for every sequence of three bytes 
                 for (std::size_t i = 0; i < 3;) {
                     const code_point p = decode(text, i);
                     wrong += !(p.next > i && p.next <= 3);
-                    if (p.valid) wrong += utf8_of(p.value) != std::string(units + i, p.next - i);  // one spelling only
-                    else ++invalid;
+                    if (p.valid)
+                        wrong += utf8_of(p.value) != std::string(units + i, p.next - i);  // one spelling only
+                    else
+                        ++invalid;
                     i = p.next;
                 }
                 wrong += find_invalid(text, 0, 3).count != invalid;
@@ -109,7 +116,9 @@ TEST_CASE("invalid places are counted and the first is told in the caller's unit
     CHECK(none.count == 0);
     CHECK(none.first == no_cluster);
 
-    const invalid_places two = find_invalid(text_view{"ab\xFF" "c\xE2\x82"}, 0, 6);
+    const invalid_places two = find_invalid(text_view{"ab\xFF"
+                                                      "c\xE2\x82"},
+                                            0, 6);
     CHECK(two.count == 2);
     CHECK(two.first == 2);
 

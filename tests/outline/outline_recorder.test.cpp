@@ -10,7 +10,8 @@ using namespace typemesh;
 
 namespace {
 
-/// In every outline: contours lie one after the other, each a closed chain of curves that have a length, inside the bounds.
+/// In every outline: contours lie one after the other, each a closed chain of curves that have a length, inside the
+/// bounds.
 void check_laws(const outline& o)
 {
     if (o.curves.empty()) {
@@ -23,7 +24,8 @@ void check_laws(const outline& o)
     for (std::uint32_t k = 0; k < o.contour_count(); ++k) {
         const std::uint32_t first = o.starts[k], end = o.starts[k + 1];
         REQUIRE(first < end);
-        for (std::uint32_t i = first; i < end; ++i) CHECK(o.curves[i].end() == o.curves[i + 1 < end ? i + 1 : first].start());
+        for (std::uint32_t i = first; i < end; ++i)
+            CHECK(o.curves[i].end() == o.curves[i + 1 < end ? i + 1 : first].start());
     }
     for (const curve& c : o.curves) {
         bool moves = false;
@@ -131,7 +133,8 @@ TEST_CASE("a segment without a contour is a bad outline", "[outline][outline_rec
 
 TEST_CASE("a coordinate that is no number is told, wherever it stands", "[outline][outline_recorder]")
 {
-    const double bad = GENERATE(std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity());
+    const double bad = GENERATE(std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+                                -std::numeric_limits<double>::infinity());
     for (int where = 0; where < 14; ++where) {
         double v[14] = {0, 0, 10, 0, 10, 5, 5, 5, 4, 4, 3, 3, 0, 3};
         v[where] = bad;

@@ -88,7 +88,8 @@ TEST_CASE("a drawing that is refused leaves the set as it was", "[outline][recor
     CHECK(set.add([](outline_sink auto& pen) {
                  pen.move({0, 0});
                  pen.line({std::numeric_limits<double>::infinity(), 1});
-             }).error() == error::outline_not_finite);
+             })
+              .error() == error::outline_not_finite);
     CHECK(set.size() == 1);
 
     test::counting_memory counted;

@@ -44,7 +44,8 @@ struct meshed {
     double cap_area() const
     {
         std::int64_t twice = 0;
-        for (const triangle t : cap) twice += orientation(filled.points()[t.a], filled.points()[t.b], filled.points()[t.c]);
+        for (const triangle t : cap)
+            twice += orientation(filled.points()[t.a], filled.points()[t.b], filled.points()[t.c]);
         return static_cast<double>(twice) / 2.0 / (10000.0 * filled.grid().cells * filled.grid().cells);
     }
 };
@@ -117,7 +118,8 @@ TEST_CASE("a stranger's vertex, writer and stream hold what the surface tells", 
     std::vector<std::array<std::int8_t, 4>> normals(24);
     std::vector<vec3> positions(24);
     indices.assign(36, 0);
-    stream_sink streams{std::span{indices}, stream<attribute::position, vec3>{positions}, stranger::byte_normals{normals.data(), normals.size()}};
+    stream_sink streams{std::span{indices}, stream<attribute::position, vec3>{positions},
+                        stranger::byte_normals{normals.data(), normals.size()}};
     REQUIRE_FALSE(extrude(m.filled, m.cap.view(), extruded<>{}, m.in_em(), sides, streams));
     for (std::size_t i = 0; i < 24; ++i) {
         CHECK(normals[i][2] == vertices[i].normal[2]);

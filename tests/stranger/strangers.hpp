@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Policies, fonts, vertices and sinks as a user would write them, from the concepts' comments alone. Nothing here looks at a
-// policy of the library's own.
+// Policies, fonts, vertices and sinks as a user would write them, from the concepts' comments alone. Nothing here looks
+// at a policy of the library's own.
 
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/discretise/discretiser.hpp>
@@ -33,13 +33,15 @@ struct thirds {
     }
 };
 
-/// Takes an edge, tries every point for a triangle that nothing disturbs, and goes on with the triangle's other two sides.
+/// Takes an edge, tries every point for a triangle that nothing disturbs, and goes on with the triangle's other two
+/// sides.
 struct patient {
     struct side {
         std::uint32_t from, to;
     };
 
-    typemesh::error operator()(const typemesh::region& r, typemesh::workspace& space, typemesh::triangle_list& out) const noexcept
+    typemesh::error operator()(const typemesh::region& r, typemesh::workspace& space,
+                               typemesh::triangle_list& out) const noexcept
     {
         const auto p = r.points();
         const auto n = static_cast<std::uint32_t>(p.size());
@@ -61,7 +63,8 @@ struct patient {
             const side s = open[--open_count];
             for (std::uint32_t c = 0; c < n; ++c) {
                 if (typemesh::orientation(p[s.from], p[s.to], p[c]) <= 0 || holds_a_point(p, s.from, s.to, c)) continue;
-                if (disturbed(p, {s.to, c}, lines, line_count) || disturbed(p, {c, s.from}, lines, line_count)) continue;
+                if (disturbed(p, {s.to, c}, lines, line_count) || disturbed(p, {c, s.from}, lines, line_count))
+                    continue;
                 out.push_back_unchecked({s.from, s.to, c});
                 for (const side beside : {side{s.to, c}, side{c, s.from}}) {
                     std::size_t k = 0;
@@ -80,22 +83,27 @@ struct patient {
     }
 
 private:
-    static bool holds_a_point(std::span<const typemesh::grid_point> p, std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept
+    static bool holds_a_point(std::span<const typemesh::grid_point> p, std::uint32_t a, std::uint32_t b,
+                              std::uint32_t c) noexcept
     {
         using typemesh::orientation;
         for (const auto q : p) {
             if (q == p[a] || q == p[b] || q == p[c]) continue;
-            if (orientation(p[a], p[b], q) >= 0 && orientation(p[b], p[c], q) >= 0 && orientation(p[c], p[a], q) >= 0) return true;
+            if (orientation(p[a], p[b], q) >= 0 && orientation(p[b], p[c], q) >= 0 && orientation(p[c], p[a], q) >= 0)
+                return true;
         }
         return false;
     }
-    static bool disturbed(std::span<const typemesh::grid_point> p, side s, const side* lines, std::size_t count) noexcept
+    static bool disturbed(std::span<const typemesh::grid_point> p, side s, const side* lines,
+                          std::size_t count) noexcept
     {
         using typemesh::orientation;
         const auto sign = [](std::int64_t v) { return v > 0 ? 1 : v < 0 ? -1 : 0; };
         for (std::size_t i = 0; i < count; ++i) {
             const auto a = p[s.from], b = p[s.to], c = p[lines[i].from], d = p[lines[i].to];
-            if (sign(orientation(a, b, c)) * sign(orientation(a, b, d)) < 0 && sign(orientation(c, d, a)) * sign(orientation(c, d, b)) < 0) return true;
+            if (sign(orientation(a, b, c)) * sign(orientation(a, b, d)) < 0 &&
+                sign(orientation(c, d, a)) * sign(orientation(c, d, b)) < 0)
+                return true;
         }
         return false;
     }
@@ -105,7 +113,8 @@ private:
 struct fence {
     float tall = 0.1f;
 
-    typemesh::result<typemesh::part_sizes> plan(const typemesh::region& r, typemesh::buffer<typemesh::side_point>& sides) const noexcept
+    typemesh::result<typemesh::part_sizes> plan(const typemesh::region& r,
+                                                typemesh::buffer<typemesh::side_point>& sides) const noexcept
     {
         const std::size_t n = r.points().size();
         typemesh::side_point* mine = sides.append(n);
@@ -113,14 +122,17 @@ struct fence {
         for (std::uint32_t k = 0; k < r.loop_count(); ++k) {
             const std::uint32_t first = r.starts()[k], end = r.starts()[k + 1];
             for (std::uint32_t i = first; i < end; ++i) {
-                const auto before = r.points()[i == first ? end - 1 : i - 1], after = r.points()[i + 1 == end ? first : i + 1];
-                const double dx = double(after.x) - before.x, dy = double(after.y) - before.y, l = std::hypot(dx, dy) + 1e-300;
+                const auto before = r.points()[i == first ? end - 1 : i - 1],
+                           after = r.points()[i + 1 == end ? first : i + 1];
+                const double dx = double(after.x) - before.x, dy = double(after.y) - before.y,
+                             l = std::hypot(dx, dy) + 1e-300;
                 mine[i] = {};
                 mine[i].before = mine[i].after = {static_cast<float>(dy / l), static_cast<float>(-dx / l)};
             }
         }
         typemesh::part_sizes sizes;
-        sizes.vertices[typemesh::part::side] = sizes.triangles[typemesh::part::side] = static_cast<std::uint32_t>(2 * n);
+        sizes.vertices[typemesh::part::side] = sizes.triangles[typemesh::part::side] =
+            static_cast<std::uint32_t>(2 * n);
         return sizes;
     }
     typemesh::height_range heights() const noexcept { return {0.0, tall}; }
@@ -132,15 +144,18 @@ struct fence {
         for (std::size_t i = 0; i < s.points.size(); ++i) {
             for (const double height : {static_cast<double>(tall), 0.0}) {
                 typemesh::surface_point<Wants> v;
-                if constexpr (has(Wants, typemesh::attribute::position)) v.position = at.position(s.points[i], at.height(height));
+                if constexpr (has(Wants, typemesh::attribute::position))
+                    v.position = at.position(s.points[i], at.height(height));
                 if constexpr (has(Wants, typemesh::attribute::normal)) v.normal = at.normal(s.sides[i].before);
-                if constexpr (has(Wants, typemesh::attribute::uv)) v.uv = {static_cast<float>(i), static_cast<float>(height)};
+                if constexpr (has(Wants, typemesh::attribute::uv))
+                    v.uv = {static_cast<float>(i), static_cast<float>(height)};
                 emit(v);
             }
         }
     }
     template <class Emit>
-    void triangles(typemesh::part p, const typemesh::solid& s, const typemesh::first_vertices& first, Emit&& emit) const noexcept
+    void triangles(typemesh::part p, const typemesh::solid& s, const typemesh::first_vertices& first,
+                   Emit&& emit) const noexcept
     {
         if (p != typemesh::part::side) return;
         for (std::size_t k = 0; k + 1 < s.starts.size(); ++k) {
@@ -162,7 +177,8 @@ struct faceted {
         for (std::uint32_t k = 0; k < r.loop_count(); ++k) {
             for (std::uint32_t i = r.starts()[k]; i < r.starts()[k + 1]; ++i) {
                 const std::uint32_t j = i + 1 == r.starts()[k + 1] ? r.starts()[k] : i + 1;
-                const double dx = double(r.points()[j].x) - r.points()[i].x, dy = double(r.points()[j].y) - r.points()[i].y;
+                const double dx = double(r.points()[j].x) - r.points()[i].x,
+                             dy = double(r.points()[j].y) - r.points()[i].y;
                 const double l = std::sqrt(dx * dx + dy * dy);
                 sides[i].after = sides[j].before = {static_cast<float>(dy / l), static_cast<float>(-dx / l)};
                 sides[i].doubled = true;
@@ -172,15 +188,16 @@ struct faceted {
     }
 };
 
-/// A font of three signs, shaper and outline source in one: "[" is a box, "o" a ring, "~" a wave; each as wide as an em.
+/// A font of three signs, shaper and outline source in one: "[" is a box, "o" a ring, "~" a wave; each as wide as an
+/// em.
 class stamps {
 public:
     double units_per_em() noexcept { return 100.0; }
     typemesh::fill_rule fill() noexcept { return typemesh::fill_rule::even_odd; }
     typemesh::line_metrics metrics(typemesh::direction) noexcept { return {80.0, -20.0, 10.0}; }
 
-    typemesh::result<typemesh::point> shape(typemesh::text_view text, std::size_t first, std::size_t last, const typemesh::shape_options&,
-                                            typemesh::glyph_run& run) noexcept
+    typemesh::result<typemesh::point> shape(typemesh::text_view text, std::size_t first, std::size_t last,
+                                            const typemesh::shape_options&, typemesh::glyph_run& run) noexcept
     {
         double pen = 0.0;
         for (std::size_t i = first; i < last; ++i, pen += 100.0) {
@@ -200,24 +217,24 @@ public:
     typemesh::error outline(typemesh::glyph_id id, Sink& sink) noexcept
     {
         switch (id) {
-        case 1: box(sink, 10, 0, 90, 80); return {};
-        case 2:
-            box(sink, 10, 0, 90, 80);
-            sink.move({50, 20});
-            sink.quadratic({80, 20}, {80, 40});
-            sink.quadratic({80, 60}, {50, 60});
-            sink.quadratic({20, 60}, {20, 40});
-            sink.quadratic({20, 20}, {50, 20});
-            sink.close();
-            return {};
-        case 3:
-            sink.move({0, 30});
-            sink.cubic({30, 0}, {70, 60}, {100, 30});
-            sink.line({100, 50});
-            sink.cubic({70, 80}, {30, 20}, {0, 50});
-            return {};  // left open: it is closed with a line
-        case 4: return {};
-        default: return typemesh::error::unknown_glyph;
+            case 1: box(sink, 10, 0, 90, 80); return {};
+            case 2:
+                box(sink, 10, 0, 90, 80);
+                sink.move({50, 20});
+                sink.quadratic({80, 20}, {80, 40});
+                sink.quadratic({80, 60}, {50, 60});
+                sink.quadratic({20, 60}, {20, 40});
+                sink.quadratic({20, 20}, {50, 20});
+                sink.close();
+                return {};
+            case 3:
+                sink.move({0, 30});
+                sink.cubic({30, 0}, {70, 60}, {100, 30});
+                sink.line({100, 50});
+                sink.cubic({70, 80}, {30, 20}, {0, 50});
+                return {};  // left open: it is closed with a line
+            case 4: return {};
+            default: return typemesh::error::unknown_glyph;
         }
     }
 
@@ -252,7 +269,9 @@ struct packing_writer {
 
     packed_vertex operator()(const typemesh::surface_point<wants>& s) const noexcept
     {
-        const auto pack = [this](float v) { return static_cast<std::uint16_t>((v - low) / (high - low) * 65535.0f + 0.5f); };
+        const auto pack = [this](float v) {
+            return static_cast<std::uint16_t>((v - low) / (high - low) * 65535.0f + 0.5f);
+        };
         return {{pack(s.position.x), pack(s.position.y), pack(s.position.z)}, colour};
     }
 };
@@ -277,7 +296,8 @@ struct volume {
     void triangle(std::uint32_t i, std::uint32_t j, std::uint32_t k) noexcept
     {
         const auto a = corners[i], b = corners[j], c = corners[k];
-        six_times += double(a.x) * (double(b.y) * c.z - double(b.z) * c.y) - double(a.y) * (double(b.x) * c.z - double(b.z) * c.x) +
+        six_times += double(a.x) * (double(b.y) * c.z - double(b.z) * c.y) -
+                     double(a.y) * (double(b.x) * c.z - double(b.z) * c.x) +
                      double(a.z) * (double(b.x) * c.y - double(b.y) * c.x);
         ++triangles;
     }
@@ -313,7 +333,9 @@ struct typemesh::vertex_traits<stranger::vertex> {
     stranger::vertex operator()(const surface_point<wants>& s) const noexcept
     {
         const auto byte = [](float f) { return static_cast<std::int8_t>(f * 127.0f); };
-        return {{s.position.x, s.position.y, s.position.z}, {byte(s.normal.x), byte(s.normal.y), byte(s.normal.z), 0}, {s.uv.x, s.uv.y}};
+        return {{s.position.x, s.position.y, s.position.z},
+                {byte(s.normal.x), byte(s.normal.y), byte(s.normal.z), 0},
+                {s.uv.x, s.uv.y}};
     }
 };
 

@@ -45,9 +45,16 @@ TEST_CASE("each of a stranger's policies works alone, and all together", "[stran
     CHECK(own == Approx(0.2 * (0.64 + 0.2 + 0.64 - 0.2)).epsilon(0.05));
     CHECK(volume(text_mesher{font}) == Approx(own).epsilon(0.05));
     CHECK(volume(text_mesher{font}.with(stranger::patient{}).with(stranger::thirds{})) == Approx(own));
-    CHECK(volume(text_mesher{font}.with(stranger::thirds{}).with(extruded<stranger::faceted>{}).with(stranger::patient{})) == Approx(own));
+    CHECK(
+        volume(
+            text_mesher{font}.with(stranger::thirds{}).with(extruded<stranger::faceted>{}).with(stranger::patient{})) ==
+        Approx(own));
 
-    auto mesher = text_mesher{font}.with(stranger::thirds{}).with(stranger::patient{}).with(stranger::fence{}).with(stranger::stage_counter{});
+    auto mesher = text_mesher{font}
+                      .with(stranger::thirds{})
+                      .with(stranger::patient{})
+                      .with(stranger::fence{})
+                      .with(stranger::stage_counter{});
     const auto plan = mesher.plan("[o~");
     REQUIRE(plan);
     CHECK(plan->size() == mesh_size{2 * (4 + 16 + 8), 2 * (4 + 16 + 8)});
@@ -62,7 +69,8 @@ TEST_CASE("a run made by hand needs no shaper", "[stranger]")
     stranger::stamps font;
     glyph_run run;
     run.units_per_em = 100.0;
-    for (const glyph_id id : {3u, 1u, 2u}) REQUIRE(run.glyphs.push_back({.id = id, .cluster = 0, .origin = {200.0 * id, 0.0}}));
+    for (const glyph_id id : {3u, 1u, 2u})
+        REQUIRE(run.glyphs.push_back({.id = id, .cluster = 0, .origin = {200.0 * id, 0.0}}));
     text_mesher mesher{font};
     std::vector<stranger::packed_vertex> packed;
     std::vector<std::uint16_t> indices;

@@ -40,8 +40,8 @@ inline std::vector<font_package> smoke_fonts()
         {"fonts-cegui",
          "truetype",
          true,
-         {"FetteClassicUNZFraktur.ttf", "FutharkAdapted.ttf", "GreatVibes-Regular.ttf", "IMFePIrm29P.ttf", "Klingon-pIqaD-HaSta.ttf", "RichStyle.ttf",
-          "Tnua-Libre.ttf"}},
+         {"FetteClassicUNZFraktur.ttf", "FutharkAdapted.ttf", "GreatVibes-Regular.ttf", "IMFePIrm29P.ttf",
+          "Klingon-pIqaD-HaSta.ttf", "RichStyle.ttf", "Tnua-Libre.ttf"}},
         {"fonts-mplus", "opentype/mplus", false},
     };
 }
@@ -62,7 +62,8 @@ inline std::string font_file(const std::string& name)
         for (const font_package& p : smoke_fonts())
             if (name.rfind(p.folder, 0) == 0 && p.files.empty()) package = p.name;
         if (name.rfind("X11/Type1", 0) == 0) package = "culmus";
-        FAIL("The font " << path.string() << " is missing: install the Debian package " << package << ", or set TYPEMESH_FONT_DIR.");
+        FAIL("The font " << path.string() << " is missing: install the Debian package " << package
+                         << ", or set TYPEMESH_FONT_DIR.");
     }
     return path.string();
 }
@@ -80,7 +81,8 @@ inline std::vector<std::string> font_files(const font_package& package)
             if (kind == ".ttf" || kind == ".otf" || kind == ".ttc") found.push_back(entry.path().string());
         }
     if (found.empty() && package.required)
-        FAIL("No font in " << folder.string() << ": install the Debian package " << package.name << ", or set TYPEMESH_FONT_DIR.");
+        FAIL("No font in " << folder.string() << ": install the Debian package " << package.name
+                           << ", or set TYPEMESH_FONT_DIR.");
     std::sort(found.begin(), found.end());
     return found;
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What is true of closed polylines, found by trying everything: slow, plain, and without a line in common with the library.
+// What is true of closed polylines, found by trying everything: slow, plain, and without a line in common with the
+// library.
 
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/fill_rule.hpp>
@@ -23,7 +24,8 @@ using loop = std::span<const grid_point>;
 inline std::vector<loop> loops_of(std::span<const grid_point> points, std::span<const std::uint32_t> starts)
 {
     std::vector<loop> loops;
-    for (std::size_t i = 0; i + 1 < starts.size(); ++i) loops.push_back(points.subspan(starts[i], starts[i + 1] - starts[i]));
+    for (std::size_t i = 0; i + 1 < starts.size(); ++i)
+        loops.push_back(points.subspan(starts[i], starts[i + 1] - starts[i]));
     return loops;
 }
 inline std::vector<loop> loops_of(const typemesh::contours& c) { return loops_of(c.points.view(), c.starts.view()); }
@@ -40,8 +42,8 @@ inline int side(grid_point a, grid_point b, grid_point c)
 /// p on the closed segment ab.
 inline bool lies_on(grid_point p, grid_point a, grid_point b)
 {
-    return side(a, b, p) == 0 && (std::min)(a.x, b.x) <= p.x && p.x <= (std::max)(a.x, b.x) && (std::min)(a.y, b.y) <= p.y &&
-           p.y <= (std::max)(a.y, b.y);
+    return side(a, b, p) == 0 && (std::min)(a.x, b.x) <= p.x && p.x <= (std::max)(a.x, b.x) &&
+           (std::min)(a.y, b.y) <= p.y && p.y <= (std::max)(a.y, b.y);
 }
 
 /// The closed segments have a point in common.
@@ -51,7 +53,8 @@ inline bool meet(grid_point a, grid_point b, grid_point c, grid_point d)
     return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
 }
 
-/// Whether any two edges cross, touch or overlap (neighbours: more than their common point), or a loop has under 3 points.
+/// Whether any two edges cross, touch or overlap (neighbours: more than their common point), or a loop has under 3
+/// points.
 inline bool is_crossing(const std::vector<loop>& loops)
 {
     struct edge {
@@ -68,7 +71,8 @@ inline bool is_crossing(const std::vector<loop>& loops)
             const grid_point a = loops[l][i], b = loops[l][(i + 1) % n], c = loops[l][(i + 2) % n];
             if (a == b) return true;
             if (lies_on(c, a, b) || lies_on(a, b, c)) return true;  // doubles back
-            edges.push_back({a, b, c, a, l, i, n, (std::min)(a.x, b.x), (std::max)(a.x, b.x), (std::min)(a.y, b.y), (std::max)(a.y, b.y)});
+            edges.push_back({a, b, c, a, l, i, n, (std::min)(a.x, b.x), (std::max)(a.x, b.x), (std::min)(a.y, b.y),
+                             (std::max)(a.y, b.y)});
         }
     }
     std::sort(edges.begin(), edges.end(), [](const edge& p, const edge& q) { return p.left < q.left; });
@@ -77,14 +81,16 @@ inline bool is_crossing(const std::vector<loop>& loops)
         for (std::size_t j = i + 1; j < edges.size() && edges[j].left <= p.right; ++j) {
             const edge& q = edges[j];
             if (q.bottom > p.top || q.top < p.bottom) continue;
-            if (p.loop == q.loop && ((p.index + 1) % p.count == q.index || (q.index + 1) % p.count == p.index)) continue;  // neighbours
+            if (p.loop == q.loop && ((p.index + 1) % p.count == q.index || (q.index + 1) % p.count == p.index))
+                continue;  // neighbours
             if (meet(p.a, p.b, q.a, q.b)) return true;
         }
     }
     return false;
 }
 
-/// Twice the enclosed area, counter-clockwise positive; exact when it fits into 63 bits, as it does for one loop on the grid.
+/// Twice the enclosed area, counter-clockwise positive; exact when it fits into 63 bits, as it does for one loop on the
+/// grid.
 inline std::int64_t doubled_area(loop l)
 {
     std::uint64_t sum = 0;  // may wrap on the way
@@ -137,7 +143,8 @@ inline bool is_region(const std::vector<loop>& loops)
     return true;
 }
 
-/// Twice the area that loops fill, which may cross as they like: cut into slabs within which no two edges cross. Rounded.
+/// Twice the area that loops fill, which may cross as they like: cut into slabs within which no two edges cross.
+/// Rounded.
 inline double doubled_filled_area(const std::vector<loop>& loops, typemesh::fill_rule rule)
 {
     struct edge {
@@ -159,11 +166,15 @@ inline double doubled_filled_area(const std::vector<loop>& loops, typemesh::fill
         const edge& p = edges[i];
         for (std::size_t j = i + 1; j < edges.size() && edges[j].a.x < p.b.x; ++j) {
             const edge& q = edges[j];
-            if (side(p.a, p.b, q.a) * side(p.a, p.b, q.b) > 0 || side(q.a, q.b, p.a) * side(q.a, q.b, p.b) > 0) continue;
+            if (side(p.a, p.b, q.a) * side(p.a, p.b, q.b) > 0 || side(q.a, q.b, p.a) * side(q.a, q.b, p.b) > 0)
+                continue;
             const long double px = p.b.x - p.a.x, py = p.b.y - p.a.y, qx = q.b.x - q.a.x, qy = q.b.y - q.a.y;
             const long double cross = px * qy - py * qx;
             if (cross == 0) continue;
-            cuts.push_back(p.a.x + px * ((static_cast<long double>(q.a.x) - p.a.x) * qy - (static_cast<long double>(q.a.y) - p.a.y) * qx) / cross);
+            cuts.push_back(
+                p.a.x +
+                px * ((static_cast<long double>(q.a.x) - p.a.x) * qy - (static_cast<long double>(q.a.y) - p.a.y) * qx) /
+                    cross);
         }
     }
     std::sort(cuts.begin(), cuts.end());
@@ -177,21 +188,23 @@ inline double doubled_filled_area(const std::vector<loop>& loops, typemesh::fill
         for (const edge& e : edges) {
             if (e.a.x >= x) break;
             if (e.b.x <= x) continue;
-            heights.emplace_back(e.a.y + (x - e.a.x) * (e.b.y - e.a.y) / (static_cast<long double>(e.b.x) - e.a.x), e.turn);
+            heights.emplace_back(e.a.y + (x - e.a.x) * (e.b.y - e.a.y) / (static_cast<long double>(e.b.x) - e.a.x),
+                                 e.turn);
         }
         std::sort(heights.begin(), heights.end());
         std::int32_t w = 0;
         for (std::size_t i = 0; i + 1 < heights.size(); ++i) {
             w += heights[i].second;
-            if (typemesh::is_filled(rule, w)) area += (cuts[c + 1] - cuts[c]) * (heights[i + 1].first - heights[i].first);
+            if (typemesh::is_filled(rule, w))
+                area += (cuts[c + 1] - cuts[c]) * (heights[i + 1].first - heights[i].first);
         }
     }
     return static_cast<double>(2 * area);
 }
 
-/// The first law that a triangulation breaks, in words; empty when it obeys all:
-/// n + 2h - 2c triangles, each strictly counter-clockwise; the region's area exactly; each edge of the region an edge of
-/// one triangle and in its own direction, each other edge of two, in both directions; every point a corner.
+/// The first law that a triangulation breaks, in words; empty when it obeys all: n + 2h - 2c triangles, each strictly
+/// counter-clockwise; the region's area exactly; each edge of the region an edge of one triangle and in its own
+/// direction, each other edge of two, in both directions; every point a corner.
 inline std::string broken_law(const typemesh::region& r, std::span<const typemesh::triangle> triangles)
 {
     const auto points = r.points();
@@ -207,7 +220,8 @@ inline std::string broken_law(const typemesh::region& r, std::span<const typemes
     std::uint64_t area = 0;
     const auto directed = [](std::uint64_t from, std::uint64_t to) { return from << 32 | to; };
     for (const typemesh::triangle t : triangles) {
-        if (t.a >= points.size() || t.b >= points.size() || t.c >= points.size()) return "a corner is no point of the region";
+        if (t.a >= points.size() || t.b >= points.size() || t.c >= points.size())
+            return "a corner is no point of the region";
         if (side(points[t.a], points[t.b], points[t.c]) <= 0) return "a triangle is not strictly counter-clockwise";
         const grid_point corners[3] = {points[t.a], points[t.b], points[t.c]};
         area += static_cast<std::uint64_t>(doubled_area(corners));

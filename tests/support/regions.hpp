@@ -33,8 +33,10 @@ struct shape {
         out << s.name << '\n';
         for (const polyline& l : s.loops) {
             out << "loop";
-            if (l.size() > 400) out << " (" << l.size() << " points)";
-            else for (const grid_point p : l) out << "  " << p.x << ' ' << p.y;
+            if (l.size() > 400)
+                out << " (" << l.size() << " points)";
+            else
+                for (const grid_point p : l) out << "  " << p.x << ' ' << p.y;
             out << '\n';
         }
         return out;
@@ -73,20 +75,25 @@ public:
         return z ^ z >> 31;
     }
     /// 0 to sides - 1.
-    std::int32_t roll(std::int32_t sides) { return static_cast<std::int32_t>((bits() >> 33) % static_cast<std::uint64_t>(sides)); }
+    std::int32_t roll(std::int32_t sides)
+    {
+        return static_cast<std::int32_t>((bits() >> 33) % static_cast<std::uint64_t>(sides));
+    }
     double fraction() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
 
 private:
     std::uint64_t state_;
 };
 
-// --- one contour -----------------------------------------------------------------------------------------------------------
+// --- one contour
+// -----------------------------------------------------------------------------------------------------------
 
 inline constexpr double turn_once = 6.283185307179586;
 
 inline grid_point on_circle(double cx, double cy, double radius, double angle)
 {
-    return {static_cast<std::int32_t>(std::lround(cx + radius * std::cos(angle))), static_cast<std::int32_t>(std::lround(cy + radius * std::sin(angle)))};
+    return {static_cast<std::int32_t>(std::lround(cx + radius * std::cos(angle))),
+            static_cast<std::int32_t>(std::lround(cy + radius * std::sin(angle)))};
 }
 
 inline polyline circle(int n, double radius, double cx = 0.0, double cy = 0.0)
@@ -99,7 +106,10 @@ inline polyline circle(int n, double radius, double cx = 0.0, double cy = 0.0)
     return l;
 }
 
-inline polyline square(std::int32_t x, std::int32_t y, std::int32_t size) { return {{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}}; }
+inline polyline square(std::int32_t x, std::int32_t y, std::int32_t size)
+{
+    return {{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}};
+}
 
 inline polyline reversed(polyline l)
 {
@@ -156,7 +166,8 @@ inline polyline staircase(int steps)
     return l;
 }
 
-/// A polygon through random points of a grid, uncrossed by turning round what lies between two crossing edges. Mostly simple.
+/// A polygon through random points of a grid, uncrossed by turning round what lies between two crossing edges. Mostly
+/// simple.
 inline polyline random_polygon(int n, std::int32_t width, dice& d)
 {
     polyline l;
@@ -171,7 +182,8 @@ inline polyline random_polygon(int n, std::int32_t width, dice& d)
             for (std::size_t j = i + 2; j < l.size(); ++j) {
                 if (i == 0 && j + 1 == l.size()) continue;
                 if (!oracle::meet(l[i], l[i + 1], l[j], l[(j + 1) % l.size()])) continue;
-                std::reverse(l.begin() + static_cast<std::ptrdiff_t>(i) + 1, l.begin() + static_cast<std::ptrdiff_t>(j) + 1);
+                std::reverse(l.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                             l.begin() + static_cast<std::ptrdiff_t>(j) + 1);
                 changed = true;
             }
         }
@@ -180,13 +192,15 @@ inline polyline random_polygon(int n, std::int32_t width, dice& d)
     return l;
 }
 
-// --- whole shapes ----------------------------------------------------------------------------------------------------------
+// --- whole shapes
+// ----------------------------------------------------------------------------------------------------------
 
 inline shape square_with_holes(int rows, int corners, std::int32_t pitch = 1000)
 {
     shape s{"square with " + std::to_string(rows * rows) + " holes", {square(0, 0, rows * pitch)}};
     for (int y = 0; y < rows; ++y)
-        for (int x = 0; x < rows; ++x) s.loops.push_back(reversed(circle(corners, 0.4 * pitch, (x + 0.5) * pitch, (y + 0.5) * pitch)));
+        for (int x = 0; x < rows; ++x)
+            s.loops.push_back(reversed(circle(corners, 0.4 * pitch, (x + 0.5) * pitch, (y + 0.5) * pitch)));
     return s;
 }
 
@@ -217,8 +231,9 @@ inline std::vector<shape> generated_regions()
     std::vector<shape> all;
     all.push_back({"triangle", {{{0, 0}, {5, 1}, {2, 7}}}});
     all.push_back({"largest square", {square(-(1 << 28), -(1 << 28), 1 << 29)}});
-    all.push_back({"largest square with a hole up to its edges",
-                   {square(-(1 << 28), -(1 << 28), 1 << 29), reversed(square(1 - (1 << 28), 1 - (1 << 28), (1 << 29) - 2))}});
+    all.push_back(
+        {"largest square with a hole up to its edges",
+         {square(-(1 << 28), -(1 << 28), 1 << 29), reversed(square(1 - (1 << 28), 1 - (1 << 28), (1 << 29) - 2))}});
     all.push_back({"largest star", {star(2000, 0x1p28 - 1, 7)}});
     all.push_back(square_with_holes(1, 4));
     all.push_back(square_with_holes(5, 16));
@@ -239,7 +254,8 @@ inline std::vector<shape> generated_regions()
     return all;
 }
 
-// --- turning ---------------------------------------------------------------------------------------------------------------
+// --- turning
+// ---------------------------------------------------------------------------------------------------------------
 
 /// Turned about the origin and snapped; quarter turns are exact. Equal neighbours that snapping makes are dropped.
 inline shape turned(const shape& s, double degrees)
@@ -248,7 +264,9 @@ inline shape turned(const shape& s, double degrees)
     const int quarter = static_cast<int>(degrees / 90.0) & 3;
     const double c = std::cos(degrees * turn_once / 360), sn = std::sin(degrees * turn_once / 360);
     shape t{s.name + ", turned by " + std::to_string(degrees) + " degrees", {}};
-    const auto snapped = [](double v) { return static_cast<std::int32_t>(std::lround((std::max)(-0x1p28, (std::min)(0x1p28, v)))); };
+    const auto snapped = [](double v) {
+        return static_cast<std::int32_t>(std::lround((std::max)(-0x1p28, (std::min)(0x1p28, v))));
+    };
     for (const polyline& l : s.loops) {
         polyline m;
         for (const grid_point p : l) {
@@ -289,12 +307,15 @@ inline shape shuffled(shape s, std::uint64_t seed)
 {
     dice d{seed};
     s.name += ", shuffled";
-    for (std::size_t i = s.loops.size(); i > 1; --i) std::swap(s.loops[i - 1], s.loops[static_cast<std::size_t>(d.roll(static_cast<std::int32_t>(i)))]);
-    for (polyline& l : s.loops) std::rotate(l.begin(), l.begin() + d.roll(static_cast<std::int32_t>(l.size())), l.end());
+    for (std::size_t i = s.loops.size(); i > 1; --i)
+        std::swap(s.loops[i - 1], s.loops[static_cast<std::size_t>(d.roll(static_cast<std::int32_t>(i)))]);
+    for (polyline& l : s.loops)
+        std::rotate(l.begin(), l.begin() + d.roll(static_cast<std::int32_t>(l.size())), l.end());
     return s;
 }
 
-// --- corpus ----------------------------------------------------------------------------------------------------------------
+// --- corpus
+// ----------------------------------------------------------------------------------------------------------------
 
 /// A shape of corpus/regions.txt and what is true of it.
 struct corpus_shape {
@@ -332,7 +353,8 @@ inline std::vector<corpus_shape> corpus(const std::string& file)
         c.is_crossing = word == "crossing";
         if (!c.is_region && !c.is_crossing && word != "disjoint") throw std::runtime_error("cannot read: " + line);
         words >> c.shape.name;
-        if (!c.is_crossing && !(words >> c.outers >> c.holes >> c.triangles)) throw std::runtime_error("cannot read: " + line);
+        if (!c.is_crossing && !(words >> c.outers >> c.holes >> c.triangles))
+            throw std::runtime_error("cannot read: " + line);
         all.push_back(std::move(c));
     }
     return all;

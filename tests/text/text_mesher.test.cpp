@@ -154,7 +154,7 @@ TEST_CASE("each glyph stands at its pen position", "[text]")
     CHECK(extent(right, &vec3::x).high == Catch::Approx(-0.15));
 }
 
-TEST_CASE("box texture coordinates span [0, 1] over the text, the line or the glyph", "[text]")
+TEST_CASE("box texture coordinates span 0 to 1 over the text, the line or the glyph", "[text]")
 {
     test::toy_font font;
     text_mesher mesher{font};

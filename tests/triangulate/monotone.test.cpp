@@ -28,7 +28,9 @@ std::string mistake_on(const test::shape& s)
     if (std::string law = test::oracle::broken_law(*proven, out.view().subspan(1)); !law.empty()) return law;
     triangle_list trusting;
     if (const error e = monotone{}(*proven, space, trusting)) return e.message();
-    return std::equal(trusting.begin(), trusting.end(), out.begin() + 1, out.end()) ? "" : "trusting and proving give other triangles";
+    return std::equal(trusting.begin(), trusting.end(), out.begin() + 1, out.end())
+               ? ""
+               : "trusting and proving give other triangles";
 }
 
 }  // namespace
@@ -124,7 +126,8 @@ TEST_CASE("monotone refuses random polygons within polygons exactly where the or
 TEST_CASE("monotone finds the one crossing in a shape of thousands of spans", "[triangulate][monotone]")
 {
     test::dice d{3};
-    for (const test::polyline& simple : {test::comb(600), test::star(3000, 1'000'000, 5), test::spiral(2000, 30, 5000)}) {
+    for (const test::polyline& simple :
+         {test::comb(600), test::star(3000, 1'000'000, 5), test::spiral(2000, 30, 5000)}) {
         for (const double degrees : {0.0, 90.0, 180.0}) {
             test::shape s = test::turned({"shape", {simple}}, degrees);
             CHECK(mistake_on(s) == "");
@@ -180,7 +183,8 @@ TEST_CASE("prove() without memory says so, and after warming up asks for none", 
     }
 }
 
-TEST_CASE("monotone takes at most 130 bytes of scratch memory a point, twice that while the workspace grows", "[triangulate][monotone]")
+TEST_CASE("monotone takes at most 130 bytes of scratch memory a point, twice that while the workspace grows",
+          "[triangulate][monotone]")
 {
     for (const double radius : {1e6, 1e8}) {  // keys of 64 bits and wider ones
         const contours loops = test::contours_of({test::circle(100'000, radius)});

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-// The laws that every triangulator obeys. A new one joins the list.
-#define TYPEMESH_TEST_TRIANGULATORS typemesh::monotone, typemesh::constrained_delaunay
+// The laws that every triangulator obeys.
 
 #include <typemesh/fill/fill.hpp>
 #include <typemesh/triangulate/constrained_delaunay.hpp>
@@ -11,9 +10,13 @@
 #include "support/counting_memory.hpp"
 #include "support/regions.hpp"
 
+#include <tuple>
+
 using namespace typemesh;
 
 namespace {
+
+using triangulators = std::tuple<monotone, constrained_delaunay>;  // a new one joins the list
 
 /// Fills and triangulates; the first broken law, or what went wrong before. Shapes whose edges meet break none.
 template <class Triangulator>
@@ -32,7 +35,8 @@ std::string broken_law(const test::shape& s, fill_rule rule = fill_rule::non_zer
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("a triangulator cuts every shape of the corpus into triangles over its own points", "[triangulate]", TYPEMESH_TEST_TRIANGULATORS)
+TEMPLATE_LIST_TEST_CASE("a triangulator cuts every shape of the corpus into triangles over its own points",
+                        "[triangulate]", triangulators)
 {
     for (const test::corpus_shape& c : test::corpus("regions.txt")) {
         if (c.is_crossing) continue;
@@ -52,7 +56,8 @@ TEMPLATE_TEST_CASE("a triangulator cuts every shape of the corpus into triangles
     }
 }
 
-TEMPLATE_TEST_CASE("a triangulator cuts shapes of all kinds into triangles over their own points", "[triangulate]", TYPEMESH_TEST_TRIANGULATORS)
+TEMPLATE_LIST_TEST_CASE("a triangulator cuts shapes of all kinds into triangles over their own points", "[triangulate]",
+                        triangulators)
 {
     for (const test::shape& s : test::generated_regions()) {
         for (const double degrees : {0.0, 0.001, 33.0, 90.0, 180.0}) {
@@ -65,7 +70,7 @@ TEMPLATE_TEST_CASE("a triangulator cuts shapes of all kinds into triangles over 
     }
 }
 
-TEMPLATE_TEST_CASE("a triangulator cuts random polygons on tiny grids", "[triangulate]", TYPEMESH_TEST_TRIANGULATORS)
+TEMPLATE_LIST_TEST_CASE("a triangulator cuts random polygons on tiny grids", "[triangulate]", triangulators)
 {
     test::dice d{42};
     for (int i = 0; i < 3000; ++i) {
@@ -76,7 +81,8 @@ TEMPLATE_TEST_CASE("a triangulator cuts random polygons on tiny grids", "[triang
     }
 }
 
-TEMPLATE_TEST_CASE("the laws do not depend on where contours begin or how they are ordered", "[triangulate]", TYPEMESH_TEST_TRIANGULATORS)
+TEMPLATE_LIST_TEST_CASE("the laws do not depend on where contours begin or how they are ordered", "[triangulate]",
+                        triangulators)
 {
     for (const test::shape& s : test::generated_regions()) {
         for (std::uint64_t seed = 0; seed < 3; ++seed) {
@@ -86,11 +92,14 @@ TEMPLATE_TEST_CASE("the laws do not depend on where contours begin or how they a
     }
 }
 
-TEMPLATE_TEST_CASE("equal regions give equal triangles, whatever the workspace was used for before", "[triangulate]", TYPEMESH_TEST_TRIANGULATORS)
+TEMPLATE_LIST_TEST_CASE("equal regions give equal triangles, whatever the workspace was used for before",
+                        "[triangulate]", triangulators)
 {
-    contours loops = test::contours_of(test::circle_with_holes(300, 40)), others = test::contours_of(test::square_with_holes(9, 9));
+    contours loops = test::contours_of(test::circle_with_holes(300, 40)),
+             others = test::contours_of(test::square_with_holes(9, 9));
     workspace fresh, used;
-    const result<region> filled = fill(loops, fill_rule::non_zero, fresh), other = fill(others, fill_rule::non_zero, fresh);
+    const result<region> filled = fill(loops, fill_rule::non_zero, fresh),
+                         other = fill(others, fill_rule::non_zero, fresh);
     REQUIRE(filled);
     REQUIRE(other);
     triangle_list first, second;
@@ -101,7 +110,7 @@ TEMPLATE_TEST_CASE("equal regions give equal triangles, whatever the workspace w
     CHECK(std::equal(first.begin(), first.end(), second.begin(), second.end()));
 }
 
-TEMPLATE_TEST_CASE("the empty region has no triangles", "[triangulate]", TYPEMESH_TEST_TRIANGULATORS)
+TEMPLATE_LIST_TEST_CASE("the empty region has no triangles", "[triangulate]", triangulators)
 {
     workspace space;
     triangle_list out;
@@ -109,7 +118,8 @@ TEMPLATE_TEST_CASE("the empty region has no triangles", "[triangulate]", TYPEMES
     CHECK(out.empty());
 }
 
-TEMPLATE_TEST_CASE("a triangulator without memory says so and leaves everything as it was", "[triangulate]", TYPEMESH_TEST_TRIANGULATORS)
+TEMPLATE_LIST_TEST_CASE("a triangulator without memory says so and leaves everything as it was", "[triangulate]",
+                        triangulators)
 {
     contours loops = test::contours_of(test::square_with_holes(30, 12));
     workspace for_fill;
@@ -141,7 +151,7 @@ TEMPLATE_TEST_CASE("a triangulator without memory says so and leaves everything 
     }
 }
 
-TEMPLATE_TEST_CASE("a triangulator that has warmed up allocates nothing", "[triangulate]", TYPEMESH_TEST_TRIANGULATORS)
+TEMPLATE_LIST_TEST_CASE("a triangulator that has warmed up allocates nothing", "[triangulate]", triangulators)
 {
     contours loops = test::contours_of(test::square_with_holes(10, 12));
     workspace for_fill;

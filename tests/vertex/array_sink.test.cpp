@@ -34,7 +34,10 @@ struct slot {
 
 struct corner_writer {
     static constexpr auto wants = attribute::position;
-    corner operator()(const surface_point<wants>& s) const noexcept { return {s.position.x, s.position.y, s.position.z}; }
+    corner operator()(const surface_point<wants>& s) const noexcept
+    {
+        return {s.position.x, s.position.y, s.position.z};
+    }
 };
 
 /// A writer with state that cannot be copied over: a reference.
@@ -47,7 +50,8 @@ struct tinting_writer {
 template <class Sink>
 void write(Sink& sink, std::uint32_t vertices, std::uint32_t triangles)
 {
-    for (std::uint32_t i = 0; i < vertices; ++i) sink.vertex({.position = {static_cast<float>(i), 2.0f * static_cast<float>(i), 0.5f}});
+    for (std::uint32_t i = 0; i < vertices; ++i)
+        sink.vertex({.position = {static_cast<float>(i), 2.0f * static_cast<float>(i), 0.5f}});
     for (std::uint32_t i = 0; i < triangles; ++i) sink.triangle(i, i + 1, i + 2);
     sink.end();
 }
@@ -55,7 +59,8 @@ void write(Sink& sink, std::uint32_t vertices, std::uint32_t triangles)
 }  // namespace
 
 template <>
-struct typemesh::vertex_traits<corner> : corner_writer {};
+struct typemesh::vertex_traits<corner> : corner_writer {
+};
 
 static_assert(mesh_vertex<corner>);
 static_assert(!mesh_vertex<untouched>);

@@ -14,7 +14,8 @@ float dot(vec3 a, vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 /// The winding of the text's own counter-clockwise triangle once it is written, corners exchanged where the frame says so.
 float written_winding(const frame& f)
 {
-    const vec3 a = f(0, 0, 0), b = f.turns_triangles() ? f(0, 1, 0) : f(1, 0, 0), c = f.turns_triangles() ? f(1, 0, 0) : f(0, 1, 0);
+    const vec3 a = f(0, 0, 0), b = f.turns_triangles() ? f(0, 1, 0) : f(1, 0, 0),
+               c = f.turns_triangles() ? f(1, 0, 0) : f(0, 1, 0);
     const vec3 ab{b.x - a.x, b.y - a.y, b.z - a.z}, ac{c.x - a.x, c.y - a.y, c.z - a.z};
     return dot(cross(ab, ac), f.toward);
 }

@@ -27,8 +27,7 @@ struct scarce {
         if (n > most) throw std::bad_alloc{};
         held.resize(n);
     }
-    void reserve(std::size_t n)
-        requires HasReserve
+    void reserve(std::size_t n) requires HasReserve
     {
         if (n > most) throw std::bad_alloc{};
     }
@@ -61,7 +60,8 @@ struct typemesh::vertex_traits<corner> {
     corner operator()(const surface_point<wants>& s) const noexcept { return {s.uv.x, s.uv.y}; }
 };
 
-static_assert(mesh_sink<decltype(into(std::declval<std::vector<corner>&>(), std::declval<std::vector<std::uint32_t>&>()))>);
+static_assert(
+    mesh_sink<decltype(into(std::declval<std::vector<corner>&>(), std::declval<std::vector<std::uint32_t>&>()))>);
 
 TEST_CASE("growing_sink makes containers exactly as large as the mesh, whatever they held", "[vertex]")
 {
@@ -108,7 +108,8 @@ TEST_CASE("a container that throws becomes error::out_of_memory", "[vertex]")
     scarce<corner, true> vertices{{}, 10};
     scarce<std::uint32_t, true> indices{{}, 5};
     vertices.held.resize(2);
-    CHECK(into(vertices, indices).begin({8, 2}) == error::out_of_memory);  // the indices fail, the vertices would not have
+    CHECK(into(vertices, indices).begin({8, 2}) ==
+          error::out_of_memory);  // the indices fail, the vertices would not have
     CHECK(vertices.held.size() == 2);
     CHECK(indices.held.empty());
     CHECK(into(vertices, indices).begin({11, 1}) == error::out_of_memory);

@@ -50,8 +50,8 @@ TEST_CASE("stream_sink writes each attribute into an array of its own", "[vertex
     std::vector<float3> positions(4), normals(4);
     std::vector<float2> uvs(4);
     std::vector<std::uint16_t> indices(6);
-    stream_sink sink{std::span{indices}, stream<attribute::position, float3>{positions}, stream<attribute::normal, float3>{normals},
-                     stream<attribute::uv, float2>{uvs}};
+    stream_sink sink{std::span{indices}, stream<attribute::position, float3>{positions},
+                     stream<attribute::normal, float3>{normals}, stream<attribute::uv, float2>{uvs}};
     static_assert(mesh_sink<decltype(sink)>);
     static_assert(sink.wants == (attribute::position | attribute::normal | attribute::uv));
     REQUIRE_FALSE(sink.begin({4, 2}));
@@ -81,8 +81,10 @@ TEST_CASE("a stream with a stride leaves the bytes between its elements alone", 
         for (std::size_t k = 0; k < bytes.size(); ++k) {
             const std::size_t step = stride / sizeof(float), i = (k - 2) / step, part = (k - 2) % step;
             INFO("float " << k << " at stride " << stride);
-            if (k < 2 || i >= 5 || part >= 3) CHECK(bytes[k] == -7.0f);
-            else CHECK(bytes[k] == static_cast<float>(i) + 0.25f * static_cast<float>(part));
+            if (k < 2 || i >= 5 || part >= 3)
+                CHECK(bytes[k] == -7.0f);
+            else
+                CHECK(bytes[k] == static_cast<float>(i) + 0.25f * static_cast<float>(part));
         }
     }
 }
@@ -111,7 +113,8 @@ TEST_CASE("stream_sink says what does not fit before it writes anything", "[vert
     std::vector<float3> positions(4, float3{9, 9, 9});
     std::vector<float2> uvs(3, float2{9, 9});
     std::vector<std::uint16_t> indices(3, 77);
-    stream_sink sink{std::span{indices}, stream<attribute::position, float3>{positions}, stream<attribute::uv, float2>{uvs}};
+    stream_sink sink{std::span{indices}, stream<attribute::position, float3>{positions},
+                     stream<attribute::uv, float2>{uvs}};
     CHECK_FALSE(sink.begin({3, 1}));
     const error shortest = sink.begin({4, 1});
     CHECK(shortest == error::buffer_too_small);

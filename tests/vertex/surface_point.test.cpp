@@ -9,10 +9,16 @@ using namespace typemesh;
 namespace {
 
 template <attribute Wants>
-concept tells_uv = requires(const surface_point<Wants>& s) { s.uv.x; };
+concept tells_uv = requires(const surface_point<Wants>& s)
+{
+    s.uv.x;
+};
 
 template <attribute Wants>
-concept tells_position = requires(const surface_point<Wants>& s) { s.position.x; };
+concept tells_position = requires(const surface_point<Wants>& s)
+{
+    s.position.x;
+};
 
 }  // namespace
 

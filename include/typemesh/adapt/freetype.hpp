@@ -22,14 +22,14 @@
 
 namespace typemesh {
 
-/// A font through FreeType (2.9 or later): outlines of all that FreeType opens (TrueType, CFF, CFF2, Type 1, ...), and a plain
-/// shaper: character map, advances and kerning, for text that needs no more.
+/// A font through FreeType (2.9 or later): outlines of all that FreeType opens (TrueType, CFF, CFF2, Type 1, ...), and
+/// a plain shaper: character map, advances and kerning, for text that needs no more.
 ///
 ///     auto font = freetype_font::open("NimbusSans-Regular.t1");
 ///     if (!font) return puts(font.error().message());
 ///
-/// The shaper is unfit for complex scripts and says so (error::needs_shaping). It knows no ligatures, no features but "kern",
-/// and only the old 'kern' table: modern fonts keep their kerning in GPOS, where HarfBuzz finds it.
+/// The shaper is unfit for complex scripts and says so (error::needs_shaping). It knows no ligatures, no features but
+/// "kern", and only the old 'kern' table: modern fonts keep their kerning in GPOS, where HarfBuzz finds it.
 ///
 /// Move-only. Used from one thread at a time, and so is its FT_Library.
 class freetype_font {
@@ -39,7 +39,8 @@ public:
     /// Fails  error::unreadable_file, not_a_font, no_such_face (count = how many faces there are), no_outlines,
     ///        unknown_variation, bad_option (a variation is NaN or infinite), out_of_memory,
     ///        font_library_failed (count = FreeType's own number)
-    static result<freetype_font> open(const char* path, const font_options& options = {}, FT_Library library = nullptr) noexcept
+    static result<freetype_font> open(const char* path, const font_options& options = {},
+                                      FT_Library library = nullptr) noexcept
     {
         TYPEMESH_ASSERT(path != nullptr, "a font was opened without a path");
         FT_Open_Args from = {};
@@ -48,9 +49,10 @@ public:
         return open_face(from, options, library);
     }
 
-    /// Opens a font in memory. Nothing is copied: the bytes must outlive the font. Fails as the other open() does, but for
-    /// unreadable_file; error::too_large for more than FreeType can count.
-    static result<freetype_font> open(std::span<const std::byte> bytes, const font_options& options = {}, FT_Library library = nullptr) noexcept
+    /// Opens a font in memory. Nothing is copied: the bytes must outlive the font. Fails as the other open() does, but
+    /// for unreadable_file; error::too_large for more than FreeType can count.
+    static result<freetype_font> open(std::span<const std::byte> bytes, const font_options& options = {},
+                                      FT_Library library = nullptr) noexcept
     {
         if (bytes.empty()) return error::not_a_font;
         if (bytes.size() > static_cast<std::size_t>((std::numeric_limits<FT_Long>::max)())) return error::too_large;
@@ -61,9 +63,9 @@ public:
         return open_face(from, options, library);
     }
 
-    /// Takes a face that the caller has opened, with its variations and its character map. Holds a reference to the face; the
-    /// face's library must outlive the font. Its own size object is active only inside calls: the caller's size, transform and
-    /// character map stay as they are; the contents of the glyph slot do not.
+    /// Takes a face that the caller has opened, with its variations and its character map. Holds a reference to the
+    /// face; the face's library must outlive the font. Its own size object is active only inside calls: the caller's
+    /// size, transform and character map stay as they are; the contents of the glyph slot do not.
     ///
     /// Fails  error::no_outlines, out_of_memory, font_library_failed
     static result<freetype_font> wrap(FT_Face face) noexcept
@@ -103,11 +105,13 @@ public:
     /// How many glyphs the face has; their ids count from 0.
     [[nodiscard]] std::uint32_t glyph_count() const noexcept { return static_cast<std::uint32_t>(face_->num_glyphs); }
 
-    /// See outline_source. Curves keep their degree: quadratics from TrueType, cubics from CFF and Type 1. Never hinted.
+    /// See outline_source. Curves keep their degree: quadratics from TrueType, cubics from CFF and Type 1. Never
+    /// hinted.
     ///
-    /// Glyphs are loaded at a size where FreeType's 26.6 fixed point is 1/64 unit: FT_LOAD_NO_SCALE would round varied and
-    /// transformed (composite) points to whole units. Two roundings lie in FreeType (2.12) itself and stay; HarfBuzz has neither:
-    /// CFF outlines with fractions are rounded down to whole units, and so are the places of a varied glyph's components.
+    /// Glyphs are loaded at a size where FreeType's 26.6 fixed point is 1/64 unit: FT_LOAD_NO_SCALE would round varied
+    /// and transformed (composite) points to whole units. Two roundings lie in FreeType (2.12) itself and stay;
+    /// HarfBuzz has neither: CFF outlines with fractions are rounded down to whole units, and so are the places of a
+    /// varied glyph's components.
     template <outline_sink Sink>
     error outline(glyph_id id, Sink& sink) noexcept
     {
@@ -121,7 +125,8 @@ public:
         const FT_GlyphSlot slot = face_->glyph;
         if (slot->format != FT_GLYPH_FORMAT_OUTLINE) return error{error::unknown_glyph}.at(id, no_cluster);
         pen<Sink> to{sink};
-        if (FT_Outline_Decompose(&slot->outline, &calls_of<Sink>, &to)) return error{error::unknown_glyph}.at(id, no_cluster);
+        if (FT_Outline_Decompose(&slot->outline, &calls_of<Sink>, &to))
+            return error{error::unknown_glyph}.at(id, no_cluster);
         if (to.open) sink.close();
         return {};
     }
@@ -134,17 +139,21 @@ public:
         return {ascender, descender, face_->height - (ascender - descender)};
     }
 
-    /// See shaper; left-to-right lines of plain text (plain_text.hpp) only. Ligatures, language and script are not looked at;
-    /// of the features {"kern", 0} is, which leaves the kerning out. Default-ignorable characters give no glyph.
+    /// See shaper; left-to-right lines of plain text (plain_text.hpp) only. Ligatures, language and script are not
+    /// looked at; of the features {"kern", 0} is, which leaves the kerning out. Default-ignorable characters give no
+    /// glyph.
     ///
-    /// Fails besides  error::needs_shaping: a character of a complex script (`cluster`), or another direction is asked for
-    result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& options, glyph_run& run) noexcept
+    /// Fails besides  error::needs_shaping: a character of a complex script (`cluster`), or another direction asked for
+    result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& options,
+                        glyph_run& run) noexcept
     {
         TYPEMESH_ASSERT(first <= last && last <= text.size(), "a shaper was given a place outside its text");
-        if (options.direction == direction::right_to_left || options.direction == direction::top_to_bottom) return error::needs_shaping;
+        if (options.direction == direction::right_to_left || options.direction == direction::top_to_bottom)
+            return error::needs_shaping;
         bool kerning = FT_HAS_KERNING(face_);
         for (const feature& f : options.features)
-            if (f.tag[0] == 'k' && f.tag[1] == 'e' && f.tag[2] == 'r' && f.tag[3] == 'n') kerning = kerning && f.value != 0;
+            if (f.tag[0] == 'k' && f.tag[1] == 'e' && f.tag[2] == 'r' && f.tag[3] == 'n')
+                kerning = kerning && f.value != 0;
 
         point at;
         FT_UInt before = 0;
@@ -156,7 +165,7 @@ public:
                 ++run.invalid_units;
                 if (cluster < run.first_invalid_unit) run.first_invalid_unit = cluster;
             }
-            if (needs_shaping(c.value)) return error{error::needs_shaping}.at(no_glyph, cluster);
+            if (is_complex(c.value)) return error{error::needs_shaping}.at(no_glyph, cluster);
             if (is_default_ignorable(c.value)) continue;
 
             const FT_UInt id = FT_Get_Char_Index(face_, c.value);
@@ -169,7 +178,8 @@ public:
                 at.x += static_cast<double>(kern.x);
             if (!run.glyphs.push_back({id, cluster, at, id == 0})) return error::out_of_memory;
             FT_Fixed advance = 0;
-            if (FT_Get_Advance(face_, id, FT_LOAD_NO_SCALE | FT_LOAD_NO_HINTING | FT_LOAD_IGNORE_TRANSFORM, &advance) == 0)
+            if (FT_Get_Advance(face_, id, FT_LOAD_NO_SCALE | FT_LOAD_NO_HINTING | FT_LOAD_IGNORE_TRANSFORM, &advance) ==
+                0)
                 at.x += static_cast<double>(advance);
             before = id;
         }
@@ -182,8 +192,10 @@ private:
     public:
         active_size(FT_Face face, FT_Size ours) noexcept : callers_{face->size}
         {
-            if (callers_ == ours) callers_ = nullptr;
-            else FT_Activate_Size(ours);
+            if (callers_ == ours)
+                callers_ = nullptr;
+            else
+                FT_Activate_Size(ours);
         }
         active_size(const active_size&) = delete;
         active_size& operator=(const active_size&) = delete;
@@ -236,7 +248,8 @@ private:
     };
 
     template <class Sink>
-    static constexpr FT_Outline_Funcs calls_of{&pen<Sink>::move, &pen<Sink>::line, &pen<Sink>::quadratic, &pen<Sink>::cubic, more_bits, 0};
+    static constexpr FT_Outline_Funcs calls_of{&pen<Sink>::move,  &pen<Sink>::line, &pen<Sink>::quadratic,
+                                               &pen<Sink>::cubic, more_bits,        0};
 
     freetype_font() noexcept = default;
 
@@ -254,19 +267,22 @@ private:
         if (base == FT_Err_Out_Of_Memory) return error::out_of_memory;
         if (base == FT_Err_Cannot_Open_Resource || base == FT_Err_Cannot_Open_Stream) return error::unreadable_file;
         // Requests out of order and handles that are none; every other code says that the data is damaged or unknown.
-        const bool request = base == FT_Err_Invalid_Argument || base == FT_Err_Unimplemented_Feature || base == FT_Err_Missing_Module ||
+        const bool request = base == FT_Err_Invalid_Argument || base == FT_Err_Unimplemented_Feature ||
+                             base == FT_Err_Missing_Module ||
                              (base >= FT_Err_Invalid_Handle && base < FT_Err_Out_Of_Memory);
         return request ? error{error::font_library_failed, static_cast<std::uint64_t>(base)} : error{error::not_a_font};
     }
 
-    static result<freetype_font> open_face(const FT_Open_Args& from, const font_options& options, FT_Library library) noexcept
+    static result<freetype_font> open_face(const FT_Open_Args& from, const font_options& options,
+                                           FT_Library library) noexcept
     {
         freetype_font made;
         if (library == nullptr) {
             if (const FT_Error code = FT_Init_FreeType(&made.own_library_)) return error_of(code);
             library = made.own_library_;
         }
-        if (const FT_Error code = FT_Open_Face(library, &from, static_cast<FT_Long>(options.face & 0xFFFFu), &made.face_)) {
+        if (const FT_Error code =
+                FT_Open_Face(library, &from, static_cast<FT_Long>(options.face & 0xFFFFu), &made.face_)) {
             made.face_ = nullptr;
             const error e = error_of(code);
             if (options.face == 0 || e == error::unreadable_file || e == error::out_of_memory) return e;
@@ -278,7 +294,7 @@ private:
             return options.face >= faces ? error{error::no_such_face, faces} : e;
         }
         // The upper half of FreeType's number names an instance, which is not what was asked for.
-        if (options.face >= static_cast<std::uint64_t>(made.face_->num_faces))
+        if (options.face != 0 && options.face >= static_cast<std::uint64_t>(made.face_->num_faces))
             return error{error::no_such_face, static_cast<std::uint64_t>(made.face_->num_faces)};
         if (!FT_IS_SCALABLE(made.face_)) return error::no_outlines;
         if (error e = made.vary(options.variations)) return e;
@@ -303,11 +319,14 @@ private:
             if (trouble) break;
             FT_UInt i = 0;
             while (i < axes->num_axis && axes->axis[i].tag != tag_of(v.tag)) ++i;
-            if (i == axes->num_axis) trouble = error::unknown_variation;
-            else values[i] = bounded(double{v.value}, axes->axis[i].minimum, axes->axis[i].maximum);
+            if (i == axes->num_axis)
+                trouble = error::unknown_variation;
+            else
+                values[i] = bounded(double{v.value}, axes->axis[i].minimum, axes->axis[i].maximum);
         }
         if (!trouble)
-            if (const FT_Error code = FT_Set_Var_Design_Coordinates(face_, axes->num_axis, values)) trouble = error_of(code);
+            if (const FT_Error code = FT_Set_Var_Design_Coordinates(face_, axes->num_axis, values))
+                trouble = error_of(code);
         FT_Done_MM_Var(face_->glyph->library, axes);
         return trouble;
     }

@@ -23,11 +23,11 @@ namespace typemesh {
 ///     auto font = harfbuzz_font::open("DejaVuSans.ttf");
 ///     if (!font) return puts(font.error().message());
 ///
-/// Opens TrueType, OpenType (CFF, CFF2) and collections of them. Variations apply to outlines, advances and kerning alike.
-/// What a damaged font cannot draw comes out blank: HarfBuzz does not tell it from a space.
+/// Opens TrueType, OpenType (CFF, CFF2) and collections of them. Variations apply to outlines, advances and kerning
+/// alike. What a damaged font cannot draw comes out blank: HarfBuzz does not tell it from a space.
 ///
-/// Move-only. Used from one thread at a time; for another thread make a second one of the same font, wrap(font.handle()),
-/// which shares all that is large.
+/// Move-only. Used from one thread at a time; for another thread make a second one of the same font,
+/// wrap(font.handle()), which shares all that is large.
 class harfbuzz_font {
     static_assert(HB_VERSION_ATLEAST(4, 0, 0), "typemesh needs HarfBuzz 4.0 or later, for its outlines");
 
@@ -44,18 +44,21 @@ public:
         return from_blob(blob, options);
     }
 
-    /// Opens a font in memory. Nothing is copied: the bytes must outlive the font and all that was made from its handle().
+    /// Opens a font in memory. Nothing is copied: the bytes must outlive the font and whatever shares its handle().
     /// Fails as the other open() does, but for unreadable_file; error::too_large for 4 GiB and more.
     static result<harfbuzz_font> open(std::span<const std::byte> bytes, const font_options& options = {}) noexcept
     {
         if (bytes.size() > (std::numeric_limits<unsigned>::max)()) return error::too_large;
         const auto* data = static_cast<const char*>(static_cast<const void*>(bytes.data()));
-        return from_blob(hb_blob_create(data, static_cast<unsigned>(bytes.size()), HB_MEMORY_MODE_READONLY, nullptr, nullptr), options);
+        return from_blob(
+            hb_blob_create(data, static_cast<unsigned>(bytes.size()), HB_MEMORY_MODE_READONLY, nullptr, nullptr),
+            options);
     }
 
-    /// Takes a font that the caller has set up, of any scale (also one with y down), with its variations and its font functions.
-    /// Holds its own reference and changes nothing in it; where the caller changes it, shape() and outline() follow. A coarse
-    /// scale rounds what HarfBuzz answers: 64 times the units per em, or 16.16 numbers, lose nothing.
+    /// Takes a font that the caller has set up, of any scale (also one with y down), with its variations and its font
+    /// functions. Holds its own reference and changes nothing in it; where the caller changes it, shape() and
+    /// outline() follow. A coarse scale rounds what HarfBuzz answers: 64 times the units per em, or 16.16 numbers,
+    /// lose nothing.
     ///
     /// Fails  error::bad_option: its scale is zero
     static result<harfbuzz_font> wrap(hb_font_t* font) noexcept
@@ -115,20 +118,23 @@ public:
         return {unit * extents.ascender, unit * extents.descender, unit * extents.line_gap};
     }
 
-    /// See shaper. The text round text[first, last), up to the next line break, is read as context: a letter joins across it.
+    /// See shaper. The text round text[first, last), up to the next line break, is read as context: a letter joins
+    /// across it.
     ///
-    /// The line is cut where the script changes and each piece shaped for its own script, unless options.script names one.
+    /// The line is cut where the script changes and each piece shaped for its own script, unless options.script names
+    /// one.
     ///
-    /// direction::automatic takes the direction of the line's letters, else of options.script, else left-to-right. A direction
-    /// that is asked for is obeyed where all letters of the line are read in one direction, even against that direction.
-    /// A line with letters of both directions is error::mixed_direction (`cluster`: the first letter against the line's first);
-    /// so is a right-to-left line with a number of several digits, which must be read the other way (`cluster`: its first
-    /// digit). In columns everything goes down and nothing is mixed.
+    /// direction::automatic takes the direction of the line's letters, else of options.script, else left-to-right. A
+    /// direction that is asked for is obeyed where all letters of the line are read in one direction, even against
+    /// that direction. A line with letters of both directions is error::mixed_direction (`cluster`: the first letter
+    /// against the line's first); so is a right-to-left line with a number of several digits, which must be read the
+    /// other way (`cluster`: its first digit). In columns everything goes down and nothing is mixed.
     ///
     /// Fails besides  error::bad_option: options.script is not four letters
     ///                error::bad_feature: a tag is not four printable ASCII characters
     ///                error::too_large: more than 2^28 units in a line; error::font_library_failed
-    result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& options, glyph_run& run) noexcept
+    result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& options,
+                        glyph_run& run) noexcept
     {
         TYPEMESH_ASSERT(first <= last && last <= text.size(), "a shaper was given a place outside its text");
         if (last - first >= std::size_t{1} << 28) return error::too_large;
@@ -143,13 +149,18 @@ public:
         if (!direction) return direction.error();
         if (*direction == HB_DIRECTION_RTL) {
             const std::size_t number = find_number(text, first, last);
-            if (number != line_reading::nowhere) return error{error::mixed_direction}.at(no_glyph, static_cast<cluster_id>(number));
+            if (number != line_reading::nowhere)
+                return error{error::mixed_direction}.at(no_glyph, static_cast<cluster_id>(number));
         }
         if (error e = take_features(options.features)) return e;
+        if (script == HB_SCRIPT_INVALID && found.only_ascii)
+            script = found.to_the_right == line_reading::nowhere ? HB_SCRIPT_COMMON : HB_SCRIPT_LATIN;
         if (error e = cut_into_pieces(text, first, last, script)) return e;
 
         const hb_language_t language =
-            options.language.empty() ? HB_LANGUAGE_INVALID : hb_language_from_string(options.language.data(), static_cast<int>(options.language.size()));
+            options.language.empty()
+                ? HB_LANGUAGE_INVALID
+                : hb_language_from_string(options.language.data(), static_cast<int>(options.language.size()));
         point at;
         for (std::size_t k = 0; k < pieces_.size(); ++k) {
             const piece& p = pieces_[*direction == HB_DIRECTION_RTL ? pieces_.size() - 1 - k : k];
@@ -157,7 +168,8 @@ public:
             hb_buffer_set_direction(buffer_, *direction);
             hb_buffer_set_script(buffer_, p.script);
             hb_buffer_set_language(buffer_, language);
-            const auto shaped = hb_shape_full(font_, buffer_, features_.data(), static_cast<unsigned>(features_.size()), nullptr);
+            const auto shaped =
+                hb_shape_full(font_, buffer_, features_.data(), static_cast<unsigned>(features_.size()), nullptr);
             if (!hb_buffer_allocation_successful(buffer_)) return error::out_of_memory;
             if (!shaped) return error::font_library_failed;
             if (error e = take_glyphs(at, run)) return e;
@@ -202,11 +214,13 @@ private:
         {
             from(data).sink.line(from(data).place(x, y));
         }
-        static void quadratic(hb_draw_funcs_t*, void* data, hb_draw_state_t*, float cx, float cy, float x, float y, void*) noexcept
+        static void quadratic(hb_draw_funcs_t*, void* data, hb_draw_state_t*, float cx, float cy, float x, float y,
+                              void*) noexcept
         {
             from(data).sink.quadratic(from(data).place(cx, cy), from(data).place(x, y));
         }
-        static void cubic(hb_draw_funcs_t*, void* data, hb_draw_state_t*, float ax, float ay, float bx, float by, float x, float y, void*) noexcept
+        static void cubic(hb_draw_funcs_t*, void* data, hb_draw_state_t*, float ax, float ay, float bx, float by,
+                          float x, float y, void*) noexcept
         {
             from(data).sink.cubic(from(data).place(ax, ay), from(data).place(bx, by), from(data).place(x, y));
         }
@@ -214,7 +228,8 @@ private:
     };
 
     template <class Sink>
-    static constexpr draw_calls calls_of{&pen<Sink>::move, &pen<Sink>::line, &pen<Sink>::quadratic, &pen<Sink>::cubic, &pen<Sink>::close};
+    static constexpr draw_calls calls_of{&pen<Sink>::move, &pen<Sink>::line, &pen<Sink>::quadratic, &pen<Sink>::cubic,
+                                         &pen<Sink>::close};
 
     explicit harfbuzz_font(hb_font_t* owned) noexcept
         : font_{owned}, buffer_{hb_buffer_create()}, draw_{hb_draw_funcs_create()}
@@ -239,7 +254,8 @@ private:
     static result<harfbuzz_font> finished(harfbuzz_font font) noexcept
     {
         // HarfBuzz answers a failed allocation with objects that cannot be changed.
-        if (!hb_buffer_allocation_successful(font.buffer_) || hb_draw_funcs_is_immutable(font.draw_)) return error::out_of_memory;
+        if (!hb_buffer_allocation_successful(font.buffer_) || hb_draw_funcs_is_immutable(font.draw_))
+            return error::out_of_memory;
         return result<harfbuzz_font>{std::move(font)};
     }
 
@@ -269,7 +285,8 @@ private:
     /// A table of the face while it is looked at; empty where there is none.
     class table {
     public:
-        table(hb_face_t* face, const char (&tag)[5]) noexcept : blob_{hb_face_reference_table(face, hb_tag_from_string(tag, 4))}
+        table(hb_face_t* face, const char (&tag)[5]) noexcept
+            : blob_{hb_face_reference_table(face, hb_tag_from_string(tag, 4))}
         {
             data_ = static_cast<const unsigned char*>(static_cast<const void*>(hb_blob_get_data(blob_, &size_)));
         }
@@ -295,7 +312,8 @@ private:
     {
         if (table{face, "CFF "}.size() != 0 || table{face, "CFF2"}.size() != 0) return true;
         if (table{face, "glyf"}.size() == 0) return false;
-        if (table{face, "EBLC"}.size() == 0 && table{face, "CBLC"}.size() == 0 && table{face, "bloc"}.size() == 0) return true;
+        if (table{face, "EBLC"}.size() == 0 && table{face, "CBLC"}.size() == 0 && table{face, "bloc"}.size() == 0)
+            return true;
 
         const table head{face, "head"}, places{face, "loca"};
         const unsigned bytes = head[51] == 0 ? 2 : 4;  // head.indexToLocFormat: of each glyph's place, and the end's
@@ -357,7 +375,8 @@ private:
         for (const feature& f : wanted) {
             for (int i = 0; i < 4; ++i)
                 if (f.tag[i] < 0x20 || f.tag[i] > 0x7E) return error::bad_feature;
-            const hb_feature_t whole{hb_tag_from_string(f.tag, 4), f.value, HB_FEATURE_GLOBAL_START, HB_FEATURE_GLOBAL_END};
+            const hb_feature_t whole{hb_tag_from_string(f.tag, 4), f.value, HB_FEATURE_GLOBAL_START,
+                                     HB_FEATURE_GLOBAL_END};
             if (!features_.push_back(whole)) return error::out_of_memory;
         }
         return {};
@@ -366,6 +385,7 @@ private:
     static hb_script_t script_of(hb_unicode_funcs_t* unicode, char32_t c) noexcept
     {
         if (c < 0x80) return (c | 0x20) >= 'a' && (c | 0x20) <= 'z' ? HB_SCRIPT_LATIN : HB_SCRIPT_COMMON;
+        if (c >= 0x4E00 && c <= 0x9FFF) return HB_SCRIPT_HAN;
         return hb_unicode_script(unicode, c);
     }
 
@@ -378,7 +398,8 @@ private:
         return a == b || (east_asian(a) && east_asian(b));
     }
 
-    /// Cuts where the script changes. Characters of no script of their own (spaces, digits, marks) stay with what precedes them.
+    /// Cuts where the script changes. Characters of no script of their own (spaces, digits, marks) stay with what
+    /// precedes them.
     error cut_into_pieces(text_view text, std::size_t first, std::size_t last, hb_script_t given) noexcept
     {
         pieces_.clear();
@@ -388,7 +409,8 @@ private:
             const code_point c = decode(text, i, last);
             const hb_script_t script = script_of(unicode, c.value);
             if (script != HB_SCRIPT_COMMON && script != HB_SCRIPT_INHERITED && script != HB_SCRIPT_UNKNOWN) {
-                if (open.script == HB_SCRIPT_INVALID) open.script = script;
+                if (open.script == HB_SCRIPT_INVALID)
+                    open.script = script;
                 else if (!belong_together(script, open.script)) {
                     if (!pieces_.push_back({open.first, i, open.script})) return error::out_of_memory;
                     open = {i, last, script};
@@ -400,8 +422,8 @@ private:
         return pieces_.push_back(open) ? error{} : error{error::out_of_memory};
     }
 
-    /// Hands a piece and its context to HarfBuzz. Valid text goes in as it is; else code point by code point, for HarfBuzz
-    /// would read another number of U+FFFD from broken UTF-8 than decode() does.
+    /// Hands a piece and its context to HarfBuzz. Valid text goes in as it is; else code point by code point, for
+    /// HarfBuzz would read another number of U+FFFD from broken UTF-8 than decode() does.
     void fill_buffer(text_view text, const piece& p, bool decoded) noexcept
     {
         constexpr std::size_t context = 32;  // units; HarfBuzz looks at five characters
@@ -411,7 +433,8 @@ private:
 
         hb_buffer_clear_contents(buffer_);
         hb_buffer_set_content_type(buffer_, HB_BUFFER_CONTENT_TYPE_UNICODE);
-        hb_buffer_set_flags(buffer_, static_cast<hb_buffer_flags_t>((begin == p.first ? HB_BUFFER_FLAG_BOT : 0) | (end == p.last ? HB_BUFFER_FLAG_EOT : 0)));
+        hb_buffer_set_flags(buffer_, static_cast<hb_buffer_flags_t>((begin == p.first ? HB_BUFFER_FLAG_BOT : 0) |
+                                                                    (end == p.last ? HB_BUFFER_FLAG_EOT : 0)));
         first_unit_ = begin;
         if (!decoded) return add(text, begin, end, p.first, p.last);
         add(text, begin, p.first, p.first, p.first);
@@ -428,7 +451,8 @@ private:
     {
         const auto size = static_cast<int>(end - begin), length = static_cast<int>(last - first);
         const auto offset = static_cast<unsigned>(first - begin);
-        if (text.encoding() == encoding::utf8) return hb_buffer_add_utf8(buffer_, text.utf8() + begin, size, offset, length);
+        if (text.encoding() == encoding::utf8)
+            return hb_buffer_add_utf8(buffer_, text.utf8() + begin, size, offset, length);
         const void* units = text.utf16() + begin;
         hb_buffer_add_utf16(buffer_, static_cast<const std::uint16_t*>(units), size, offset, length);
     }
@@ -447,7 +471,10 @@ private:
         for (unsigned i = 0; i < count; ++i) {
             const auto cluster = static_cast<cluster_id>(first_unit_ + info[i].cluster);
             const bool missing = info[i].codepoint == 0;
-            out[i] = {info[i].codepoint, cluster, {at.x + unit.x * position[i].x_offset, at.y + unit.y * position[i].y_offset}, missing};
+            out[i] = {info[i].codepoint,
+                      cluster,
+                      {at.x + unit.x * position[i].x_offset, at.y + unit.y * position[i].y_offset},
+                      missing};
             at = {at.x + unit.x * position[i].x_advance, at.y + unit.y * position[i].y_advance};
             if (missing) {
                 ++run.missing;

@@ -14,7 +14,8 @@ namespace typemesh {
 
 namespace detail {
 
-/// A point's place in the sweep order and its index, in one word: x - left | y - bottom | index, as many bits each as needed.
+/// A point's place in the sweep order and its index, in one word: x - left | y - bottom | index, as many bits each as
+/// needed.
 struct packed_sweep_key {
     std::uint64_t word;
     [[nodiscard]] std::uint64_t place(std::uint32_t index_bits) const noexcept { return word >> index_bits; }
@@ -65,39 +66,10 @@ void heap_sort(Key* keys, std::size_t n) noexcept
     }
 }
 
-/// One pass into buckets by the leading bits, then insertion; buckets that hold a crowd are put in order on their own first.
-/// `from` is left sorted; needs 2 <= n <= 4096.
-template <class Key>
-void bucket_sort(Key* from, Key* to, std::size_t n, std::uint32_t index_bits, std::uint32_t place_bits) noexcept
-{
-    constexpr std::uint32_t crowd = 16;
-    const auto bucket_bits = static_cast<std::uint32_t>(std::bit_width(n));
-    const std::size_t buckets = std::size_t{1} << bucket_bits;
-    const std::uint32_t shift = place_bits > bucket_bits ? place_bits - bucket_bits : 0;
-    std::uint16_t first[8192];
-    std::memset(first, 0, buckets * sizeof first[0]);
-    for (std::size_t i = 0; i < n; ++i) ++first[from[i].place(index_bits) >> shift];
-    std::uint32_t sum = 0, fullest = 0;
-    for (std::size_t b = 0; b < buckets; ++b) {
-        const std::uint32_t size = first[b];
-        first[b] = static_cast<std::uint16_t>(sum);
-        sum += size;
-        fullest = size > fullest ? size : fullest;
-    }
-    for (std::size_t i = 0; i < n; ++i) to[first[from[i].place(index_bits) >> shift]++] = from[i];
-    if (fullest > crowd) {
-        std::size_t begin = 0;
-        for (std::size_t b = 0; b < buckets; ++b) {  // first[b] is the end of bucket b by now
-            if (first[b] - begin > crowd) heap_sort(to + begin, first[b] - begin);
-            begin = first[b];
-        }
-    }
-    insertion_sort(to, n);
-}
-
 /// Least significant digit first, 11 bits a pass. Returns where the sorted keys lie: `a` or `b`.
 template <class Key>
-[[nodiscard]] Key* radix_sort(Key* a, Key* b, std::size_t n, std::uint32_t index_bits, std::uint32_t place_bits) noexcept
+[[nodiscard]] Key* radix_sort(Key* a, Key* b, std::size_t n, std::uint32_t index_bits,
+                              std::uint32_t place_bits) noexcept
 {
     constexpr std::uint32_t digit_bits = 11, digits = 1u << digit_bits;
     std::uint32_t first[digits];
@@ -119,28 +91,64 @@ template <class Key>
     return a;
 }
 
+inline constexpr std::size_t most_for_buckets = 2048;  // points; beyond, the radix sort is faster (measured)
+
+/// One pass into buckets by the leading bits, then insertion: what glyphs take. Where many points share a bucket (they
+/// stand in one column) that bucket is sorted on its own first; where very many do, all go the way of large shapes.
+/// Returns where the sorted keys lie: `a` or `b`. Needs 1 <= n <= most_for_buckets.
+template <class Key>
+[[nodiscard]] Key* bucket_sort(Key* a, Key* b, std::size_t n, std::uint32_t index_bits,
+                               std::uint32_t place_bits) noexcept
+{
+    constexpr std::uint32_t crowd = 16, great_crowd = 256;  // powers of two, to be seen in the union of all sizes
+    const auto bucket_bits = static_cast<std::uint32_t>(std::bit_width(n)) + 1;  // 2 to 4 buckets a point
+    const std::size_t buckets = std::size_t{1} << bucket_bits;
+    const std::uint32_t shift = place_bits > bucket_bits ? place_bits - bucket_bits : 0;
+    std::uint16_t first[4 * most_for_buckets];
+    std::memset(first, 0, buckets * sizeof first[0]);
+    for (std::size_t i = 0; i < n; ++i) ++first[a[i].place(index_bits) >> shift];
+    std::uint32_t sum = 0, sizes = 0;
+    for (std::size_t k = 0; k < buckets; ++k) {
+        const std::uint32_t size = first[k];
+        first[k] = static_cast<std::uint16_t>(sum);
+        sum += size;
+        sizes |= size;
+    }
+    if (sizes >= great_crowd) return radix_sort(a, b, n, index_bits, place_bits);
+    for (std::size_t i = 0; i < n; ++i) b[first[a[i].place(index_bits) >> shift]++] = a[i];
+    if (sizes >= crowd) {
+        std::size_t begin = 0;
+        for (std::size_t k = 0; k < buckets; ++k) {  // first[k] is the end of bucket k by now
+            if (first[k] - begin >= crowd) heap_sort(b + begin, first[k] - begin);
+            begin = first[k];
+        }
+    }
+    insertion_sort(b, n);
+    return b;
+}
+
 /// Where the sorted keys lie: `keys` or `spare`.
 template <class Key>
-[[nodiscard]] const Key* sort_sweep_keys(Key* keys, Key* spare, std::size_t n, std::uint32_t index_bits, std::uint32_t place_bits) noexcept
+[[nodiscard]] const Key* sort_sweep_keys(Key* keys, Key* spare, std::size_t n, std::uint32_t index_bits,
+                                         std::uint32_t place_bits) noexcept
 {
     if (n <= 12) {
         insertion_sort(keys, n);
         return keys;
     }
-    if (n <= 4096) {
-        bucket_sort(keys, spare, n, index_bits, place_bits);
-        return spare;
-    }
+    if (n <= most_for_buckets) return bucket_sort(keys, spare, n, index_bits, place_bits);
     return radix_sort(keys, spare, n, index_bits, place_bits);
 }
 
 }  // namespace detail
 
-/// The indices of `points` in the order of a left-to-right sweep: by x, then y, then index. `order` holds points.size() values.
+/// The indices of `points` in the order of a left-to-right sweep: by x, then y, then index. `order` holds points.size()
+/// values.
 ///
 /// False when `space` has no memory. O(n log n) at worst; O(n) passes over 64-bit keys in practice, about half of what
 /// std::sort takes on glyphs. Scratch: 16 bytes a point (32 where x, y and index together need more than 64 bits).
-[[nodiscard]] inline bool sweep_order(std::span<const grid_point> points, workspace& space, std::uint32_t* order) noexcept
+[[nodiscard]] inline bool sweep_order(std::span<const grid_point> points, workspace& space,
+                                      std::uint32_t* order) noexcept
 {
     const std::size_t n = points.size();
     if (n == 0) return true;
@@ -178,7 +186,8 @@ template <class Key>
         }
         return true;
     };
-    return x_bits + y_bits + index_bits <= 64 ? sorted_by(detail::packed_sweep_key{}) : sorted_by(detail::wide_sweep_key{});
+    return x_bits + y_bits + index_bits <= 64 ? sorted_by(detail::packed_sweep_key{})
+                                              : sorted_by(detail::wide_sweep_key{});
 }
 
 }  // namespace typemesh

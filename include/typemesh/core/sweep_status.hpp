@@ -9,19 +9,20 @@
 
 namespace typemesh {
 
-/// What a sweep line crosses, ordered from below to above: a linked list while it is short, with express lanes (a skip list)
-/// once it is long.
+/// What a sweep line crosses, ordered from below to above: a linked list while it is short, with express lanes (a skip
+/// list) once it is long.
 ///
 ///     lane 2   head ------------------------------> 7 -----------------> head
 ///     lane 1   head ----------> 4 ----------------> 7 ------> 1 -------> head
 ///     items    0 ---> 3 ------> 4 ---> 9 ---> 2 --> 7 ------> 1 --> 8 -> 0
 ///
-/// Items are numbers that the sweep gives out, from 1; 0 stands for what lies below and above all. Items that are already
-/// there when the lanes open stay without: they are at most `lanes_from`, so a search still takes O(log n) steps.
-/// Heights come from a generator with a fixed seed: equal input, equal steps.
-/// From  W. Pugh, Skip lists: a probabilistic alternative to balanced trees (1990)
+/// Items are numbers that the sweep gives out, from 1; 0 stands for what lies below and above all. Items that are
+/// already there when the lanes open stay without: they are at most `lanes_from`, so a search still takes O(log n)
+/// steps. Heights come from a generator with a fixed seed: equal input, equal steps. From  W. Pugh, Skip lists: a
+/// probabilistic alternative to balanced trees (1990)
 class sweep_status {
-    static constexpr std::uint32_t lanes_from = 24;  ///< items in the list before the first lane is used; measured
+    static constexpr std::uint32_t lanes_from =
+        16;  ///< items in the list before the first lane is used; 8 to 48 measure alike
     static constexpr std::uint32_t most_lanes = 11;  ///< every fourth item rises: 4^11 items
 
     struct place {
@@ -35,7 +36,7 @@ class sweep_status {
     };
 
 public:
-    /// Room for the items 1 to `most_items`; false when there is no memory. 17 bytes an item.
+    /// Room for the items 1 to `most_items`; false when there is no memory. About 18 bytes an item.
     [[nodiscard]] bool open(workspace::scope& scratch, std::size_t most_items) noexcept
     {
         places_ = scratch.take<place>(most_items + 1);
@@ -53,10 +54,14 @@ public:
     [[nodiscard]] std::uint32_t below(std::uint32_t item) const noexcept { return places_[item].link[0]; }
     [[nodiscard]] std::uint32_t above(std::uint32_t item) const noexcept { return places_[item].link[1]; }
     /// side 0: below, 1: above.
-    [[nodiscard]] std::uint32_t neighbour(std::uint32_t item, std::uint32_t side) const noexcept { return places_[item].link[side]; }
+    [[nodiscard]] std::uint32_t neighbour(std::uint32_t item, std::uint32_t side) const noexcept
+    {
+        return places_[item].link[side];
+    }
 
-    /// The last item that `lies_below(item)`, else 0. The answers must be true for the first items and false for the others;
-    /// where they are not, some item is found whose answer was true and whose next one's was false. lies_below(0) is false.
+    /// The last item that `lies_below(item)`, else 0. The answers must be true for the first items and false for the
+    /// others; where they are not, some item is found whose answer was true and whose next one's was false.
+    /// lies_below(0) is false.
     template <class LiesBelow>
     [[nodiscard]] std::uint32_t last_below(const LiesBelow& lies_below) noexcept
     {
@@ -116,7 +121,7 @@ private:
             else if (next_stop_ < stop_count_)
                 s = next_stop_++;
             else
-                break;  // an item without a tower is only slower to find
+                break;                                        // an item without a tower is only slower to find
             if (lane > lanes_) found_[lanes_ = lane] = lane;  // the new lane's head
             const std::uint32_t before = found_[lane], after = stops_[before].link[1];
             stops_[s] = {item, {before, after}, down};

@@ -60,7 +60,7 @@ struct quadratic_chords {
     }
 
     template <int samples>
-    void sample(float (&density)[samples], double from, double step, double tolerance) const noexcept
+    void sample(float* density, double from, double step, double tolerance) const noexcept
     {
         const double size = std::abs(b.x) + std::abs(b.y) + std::abs(a.x) + std::abs(a.y);
         const double one = 1.0 / (size * size);
@@ -94,9 +94,10 @@ struct cubic_chords {
         }
     }
 
-    /// Like fits, but never says no to a piece that is good. Only for tame curves.
+    /// Like fits, but for a tame curve never says no to a piece that is good.
     [[nodiscard]] bool fits_exactly(double u, double v) const noexcept
     {
+        if constexpr (!tame) return fits(u, v);
         const piece p{*this, u, v};
         if (p.mm > p.room) return false;
         if (p.surely_fits()) return true;
@@ -114,7 +115,7 @@ struct cubic_chords {
         } else {
             // Two bounds, either holds for whatever curve. First: the distance between points of equal s on piece and chord.
             const double h = p.h, hh = h * h;
-            const point second = c2 + (3.0 * u) * c3;                        // B(u + hs) - chord = s(s-1)(v1 + s (v2 - v1)),
+            const point second = c2 + (3.0 * u) * c3;  // B(u + hs) - chord = s(s-1)(v1 + s (v2 - v1)),
             const point v1 = second + h * c3, v2 = second + (2.0 * h) * c3;  // both over h²
             const double n1 = dot(v1, v1), n2 = dot(v2, v2);
             const double loose = (n1 > n2 ? n1 : n2) * hh * hh * 0.0625;
@@ -135,8 +136,21 @@ struct cubic_chords {
         }
     }
 
+    /// Where the curve goes from bending left to bending right, or from right to left, between the ends of [u, v]; u where it
+    /// does not, or does so twice.
+    [[nodiscard]] double inflection(double u, double v) const noexcept
+    {
+        const double k0 = k12, k1 = 3.0 * k13, k2 = 3.0 * k23;  // B' x B'' / 2
+        const double at_u = k0 + u * (k1 + u * k2), at_v = k0 + v * (k1 + v * k2);
+        if (!((at_u < 0.0) != (at_v < 0.0))) return u;
+        const double square = k1 * k1 - 4.0 * k0 * k2;
+        const double root = std::sqrt(square > 0.0 ? square : 0.0), twice = -(k1 < 0.0 ? k1 - root : k1 + root);
+        const double one = k2 != 0.0 ? twice / (2.0 * k2) : u, other = twice != 0.0 ? 2.0 * k0 / twice : u;
+        return u < one && one < v ? one : u < other && other < v ? other : u;
+    }
+
     template <int samples>
-    void sample(float (&density)[samples], double from, double step, double tolerance) const noexcept
+    void sample(float* density, double from, double step, double tolerance) const noexcept
     {
         const double size =
             std::abs(c1.x) + std::abs(c1.y) + std::abs(c2.x) + std::abs(c2.y) + std::abs(c3.x) + std::abs(c3.y);
@@ -194,32 +208,36 @@ private:
 
 /// A running integral of the density, and its inverse: at which t a given share of the points is spent.
 ///
-/// Between two samples the density is taken as linear; its inverse by two steps of a fixed-point iteration instead of a root.
+/// Samples lie in the middle of equal cells of t; in a cell the density is taken as linear, with the slope between the cell's
+/// neighbours. The inverse comes from two steps of a fixed-point iteration, which spares a root.
 template <int samples>
 class share_table {
 public:
     template <class Chords>
     share_table(const Chords& chords, double from, double to, double tolerance) noexcept
-        : start_{from}, step_{(to - from) / (samples - 1)}
+        : start_{from}, step_{(to - from) / samples}
     {
-        float density[samples];
-        chords.sample(density, from, step_, tolerance);
+        float density[samples + 2];
+        chords.template sample<samples>(density + 1, from + 0.5 * step_, step_, tolerance);
+        density[0] = 2.0f * density[1] - density[2];
+        density[samples + 1] = 2.0f * density[samples] - density[samples - 1];
         float total = 0.0f;
-        for (int j = 0; j + 1 < samples; ++j) {
-            const float part = 0.5f * (density[j] + density[j + 1]) + 1e-30f;
+        for (int j = 0; j < samples; ++j) {
+            const float part = density[j + 1] + 1e-30f;
             inverse_[j] = 1.0f / part;
-            lean_[j] = (density[j + 1] - density[j]) * 0.5f * inverse_[j];
+            const float lean = 0.25f * (density[j + 2] - density[j]) * inverse_[j];
+            lean_[j] = lean < -1.0f ? -1.0f : lean > 1.0f ? 1.0f : lean;
             sum_[j] = total;
             total += part;
+            upper_[j] = j + 1 < samples ? total : 3e38f;
         }
         whole_ = total;
-        for (int j = 0; j < samples; ++j) upper_[j] = j + 2 < samples ? sum_[j + 1] : 3e38f;
     }
 
     /// How many pieces the curve needs, nearly; not rounded.
     [[nodiscard]] float whole() const noexcept { return whole_; }
 
-    /// Ascends with the share.
+    /// Ascends with the share, from 0 to whole().
     [[nodiscard]] double t_of(float share) const noexcept
     {
         int i = 0;
@@ -234,7 +252,7 @@ public:
     {
         const float place = static_cast<float>((t - start_) / step_);
         int j = static_cast<int>(place);
-        j = j > samples - 2 ? samples - 2 : j;
+        j = j > samples - 1 ? samples - 1 : j;
         const float x = place - static_cast<float>(j);
         return sum_[j] + (x - lean_[j] * (x - x * x)) / inverse_[j];
     }

@@ -24,7 +24,8 @@ public:
     /// Room for what the last call of this kind used, and for `wanted` points at least.
     void begin(std::size_t wanted) noexcept
     {
-        const std::size_t kept = out_.points.capacity() < out_.edges.capacity() ? out_.points.capacity() : out_.edges.capacity();
+        const std::size_t kept =
+            out_.points.capacity() < out_.edges.capacity() ? out_.points.capacity() : out_.edges.capacity();
         claim(kept > wanted ? kept : wanted);
     }
 
@@ -126,7 +127,7 @@ private:
 ///
 /// Fails  error::bad_tolerance: not positive and finite
 ///        error::out_of_memory, error::too_large (2^32 - 1 points or curves and more); `out` is empty then
-/// Cost   what the discretiser costs, and about 2 ns a point; nothing is allocated once `out` has grown
+/// Cost   what the discretiser costs, and a few nanoseconds a point; nothing is allocated once `out` has grown
 template <discretiser D>
 error discretise(const outline& curves, const D& how, double tolerance, const grid& g, contours& out) noexcept
 {

@@ -29,9 +29,16 @@ struct ignore_points {
 /// A point that lies where the curve stops and turns (a cusp, a reversal) becomes a hard corner of the walls by itself:
 /// the two tangents there are found from the curve and t (see core/tangent.hpp).
 template <class D>
-concept discretiser = requires(const D& d, const quadratic& q, const cubic& c, double tolerance, ignore_points emit) {
-    { d(q, tolerance, emit) } noexcept;
-    { d(c, tolerance, emit) } noexcept;
+concept discretiser = requires(const D& d, const quadratic& q, const cubic& c, double tolerance, ignore_points emit)
+{
+    {
+        d(q, tolerance, emit)
+    }
+    noexcept;
+    {
+        d(c, tolerance, emit)
+    }
+    noexcept;
 };
 
 }  // namespace typemesh

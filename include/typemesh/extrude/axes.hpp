@@ -19,16 +19,19 @@ private:
     placement at_;  // a copy: writing vertices cannot seem to change it, so it stays in registers
 };
 
-/// The same, in less than half the time, for frames whose first two axes are the text's own and whose third looks straight along
-/// z: most of them. The terms left out are products with 0 and 1, so the numbers are equal.
+/// The same, in less than half the time, for frames whose first two axes are the text's own and whose third looks
+/// straight along z: most of them. The terms left out are products with 0 and 1, so the numbers are equal.
 class upright_axes {
 public:
-    explicit upright_axes(const placement& at) noexcept : pen_{at.pen}, scale_{at.unit_per_cell}, toward_{at.frame.toward.z} {}
+    explicit upright_axes(const placement& at) noexcept
+        : pen_{at.pen}, scale_{at.unit_per_cell}, toward_{at.frame.toward.z}
+    {
+    }
 
     [[nodiscard]] static constexpr bool fit(const frame& f) noexcept
     {
-        return f.right == vec3{1.0f, 0.0f, 0.0f} && f.up == vec3{0.0f, 1.0f, 0.0f} && f.toward.x == 0.0f && f.toward.y == 0.0f &&
-               (f.toward.z == 1.0f || f.toward.z == -1.0f);
+        return f.right == vec3{1.0f, 0.0f, 0.0f} && f.up == vec3{0.0f, 1.0f, 0.0f} && f.toward.x == 0.0f &&
+               f.toward.y == 0.0f && (f.toward.z == 1.0f || f.toward.z == -1.0f);
     }
 
     [[nodiscard]] vec2 foot(grid_point p) const noexcept
@@ -48,8 +51,10 @@ private:
 template <class F>
 void with_axes(const placement& at, F&& f) noexcept
 {
-    if (upright_axes::fit(at.frame)) f(upright_axes{at});
-    else f(free_axes{at});
+    if (upright_axes::fit(at.frame))
+        f(upright_axes{at});
+    else
+        f(free_axes{at});
 }
 
 }  // namespace typemesh

@@ -6,11 +6,12 @@
 
 namespace typemesh {
 
-/// 4N + 2H vertices: as averaged_normals, but a point whose two walls' normals differ by more than the crease angle is hard: it
-/// is doubled, and each wall keeps its own normal.
+/// 4N + 2H vertices: as averaged_normals, but a point whose two walls' normals differ by more than the crease angle is
+/// hard: it is doubled, and each wall keeps its own normal.
 ///
-/// It knows the polygon alone, whose turns on coarse curves are as large as those of blunt corners: at 30 degrees and the
-/// `high` quality about 1 in 200 curve points is taken for a corner, at `normal` 1 in 13. curve_normals has no such trouble.
+/// It knows the polygon alone, whose turns on coarse curves are as large as those of blunt corners: at 30 degrees and
+/// the `high` quality about 1 in 200 curve points is taken for a corner, at `normal` 1 in 13. curve_normals has no such
+/// trouble.
 struct creased_normals {
     static constexpr bool shares_caps = false;
 

@@ -10,13 +10,14 @@ namespace typemesh {
 /// 4N + 2H vertices: normals exact from the curves that the walls stand for, however coarse the polygon.
 ///
 ///     inside a curve     soft: one normal, the curve's own; at a cusp or where the curve turns back, as at a joint
-///     at a joint         hard where the two curves' tangents break by more than the crease angle: doubled, each wall with its
-///                        own curve's normal. Otherwise soft, with the normalised sum of the two
+///     at a joint         hard where the two curves' tangents break by more than the crease angle: doubled, each wall with
+///                        its own curve's normal. Otherwise soft, with the normalised sum of the two
 ///     along a line       the line's normal: a wall between two corners is shaded evenly
 ///
-/// A tangent that points against its own edge (the polygon is so coarse that it leaves out the whole hook there), or that
-/// does not exist (a curve that is a point), gives way to the edge's direction; a soft normal that would point into one
-/// of its two walls gives way to the normalised sum of the walls' own. So normals point out of their walls always.
+/// A tangent that points against its own edge (the polygon is so coarse that it leaves out the whole hook there), or
+/// that does not exist (a curve that is a point), gives way to the edge's direction; a soft normal that would point
+/// into one of its two walls gives way to the normalised sum of the walls' own. So normals point out of their walls
+/// always.
 ///
 /// Measured on fonts, breaks at joints are below 8 or above 30 degrees, all but 0.74 % of them.
 struct curve_normals {
@@ -38,13 +39,15 @@ struct curve_normals {
             wall before = closing;
             for (std::uint32_t i = first; i <= last; ++i) {
                 const contour_edge edge = edges[i];
-                const bool inside = edge.curve == edges[previous].curve && edge.t0 == edges[previous].t1 && !before.stops_at_end;
+                const bool inside =
+                    edge.curve == edges[previous].curve && edge.t0 == edges[previous].t1 && !before.stops_at_end;
                 const std::uint32_t next = i == last ? first : i + 1;
                 wall after = closing;
                 if (i != last) {
                     const point along = way(points[i], points[next]);
                     const bool known = inside && before.exact_end && dot(before.end, outward(along)) > 0.0;
-                    after = known ? wall_after(before.end, curves[edge.curve], edge, along) : wall_over(curves[edge.curve], edge, along);
+                    after = known ? wall_after(before.end, curves[edge.curve], edge, along)
+                                  : wall_over(curves[edge.curve], edge, along);
                 }
                 if (before.end == after.start) {
                     sides[i].before = sides[i].after = rounded(after.start);
@@ -53,7 +56,8 @@ struct curve_normals {
                     sides[i].after = rounded(after.start);
                     sides[i].doubled = true;
                 } else {
-                    sides[i].before = sides[i].after = rounded(soft(points[previous], points[i], points[next], before.end, after.start));
+                    sides[i].before = sides[i].after =
+                        rounded(soft(points[previous], points[i], points[next], before.end, after.start));
                 }
                 before = after;
                 previous = i;
@@ -85,7 +89,8 @@ private:
         return wall_after(unit(outward(dot(start, along) > 0.0 ? start : along)), c, e, along);
     }
 
-    /// The same where the normal at the start is known, from the wall before that ends in the same place of the same curve.
+    /// The same where the normal at the start is known, from the wall before that ends in the same place of the same
+    /// curve.
     static wall wall_after(point start, const curve& c, contour_edge e, point along) noexcept
     {
         if (c.degree == 1) return {start, start, false, true};
@@ -100,7 +105,8 @@ private:
     static point soft(grid_point a, grid_point b, grid_point c, point before, point after) noexcept
     {
         const point sum = before + after, wall_in = outward(way(a, b)), wall_out = outward(way(b, c));
-        const bool out_of_both = dot(before, after) > -1.0 + 0x1p-20 && dot(sum, wall_in) > 0.0 && dot(sum, wall_out) > 0.0;
+        const bool out_of_both =
+            dot(before, after) > -1.0 + 0x1p-20 && dot(sum, wall_in) > 0.0 && dot(sum, wall_out) > 0.0;
         return out_of_both ? unit(sum) : joint_normal(a, b, c, unit(wall_in), unit(wall_out));
     }
 };

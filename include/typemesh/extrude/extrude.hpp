@@ -10,17 +10,21 @@ namespace typemesh {
 template <extruder Extruder, mesh_sink Sink>
 void write_vertices(part p, const solid& s, const Extruder& how, const placement& at, Sink& sink) noexcept
 {
-    how.template vertices<Sink::wants>(p, s, at, [&sink](const surface_point<Sink::wants>& v) noexcept { sink.vertex(v); });
+    how.template vertices<Sink::wants>(p, s, at,
+                                       [&sink](const surface_point<Sink::wants>& v) noexcept { sink.vertex(v); });
 }
 
 /// Emits a solid's triangles of one part into a sink, turned as the frame asks (see frame::turns_triangles()).
 template <extruder Extruder, mesh_sink Sink>
-void write_triangles(part p, const solid& s, const Extruder& how, const first_vertices& first, bool turned, Sink& sink) noexcept
+void write_triangles(part p, const solid& s, const Extruder& how, const first_vertices& first, bool turned,
+                     Sink& sink) noexcept
 {
     if (turned) {
-        how.triangles(p, s, first, [&sink](std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept { sink.triangle(a, c, b); });
+        how.triangles(p, s, first,
+                      [&sink](std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept { sink.triangle(a, c, b); });
     } else {
-        how.triangles(p, s, first, [&sink](std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept { sink.triangle(a, b, c); });
+        how.triangles(p, s, first,
+                      [&sink](std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept { sink.triangle(a, b, c); });
     }
 }
 
@@ -32,8 +36,8 @@ void write_triangles(part p, const solid& s, const Extruder& how, const first_ve
 /// Fails  error::bad_option, error::out_of_memory, error::too_large, or what else the extruder's plan() or the sink's
 ///        begin() say; nothing is written then.
 template <extruder Extruder, mesh_sink Sink>
-error extrude(const region& shape, std::span<const triangle> cap, const Extruder& how, const placement& at, buffer<side_point>& sides,
-              Sink& sink) noexcept
+error extrude(const region& shape, std::span<const triangle> cap, const Extruder& how, const placement& at,
+              buffer<side_point>& sides, Sink& sink) noexcept
 {
     sides.clear();
     const result<part_sizes> sizes = how.plan(shape, sides);

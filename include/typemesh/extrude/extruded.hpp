@@ -15,13 +15,16 @@ namespace typemesh {
 ///     +----------+                                   with shared_normals the walls have none of their own
 ///     |\         |\      walls:        triangles     front and back n + 2h - 2c each (region.hpp), walls 2 an edge
 ///     | +--------|-+     two triangles
-///     | |        | |     an edge       doubled       the H hard points that the style of normals finds; and in em mapping one
-///     +-|--------+ |                                 point of each contour that has no hard one, for its seam
+///     | |        | |     an edge       doubled       the H hard points that the style of normals finds; in em mapping
+///     +-|--------+ |                                 also one point of each contour without a hard one: its seam
 ///      \|         \|
 ///       +----------+  back  z = -depth
 ///
 /// A part that is switched off leaves out its vertices and triangles; only shared_normals keeps the vertices of a cap
 /// that its walls stand on.
+///
+/// plan() cannot know what a vertex will take: it finds the normals and places the seams in any case. Writing computes
+/// only what is asked for.
 ///
 ///     extruded{}                                     curve_normals, 0.2 em deep
 ///     extruded<>{.depth = 0.3f}                      the <> is for clang before 17; others do without
@@ -30,10 +33,12 @@ namespace typemesh {
 ///
 /// Fails  error::bad_option: depth is not positive and finite, or an option of the normals is out of range
 ///        error::too_large: more than 2^30 - 1 points
+///        error::out_of_memory
+/// Cost   O(n), and one side_point a contour point while there are walls
 template <side_normals Normals = curve_normals>
 struct extruded {
-    float depth = 0.2f;     ///< in em
-    bool centred = false;   ///< front at z = depth / 2 and back at -depth / 2
+    float depth = 0.2f;    ///< in em
+    bool centred = false;  ///< front at z = depth / 2 and back at -depth / 2
     bool front = true;
     bool back = true;
     bool side = true;
@@ -98,8 +103,10 @@ struct extruded {
             for (const triangle t : s.triangles) emit(base + t.a, base + t.c, base + t.b);
         }
         if (p == part::side && side) {
-            if constexpr (Normals::shares_caps) join_caps(s, first, emit);
-            else join_walls(s, first[part::side], emit);
+            if constexpr (Normals::shares_caps)
+                join_caps(s, first, emit);
+            else
+                join_walls(s, first[part::side], emit);
         }
     }
 
@@ -142,7 +149,8 @@ private:
     }
 
     template <attribute Wants, class Axes, class Emit>
-    void cap(const solid& s, const Axes& axes, float z, float facing, bool lit_by_cap, planar_texture uv, Emit& emit) const noexcept
+    void cap(const solid& s, const Axes& axes, float z, float facing, bool lit_by_cap, planar_texture uv,
+             Emit& emit) const noexcept
     {
         const vec3 flat_normal = axes.direction(0.0f, 0.0f, facing);
         const side_point* sides = s.sides.data();
@@ -173,12 +181,15 @@ private:
             if (cross(before, after) < 0.0) sum = -1.0 * sum;
         }
         const double scale = 1.0 / std::sqrt(dot(sum, sum) + static_cast<double>(cap) * cap);
-        return axes.direction(static_cast<float>(scale * sum.x), static_cast<float>(scale * sum.y), static_cast<float>(scale) * cap);
+        return axes.direction(static_cast<float>(scale * sum.x), static_cast<float>(scale * sum.y),
+                              static_cast<float>(scale) * cap);
     }
 
-    /// Pairs (front, back) along each contour; a doubled point has one for the wall before it and one for the wall after.
+    /// Pairs (front, back) along each contour; a doubled point has one for the wall before it and one for the wall
+    /// after.
     template <attribute Wants, class Axes, class Emit>
-    void walls(const solid& s, const Axes& axes, float top, float bottom, double em_per_cell, planar_texture planar, Emit& emit) const noexcept
+    void walls(const solid& s, const Axes& axes, float top, float bottom, double em_per_cell, planar_texture planar,
+               Emit& emit) const noexcept
     {
         const bool by_length = texture == texture_mapping::em;
         const float v_top = planar.turned(1.0f), v_bottom = planar.turned(1.0f - depth);
@@ -195,7 +206,8 @@ private:
                 front_point.normal = back_point.normal = axes.direction(here.before.x, here.before.y, 0.0f);
             }
             if constexpr (has(Wants, attribute::uv)) {
-                front_point.uv = back_point.uv = by_length ? vec2{static_cast<float>(here.along * em_per_cell), v_top} : planar(g);
+                front_point.uv = back_point.uv =
+                    by_length ? vec2{static_cast<float>(here.along * em_per_cell), v_top} : planar(g);
                 if (by_length) back_point.uv.y = v_bottom;
             }
             emit(front_point);

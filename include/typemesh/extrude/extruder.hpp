@@ -29,19 +29,19 @@ struct ignore_surface {
 
 /// Puts a filled region up into space.
 ///
-///     e.plan(region, sides)            counts exactly what the shape will need of each part; appends to `sides` what writing
-///                                      will want to know (usually one side_point a contour point, or nothing)
+///     e.plan(region, sides)            counts exactly what the shape will need of each part; appends to `sides` what
+///                                      writing will want to know (usually one side_point a contour point, or nothing)
 ///     e.heights()                      between which heights everything will lie
 ///     e.vertices<Wants>(part, s, at, emit)     emit(surface_point<Wants>) as often as plan() said for that part
-///     e.triangles(part, s, first, emit)        emit(a, b, c) as often as plan() said: vertex numbers, of any part, each being
-///                                      first[part] + the place in which vertices() emitted it. Counter-clockwise
+///     e.triangles(part, s, first, emit)        emit(a, b, c) as often as plan() said: vertex numbers, of any part, each
+///                                      being first[part] + the place in which vertices() emitted it. Counter-clockwise
 ///                                      seen from outside in a right-handed frame; mirroring is not its business.
 ///
-/// plan() fails with error::bad_option for options out of range, error::out_of_memory, or an error of its own, `sides` then
-/// being as it was. The rest cannot fail.
+/// plan() fails with error::bad_option for options out of range, error::out_of_memory, or an error of its own, `sides`
+/// then being as it was. The rest cannot fail.
 template <class E>
-concept extruder = requires(const E& e, const region& r, buffer<side_point>& sides, const solid& s, const placement& at, part p,
-                            const first_vertices& first, ignore_surface emit) {
+concept extruder = requires(const E& e, const region& r, buffer<side_point>& sides, const solid& s, const placement& at,
+                            part p, const first_vertices& first, ignore_surface emit) {
     { e.plan(r, sides) } noexcept -> std::same_as<result<part_sizes>>;
     { e.heights() } noexcept -> std::same_as<height_range>;
     { e.template vertices<attribute::position>(p, s, at, emit) } noexcept;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/core/box.hpp>
+#include <typemesh/core/point.hpp>
 #include <typemesh/vertex/frame.hpp>
+
+#include <cstdint>
+#include <cstring>
 
 namespace typemesh {
 
@@ -10,9 +13,9 @@ namespace typemesh {
 ///
 ///     output = frame((cell + pen) * unit_per_cell)        z = em * unit_per_em
 ///
-/// The sum is exact in double precision and rounded to 32 bits once, so equal places give equal floats. The frame's
-/// products are of two 32-bit floats each, hence exact in double precision too: a compiler may or may not join them with the
-/// additions (FMA), cap and wall still meet in the same bits.
+/// The sum is exact in double precision and rounded once, to the 24 bits of a float, so equal places give equal floats.
+/// The frame's products are of 24 bits by 24 bits, hence exact in double precision too: whether or not a compiler joins
+/// them with the additions (FMA), cap and wall meet in the same bits.
 struct placement {
     /// A place over the plane z = 0, in the caller's axes; position() lifts it.
     struct footprint {
@@ -21,20 +24,21 @@ struct placement {
         double z = 0.0;
     };
 
-    point pen;                   ///< the glyph's origin, in cells
+    point pen;  ///< the glyph's origin, in cells
     double unit_per_cell = 1.0;
     double unit_per_em = 1.0;
     double em_per_cell = 1.0;
-    point em_pen;                ///< em mapping: the glyph's origin, in cells, seen from the text's own origin
-    point texture_pen;           ///< box mapping: the glyph's origin, in cells, seen from the box's lower left corner
-    point texture_per_cell;      ///< box mapping: how much u and v grow with a cell; 0 where the box has no extent
+    point em_pen;            ///< em mapping: the glyph's origin, in cells, seen from the text's own origin
+    point texture_pen;       ///< box mapping: the glyph's origin, in cells, seen from the box's lower left corner
+    point texture_per_cell;  ///< box mapping: how much u and v grow with a cell; 0 where the box has no extent
     typemesh::frame frame;
 
     /// Where a grid point stands: the part of position() that is the same for all heights.
     [[nodiscard]] footprint foot(grid_point p) const noexcept
     {
-        const double x = static_cast<float>((p.x + pen.x) * unit_per_cell), y = static_cast<float>((p.y + pen.y) * unit_per_cell);
-        return {frame.right.x * x + frame.up.x * y, frame.right.y * x + frame.up.y * y, frame.right.z * x + frame.up.z * y};
+        const double x = to_24_bits((p.x + pen.x) * unit_per_cell), y = to_24_bits((p.y + pen.y) * unit_per_cell);
+        return {frame.right.x * x + frame.up.x * y, frame.right.y * x + frame.up.y * y,
+                frame.right.z * x + frame.up.z * y};
     }
 
     /// A foot lifted to height z, given in output units.
@@ -54,11 +58,24 @@ struct placement {
     /// A wall's normal, given in the plane.
     [[nodiscard]] vec3 normal(vec2 n) const noexcept
     {
-        return {frame.right.x * n.x + frame.up.x * n.y, frame.right.y * n.x + frame.up.y * n.y, frame.right.z * n.x + frame.up.z * n.y};
+        return {frame.right.x * n.x + frame.up.x * n.y, frame.right.y * n.x + frame.up.y * n.y,
+                frame.right.z * n.x + frame.up.z * n.y};
     }
 
     /// The front cap's normal; the back's with sign = -1.
     [[nodiscard]] vec3 cap_normal(float sign) const noexcept { return frame(0.0f, 0.0f, sign); }
+
+private:
+    /// What a cast to float and back gives, done on the bits: seeing the casts, -ffast-math would compute the whole
+    /// position in floats, where FMA does matter, and differently in each loop.
+    [[nodiscard]] static double to_24_bits(double v) noexcept
+    {
+        std::uint64_t bits = 0;
+        std::memcpy(&bits, &v, sizeof bits);
+        bits = (bits + 0x0FFF'FFFFu + ((bits >> 29) & 1u)) & ~std::uint64_t{0x1FFF'FFFFu};
+        std::memcpy(&v, &bits, sizeof v);
+        return v;
+    }
 };
 
 }  // namespace typemesh

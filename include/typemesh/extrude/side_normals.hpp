@@ -10,14 +10,16 @@
 
 namespace typemesh {
 
-/// How the walls of an extruded shape are lit, and so which contour points need a vertex pair for each of their two walls.
+/// How the walls of an extruded shape are lit, and so which contour points need a vertex pair for each of their two
+/// walls.
 ///
-///     S::shares_caps     true: walls stand on the caps' own vertices and have none themselves; `doubled` then means nothing
+///     S::shares_caps     true: walls stand on the caps' own vertices and have none themselves; `doubled` then means
+///                        nothing
 ///     s(shape, sides)    fills before, after and doubled of sides[i] for every point i of shape.points();
 ///                        there are as many of one as of the other. Everything else has its default value.
 ///
-/// Ready ones: shared_normals, averaged_normals, creased_normals, curve_normals. Options out of range are error::bad_option,
-/// for an empty region as well.
+/// Ready ones: shared_normals, averaged_normals, creased_normals, curve_normals. Options out of range are
+/// error::bad_option, for an empty region as well.
 template <class S>
 concept side_normals = requires(const S& s, const region& shape, std::span<side_point> sides) {
     { S::shares_caps } -> std::convertible_to<bool>;

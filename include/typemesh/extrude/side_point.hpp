@@ -16,9 +16,9 @@ namespace typemesh {
 struct side_point {
     vec2 before;
     vec2 after;
-    float along = 0.0f;     ///< length of the contour from its seam to this point, in grid cells; at the seam the whole length
-    bool doubled = false;   ///< has a vertex pair for each of its two walls
-    bool seam = false;      ///< `along` starts here at 0 again: for the wall after; such a point is doubled
+    float along = 0.0f;    ///< length of the contour from its seam to this point, in cells; at the seam, all of it
+    bool doubled = false;  ///< has a vertex pair for each of its two walls
+    bool seam = false;     ///< `along` starts here at 0 again: for the wall after; such a point is doubled
 };
 
 }  // namespace typemesh

@@ -7,10 +7,11 @@
 
 namespace typemesh {
 
-/// Where texture coordinates come from. v grows upwards, or downwards as 1 - v where the frame says uv_origin::top_left.
+/// Where texture coordinates come from. v grows upwards, or downwards as 1 - v where the frame says
+/// uv_origin::top_left.
 ///
-///     box    the text's (or line's, or glyph's) box becomes the square [0, 1], for caps and walls alike: walls show the
-///            caps' rim, drawn out into lines
+///     box    the text's (or line's, or glyph's) box becomes the square [0, 1], for caps and walls alike: walls show
+///            the caps' rim, drawn out into lines
 ///     em     one texture tile is one em wide and high, everywhere:
 ///            caps    x and y from the text's origin
 ///            walls   u = way along the contour from its seam, in its own direction; v runs from 1 at the front down to
@@ -32,7 +33,8 @@ public:
 
     [[nodiscard]] vec2 operator()(grid_point p) const noexcept
     {
-        return {static_cast<float>((p.x + pen_.x) * per_cell_.x), turned(static_cast<float>((p.y + pen_.y) * per_cell_.y))};
+        return {static_cast<float>((p.x + pen_.x) * per_cell_.x),
+                turned(static_cast<float>((p.y + pen_.y) * per_cell_.y))};
     }
 
     /// v as it is written, from v growing upwards.

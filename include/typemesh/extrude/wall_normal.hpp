@@ -26,11 +26,10 @@ namespace typemesh {
 
 /// The normalised sum of the unit normals of two walls that meet in b, over a-b and b-c. It points out of both walls.
 ///
-///          ^ sum = forth - back, as vectors along the edges
-///      b   |          At the tip of a needle the two normals all but cancel; the difference of the directions is
-///     / \             the same line, and which way along it is out is known exactly from the turn.
-///    /   \            .
-///   a     c
+///      ^ normal       At the tip of a needle the two normals all but cancel. The difference of the edges' directions
+///      b              lies on the same line then and is long, and which way along it is out is known exactly from the
+///     / \             turn.
+///    c   a
 [[nodiscard]] inline point joint_normal(grid_point a, grid_point b, grid_point c, point before, point after) noexcept
 {
     if (dot(before, after) > -0.5) return unit(before + after);
@@ -40,8 +39,8 @@ namespace typemesh {
 
 /// An angle, as what the dot product of two unit normals falls below where they make a larger one.
 ///
-/// A 2^-30 less than its cosine: a break equal to the angle is soft, whatever the compiler's rounding (0 means above 0.0025
-/// degrees). Normals that cancel (within 0.08 degrees of opposite) are beyond every angle, as they have no sum.
+/// A 2^-30 less than its cosine: a break equal to the angle is soft, whatever the compiler's rounding (0 means above
+/// 0.0025 degrees). Normals that cancel (within 0.08 degrees of opposite) are beyond every angle, as they have no sum.
 [[nodiscard]] inline double crease_cosine(float degrees) noexcept
 {
     const double cosine = std::cos(degrees * (3.14159265358979323846 / 180.0)) - 0x1p-30;

@@ -23,11 +23,11 @@ namespace typemesh {
 ///     |  '-----------'  |        |                 |
 ///     '-----------------'        '-----------------'
 ///
-/// Works in place: contours that are no boundary vanish from `loops`, those that have the interior on their right are turned
-/// round (points and edges); the order of the others stays. Nothing may be left: a region without points.
+/// Works in place: contours that are no boundary vanish from `loops`, those that have the interior on their right are
+/// turned round (points and edges); the order of the others stays. Nothing may be left: a region without points.
 ///
-/// Fails  error::crossing_contours  two edges cross, touch or overlap (neighbours of a contour may share their common point
-///                                  and no more), or a contour has fewer than three points
+/// Fails  error::crossing_contours: two edges cross, touch or overlap (neighbours of a contour may share their common
+///        point and no more), or a contour has one or two points
 ///        error::out_of_memory
 /// In both cases `loops` is as it was.
 /// Cost   O(n log n), exact in 64-bit integers; about 100 bytes a point from `space`.

@@ -36,11 +36,11 @@ inline void reverse_contour(std::span<grid_point> points, std::span<contour_edge
     }
 }
 
-/// Turns all contours round together when the signed areas that they enclose add up to less than zero: TrueType winds outer
-/// contours clockwise, PostScript counter-clockwise, and a region has its interior on the left.
+/// Turns all contours round together when the signed areas that they enclose add up to less than zero: TrueType winds
+/// outer contours clockwise, PostScript counter-clockwise, and a region has its interior on the left.
 ///
-/// A guess for simple outlines, made from exact sums: where contours overlap or disagree in direction it may be wrong, and
-/// then a proving triangulator refuses them and fill() finds the truth. O(n), nothing is allocated.
+/// A guess for simple outlines, made from exact sums: where contours overlap or disagree in direction it may be wrong,
+/// and then a proving triangulator refuses them and fill() finds the truth. O(n), nothing is allocated.
 inline void orient(contours& loops) noexcept
 {
     std::int64_t high = 0, low = 0;  // 2^32 high + low: a sum of 2^32 terms below 2^58 has more than 64 bits

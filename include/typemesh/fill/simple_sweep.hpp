@@ -10,7 +10,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
 namespace typemesh::detail {
 
@@ -21,12 +20,12 @@ struct contour_sides {
     bool counter_clockwise = false;
 };
 
-/// Walks from left to right over contours of which nothing is known: finds whether any two edges meet, and if none do, what
-/// every contour separates.
+/// Walks from left to right over contours of which nothing is known: finds whether any two edges meet, and if none do,
+/// what every contour separates.
 ///
-/// The sweep line crosses edges, ordered from below to above. Every point is tested against the edge below and the edge above
-/// it, strictly; that finds every meeting (the reason is told in triangulate/monotone_sweep.hpp). The winding numbers
-/// on the two sides of a contour are known where the sweep first meets it: from the edge right below.
+/// The sweep line crosses edges, ordered from below to above. Every point is tested against the edge below and the edge
+/// above it, strictly; that finds every meeting (the reason is told in triangulate/monotone_sweep.hpp). The winding
+/// numbers on the two sides of a contour are known where the sweep first meets it: from the edge right below.
 ///
 ///        k ---------------     outside of l = above that edge of k = inside or outside of k, as that edge runs
 ///               l  .---
@@ -57,8 +56,8 @@ public:
         contour_of_ = scratch.take<std::uint32_t>(n);
         edges_ = scratch.take<crossed_edge>(n + 1);
         met_ = scratch.take<bool>(loops.contour_count());
-        if (order == nullptr || vertices_ == nullptr || contour_of_ == nullptr || edges_ == nullptr || met_ == nullptr ||
-            !status_.open(scratch, n) || !sweep_order(loops.points.view(), space, order))
+        if (order == nullptr || vertices_ == nullptr || contour_of_ == nullptr || edges_ == nullptr ||
+            met_ == nullptr || !status_.open(scratch, n) || !sweep_order(loops.points.view(), space, order))
             return error::out_of_memory;
         sides_ = sides;
         for (std::uint32_t c = 0; c < loops.contour_count(); ++c) {
@@ -70,14 +69,16 @@ public:
             }
         }
 
-        grid_point last{(std::numeric_limits<std::int32_t>::min)(), 0};
+        grid_point last{-(1 << 28) - 1, 0};  // no point of the grid
         for (std::size_t i = 0; i < n; ++i) {
             const std::uint32_t v = order[i];
             const grid_point p = points_[v];
             if (p == last) return error::crossing_contours;
             last = p;
             const std::uint32_t a = vertices_[v].slot[0], b = vertices_[v].slot[1];
-            const bool clear = a == 0 && b == 0 ? open(v, p) : a != 0 && b != 0 ? close(a, b, p) : pass(a | b, a == 0, v, p);
+            const bool clear = a == 0 && b == 0   ? open(v, p)
+                               : a != 0 && b != 0 ? close(a, b, p)
+                                                  : pass(a | b, a == 0, v, p);
             if (!clear) return error::crossing_contours;
         }
         return error::none;
@@ -111,7 +112,8 @@ private:
     {
         const std::int64_t turn = orientation(points_[vertices_[v].other[1]], p, points_[vertices_[v].other[0]]);
         if (turn == 0) return false;  // doubles back
-        const std::uint32_t under = status_.last_below([&](std::uint32_t slot) noexcept { return slot != 0 && above(slot, p); });
+        const std::uint32_t under =
+            status_.last_below([&](std::uint32_t slot) noexcept { return slot != 0 && above(slot, p); });
         if (!below(status_.above(under), p)) return false;
         if (const std::uint32_t c = contour_of_[v]; !met_[c]) {
             met_[c] = true;

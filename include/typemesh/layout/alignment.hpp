@@ -5,8 +5,9 @@
 
 namespace typemesh {
 
-/// Where a line lies against the origin: its left edge, its middle or its right edge stands at x = 0, whatever the other
-/// lines do, so a text can be placed by its anchor. Columns likewise: their top, middle or bottom stands at y = 0.
+/// Where a line lies against the origin: its left edge, its middle or its right edge stands at x = 0, whatever the
+/// other lines do, so a text can be placed by its anchor. Columns likewise: their top, middle or bottom stands at y =
+/// 0.
 ///
 ///     left       centre      right
 ///     |Hello      Hel|lo      Hello|

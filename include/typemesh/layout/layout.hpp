@@ -14,16 +14,17 @@ struct layout_options {
     double line_spacing = 1.0;  ///< times the font's own distance between lines; any finite number
 };
 
-/// Sets a text: cuts it at its line breaks (line_break_at; they leave no glyph), has every line shaped and puts it in its place.
+/// Sets a text: cuts it at its line breaks (line_break_at; they leave no glyph), has every line shaped and puts it in
+/// its place.
 ///
 ///         x = 0, left-aligned                        columns go from right to left,
 ///     y = 0  |Hello                  <- baseline     the first is centred on x = 0    |   |
 ///            |                                                                        界  こ
 ///     y = -d |world!                                                                  !  ん
 ///
-/// The distance d is ascender - descender + gap of the shaper's metrics (one em where they give nothing positive), times
-/// line_spacing. A text has one line more than it has breaks: an empty text is one empty line. Spaces at a line's ends count
-/// as a part of it.
+/// The distance d is ascender - descender + gap of the shaper's metrics (one em where they give nothing positive),
+/// times line_spacing. A text has one line more than it has breaks: an empty text is one empty line. Spaces at a
+/// line's ends count as a part of it.
 ///
 ///     run   emptied first; then glyphs, lines, units_per_em, and what was missing or invalid
 ///
@@ -32,7 +33,8 @@ struct layout_options {
 ///        error::out_of_memory, and whatever the shaper says; `run` is then empty
 /// Cost   O(n) beside the shaper's
 template <shaper Shaper>
-error layout(Shaper& shaper, text_view text, const shape_options& how, const layout_options& options, glyph_run& run) noexcept
+error layout(Shaper& shaper, text_view text, const shape_options& how, const layout_options& options,
+             glyph_run& run) noexcept
 {
     run.clear();
     if (!is_finite(options.line_spacing)) return error::bad_option;
@@ -65,10 +67,13 @@ error layout(Shaper& shaper, text_view text, const shape_options& how, const lay
         if (run.glyphs.size() > 0xFFFF'FFFFu) return fail(error::too_large);
         line.glyph_count = static_cast<std::uint32_t>(run.glyphs.size()) - line.first_glyph;
 
-        const double back = options.align == alignment::left ? 0.0 : options.align == alignment::centre ? line.advance / 2 : line.advance;
+        const double back = options.align == alignment::left     ? 0.0
+                            : options.align == alignment::centre ? line.advance / 2
+                                                                 : line.advance;
         const double across = 0.0 - distance * static_cast<double>(run.lines.size());
         line.origin = vertical ? point{across, back} : point{0.0 - back, across};
-        for (placed_glyph& g : run.glyphs.view().subspan(line.first_glyph)) g.origin = g.origin + line.origin;
+        if (!(line.origin == point{}))
+            for (placed_glyph& g : run.glyphs.view().subspan(line.first_glyph)) g.origin = g.origin + line.origin;
         if (!run.lines.push_back(line)) return fail(error::out_of_memory);
         begin = end + broken;
     }

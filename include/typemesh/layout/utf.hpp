@@ -16,11 +16,12 @@ struct code_point {
     bool valid = true;  ///< false where U+FFFD stands for something that is not UTF
 };
 
-/// Reads the code point at text[i], looking no further than `end`. Needs i < end <= text.size(); never fails, always moves on.
+/// Reads the code point at text[i], looking no further than `end`. Needs i < end <= text.size(); never fails, always
+/// moves on.
 ///
-/// UTF-8 follows Unicode's "substitution of maximal subparts" (The Unicode Standard, 3.9; what WHATWG's decoder does too):
-/// as many bytes as could begin a code point become one U+FFFD, any other byte becomes one of its own. Overlong forms,
-/// surrogates and what lies beyond U+10FFFF are not valid.
+/// UTF-8 follows Unicode's "substitution of maximal subparts" (The Unicode Standard, 3.9; what WHATWG's decoder does
+/// too): as many bytes as could begin a code point become one U+FFFD, any other byte becomes one of its own. Overlong
+/// forms, surrogates and what lies beyond U+10FFFF are not valid.
 ///
 ///     E2 82 | 41        one U+FFFD, then A         E2 82 begins a sequence that breaks off
 ///     C0 | AF           two U+FFFD                 no sequence begins with C0
@@ -34,7 +35,8 @@ struct code_point {
         if (unit < 0xD800 || unit > 0xDFFF) return {unit, i + 1, true};
         if (unit < 0xDC00 && i + 1 < end) {
             const char32_t low = text.utf16()[i + 1];
-            if (low >= 0xDC00 && low <= 0xDFFF) return {0x10000 + ((unit - 0xD800) << 10) + (low - 0xDC00), i + 2, true};
+            if (low >= 0xDC00 && low <= 0xDFFF)
+                return {0x10000 + ((unit - 0xD800) << 10) + (low - 0xDC00), i + 2, true};
         }
         return {0xFFFD, i + 1, false};
     }
@@ -45,7 +47,7 @@ struct code_point {
     if (lead < 0xC2 || lead > 0xF4) return {0xFFFD, i + 1, false};
 
     const std::size_t length = lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
-    const char32_t lowest = lead == 0xE0 ? 0xA0 : lead == 0xF0 ? 0x90 : 0x80;   // of the second byte
+    const char32_t lowest = lead == 0xE0 ? 0xA0 : lead == 0xF0 ? 0x90 : 0x80;  // of the second byte
     const char32_t highest = lead == 0xED ? 0x9F : lead == 0xF4 ? 0x8F : 0xBF;
     char32_t value = lead & (0x7Fu >> length);
     for (std::size_t k = 1; k < length; ++k) {

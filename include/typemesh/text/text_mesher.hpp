@@ -24,7 +24,7 @@ namespace typemesh {
 /// Change one policy by naming it:
 ///
 ///     auto flat_text = text_mesher{font}.with(flat{});
-///     auto deep_text = text_mesher{font}.with(extruded{.depth = 0.5f}).with(two_lines{});
+///     auto deep_text = text_mesher{font}.with(extruded<>{.depth = 0.5f}).with(two_lines{});
 ///
 /// `font` is an outline source and, for plan(text), a shaper as well; it is referred to and must outlive the mesher. Memory
 /// grows to what the largest text needs and stays: after warm-up a text of the same size allocates nothing here. One

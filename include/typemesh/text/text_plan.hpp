@@ -2,7 +2,7 @@
 #pragma once
 
 #include <typemesh/core/assert.hpp>
-#include <typemesh/extrude/extruder.hpp>
+#include <typemesh/extrude/extrude.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/text/text_shapes.hpp>
 #include <typemesh/vertex/mesh_sink.hpp>
@@ -86,13 +86,11 @@ public:
         requires mesh_sink<std::remove_reference_t<Sink>>
     error write(Sink&& sink) const noexcept
     {
-        using sink_type = std::remove_reference_t<Sink>;
         const text_shapes& all = fresh();
         if (error e = sink.begin(size())) return e;
 
         for (const part p : all_parts)
-            for (const shape_record& s : all.records)
-                extruder_.template vertices<sink_type::wants>(p, all.solid_of(s), all.place(s), [&](const auto& v) noexcept { sink.vertex(v); });
+            for (const shape_record& s : all.records) write_vertices(p, all.solid_of(s), extruder_, all.place(s), sink);
 
         part_counts start;
         start[part::back] = all.totals.vertices[part::front];
@@ -102,9 +100,7 @@ public:
             for (const shape_record& s : all.records) {
                 first_vertices first;
                 for (const part q : all_parts) first[q] = start[q] + s.before.vertices[q];
-                extruder_.triangles(p, all.solid_of(s), first, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept {
-                    sink.triangle(a, turned ? c : b, turned ? b : c);
-                });
+                write_triangles(p, all.solid_of(s), extruder_, first, turned, sink);
             }
         }
         sink.end();

@@ -67,32 +67,32 @@ private:
     void thin_out(const grid_point* points, std::uint32_t begin, std::uint32_t end) noexcept
     {
         const std::uint32_t kept_before = size_;
+        std::uint32_t step = 0;
         std::int64_t dx = 0, dy = 0;
-        for (std::uint32_t v = begin; v < end; ++v) {
-            const grid_point p = points[v], q = points[v + 1 == end ? begin : v + 1];
+        grid_point p = points[begin];
+        for (std::uint32_t v = begin; v < end; ++v) {  // what is kept and what not comes as by chance: no branches
+            const grid_point q = points[v + 1 == end ? begin : v + 1];
             const std::int64_t ex = std::int64_t{q.x} - p.x, ey = std::int64_t{q.y} - p.y;
             const std::int64_t cross = dx * ey - dy * ex, dot = dx * ex + dy * ey;
-            if (dot > 0 && 2 * (cross < 0 ? -cross : cross) < dot) continue;
+            const bool keep = (2 * cross >= dot) | (-2 * cross >= dot);
             names_[size_] = v;
-            places_[size_++] = p;
-            dx = ex;
-            dy = ey;
+            places_[size_] = p;
+            size_ += keep;
+            dx = keep ? ex : dx;
+            dy = keep ? ey : dy;
+            step = keep ? 0 : step + 1;
+            const auto level = static_cast<std::uint32_t>(std::countr_zero(step));  // 32 for points that are kept: a list nobody reads
+            left_out_[v] = {v - (step & (0 - step)), first_of_level_[level]};
+            first_of_level_[level] = v;
+            p = q;
         }
-        if (size_ - kept_before < 3) {
-            size_ = kept_before;
-            for (std::uint32_t v = begin; v < end; ++v) {
-                names_[size_] = v;
-                places_[size_++] = points[v];
-            }
-            return;
-        }
-        for (std::uint32_t k = kept_before; k < size_; ++k) {  // the first point of a loop is always kept
-            const std::uint32_t from = names_[k], to = k + 1 < size_ ? names_[k + 1] : end;
-            for (std::uint32_t v = from + 1; v < to; ++v) {
-                const auto level = static_cast<std::uint32_t>(std::countr_zero(v - from));
-                left_out_[v] = {v - (1u << level), first_of_level_[level]};
-                first_of_level_[level] = v;
-            }
+        if (size_ - kept_before >= 3) return;
+        size_ = kept_before;
+        for (std::uint32_t& head : first_of_level_)
+            while (head != none && head >= begin) head = left_out_[head].next;
+        for (std::uint32_t v = begin; v < end; ++v) {
+            names_[size_] = v;
+            places_[size_++] = points[v];
         }
     }
 
@@ -102,7 +102,7 @@ private:
     left_out* left_out_ = nullptr;
     std::size_t loops_ = 0;
     std::uint32_t size_ = 0;
-    std::uint32_t first_of_level_[levels] = {};
+    std::uint32_t first_of_level_[levels + 1];
 };
 
 }  // namespace typemesh::detail

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/triangulate/chain_cutter.hpp>
 #include <typemesh/triangulate/coarse_loops.hpp>
 #include <typemesh/triangulate/delaunay_flips.hpp>
 #include <typemesh/triangulate/half_edges.hpp>
@@ -31,65 +32,67 @@ struct constrained_delaunay {
     [[nodiscard]] error operator()(const region& r, workspace& space, triangle_list& out) const noexcept
     {
         if (r.points().empty()) return error::none;
-        if (!out.reserve(out.size() + r.points().size() + 2 * std::size_t{r.loop_count()})) return error::out_of_memory;
-        const error e = from_coarse_loops(r, space, out);
-        return e == error::crossing_contours ? from_all_points(r, space, out) : e;
+        const std::size_t before = out.size();
+        triangle* const write = out.append(r.triangle_count());
+        if (write == nullptr) return error::out_of_memory;
+        error e = from_coarse_loops(r, space, write);
+        if (e == error::crossing_contours) e = from_all_points(r, space, write);
+        if (e) out.truncate(before);
+        return e;
     }
 
     /// The region that `loops` bound, its triangles appended to `out`. Fails as monotone{}.prove() does.
     [[nodiscard]] result<region> prove(const contours& loops, workspace& space, triangle_list& out) const noexcept
     {
-        const std::size_t before = out.size();
-        detail::monotone_sweep<true> sweep{loops.points.view(), loops.starts.view()};
-        if (const error e = sweep.run(space, out)) return e;
-        out.truncate(before);
+        detail::monotone_sweep<true, detail::no_cutter> sweep{loops.points.view(), loops.starts.view(), {}};
+        if (const error e = sweep.run(space)) return e;
         const region r = region::proven(loops, sweep.holes(), sweep.outers());
         if (const error e = (*this)(r, space, out)) return e;
         return r;
     }
 
 private:
-    /// error::crossing_contours: not this way. `out` has room.
-    [[nodiscard]] static error from_coarse_loops(const region& r, workspace& space, triangle_list& out) noexcept
+    /// error::crossing_contours: not this way.
+    [[nodiscard]] static error from_coarse_loops(const region& r, workspace& space, triangle* write) noexcept
     {
         workspace::scope scratch{space};
         detail::coarse_loops coarse;
         if (!coarse.take(scratch, r.points(), r.starts())) return error::out_of_memory;
         if (coarse.points().size() * 8 > r.points().size() * 7) return error::crossing_contours;
-        const std::size_t before = out.size();
-        detail::monotone_sweep<true> sweep{coarse.points(), coarse.starts()};
-        if (const error e = sweep.run(space, out)) return e;
-        if (sweep.holes() != r.holes() || sweep.outers() != r.outers()) {
-            out.truncate(before);
-            return error::crossing_contours;
-        }
-        return make_delaunay(r, &coarse, scratch, space, out, before);
+        detail::half_edges mesh{r.points()};
+        if (!mesh.open(scratch, room_for(r))) return error::out_of_memory;
+        detail::monotone_sweep<true, cutter> sweep{coarse.points(), coarse.starts(), cutter{detail::half_edges::output{mesh, coarse.names()}}};
+        if (const error e = sweep.run(space)) return e;
+        if (sweep.holes() != r.holes() || sweep.outers() != r.outers()) return error::crossing_contours;
+        mesh.finish(sweep.cutter().output());
+        return make_delaunay(r, mesh, &coarse, scratch, write);
     }
 
-    [[nodiscard]] static error from_all_points(const region& r, workspace& space, triangle_list& out) noexcept
+    [[nodiscard]] static error from_all_points(const region& r, workspace& space, triangle* write) noexcept
     {
         workspace::scope scratch{space};
-        const std::size_t before = out.size();
-        detail::monotone_sweep<false> sweep{r.points(), r.starts()};
-        if (const error e = sweep.run(space, out)) return e;
-        return make_delaunay(r, nullptr, scratch, space, out, before);
+        detail::half_edges mesh{r.points()};
+        if (!mesh.open(scratch, room_for(r))) return error::out_of_memory;
+        detail::monotone_sweep<false, cutter> sweep{r.points(), r.starts(), cutter{detail::half_edges::output{mesh, nullptr}}};
+        if (const error e = sweep.run(space)) return e;
+        mesh.finish(sweep.cutter().output());
+        return make_delaunay(r, mesh, nullptr, scratch, write);
     }
 
-    /// Replaces the triangles of `out` from `before` on by the region's, which those are of all points or of some.
-    [[nodiscard]] static error make_delaunay(const region& r, const detail::coarse_loops* coarse, workspace::scope& scratch, workspace& space,
-                                             triangle_list& out, std::size_t before) noexcept
+    using cutter = detail::chain_cutter<detail::half_edges::output>;
+
+    /// As many triangles as a sweep can ask for.
+    [[nodiscard]] static std::size_t room_for(const region& r) noexcept { return r.points().size() + 2 * std::size_t{r.loop_count()}; }
+
+    [[nodiscard]] static error make_delaunay(const region& r, detail::half_edges& mesh, const detail::coarse_loops* coarse,
+                                             workspace::scope& scratch, triangle* write) noexcept
     {
-        detail::half_edges mesh{r.points()};
         detail::delaunay_flips flips{mesh, r.points()};
-        const bool fits = mesh.open(scratch, r.triangle_count()) &&
-                          mesh.link(out.view().subspan(before), coarse != nullptr ? coarse->names() : nullptr, space) &&
-                          flips.open(scratch, r.triangle_count());
-        out.truncate(before);
-        if (!fits) return error::out_of_memory;
+        if (!flips.open(scratch, r.triangle_count())) return error::out_of_memory;
         flips.everywhere();
         if (coarse != nullptr && !coarse->bring_back([&](std::uint32_t previous, std::uint32_t p) noexcept { return flips.insert(previous, p); }))
             return error::crossing_contours;
-        mesh.write(out.append(r.triangle_count()));
+        mesh.write(write);
         return error::none;
     }
 };

@@ -29,11 +29,14 @@ public:
     {
         do {
             overflow_ = false;
-            for (std::uint32_t h = 0; h < mesh_.end(); ++h) {
-                if ((h & 3) == 3 || mesh_.twin(h) < h) continue;
-                push(h);
-                around();
+            size_ = 0;
+            for (std::uint32_t t = 0; t < mesh_.end(); t += 4) {
+                for (std::uint32_t h = t; h < t + 3; ++h) {  // each inner edge once
+                    stack_[size_] = h;
+                    size_ += mesh_.is_first_half(h);
+                }
             }
+            around();
         } while (overflow_);
     }
 

@@ -20,7 +20,7 @@ namespace typemesh::detail {
 ///         v           \            is none of a triangle; so each boundary edge is found by its first point, and moving
 ///        p ---- h ----> q          a half-edge to another place needs no question what its twin is
 ///
-/// Points are indices of the caller's. A triangle fills one cache line; 80 bytes a point in all, while linking 104.
+/// Points are indices of the caller's. A triangle fills one cache line; 80 bytes a point in all.
 class half_edges {
 public:
     struct half_edge {
@@ -35,43 +35,76 @@ public:
     [[nodiscard]] bool open(workspace::scope& scratch, std::size_t triangles) noexcept
     {
         rim_ = static_cast<std::uint32_t>(4 * triangles);
-        edges_ = scratch.take<half_edge>(4 * triangles + points_.size());
+        edges_ = scratch.take<half_edge>(4 * triangles + points_.size() + 1);
         return edges_ != nullptr;
     }
 
-    /// Takes `triangles`, whose corners are called name[corner] here (corner itself where name is null). Edges that are met by no
-    /// reverse are boundary. O(triangles), whatever the degrees; false when there is no memory.
-    [[nodiscard]] bool link(std::span<const triangle> triangles, const std::uint32_t* name, workspace& space) noexcept
+    /// For chain_cutter.hpp: takes its triangles, and knows without any searching who is whose neighbour.
+    ///
+    /// An edge is the half-edge that waits for its twin, or the one to be its twin. Between the two sides of a diagonal that a
+    /// sweep draws before either has a triangle, the empty fourth places of triangles stand in until finish().
+    class output {
+    public:
+        using edge = std::uint32_t;
+        struct edge_pair {
+            edge first, second;
+        };
+
+        /// Points go by name[v], or by their own number where `name` is null.
+        explicit output(const half_edges& mesh, const std::uint32_t* name) noexcept
+            : edges_{mesh.edges_}, rim_{mesh.rim_}, nobody_{mesh.rim_ + static_cast<std::uint32_t>(mesh.points_.size())}, name_{name}
+        {
+        }
+
+        [[nodiscard]] std::uint32_t name(std::uint32_t v) const noexcept { return name_ == nullptr ? v : name_[v]; }
+
+        template <std::uint32_t along, class Link>
+        edge cut(const Link& a, const Link& b, std::uint32_t v, grid_point p, edge to_b) noexcept
+        {
+            const std::uint32_t t = count_, chain = along == 0 ? t : t + 2, open = along == 0 ? t + 2 : t;
+            count_ += 4;
+            edges_[t].origin = a.point;
+            edges_[t].place = a.place;
+            edges_[t + 1] = along == 0 ? half_edge{b.point, to_b, b.place} : half_edge{v, to_b, p};
+            edges_[t + 2].origin = along == 0 ? v : b.point;
+            edges_[t + 2].place = along == 0 ? p : b.place;
+            edges_[to_b].twin = t + 1;
+            edges_[chain].twin = b.edge;
+            edges_[b.edge].twin = chain;
+            return open;
+        }
+        template <std::uint32_t along>
+        [[nodiscard]] edge next_outer() const noexcept { return count_ + 1; }
+        template <std::uint32_t on>
+        [[nodiscard]] edge boundary(std::uint32_t left, std::uint32_t v) const noexcept { return rim_ + (on == 0 ? left : v); }
+        [[nodiscard]] edge_pair diagonal() noexcept
+        {
+            diagonals_ += 8;
+            return {diagonals_ - 5, diagonals_ - 1};
+        }
+        [[nodiscard]] edge nobody() const noexcept { return nobody_; }
+        void join(edge a, edge b) const noexcept
+        {
+            edges_[a].twin = b;
+            edges_[b].twin = a;
+        }
+        void close(edge a) const noexcept { join(a, rim_ + edges_[a].origin); }
+
+    private:
+        friend class half_edges;
+        half_edge* edges_;
+        std::uint32_t rim_;
+        std::uint32_t nobody_;
+        std::uint32_t count_ = 0;
+        std::uint32_t diagonals_ = 0;
+        const std::uint32_t* name_;
+    };
+
+    /// After a sweep that succeeded: the triangles are those of `made`.
+    void finish(const output& made) noexcept
     {
-        workspace::scope scratch{space};
-        const std::size_t n = points_.size();
-        auto* const first = scratch.take<std::uint32_t>(n);     // the last half-edge that leaves a point
-        auto* const towards = scratch.take<std::uint32_t>(n);   // the half-edge from the point at hand to this one
-        auto* const before = scratch.take<std::uint32_t>(4 * triangles.size());  // the half-edge listed before this one
-        if (first == nullptr || towards == nullptr || before == nullptr) return false;
-        count_ = static_cast<std::uint32_t>(4 * triangles.size());
-        for (std::size_t v = 0; v < n; ++v) first[v] = none;
-        std::uint32_t h = 0;
-        for (const triangle t : triangles) {
-            const std::uint32_t corners[3] = {name != nullptr ? name[t.a] : t.a, name != nullptr ? name[t.b] : t.b, name != nullptr ? name[t.c] : t.c};
-            for (std::uint32_t k = 0; k < 3; ++k) {
-                edges_[h + k].origin = corners[k];
-                edges_[h + k].place = points_[corners[k]];
-                before[h + k] = first[corners[k]];
-                first[corners[k]] = h + k;
-                towards[corners[k]] = 0;
-            }
-            h += 4;
-        }
-        for (std::uint32_t v = 0; v < n; ++v) {
-            for (std::uint32_t out = first[v]; out != none; out = before[out]) towards[edges_[next(out)].origin] = out;
-            for (std::uint32_t out = first[v]; out != none; out = before[out]) {
-                const std::uint32_t in = previous(out), from = edges_[in].origin, back = towards[from];
-                if (edges_[back].origin == v && edges_[next(back)].origin == from) edges_[in].twin = back;
-                else set_twins(in, rim_ + from);
-            }
-        }
-        return true;
+        count_ = made.count_;
+        for (std::uint32_t d = 0; d < made.diagonals_; d += 8) set_twins(edges_[d + 3].twin, edges_[d + 7].twin);
     }
 
     /// One past the last half-edge in use.
@@ -82,6 +115,8 @@ public:
     [[nodiscard]] std::uint32_t twin(std::uint32_t h) const noexcept { return edges_[h].twin; }
     [[nodiscard]] grid_point place(std::uint32_t h) const noexcept { return edges_[h].place; }
     [[nodiscard]] bool is_boundary(std::uint32_t h) const noexcept { return edges_[h].twin >= rim_; }
+    /// Of the two half-edges of an inner edge, the one with the smaller number.
+    [[nodiscard]] bool is_first_half(std::uint32_t h) const noexcept { return edges_[h].twin - h - 1 < rim_ - h - 1; }
     /// The half-edge of the boundary edge that leaves a point.
     [[nodiscard]] std::uint32_t boundary_from(std::uint32_t point) const noexcept { return edges_[rim_ + point].twin; }
 
@@ -148,8 +183,6 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t none = ~std::uint32_t{0};
-
     void set_twins(std::uint32_t h, std::uint32_t g) noexcept
     {
         edges_[h].twin = g;

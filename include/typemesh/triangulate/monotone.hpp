@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/triangulate/chain_cutter.hpp>
 #include <typemesh/triangulate/monotone_sweep.hpp>
 #include <typemesh/triangulate/triangulator.hpp>
 
@@ -11,9 +12,10 @@ namespace typemesh {
 ///     points   [ outer | hole | hole | outer | ... ]   on the grid, |coordinate| <= 2^28
 ///     out      three indices into `points` per triangle, counter-clockwise, no area zero
 ///
-/// Loops in any order, holes need not be told from outer loops, collinear points and vertical edges are nothing special.
-/// No point is dropped and none added: every edge of the loops is an edge of exactly one triangle. The triangles are as
-/// slender as the sweep leaves them; where their shape matters (lighting per vertex, bending) take another policy.
+/// Loops in any order, holes need not be told from outer loops, collinear points and vertical edges are nothing
+/// special. No point is dropped and none added: every edge of the loops is an edge of exactly one triangle. The
+/// triangles are as slender as the sweep leaves them; where their shape matters (lighting per vertex, bending) take
+/// another policy.
 ///
 /// Cost   O(n log n); one pass. Only points that open a span are searched for, all others know theirs by their edges.
 /// Space  about 120 bytes a point from `space`, nothing else after `out` has room
@@ -24,22 +26,42 @@ struct monotone {
     /// Relies on the region's promise. Fails with error::out_of_memory, `out` being as it was.
     [[nodiscard]] error operator()(const region& r, workspace& space, triangle_list& out) const noexcept
     {
-        detail::monotone_sweep<false> sweep{r.points(), r.starts()};
-        return sweep.run(space, out);
+        return cut<false>(r.points(), r.starts(), space, out, [](const auto&) noexcept {});
     }
 
     /// The region that `loops` bound, its triangles appended to `out`.
     ///
-    /// Fails  error::crossing_contours  exactly when two edges cross, touch or overlap (neighbours of a loop may share their
-    ///                                  common point and no more), or an edge does not have the interior, and only the
-    ///                                  interior, on its left: a lone clockwise loop, one loop in another of its direction
+    /// Fails  error::crossing_contours: exactly when two edges cross, touch or overlap (neighbours of a loop may share
+    ///        their common point and no more), or an edge does not have the interior on its left alone: a lone clockwise
+    ///        loop, one loop in another of its direction
     ///        error::out_of_memory
     /// In both cases `out` is as it was.
     [[nodiscard]] result<region> prove(const contours& loops, workspace& space, triangle_list& out) const noexcept
     {
-        detail::monotone_sweep<true> sweep{loops.points.view(), loops.starts.view()};
-        if (const error e = sweep.run(space, out)) return e;
-        return region::proven(loops, sweep.holes(), sweep.outers());
+        region r = region::proven(loops, 0, 0);
+        const error e = cut<true>(loops.points.view(), loops.starts.view(), space, out, [&](const auto& sweep) noexcept {
+            r = region::proven(loops, sweep.holes(), sweep.outers());
+        });
+        if (e) return e;
+        return r;
+    }
+
+private:
+    template <bool Proving, class Then>
+    [[nodiscard]] static error cut(std::span<const grid_point> points, std::span<const std::uint32_t> starts, workspace& space,
+                                   triangle_list& out, Then&& then) noexcept
+    {
+        if (points.empty()) return error::none;
+        const std::size_t before = out.size();
+        triangle* const first = out.append(points.size() + 2 * (starts.size() - 1));
+        if (first == nullptr) return error::out_of_memory;
+        using cutter = detail::chain_cutter<detail::triangle_output>;
+        detail::monotone_sweep<Proving, cutter> sweep{points, starts, cutter{detail::triangle_output{first}}};
+        const error e = sweep.run(space);
+        const triangle* const end = e ? first : sweep.cutter().output().end();
+        out.truncate(before + static_cast<std::size_t>(end - first));
+        if (!e) then(sweep);
+        return e;
     }
 };
 

@@ -1,100 +1,80 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/assert.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/sweep_order.hpp>
 #include <typemesh/core/sweep_status.hpp>
-#include <typemesh/core/triangle.hpp>
 #include <typemesh/core/workspace.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 
 namespace typemesh::detail {
 
-/// The sweep behind `monotone`: cuts loops into triangles from left to right and, when `Proving`, finds out whether they
-/// bound a region at all.
+/// The sweep behind the triangulators: goes over the spans of interior from left to right, lets `Cutter` cut them into
+/// triangles (see chain_cutter.hpp) and, when `Proving`, finds out whether the loops bound a region at all.
 ///
-/// Between two neighbouring boundary edges that the sweep line crosses lies a *span* of interior. What it has seen of a span
-/// and could not cut yet is a chain of points along its lower or its upper side. Sides are numbered: 0 lower, 1 upper.
+/// Between two neighbouring boundary edges that the sweep line crosses lies a *span* of interior. Its sides are numbered: 0
+/// lower, 1 upper.
 ///
-///          ___upper___                A point p on the lower side first closes the chain along the upper side, for all of it
-///         /                           sees p:   (c0 c1 p) (c1 c2 p) ...
-///      c0 ----c1---c2                 then it cuts off what turns left at the end of the chain along the lower side, and
-///        \  .   .  .                  becomes its end. The upper side likewise, mirrored.
-///         ----------p
-///
-/// Both chains at once are there only behind a merge, where they end in the same point m; the next point in the span joins m
-/// by an edge that closes one of them. This needs no partition into monotone pieces beforehand.
-///
-///      ------------.                  the chain along the upper side of the lower part,
-///                    m    p           the chain along the lower side of the upper part: both end in m.
-///      ------------'
-///
-/// Why the tests suffice: let X be the first point in sweep order where loops cross, touch or overlap. Left of X the status is
-/// right. If X is no vertex, two edges next to each other in the status cross there; nothing can be placed between them
-/// afterwards, for what is above the upper one is above the lower one, so the first of them that ends is tested against the
-/// other and found on the wrong side. If X is a vertex, either another vertex is there (its neighbour in the sweep order), or
-/// an edge passes through X, which is next to an edge that ends there (tested), or leaves no room for a new span (tested), or
-/// lies between two edges that end there (then they are not neighbours). Doubling back shows where the two edges start.
-template <bool Proving>
+/// Why the tests suffice: let X be the first point in sweep order where loops cross, touch or overlap. Left of X the
+/// status is right. If X is no vertex, two edges next to each other in the status cross there; nothing can be placed
+/// between them afterwards, for what is above the upper one is above the lower one, so the first of them that ends is
+/// tested against the other and found on the wrong side. If X is a vertex, either another vertex is there (its
+/// neighbour in the sweep order), or an edge passes through X, which is next to an edge that ends there (tested), or
+/// leaves no room for a new span (tested), or lies between two edges that end there (then they are not neighbours).
+/// Doubling back shows where the two edges start.
+template <bool Proving, class Cutter>
 class monotone_sweep {
     struct vertex {
         std::uint32_t span[2];   // the span whose lower / upper side ends here; 0: that neighbour comes later
         std::uint32_t right[2];  // where a lower / upper side that starts here runs to: the next / previous point
     };
     struct side {
-        grid_point from, to;  // from left to right
-        std::uint32_t end;    // the vertex at `to`
+        grid_point from, to;  // as its loop runs: the interior is on the left
+        [[nodiscard]] std::int64_t at(grid_point p) const noexcept { return orientation(from, to, p); }
     };
     struct span_of_interior {
         side sides[2];
-        std::uint32_t chain[2];  // the last link of the chain along each side; 0: none
-    };
-    struct chain_link {
-        grid_point place;
-        std::uint32_t point;
-        std::uint32_t before;  // the link before it; 0: none
+        std::uint32_t end[2];  // the vertex where each side ends
+        [[no_unique_address]] typename Cutter::chains seen;
     };
 
 public:
-    monotone_sweep(std::span<const grid_point> points, std::span<const std::uint32_t> starts) noexcept
-        : points_{points}, starts_{starts}
+    monotone_sweep(std::span<const grid_point> points, std::span<const std::uint32_t> starts, Cutter cutter) noexcept
+        : points_{points}, starts_{starts}, cut_{cutter}
     {
     }
 
-    /// Appends the triangles to `out`, which must have room for points + 2 * loops of them, and counts loops.
-    [[nodiscard]] error run(workspace& space, triangle_list& out) noexcept
+    /// Sweeps over all. The cutter makes points + 2 * loops triangles at most, even where it ends with
+    /// error::crossing_contours.
+    [[nodiscard]] error run(workspace& space) noexcept
     {
         const std::size_t n = points_.size();
         if (n == 0) return error::none;
+        TYPEMESH_ASSERT(loops() != 0 && starts_[loops()] == n, "the last of the starts must be the number of points");
         workspace::scope scratch{space};
         auto* const order = scratch.take<std::uint32_t>(n);
-        auto* const seen = scratch.take<bool>(starts_.size());
         vertices_ = scratch.take<vertex>(n);
         spans_ = scratch.take<span_of_interior>(n / 2 + 2);  // every other point at most opens one
-        links_ = scratch.take<chain_link>(2 * n + n / 2 + 2);  // one a point, one more a merge, two more a split
-        if (order == nullptr || seen == nullptr || vertices_ == nullptr || spans_ == nullptr || links_ == nullptr ||
+        if (order == nullptr || vertices_ == nullptr || spans_ == nullptr || !cut_.open(scratch, n) ||
             !status_.open(scratch, n / 2 + 1) || !sweep_order(points_, space, order))
             return error::out_of_memory;
-        for (std::size_t loop = 0; loop < starts_.size(); ++loop) seen[loop] = false;
-        loop_seen_ = seen;
         link_up();
-
-        const std::size_t before = out.size();
-        triangle* const first = out.append(n + 2 * loops());
-        if (first == nullptr) return error::out_of_memory;
-        write_ = first;
-        const bool simple = sweep(order);
-        out.truncate(simple ? before + static_cast<std::size_t>(write_ - first) : before);
-        return simple ? error::none : error::crossing_contours;
+        return sweep(order) ? error::none : error::crossing_contours;
     }
 
-    [[nodiscard]] std::uint32_t holes() const noexcept { return holes_; }
-    [[nodiscard]] std::uint32_t outers() const noexcept { return outers_; }
+    [[nodiscard]] const Cutter& cutter() const noexcept { return cut_; }
+
+    /// After a proof: every loop is a hole or an outer one, and excess_ is 2h - 2c.
+    [[nodiscard]] std::uint32_t holes() const noexcept
+    {
+        return static_cast<std::uint32_t>((loops_met_ + excess_ / 2) / 2);
+    }
+    [[nodiscard]] std::uint32_t outers() const noexcept { return loops_met_ - holes(); }
 
 private:
     [[nodiscard]] std::size_t loops() const noexcept { return starts_.empty() ? 0 : starts_.size() - 1; }
@@ -106,19 +86,21 @@ private:
         for (std::size_t loop = 0; loop < loops(); ++loop) {
             const std::uint32_t begin = starts_[loop], end = starts_[loop + 1];
             if (begin == end) continue;
+            ++loops_met_;
             vertices_[end - 1].right[0] = begin;
             vertices_[begin].right[1] = end - 1;
         }
-        // Span 0 lies around everything: its upper side below all points, its lower side above them.
+        // Span 0 lies around everything: its lower side above all points, its upper side below them.
         constexpr std::int32_t reach = 1 << 28;
-        spans_[0].sides[0] = {{-reach, reach + 1}, {reach, reach + 1}, 0};
-        spans_[0].sides[1] = {{-reach, -reach - 1}, {reach, -reach - 1}, 0};
+        spans_[0] = {
+            {{{-reach, reach + 1}, {reach, reach + 1}}, {{reach, -reach - 1}, {-reach, -reach - 1}}}, {0, 0}, {}};
     }
 
     [[nodiscard]] bool sweep(const std::uint32_t* order) noexcept
     {
         const auto n = static_cast<std::int64_t>(points_.size());
-        grid_point last{(std::numeric_limits<std::int32_t>::min)(), 0};
+        grid_point last{-(1 << 28) - 1, 0};  // no point of the grid
+        Cutter cut = cut_;  // a copy of its own stays in registers
         stop_ = n;
         std::int64_t i = 0;
         for (; i < stop_; ++i) {
@@ -130,13 +112,14 @@ private:
             }
             const std::uint32_t lower = vertices_[v].span[0], upper = vertices_[v].span[1];
             if ((lower == 0) != (upper == 0)) {
-                if (!pass(lower | upper, lower == 0, v, p)) return false;
-            } else if (lower == 0) {
-                if (!open(v, p)) return false;
-            } else {
-                if (!close(lower, upper, v, p)) return false;
+                if (lower != 0 ? !pass<0>(cut, lower, v, p) : !pass<1>(cut, upper, v, p)) return false;
+                continue;
             }
+            cut_ = cut;
+            if (lower == 0 ? !open(v, p) : !close(lower, upper, v, p)) return false;
+            cut = cut_;
         }
+        cut_ = cut;
         return i == n;
     }
 
@@ -145,17 +128,15 @@ private:
     ///   upper  -----------.                 :::::::::::
     ///          ::::::::::  '---       or    :::::::: .----
     ///   lower  --------p----                --------p
-    [[nodiscard]] bool pass(std::uint32_t s, std::uint32_t on, std::uint32_t v, grid_point p) noexcept
+    template <std::uint32_t on>
+    [[nodiscard]] bool pass(Cutter& cut, std::uint32_t s, std::uint32_t v, grid_point p) noexcept
     {
         if constexpr (Proving) {
             const std::uint32_t outside = status_.neighbour(s, on);
-            const std::int64_t mirror = 1 - 2 * static_cast<std::int64_t>(on);
-            const std::int64_t inner = mirror * side_of(spans_[s].sides[1 - on], p);
-            const std::int64_t outer = mirror * side_of(spans_[outside].sides[1 - on], p);
-            if ((inner >= 0) | (outer <= 0)) return false;
+            if (spans_[s].sides[1 - on].at(p) <= 0 || spans_[outside].sides[1 - on].at(p) >= 0) return false;
         }
-        extend(spans_[s], on, v, p);
-        set_side(s, on, v, p);
+        cut.template extend<on>(spans_[s].seen, v, p);
+        set_side<on>(s, v, p);
         return true;
     }
 
@@ -167,37 +148,29 @@ private:
     [[nodiscard]] bool open(std::uint32_t v, grid_point p) noexcept
     {
         const std::int64_t turn = orientation(points_[vertices_[v].right[1]], p, points_[vertices_[v].right[0]]);
-        const std::uint32_t s = status_.last_below([&](std::uint32_t item) noexcept { return side_of(spans_[item].sides[0], p) > 0; });
+        const std::uint32_t s =
+            status_.last_below([&](std::uint32_t item) noexcept { return spans_[item].sides[0].at(p) > 0; });
         const bool splits = turn < 0;
         if constexpr (Proving) {
             if (turn == 0) return false;  // doubles back
-            const std::int64_t above_s = side_of(spans_[s].sides[1], p);
-            if (splits ? above_s >= 0 : above_s <= 0 || side_of(spans_[status_.above(s)].sides[0], p) >= 0) return false;
-            count_loop(v, splits);
+            const std::int64_t inside_s = spans_[s].sides[1].at(p);
+            if (splits ? inside_s <= 0 : inside_s >= 0 || spans_[status_.above(s)].sides[0].at(p) >= 0) return false;
         }
+        bound_triangles(splits ? 1 : -1);
         const std::uint32_t fresh = take_span();
         span_of_interior& above = spans_[fresh];
         if (splits) {
-            bound_triangles(1);
             span_of_interior& below = spans_[s];
-            std::uint32_t up = below.chain[1], low = below.chain[0];
-            if (up == 0) up = alone(links_[low]);
-            if (low == 0) low = alone(links_[below.chain[1]]);
-            below.chain[0] = 0;
-            below.chain[1] = push(up, 1, v, p);
-            above.chain[0] = push(low, 0, v, p);
-            above.chain[1] = 0;
+            cut_.split(below.seen, above.seen, v, p);
             above.sides[1] = below.sides[1];
-            vertices_[above.sides[1].end].span[1] = fresh;
-            set_side(fresh, 0, v, p);
-            set_side(s, 1, v, p);
+            above.end[1] = below.end[1];
+            vertices_[above.end[1]].span[1] = fresh;
+            set_side<1>(s, v, p);
         } else {
-            bound_triangles(-1);
-            above.chain[0] = alone({p, v, 0});
-            above.chain[1] = 0;
-            set_side(fresh, 0, v, p);
-            set_side(fresh, 1, v, p);
+            cut_.start(above.seen, v, p);
+            set_side<1>(fresh, v, p);
         }
+        set_side<0>(fresh, v, p);
         status_.insert_above(s, fresh);
         return true;
     }
@@ -209,41 +182,41 @@ private:
     ///   lower ---'                  lower side of the span above ---'  :::::::
     [[nodiscard]] bool close(std::uint32_t lower, std::uint32_t upper, std::uint32_t v, grid_point p) noexcept
     {
+        const bool ends = lower == upper;
         if constexpr (Proving) {
-            if (lower == upper) {
-                if (side_of(spans_[status_.below(lower)].sides[1], p) <= 0 || side_of(spans_[status_.above(lower)].sides[0], p) >= 0) return false;
-            } else {
-                if (status_.above(upper) != lower) return false;
-                if (side_of(spans_[upper].sides[0], p) <= 0 || side_of(spans_[lower].sides[1], p) >= 0) return false;
-            }
+            const bool clear = ends ? spans_[status_.below(lower)].sides[1].at(p) < 0 &&
+                                          spans_[status_.above(lower)].sides[0].at(p) < 0
+                                    : status_.above(upper) == lower && spans_[upper].sides[0].at(p) > 0 &&
+                                          spans_[lower].sides[1].at(p) > 0;
+            if (!clear) return false;
         }
+        bound_triangles(ends ? -1 : 1);
         span_of_interior& gone = spans_[lower];
-        if (lower == upper) {
-            bound_triangles(-1);
-            for (std::uint32_t along = 0; along < 2; ++along)
-                if (gone.chain[along] != 0) fan(gone.chain[along], along, v, p);
+        if (ends) {
+            cut_.finish(gone.seen, v, p);
         } else {
-            bound_triangles(1);
             span_of_interior& stays = spans_[upper];
-            extend(gone, 0, v, p);
-            extend(stays, 1, v, p);
-            stays.chain[0] = gone.chain[0];
+            cut_.merge(stays.seen, gone.seen, v, p);
             stays.sides[1] = gone.sides[1];
-            vertices_[stays.sides[1].end].span[1] = upper;
+            stays.end[1] = gone.end[1];
+            vertices_[stays.end[1]].span[1] = upper;
         }
         status_.erase(lower);
-        gone.chain[0] = free_span_;
+        gone.end[0] = free_span_;
         free_span_ = lower;
         return true;
     }
 
-    /// Positive: p lies above the side; zero: on the line through it.
-    [[nodiscard]] static std::int64_t side_of(const side& s, grid_point p) noexcept { return orientation(s.from, s.to, p); }
-
-    void set_side(std::uint32_t s, std::uint32_t on, std::uint32_t v, grid_point p) noexcept
+    template <std::uint32_t on>
+    void set_side(std::uint32_t s, std::uint32_t v, grid_point p) noexcept
     {
         const std::uint32_t end = vertices_[v].right[on];
-        spans_[s].sides[on] = {p, points_[end], end};
+        const grid_point q = points_[end];
+        if constexpr (on == 0)
+            spans_[s].sides[0] = {p, q};
+        else
+            spans_[s].sides[1] = {q, p};
+        spans_[s].end[on] = end;
         vertices_[end].span[on] = s;
     }
 
@@ -251,96 +224,34 @@ private:
     {
         if (free_span_ == 0) return ++span_count_;
         const std::uint32_t s = free_span_;
-        free_span_ = spans_[s].chain[0];
+        free_span_ = spans_[s].end[0];
         return s;
     }
 
-    [[nodiscard]] std::uint32_t alone(chain_link l) noexcept
-    {
-        links_[++link_count_] = {l.place, l.point, 0};
-        return link_count_;
-    }
-
-    /// p comes on side `on`: closes the chain along the other side, goes on with the one along its own.
-    void extend(span_of_interior& s, std::uint32_t on, std::uint32_t v, grid_point p) noexcept
-    {
-        std::uint32_t own = s.chain[on];
-        if (const std::uint32_t other = s.chain[1 - on]; other != 0) {
-            fan(other, 1 - on, v, p);
-            if (own == 0) {
-                links_[other].before = 0;
-                own = other;
-            }
-            s.chain[1 - on] = 0;
-        }
-        s.chain[on] = push(own, on, v, p);
-    }
-
-    /// Triangles from v to every edge of a chain on the opposite side.
-    void fan(std::uint32_t link, std::uint32_t along, std::uint32_t v, grid_point) noexcept
-    {
-        for (std::uint32_t before = links_[link].before; before != 0; before = links_[link].before) {
-            const std::uint32_t a = links_[before].point, b = links_[link].point;
-            *write_++ = {a, along == 0 ? b : v, along == 0 ? v : b};
-            link = before;
-        }
-    }
-
-    /// Cuts off what turns towards the interior at the end of the chain along `on`, and makes v its end.
-    [[nodiscard]] std::uint32_t push(std::uint32_t link, std::uint32_t on, std::uint32_t v, grid_point p) noexcept
-    {
-        for (std::uint32_t before = links_[link].before; before != 0; before = links_[link].before) {
-            const std::int64_t turn = orientation(links_[before].place, links_[link].place, p);
-            if (on == 0 ? turn <= 0 : turn >= 0) break;
-            const std::uint32_t a = links_[before].point, b = links_[link].point;
-            *write_++ = {a, on == 0 ? b : v, on == 0 ? v : b};
-            link = before;
-        }
-        links_[++link_count_] = {p, v, link};
-        return link_count_;
-    }
-
-    /// Splits and merges add triangles, starts and ends take some away. For a region, splits + merges - starts - ends is
-    /// 2h - 2c in the end, so it can never be more than the points to come may take back: more means that loops cross, and
-    /// what remains could ask for more triangles than there is room.
+    /// Splits and merges add triangles, starts and ends take some away. For a region, splits + merges - starts - ends
+    /// is 2h - 2c in the end, so it can never be more than the points to come may take back: more means that loops
+    /// cross, and what remains could ask for more triangles than there is room.
     void bound_triangles(std::int64_t change) noexcept
     {
         if constexpr (Proving) {
             excess_ += change;
-            const auto n = static_cast<std::int64_t>(points_.size()), room = n + 2 * static_cast<std::int64_t>(loops()) - excess_;
+            const auto n = static_cast<std::int64_t>(points_.size()),
+                       room = n + 2 * static_cast<std::int64_t>(loops()) - excess_;
             stop_ = room < n ? room : n;
         }
-    }
-
-    /// The first point of a loop that the sweep meets tells what the loop is.
-    void count_loop(std::uint32_t v, bool is_hole) noexcept
-    {
-        std::size_t loop = 0;
-        for (std::size_t size = loops(); size > 1;) {
-            const std::size_t half = size / 2;
-            loop += starts_[loop + half] <= v ? half : 0;
-            size -= half;
-        }
-        if (loop_seen_[loop]) return;
-        loop_seen_[loop] = true;
-        ++(is_hole ? holes_ : outers_);
     }
 
     std::span<const grid_point> points_;
     std::span<const std::uint32_t> starts_;
     vertex* vertices_ = nullptr;
     span_of_interior* spans_ = nullptr;
-    chain_link* links_ = nullptr;
-    bool* loop_seen_ = nullptr;
-    triangle* write_ = nullptr;
     sweep_status status_;
+    Cutter cut_;
     std::int64_t stop_ = 0;
     std::int64_t excess_ = 0;
     std::uint32_t span_count_ = 0;
     std::uint32_t free_span_ = 0;
-    std::uint32_t link_count_ = 0;
-    std::uint32_t holes_ = 0;
-    std::uint32_t outers_ = 0;
+    std::uint32_t loops_met_ = 0;
 };
 
 }  // namespace typemesh::detail

@@ -84,7 +84,8 @@ template <class Vertex, std::unsigned_integral Index>
 
 /// The same with a writer of your own, which may carry state.
 template <class Vertex, std::unsigned_integral Index, vertex_writer Writer>
-[[nodiscard]] auto into(std::span<Vertex> vertices, std::span<Index> indices, Writer writer, std::uint32_t base_vertex = 0) noexcept
+[[nodiscard]] auto into(std::span<Vertex> vertices, std::span<Index> indices, Writer writer,
+                        std::uint32_t base_vertex = 0) noexcept
 {
     return array_sink<Vertex, Index, Writer>{vertices, indices, std::move(writer), base_vertex};
 }

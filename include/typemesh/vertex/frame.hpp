@@ -25,17 +25,20 @@ struct frame {
     std::int8_t winding = 1;
     uv_origin uv = uv_origin::top_left;
 
-    /// Whether two corners of each triangle must be exchanged: the mapping mirrors, or the winding asked for is negative.
+    /// Whether two corners of each triangle must be exchanged: the mapping mirrors, or the winding asked for is
+    /// negative.
     [[nodiscard]] constexpr bool turns_triangles() const noexcept
     {
-        const float determinant = right.x * (up.y * toward.z - up.z * toward.y) - right.y * (up.x * toward.z - up.z * toward.x) +
+        const float determinant = right.x * (up.y * toward.z - up.z * toward.y) -
+                                  right.y * (up.x * toward.z - up.z * toward.x) +
                                   right.z * (up.x * toward.y - up.y * toward.x);
         return (determinant < 0.0f) != (winding < 0);
     }
 
     [[nodiscard]] constexpr vec3 operator()(float x, float y, float z) const noexcept
     {
-        return {right.x * x + up.x * y + toward.x * z, right.y * x + up.y * y + toward.y * z, right.z * x + up.z * y + toward.z * z};
+        return {right.x * x + up.x * y + toward.x * z, right.y * x + up.y * y + toward.y * z,
+                right.z * x + up.z * y + toward.z * z};
     }
 };
 
@@ -48,7 +51,9 @@ inline constexpr frame left_handed_y_up{.toward = {0.0f, 0.0f, -1.0f}};
 /// Right-handed, z up, front towards -y: Blender, CAD.
 inline constexpr frame right_handed_z_up{.up = {0.0f, 0.0f, 1.0f}, .toward = {0.0f, -1.0f, 0.0f}};
 
-/// Left-handed, z up, front towards -x, text along +y: Unreal's axes (see its own pages for the winding that it expects).
-inline constexpr frame left_handed_z_up{.right = {0.0f, 1.0f, 0.0f}, .up = {0.0f, 0.0f, 1.0f}, .toward = {-1.0f, 0.0f, 0.0f}};
+/// Left-handed, z up, front towards -x, text along +y: Unreal's axes (see its own pages for the winding that it
+/// expects).
+inline constexpr frame left_handed_z_up{
+    .right = {0.0f, 1.0f, 0.0f}, .up = {0.0f, 0.0f, 1.0f}, .toward = {-1.0f, 0.0f, 0.0f}};
 
 }  // namespace typemesh

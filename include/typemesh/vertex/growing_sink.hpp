@@ -17,11 +17,11 @@ concept sizable_array = requires(C& c, std::size_t n) {
     { c.data() } -> std::same_as<typename C::value_type*>;
 };
 
-/// Sizes two containers of the caller's to fit, then writes as array_sink does. What they held before is replaced. They are
-/// referred to until end().
+/// Sizes two containers of the caller's to fit, then writes as array_sink does. What they held before is replaced. They
+/// are referred to until end().
 ///
-/// A container that throws when memory fails gives error::out_of_memory (where exceptions are on), both then being as they were
-/// if they have reserve().
+/// A container that throws when memory fails gives error::out_of_memory (where exceptions are on), both then being as
+/// they were if they have reserve().
 template <sizable_array Vertices, sizable_array Indices, vertex_writer Writer>
 class growing_sink {
     using vertex_type = typename Vertices::value_type;
@@ -39,7 +39,9 @@ public:
     error begin(mesh_size exact) noexcept
     {
         if (!index_can_number<index_type>(exact.vertices)) return {error::index_overflow, exact.vertices};
-        if (!resize(static_cast<std::size_t>(exact.vertices), static_cast<std::size_t>(exact.indices()))) return error::out_of_memory;
+        const auto vertices = static_cast<std::size_t>(exact.vertices);
+        const auto indices = static_cast<std::size_t>(exact.indices());
+        if (!resize(vertices, indices)) return error::out_of_memory;
         next_vertex_ = vertices_->data();
         next_index_ = indices_->data();
         return {};

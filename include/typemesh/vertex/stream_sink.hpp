@@ -35,8 +35,8 @@ struct stream {
     }
 };
 
-/// What stream_sink asks of a stream: `wants`, `capacity` in elements, and put(i, point), called once for each i, ascending.
-/// Write your own for packed formats.
+/// What stream_sink asks of a stream: `wants`, `capacity` in elements, and put(i, point), called once for each i,
+/// ascending. Write your own for packed formats.
 template <class S>
 concept vertex_stream = requires(const S& s, std::size_t i, const surface_point<S::wants>& p) {
     { S::wants } -> std::convertible_to<attribute>;
@@ -68,7 +68,8 @@ public:
     }
     void vertex(const surface_point<wants>& p) noexcept
     {
-        std::apply([&](const auto&... s) { (s.put(next_vertex_, only<std::remove_cvref_t<decltype(s)>::wants>(p)), ...); }, streams_);
+        std::apply(
+            [&](const auto&... s) { (s.put(next_vertex_, only<std::remove_cvref_t<decltype(s)>::wants>(p)), ...); }, streams_);
         ++next_vertex_;
     }
     void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept

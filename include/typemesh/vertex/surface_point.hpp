@@ -10,7 +10,8 @@ namespace typemesh {
 
 /// Stands where an attribute was not asked for: using it is a compile error that carries this name.
 template <attribute A>
-struct not_in_wants {};
+struct not_in_wants {
+};
 
 /// One point of the mesh's surface, with the attributes in `Wants` and no others.
 ///
@@ -31,7 +32,8 @@ struct surface_point {
 template <attribute Fewer, attribute Wants>
 [[nodiscard]] constexpr surface_point<Fewer> only(const surface_point<Wants>& s) noexcept
 {
-    static_assert((Fewer | Wants) == Wants, "typemesh: an attribute is asked for that this surface point does not have");
+    static_assert((Fewer | Wants) == Wants,
+                  "typemesh: an attribute is asked for that this surface point does not have");
     surface_point<Fewer> fewer;
     if constexpr (has(Fewer, attribute::position)) fewer.position = s.position;
     if constexpr (has(Fewer, attribute::normal)) fewer.normal = s.normal;

@@ -37,8 +37,9 @@ struct vertex_traits;
 
 /// A type with a vertex_traits of its own that makes it.
 template <class V>
-concept mesh_vertex = vertex_writer<vertex_traits<V>> && requires(const vertex_traits<V>& w, const surface_point<vertex_traits<V>::wants>& s) {
-    { w(s) } -> std::convertible_to<V>;
-};
+concept mesh_vertex = vertex_writer<vertex_traits<V>> &&
+                      requires(const vertex_traits<V>& w, const surface_point<vertex_traits<V>::wants>& s) {
+                          { w(s) } -> std::convertible_to<V>;
+                      };
 
 }  // namespace typemesh

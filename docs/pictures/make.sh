@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# Draws the pictures of this folder anew with text_to_mesh (build/release, or the first argument). Needs ImageMagick.
+set -eu
+cd "$(dirname "${BASH_SOURCE[0]}")"
+program=${1:-../../build/release/examples/text_to_mesh}
+scratch=$(mktemp -d) && trap 'rm -rf "$scratch"' EXIT
+sans=/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf
+arabic=/usr/share/fonts/opentype/fonts-hosny-amiri/Amiri-Regular.ttf
+japanese=/usr/share/fonts/truetype/sawarabi-mincho/sawarabi-mincho-medium.ttf
+
+"$program" "Hello world!" --font $sans --picture hello.png
+"$program" "مرحبا بالعالم!" --font $arabic --picture "$scratch/arabic.png"
+"$program" "こんにちは、世界！" --font $japanese --picture "$scratch/japanese.png"
+convert "$scratch/arabic.png" "$scratch/japanese.png" -resize x300 -gravity center +append scripts.png
+
+for shading in gouraud phong; do
+    for normals in shared averaged creased curve; do
+        "$program" "Eo" --font $sans --quality normal --normals $normals --shading $shading --picture "$scratch/$shading-$normals.png"
+        convert "$scratch/$shading-$normals.png" -resize 480x "$scratch/$shading-$normals.png"
+    done
+done
+montage -label '%t' "$scratch"/gouraud-{shared,averaged,creased,curve}.png "$scratch"/phong-{shared,averaged,creased,curve}.png \
+    -tile 4x2 -geometry +6+6 -font DejaVu-Sans -pointsize 18 normals.png
+
+"$program" "aBg" --font $sans --depth 0 --quality normal --show triangles,points,control,contours --picture stages.png
