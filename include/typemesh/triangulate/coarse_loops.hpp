@@ -15,15 +15,17 @@ namespace typemesh::detail {
 /// halving a stretch.
 ///
 ///        4                    A stretch runs from one kept point to the next, while no edge turns away from the stretch's first by
-///     2     6                 more than about 30 degrees. Of its points 1, 2, 3, ... those come first which the highest power
+///     2     6                 more than a set angle. Of its points 1, 2, 3, ... those come first which the highest power
 ///    1 3   5 7                of two divides. Point i then comes between i - (its lowest bit) and whatever is next there.
 ///   0         8
 ///
 /// A loop that would keep fewer than three points keeps all. 20 bytes a point.
 class coarse_loops {
 public:
-    /// False when there is no memory.
-    [[nodiscard]] bool take(workspace::scope& scratch, std::span<const grid_point> points, std::span<const std::uint32_t> starts) noexcept
+    /// No edge turns away from the first of its stretch by 1 / `straightness` or more (as a tangent). False when there is no
+    /// memory.
+    [[nodiscard]] bool take(workspace::scope& scratch, std::span<const grid_point> points, std::span<const std::uint32_t> starts,
+                            std::int64_t straightness) noexcept
     {
         const std::size_t n = points.size();
         places_ = scratch.take<grid_point>(n);
@@ -36,7 +38,7 @@ public:
         size_ = 0;
         for (std::size_t l = 0; l < loops_; ++l) {
             starts_[l] = size_;
-            thin_out(points.data(), starts[l], starts[l + 1]);
+            thin_out(points.data(), starts[l], starts[l + 1], straightness);
         }
         starts_[loops_] = size_;
         return true;
@@ -64,7 +66,7 @@ private:
         std::uint32_t next;
     };
 
-    void thin_out(const grid_point* points, std::uint32_t begin, std::uint32_t end) noexcept
+    void thin_out(const grid_point* points, std::uint32_t begin, std::uint32_t end, std::int64_t straightness) noexcept
     {
         const std::uint32_t kept_before = size_;
         std::uint32_t step = 0;
@@ -74,7 +76,7 @@ private:
             const grid_point q = points[v + 1 == end ? begin : v + 1];
             const std::int64_t ex = std::int64_t{q.x} - p.x, ey = std::int64_t{q.y} - p.y;
             const std::int64_t cross = dx * ey - dy * ex, dot = dx * ex + dy * ey;
-            const bool keep = (2 * cross >= dot) | (-2 * cross >= dot);
+            const bool keep = (straightness * cross >= dot) | (-straightness * cross >= dot);  // up to 2^62 each
             names_[size_] = v;
             places_[size_] = p;
             size_ += keep;

@@ -35,7 +35,9 @@ struct constrained_delaunay {
         const std::size_t before = out.size();
         triangle* const write = out.append(r.triangle_count());
         if (write == nullptr) return error::out_of_memory;
-        error e = from_coarse_loops(r, space, write);
+        error e = error::crossing_contours;
+        for (const std::int64_t straightness : {2, 8})  // 27 and 7 degrees
+            if (e == error::crossing_contours) e = from_coarse_loops(r, space, write, straightness);
         if (e == error::crossing_contours) e = from_all_points(r, space, write);
         if (e) out.truncate(before);
         return e;
@@ -53,11 +55,11 @@ struct constrained_delaunay {
 
 private:
     /// error::crossing_contours: not this way.
-    [[nodiscard]] static error from_coarse_loops(const region& r, workspace& space, triangle* write) noexcept
+    [[nodiscard]] static error from_coarse_loops(const region& r, workspace& space, triangle* write, std::int64_t straightness) noexcept
     {
         workspace::scope scratch{space};
         detail::coarse_loops coarse;
-        if (!coarse.take(scratch, r.points(), r.starts())) return error::out_of_memory;
+        if (!coarse.take(scratch, r.points(), r.starts(), straightness)) return error::out_of_memory;
         if (coarse.points().size() * 8 > r.points().size() * 7) return error::crossing_contours;
         detail::half_edges mesh{r.points()};
         if (!mesh.open(scratch, room_for(r))) return error::out_of_memory;

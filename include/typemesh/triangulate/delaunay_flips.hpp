@@ -42,45 +42,24 @@ public:
 
     /// Makes p a point of the boundary between `before` and the point after it, in a mesh that is Delaunay and stays so.
     ///
-    /// False when that cannot be done here: p lies behind what is seen from the boundary edge. Then the mesh is of no use any more.
+    /// False when that cannot be done: p is hidden from the boundary edge. Then the mesh is of no use any more.
     [[nodiscard]] bool insert(std::uint32_t before, std::uint32_t p) noexcept
     {
-        const std::uint32_t h = mesh_.boundary_from(before), after = mesh_.origin(half_edges::next(h));
-        const grid_point a = points_[before], b = points_[after], at = points_[p];
+        const std::uint32_t h = mesh_.boundary_from(before), h1 = half_edges::next(h), h2 = half_edges::previous(h);
+        const grid_point a = mesh_.place(h), b = mesh_.place(h1), c = mesh_.place(h2), at = points_[p];
         if (orientation(a, at, b) > 0) {
             stack_[0] = mesh_.add_ear(h, p);
             towards_apex(1);
             return true;
         }
-        bool flipped = false;
-        for (;;) {
-            const grid_point c = mesh_.place(half_edges::previous(h));
-            const bool beyond_b = orientation(b, c, at) <= 0, beyond_a = orientation(c, a, at) <= 0;
-            if (!beyond_a && !beyond_b) break;
-            if (beyond_a && beyond_b) return false;
-            const std::uint32_t blocking = beyond_b ? half_edges::next(h) : half_edges::previous(h);
-            if (mesh_.is_boundary(blocking)) return false;
-            const grid_point d = mesh_.place(half_edges::previous(mesh_.twin(blocking)));
-            if (orientation(a, b, d) <= 0 || (beyond_b ? orientation(a, d, c) : orientation(b, c, d)) <= 0) return false;
-            if (!flipped) size_ = 0;
-            flipped = true;
-            const std::uint32_t g = mesh_.twin(blocking);
-            mesh_.flip(blocking);
-            push(blocking);
-            push(half_edges::previous(blocking));
-            push(g);
-            push(half_edges::previous(g));
-        }
-        if (!flipped) {
-            stack_[0] = mesh_.dent(h, p);
-            stack_[1] = half_edges::previous(h);
+        const bool inside = (orientation(b, c, at) > 0) & (orientation(c, a, at) > 0);
+        stack_[0] = mesh_.dent(h, p);
+        stack_[1] = h2;
+        if (inside) [[likely]] {
             towards_apex(2);
             return true;
         }
-        push(mesh_.dent(h, p));
-        push(half_edges::previous(h));
-        around();
-        return !overflow_;
+        return pull_to_apex(2, p);
     }
 
 private:
@@ -126,6 +105,35 @@ private:
             stack[size++] = half_edges::previous(g);
             stack[size++] = h;
         } while (size != 0);
+    }
+
+    /// The same where p lies beyond its triangle, so that some triangle at p turns clockwise: the edge opposite p in it has to go
+    /// whatever the circles say, until all that is between p and its boundary edge has been joined to p.
+    [[nodiscard]] bool pull_to_apex(std::size_t size, std::uint32_t p) noexcept
+    {
+        while (size != 0) {
+            const std::uint32_t h = stack_[--size];
+            const bool is_behind = orientation(mesh_.place(half_edges::previous(h)), mesh_.place(h), mesh_.place(half_edges::next(h))) <= 0;
+            if (mesh_.is_boundary(h)) {
+                if (is_behind) return false;
+                continue;
+            }
+            const std::uint32_t g = mesh_.twin(h);
+            if (!is_behind && !wants_flip(mesh_, h, g)) continue;
+            mesh_.flip(h);
+            stack_[size++] = half_edges::previous(g);
+            stack_[size++] = h;
+        }
+        // What was joined by force may not be Delaunay: the edges that leave p are tested too.
+        size_ = 0;
+        for (std::uint32_t h = mesh_.boundary_from(p);;) {
+            h = half_edges::previous(h);
+            if (mesh_.is_boundary(h)) break;
+            push(h);
+            h = mesh_.twin(h);
+        }
+        around();
+        return !overflow_;
     }
 
     half_edges& mesh_;
