@@ -2,6 +2,7 @@
 
 #include <typemesh/fill/fill.hpp>
 #include <typemesh/triangulate/constrained_delaunay.hpp>
+#include <typemesh/triangulate/monotone.hpp>
 
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
@@ -91,7 +92,7 @@ std::vector<test::shape> delaunay_shapes()
 TEST_CASE("constrained_delaunay makes every edge Delaunay", "[triangulate][delaunay]")
 {
     for (const test::shape& s : delaunay_shapes()) {
-        for (const double degrees : {0.0, 0.001, 33.0, 90.0, 180.0, 270.0}) {
+        for (const double degrees : {0.0, 0.001, 33.0, 90.0, 180.0, 230.0}) {
             const test::shape t = test::turned(s, degrees);
             INFO(t.name);
             CHECK(mesh_of(t).mistake == "");
@@ -126,5 +127,183 @@ TEST_CASE("the Delaunay triangles do not depend on where contours begin or how t
             INFO(s.name << ", shuffle " << seed);
             CHECK((mesh_of(test::shuffled(s, seed), false).triangles == triangles));
         }
+    }
+}
+
+TEST_CASE("integer shifts and powers of two leave the Delaunay triangles as they are", "[triangulate][delaunay]")
+{
+    for (const test::shape& s : delaunay_shapes()) {
+        std::int32_t reach = 1;
+        for (const test::polyline& l : s.loops)
+            for (const grid_point p : l) reach = (std::max)({reach, std::abs(p.x), std::abs(p.y)});
+        const auto triangles = mesh_of(s, false).triangles;
+        const auto moved = [&](std::int32_t scale, std::int32_t dx, std::int32_t dy) {
+            const auto place = [&](grid_point p) { return grid_point{p.x * scale + dx, p.y * scale + dy}; };
+            test::shape t = s;
+            for (test::polyline& l : t.loops) std::transform(l.begin(), l.end(), l.begin(), place);
+            auto expected = triangles;
+            for (auto& corners : expected) std::transform(corners.begin(), corners.end(), corners.begin(), place);
+            INFO(s.name << " times " << scale << " plus " << dx << ", " << dy);
+            CHECK((mesh_of(t, false).triangles == expected));
+        };
+        const std::int32_t room = (1 << 28) - reach;
+        moved(1, room, -room);
+        moved(1, (std::min)(room, 17), 0);
+        std::int32_t largest = 1;
+        while (std::int64_t{largest} * 2 * reach <= 1 << 28) largest *= 2;
+        moved(largest, 0, 0);
+        moved((std::max)(1, largest / 8), 0, 0);
+    }
+}
+
+namespace {
+
+/// Triangles none of whose edges could as well be the other diagonal of four points on one circle.
+std::vector<test::oracle::placed_triangle> outside_cells(const test::shape& s)
+{
+    contours loops = test::contours_of(s);
+    workspace space;
+    const result<region> filled = fill(loops, fill_rule::non_zero, space);
+    triangle_list out;
+    if (!filled || constrained_delaunay{}(*filled, space, out)) return {};
+    const auto points = filled->points();
+    std::unordered_map<std::uint64_t, std::uint32_t> opposite;
+    for (const triangle t : out) {
+        const std::uint32_t c[3] = {t.a, t.b, t.c};
+        for (std::size_t i = 0; i < 3; ++i) opposite[std::uint64_t{c[i]} << 32 | c[(i + 1) % 3]] = c[(i + 2) % 3];
+    }
+    std::vector<triangle> alone;
+    for (const triangle t : out) {
+        const std::uint32_t c[3] = {t.a, t.b, t.c};
+        bool is_alone = true;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto other = opposite.find(std::uint64_t{c[(i + 1) % 3]} << 32 | c[i]);
+            is_alone = is_alone && (other == opposite.end() || test::oracle::circle_side(points[t.a], points[t.b], points[t.c], points[other->second]) != 0);
+        }
+        if (is_alone) alone.push_back(t);
+    }
+    return test::oracle::as_set(points, alone);
+}
+
+}  // namespace
+
+TEST_CASE("quarter turns and mirrors leave the Delaunay triangles outside cells of co-circular points as they are", "[triangulate][delaunay]")
+{
+    for (const test::shape& s : delaunay_shapes()) {
+        const auto triangles = outside_cells(s);
+        const auto sorted = [](std::vector<test::oracle::placed_triangle> set, auto&& place, bool turns_round) {
+            for (auto& corners : set) {
+                std::transform(corners.begin(), corners.end(), corners.begin(), place);
+                if (turns_round) std::reverse(corners.begin(), corners.end());
+                std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end(), test::oracle::comes_first), corners.end());
+            }
+            std::sort(set.begin(), set.end(), test::oracle::operator_less);
+            return set;
+        };
+        INFO(s.name);
+        CHECK((outside_cells(test::turned(s, 90)) == sorted(triangles, [](grid_point p) { return grid_point{-p.y, p.x}; }, false)));
+        CHECK((outside_cells(test::turned(s, 180)) == sorted(triangles, [](grid_point p) { return grid_point{-p.x, -p.y}; }, false)));
+        CHECK((outside_cells(test::mirrored(s)) == sorted(triangles, [](grid_point p) { return grid_point{p.y, p.x}; }, true)));
+    }
+}
+
+TEST_CASE("all free diagonals among points on one circle leave the smallest", "[triangulate][delaunay]")
+{
+    for (const std::int32_t squared_radius : {25, 65, 325, 1105, 5525}) {
+        const test::polyline circle = on_one_circle(squared_radius, 37);
+        const auto triangles = mesh_of({"circle", {circle}}).triangles;
+        const grid_point smallest = *std::min_element(circle.begin(), circle.end(), test::oracle::comes_first);
+        CHECK(triangles.size() == circle.size() - 2);
+        for (const auto& corners : triangles) CHECK(corners[0] == smallest);
+    }
+}
+
+TEST_CASE("constrained_delaunay proves what monotone proves", "[triangulate][delaunay]")
+{
+    test::dice d{5};
+    int accepted = 0;
+    const auto compare = [&](const test::shape& s) {
+        const contours loops = test::contours_of(s);
+        workspace space;
+        triangle_list by_sweep, out;
+        const result<region> expected = monotone{}.prove(loops, space, by_sweep), proven = constrained_delaunay{}.prove(loops, space, out);
+        INFO(s);
+        CHECK(bool(expected) == bool(proven));
+        if (!proven) {
+            CHECK(proven.error() == expected.error().code);
+            CHECK(out.empty());
+            return;
+        }
+        ++accepted;
+        CHECK(test::oracle::broken_law(*proven, out.view()) == "");
+        CHECK(test::oracle::broken_delaunay(*proven, out.view()) == "");
+    };
+    for (const test::corpus_shape& c : test::corpus("regions.txt")) compare(c.shape);
+    for (int i = 0; i < 3000; ++i) {
+        const int width = 3 + d.roll(7), count = 1 + d.roll(2);
+        test::shape s{"polylines " + std::to_string(i), {}};
+        for (int c = 0; c < count; ++c) {
+            test::polyline l;
+            for (int n = 3 + d.roll(4); n > 0; --n) l.push_back({d.roll(width), d.roll(width)});
+            s.loops.push_back(l);
+        }
+        compare(s);
+    }
+    CHECK(accepted > 200);
+}
+
+TEST_CASE("proving Delaunay triangles without memory says so, and after warming up asks for none", "[triangulate][delaunay]")
+{
+    const contours loops = test::contours_of(test::square_with_holes(12, 24));
+    for (std::size_t nth = 1;; ++nth) {
+        test::counting_memory memory;
+        workspace space{memory.source()};
+        triangle_list out{memory.source()};
+        memory.fail_at = nth;
+        memory.fail_once = true;
+        const result<region> proven = constrained_delaunay{}.prove(loops, space, out);
+        const bool was_asked = memory.requests >= nth;
+        memory.fail_at = 0;
+        INFO("request " << nth);
+        if (!proven) {
+            CHECK(proven.error() == error::out_of_memory);
+            CHECK(out.empty());
+        }
+        out.clear();
+        REQUIRE(constrained_delaunay{}.prove(loops, space, out));
+        const std::size_t warm = memory.requests;
+        out.clear();
+        REQUIRE(constrained_delaunay{}.prove(loops, space, out));
+        CHECK(memory.requests == warm);
+        if (!was_asked) break;
+    }
+}
+
+TEST_CASE("constrained_delaunay takes at most 230 bytes of scratch memory a point", "[triangulate][delaunay]")
+{
+    for (const test::shape& s : {test::shape{"circle", {test::circle(50'000, 1e8)}}, test::shape{"star", {test::star(50'000, 1e8, 3)}}, test::square_with_holes(60, 8)}) {
+        const contours loops = test::contours_of(s);
+        const auto wanted = static_cast<std::size_t>(230.0 * static_cast<double>(loops.points.size())) + 64 * 64;
+        test::counting_memory memory;
+        workspace measured{memory.source()};
+        {
+            workspace::scope whole{measured};
+            REQUIRE(whole.take<char>(wanted) != nullptr);
+        }
+        const std::size_t before = memory.requests;
+        triangle_list out;
+        INFO(s.name);
+        REQUIRE(constrained_delaunay{}.prove(loops, measured, out));
+        CHECK(memory.requests == before);
+    }
+}
+
+TEST_CASE("constrained_delaunay takes 100,000 points and thousands of holes", "[triangulate][delaunay]")
+{
+    for (const test::shape& s : {test::shape{"fine circle", {test::circle(100'000, 0x1p28)}}, test::shape{"parabola", {parabola(100'000, true)}},
+                                 test::shape{"parabola on its side", {parabola(100'000, false)}}, test::shape{"star", {test::star(50'000, 2e8, 9)}},
+                                 test::square_with_holes(60, 16), test::circle_with_holes(20'000, 2000), test::shape{"spiral", {test::spiral(50'000, 60, 1'000'000)}}}) {
+        INFO(s.name);
+        CHECK(mesh_of(s).mistake == "");
     }
 }

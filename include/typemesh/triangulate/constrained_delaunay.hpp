@@ -25,7 +25,7 @@ namespace typemesh {
 /// simple boundary cover what is inside once.
 ///
 /// Cost   O(n log n) on all that is drawn; quadratic in the worst case
-/// Space  about 140 bytes a point from `space`, nothing else after `out` has room
+/// Space  about 220 bytes a point from `space`, nothing else after `out` has room
 /// Exact  orientation in 64 bits, in-circle in 128 (core/in_circle.hpp)
 struct constrained_delaunay {
     /// Relies on the region's promise. Fails with error::out_of_memory, `out` being as it was.
