@@ -32,8 +32,7 @@ namespace {
 
 using namespace typemesh;
 
-// --- glyphs as polygons
-// ----------------------------------------------------------------------------------------------------
+// --- glyphs as polygons ------------------------------------------------------------------------------------------
 
 using polygon = std::vector<std::vector<grid_point>>;
 
@@ -153,8 +152,7 @@ contours contours_of(const polygon& loops)
     return c;
 }
 
-// --- timing
-// ----------------------------------------------------------------------------------------------------------------
+// --- timing ------------------------------------------------------------------------------------------------------
 
 /// Nanoseconds a point: the best of `passes` over all of `work`.
 template <class Work, class F>
@@ -276,8 +274,7 @@ void add(const set& s, int passes)
             ->Unit(benchmark::kMillisecond);
 }
 
-// --- shapes of all sizes
-// ---------------------------------------------------------------------------------------------------
+// --- shapes of all sizes -----------------------------------------------------------------------------------------
 
 std::uint64_t next_random(std::uint64_t& state)
 {

@@ -51,9 +51,9 @@ finish() {
 count() { passed=$((passed + $1)) failed=$((failed + $2)); }
 
 # Builds a preset and runs its tests; ctest names what a failed build has left out.
-test_preset() {  # test_preset PRESET
+test_preset() {  # test_preset PRESET [TARGET...]
     local log=$typemesh_root/build/$1.ctest.log total bad
-    if ! build_preset "$1"; then
+    if ! build_preset "$@"; then
         count 0 1
     fi
     ctest --test-dir "$typemesh_root/build/$1" --output-on-failure --parallel "$(processors)" 2>&1 | tee "$log" |
@@ -69,13 +69,13 @@ test_preset() {  # test_preset PRESET
 
 tier_gcc() {
     test_preset gcc
-    test_preset fast-math
+    test_preset fast-math typemesh_tests
 }
 tier_clang() {
     install_missing clang++
     test_preset clang
 }
-tier_sanitize() { test_preset sanitize; }
+tier_sanitize() { test_preset sanitize typemesh_tests; }
 
 # Scripts in tests/external, each run in a scratch folder: 0 passed, 77 skipped with the reason on the last line, anything
 # else failed. They find the tool in TYPEMESH_TEXT_TO_MESH, tests/ in TYPEMESH_TEST_DATA, npm's packages by NODE_PATH.

@@ -202,7 +202,7 @@ inline double doubled_filled_area(const std::vector<loop>& loops, typemesh::fill
     return static_cast<double>(2 * area);
 }
 
-/// The first law that a triangulation breaks, in words; empty when it obeys all: n + 2h - 2c triangles, each strictly
+/// The first law that a triangulation breaks, in words; empty when it obeys all. n + 2h - 2c triangles, each strictly
 /// counter-clockwise; the region's area exactly; each edge of the region an edge of one triangle and in its own
 /// direction, each other edge of two, in both directions; every point a corner.
 inline std::string broken_law(const typemesh::region& r, std::span<const typemesh::triangle> triangles)

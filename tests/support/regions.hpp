@@ -85,8 +85,7 @@ private:
     std::uint64_t state_;
 };
 
-// --- one contour
-// -----------------------------------------------------------------------------------------------------------
+// --- one contour -------------------------------------------------------------------------------------------------
 
 inline constexpr double turn_once = 6.283185307179586;
 
@@ -192,8 +191,7 @@ inline polyline random_polygon(int n, std::int32_t width, dice& d)
     return l;
 }
 
-// --- whole shapes
-// ----------------------------------------------------------------------------------------------------------
+// --- whole shapes ------------------------------------------------------------------------------------------------
 
 inline shape square_with_holes(int rows, int corners, std::int32_t pitch = 1000)
 {
@@ -254,8 +252,7 @@ inline std::vector<shape> generated_regions()
     return all;
 }
 
-// --- turning
-// ---------------------------------------------------------------------------------------------------------------
+// --- turning -----------------------------------------------------------------------------------------------------
 
 /// Turned about the origin and snapped; quarter turns are exact. Equal neighbours that snapping makes are dropped.
 inline shape turned(const shape& s, double degrees)
@@ -314,8 +311,7 @@ inline shape shuffled(shape s, std::uint64_t seed)
     return s;
 }
 
-// --- corpus
-// ----------------------------------------------------------------------------------------------------------------
+// --- corpus ------------------------------------------------------------------------------------------------------
 
 /// A shape of corpus/regions.txt and what is true of it.
 struct corpus_shape {

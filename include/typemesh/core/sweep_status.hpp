@@ -18,11 +18,10 @@ namespace typemesh {
 ///
 /// Items are numbers that the sweep gives out, from 1; 0 stands for what lies below and above all. Items that are
 /// already there when the lanes open stay without: they are at most `lanes_from`, so a search still takes O(log n)
-/// steps. Heights come from a generator with a fixed seed: equal input, equal steps. From  W. Pugh, Skip lists: a
-/// probabilistic alternative to balanced trees (1990)
+/// steps. Heights come from a generator with a fixed seed: equal input, equal steps.
+/// From  W. Pugh, Skip lists: a probabilistic alternative to balanced trees (1990)
 class sweep_status {
-    static constexpr std::uint32_t lanes_from =
-        16;  ///< items in the list before the first lane is used; 8 to 48 measure alike
+    static constexpr std::uint32_t lanes_from = 16;  ///< items without a lane; 8 to 48 measure alike
     static constexpr std::uint32_t most_lanes = 11;  ///< every fourth item rises: 4^11 items
 
     struct place {

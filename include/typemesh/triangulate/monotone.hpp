@@ -32,8 +32,8 @@ struct monotone {
     /// The region that `loops` bound, its triangles appended to `out`.
     ///
     /// Fails  error::crossing_contours: exactly when two edges cross, touch or overlap (neighbours of a loop may share
-    ///        their common point and no more), or an edge does not have the interior on its left alone: a lone clockwise
-    ///        loop, one loop in another of its direction
+    ///        their common point and no more), or an edge does not have the interior on its left alone: a lone
+    ///        clockwise loop, one loop in another of its direction
     ///        error::out_of_memory
     /// In both cases `out` is as it was.
     [[nodiscard]] result<region> prove(const contours& loops, workspace& space, triangle_list& out) const noexcept
