@@ -24,8 +24,9 @@ namespace typemesh {
 /// cross on the way from coarse to fine: all triangles turn counter-clockwise throughout, and triangles that do so and have a
 /// simple boundary cover what is inside once.
 ///
-/// Cost   O(n log n) on all that is drawn; quadratic in the worst case
-/// Space  about 220 bytes a point from `space`, nothing else after `out` has room
+/// Cost   O(n log n) wherever it was measured (docs/triangulation.md). Exchanging diagonals is quadratic at worst, so it has a budget;
+///        where that is spent, coarse loops of another kind are tried before it may take what it needs.
+/// Space  about 220 bytes a point and 128 a loop from `space`, nothing else after `out` has room
 /// Exact  orientation in 64 bits, in-circle in 128 (core/in_circle.hpp)
 struct constrained_delaunay {
     /// Relies on the region's promise. Fails with error::out_of_memory, `out` being as it was.
@@ -35,10 +36,19 @@ struct constrained_delaunay {
         const std::size_t before = out.size();
         triangle* const write = out.append(r.triangle_count());
         if (write == nullptr) return error::out_of_memory;
+        constexpr attempt attempts[] = {
+            {2, true, true},                               // within 27 degrees
+            {8, true, true},                               // within 7 degrees
+            {detail::coarse_loops::keep_all, false, true},
+            {0, true, true},                               // within 90 degrees
+            {detail::coarse_loops::keep_all, false, false}};
         error e = error::crossing_contours;
-        for (const std::int64_t straightness : {2, 8})  // 27 and 7 degrees
-            if (e == error::crossing_contours) e = from_coarse_loops(r, space, write, straightness);
-        if (e == error::crossing_contours) e = from_all_points(r, space, write);
+        double tried = 0;  // how much of the points the last attempt kept
+        for (const attempt& a : attempts) {
+            if (e != error::crossing_contours) break;
+            if (a.straightness == 8 && tried > worth_it) continue;
+            e = a.proving ? from_loops<true>(r, space, write, a, tried) : from_loops<false>(r, space, write, a, tried);
+        }
         if (e) out.truncate(before);
         return e;
     }
@@ -54,49 +64,45 @@ struct constrained_delaunay {
     }
 
 private:
-    /// error::crossing_contours: not this way.
-    [[nodiscard]] static error from_coarse_loops(const region& r, workspace& space, triangle* write, std::int64_t straightness) noexcept
-    {
-        workspace::scope scratch{space};
-        detail::coarse_loops coarse;
-        if (!coarse.take(scratch, r.points(), r.starts(), straightness)) return error::out_of_memory;
-        if (coarse.points().size() * 8 > r.points().size() * 7) return error::crossing_contours;
-        detail::half_edges mesh{r.points()};
-        if (!mesh.open(scratch, room_for(r))) return error::out_of_memory;
-        detail::monotone_sweep<true, cutter> sweep{coarse.points(), coarse.starts(), cutter{detail::half_edges::output{mesh, coarse.names()}}};
-        if (const error e = sweep.run(space)) return e;
-        if (sweep.holes() != r.holes() || sweep.outers() != r.outers()) return error::crossing_contours;
-        mesh.finish(sweep.cutter().output());
-        return make_delaunay(r, mesh, &coarse, scratch, write);
-    }
-
-    [[nodiscard]] static error from_all_points(const region& r, workspace& space, triangle* write) noexcept
-    {
-        workspace::scope scratch{space};
-        detail::half_edges mesh{r.points()};
-        if (!mesh.open(scratch, room_for(r))) return error::out_of_memory;
-        detail::monotone_sweep<false, cutter> sweep{r.points(), r.starts(), cutter{detail::half_edges::output{mesh, nullptr}}};
-        if (const error e = sweep.run(space)) return e;
-        mesh.finish(sweep.cutter().output());
-        return make_delaunay(r, mesh, nullptr, scratch, write);
-    }
-
     using cutter = detail::chain_cutter<detail::half_edges::output>;
 
-    /// As many triangles as a sweep can ask for.
-    [[nodiscard]] static std::size_t room_for(const region& r) noexcept { return r.points().size() + 2 * std::size_t{r.loop_count()}; }
+    /// Regular patterns of many holes put whole columns of points on one vertical line, where a sweep makes needles.
+    static constexpr std::size_t sheared_from = 1000;
 
-    [[nodiscard]] static error make_delaunay(const region& r, detail::half_edges& mesh, const detail::coarse_loops* coarse,
-                                             workspace::scope& scratch, triangle* write) noexcept
+    struct attempt {
+        std::int64_t straightness;
+        bool proving;  // that what is kept is a region; trusting is for all points
+        bool limited;  // in flips, to `most_flips` a triangle
+    };
+    static constexpr std::uint64_t most_flips = 16;
+    static constexpr double worth_it = 0.875;  ///< leaving out fewer points than this leaves costs more than it saves
+
+    /// error::crossing_contours: not this way.
+    template <bool Proving>
+    [[nodiscard]] static error from_loops(const region& r, workspace& space, triangle* write, const attempt& how, double& kept) noexcept
     {
+        const std::size_t n = r.points().size();
+        workspace::scope scratch{space};
+        detail::coarse_loops coarse;
+        if (!coarse.take(scratch, r.points(), r.starts(), how.straightness, n >= sheared_from)) return error::out_of_memory;
+        kept = static_cast<double>(coarse.points().size()) / static_cast<double>(n);
+        if (Proving && kept > worth_it) return error::crossing_contours;
+        detail::half_edges mesh{r.points()};
+        if (!mesh.open(scratch, n + 2 * std::size_t{r.loop_count()})) return error::out_of_memory;  // as many as a sweep can ask for
+        detail::monotone_sweep<Proving, cutter> sweep{coarse.points(), coarse.starts(), cutter{detail::half_edges::output{mesh, coarse.names()}}};
+        if (const error e = sweep.run(space)) return e;
+        if (Proving && (sweep.holes() != r.holes() || sweep.outers() != r.outers())) return error::crossing_contours;
+        mesh.finish(sweep.cutter().output());
+
         detail::delaunay_flips flips{mesh, r.points()};
         if (!flips.open(scratch, r.triangle_count())) return error::out_of_memory;
-        flips.everywhere();
-        if (coarse != nullptr && !coarse->bring_back([&](std::uint32_t previous, std::uint32_t p) noexcept { return flips.insert(previous, p); }))
+        if (!flips.everywhere(how.limited ? most_flips * r.triangle_count() : ~std::uint64_t{0})) return error::crossing_contours;
+        if (!coarse.bring_back([&](std::uint32_t previous, std::uint32_t p) noexcept { return flips.insert(previous, p); }))
             return error::crossing_contours;
         mesh.write(write);
         return error::none;
     }
+
 };
 
 static_assert(proving_triangulator<constrained_delaunay>);

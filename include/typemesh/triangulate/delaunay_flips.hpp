@@ -24,9 +24,10 @@ public:
         return stack_ != nullptr;
     }
 
-    /// Makes the whole mesh Delaunay. Quadratic at worst in the number of triangles.
-    void everywhere() noexcept
+    /// Makes the whole mesh Delaunay, with at most `budget` flips; false when they did not suffice.
+    [[nodiscard]] bool everywhere(std::uint64_t budget) noexcept
     {
+        left_ = budget;
         do {
             overflow_ = false;
             size_ = 0;
@@ -37,7 +38,8 @@ public:
                 }
             }
             around();
-        } while (overflow_);
+        } while (overflow_ && left_ != 0);
+        return left_ != 0;
     }
 
     /// Makes p a point of the boundary between `before` and the point after it, in a mesh that is Delaunay and stays so.
@@ -74,15 +76,16 @@ private:
         return prefers_other_diagonal(mesh.place(h), mesh.place(g), mesh.place(half_edges::previous(h)), mesh.place(half_edges::previous(g)));
     }
 
-    /// Until the stack is empty; a flip puts all four edges round it there.
+    /// Until the stack is empty or the budget is spent; a flip puts all four edges round it there.
     void around() noexcept
     {
-        while (size_ != 0) {
+        while (size_ != 0 && left_ != 0) {
             const std::uint32_t h = stack_[--size_];
             if (mesh_.is_boundary(h)) continue;
             const std::uint32_t g = mesh_.twin(h);
             if (!wants_flip(mesh_, h, g)) continue;
             mesh_.flip(h);
+            --left_;
             push(half_edges::previous(g));
             push(g);
             push(half_edges::previous(h));
@@ -132,6 +135,7 @@ private:
             push(h);
             h = mesh_.twin(h);
         }
+        left_ = ~std::uint64_t{0};
         around();
         return !overflow_;
     }
@@ -141,6 +145,7 @@ private:
     std::uint32_t* stack_ = nullptr;
     std::size_t room_ = 0;
     std::size_t size_ = 0;
+    std::uint64_t left_ = 0;  // flips
     bool overflow_ = false;
 };
 

@@ -50,24 +50,25 @@ public:
             edge first, second;
         };
 
-        /// Points go by name[v], or by their own number where `name` is null.
+        /// The sweep's points are points[name[v]]; its places may be others, if they only lie as these do.
         explicit output(const half_edges& mesh, const std::uint32_t* name) noexcept
-            : edges_{mesh.edges_}, rim_{mesh.rim_}, nobody_{mesh.rim_ + static_cast<std::uint32_t>(mesh.points_.size())}, name_{name}
+            : edges_{mesh.edges_}, rim_{mesh.rim_}, nobody_{mesh.rim_ + static_cast<std::uint32_t>(mesh.points_.size())}, points_{mesh.points_.data()}, name_{name}
         {
         }
 
-        [[nodiscard]] std::uint32_t name(std::uint32_t v) const noexcept { return name_ == nullptr ? v : name_[v]; }
+        [[nodiscard]] std::uint32_t name(std::uint32_t v) const noexcept { return name_[v]; }
 
         template <std::uint32_t along, class Link>
-        edge cut(const Link& a, const Link& b, std::uint32_t v, grid_point p, edge to_b) noexcept
+        edge cut(const Link& a, const Link& b, std::uint32_t v, grid_point, edge to_b) noexcept
         {
+            const grid_point at_a = points_[a.point], at_b = points_[b.point], p = points_[v];
             const std::uint32_t t = count_, chain = along == 0 ? t : t + 2, open = along == 0 ? t + 2 : t;
             count_ += 4;
             edges_[t].origin = a.point;
-            edges_[t].place = a.place;
-            edges_[t + 1] = along == 0 ? half_edge{b.point, to_b, b.place} : half_edge{v, to_b, p};
+            edges_[t].place = at_a;
+            edges_[t + 1] = along == 0 ? half_edge{b.point, to_b, at_b} : half_edge{v, to_b, p};
             edges_[t + 2].origin = along == 0 ? v : b.point;
-            edges_[t + 2].place = along == 0 ? p : b.place;
+            edges_[t + 2].place = along == 0 ? p : at_b;
             edges_[to_b].twin = t + 1;
             edges_[chain].twin = b.edge;
             edges_[b.edge].twin = chain;
@@ -97,6 +98,7 @@ public:
         std::uint32_t nobody_;
         std::uint32_t count_ = 0;
         std::uint32_t diagonals_ = 0;
+        const grid_point* points_;
         const std::uint32_t* name_;
     };
 
