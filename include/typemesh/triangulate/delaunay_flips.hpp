@@ -54,7 +54,7 @@ public:
             towards_apex(1);
             return true;
         }
-        const bool inside = (orientation(b, c, at) > 0) & (orientation(c, a, at) > 0);
+        const bool inside = orientation(b, c, at) > 0 && orientation(c, a, at) > 0;
         stack_[0] = mesh_.dent(h, p);
         stack_[1] = h2;
         if (inside) [[likely]] {
