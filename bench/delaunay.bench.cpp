@@ -75,7 +75,8 @@ void sort_points(const set& s, std::vector<std::uint64_t>& keys)
     for (const contours& c : s.loops) {
         keys.clear();
         for (const grid_point p : c.points)
-            keys.push_back(static_cast<std::uint64_t>(static_cast<std::uint32_t>(p.x) ^ 0x8000'0000u) << 32 | (static_cast<std::uint32_t>(p.y) ^ 0x8000'0000u));
+            keys.push_back(static_cast<std::uint64_t>(static_cast<std::uint32_t>(p.x) ^ 0x8000'0000u) << 32 |
+                           (static_cast<std::uint32_t>(p.y) ^ 0x8000'0000u));
         std::sort(keys.begin(), keys.end());
         benchmark::DoNotOptimize(keys.data());
     }
@@ -87,7 +88,9 @@ void pass(const set& s, bool proving, workspace& space, triangle_list& out)
 {
     for (std::size_t i = 0; i < s.loops.size(); ++i) {
         out.clear();
-        if (proving ? !Triangulator{}.prove(s.loops[i], space, out) : static_cast<bool>(Triangulator{}(s.regions[i], space, out))) std::abort();
+        if (proving ? !Triangulator{}.prove(s.loops[i], space, out)
+                    : static_cast<bool>(Triangulator{}(s.regions[i], space, out)))
+            std::abort();
         benchmark::DoNotOptimize(out.data());
     }
 }
@@ -133,15 +136,20 @@ void run_peer(benchmark::State& state, const set& s, void (*peer)(const contours
 void add(const set& s)
 {
     const auto entry = [&s](const char* name, std::function<void(workspace&, triangle_list&)> f) {
-        benchmark::RegisterBenchmark((s.name + " / " + name).c_str(), [&s, f](benchmark::State& state) { run(state, s, f); })->Iterations(1)->Unit(benchmark::kMillisecond);
+        benchmark::RegisterBenchmark((s.name + " / " + name).c_str(),
+                                     [&s, f](benchmark::State& state) { run(state, s, f); })
+            ->Iterations(1)
+            ->Unit(benchmark::kMillisecond);
     };
     entry("monotone proving", [&s](workspace& w, triangle_list& out) { pass<monotone>(s, true, w, out); });
     entry("monotone trusting", [&s](workspace& w, triangle_list& out) { pass<monotone>(s, false, w, out); });
     entry("delaunay proving", [&s](workspace& w, triangle_list& out) { pass<constrained_delaunay>(s, true, w, out); });
-    entry("delaunay trusting", [&s](workspace& w, triangle_list& out) { pass<constrained_delaunay>(s, false, w, out); });
+    entry("delaunay trusting",
+          [&s](workspace& w, triangle_list& out) { pass<constrained_delaunay>(s, false, w, out); });
 #ifdef TYPEMESH_BENCH_PEERS
     for (const auto& [name, peer] : bench::peers())
-        benchmark::RegisterBenchmark((s.name + " / " + name).c_str(), [&s, peer = peer](benchmark::State& state) { run_peer(state, s, peer); })
+        benchmark::RegisterBenchmark((s.name + " / " + name).c_str(),
+                                     [&s, peer = peer](benchmark::State& state) { run_peer(state, s, peer); })
             ->Iterations(1)
             ->Unit(benchmark::kMillisecond);
 #endif
@@ -175,14 +183,13 @@ int main(int argc, char** argv)
         add(sets.back());
     }
     for (int n = 100; n <= 1'000'000; n *= 10) {
-        const std::pair<const char*, bench::polygon> shapes[] = {
-            {"spiral", bench::spiral(n)},
-            {"comb", bench::comb(n)},
-            {"star", bench::star(n)},
-            {"parabola", bench::parabola(n, true)},
-            {"parabola on its side", bench::parabola(n, false)},
-            {"circle with holes", bench::circle_with_holes(n)},
-            {"square with holes", bench::square_with_holes(n)}};
+        const std::pair<const char*, bench::polygon> shapes[] = {{"spiral", bench::spiral(n)},
+                                                                 {"comb", bench::comb(n)},
+                                                                 {"star", bench::star(n)},
+                                                                 {"parabola", bench::parabola(n, true)},
+                                                                 {"parabola on its side", bench::parabola(n, false)},
+                                                                 {"circle with holes", bench::circle_with_holes(n)},
+                                                                 {"square with holes", bench::square_with_holes(n)}};
         for (const auto& [name, p] : shapes) {
             set s{std::string{name} + " of " + std::to_string(n), {}, {}, 0, 0, n < 100'000 ? 5 : 2};
             s.take({p});

@@ -52,12 +52,18 @@ struct glu_run {
 
     glu_run()
     {
-        const auto set = [this](GLenum which, auto f) { gluTessCallback(tessellator, which, reinterpret_cast<_GLUfuncptr>(f)); };
-        set(GLU_TESS_VERTEX_DATA, +[](void* index, void* self) {
-            static_cast<glu_run*>(self)->triangles.push_back(static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(index)));
-        });
-        set(GLU_TESS_EDGE_FLAG, +[](GLboolean) {});  // so that triangles come one by one
-        set(GLU_TESS_COMBINE, +[](double*, void**, float*, void** out) { *out = nullptr; });
+        const auto set = [this](GLenum which, auto f) {
+            gluTessCallback(tessellator, which, reinterpret_cast<_GLUfuncptr>(f));
+        };
+        set(
+            GLU_TESS_VERTEX_DATA, +[](void* index, void* self) {
+                static_cast<glu_run*>(self)->triangles.push_back(
+                    static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(index)));
+            });
+        set(
+            GLU_TESS_EDGE_FLAG, +[](GLboolean) {});  // so that triangles come one by one
+        set(
+            GLU_TESS_COMBINE, +[](double*, void**, float*, void** out) { *out = nullptr; });
         gluTessProperty(tessellator, GLU_TESS_WINDING_RULE, GLU_TESS_WINDING_NONZERO);
         gluTessNormal(tessellator, 0, 0, 1);
     }
@@ -89,14 +95,16 @@ inline void glu(const contours& c)
 inline void cgal(const contours& c)
 {
     using kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-    using faces = CGAL::Constrained_triangulation_face_base_2<kernel, CGAL::Triangulation_face_base_with_info_2<int, kernel>>;
+    using faces =
+        CGAL::Constrained_triangulation_face_base_2<kernel, CGAL::Triangulation_face_base_with_info_2<int, kernel>>;
     using storage = CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<kernel>, faces>;
     using cdt = CGAL::Constrained_Delaunay_triangulation_2<kernel, storage, CGAL::No_constraint_intersection_tag>;
     std::vector<kernel::Point_2> points;
     std::vector<std::pair<std::size_t, std::size_t>> edges;
     for (const grid_point p : c.points) points.emplace_back(p.x, p.y);
     for (std::uint32_t loop = 0; loop < c.contour_count(); ++loop)
-        for (std::uint32_t i = c.starts[loop]; i < c.starts[loop + 1]; ++i) edges.emplace_back(i, i + 1 < c.starts[loop + 1] ? i + 1 : c.starts[loop]);
+        for (std::uint32_t i = c.starts[loop]; i < c.starts[loop + 1]; ++i)
+            edges.emplace_back(i, i + 1 < c.starts[loop + 1] ? i + 1 : c.starts[loop]);
     cdt t;
     t.insert_constraints(points.begin(), points.end(), edges.begin(), edges.end());
     // Inside is what an odd number of constraints parts from the infinite face.

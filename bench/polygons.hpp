@@ -47,7 +47,8 @@ struct flattener {
     void quadratic_to(point b, point c)
     {
         const quadratic q{at, b, c};
-        const int n = (std::max)(1, static_cast<int>(std::ceil(std::sqrt(length(q.p0 - 2.0 * b + c) / (4.0 * tolerance)))));
+        const int n =
+            (std::max)(1, static_cast<int>(std::ceil(std::sqrt(length(q.p0 - 2.0 * b + c) / (4.0 * tolerance)))));
         for (int i = 1; i <= n; ++i) add(i == n ? c : q.at(double(i) / n));
         at = c;
     }
@@ -69,16 +70,32 @@ struct flattener {
 inline hb_draw_funcs_t* drawing()
 {
     hb_draw_funcs_t* f = hb_draw_funcs_create();
-    hb_draw_funcs_set_move_to_func(f, [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, float x, float y, void*) {
-        flattener::self(d).move(flattener::of(x, y)); }, nullptr, nullptr);
-    hb_draw_funcs_set_line_to_func(f, [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, float x, float y, void*) {
-        flattener::self(d).line(flattener::of(x, y)); }, nullptr, nullptr);
-    hb_draw_funcs_set_quadratic_to_func(f, [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, float a, float b, float x, float y, void*) {
-        flattener::self(d).quadratic_to(flattener::of(a, b), flattener::of(x, y)); }, nullptr, nullptr);
-    hb_draw_funcs_set_cubic_to_func(f, [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, float a, float b, float p, float q, float x, float y, void*) {
-        flattener::self(d).cubic_to(flattener::of(a, b), flattener::of(p, q), flattener::of(x, y)); }, nullptr, nullptr);
-    hb_draw_funcs_set_close_path_func(f, [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, void*) {
-        flattener::self(d).close(); }, nullptr, nullptr);
+    hb_draw_funcs_set_move_to_func(
+        f,
+        [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, float x, float y, void*) {
+            flattener::self(d).move(flattener::of(x, y));
+        },
+        nullptr, nullptr);
+    hb_draw_funcs_set_line_to_func(
+        f,
+        [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, float x, float y, void*) {
+            flattener::self(d).line(flattener::of(x, y));
+        },
+        nullptr, nullptr);
+    hb_draw_funcs_set_quadratic_to_func(
+        f,
+        [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, float a, float b, float x, float y, void*) {
+            flattener::self(d).quadratic_to(flattener::of(a, b), flattener::of(x, y));
+        },
+        nullptr, nullptr);
+    hb_draw_funcs_set_cubic_to_func(
+        f,
+        [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, float a, float b, float p, float q, float x, float y, void*) {
+            flattener::self(d).cubic_to(flattener::of(a, b), flattener::of(p, q), flattener::of(x, y));
+        },
+        nullptr, nullptr);
+    hb_draw_funcs_set_close_path_func(
+        f, [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, void*) { flattener::self(d).close(); }, nullptr, nullptr);
     hb_draw_funcs_make_immutable(f);
     return f;
 }
@@ -135,7 +152,8 @@ inline std::uint64_t next_random(std::uint64_t& state)
 inline grid_point on_circle(double cx, double cy, double radius, double turn)
 {
     const double angle = 6.283185307179586 * turn;
-    return {static_cast<std::int32_t>(std::lround(cx + radius * std::cos(angle))), static_cast<std::int32_t>(std::lround(cy + radius * std::sin(angle)))};
+    return {static_cast<std::int32_t>(std::lround(cx + radius * std::cos(angle))),
+            static_cast<std::int32_t>(std::lround(cy + radius * std::sin(angle)))};
 }
 
 inline polygon circle(int n)
@@ -157,8 +175,10 @@ inline polygon spiral(int n)
 {
     polygon p(1);
     const double turns = std::sqrt(n / 20.0), step = 2e8 / turns;
-    for (int i = 0; i <= n / 2; ++i) p[0].push_back(on_circle(0, 0, step * (0.5 + turns * i / (n / 2)), turns * i / (n / 2)));
-    for (int i = n / 2; i >= 0; --i) p[0].push_back(on_circle(0, 0, step * (0.8 + turns * i / (n / 2)), turns * i / (n / 2)));
+    for (int i = 0; i <= n / 2; ++i)
+        p[0].push_back(on_circle(0, 0, step * (0.5 + turns * i / (n / 2)), turns * i / (n / 2)));
+    for (int i = n / 2; i >= 0; --i)
+        p[0].push_back(on_circle(0, 0, step * (0.8 + turns * i / (n / 2)), turns * i / (n / 2)));
     std::reverse(p[0].begin(), p[0].end());
     return p;
 }
@@ -166,7 +186,9 @@ inline polygon star(int n)
 {
     polygon p(1);
     std::uint64_t seed = 1;
-    for (int i = 0; i < n; ++i) p[0].push_back(on_circle(0, 0, 5e7 + 2e8 * static_cast<double>(next_random(seed) >> 11) * 0x1p-53, double(i) / n));
+    for (int i = 0; i < n; ++i)
+        p[0].push_back(
+            on_circle(0, 0, 5e7 + 2e8 * static_cast<double>(next_random(seed) >> 11) * 0x1p-53, double(i) / n));
     return p;
 }
 inline polygon parabola(int n, bool upwards)
@@ -175,7 +197,8 @@ inline polygon parabola(int n, bool upwards)
     const double half = n / 2;
     for (int i = 0; i < n; ++i) {
         const double x = (i - half) / half;
-        p[0].push_back({static_cast<std::int32_t>(std::lround(2.5e8 * x)), static_cast<std::int32_t>(std::lround(2.5e8 * x * x))});
+        p[0].push_back(
+            {static_cast<std::int32_t>(std::lround(2.5e8 * x)), static_cast<std::int32_t>(std::lround(2.5e8 * x * x))});
     }
     if (!upwards)
         for (grid_point& q : p[0]) q = {-q.y, q.x};
@@ -189,7 +212,8 @@ inline polygon square_with_holes(int n)
     for (int y = 0; y < rows; ++y)
         for (int x = 0; x < rows; ++x) {
             p.emplace_back();
-            for (int i = 16; i-- != 0;) p.back().push_back(on_circle((x + 0.5) * pitch, (y + 0.5) * pitch, 0.4 * pitch, i / 16.0));
+            for (int i = 16; i-- != 0;)
+                p.back().push_back(on_circle((x + 0.5) * pitch, (y + 0.5) * pitch, 0.4 * pitch, i / 16.0));
         }
     return p;
 }

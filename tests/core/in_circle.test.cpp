@@ -41,7 +41,8 @@ TEST_CASE("multiplying halves agrees with numbers of 128 bits", "[core][in_circl
         const std::int64_t a = roll(), b = roll(), c = i % 4 == 0 ? -a : roll(), e = i % 8 == 0 ? b : roll();
         const test::oracle::int128 sum = test::oracle::int128{a} * b + test::oracle::int128{c} * e;
         const detail::two_words words = detail::sum_of_products_in_halves(a, b, c, e);
-        const bool equal = words.high == static_cast<std::uint64_t>(sum >> 64) && words.low == static_cast<std::uint64_t>(sum);
+        const bool equal =
+            words.high == static_cast<std::uint64_t>(sum >> 64) && words.low == static_cast<std::uint64_t>(sum);
         if (!equal) CHECK(equal);
         const detail::two_words chosen = detail::sum_of_products(a, b, c, e);
         const bool agrees = words.high == chosen.high && words.low == chosen.low;
@@ -52,7 +53,7 @@ TEST_CASE("multiplying halves agrees with numbers of 128 bits", "[core][in_circl
 TEST_CASE("of four points on one circle the diagonal that leaves the smallest is preferred", "[core][in_circle]")
 {
     constexpr grid_point a{0, 0}, b{4, 0}, c{4, 4}, d{0, 4};
-    STATIC_REQUIRE(prefers_other_diagonal(b, d, a, c));        // now b d, better a c
+    STATIC_REQUIRE(prefers_other_diagonal(b, d, a, c));  // now b d, better a c
     STATIC_REQUIRE_FALSE(prefers_other_diagonal(a, c, d, b));
     STATIC_REQUIRE_FALSE(prefers_other_diagonal(c, a, b, d));
 }

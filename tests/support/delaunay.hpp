@@ -23,9 +23,11 @@ __extension__ using int128 = __int128;
 /// 1: d lies inside the circle through a, b, c, which turn counter-clockwise; 0: on it; -1: outside.
 inline int circle_side(grid_point a, grid_point b, grid_point c, grid_point d)
 {
-    const std::int64_t ax = std::int64_t{a.x} - d.x, ay = std::int64_t{a.y} - d.y, bx = std::int64_t{b.x} - d.x, by = std::int64_t{b.y} - d.y;
+    const std::int64_t ax = std::int64_t{a.x} - d.x, ay = std::int64_t{a.y} - d.y, bx = std::int64_t{b.x} - d.x,
+                       by = std::int64_t{b.y} - d.y;
     const std::int64_t cx = std::int64_t{c.x} - d.x, cy = std::int64_t{c.y} - d.y;
-    const int128 determinant = int128{ax * ax + ay * ay} * (bx * cy - by * cx) - int128{bx * bx + by * by} * (ax * cy - ay * cx) +
+    const int128 determinant = int128{ax * ax + ay * ay} * (bx * cy - by * cx) -
+                               int128{bx * bx + by * by} * (ax * cy - ay * cx) +
                                int128{cx * cx + cy * cy} * (ax * by - ay * bx);
     return determinant > 0 ? 1 : determinant < 0 ? -1 : 0;
 }
@@ -48,12 +50,14 @@ inline std::string broken_delaunay(const typemesh::region& r, std::span<const ty
     for (const auto& [edge, apex] : opposite) {
         const auto other = opposite.find(edge << 32 | edge >> 32);
         if (other == opposite.end()) continue;
-        const grid_point a = points[edge >> 32], b = points[edge & 0xFFFF'FFFF], c = points[apex], d = points[other->second];
+        const grid_point a = points[edge >> 32], b = points[edge & 0xFFFF'FFFF], c = points[apex],
+                         d = points[other->second];
         const int side = circle_side(a, b, c, d);
         if (side > 0) return "an edge is not Delaunay";
         if (side < 0) continue;
         const grid_point smallest = (std::min)({a, b, c, d}, comes_first);
-        if (!(smallest == a) && !(smallest == b)) return "a diagonal among points on one circle does not leave the smallest";
+        if (!(smallest == a) && !(smallest == b))
+            return "a diagonal among points on one circle does not leave the smallest";
     }
     return {};
 }
@@ -68,7 +72,8 @@ inline bool operator_less(const placed_triangle& s, const placed_triangle& t)
 }
 
 /// The triangles as places, each from its smallest corner on, sorted: equal when the sets are equal, however points are numbered.
-inline std::vector<placed_triangle> as_set(std::span<const grid_point> points, std::span<const typemesh::triangle> triangles)
+inline std::vector<placed_triangle> as_set(std::span<const grid_point> points,
+                                           std::span<const typemesh::triangle> triangles)
 {
     std::vector<placed_triangle> set;
     for (const typemesh::triangle t : triangles) {

@@ -41,7 +41,8 @@ test::polyline on_one_circle(std::int32_t squared_radius, std::int32_t scale)
     for (std::int32_t x = -reach; x <= reach; ++x)
         for (std::int32_t y = -reach; y <= reach; ++y)
             if (x * x + y * y == squared_radius) l.push_back({x * scale, y * scale});
-    std::sort(l.begin(), l.end(), [](grid_point a, grid_point b) { return std::atan2(a.y, a.x) < std::atan2(b.y, b.x); });
+    std::sort(l.begin(), l.end(),
+              [](grid_point a, grid_point b) { return std::atan2(a.y, a.x) < std::atan2(b.y, b.x); });
     return l;
 }
 
@@ -65,7 +66,8 @@ test::polyline parabola(int n, bool upwards)
     test::polyline l;
     for (int i = 0; i < n; ++i) {
         const double x = 2.0 * i / (n - 1) - 1.0;
-        l.push_back({static_cast<std::int32_t>(std::lround(0x1p27 * x)), static_cast<std::int32_t>(std::lround(0x1p27 * x * x))});
+        l.push_back({static_cast<std::int32_t>(std::lround(0x1p27 * x)),
+                     static_cast<std::int32_t>(std::lround(0x1p27 * x * x))});
     }
     if (!upwards)
         for (grid_point& p : l) p = {-p.y, p.x};
@@ -130,7 +132,8 @@ TEST_CASE("constrained_delaunay makes every edge of random polygons on tiny grid
     }
 }
 
-TEST_CASE("the Delaunay triangles do not depend on where contours begin or how they are ordered", "[triangulate][delaunay]")
+TEST_CASE("the Delaunay triangles do not depend on where contours begin or how they are ordered",
+          "[triangulate][delaunay]")
 {
     for (const test::shape& s : delaunay_shapes()) {
         const auto triangles = mesh_of(s, false).triangles;
@@ -189,7 +192,9 @@ std::vector<test::oracle::placed_triangle> outside_cells(const test::shape& s)
         bool is_alone = true;
         for (std::size_t i = 0; i < 3; ++i) {
             const auto other = opposite.find(std::uint64_t{c[(i + 1) % 3]} << 32 | c[i]);
-            is_alone = is_alone && (other == opposite.end() || test::oracle::circle_side(points[t.a], points[t.b], points[t.c], points[other->second]) != 0);
+            is_alone = is_alone &&
+                       (other == opposite.end() ||
+                        test::oracle::circle_side(points[t.a], points[t.b], points[t.c], points[other->second]) != 0);
         }
         if (is_alone) alone.push_back(t);
     }
@@ -198,7 +203,8 @@ std::vector<test::oracle::placed_triangle> outside_cells(const test::shape& s)
 
 }  // namespace
 
-TEST_CASE("quarter turns and mirrors leave the Delaunay triangles outside cells of co-circular points as they are", "[triangulate][delaunay]")
+TEST_CASE("quarter turns and mirrors leave the Delaunay triangles outside cells of co-circular points as they are",
+          "[triangulate][delaunay]")
 {
     for (const test::shape& s : delaunay_shapes()) {
         const auto triangles = outside_cells(s);
@@ -206,15 +212,31 @@ TEST_CASE("quarter turns and mirrors leave the Delaunay triangles outside cells 
             for (auto& corners : set) {
                 std::transform(corners.begin(), corners.end(), corners.begin(), place);
                 if (turns_round) std::reverse(corners.begin(), corners.end());
-                std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end(), test::oracle::comes_first), corners.end());
+                std::rotate(corners.begin(),
+                            std::min_element(corners.begin(), corners.end(), test::oracle::comes_first), corners.end());
             }
             std::sort(set.begin(), set.end(), test::oracle::operator_less);
             return set;
         };
         INFO(s.name);
-        CHECK((outside_cells(test::turned(s, 90)) == sorted(triangles, [](grid_point p) { return grid_point{-p.y, p.x}; }, false)));
-        CHECK((outside_cells(test::turned(s, 180)) == sorted(triangles, [](grid_point p) { return grid_point{-p.x, -p.y}; }, false)));
-        CHECK((outside_cells(test::mirrored(s)) == sorted(triangles, [](grid_point p) { return grid_point{p.y, p.x}; }, true)));
+        CHECK((outside_cells(test::turned(s, 90)) == sorted(
+                                                         triangles,
+                                                         [](grid_point p) {
+                                                             return grid_point{-p.y, p.x};
+                                                         },
+                                                         false)));
+        CHECK((outside_cells(test::turned(s, 180)) == sorted(
+                                                          triangles,
+                                                          [](grid_point p) {
+                                                              return grid_point{-p.x, -p.y};
+                                                          },
+                                                          false)));
+        CHECK((outside_cells(test::mirrored(s)) == sorted(
+                                                       triangles,
+                                                       [](grid_point p) {
+                                                           return grid_point{p.y, p.x};
+                                                       },
+                                                       true)));
     }
 }
 
@@ -237,7 +259,8 @@ TEST_CASE("constrained_delaunay proves what monotone proves", "[triangulate][del
         const contours loops = test::contours_of(s);
         workspace space;
         triangle_list by_sweep, out;
-        const result<region> expected = monotone{}.prove(loops, space, by_sweep), proven = constrained_delaunay{}.prove(loops, space, out);
+        const result<region> expected = monotone{}.prove(loops, space, by_sweep),
+                             proven = constrained_delaunay{}.prove(loops, space, out);
         INFO(s);
         CHECK(bool(expected) == bool(proven));
         if (!proven) {
@@ -263,7 +286,8 @@ TEST_CASE("constrained_delaunay proves what monotone proves", "[triangulate][del
     CHECK(accepted > 200);
 }
 
-TEST_CASE("proving Delaunay triangles without memory says so, and after warming up asks for none", "[triangulate][delaunay]")
+TEST_CASE("proving Delaunay triangles without memory says so, and after warming up asks for none",
+          "[triangulate][delaunay]")
 {
     const contours loops = test::contours_of(test::square_with_holes(12, 24));
     for (std::size_t nth = 1;; ++nth) {
@@ -290,11 +314,14 @@ TEST_CASE("proving Delaunay triangles without memory says so, and after warming 
     }
 }
 
-TEST_CASE("constrained_delaunay takes at most 230 bytes of scratch memory a point and 128 a loop", "[triangulate][delaunay]")
+TEST_CASE("constrained_delaunay takes at most 230 bytes of scratch memory a point and 128 a loop",
+          "[triangulate][delaunay]")
 {
-    for (const test::shape& s : {test::shape{"circle", {test::circle(50'000, 1e8)}}, test::shape{"star", {test::star(50'000, 1e8, 3)}}, test::square_with_holes(60, 8)}) {
+    for (const test::shape& s : {test::shape{"circle", {test::circle(50'000, 1e8)}},
+                                 test::shape{"star", {test::star(50'000, 1e8, 3)}}, test::square_with_holes(60, 8)}) {
         const contours loops = test::contours_of(s);
-        const auto wanted = static_cast<std::size_t>(230.0 * static_cast<double>(loops.points.size())) + 128 * loops.contour_count() + 64 * 64;
+        const auto wanted = static_cast<std::size_t>(230.0 * static_cast<double>(loops.points.size())) +
+                            128 * loops.contour_count() + 64 * 64;
         test::counting_memory memory;
         workspace measured{memory.source()};
         {
@@ -311,9 +338,13 @@ TEST_CASE("constrained_delaunay takes at most 230 bytes of scratch memory a poin
 
 TEST_CASE("constrained_delaunay takes 100,000 points and thousands of holes", "[triangulate][delaunay]")
 {
-    for (const test::shape& s : {test::shape{"fine circle", {test::circle(100'000, 0x1p28)}}, test::shape{"parabola", {parabola(100'000, true)}},
-                                 test::shape{"parabola on its side", {parabola(100'000, false)}}, test::shape{"star", {test::star(50'000, 2e8, 9)}},
-                                 test::shape{"rough parabola", {rough_parabola(100'000, true)}}, test::square_with_holes(60, 16), test::circle_with_holes(20'000, 2000), test::shape{"spiral", {test::spiral(50'000, 60, 1'000'000)}}}) {
+    for (const test::shape& s :
+         {test::shape{"fine circle", {test::circle(100'000, 0x1p28)}},
+          test::shape{"parabola", {parabola(100'000, true)}},
+          test::shape{"parabola on its side", {parabola(100'000, false)}},
+          test::shape{"star", {test::star(50'000, 2e8, 9)}},
+          test::shape{"rough parabola", {rough_parabola(100'000, true)}}, test::square_with_holes(60, 16),
+          test::circle_with_holes(20'000, 2000), test::shape{"spiral", {test::spiral(50'000, 60, 1'000'000)}}}) {
         INFO(s.name);
         const meshed m = mesh_of(s);
         CHECK(m.mistake == "");

@@ -61,7 +61,8 @@ TEST_CASE("from equal grid points every compiler makes the same regions and the 
         sum.add(static_cast<std::uint32_t>(filled.error().code));
         if (!filled) return;
         ++accepted;
-        for (const grid_point p : filled->points()) sum.add(static_cast<std::uint32_t>(p.x)), sum.add(static_cast<std::uint32_t>(p.y));
+        for (const grid_point p : filled->points())
+            sum.add(static_cast<std::uint32_t>(p.x)), sum.add(static_cast<std::uint32_t>(p.y));
         triangle_list triangles;
         REQUIRE_FALSE(monotone{}(*filled, space, triangles));
         for (const triangle t : triangles) sum.add(t.a), sum.add(t.b), sum.add(t.c);

@@ -54,7 +54,8 @@ TEST_CASE("constrained_delaunay has the larger smallest angle on every shape", "
         triangle_list by_sweep, delaunay;
         REQUIRE_FALSE(monotone{}(*filled, space, by_sweep));
         REQUIRE_FALSE(constrained_delaunay{}(*filled, space, delaunay));
-        const triangle_quality plain = analyze_triangles(filled->points(), by_sweep.view()), better = analyze_triangles(filled->points(), delaunay.view());
+        const triangle_quality plain = analyze_triangles(filled->points(), by_sweep.view()),
+                               better = analyze_triangles(filled->points(), delaunay.view());
         INFO(s.name);
         CHECK(better.triangles == plain.triangles);
         CHECK(better.smallest_angle >= plain.smallest_angle * (1.0 - 1e-9));

@@ -11,7 +11,9 @@
 
 using namespace typemesh;
 
-TEST_CASE("both triangulators accept the same glyphs of a font and obey the laws on each, and Delaunay edges are Delaunay", "[workload]")
+TEST_CASE(
+    "both triangulators accept the same glyphs of a font and obey the laws on each, and Delaunay edges are Delaunay",
+    "[workload]")
 {
     for (const test::workload_font& entry : test::workload_fonts()) {
         if (!entry.available()) continue;
@@ -31,7 +33,8 @@ TEST_CASE("both triangulators accept the same glyphs of a font and obey the laws
                 orient(loops);
                 by_sweep.clear();
                 delaunay.clear();
-                const result<region> first = monotone{}.prove(loops, space, by_sweep), second = constrained_delaunay{}.prove(loops, space, delaunay);
+                const result<region> first = monotone{}.prove(loops, space, by_sweep),
+                                     second = constrained_delaunay{}.prove(loops, space, delaunay);
                 INFO(entry.name << ", glyph " << id << " at " << tolerance);
                 REQUIRE(bool(first) == bool(second));
                 if (!first) continue;

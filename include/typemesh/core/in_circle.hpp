@@ -15,24 +15,30 @@ struct two_words {
     std::uint64_t low;
 };
 
-/// a * b + c * d in two words, by multiplying halves; for compilers without a 128-bit type. Needs |each| < 2^62.
-[[nodiscard]] constexpr two_words sum_of_products_in_halves(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) noexcept
+/// p * q in two words, by multiplying halves; for compilers without a 128-bit type. Needs |each| < 2^62.
+[[nodiscard]] constexpr two_words product_in_halves(std::int64_t p, std::int64_t q) noexcept
 {
-    const auto product = [](std::int64_t p, std::int64_t q) constexpr noexcept -> two_words {
-        const std::uint64_t u = static_cast<std::uint64_t>(p < 0 ? -p : p), v = static_cast<std::uint64_t>(q < 0 ? -q : q);
-        const std::uint64_t u1 = u >> 32, u0 = u & 0xFFFF'FFFFu, v1 = v >> 32, v0 = v & 0xFFFF'FFFFu;
-        const std::uint64_t low = u0 * v0, middle = u1 * v0 + (low >> 32), other = u0 * v1 + (middle & 0xFFFF'FFFFu);
-        const two_words size{u1 * v1 + (middle >> 32) + (other >> 32), other << 32 | (low & 0xFFFF'FFFFu)};
-        if ((p < 0) == (q < 0)) return size;
-        return {~size.high + (size.low == 0 ? 1u : 0u), ~size.low + 1u};
-    };
-    const two_words first = product(a, b), second = product(c, d);
+    const std::uint64_t u = static_cast<std::uint64_t>(p < 0 ? -p : p);
+    const std::uint64_t v = static_cast<std::uint64_t>(q < 0 ? -q : q);
+    const std::uint64_t u1 = u >> 32, u0 = u & 0xFFFF'FFFFu, v1 = v >> 32, v0 = v & 0xFFFF'FFFFu;
+    const std::uint64_t low = u0 * v0, middle = u1 * v0 + (low >> 32), other = u0 * v1 + (middle & 0xFFFF'FFFFu);
+    const two_words size{u1 * v1 + (middle >> 32) + (other >> 32), other << 32 | (low & 0xFFFF'FFFFu)};
+    if ((p < 0) == (q < 0)) return size;
+    return {~size.high + (size.low == 0 ? 1u : 0u), ~size.low + 1u};
+}
+
+/// a * b + c * d in two words, by multiplying halves. Needs |each| < 2^62.
+[[nodiscard]] constexpr two_words sum_of_products_in_halves(std::int64_t a, std::int64_t b, std::int64_t c,
+                                                            std::int64_t d) noexcept
+{
+    const two_words first = product_in_halves(a, b), second = product_in_halves(c, d);
     const std::uint64_t low = first.low + second.low;
     return {first.high + second.high + (low < first.low ? 1u : 0u), low};
 }
 
 /// a * b + c * d in two words. Needs |each| < 2^62.
-[[nodiscard]] constexpr two_words sum_of_products(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) noexcept
+[[nodiscard]] constexpr two_words sum_of_products(std::int64_t a, std::int64_t b, std::int64_t c,
+                                                  std::int64_t d) noexcept
 {
 #if defined(__SIZEOF_INT128__)
     __extension__ using wide = __int128;
@@ -58,8 +64,10 @@ struct two_words {
 /// From  C. Lawson, Software for C1 surface interpolation (1977); A. Cline & R. Renka, A storage-efficient method (1984)
 [[nodiscard]] constexpr int in_circle(grid_point a, grid_point b, grid_point c, grid_point d) noexcept
 {
-    const std::int64_t acx = std::int64_t{a.x} - c.x, acy = std::int64_t{a.y} - c.y, bcx = std::int64_t{b.x} - c.x, bcy = std::int64_t{b.y} - c.y;
-    const std::int64_t adx = std::int64_t{a.x} - d.x, ady = std::int64_t{a.y} - d.y, bdx = std::int64_t{b.x} - d.x, bdy = std::int64_t{b.y} - d.y;
+    const std::int64_t acx = std::int64_t{a.x} - c.x, acy = std::int64_t{a.y} - c.y, bcx = std::int64_t{b.x} - c.x,
+                       bcy = std::int64_t{b.y} - c.y;
+    const std::int64_t adx = std::int64_t{a.x} - d.x, ady = std::int64_t{a.y} - d.y, bdx = std::int64_t{b.x} - d.x,
+                       bdy = std::int64_t{b.y} - d.y;
     const std::int64_t sine_c = acx * bcy - acy * bcx, cosine_c = acx * bcx + acy * bcy;
     const std::int64_t sine_d = bdx * ady - bdy * adx, cosine_d = adx * bdx + ady * bdy;
     const detail::two_words sum = detail::sum_of_products(sine_c, cosine_d, cosine_c, sine_d);
@@ -74,10 +82,14 @@ struct two_words {
 /// lowered by infinitely more than every greater one on the paraboloid whose lower hull is the triangulation.
 [[nodiscard]] constexpr bool prefers_other_diagonal(grid_point a, grid_point b, grid_point c, grid_point d) noexcept
 {
-    const std::int64_t acx = std::int64_t{a.x} - c.x, acy = std::int64_t{a.y} - c.y, bcx = std::int64_t{b.x} - c.x, bcy = std::int64_t{b.y} - c.y;
-    const std::int64_t adx = std::int64_t{a.x} - d.x, ady = std::int64_t{a.y} - d.y, bdx = std::int64_t{b.x} - d.x, bdy = std::int64_t{b.y} - d.y;
-    const detail::two_words sum = detail::sum_of_products(acx * bcy - acy * bcx, adx * bdx + ady * bdy, acx * bcx + acy * bcy, bdx * ady - bdy * adx);
-    if ((sum.high | sum.low) != 0) [[likely]] return static_cast<std::int64_t>(sum.high) < 0;
+    const std::int64_t acx = std::int64_t{a.x} - c.x, acy = std::int64_t{a.y} - c.y, bcx = std::int64_t{b.x} - c.x,
+                       bcy = std::int64_t{b.y} - c.y;
+    const std::int64_t adx = std::int64_t{a.x} - d.x, ady = std::int64_t{a.y} - d.y, bdx = std::int64_t{b.x} - d.x,
+                       bdy = std::int64_t{b.y} - d.y;
+    const detail::two_words sum = detail::sum_of_products(acx * bcy - acy * bcx, adx * bdx + ady * bdy,
+                                                          acx * bcx + acy * bcy, bdx * ady - bdy * adx);
+    if ((sum.high | sum.low) != 0) [[likely]]
+        return static_cast<std::int64_t>(sum.high) < 0;
     return lexicographic_less(lexicographic_less(c, d) ? c : d, lexicographic_less(a, b) ? a : b);
 }
 

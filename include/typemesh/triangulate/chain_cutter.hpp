@@ -31,7 +31,7 @@ class chain_cutter {
     struct link {
         grid_point place;
         std::uint32_t point;
-        std::uint32_t before;                          // the link before it; 0: none
+        std::uint32_t before;                              // the link before it; 0: none
         [[no_unique_address]] typename Output::edge edge;  // to that link, as the interior meets it
     };
 
@@ -136,7 +136,8 @@ private:
     /// Cuts off what turns towards the interior at the end of the chain along `on`, and makes v its end. `edge` joins v to the
     /// chain's end.
     template <std::uint32_t on>
-    [[nodiscard]] std::uint32_t push(std::uint32_t at, std::uint32_t v, grid_point p, typename Output::edge edge) noexcept
+    [[nodiscard]] std::uint32_t push(std::uint32_t at, std::uint32_t v, grid_point p,
+                                     typename Output::edge edge) noexcept
     {
         for (std::uint32_t before = links_[at].before; before != 0; before = links_[at].before) {
             const std::int64_t turn = orientation(links_[before].place, links_[at].place, p);
@@ -174,10 +175,16 @@ public:
     }
     /// The edge that joins b and v in the triangle that is cut next.
     template <std::uint32_t along>
-    [[nodiscard]] static edge next_outer() noexcept { return {}; }
+    [[nodiscard]] static edge next_outer() noexcept
+    {
+        return {};
+    }
     /// The region's own edge from `left` to v on side `on`.
     template <std::uint32_t on>
-    [[nodiscard]] static edge boundary(std::uint32_t, std::uint32_t) noexcept { return {}; }
+    [[nodiscard]] static edge boundary(std::uint32_t, std::uint32_t) noexcept
+    {
+        return {};
+    }
     /// Both sides of an edge neither of which has a triangle yet.
     [[nodiscard]] static edge_pair diagonal() noexcept { return {}; }
     [[nodiscard]] static edge nobody() noexcept { return {}; }
@@ -196,7 +203,9 @@ struct no_cutter {
     [[nodiscard]] static bool open(workspace::scope&, std::size_t) noexcept { return true; }
     static void start(chains&, std::uint32_t, grid_point) noexcept {}
     template <std::uint32_t on>
-    static void extend(chains&, std::uint32_t, grid_point) noexcept {}
+    static void extend(chains&, std::uint32_t, grid_point) noexcept
+    {
+    }
     static void split(chains&, chains&, std::uint32_t, grid_point) noexcept {}
     static void merge(chains&, chains&, std::uint32_t, grid_point) noexcept {}
     static void finish(const chains&, std::uint32_t, grid_point) noexcept {}

@@ -27,8 +27,8 @@ public:
     /// No edge turns away from the first of its stretch by 1 / `straightness` or more (as a tangent); with keep_all, no point is
     /// left out. Sheared places are x -> 5x + 2y: the same loops to a sweep, which then meets few points on one vertical line.
     /// False when there is no memory.
-    [[nodiscard]] bool take(workspace::scope& scratch, std::span<const grid_point> points, std::span<const std::uint32_t> starts,
-                            std::int64_t straightness, bool sheared) noexcept
+    [[nodiscard]] bool take(workspace::scope& scratch, std::span<const grid_point> points,
+                            std::span<const std::uint32_t> starts, std::int64_t straightness, bool sheared) noexcept
     {
         const std::size_t n = points.size();
         places_ = scratch.take<grid_point>(n);
@@ -81,14 +81,16 @@ private:
             const grid_point q = points[v + 1 == end ? begin : v + 1];
             const std::int64_t ex = std::int64_t{q.x} - p.x, ey = std::int64_t{q.y} - p.y;
             const std::int64_t cross = dx * ey - dy * ex, dot = dx * ex + dy * ey;
-            const bool keep = (straightness * cross >= dot) | (-straightness * cross >= dot) | (straightness == keep_all);  // up to 2^62
+            const bool keep = (straightness * cross >= dot) | (-straightness * cross >= dot) |
+                              (straightness == keep_all);  // up to 2^62
             names_[size_] = v;
             places_[size_] = p;
             size_ += keep;
             dx = keep ? ex : dx;
             dy = keep ? ey : dy;
             step = keep ? 0 : step + 1;
-            const auto level = static_cast<std::uint32_t>(std::countr_zero(step));  // 32 for points that are kept: a list nobody reads
+            const auto level =
+                static_cast<std::uint32_t>(std::countr_zero(step));  // 32 for points that are kept: a list nobody reads
             left_out_[v] = {v - (step & (0 - step)), first_of_level_[level]};
             first_of_level_[level] = v;
             p = q;

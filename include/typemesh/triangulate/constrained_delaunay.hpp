@@ -36,12 +36,11 @@ struct constrained_delaunay {
         const std::size_t before = out.size();
         triangle* const write = out.append(r.triangle_count());
         if (write == nullptr) return error::out_of_memory;
-        constexpr attempt attempts[] = {
-            {2, true, true},                               // within 27 degrees
-            {8, true, true},                               // within 7 degrees
-            {detail::coarse_loops::keep_all, false, true},
-            {0, true, true},                               // within 90 degrees
-            {detail::coarse_loops::keep_all, false, false}};
+        constexpr attempt attempts[] = {{2, true, true},  // within 27 degrees
+                                        {8, true, true},  // within 7 degrees
+                                        {detail::coarse_loops::keep_all, false, true},
+                                        {0, true, true},  // within 90 degrees
+                                        {detail::coarse_loops::keep_all, false, false}};
         error e = error::crossing_contours;
         double tried = 0;  // how much of the points the last attempt kept
         for (const attempt& a : attempts) {
@@ -79,30 +78,35 @@ private:
 
     /// error::crossing_contours: not this way.
     template <bool Proving>
-    [[nodiscard]] static error from_loops(const region& r, workspace& space, triangle* write, const attempt& how, double& kept) noexcept
+    [[nodiscard]] static error from_loops(const region& r, workspace& space, triangle* write, const attempt& how,
+                                          double& kept) noexcept
     {
         const std::size_t n = r.points().size();
         workspace::scope scratch{space};
         detail::coarse_loops coarse;
-        if (!coarse.take(scratch, r.points(), r.starts(), how.straightness, n >= sheared_from)) return error::out_of_memory;
+        if (!coarse.take(scratch, r.points(), r.starts(), how.straightness, n >= sheared_from))
+            return error::out_of_memory;
         kept = static_cast<double>(coarse.points().size()) / static_cast<double>(n);
         if (Proving && kept > worth_it) return error::crossing_contours;
         detail::half_edges mesh{r.points()};
-        if (!mesh.open(scratch, n + 2 * std::size_t{r.loop_count()})) return error::out_of_memory;  // as many as a sweep can ask for
-        detail::monotone_sweep<Proving, cutter> sweep{coarse.points(), coarse.starts(), cutter{detail::half_edges::output{mesh, coarse.names()}}};
+        if (!mesh.open(scratch, n + 2 * std::size_t{r.loop_count()}))
+            return error::out_of_memory;  // as many as a sweep can ask for
+        detail::monotone_sweep<Proving, cutter> sweep{coarse.points(), coarse.starts(),
+                                                      cutter{detail::half_edges::output{mesh, coarse.names()}}};
         if (const error e = sweep.run(space)) return e;
         if (Proving && (sweep.holes() != r.holes() || sweep.outers() != r.outers())) return error::crossing_contours;
         mesh.finish(sweep.cutter().output());
 
         detail::delaunay_flips flips{mesh, r.points()};
         if (!flips.open(scratch, r.triangle_count())) return error::out_of_memory;
-        if (!flips.everywhere(how.limited ? most_flips * r.triangle_count() : ~std::uint64_t{0})) return error::crossing_contours;
-        if (!coarse.bring_back([&](std::uint32_t previous, std::uint32_t p) noexcept { return flips.insert(previous, p); }))
+        if (!flips.everywhere(how.limited ? most_flips * r.triangle_count() : ~std::uint64_t{0}))
+            return error::crossing_contours;
+        if (!coarse.bring_back(
+                [&](std::uint32_t previous, std::uint32_t p) noexcept { return flips.insert(previous, p); }))
             return error::crossing_contours;
         mesh.write(write);
         return error::none;
     }
-
 };
 
 static_assert(proving_triangulator<constrained_delaunay>);

@@ -14,7 +14,10 @@ namespace typemesh::detail {
 ///       triangulations (1993)
 class delaunay_flips {
 public:
-    explicit delaunay_flips(half_edges& mesh, std::span<const grid_point> points) noexcept : mesh_{mesh}, points_{points} {}
+    explicit delaunay_flips(half_edges& mesh, std::span<const grid_point> points) noexcept
+        : mesh_{mesh}, points_{points}
+    {
+    }
 
     /// Room for a mesh of so many triangles; false when there is no memory.
     [[nodiscard]] bool open(workspace::scope& scratch, std::size_t triangles) noexcept
@@ -67,13 +70,16 @@ public:
 private:
     void push(std::uint32_t h) noexcept
     {
-        if (size_ < room_) stack_[size_++] = h;
-        else overflow_ = true;
+        if (size_ < room_)
+            stack_[size_++] = h;
+        else
+            overflow_ = true;
     }
 
     [[nodiscard]] static bool wants_flip(const half_edges& mesh, std::uint32_t h, std::uint32_t g) noexcept
     {
-        return prefers_other_diagonal(mesh.place(h), mesh.place(g), mesh.place(half_edges::previous(h)), mesh.place(half_edges::previous(g)));
+        return prefers_other_diagonal(mesh.place(h), mesh.place(g), mesh.place(half_edges::previous(h)),
+                                      mesh.place(half_edges::previous(g)));
     }
 
     /// Until the stack is empty or the budget is spent; a flip puts all four edges round it there.
@@ -116,7 +122,8 @@ private:
     {
         while (size != 0) {
             const std::uint32_t h = stack_[--size];
-            const bool is_behind = orientation(mesh_.place(half_edges::previous(h)), mesh_.place(h), mesh_.place(half_edges::next(h))) <= 0;
+            const bool is_behind = orientation(mesh_.place(half_edges::previous(h)), mesh_.place(h),
+                                               mesh_.place(half_edges::next(h))) <= 0;
             if (mesh_.is_boundary(h)) {
                 if (is_behind) return false;
                 continue;

@@ -52,7 +52,11 @@ public:
 
         /// The sweep's points are points[name[v]]; its places may be others, if they only lie as these do.
         explicit output(const half_edges& mesh, const std::uint32_t* name) noexcept
-            : edges_{mesh.edges_}, rim_{mesh.rim_}, nobody_{mesh.rim_ + static_cast<std::uint32_t>(mesh.points_.size())}, points_{mesh.points_.data()}, name_{name}
+            : edges_{mesh.edges_},
+              rim_{mesh.rim_},
+              nobody_{mesh.rim_ + static_cast<std::uint32_t>(mesh.points_.size())},
+              points_{mesh.points_.data()},
+              name_{name}
         {
         }
 
@@ -75,9 +79,15 @@ public:
             return open;
         }
         template <std::uint32_t along>
-        [[nodiscard]] edge next_outer() const noexcept { return count_ + 1; }
+        [[nodiscard]] edge next_outer() const noexcept
+        {
+            return count_ + 1;
+        }
         template <std::uint32_t on>
-        [[nodiscard]] edge boundary(std::uint32_t left, std::uint32_t v) const noexcept { return rim_ + (on == 0 ? left : v); }
+        [[nodiscard]] edge boundary(std::uint32_t left, std::uint32_t v) const noexcept
+        {
+            return rim_ + (on == 0 ? left : v);
+        }
         [[nodiscard]] edge_pair diagonal() noexcept
         {
             diagonals_ += 8;
@@ -181,7 +191,8 @@ public:
     /// Writes the triangles: end() / 4 of them.
     void write(triangle* out) const noexcept
     {
-        for (std::uint32_t h = 0; h < count_; h += 4) *out++ = {edges_[h].origin, edges_[h + 1].origin, edges_[h + 2].origin};
+        for (std::uint32_t h = 0; h < count_; h += 4)
+            *out++ = {edges_[h].origin, edges_[h + 1].origin, edges_[h + 2].origin};
     }
 
 private:

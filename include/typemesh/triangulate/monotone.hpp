@@ -39,17 +39,17 @@ struct monotone {
     [[nodiscard]] result<region> prove(const contours& loops, workspace& space, triangle_list& out) const noexcept
     {
         region r = region::proven(loops, 0, 0);
-        const error e = cut<true>(loops.points.view(), loops.starts.view(), space, out, [&](const auto& sweep) noexcept {
-            r = region::proven(loops, sweep.holes(), sweep.outers());
-        });
+        const error e =
+            cut<true>(loops.points.view(), loops.starts.view(), space, out,
+                      [&](const auto& sweep) noexcept { r = region::proven(loops, sweep.holes(), sweep.outers()); });
         if (e) return e;
         return r;
     }
 
 private:
     template <bool Proving, class Then>
-    [[nodiscard]] static error cut(std::span<const grid_point> points, std::span<const std::uint32_t> starts, workspace& space,
-                                   triangle_list& out, Then&& then) noexcept
+    [[nodiscard]] static error cut(std::span<const grid_point> points, std::span<const std::uint32_t> starts,
+                                   workspace& space, triangle_list& out, Then&& then) noexcept
     {
         if (points.empty()) return error::none;
         const std::size_t before = out.size();

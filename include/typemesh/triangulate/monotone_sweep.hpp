@@ -100,7 +100,7 @@ private:
     {
         const auto n = static_cast<std::int64_t>(points_.size());
         grid_point last{-(1 << 28) - 1, 0};  // no point of the grid
-        Cutter cut = cut_;  // a copy of its own stays in registers
+        Cutter cut = cut_;                   // a copy of its own stays in registers
         stop_ = n;
         std::int64_t i = 0;
         for (; i < stop_; ++i) {

@@ -19,7 +19,8 @@ struct triangle_quality {
     std::uint64_t triangles = 0;
     double smallest_angle = 60.0;  ///< of all; 60 where there are none
     double largest_aspect = 0.0;   ///< of all; 0 where there are none
-    std::uint64_t angles[600] = {};  ///< how many triangles have an angle in [i, i + 1) tenths of a degree; 60 is in the last
+    std::uint64_t angles[600] =
+        {};  ///< how many triangles have an angle in [i, i + 1) tenths of a degree; 60 is in the last
 
     /// The angle below which a share (0 to 1) of the triangles lies, to a tenth of a degree: angle_at(0.05) is the 5th
     /// percentile, angle_at(0.5) the median. 0 where there are none.
@@ -37,12 +38,17 @@ struct triangle_quality {
 };
 
 namespace detail {
-[[nodiscard]] inline double doubled_area_of(grid_point a, grid_point b, grid_point c) noexcept { return static_cast<double>(orientation(a, b, c)); }
+[[nodiscard]] inline double doubled_area_of(grid_point a, grid_point b, grid_point c) noexcept
+{
+    return static_cast<double>(orientation(a, b, c));
+}
 template <class Point>
 [[nodiscard]] double doubled_area_of(const Point& a, const Point& b, const Point& c) noexcept
 {
-    const double abx = static_cast<double>(b.x) - static_cast<double>(a.x), aby = static_cast<double>(b.y) - static_cast<double>(a.y);
-    const double acx = static_cast<double>(c.x) - static_cast<double>(a.x), acy = static_cast<double>(c.y) - static_cast<double>(a.y);
+    const double abx = static_cast<double>(b.x) - static_cast<double>(a.x),
+                 aby = static_cast<double>(b.y) - static_cast<double>(a.y);
+    const double acx = static_cast<double>(c.x) - static_cast<double>(a.x),
+                 acy = static_cast<double>(c.y) - static_cast<double>(a.y);
     return abx * acy - aby * acx;
 }
 }  // namespace detail
@@ -77,7 +83,8 @@ void add_triangles(triangle_quality& q, std::span<const Point> points, std::span
 }
 
 /// The quality of these triangles alone.
-[[nodiscard]] inline triangle_quality analyze_triangles(std::span<const grid_point> points, std::span<const triangle> triangles) noexcept
+[[nodiscard]] inline triangle_quality analyze_triangles(std::span<const grid_point> points,
+                                                        std::span<const triangle> triangles) noexcept
 {
     triangle_quality q;
     add_triangles(q, points, triangles);
