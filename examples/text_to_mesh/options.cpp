@@ -87,7 +87,7 @@ std::optional<int> parse(int argc, char** argv, options& out)
     using namespace typemesh;
     CLI::App app{"Makes a 3D mesh of a text: GLB, OBJ, STL or PLY, and a picture of it.", "text_to_mesh"};
     std::vector<std::string> variations, features, show;
-    std::string uv, fill, triangulator = "monotone";
+    std::string uv, fill;
 
     app.add_option("TEXT", out.text, "UTF-8; \\n starts a new line")->required();
     app.add_option("--font", out.font, "a font file: TrueType, OpenType, collection, variable")->required()->type_name("FILE");
@@ -109,7 +109,8 @@ std::optional<int> parse(int argc, char** argv, options& out)
                                 {{"certified", discretiser_name::certified},
                                  {"two_lines", discretiser_name::two_lines},
                                  {"adaptive", discretiser_name::adaptive}});
-    app.add_option("--triangulator", triangulator, "how faces become triangles (monotone)")->check(CLI::IsMember({"monotone"}));
+    add_named<triangulator_name>(app, "--triangulator", out.triangulator, "how faces become triangles (default monotone)",
+                                 {{"monotone", triangulator_name::monotone}, {"delaunay", triangulator_name::delaunay}});
     add_named<normals_name>(app, "--normals", out.normals, "of the sides (default curve)",
                             {{"shared", normals_name::shared},
                              {"averaged", normals_name::averaged},

@@ -24,7 +24,8 @@ class region {
 public:
     region() noexcept = default;
 
-    [[nodiscard]] static region proven(const contours& loops, std::uint32_t holes, std::uint32_t outers, bool touching = false) noexcept
+    [[nodiscard]] static region proven(const contours& loops, std::uint32_t holes, std::uint32_t outers,
+                                       bool touching = false) noexcept
     {
         region r;
         r.points_ = loops.points.view();

@@ -115,6 +115,7 @@ private:
     void sweep() noexcept
     {
         std::uint32_t next = 0;
+        std::uint64_t last = 0;  // below the place of every point of the grid
         while (!full) {
             std::uint64_t place = ~std::uint64_t{0};
             if (next < a_.point_count) place = sweep_place(a_.points[next]);
@@ -136,14 +137,15 @@ private:
                 }
                 if (ends_in(e.slot, p)) slot = e.slot;
             }
-            const bool repeated = passed_ != 0 && a_.spare[passed_ - 1] == p;
+            const bool repeated = place == last;
             if (!repeated) {
                 if (passed_ == a_.capacity) {
                     full = true;
                     return;
                 }
-                if (passed_ != 0 && place < sweep_place(a_.spare[passed_ - 1])) late_ = true;
+                late_ |= place < last;
                 a_.spare[passed_++] = p;
+                last = place;
             }
             if (slot != 0 && starting != no_number && a_.stretches[starting].next == no_number && !repeated &&
                 !(edges_[status_.below(slot)].to == p) && !(edges_[status_.above(slot)].to == p))
@@ -297,7 +299,7 @@ private:
     {
         stretch& s = a_.stretches[ending];
         s.end = passed_ - 1;
-        if (sweep_place(s.to) < sweep_place(s.from)) s.flip();
+        if (late_ && sweep_place(s.to) < sweep_place(s.from)) s.flip();
     }
 
     /// The stretches that start in p as rays from below to above, each direction once; how many.
@@ -392,7 +394,7 @@ private:
             if (l.bent || h.bent) unsure_ |= !are_in_order(l, h);
             return;
         }
-        if (sweep_place(l.to) < sweep_place(h.to)) {
+        if (lexicographic_less(l.to, h.to)) {
             const std::int64_t side = orientation(h.from, h.to, l.to);
             if (side < 0) {
                 h.tight |= -side <= h.margin;
