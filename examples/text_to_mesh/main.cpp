@@ -187,7 +187,10 @@ int run(const options& o)
         const auto pixels = draw(mesh, annotate(o, *font, plan->run(), discretiser, mesh), look, width, height);
         if (const std::string trouble = write_png(pixels, width, height, o.picture); !trouble.empty()) return fail(trouble);
     }
-    if (o.stats) print_stats(*plan, mesh, mesher.observer());
+    if (o.stats) {
+        print_stats(*plan, mesh, mesher.observer());
+        if (std::fflush(stdout) != 0) return fail("the statistics cannot be written");
+    }
     return 0;
 }
 

@@ -10,6 +10,7 @@
 #include <typemesh/core/triangle.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -200,6 +201,94 @@ inline double doubled_filled_area(const std::vector<loop>& loops, typemesh::fill
         }
     }
     return static_cast<double>(2 * area);
+}
+
+/// How often loops run round p.
+inline std::int32_t winding(const std::vector<loop>& loops, grid_point p)
+{
+    std::int32_t w = 0;
+    for (const loop l : loops) w += winding(l, p);
+    return w;
+}
+
+/// How long all edges are together: snapping them by half a cell moves at most half of that in area.
+inline double length(const std::vector<loop>& loops)
+{
+    double sum = 0.0;
+    for (const loop l : loops)
+        for (std::size_t i = 0; i < l.size(); ++i) {
+            const grid_point a = l[i], b = l[(i + 1) % l.size()];
+            sum += std::hypot(double(b.x) - a.x, double(b.y) - a.y);
+        }
+    return sum;
+}
+
+/// How far p is from the nearest edge.
+inline double distance(const std::vector<loop>& loops, grid_point p)
+{
+    double nearest = 1e300;
+    for (const loop l : loops) {
+        for (std::size_t i = 0; i < l.size(); ++i) {
+            const grid_point a = l[i], b = l[(i + 1) % l.size()];
+            const double x = double(b.x) - a.x, y = double(b.y) - a.y, px = double(p.x) - a.x, py = double(p.y) - a.y;
+            const double square = x * x + y * y, t = square == 0 ? 0.0 : (std::max)(0.0, (std::min)(1.0, (px * x + py * y) / square));
+            nearest = (std::min)(nearest, std::hypot(px - t * x, py - t * y));
+        }
+    }
+    return nearest;
+}
+
+/// Whether direction d lies strictly between a and b, turning counter-clockwise from a; if a and b are one direction, all others do.
+inline bool turns_through(grid_point p, grid_point a, grid_point d, grid_point b)
+{
+    const auto sector = [&](grid_point q) {  // 0: along a, 1: left of it, 2: against it, 3: right of it
+        const int s = side(p, a, q);
+        if (s != 0) return s > 0 ? 1 : 3;
+        return (std::int64_t{a.x} - p.x) * (std::int64_t{q.x} - p.x) + (std::int64_t{a.y} - p.y) * (std::int64_t{q.y} - p.y) > 0 ? 0 : 2;
+    };
+    const int sd = sector(d), sb = sector(b) == 0 ? 4 : sector(b);
+    if (sd == 0) return false;
+    if (sd != sb) return sd < sb;
+    return sd % 2 == 1 && side(p, d, b) > 0;
+}
+
+/// What keeps loops from being walks round an area, as region promises; empty when nothing does. Loops may touch in points.
+inline std::string broken_walk(const std::vector<loop>& loops)
+{
+    struct edge {
+        grid_point before, a, b, after;
+    };
+    std::vector<edge> edges;
+    for (const loop l : loops) {
+        const std::size_t n = l.size();
+        if (n < 3) return "a loop has fewer than three points";
+        for (std::size_t i = 0; i < n; ++i) edges.push_back({l[(i + n - 1) % n], l[i], l[(i + 1) % n], l[(i + 2) % n]});
+    }
+    std::sort(edges.begin(), edges.end(), [](const edge& p, const edge& q) { return (std::min)(p.a.x, p.b.x) < (std::min)(q.a.x, q.b.x); });
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        const edge& e = edges[i];
+        if (e.a == e.b) return "a point is repeated";
+        if (e.a == e.after) return "a spike";
+        if (lies_on(e.after, e.a, e.b) || lies_on(e.a, e.b, e.after)) return "a spike";
+        for (std::size_t j = i + 1; j < edges.size() && (std::min)(edges[j].a.x, edges[j].b.x) <= (std::max)(e.a.x, e.b.x); ++j) {
+            const edge& f = edges[j];
+            if (!meet(e.a, e.b, f.a, f.b)) continue;
+            const bool aa = e.a == f.a, ab = e.a == f.b, ba = e.b == f.a, bb = e.b == f.b;
+            if (!(aa || ab || ba || bb)) return "two edges cross or touch within";
+            if ((aa && bb) || (ab && ba)) return "two edges are one";
+            if (aa + ab + ba + bb > 1) return "two edges overlap";
+            const grid_point p = aa || ab ? e.a : e.b, q = aa || ba ? f.a : f.b, eo = aa || ab ? e.b : e.a, fo = aa || ba ? f.b : f.a;
+            if (!(p == q)) return "the oracle is wrong";
+            if (side(p, eo, fo) == 0 && (lies_on(fo, p, eo) || lies_on(eo, p, fo))) return "two edges overlap";
+            if (aa && turns_through(p, e.b, f.b, e.before)) return "a walk leaves its wedge";
+            if (aa && turns_through(p, f.b, e.b, f.before)) return "a walk leaves its wedge";
+            if (bb && turns_through(p, e.after, f.a, e.a)) return "a walk leaves its wedge";
+            if (bb && turns_through(p, f.after, e.a, f.a)) return "a walk leaves its wedge";
+            if (ab && !(e.before == f.a) && turns_through(p, e.b, f.a, e.before)) return "a walk leaves its wedge";
+            if (ba && !(e.after == f.b) && turns_through(p, e.after, f.b, e.a)) return "a walk leaves its wedge";
+        }
+    }
+    return {};
 }
 
 /// The first law that a triangulation breaks, in words; empty when it obeys all. n + 2h - 2c triangles, each strictly

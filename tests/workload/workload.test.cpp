@@ -13,7 +13,9 @@
 
 #include <cmath>
 #include <set>
+#include <sstream>
 #include <string>
+#include <vector>
 
 using namespace typemesh;
 
@@ -33,9 +35,9 @@ std::vector<subject> subjects()
     return all;
 }
 
-/// What the oracle says of one glyph: true when its contours cross or touch at this tolerance.
+/// What the oracle says of one glyph: true when its contours cross or touch at this tolerance, so that they were resolved.
 template <discretiser D>
-bool oracle_refuses(outline_source auto& font, glyph_id id, const D& how, double tolerance_em)
+bool is_resolved(outline_source auto& font, glyph_id id, const D& how, double tolerance_em)
 {
     outline shape;
     contours loops;
@@ -52,7 +54,8 @@ double cap_area(const test::full_mesh& m, const mesh_range& r)
 {
     double area = 0.0;
     for (std::uint32_t i = r.first_index; i < r.first_index + r.index_count; i += 3) {
-        const vec3 a = m.vertices[m.indices[i]].position, b = m.vertices[m.indices[i + 1]].position, c = m.vertices[m.indices[i + 2]].position;
+        const vec3 a = m.vertices[m.indices[i]].position, b = m.vertices[m.indices[i + 1]].position,
+                   c = m.vertices[m.indices[i + 2]].position;
         const double twice = (double(b.x) - a.x) * (double(c.y) - a.y) - (double(b.y) - a.y) * (double(c.x) - a.x);
         REQUIRE(twice > 0.0);
         area += twice;
@@ -62,7 +65,7 @@ double cap_area(const test::full_mesh& m, const mesh_range& r)
 
 }  // namespace
 
-TEST_CASE("every glyph of every text of the workload is closed, and refused exactly where the oracle finds contours that meet", "[workload]")
+TEST_CASE("every glyph of every text of the workload is there and closed, also where its contours meet", "[workload]")
 {
     const auto s = GENERATE(from_range(subjects()));
     if (!s.font.available()) return;
@@ -72,13 +75,14 @@ TEST_CASE("every glyph of every text of the workload is closed, and refused exac
     text_mesher mesher{*font};
 
     std::size_t built = 0;
-    std::set<glyph_id> refused, known_good;
+    std::set<glyph_id> resolved;
     for (const double tolerance : {quality::low, quality::high}) {
         for (const std::string& text : test::workload_texts(s.script)) {
             INFO(text << " at " << tolerance);
             auto plan = mesher.plan(text, {.tolerance = tolerance});
             REQUIRE(plan);
             CHECK(plan->report().invalid_units == 0);
+            CHECK(plan->report().refused == 0);
             test::full_mesh m;
             REQUIRE_FALSE(plan->write(into(m.vertices, m.indices)));
 
@@ -88,12 +92,13 @@ TEST_CASE("every glyph of every text of the workload is closed, and refused exac
                 std::vector<std::uint32_t> own;
                 for (const part p : all_parts) {
                     const mesh_range r = plan->range(g, p);
-                    own.insert(own.end(), m.indices.begin() + r.first_index, m.indices.begin() + r.first_index + r.index_count);
+                    own.insert(own.end(), m.indices.begin() + r.first_index,
+                               m.indices.begin() + r.first_index + r.index_count);
                 }
                 const auto law = test::examine(m.vertices, own);
                 INFO("glyph " << plan->glyphs()[g].id);
                 CHECK(law.unmatched_edges == 0);
-                CHECK(law.crowded_edges == 0);
+                CHECK(law.crowded_slanted == 0);
                 CHECK(law.zero_area == 0);
                 CHECK(test::volume(m.vertices, own) > 0.0);
                 ++built;
@@ -101,10 +106,8 @@ TEST_CASE("every glyph of every text of the workload is closed, and refused exac
             for (const auto& v : m.vertices) REQUIRE(std::fabs(test::dot(v.normal, v.normal) - 1.0) < 1e-5);
             for (const auto& g : plan->run().glyphs) {
                 if (g.missing) continue;
-                const bool refuses = oracle_refuses(*font, g.id, certified{}, tolerance);
-                if (refuses) refused.insert(g.id);
-                CHECK(!(refuses && present.count(g.id)));
-                if (!refuses && !present.count(g.id)) {  // then it must be blank
+                if (is_resolved(*font, g.id, certified{}, tolerance)) resolved.insert(g.id);
+                if (!present.count(g.id)) {  // then it must be blank
                     outline shape;
                     REQUIRE_FALSE(record(*font, g.id, shape));
                     CHECK(shape.bounds.width() * shape.bounds.height() == 0.0);
@@ -114,8 +117,8 @@ TEST_CASE("every glyph of every text of the workload is closed, and refused exac
     }
     CHECK(built > 100);
     std::string list;
-    for (const glyph_id g : refused) list += " " + std::to_string(g);
-    if (!refused.empty()) WARN(s.font.name << ": contours meet in glyphs" << list);
+    for (const glyph_id g : resolved) list += " " + std::to_string(g);
+    if (!resolved.empty()) WARN(s.font.name << ": contours meet in glyphs" << list);
 }
 
 TEST_CASE("the four styles of normals make 2N, 4N, 4N+2H and 4N+2H vertices of every phrase", "[workload]")
@@ -158,7 +161,13 @@ TEST_CASE("caps have exactly the area of the region, however the glyph is turned
 
     const double angle = degrees * 3.14159265358979323846 / 180.0;
     const bool quarter = degrees == 90.0, half = degrees == 180.0;
-    const double c = quarter ? 0.0 : half ? -1.0 : std::cos(angle), n = quarter ? 1.0 : half ? 0.0 : std::sin(angle), m = mirrored ? -1.0 : 1.0;
+    const double c = quarter ? 0.0
+                     : half  ? -1.0
+                             : std::cos(angle),
+                 n = quarter ? 1.0
+                     : half  ? 0.0
+                             : std::sin(angle),
+                 m = mirrored ? -1.0 : 1.0;
     transformed_outlines turned{*font, {.xx = c * m, .xy = -n, .yx = n * m, .yy = c}};
 
     shaped_by both{*font, turned};
@@ -167,10 +176,7 @@ TEST_CASE("caps have exactly the area of the region, however the glyph is turned
     REQUIRE(plan);
     test::full_mesh mesh;
     REQUIRE_FALSE(plan->write(into(mesh.vertices, mesh.indices)));
-    std::size_t refusals = 0;
-    for (const auto& g : plan->run().glyphs)
-        if (!g.missing && oracle_refuses(turned, g.id, certified{}, quality::high)) ++refusals;
-    CHECK(plan->report().refused == refusals);
+    CHECK(plan->report().refused == 0);
 
     outline shape;
     contours loops;
@@ -189,7 +195,10 @@ TEST_CASE("caps have exactly the area of the region, however the glyph is turned
         REQUIRE_FALSE(discretise(shape, certified{}, quality::high * font->units_per_em(), *grid_of, loops));
         const double cells = grid_of->cells;
         const double area = cap_area(mesh, own->range(part::front)) * cells * cells;
-        CHECK(area == Catch::Approx(test::oracle::doubled_filled_area(test::oracle::loops_of(loops), shape.rule)).epsilon(1e-11));
+        const double filled_area = test::oracle::doubled_filled_area(test::oracle::loops_of(loops), shape.rule);
+        const double snapped = test::oracle::is_crossing(test::oracle::loops_of(loops)) ? 2.0 * test::oracle::length(test::oracle::loops_of(loops)) : 0.0;
+        CHECK(std::fabs(area - filled_area) <= 1e-11 * filled_area + snapped);
+        orient(loops);
         const auto filled = fill(loops, shape.rule, space);
         REQUIRE(filled);
         CHECK(area == static_cast<double>(test::oracle::doubled_area(test::oracle::loops_of(*filled))));
@@ -216,4 +225,41 @@ TEST_CASE("the same text from FreeType's outlines is as closed as from HarfBuzz'
         CHECK(test::examine(m).unmatched_edges == 0);
         CHECK(made->refused == reference.plan(text)->report().refused);
     }
+}
+
+TEST_CASE("the worst glyphs known are built and closed", "[workload]")
+{
+    std::size_t tried = 0;
+    std::string absent;
+    const auto rows = test::workload_lines("nasty-glyphs.tsv");
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        std::vector<std::string> column;
+        std::istringstream row{rows[i]};
+        for (std::string cell; std::getline(row, cell, '\t');) column.push_back(cell);
+        INFO(column.at(1) << ", glyph " << column.at(3) << ": " << column.at(6));
+        auto font = harfbuzz_font::open(("/" + column[1]).c_str(), {.face = std::uint32_t(std::stoul(column[2]))});
+        if (font.error() == error::unreadable_file) {
+            absent += " " + column[0];
+            continue;
+        }
+        REQUIRE(font);
+        ++tried;
+        const auto id = glyph_id(std::stoul(column[3]));
+        glyph_run run;
+        run.units_per_em = font->units_per_em();
+        REQUIRE(run.glyphs.push_back({id, 0, {0, 0}}));
+        text_mesher mesher{*font};
+        for (const double tolerance : {quality::low, quality::high}) {
+            test::full_mesh m;
+            const auto made = mesher.build(run, into(m.vertices, m.indices), {.tolerance = tolerance});
+            REQUIRE(made);
+            CHECK(made->refused == 0);
+            const auto law = test::examine(m);
+            CHECK(law.unmatched_edges == 0);
+            CHECK(law.zero_area == 0);
+            CHECK(test::volume(m.vertices, m.indices) > 0.0);
+        }
+    }
+    if (!absent.empty()) WARN("skipped, fonts not installed:" << absent);
+    CHECK(tried != 0);
 }

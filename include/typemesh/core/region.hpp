@@ -9,7 +9,8 @@
 namespace typemesh {
 
 /// A filled area of the plane, proven: boundary walks with the interior on the left, outer loops counter-clockwise, holes
-/// clockwise, no two edges crossing or overlapping, no spike, no repeated neighbour.
+/// clockwise, no two edges crossing or overlapping, no spike, no repeated neighbour. A point may be visited more than once
+/// (see is_touching), by walks that each keep to their own wedge of interior there; no point lies within another's edge.
 ///
 ///     +-------------<-----------+      points, edges, starts, curves as in contours
 ///     |  outer      +--->--+    |
@@ -17,13 +18,14 @@ namespace typemesh {
 ///     |             +--<---+    |      n + 2h - 2c triangles over these points
 ///     +------------->-----------+
 ///
-/// A view: it refers to the contours it was proven from and ends with them. Only fill and a triangulator that proves make
-/// one; proven() is their door, and the promise above is what passes through it.
+/// A view: it refers to the contours it was proven from and ends with them. Only fill and a triangulator that proves
+/// make one; proven() is their door, and the promise above is what passes through it.
 class region {
 public:
     region() noexcept = default;
 
-    [[nodiscard]] static region proven(const contours& loops, std::uint32_t holes, std::uint32_t outers) noexcept
+    [[nodiscard]] static region proven(const contours& loops, std::uint32_t holes, std::uint32_t outers,
+                                       bool touching = false) noexcept
     {
         region r;
         r.points_ = loops.points.view();
@@ -33,6 +35,7 @@ public:
         r.grid_ = loops.grid;
         r.holes_ = holes;
         r.outers_ = outers;
+        r.touching_ = touching;
         return r;
     }
 
@@ -48,6 +51,9 @@ public:
         return starts_.empty() ? 0u : static_cast<std::uint32_t>(starts_.size() - 1);
     }
 
+    /// Whether the walks come through some point more than once. If not, all points are different.
+    [[nodiscard]] bool is_touching() const noexcept { return touching_; }
+
     /// n + 2h - 2c, below 2^32 for every region that fits into memory of 32-bit numbers.
     [[nodiscard]] std::uint32_t triangle_count() const noexcept
     {
@@ -62,6 +68,7 @@ private:
     typemesh::grid grid_;
     std::uint32_t holes_ = 0;
     std::uint32_t outers_ = 0;
+    bool touching_ = false;
 };
 
 }  // namespace typemesh

@@ -6,66 +6,23 @@
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/core/workspace.hpp>
-#include <typemesh/fill/orient.hpp>
-#include <typemesh/fill/simple_sweep.hpp>
-
-#include <cstddef>
-#include <cstdint>
+#include <typemesh/fill/nest.hpp>
+#include <typemesh/fill/resolve.hpp>
 
 namespace typemesh {
 
-/// The region that `loops` fill under `rule`, whatever way they run and however they lie in each other.
+/// The region that any contours fill under `rule`: nest() where they do not meet, which is found out on the way and leaves
+/// their points as they are, else resolve().
 ///
-///     .-----------------.        .-----------------.      non_zero, all three counter-clockwise: the inner ones
-///     |  .-----------.  |        |                 |      have filled places on both sides and are no boundary.
-///     |  |  .-----.  |  |   ->   |                 |      even_odd would keep them all and turn the middle one.
-///     |  |  '-----'  |  |        |                 |
-///     |  '-----------'  |        |                 |
-///     '-----------------'        '-----------------'
+/// Replaces `loops`; nothing may be left: a region without points.
 ///
-/// Works in place: contours that are no boundary vanish from `loops`, those that have the interior on their right are
-/// turned round (points and edges); the order of the others stays. Nothing may be left: a region without points.
-///
-/// Fails  error::crossing_contours: two edges cross, touch or overlap (neighbours of a contour may share their common
-///        point and no more), or a contour has one or two points
-///        error::out_of_memory
-/// In both cases `loops` is as it was.
-/// Cost   O(n log n), exact in 64-bit integers; about 100 bytes a point from `space`.
+/// Fails  error::too_large, error::out_of_memory; then `loops` is as it was
+/// Cost   O(n log n), and what resolve() takes where contours meet
 [[nodiscard]] inline result<region> fill(contours& loops, fill_rule rule, workspace& space) noexcept
 {
-    workspace::scope scratch{space};
-    const std::uint32_t count = loops.contour_count();
-    auto* const sides = scratch.take<detail::contour_sides>(count);
-    if (sides == nullptr) return error::out_of_memory;
-    detail::simple_sweep sweep;
-    if (const error e = sweep.run(loops, space, sides)) return e;
-
-    std::uint32_t kept = 0, holes = 0;
-    std::size_t end = 0;
-    for (std::uint32_t c = 0; c < count; ++c) {
-        const std::size_t begin = loops.starts[c], size = loops.starts[c + 1] - begin;
-        if (size == 0) continue;
-        const bool inside = is_filled(rule, sides[c].inside);
-        if (inside == is_filled(rule, sides[c].outside)) continue;
-        if (inside != sides[c].counter_clockwise)
-            reverse_contour(loops.points.view().subspan(begin, size), loops.edges.view().subspan(begin, size));
-        if (end != begin) {
-            for (std::size_t i = 0; i < size; ++i) {
-                loops.points[end + i] = loops.points[begin + i];
-                loops.edges[end + i] = loops.edges[begin + i];
-            }
-        }
-        loops.starts[kept++] = static_cast<std::uint32_t>(end);
-        end += size;
-        if (!inside) ++holes;
-    }
-    if (!loops.starts.empty()) {
-        loops.starts[kept] = static_cast<std::uint32_t>(end);
-        loops.starts.truncate(kept + 1);
-    }
-    loops.points.truncate(end);
-    loops.edges.truncate(end);
-    return region::proven(loops, holes, kept - holes);
+    auto nested = nest(loops, rule, space);
+    if (nested || nested.error().code != error::crossing_contours) return nested;
+    return resolve(loops, rule, space);
 }
 
 }  // namespace typemesh

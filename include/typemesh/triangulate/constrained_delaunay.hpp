@@ -46,7 +46,12 @@ struct constrained_delaunay {
         for (const attempt& a : attempts) {
             if (e != error::crossing_contours) break;
             if (a.straightness == 8 && tried > worth_it) continue;
-            e = a.proving ? from_loops<true>(r, space, write, a, tried) : from_loops<false>(r, space, write, a, tried);
+            if (r.is_touching()) {  // points that coincide are not proven anew: all of them are swept, none is left out
+                if (!a.proving) e = from_loops<false, true>(r, space, write, a, tried);
+                continue;
+            }
+            e = a.proving ? from_loops<true, false>(r, space, write, a, tried)
+                          : from_loops<false, false>(r, space, write, a, tried);
         }
         if (e) out.truncate(before);
         return e;
@@ -55,7 +60,7 @@ struct constrained_delaunay {
     /// The region that `loops` bound, its triangles appended to `out`. Fails as monotone{}.prove() does.
     [[nodiscard]] result<region> prove(const contours& loops, workspace& space, triangle_list& out) const noexcept
     {
-        detail::monotone_sweep<true, detail::no_cutter> sweep{loops.points.view(), loops.starts.view(), {}};
+        detail::monotone_sweep<true, false, detail::no_cutter> sweep{loops.points.view(), loops.starts.view(), {}};
         if (const error e = sweep.run(space)) return e;
         const region r = region::proven(loops, sweep.holes(), sweep.outers());
         if (const error e = (*this)(r, space, out)) return e;
@@ -77,7 +82,7 @@ private:
     static constexpr double worth_it = 0.875;  ///< leaving out fewer points than this leaves costs more than it saves
 
     /// error::crossing_contours: not this way.
-    template <bool Proving>
+    template <bool Proving, bool Touching>
     [[nodiscard]] static error from_loops(const region& r, workspace& space, triangle* write, const attempt& how,
                                           double& kept) noexcept
     {
@@ -91,7 +96,7 @@ private:
         detail::half_edges mesh{r.points()};
         if (!mesh.open(scratch, n + 2 * std::size_t{r.loop_count()}))
             return error::out_of_memory;  // as many as a sweep can ask for
-        detail::monotone_sweep<Proving, cutter> sweep{coarse.points(), coarse.starts(),
+        detail::monotone_sweep<Proving, Touching, cutter> sweep{coarse.points(), coarse.starts(),
                                                       cutter{detail::half_edges::output{mesh, coarse.names()}}};
         if (const error e = sweep.run(space)) return e;
         if (Proving && (sweep.holes() != r.holes() || sweep.outers() != r.outers())) return error::crossing_contours;

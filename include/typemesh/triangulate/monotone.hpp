@@ -26,7 +26,9 @@ struct monotone {
     /// Relies on the region's promise. Fails with error::out_of_memory, `out` being as it was.
     [[nodiscard]] error operator()(const region& r, workspace& space, triangle_list& out) const noexcept
     {
-        return cut<false>(r.points(), r.starts(), space, out, [](const auto&) noexcept {});
+        const auto nothing = [](const auto&) noexcept {};
+        return r.is_touching() ? cut<false, true>(r.points(), r.starts(), space, out, nothing)
+                               : cut<false, false>(r.points(), r.starts(), space, out, nothing);
     }
 
     /// The region that `loops` bound, its triangles appended to `out`.
@@ -40,14 +42,14 @@ struct monotone {
     {
         region r = region::proven(loops, 0, 0);
         const error e =
-            cut<true>(loops.points.view(), loops.starts.view(), space, out,
+            cut<true, false>(loops.points.view(), loops.starts.view(), space, out,
                       [&](const auto& sweep) noexcept { r = region::proven(loops, sweep.holes(), sweep.outers()); });
         if (e) return e;
         return r;
     }
 
 private:
-    template <bool Proving, class Then>
+    template <bool Proving, bool Touching, class Then>
     [[nodiscard]] static error cut(std::span<const grid_point> points, std::span<const std::uint32_t> starts,
                                    workspace& space, triangle_list& out, Then&& then) noexcept
     {
@@ -56,7 +58,7 @@ private:
         triangle* const first = out.append(points.size() + 2 * (starts.size() - 1));
         if (first == nullptr) return error::out_of_memory;
         using cutter = detail::chain_cutter<detail::triangle_output>;
-        detail::monotone_sweep<Proving, cutter> sweep{points, starts, cutter{detail::triangle_output{first}}};
+        detail::monotone_sweep<Proving, Touching, cutter> sweep{points, starts, cutter{detail::triangle_output{first}}};
         const error e = sweep.run(space);
         const triangle* const end = e ? first : sweep.cutter().output().end();
         out.truncate(before + static_cast<std::size_t>(end - first));

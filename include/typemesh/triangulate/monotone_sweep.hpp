@@ -27,7 +27,17 @@ namespace typemesh::detail {
 /// neighbour in the sweep order), or an edge passes through X, which is next to an edge that ends there (tested), or
 /// leaves no room for a new span (tested), or lies between two edges that end there (then they are not neighbours).
 /// Doubling back shows where the two edges start.
-template <bool Proving, class Cutter>
+///
+/// When `Touching`, a proven region may come through a point more than once, each time with a wedge of interior of its own.
+/// Think of every such point as moved a little into its wedge: then all points differ, and the sweep meets them in this
+/// order:
+///
+///     .        ends            :::\ /:::   passes      ---.::::   a merge, or   ::::.---   starts
+///     :::>.    (wedge on the   ::: x :::   (above,        p :::   a split       ::: p      (wedge on the    .<:::
+///     '        left)           :::/ \:::   below)      ---'::::                 ::::'---   right)
+///
+/// Only starts must be told where they belong between edges that begin in the point itself: by their angle.
+template <bool Proving, bool Touching, class Cutter>
 class monotone_sweep {
     struct vertex {
         std::uint32_t span[2];   // the span whose lower / upper side ends here; 0: that neighbour comes later
@@ -64,6 +74,8 @@ public:
             !status_.open(scratch, n / 2 + 1) || !sweep_order(points_, space, order))
             return error::out_of_memory;
         link_up();
+        if constexpr (Touching)
+            if (!order_visits(order, scratch)) return error::out_of_memory;
         return sweep(order) ? error::none : error::crossing_contours;
     }
 
@@ -94,6 +106,34 @@ private:
         constexpr std::int32_t reach = 1 << 28;
         spans_[0] = {
             {{{-reach, reach + 1}, {reach, reach + 1}}, {{reach, -reach - 1}, {-reach, -reach - 1}}}, {0, 0}, {}};
+    }
+
+    /// Puts visits of one point into the order told above.
+    [[nodiscard]] bool order_visits(std::uint32_t* order, workspace::scope& scratch) const noexcept
+    {
+        const std::size_t n = points_.size();
+        auto* const ordered = scratch.take<std::uint32_t>(n);
+        if (ordered == nullptr) return false;
+        for (std::size_t begin = 0, end = 1; begin < n; begin = end++) {
+            while (end < n && points_[order[end]] == points_[order[begin]]) ++end;
+            if (end - begin == 1) continue;
+            std::size_t k = begin;
+            for (std::uint32_t rank = 0; rank < 4; ++rank)
+                for (std::size_t i = begin; i < end; ++i)
+                    if (visit_rank(order[i]) == rank) ordered[k++] = order[i];
+            for (k = begin; k < end; ++k) order[k] = ordered[k];
+        }
+        return true;
+    }
+
+    /// 0: an end, 1: a pass, 2: a merge or a split, 3: a start.
+    [[nodiscard]] std::uint32_t visit_rank(std::uint32_t v) const noexcept
+    {
+        const grid_point p = points_[v], next = points_[vertices_[v].right[0]], previous = points_[vertices_[v].right[1]];
+        const bool opens = lexicographic_less(p, next);
+        if (opens != lexicographic_less(p, previous)) return 1;
+        if (orientation(previous, p, next) < 0) return 2;
+        return opens ? 3 : 0;
     }
 
     [[nodiscard]] bool sweep(const std::uint32_t* order) noexcept
@@ -148,8 +188,13 @@ private:
     [[nodiscard]] bool open(std::uint32_t v, grid_point p) noexcept
     {
         const std::int64_t turn = orientation(points_[vertices_[v].right[1]], p, points_[vertices_[v].right[0]]);
-        const std::uint32_t s =
-            status_.last_below([&](std::uint32_t item) noexcept { return spans_[item].sides[0].at(p) > 0; });
+        const std::uint32_t s = status_.last_below([&](std::uint32_t item) noexcept {
+            const side& lower = spans_[item].sides[0];
+            if constexpr (Touching) {
+                if (lower.from == p) return lower.at(points_[vertices_[v].right[0]]) > 0;
+            }
+            return lower.at(p) > 0;
+        });
         const bool splits = turn < 0;
         if constexpr (Proving) {
             if (turn == 0) return false;  // doubles back

@@ -15,8 +15,10 @@ namespace typemesh {
 ///
 ///     t(r, space, out)    appends r.triangle_count() triangles of indices into r.points() to `out`
 ///
-/// The region is proven: see region.hpp for what may be relied on. Every edge of the region must be an edge of exactly
-/// one triangle, so that the walls that are put up on it meet the caps without a crack; no triangle may have area zero.
+/// The region is proven: see region.hpp for what may be relied on. Its walks may come through a point more than once
+/// (is_touching), each time with a wedge of interior of its own, and each visit is a point of its own here. Every edge
+/// of the region must be an edge of exactly one triangle, so that the walls that are put up on it meet the caps without
+/// a crack; no triangle may have area zero.
 /// Scratch memory comes from `space`. When memory fails: error::out_of_memory, and `out` is as it was.
 template <class T>
 concept triangulator = requires(const T& t, const region& r, workspace& space, triangle_list& out) {

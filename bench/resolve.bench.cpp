@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+//
+// What contours that cross cost: the overlapping glyphs of a font against its simple ones, per contour point that the
+// discretiser gives, each set a stream of different glyphs; and how the cost grows with the size of a shape.
+//
+//     bench_resolve                              every set that has its font
+//     bench_resolve --benchmark_filter=Inter
+//
+// Columns: ns_per_point (best pass of five; points before resolving); of_simple (that by the simple glyphs' of the same
+// font in the same run: at most 5 is asked of "all", the refused first try included).
+//
+//     simple       orient, prove and triangulate: the whole way of a simple outline
+//     all          orient, refuse, resolve, triangulate: the whole way of an outline that crosses
+//     refuse, resolve, triangulate     its parts
+//
+// Fonts are looked for under $TYPEMESH_FONT_DIR (default /usr/share/fonts); packages fonts-inter-variable,
+// fonts-hosny-amiri, fonts-wqy-microhei, fonts-liberation.
+
+#include <typemesh/adapt/harfbuzz.hpp>
+#include <typemesh/typemesh.hpp>
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace typemesh;
+
+struct polygon {
+    std::vector<grid_point> points;
+    std::vector<contour_edge> edges;
+    std::vector<std::uint32_t> starts;
+
+    void give(contours& loops) const
+    {
+        loops.clear();
+        (void)loops.points.append(points);
+        (void)loops.edges.append(edges);
+        (void)loops.starts.append(starts);
+    }
+};
+
+enum class way { simple, all, refuse, resolve, triangulate };
+
+struct set {
+    std::string name;
+    std::vector<polygon> simple, crossing;
+    double simple_ns = 0;  // a point
+};
+
+double run_once(const set& s, way w, contours& loops, workspace& space, triangle_list& out)
+{
+    const std::vector<polygon>& glyphs = w == way::simple ? s.simple : s.crossing;
+    double spent = 0;
+    std::size_t points = 0;
+    using clock = std::chrono::steady_clock;
+    const auto all_start = clock::now();
+    for (const polygon& p : glyphs) {
+        points += p.points.size();
+        p.give(loops);
+        out.clear();
+        if (w == way::simple || w == way::all) {
+            benchmark::DoNotOptimize(cap(loops, fill_rule::non_zero, monotone{}, space, out));
+        } else if (w == way::refuse) {
+            orient(loops);
+            benchmark::DoNotOptimize(monotone{}.prove(loops, space, out));
+        } else if (w == way::resolve) {
+            benchmark::DoNotOptimize(resolve(loops, fill_rule::non_zero, space));
+        } else {
+            const auto made = resolve(loops, fill_rule::non_zero, space);
+            const auto start = clock::now();
+            if (made) benchmark::DoNotOptimize(monotone{}(*made, space, out).code);
+            spent += std::chrono::duration<double>(clock::now() - start).count();
+        }
+    }
+    if (w != way::triangulate) spent = std::chrono::duration<double>(clock::now() - all_start).count();
+    return 1e9 * spent / static_cast<double>(points);
+}
+
+void run(benchmark::State& state, set& s, way w, int passes)
+{
+    workspace space;
+    contours loops;
+    triangle_list out;
+    double best = 1e300;
+    for (auto _ : state) {
+        (void)run_once(s, w, loops, space, out);
+        for (int i = 0; i < passes; ++i) best = (std::min)(best, run_once(s, w, loops, space, out));
+    }
+    if (w == way::simple) s.simple_ns = best;
+    state.counters["ns_per_point"] = best;
+    if (s.simple_ns > 0) state.counters["of_simple"] = best / s.simple_ns;
+}
+
+void add(set& s, int passes)
+{
+    const std::pair<const char*, way> all[] = {{"simple", way::simple},
+                                               {"all", way::all},
+                                               {"refuse", way::refuse},
+                                               {"resolve", way::resolve},
+                                               {"triangulate", way::triangulate}};
+    for (const auto& [name, w] : all) {
+        if ((w == way::simple ? s.simple : s.crossing).empty()) continue;
+        benchmark::RegisterBenchmark((s.name + " / " + name).c_str(),
+                                     [&s, w = w, passes](benchmark::State& state) { run(state, s, w, passes); })
+            ->Iterations(1)
+            ->Unit(benchmark::kMillisecond);
+    }
+}
+
+bool glyphs_of(const char* file, double tolerance, std::uint32_t most, set& s)
+{
+    const char* folder = std::getenv("TYPEMESH_FONT_DIR");
+    const std::string path = std::string{folder != nullptr ? folder : "/usr/share/fonts"} + "/" + file;
+    auto font = harfbuzz_font::open(path.c_str());
+    if (!font) return false;
+    outline drawn;
+    contours loops;
+    workspace space;
+    triangle_list out;
+    std::uint32_t count = 0;
+    while (count < 0xFFFF && !record(*font, count, drawn)) ++count;
+    const std::uint32_t step = count > most ? count / most : 1;
+    for (std::uint32_t g = 0; g < count; g += step) {
+        if (record(*font, g, drawn) || drawn.curves.empty()) continue;
+        const auto cells = grid::fitting(font->units_per_em(), drawn.bounds);
+        if (!cells || discretise(drawn, certified{}, tolerance * font->units_per_em(), *cells, loops)) continue;
+        if (loops.points.empty()) continue;
+        const polygon p{{loops.points.begin(), loops.points.end()},
+                        {loops.edges.begin(), loops.edges.end()},
+                        {loops.starts.begin(), loops.starts.end()}};
+        orient(loops);
+        out.clear();
+        (monotone{}.prove(loops, space, out) ? s.simple : s.crossing).push_back(p);
+    }
+    const auto points = [](const std::vector<polygon>& all) {
+        std::size_t n = 0;
+        for (const polygon& p : all) n += p.points.size();
+        return all.empty() ? 0.0 : static_cast<double>(n) / static_cast<double>(all.size());
+    };
+    std::printf("%s: %zu simple glyphs of %.0f points, %zu that cross or touch of %.0f\n", s.name.c_str(),
+                s.simple.size(), points(s.simple), s.crossing.size(), points(s.crossing));
+    return true;
+}
+
+// --- shapes of all sizes -----------------------------------------------------------------------------------------
+
+std::uint64_t next_random(std::uint64_t& state)
+{
+    std::uint64_t z = state += 0x9E37'79B9'7F4A'7C15u;
+    z = (z ^ z >> 30) * 0xBF58'476D'1CE4'E5B9u;
+    return z ^ z >> 27;
+}
+
+grid_point on_circle(double radius, double turn)
+{
+    const double angle = 6.283185307179586 * turn;
+    return {static_cast<std::int32_t>(std::lround(radius * std::cos(angle))),
+            static_cast<std::int32_t>(std::lround(radius * std::sin(angle)))};
+}
+
+polygon from(const std::vector<std::vector<grid_point>>& loops)
+{
+    polygon p;
+    p.starts.push_back(0);
+    for (const auto& l : loops) {
+        for (const grid_point q : l) {
+            p.edges.push_back({static_cast<std::uint32_t>(p.points.size()), 0, 1});
+            p.points.push_back(q);
+        }
+        p.starts.push_back(static_cast<std::uint32_t>(p.points.size()));
+    }
+    return p;
+}
+
+std::vector<grid_point> comb(int n, bool upright)
+{
+    std::vector<grid_point> l;
+    for (int i = 0; i < n / 3; ++i) l.insert(l.end(), {{0, 64 * i}, {0, 64 * i + 32}, {10'000'000, 64 * i + 40}});
+    l.push_back({20'000'000, 64 * (n / 3)});
+    l.push_back({20'000'000, -1});
+    if (upright)
+        for (grid_point& p : l) p = {p.y, p.x};
+    return l;
+}
+std::vector<grid_point> star(int n)
+{
+    std::vector<grid_point> l;
+    std::uint64_t seed = 1;
+    for (int i = 0; i < n; ++i)
+        l.push_back(on_circle(5e7 + 2e8 * static_cast<double>(next_random(seed) >> 11) * 0x1p-53, double(i) / n));
+    return l;
+}
+
+std::vector<std::pair<const char*, polygon>> shapes(int n)
+{
+    std::vector<std::pair<const char*, polygon>> all;
+    const auto shifted = [](std::vector<grid_point> l, grid_point by) {
+        for (grid_point& p : l) p = {p.x + by.x, p.y + by.y};
+        return l;
+    };
+    const auto flat_comb = comb(n / 2, false), upright_comb = comb(n / 2, true), sun = star(n / 2);
+    all.emplace_back("comb, its first point pulled across", from({comb(n, false)}));
+    all.back().second.points[0] = {100, 1000};
+    all.emplace_back("comb, doubled", from({flat_comb, flat_comb}));
+    all.emplace_back("comb, doubled and shifted", from({flat_comb, shifted(flat_comb, {1001, 13})}));
+    all.emplace_back("upright comb, doubled and shifted", from({upright_comb, shifted(upright_comb, {13, 1001})}));
+    all.emplace_back("star, doubled", from({sun, sun}));
+    all.emplace_back("star, doubled and shifted", from({sun, shifted(sun, {20'000, 30'000})}));
+    std::vector<grid_point> pinwheel;
+    for (int i = 0; i < n / 3; ++i)
+        pinwheel.insert(pinwheel.end(), {{0, 0}, on_circle(2e8, 3.0 * i / n), on_circle(2e8, 3.0 * (i + 0.5) / n)});
+    all.emplace_back("pinwheel", from({pinwheel}));
+    std::vector<std::vector<grid_point>> chain;
+    for (int i = 0; i < n / 16; ++i) {
+        chain.emplace_back();
+        for (int k = 0; k < 16; ++k)
+            chain.back().push_back(shifted({on_circle(1000, k / 16.0)}, {1500 * (i % 100), 1500 * (i / 100)})[0]);
+    }
+    all.emplace_back("overlapping discs", from(chain));
+    return all;
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    struct font_set {
+        const char* name;
+        const char* file;
+        double tolerance;  ///< em
+    };
+    const font_set fonts[] = {
+        {"Inter variable, low", "truetype/inter-vf/Inter.var.ttf", quality::low},
+        {"Inter variable, high", "truetype/inter-vf/Inter.var.ttf", quality::high},
+        {"Amiri, high", "opentype/fonts-hosny-amiri/Amiri-Regular.ttf", quality::high},
+        {"WenQuanYi Micro Hei, high", "truetype/wqy/wqy-microhei.ttc", quality::high},
+        {"Liberation Sans, high", "truetype/liberation/LiberationSans-Regular.ttf", quality::high},
+    };
+    std::vector<set> sets;
+    sets.reserve(100);
+    for (const font_set& f : fonts) {
+        sets.push_back({f.name, {}, {}, 0});
+        if (!glyphs_of(f.file, f.tolerance, 10'000, sets.back())) {
+            std::fprintf(stderr, "left out, no such font: %s\n", f.file);
+            sets.pop_back();
+            continue;
+        }
+        add(sets.back(), 5);
+    }
+    for (int n = 100; n <= 100'000; n *= 10) {
+        for (auto& [name, p] : shapes(n)) {
+            sets.push_back({std::string{name} + " of " + std::to_string(n), {}, {}, 0});
+            sets.back().crossing.push_back(std::move(p));
+            add(sets.back(), n < 10'000 ? 5 : 1);
+        }
+    }
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+}

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/contours.hpp>
+#include <typemesh/core/orientation.hpp>
+#include <typemesh/core/sweep_order.hpp>
+#include <typemesh/core/workspace.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+namespace typemesh::detail {
+
+/// A point's place in the sweep order, by x and then by y, as one number.
+[[nodiscard]] constexpr std::uint64_t sweep_place(grid_point p) noexcept
+{
+    return std::uint64_t{static_cast<std::uint32_t>(p.x) ^ 0x8000'0000u} << 32 |
+           (static_cast<std::uint32_t>(p.y) ^ 0x8000'0000u);
+}
+[[nodiscard]] constexpr grid_point point_at(std::uint64_t sweep_place) noexcept
+{
+    return {static_cast<std::int32_t>(static_cast<std::uint32_t>(sweep_place >> 32) ^ 0x8000'0000u),
+            static_cast<std::int32_t>(static_cast<std::uint32_t>(sweep_place) ^ 0x8000'0000u)};
+}
+
+inline constexpr std::uint32_t no_number = 0xFFFF'FFFFu;
+
+/// A straight piece of the contours, from left to right, and what it separates.
+///
+/// Several edges that lie upon each other are one stretch; when they cancel, its turn is 0 and it is none at all.
+struct stretch {
+    grid_point from, to;       // from before to in the sweep order, but see resolving_sweep::cut
+    std::uint32_t start, end;  // the numbers of these two points
+    std::int32_t turn;         // the winding number right above it less the one right below
+    std::int32_t below;        // the winding number right below, once the sweep has met it
+    contour_edge source;       // t0 belongs to `from`, t1 to `to`
+    std::uint32_t origin;      // the contour point whose edge it was cut from
+    std::uint32_t
+        next;  // before the sweep: the next stretch that starts in the same point; behind it: see boundary_walk
+
+    void flip() noexcept
+    {
+        const grid_point p = from;
+        from = to;
+        to = p;
+        const std::uint32_t number = start;
+        start = end;
+        end = number;
+        const float t = source.t0;
+        source.t0 = source.t1;
+        source.t1 = t;
+        turn = -turn;
+    }
+
+    /// The curve's parameter where the stretch is cut in p.
+    [[nodiscard]] float t_at(grid_point p) const noexcept
+    {
+        const double dx = static_cast<double>(to.x) - from.x, dy = static_cast<double>(to.y) - from.y;
+        const bool by_x = (dx < 0 ? -dx : dx) > (dy < 0 ? -dy : dy);
+        const double share = by_x ? (static_cast<double>(p.x) - from.x) / dx : (static_cast<double>(p.y) - from.y) / dy;
+        return static_cast<float>(source.t0 + (static_cast<double>(source.t1) - source.t0) * share);
+    }
+};
+
+/// Contours taken apart into stretches between numbered points: the material that is cut until no two stretches cross.
+///
+/// Whatever is cut, flipped or joined, the turns add up to closed contours: in every point as much comes in as goes out.
+struct arrangement {
+    stretch* stretches = nullptr;
+    std::uint32_t count = 0;
+    std::uint32_t capacity = 0;
+    grid_point* points = nullptr;  // all different, in the sweep order; room for as many as there may be stretches
+    grid_point* spare = nullptr;   // of the same size
+    std::uint32_t* first =
+        nullptr;  // of the stretches that start in each point: the first, the others follow by `next`
+    std::uint32_t point_count = 0;
+    const contours* loops = nullptr;  // what was taken apart
+
+    /// Whether p lies within about one cell of the line of a stretch's original edge: bending may not lead farther away.
+    [[nodiscard]] bool is_at_home(const stretch& s, grid_point p) const noexcept
+    {
+        std::uint32_t contour = 0;
+        for (std::uint32_t size = loops->contour_count(); size > 1;) {
+            const std::uint32_t half = size / 2;
+            if (loops->starts[contour + half] <= s.origin) contour += half;
+            size -= half;
+        }
+        const std::uint32_t next = s.origin + 1 < loops->starts[contour + 1] ? s.origin + 1 : loops->starts[contour];
+        const grid_point a = loops->points[s.origin], b = loops->points[next];
+        const std::int64_t dx = std::int64_t{b.x} - a.x, dy = std::int64_t{b.y} - a.y, side = orientation(a, b, p);
+        return (side < 0 ? -side : side) <= (dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy);
+    }
+
+    /// Room for `most` stretches. What is there already is kept. False when there is no memory.
+    [[nodiscard]] bool reserve(workspace::scope& scratch, std::uint32_t most) noexcept
+    {
+        auto* const larger = scratch.take<stretch>(most);
+        points = scratch.take<grid_point>(most);
+        spare = scratch.take<grid_point>(most);
+        first = scratch.take<std::uint32_t>(most);
+        if (larger == nullptr || points == nullptr || spare == nullptr || first == nullptr) return false;
+        if (count != 0) std::memcpy(static_cast<void*>(larger), stretches, count * sizeof(stretch));
+        stretches = larger;
+        capacity = most;
+        return true;
+    }
+
+    /// Takes contours apart; edges without length vanish. Needs capacity >= given.points.size(),
+    /// and `given` to stay while the arrangement is cut.
+    [[nodiscard]] bool take_apart(const contours& given, workspace& space) noexcept
+    {
+        loops = &given;
+        const auto n = static_cast<std::uint32_t>(given.points.size());
+        workspace::scope scratch{space};
+        auto* const order = scratch.take<std::uint32_t>(n);
+        auto* const number = scratch.take<std::uint32_t>(n);
+        if (order == nullptr || number == nullptr || !sweep_order(given.points.view(), space, order)) return false;
+        const grid_point* const place = given.points.data();
+        point_count = 0;
+        for (std::uint32_t i = 0; i < n; ++i) {
+            const grid_point p = place[order[i]];
+            if (point_count == 0 || !(points[point_count - 1] == p)) {
+                first[point_count] = no_number;
+                points[point_count++] = p;
+            }
+            number[order[i]] = point_count - 1;
+        }
+        count = 0;
+        const contour_edge* const edges = given.edges.data();
+        for (std::uint32_t c = 0; c < given.contour_count(); ++c) {
+            const std::uint32_t begin = given.starts[c], end = given.starts[c + 1];
+            for (std::uint32_t v = begin; v < end; ++v) {
+                const std::uint32_t w = v + 1 < end ? v + 1 : begin;
+                const std::uint32_t i = number[v], k = number[w];
+                if (i == k) continue;
+                const contour_edge e = edges[v];
+                if (i < k)
+                    stretches[count] = {place[v], place[w], i, k, 1, 0, e, v, first[i]};
+                else
+                    stretches[count] = {place[w], place[v], k, i, -1, 0, {e.curve, e.t1, e.t0}, v, first[k]};
+                first[i < k ? i : k] = count++;
+            }
+        }
+        return true;
+    }
+
+    /// Numbers the points anew and lists the stretches by where they start; drops those that are none.
+    [[nodiscard]] bool put_in_order(workspace& space) noexcept
+    {
+        std::uint32_t kept = 0;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            if (stretches[i].turn == 0) continue;
+            stretches[kept] = stretches[i];
+            if (sweep_place(stretches[kept].to) < sweep_place(stretches[kept].from)) stretches[kept].flip();
+            ++kept;
+        }
+        count = kept;
+        workspace::scope scratch{space};
+        const std::size_t ends = 2 * std::size_t{count};
+        auto* const order = scratch.take<std::uint32_t>(ends);
+        auto* const both = scratch.take<grid_point>(ends);
+        if (order == nullptr || both == nullptr) return false;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            both[2 * i] = stretches[i].from;
+            both[2 * i + 1] = stretches[i].to;
+        }
+        if (!sweep_order({both, ends}, space, order)) return false;
+        point_count = 0;
+        for (std::size_t i = 0; i < ends; ++i) {
+            const grid_point p = both[order[i]];
+            if (point_count == 0 || !(points[point_count - 1] == p)) points[point_count++] = p;
+            stretch& s = stretches[order[i] / 2];
+            (order[i] % 2 == 0 ? s.start : s.end) = point_count - 1;
+        }
+        list();
+        return true;
+    }
+
+    void list() noexcept
+    {
+        for (std::uint32_t i = 0; i < point_count; ++i) first[i] = no_number;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            stretch& s = stretches[i];
+            if (s.turn == 0) continue;
+            s.next = first[s.start];
+            first[s.start] = i;
+        }
+    }
+};
+
+}  // namespace typemesh::detail

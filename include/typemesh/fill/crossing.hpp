@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/orientation.hpp>
+
+#include <cstdint>
+
+namespace typemesh {
+
+namespace detail {
+
+/// size * part / whole, rounded to the nearest integer (halves up), for 0 <= part <= whole, whole > 0.
+///
+/// Exact. Budget: |size| < 2^30, whole < 2^61, so the product has up to 91 bits and no word holds it. The quotient is guessed
+/// in floating point; what is left over, which is below 2^63 although its two terms are not, tells by arithmetic modulo 2^64
+/// how far the guess is off. The guess only has to be good to a few units, so any rounding mode and compiler flag will do.
+[[nodiscard]] inline std::int64_t scaled(std::int64_t size, std::int64_t part, std::int64_t whole) noexcept
+{
+    auto guess =
+        static_cast<std::int64_t>(static_cast<double>(size) * (static_cast<double>(part) / static_cast<double>(whole)));
+    auto rest = static_cast<std::int64_t>(static_cast<std::uint64_t>(size) * static_cast<std::uint64_t>(part) -
+                                          static_cast<std::uint64_t>(guess) * static_cast<std::uint64_t>(whole));
+    for (; rest < 0; rest += whole) --guess;
+    for (; rest >= whole; rest -= whole) ++guess;
+    return rest >= whole - rest ? guess + 1 : guess;
+}
+
+}  // namespace detail
+
+/// The grid point nearest to the place where the segments ab and cd cross; false, `nearest` as it was, when no inner point of
+/// both is there (they miss each other, only touch with an end, or are parallel).
+///
+///     a ---.__            The exact place lies in the boxes of both segments, whose corners are grid points, and rounding
+///     c ____  '--.__ d    keeps the order of coordinates: the nearest grid point lies in both boxes as well.
+///           '-----x--- b
+///
+/// Exact. Budget: |coordinate| <= 2^28; cross products below 2^61, see scaled() for the rest. O(1)
+[[nodiscard]] inline bool crossing_of(grid_point a, grid_point b, grid_point c, grid_point d,
+                                      grid_point& nearest) noexcept
+{
+    std::int64_t abc = orientation(a, b, c), abd = orientation(a, b, d);
+    std::int64_t cda = orientation(c, d, a), cdb = orientation(c, d, b);
+    if ((abc >= 0) == (abd >= 0) || (cda >= 0) == (cdb >= 0) || abc == 0 || abd == 0 || cda == 0 || cdb == 0)
+        return false;
+    const std::int64_t part = cda < 0 ? -cda : cda, whole = part + (cdb < 0 ? -cdb : cdb);
+    nearest = {static_cast<std::int32_t>(a.x + detail::scaled(std::int64_t{b.x} - a.x, part, whole)),
+               static_cast<std::int32_t>(a.y + detail::scaled(std::int64_t{b.y} - a.y, part, whole))};
+    return true;
+}
+
+}  // namespace typemesh

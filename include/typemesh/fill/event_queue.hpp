@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/workspace.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace typemesh::detail {
+
+/// Something that a sweep will meet at a point that it did not know before.
+struct event {
+    std::uint64_t place;    ///< of the point, as sweep_place()
+    std::uint32_t stretch;  ///< that starts there, or no_number
+    std::uint32_t slot;     ///< in the status, of an edge that may end there; 0: none
+};
+
+/// Events by place, the first one on top: a binary heap of fixed room.
+class event_queue {
+public:
+    [[nodiscard]] bool open(workspace::scope& scratch, std::uint32_t room) noexcept
+    {
+        events_ = scratch.take<event>(room);
+        room_ = room;
+        size_ = 0;
+        return events_ != nullptr;
+    }
+    [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
+    [[nodiscard]] std::uint32_t room() const noexcept { return room_ - size_; }
+    [[nodiscard]] const event& top() const noexcept { return events_[0]; }
+
+    /// Needs room.
+    void push(const event& e) noexcept
+    {
+        std::uint32_t i = size_++;
+        for (; i != 0 && e.place < events_[(i - 1) / 2].place; i = (i - 1) / 2) events_[i] = events_[(i - 1) / 2];
+        events_[i] = e;
+    }
+
+    void pop() noexcept
+    {
+        const event last = events_[--size_];
+        std::uint32_t i = 0;
+        for (std::uint32_t child = 1; child < size_; child = 2 * i + 1) {
+            if (child + 1 < size_ && events_[child + 1].place < events_[child].place) ++child;
+            if (last.place <= events_[child].place) break;
+            events_[i] = events_[child];
+            i = child;
+        }
+        events_[i] = last;
+    }
+
+private:
+    event* events_ = nullptr;
+    std::uint32_t size_ = 0;
+    std::uint32_t room_ = 0;
+};
+
+}  // namespace typemesh::detail

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/contours.hpp>
+#include <typemesh/core/fill_rule.hpp>
+#include <typemesh/core/region.hpp>
+#include <typemesh/core/result.hpp>
+#include <typemesh/core/workspace.hpp>
+#include <typemesh/fill/arrangement.hpp>
+#include <typemesh/fill/boundary_walk.hpp>
+#include <typemesh/fill/resolving_sweep.hpp>
+#include <typemesh/fill/snap_rounding.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace typemesh {
+
+/// What resolve() did, for those who want to know.
+struct resolve_effort {
+    std::uint32_t walks = 0;  ///< sweeps over the arrangement: nearly always one
+    bool rounded = false;     ///< snap rounding was needed
+};
+
+/// The region that any closed polylines fill under `rule`, however they cross, touch, overlap or run back on themselves.
+///
+///      .------.                .------.            Crossings, corners on edges, shared edges, doubled contours, spikes, edges
+///      |   .--|---.            |      '---.        without length, contours of one point, any nesting, any winding number.
+///      |   |  |   |     ->     |          |        In every point where boundaries touch, a walk stays in its own wedge of
+///      '---|--'   |            '---.      |        interior: a hole that touches its outer loop joins it, holes that touch
+///          '------'                '------'        become one, outer loops that touch stay apart.
+///
+/// Replaces `loops`; nothing may be left: a region without points. Edges keep the curve and t that they come from (where
+/// several lie upon each other, those of the curve with the lowest number), t0 > t1 where they are run against it. Points
+/// of the contours that lie on the boundary stay; points are added where edges are cut, and nowhere else.
+///
+/// Crossings are rounded to the grid. The boundary stays within about 1.5 cells of the contours' edges, and farther from
+/// all edges every place is filled as the rule says; where all crossings are grid points, everywhere.
+///
+/// Fails  error::too_large: more than 2^29 points, or 2^30 pieces; error::out_of_memory. Then `loops` is as it was.
+///        (error::crossing_contours stands for a mistake in here: no input is known that leads to it.)
+/// Cost   O((n + k) log n) for n points and k cuts, about 250 bytes a point from `space`. Contours with edges that run
+///        together for long at a distance below a cell may need snap rounding, which compares all pairs of edges whose
+///        boxes meet.
+/// Exact  in 64 bits; from equal grid points every compiler makes the same region (t apart, which is floating point)
+[[nodiscard]] inline result<region> resolve(contours& loops, fill_rule rule, workspace& space,
+                                            resolve_effort* effort = nullptr) noexcept
+{
+    constexpr std::uint32_t most_bent_walks = 2;
+    const std::size_t n = loops.points.size();
+    if (n > std::size_t{1} << 29) return error::too_large;
+    workspace::scope scratch{space};
+    detail::arrangement a;
+    if (!a.reserve(scratch, static_cast<std::uint32_t>(n + n / 2 + 64)) || !a.take_apart(loops, space))
+        return error::out_of_memory;
+    bool rounded = false;
+    for (std::uint32_t bent = 0;;) {
+        detail::resolving_sweep sweep{a, rule};
+        if (!sweep.run(space)) return error::out_of_memory;
+        if (effort != nullptr) *effort = {effort->walks + 1, rounded};
+        if (!sweep.again) {
+            detail::boundary_walk boundary;
+            if (const error e = boundary.run(a, rule, loops)) return e;
+            return region::proven(loops, boundary.holes, boundary.outers, sweep.touching);
+        }
+        if (rounded) {  // what is left to do bends nothing: it can only lack room
+            if (!sweep.full) return error::crossing_contours;
+            if (a.capacity > std::uint32_t{1} << 29) return error::too_large;
+            if (!a.reserve(scratch, 2 * a.capacity) || !a.put_in_order(space)) return error::out_of_memory;
+        } else if (sweep.full && !sweep.astray && a.capacity < 12 * n + 256) {
+            bent = 0;
+            if (!a.reserve(scratch, 2 * a.capacity) || !a.take_apart(loops, space)) return error::out_of_memory;
+        } else if (sweep.full || sweep.astray || ++bent == most_bent_walks) {
+            if (!a.take_apart(loops, space) || !detail::snap_rounding::run(a, scratch, space))
+                return error::out_of_memory;
+            rounded = true;
+        }
+    }
+}
+
+}  // namespace typemesh
