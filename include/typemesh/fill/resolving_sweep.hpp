@@ -244,6 +244,7 @@ private:
                 free_slot_ = static_cast<std::uint32_t>(edges_[fresh].from.y);
             begin(fresh, rays_[i].stretch, p);
             status_.insert_above(last, fresh);
+            if (i != 0) test(last, fresh);  // they do not cross, but may come near each other's ends
             last = fresh;
         }
         const std::uint32_t over = status_.above(last);
@@ -255,6 +256,23 @@ private:
         }
         test(under, status_.above(under));
         if (last != under) test(last, over);
+    }
+
+    /// Bent edges cross a little beside where the contours do: takes the contours' crossing if both edges can be cut there.
+    /// So bends do not add up along an edge with many crossings.
+    void lead_home(std::uint32_t low, std::uint32_t high, grid_point& x) const noexcept
+    {
+        const auto l = a_.home(a_.stretches[edges_[low].stretch]), h = a_.home(a_.stretches[edges_[high].stretch]);
+        grid_point better;
+        if (crossing_of(l.from, l.to, h.from, h.to, better) && is_in_box(edges_[low], better) &&
+            is_in_box(edges_[high], better))
+            x = better;
+    }
+
+    [[nodiscard]] static bool is_in_box(const crossed_edge& e, grid_point p) noexcept
+    {
+        if (p.x < e.from.x || p.x > e.to.x) return false;
+        return e.from.y < e.to.y ? p.y >= e.from.y && p.y <= e.to.y : p.y <= e.from.y && p.y >= e.to.y;
     }
 
     /// Whether of two edges that end in one point, `l` lies below `h`.
@@ -428,6 +446,7 @@ private:
             unsure_ = true;
             return;
         }
+        lead_home(low, high, x);
         if (cut(low, x)) (void)cut(high, x);
     }
 
