@@ -31,8 +31,8 @@ bool is_exact(const std::vector<test::oracle::loop>& loops)
 
 /// What is wrong with what resolve() makes of a shape under a rule; empty when nothing is.
 ///
-/// The walks must be walks, and fill what the contours fill: at every grid point (of `samples` by `samples` round the shape)
-/// farther than a cell or so from all contours. Where nothing was bent the areas are equal.
+/// The walks must be walks, and fill what the contours fill: at every grid point (of `samples` by `samples` round the
+/// shape) farther than a cell or so from all contours. Where nothing was bent the areas are equal.
 std::string mistake_on(const test::shape& s, fill_rule rule, int samples = 12)
 {
     contours loops = test::contours_of(s);

@@ -8,9 +8,10 @@
 
 namespace typemesh {
 
-/// A filled area of the plane, proven: boundary walks with the interior on the left, outer loops counter-clockwise, holes
-/// clockwise, no two edges crossing or overlapping, no spike, no repeated neighbour. A point may be visited more than once
-/// (see is_touching), by walks that each keep to their own wedge of interior there; no point lies within another's edge.
+/// A filled area of the plane, proven: boundary walks with the interior on the left, outer loops counter-clockwise,
+/// holes clockwise, no two edges crossing or overlapping, no spike, no repeated neighbour. A point may be visited more
+/// than once (see is_touching), by walks that each keep to their own wedge of interior there; no point lies within
+/// another's edge.
 ///
 ///     +-------------<-----------+      points, edges, starts, curves as in contours
 ///     |  outer      +--->--+    |
@@ -18,8 +19,8 @@ namespace typemesh {
 ///     |             +--<---+    |      n + 2h - 2c triangles over these points
 ///     +------------->-----------+
 ///
-/// A view: it refers to the contours it was proven from and ends with them. Only fill and a triangulator that proves make
-/// one; proven() is their door, and the promise above is what passes through it.
+/// A view: it refers to the contours it was proven from and ends with them. Only fill and a triangulator that proves
+/// make one; proven() is their door, and the promise above is what passes through it.
 class region {
 public:
     region() noexcept = default;

@@ -65,7 +65,8 @@ struct stretch {
 
 /// Contours taken apart into stretches between numbered points: the material that is cut until no two stretches cross.
 ///
-/// Whatever is cut, flipped or joined, the turns add up to closed contours: in every point as much comes in as goes out.
+/// Whatever is cut, flipped or joined, the turns add up to closed contours: in every point as much comes in as goes
+/// out.
 struct arrangement {
     stretch* stretches = nullptr;
     std::uint32_t count = 0;

@@ -18,9 +18,9 @@ namespace typemesh::detail {
 
 /// One walk from left to right over an arrangement that cuts stretches where they cross, touch or overlap.
 ///
-/// The sweep line crosses edges, ordered from below to above. Two that become neighbours are tested once: the one that ends
-/// first must end on its own side of the other. Where it does not, both are cut where they cross, at the nearest grid point
-/// x, and bent through it:
+/// The sweep line crosses edges, ordered from below to above. Two that become neighbours are tested once: the one that
+/// ends first must end on its own side of the other. Where it does not, both are cut where they cross, at the nearest
+/// grid point x, and bent through it:
 ///
 ///     a ---.__                     a ---.__      . d      The right parts wait in a queue until the sweep comes to x.
 ///     c ____  '--.__       ->      c ______'--x-'         An end that lies on the other edge cuts it without bending.
@@ -30,18 +30,26 @@ namespace typemesh::detail {
 /// In a point the edges that end there lie next to each other. Those that start there are put in order by their angle;
 /// those that lie upon each other are joined, the longer one cut at the end of the shorter one.
 ///
-/// Bending moves an edge by less than a cell, and what the sweep has passed already may then lie on its other side. So a
-/// walk that bends is only a step, and `again` asks for another one. A walk that bends nothing is exact in every step: then
-/// no two stretches have more than an end in common, the winding numbers below them are right, and `next` joins those that
-/// bound the filled area, in the way that boundary_walk tells. (Where a step is wrong because of a bend, it cuts in wrong
-/// places, misses some, and nothing worse.)
+/// A walk that bends nothing is exact in every step: in the end no two stretches have more than an end in common, the
+/// winding numbers below them are right, and `next` joins those that bound the filled area, as boundary_walk tells.
 ///
-/// Why it ends: cutting an edge in a grid point of its box leaves two whose widths and heights add up to its own. So the sum
-/// of the widths and heights of all stretches never grows, every stretch has at least 1 of it, and every walk but the last
-/// adds a stretch. In fact two or three walks do.
+/// Bending moves an edge by less than a cell, and what the sweep has passed already may then lie on its other side:
 ///
-/// From  Bentley & Ottmann, Algorithms for reporting and counting geometric intersections (1979); Hobby, Practical segment
-///       intersection with finite precision output (1999)
+///     a ---.__ v                   The strip between the edge as it was and as it is holds only what has a corner v in it
+///     :  '-.__'--.__               (or comes out again to the right, where neighbours are tested anew). Each such v, or
+///     :       '-.__ '--            one nearer to the edge, was tested against the edge while it was its neighbour. So an
+///     '- - - - - - x               edge remembers whether a point came within two cells of its line.
+///
+/// Only if such a `tight` edge is bent, one is bent twice, a crossing lies behind the sweep, or anything does not add up,
+/// `again` asks for one more walk over what there is now. Then a step may be wrong: it cuts in wrong places, misses
+/// some, and nothing worse, for whatever is cut, the stretches stay closed contours.
+///
+/// Why walks would end even without snap rounding: cutting an edge in a grid point of its box leaves two whose widths and
+/// heights add up to its own. So the sum of the widths and heights of all stretches never grows, every stretch has at
+/// least 1 of it, and every walk but the last adds a stretch.
+///
+/// From  Bentley & Ottmann, Algorithms for reporting and counting geometric intersections (1979); Hobby, Practical
+///       segment intersection with finite precision output (1999)
 class resolving_sweep {
     struct crossed_edge {
         grid_point from, to;
@@ -185,8 +193,8 @@ private:
     /// Any number of edges ends, any number starts.
     void meet(std::uint32_t slot, std::uint32_t starting, grid_point p, bool repeated) noexcept
     {
-        // Those that end lie next to each other. One that goes through p is cut; in a point that comes once more, those that
-        // started there the first time start again.
+        // Those that end lie next to each other. One that goes through p is cut; in a point that comes once more, those
+        // that started there the first time start again.
         bool searched = false;
         std::uint32_t under = 0, low = 0;
         const auto is_here = [&](std::uint32_t s) noexcept {
@@ -258,8 +266,8 @@ private:
         if (last != under) test(last, over);
     }
 
-    /// Bent edges cross a little beside where the contours do: takes the contours' crossing if both edges can be cut there.
-    /// So bends do not add up along an edge with many crossings.
+    /// Bent edges cross a little beside where the contours do: takes the contours' crossing if both edges can be cut
+    /// there. So bends do not add up along an edge with many crossings.
     void lead_home(std::uint32_t low, std::uint32_t high, grid_point& x) const noexcept
     {
         const auto l = a_.home(a_.stretches[edges_[low].stretch]), h = a_.home(a_.stretches[edges_[high].stretch]);
@@ -347,8 +355,8 @@ private:
         return kept;
     }
 
-    /// Two stretches that start in one point and in one direction: what they share becomes one of them, which is returned, the
-    /// rest of the longer one the other.
+    /// Two stretches that start in one point and in one direction: what they share becomes one of them, which is
+    /// returned, the rest of the longer one the other.
     [[nodiscard]] std::uint32_t joined(std::uint32_t i, std::uint32_t k) noexcept
     {
         if (sweep_place(a_.stretches[k].to) < sweep_place(a_.stretches[i].to)) {
@@ -452,8 +460,9 @@ private:
 
     /// Cuts an edge in a grid point of its box and lets the right part wait; false when there is no room.
     ///
-    /// A part of a nearly vertical edge may be vertical and run from above to below. The right part is turned round then and
-    /// waits where the edge ended; the left part is turned round when the sweep finishes it, which it does at once.
+    /// A part of a nearly vertical edge may be vertical and run from above to below. The right part is turned round
+    /// then and waits where the edge ended; the left part is turned round when the sweep finishes it, which it does at
+    /// once.
     [[nodiscard]] bool cut(std::uint32_t slot, grid_point x) noexcept
     {
         if (edges_[slot].to == x || edges_[slot].from == x) {
