@@ -9,6 +9,7 @@
 #include <typemesh/fill/arrangement.hpp>
 #include <typemesh/fill/crossing.hpp>
 #include <typemesh/fill/event_queue.hpp>
+#include <typemesh/fill/swept_edge.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -35,30 +36,22 @@ namespace typemesh::detail {
 ///
 /// Bending moves an edge by less than a cell, and what the sweep has passed already may then lie on its other side:
 ///
-///     a ---.__ v                   The strip between the edge as it was and as it is holds only what has a corner v in it
-///     :  '-.__'--.__               (or comes out again to the right, where neighbours are tested anew). Each such v, or
-///     :       '-.__ '--            one nearer to the edge, was tested against the edge while it was its neighbour. So an
-///     '- - - - - - x               edge remembers whether a point came within two cells of its line.
+///     a ---.__ v                   The strip between the edge as it was and as it is holds only what has a corner v
+///     :  '-.__'--.__               in it (or comes out again to the right, where neighbours are tested anew). Each v,
+///     :       '-.__ '--            or one nearer to the edge, was tested against the edge while it was its neighbour.
+///     '- - - - - - x               So an edge remembers whether a point came within two cells of its line.
 ///
-/// Only if such a `tight` edge is bent, one is bent twice, a crossing lies behind the sweep, or anything does not add up,
-/// `again` asks for one more walk over what there is now. Then a step may be wrong: it cuts in wrong places, misses
+/// Only if such a `tight` edge is bent, one is bent twice, a crossing lies behind the sweep, or anything does not add
+/// up, `again` asks for one more walk over what there is now. Then a step may be wrong: it cuts in wrong places, misses
 /// some, and nothing worse, for whatever is cut, the stretches stay closed contours.
 ///
-/// Why walks would end even without snap rounding: cutting an edge in a grid point of its box leaves two whose widths and
-/// heights add up to its own. So the sum of the widths and heights of all stretches never grows, every stretch has at
-/// least 1 of it, and every walk but the last adds a stretch.
+/// Why walks would end even without snap rounding: cutting an edge in a grid point of its box leaves two whose widths
+/// and heights add up to its own. So the sum of the widths and heights of all stretches never grows, every stretch has
+/// at least 1 of it, and every walk but the last adds a stretch.
 ///
 /// From  Bentley & Ottmann, Algorithms for reporting and counting geometric intersections (1979); Hobby, Practical
 ///       segment intersection with finite precision output (1999)
 class resolving_sweep {
-    struct crossed_edge {
-        grid_point from, to;
-        std::uint32_t stretch;  // no_number: the slot is free
-        std::int32_t above;     // the winding number right above it
-        std::uint32_t margin;   // orientation(from, to, p) of a point p two cells away, at least
-        bool tight;             // a point came nearer than that
-        bool bent;
-    };
     struct ray {
         std::int32_t x, y;  // direction
         std::uint32_t stretch;
@@ -86,7 +79,7 @@ public:
     {
         workspace::scope scratch{space};
         const std::uint32_t room = a_.capacity;
-        edges_ = scratch.take<crossed_edge>(std::size_t{room} + 1);
+        edges_ = scratch.take<swept_edge>(std::size_t{room} + 1);
         ends_ = scratch.take<std::uint32_t>(std::size_t{room} + 1);
         dirty_ = scratch.take<std::uint32_t>(std::size_t{room} + 1);
         rays_ = scratch.take<ray>(std::size_t{room} + 1);
@@ -95,7 +88,8 @@ public:
             !status_.open(scratch, room) || !queue_.open(scratch, room))
             return false;
         constexpr std::int32_t beyond = (std::numeric_limits<std::int32_t>::max)();
-        edges_[0] = {{beyond, beyond}, {beyond, beyond}, no_number, 0, 0, false, false};
+        edges_[0] = {};
+        edges_[0].from = edges_[0].to = {beyond, beyond};
         for (std::uint32_t i = 0; i < a_.point_count; ++i) hints_[i] = 0;
         passed_ = 0;
         sweep();
@@ -176,7 +170,7 @@ private:
     /// One edge ends, one starts: the usual case.
     void pass(std::uint32_t slot, std::uint32_t starting, grid_point p) noexcept
     {
-        crossed_edge& e = edges_[slot];
+        swept_edge& e = edges_[slot];
         const std::uint32_t ending = e.stretch;
         stretch& s = a_.stretches[starting];
         s.below = a_.stretches[ending].below;
@@ -212,7 +206,7 @@ private:
         std::uint32_t ending_count = 0;
         for (std::uint32_t s = low, over; s != 0; s = over) {
             over = status_.above(s);
-            crossed_edge& e = edges_[s];
+            swept_edge& e = edges_[s];
             if (is_here(s)) {
                 if (!(e.to == p)) {
                     a_.stretches[e.stretch].next = starting;
@@ -259,8 +253,8 @@ private:
         if (winding != (over != 0 ? a_.stretches[edges_[over].stretch].below : 0)) unsure_ = true;
         join(starting_count, ending_count);
         if (ending_count == 0) {
-            come_near(under, p);
-            come_near(over, p);
+            if (under != 0) edges_[under].come_near(p);
+            if (over != 0) edges_[over].come_near(p);
         }
         test(under, status_.above(under));
         if (last != under) test(last, over);
@@ -272,30 +266,8 @@ private:
     {
         const auto l = a_.home(a_.stretches[edges_[low].stretch]), h = a_.home(a_.stretches[edges_[high].stretch]);
         grid_point better;
-        if (crossing_of(l.from, l.to, h.from, h.to, better) && is_in_box(edges_[low], better) &&
-            is_in_box(edges_[high], better))
+        if (crossing_of(l.from, l.to, h.from, h.to, better) && edges_[low].holds(better) && edges_[high].holds(better))
             x = better;
-    }
-
-    [[nodiscard]] static bool is_in_box(const crossed_edge& e, grid_point p) noexcept
-    {
-        if (p.x < e.from.x || p.x > e.to.x) return false;
-        return e.from.y < e.to.y ? p.y >= e.from.y && p.y <= e.to.y : p.y <= e.from.y && p.y >= e.to.y;
-    }
-
-    /// Whether of two edges that end in one point, `l` lies below `h`.
-    [[nodiscard]] static bool are_in_order(const crossed_edge& l, const crossed_edge& h) noexcept
-    {
-        return sweep_place(l.from) < sweep_place(h.from) ? orientation(l.from, l.to, h.from) > 0
-                                                         : orientation(h.from, h.to, l.from) < 0;
-    }
-
-    void come_near(std::uint32_t slot, grid_point p) noexcept
-    {
-        if (slot == 0) return;
-        crossed_edge& e = edges_[slot];
-        const std::int64_t side = orientation(e.from, e.to, p);
-        e.tight |= (side < 0 ? -side : side) <= e.margin;
     }
 
     /// The last edge below p.
@@ -314,10 +286,7 @@ private:
     {
         stretch& s = a_.stretches[starting];
         s.start = passed_ - 1;
-        const std::int32_t dx = s.to.x - p.x, dy = s.to.y - p.y;
-        edges_[slot] = {
-            p,     s.to, starting, s.below + s.turn, 2 * static_cast<std::uint32_t>(dx + (dy < 0 ? -dy : dy)),
-            false, false};
+        edges_[slot] = swept_edge{p, s.to, starting, s.below + s.turn};
         if (s.end != no_number) hints_[s.end] = slot;
     }
 
@@ -414,10 +383,10 @@ private:
     void test(std::uint32_t low, std::uint32_t high) noexcept
     {
         if (low == 0 || high == 0) return;
-        crossed_edge& l = edges_[low];
-        crossed_edge& h = edges_[high];
+        swept_edge& l = edges_[low];
+        swept_edge& h = edges_[high];
         if (l.to == h.to) {
-            if (l.bent || h.bent) unsure_ |= !are_in_order(l, h);
+            if (l.bent || h.bent) unsure_ |= !l.ends_below(h);
             return;
         }
         if (lexicographic_less(l.to, h.to)) {
@@ -493,7 +462,7 @@ private:
             full = true;
             return false;
         }
-        crossed_edge& e = edges_[slot];
+        swept_edge& e = edges_[slot];
         if (orientation(e.from, e.to, x) != 0) {
             if (e.tight || e.bent) unsure_ = true;
             e.bent = true;
@@ -512,7 +481,7 @@ private:
 
     arrangement& a_;
     fill_rule rule_;
-    crossed_edge* edges_ = nullptr;
+    swept_edge* edges_ = nullptr;
     std::uint32_t* ends_ = nullptr;
     std::uint32_t* dirty_ = nullptr;
     ray* rays_ = nullptr;
