@@ -6,10 +6,17 @@
 //     wang         equal steps of t, as many as Wang's bound asks: what keeps the tolerance with least thought
 //     stage        discretise(): certified, snapping and all, glyph by glyph
 //
-// The argument is the tolerance, 1/160 em and so on (less the snap, as discretise() hands it on). Items are curves;
-// `ns_curve` is the time of one and `chords` how many it becomes. In the lines of certified, `over_wang` is its time over
-// wang's in the same run, measured in turns;
-// `ns_point` of stage is its time over the points left. Medians. A font that is not installed is left out with a word.
+// The argument is the tolerance, 1/160 em and so on (less the snap, as discretise() hands it on). Three rows each:
+// `quadratic` and `cubic` are the curves of that degree of all installed fonts of tests/workload/smoke-fonts.tsv, 64
+// glyphs of every face at most, taken at equal steps; `comic_neue` is the whole of ComicNeue-Regular. All are scaled to
+// 2048 units per em. The report's context lists how many faces of which package there were.
+//
+//     ns_a_curve   time of one curve                       segments   how many chords it becomes
+//     over_wang    certified's time over wang's, measured in turns in the same run
+//     ns_point     time of stage over the points left      points_glyph   how many these are
+//
+// Curves are timed in slices of 2,000, the least time of each counts: a busy machine spoils long passes more than short
+// ones. Of stage, the median. A row without a font is left out with a word.
 #include <typemesh/core/grid.hpp>
 #include <typemesh/discretise/certified.hpp>
 #include <typemesh/discretise/discretise.hpp>
@@ -23,7 +30,8 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <memory>
+#include <filesystem>
+#include <numeric>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -68,10 +76,11 @@ struct uniform_steps {
 };
 static_assert(discretiser<uniform_steps>);
 
+constexpr unsigned units_per_em = 2048;
+
 struct font_outlines {
     std::vector<outline> glyphs;
     std::vector<curve> bent;  // the quadratics and cubics of all of them
-    double units_per_em = 0.0;
     std::string trouble;
 };
 
@@ -99,18 +108,15 @@ struct recorder {
     static point from(float x, float y) { return {double{x}, double{y}}; }
 };
 
-font_outlines load(const std::string& name)
+std::filesystem::path font_folder()
 {
     const char* given = std::getenv("TYPEMESH_FONT_DIR");
-    const std::string path = (given != nullptr ? std::string{given} : std::string{"/usr/share/fonts"}) + "/" + name;
-    font_outlines out;
-    hb_blob_t* blob = hb_blob_create_from_file(path.c_str());
-    hb_face_t* face = hb_face_create(blob, 0);
-    hb_font_t* font = hb_font_create(face);
-    const unsigned units = hb_face_get_upem(face);
-    out.units_per_em = units;
-    hb_font_set_scale(font, static_cast<int>(units), static_cast<int>(units));
+    return given != nullptr ? given : "/usr/share/fonts";
+}
 
+/// Draws at most `most` glyphs of every face in a file, at equal steps; returns how many faces have outlines.
+unsigned draw(const std::filesystem::path& path, unsigned most, recorder& out)
+{
     hb_draw_funcs_t* calls = hb_draw_funcs_create();
     hb_draw_funcs_set_move_to_func(
         calls,
@@ -146,26 +152,97 @@ font_outlines load(const std::string& name)
     hb_draw_funcs_set_close_path_func(
         calls, [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, void*) { recorder::of(d).close(); }, nullptr, nullptr);
 
-    recorder r;
-    for (unsigned id = 0; id < hb_face_get_glyph_count(face); ++id) {
-        r.glyphs.emplace_back();
-        if (!r.glyphs.back().starts.push_back(0)) std::abort();
+    hb_blob_t* blob = hb_blob_create_from_file(path.c_str());
+    unsigned drawn = 0;
+    for (unsigned index = 0; index < hb_face_count(blob); ++index) {
+        hb_face_t* face = hb_face_create(blob, index);
+        hb_font_t* font = hb_font_create(face);
+        hb_font_set_scale(font, static_cast<int>(units_per_em), static_cast<int>(units_per_em));
+        const unsigned count = hb_face_get_glyph_count(face), step = (std::max)(1u, (count + most - 1) / most);
+        bool any = false;
+        for (unsigned id = 0; id < count; id += step) {
+            out.glyphs.emplace_back();
+            if (!out.glyphs.back().starts.push_back(0)) std::abort();
 #if HB_VERSION_ATLEAST(7, 0, 0)
-        hb_font_draw_glyph(font, id, calls, &r);
+            hb_font_draw_glyph(font, id, calls, &out);
 #else
-        hb_font_get_glyph_shape(font, id, calls, &r);
+            hb_font_get_glyph_shape(font, id, calls, &out);
 #endif
-        r.close();
-        for (const curve& c : r.glyphs.back().curves)
-            if (c.degree != 1) out.bent.push_back(c);
+            out.close();
+            any = any || !out.glyphs.back().curves.empty();
+        }
+        drawn += any ? 1 : 0;
+        hb_font_destroy(font);
+        hb_face_destroy(face);
     }
-    hb_draw_funcs_destroy(calls);
-    hb_font_destroy(font);
-    hb_face_destroy(face);
     hb_blob_destroy(blob);
-    out.glyphs = std::move(r.glyphs);
-    if (out.bent.empty()) out.trouble = "no curves in " + path + ": install the font, or set TYPEMESH_FONT_DIR";
+    hb_draw_funcs_destroy(calls);
+    return drawn;
+}
+
+/// The glyphs that have a curve of this degree and no bent curve of the other, and those curves.
+font_outlines sort_out(const std::vector<outline>& glyphs, std::uint32_t degree)
+{
+    font_outlines out;
+    for (const outline& o : glyphs) {
+        bool wanted = false, other = false;
+        for (const curve& c : o.curves) {
+            wanted = wanted || c.degree == degree;
+            other = other || c.degree == 5 - degree;
+            if (c.degree == degree) out.bent.push_back(c);
+        }
+        if (!wanted || other) continue;
+        out.glyphs.emplace_back();
+        outline& copy = out.glyphs.back();
+        for (const curve& c : o.curves)
+            if (!copy.curves.push_back(c)) std::abort();
+        for (const std::uint32_t start : o.starts)
+            if (!copy.starts.push_back(start)) std::abort();
+        copy.bounds = o.bounds;
+    }
+    if (out.bent.empty())
+        out.trouble = "no such curves in " + font_folder().string() + ": install fonts, or set TYPEMESH_FONT_DIR";
     return out;
+}
+
+struct package {
+    const char* name;
+    const char* folder;  // below the folder of fonts
+};
+
+/// tests/workload/smoke-fonts.tsv
+constexpr package packages[] = {
+    {"fonts-dejavu-core", "truetype/dejavu"},
+    {"fonts-liberation", "truetype/liberation"},
+    {"fonts-wine", "../wine/fonts"},
+    {"fonts-comic-neue", "opentype/comic-neue"},
+    {"fonts-hosny-amiri", "opentype/fonts-hosny-amiri"},
+    {"fonts-sil-awami-nastaliq", "truetype/awami"},
+    {"fonts-lohit-deva", "truetype/lohit-devanagari"},
+    {"fonts-tlwg-purisa-otf", "opentype/tlwg"},
+    {"culmus", "truetype/culmus"},
+    {"fonts-wqy-microhei", "truetype/wqy"},
+    {"fonts-sawarabi-mincho", "truetype/sawarabi-mincho"},
+    {"fonts-inter-variable", "truetype/inter-vf"},
+    {"fonts-symbola", "truetype/ancient-scripts"},
+    {"fonts-cegui", "truetype"},
+    {"fonts-mplus", "opentype/mplus"},
+};
+
+/// All faces of a package, the files in order of their names.
+unsigned draw(const package& of, recorder& r)
+{
+    const auto folder = font_folder() / of.folder;
+    std::vector<std::filesystem::path> files;
+    if (std::filesystem::is_directory(folder))
+        for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+            const auto kind = entry.path().extension();
+            if (kind == ".ttf" || kind == ".otf" || kind == ".ttc") files.push_back(entry.path());
+        }
+    std::sort(files.begin(), files.end());
+    unsigned faces = 0;
+    for (const auto& file : files) faces += draw(file, 64, r);
+    return faces;
 }
 
 struct emitted {
@@ -173,14 +250,16 @@ struct emitted {
     double t;
 };
 
-/// Everything once; the points go to memory, as they would in a mesh.
+/// The curves [first, end) once; the points go to memory, as they would in a mesh.
 template <class D>
-std::size_t pass(const D& how, const std::vector<curve>& curves, double tolerance, std::vector<emitted>& room)
+std::size_t pass(const D& how, const std::vector<curve>& curves, std::size_t first, std::size_t end, double tolerance,
+                 std::vector<emitted>& room)
 {
     emitted* next = room.data();
     const emitted* const last = room.data() + room.size() - 70000;
     std::size_t count = 0;
-    for (const curve& c : curves) {
+    for (; first < end; ++first) {
+        const curve& c = curves[first];
         if (next > last) {
             count += static_cast<std::size_t>(next - room.data());
             next = room.data();
@@ -216,28 +295,39 @@ void curves(benchmark::State& state, const font_outlines& font)
 {
     if (!font.trouble.empty()) return state.SkipWithError(font.trouble.c_str());
     std::vector<emitted> room(200000);
-    const double tolerance = font.units_per_em / static_cast<double>(state.range(0)) - grid{}.snap_error();
+    const double tolerance = double{units_per_em} / static_cast<double>(state.range(0)) - grid{}.snap_error();
     std::size_t count = 0;
-    std::vector<double> mine, wang;
+    constexpr std::size_t slice = 2000;
+    const std::size_t slices = (font.bent.size() + slice - 1) / slice;
+    std::vector<double> mine(slices, 1e9), wang(slices, 1e9);
     for (auto _ : state) {
-        const double s = seconds([&] { count = pass(D{}, font.bent, tolerance, room); });
-        state.SetIterationTime(s);
-        mine.push_back(s);
-        if constexpr (!std::is_same_v<D, uniform_steps>)
-            wang.push_back(seconds([&] { pass(uniform_steps{}, font.bent, tolerance, room); }));
+        double whole = 0.0;
+        count = 0;
+        for (std::size_t i = 0; i < slices; ++i) {
+            const std::size_t first = i * slice, end = (std::min)(first + slice, font.bent.size());
+            const double s = seconds([&] { count += pass(D{}, font.bent, first, end, tolerance, room); });
+            whole += s;
+            mine[i] = (std::min)(mine[i], s);
+            if constexpr (!std::is_same_v<D, uniform_steps>) {
+                const double w = seconds([&] { pass(uniform_steps{}, font.bent, first, end, tolerance, room); });
+                wang[i] = (std::min)(wang[i], w);
+            }
+        }
+        state.SetIterationTime(whole);
     }
-    const double n = static_cast<double>(font.bent.size()), middle = median(mine);
+    const double n = static_cast<double>(font.bent.size()), least = std::accumulate(mine.begin(), mine.end(), 0.0);
     state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()) *
                             static_cast<std::int64_t>(font.bent.size()));
-    state.counters["ns_curve"] = middle * 1e9 / n;
-    state.counters["chords"] = static_cast<double>(count) / n;
-    if (!wang.empty()) state.counters["over_wang"] = middle / median(wang);
+    state.counters["ns_a_curve"] = least * 1e9 / n;
+    state.counters["segments"] = static_cast<double>(count) / n;
+    if constexpr (!std::is_same_v<D, uniform_steps>)
+        state.counters["over_wang"] = least / std::accumulate(wang.begin(), wang.end(), 0.0);
 }
 
 void stage(benchmark::State& state, const font_outlines& font)
 {
     if (!font.trouble.empty()) return state.SkipWithError(font.trouble.c_str());
-    const double tolerance = font.units_per_em / static_cast<double>(state.range(0));
+    const double tolerance = double{units_per_em} / static_cast<double>(state.range(0));
     contours out;
     std::size_t points = 0, all = 0;
     std::vector<double> mine;
@@ -266,18 +356,23 @@ int main(int argc, char** argv)
 {
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+    recorder all, one;
+    std::string faces;
+    for (const package& p : packages)
+        faces += (faces.empty() ? "" : ", ") + std::string{p.name} + ' ' + std::to_string(draw(p, all));
+    benchmark::AddCustomContext("faces", faces);
+    draw(font_folder() / "opentype/comic-neue/ComicNeue-Regular.otf", 0xFFFFu, one);
     const struct {
         const char* name;
-        const char* file;
-    } fonts[] = {{"quadratic", "truetype/liberation/LiberationSans-Regular.ttf"},
-                 {"cubic", "opentype/comic-neue/ComicNeue-Regular.otf"}};
-    std::vector<std::unique_ptr<font_outlines>> loaded;
-    for (const auto& f : fonts) {
-        loaded.push_back(std::make_unique<font_outlines>(load(f.file)));
-        const font_outlines& font = *loaded.back();
-        if (!font.trouble.empty()) std::fprintf(stderr, "%s\n", font.trouble.c_str());
+        font_outlines outlines;
+    } rows[] = {{"quadratic", sort_out(all.glyphs, 2)},
+                {"cubic", sort_out(all.glyphs, 3)},
+                {"comic_neue", sort_out(one.glyphs, 3)}};
+    for (const auto& row : rows) {
+        const font_outlines& font = row.outlines;
+        if (!font.trouble.empty()) std::fprintf(stderr, "%s: %s\n", row.name, font.trouble.c_str());
         const auto add = [&](const char* what, void (*run)(benchmark::State&, const font_outlines&)) {
-            const std::string name = std::string{what} + "/" + f.name;
+            const std::string name = std::string{what} + "/" + row.name;
             benchmark::RegisterBenchmark(name.c_str(), [run, &font](benchmark::State& state) { run(state, font); })
                 ->Arg(160)
                 ->Arg(800)

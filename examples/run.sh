@@ -10,6 +10,7 @@ usage: examples/run.sh [TEXT] [option of text_to_mesh...]
 
 Installs what is missing, builds text_to_mesh, picks an installed font with the letters of TEXT ("Hello world!") and
 writes hello.glb and hello.png in the current directory. An option is passed on: examples/run.sh "Hello" --depth 0.3
+examples/run.sh "Hello" --help names them all.
 END
 }
 
@@ -93,6 +94,7 @@ font_with() {  # font_with FAMILIES CODE_POINT...
 text="Hello world!"
 case ${1:-} in
     -h | --help) usage && exit 0 ;;
+    --) shift && if [ $# -gt 0 ]; then text=$1 && shift; fi ;;
     --*) ;;
     *) if [ $# -gt 0 ]; then text=$1 && shift; fi ;;
 esac
@@ -104,6 +106,7 @@ for option in "$@"; do
         --font | --font=*) font=given ;;
         --output | --output=*) output= ;;
         --picture | --picture=*) picture= ;;
+        -h | --help) output= && picture= ;;  # nothing will be written
     esac
 done
 
@@ -124,7 +127,7 @@ fi
 [ -e "$typemesh_root/build/release/examples/text_to_mesh" ] || say "Building text_to_mesh; this is done once."
 build_preset release text_to_mesh || exit 1
 # shellcheck disable=SC2086  # two words or none
-"$typemesh_root/build/release/examples/text_to_mesh" "$@" $output $picture -- "$text"
+"$typemesh_root/build/release/examples/text_to_mesh" $output $picture "$@" -- "$text"
 for file in ${output#--output} ${picture#--picture}; do
     say "Wrote $PWD/$file"
 done

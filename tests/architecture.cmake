@@ -24,7 +24,10 @@ foreach(header IN LISTS headers)
             if(target MATCHES "[./]" AND NOT room STREQUAL "adapt")
                 message(SEND_ERROR "include/typemesh/${header}: ${target} is third-party, only adapt may include such")
             endif()
-        elseif(room STREQUAL "" AND NOT seen STREQUAL "adapt")  # typemesh.hpp
+        elseif(room STREQUAL "")  # typemesh.hpp, the whole core
+            if(seen STREQUAL "adapt")
+                message(SEND_ERROR "include/typemesh/${header}: ${target} is no part of the core")
+            endif()
         elseif(NOT DEFINED sees_${room})
             message(SEND_ERROR "include/typemesh/${header}: ${room} is no room of the house (see tests/architecture.cmake)")
         elseif(NOT seen STREQUAL room AND NOT seen IN_LIST sees_${room})

@@ -91,7 +91,7 @@ tier_external() {
         count 0 1
     fi
     if command -v npm >/dev/null 2>&1 && [ ! -d "$modules/node_modules/gltf-validator" ]; then
-        if ! npm install --prefix "$modules" --no-save --no-audit --no-fund gltf-validator@2.0.0-dev.3.10 \
+        if ! npm install --prefix "$modules" --no-save --no-audit --no-fund --fetch-retries=1 gltf-validator@2.0.0-dev.3.10 \
             >"$modules/npm.log" 2>&1; then
             explain_failure "$modules/npm.log" "npm's registry"
             say "failed: npm could not install gltf-validator"

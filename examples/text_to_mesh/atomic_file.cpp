@@ -25,7 +25,8 @@ std::error_code write_and_close(std::FILE* file, std::span<const unsigned char> 
 {
     std::error_code why;
     errno = 0;
-    if (std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size() || std::fflush(file) != 0) why = last_error();
+    const std::size_t written = bytes.empty() ? 0 : std::fwrite(bytes.data(), 1, bytes.size(), file);  // null for no bytes
+    if (written != bytes.size() || std::fflush(file) != 0) why = last_error();
     const bool failed = bool(why) || std::ferror(file) != 0;
     if (std::fclose(file) != 0 && !why) why = last_error();
     if (failed && !why) why = std::make_error_code(std::errc::io_error);

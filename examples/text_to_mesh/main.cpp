@@ -14,6 +14,7 @@
 #include <typemesh/typemesh.hpp>
 
 #include <cstdio>
+#include <string_view>
 
 template <>
 struct typemesh::vertex_traits<text_to_mesh::model_vertex> {
@@ -48,6 +49,12 @@ chosen_discretiser discretiser_of(const options& o, double units_per_em)
         return {o.quality == preset::high ? adaptive_subdivision::high(units_per_em) : adaptive_subdivision::normal(units_per_em)};
     }
     return {typemesh::certified{}};
+}
+
+chosen_triangulator triangulator_of(const options& o)
+{
+    if (o.triangulator == triangulator_name::delaunay) return {typemesh::constrained_delaunay{}};
+    return {typemesh::monotone{}};
 }
 
 chosen_extruder extruder_of(const options& o)
@@ -104,14 +111,32 @@ std::vector<std::uint32_t> solid_by_solid(const Plan& plan, const std::vector<st
     return ordered;
 }
 
+/// The triangles of the front, as they lie in the mesh.
+typemesh::triangle_quality quality_of_front(const model& mesh)
+{
+    std::vector<typemesh::point> points;
+    for (const model_vertex& v : mesh.vertices) points.push_back({double{v.position[0]}, double{v.position[1]}});
+    std::vector<typemesh::triangle> triangles;
+    for (const auto& part : mesh.parts)
+        if (std::string_view{part.name} == "front")
+            for (std::size_t i = part.first_index; i < part.first_index + part.index_count; i += 3)
+                triangles.push_back({mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]});
+    typemesh::triangle_quality q;
+    typemesh::add_triangles<typemesh::point>(q, points, triangles);
+    return q;
+}
+
 template <class Plan>
-void print_stats(const Plan& plan, const stage_clock& clock)
+void print_stats(const Plan& plan, const model& mesh, const stage_clock& clock)
 {
     const auto& report = plan.report();
     std::printf("{\"glyphs\":%u,\"refused\":%u,\"missing\":%u,\"contour_points\":%llu,\"hard_edges\":%llu,\"vertices\":%llu,\"triangles\":%llu",
                 report.glyphs, report.refused, report.missing, static_cast<unsigned long long>(plan.contour_points()),
                 static_cast<unsigned long long>(plan.hard_edges()), static_cast<unsigned long long>(plan.size().vertices),
                 static_cast<unsigned long long>(plan.size().triangles));
+    const typemesh::triangle_quality q = quality_of_front(mesh);
+    std::printf(",\"front\":{\"triangles\":%llu,\"smallest_angle\":%.4g,\"angle_5_percent\":%.4g,\"angle_median\":%.4g,\"largest_aspect\":%.4g}",
+                static_cast<unsigned long long>(q.triangles), q.smallest_angle, q.angle_at(0.05), q.angle_at(0.5), q.largest_aspect);
     const char* names[] = {"shape", "outline", "discretise", "fill", "triangulate", "extrude"};
     std::printf(",\"nanoseconds\":{");
     for (int i = 0; i < 6; ++i) std::printf("%s\"%s\":%lld", i > 0 ? "," : "", names[i], static_cast<long long>(clock.nanoseconds[i]));
@@ -124,7 +149,7 @@ int run(const options& o)
     if (!font) return fail(o.font + ": " + in_words(font.error()));
 
     const chosen_discretiser discretiser = discretiser_of(o, font->units_per_em());
-    auto mesher = typemesh::text_mesher{*font}.with(discretiser).with(extruder_of(o)).with(stage_clock{});
+    auto mesher = typemesh::text_mesher{*font}.with(discretiser).with(triangulator_of(o)).with(extruder_of(o)).with(stage_clock{});
 
     typemesh::text_options how;
     how.shape = {.direction = o.direction, .language = o.language, .script = o.script, .features = o.features};
@@ -162,7 +187,10 @@ int run(const options& o)
         const auto pixels = draw(mesh, annotate(o, *font, plan->run(), discretiser, mesh), look, width, height);
         if (const std::string trouble = write_png(pixels, width, height, o.picture); !trouble.empty()) return fail(trouble);
     }
-    if (o.stats) print_stats(*plan, mesher.observer());
+    if (o.stats) {
+        print_stats(*plan, mesh, mesher.observer());
+        if (std::fflush(stdout) != 0) return fail("the statistics cannot be written");
+    }
     return 0;
 }
 

@@ -87,7 +87,7 @@ std::optional<int> parse(int argc, char** argv, options& out)
     using namespace typemesh;
     CLI::App app{"Makes a 3D mesh of a text: GLB, OBJ, STL or PLY, and a picture of it.", "text_to_mesh"};
     std::vector<std::string> variations, features, show;
-    std::string uv, fill, triangulator = "monotone";
+    std::string uv, fill;
 
     app.add_option("TEXT", out.text, "UTF-8; \\n starts a new line")->required();
     app.add_option("--font", out.font, "a font file: TrueType, OpenType, collection, variable")->required()->type_name("FILE");
@@ -104,12 +104,13 @@ std::optional<int> parse(int argc, char** argv, options& out)
     app.add_option("--depth", out.depth, "of the extrusion, in em; 0 makes a flat mesh (default 0.2)")->type_name("EM")->check(CLI::Range(0.0, 1000.0));
     auto* named = add_named<preset>(app, "--quality", out.quality, "largest distance to the curve: 1/100, 1/160, 1/800 (default high), 1/16000 em",
                                     {{"low", preset::low}, {"normal", preset::normal}, {"high", preset::high}, {"best", preset::best}});
-    app.add_option("--tolerance", out.tolerance, "the same as a number")->type_name("EM")->check(CLI::PositiveNumber)->excludes(named);
+    app.add_option("--tolerance", out.tolerance, "the same as a number")->type_name("EM")->excludes(named);
     add_named<discretiser_name>(app, "--discretiser", out.discretiser, "how curves become lines (default certified)",
                                 {{"certified", discretiser_name::certified},
                                  {"two_lines", discretiser_name::two_lines},
                                  {"adaptive", discretiser_name::adaptive}});
-    app.add_option("--triangulator", triangulator, "how faces become triangles (monotone)")->check(CLI::IsMember({"monotone"}));
+    add_named<triangulator_name>(app, "--triangulator", out.triangulator, "how faces become triangles (default monotone)",
+                                 {{"monotone", triangulator_name::monotone}, {"delaunay", triangulator_name::delaunay}});
     add_named<normals_name>(app, "--normals", out.normals, "of the sides (default curve)",
                             {{"shared", normals_name::shared},
                              {"averaged", normals_name::averaged},
@@ -126,7 +127,10 @@ std::optional<int> parse(int argc, char** argv, options& out)
                        {{"flat", shading::flat}, {"gouraud", shading::gouraud}, {"phong", shading::phong}});
     app.add_option("--show", show, "on the picture, joined by commas: triangles, points, contours, control, normals, checker")
         ->delimiter(',')
-        ->check(CLI::IsMember({"triangles", "points", "contours", "control", "normals", "checker"}));
+        ->check(CLI::IsMember({"triangles", "points", "contours", "control", "normals", "checker"}))
+        ->expected(1)
+        ->take_all()
+        ->allow_extra_args(false);
     app.add_flag("--stats", out.stats, "print counts and times as one line of JSON");
 
     const auto complain = [](const std::string& sentence) {
@@ -149,7 +153,8 @@ std::optional<int> parse(int argc, char** argv, options& out)
         constexpr double em[] = {quality::low, quality::normal, quality::high, quality::best};
         out.tolerance = em[static_cast<int>(out.quality)];
     }
-    if (!std::isfinite(out.tolerance)) return complain("--tolerance is not a finite number");
+    if (!std::isfinite(out.tolerance) || !(out.tolerance > 0.0)) return complain("--tolerance is not a positive finite number");
+    if (!out.script.empty() && out.script.size() != 4) return complain("--script is not four letters, such as Latn: " + out.script);
     if (!std::isfinite(out.depth)) return complain("--depth is not a finite number");
     if (out.crease && !std::isfinite(*out.crease)) return complain("--crease is not a finite number");
     if (uv == "em") out.uv = texture_mapping::em;

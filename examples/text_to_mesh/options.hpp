@@ -12,6 +12,7 @@
 namespace text_to_mesh {
 
 enum class discretiser_name { certified, two_lines, adaptive };
+enum class triangulator_name { monotone, delaunay };
 enum class normals_name { shared, averaged, creased, curve };
 enum class preset { low, normal, high, best };
 
@@ -30,6 +31,7 @@ struct options {
     preset quality = preset::high;
     double tolerance = typemesh::quality::high;
     discretiser_name discretiser = discretiser_name::certified;
+    triangulator_name triangulator = triangulator_name::monotone;
     normals_name normals = normals_name::curve;
     std::optional<float> crease;  ///< degrees; each style has a default of its own
     std::optional<typemesh::fill_rule> fill;

@@ -21,7 +21,9 @@
 
 #include <typemesh/fill/fill.hpp>
 
+#include <typemesh/triangulate/constrained_delaunay.hpp>
 #include <typemesh/triangulate/monotone.hpp>
+#include <typemesh/triangulate/triangle_quality.hpp>
 
 #include <typemesh/vertex/frame.hpp>
 #include <typemesh/vertex/growing_sink.hpp>

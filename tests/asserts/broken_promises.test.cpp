@@ -17,6 +17,8 @@ std::string asserted()
     return words;
 }
 
+const char* const stale = "this text_plan is stale: its mesher has made another plan or was moved since";
+
 }  // namespace
 
 TEST_CASE("a plan that outlived its mesher's next plan is told so", "[asserts]")
@@ -28,8 +30,28 @@ TEST_CASE("a plan that outlived its mesher's next plan is told so", "[asserts]")
     CHECK(asserted() == "");
     auto fresh = mesher.plan("EE");
     (void)old->size();
-    CHECK(asserted() == "this text_plan is stale: its mesher has made another plan since");
+    CHECK(asserted() == stale);
     (void)fresh->size();
+    CHECK(asserted() == "");
+}
+
+TEST_CASE("a plan whose mesher was moved is told so", "[asserts]")
+{
+    test::toy_font font;
+    text_mesher mesher{font}, other{font};
+    auto plan = mesher.plan("E");
+    auto of_other = other.plan("o");
+    other = std::move(mesher);
+    (void)plan->size();
+    CHECK(asserted() == stale);
+    (void)of_other->size();
+    CHECK(asserted() == stale);
+
+    auto again = other.plan("E");
+    auto flat_text = std::move(other).with(flat{});
+    (void)again->size();
+    CHECK(asserted() == stale);
+    (void)flat_text.plan("E")->size();
     CHECK(asserted() == "");
 }
 
@@ -54,4 +76,27 @@ TEST_CASE("a workspace that is moved while it is borrowed from is told so", "[as
         space = std::move(other);
         test::failed_asserts.clear();
     }
+}
+
+TEST_CASE("a text that is read in another encoding than its own is told so", "[asserts]")
+{
+    (void)text_view{"abc"}.utf8();
+    (void)text_view{u"abc"}.utf16();
+    CHECK(asserted() == "");
+    (void)text_view{"abc"}.utf16();
+    CHECK(asserted() == "a text in UTF-8 was read as UTF-16");
+    (void)text_view{u"abc"}.utf8();
+    CHECK(asserted() == "a text in UTF-16 was read as UTF-8");
+}
+
+TEST_CASE("a frame that would bend the text and a run of another font are told so", "[asserts]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    CHECK(mesher.plan("E", {.frame = {.up = {1.0f, 0.0f, 0.0f}}}));
+    CHECK(asserted() == "a frame's axes must be unit vectors at right angles");
+    glyph_run run;
+    run.units_per_em = 2048.0;
+    CHECK(mesher.plan(run));
+    CHECK(asserted() == "the glyph_run was made for a font of other units per em");
 }

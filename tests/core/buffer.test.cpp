@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -48,6 +49,20 @@ TEST_CASE("a value of the buffer itself can be appended while it grows", "[core]
     REQUIRE(b.push_back(42));
     for (int i = 0; i < 100; ++i) REQUIRE(b.push_back(b[0]));
     CHECK(values(b) == std::vector<int>(101, 42));
+}
+
+TEST_CASE("a stretch of the buffer itself can be appended while it grows", "[core][buffer]")
+{
+    buffer<int> b;
+    REQUIRE(b.append(std::span<const int>{}));
+    for (int i = 0; i < 20; ++i) REQUIRE(b.push_back(i));
+    std::vector<int> expected = values(b);
+    while (b.size() < 5000) {
+        const std::size_t from = b.size() / 3, count = b.size() / 2;
+        for (std::size_t i = 0; i < count; ++i) expected.push_back(expected[from + i]);
+        REQUIRE(b.append(b.view().subspan(from, count)));
+    }
+    CHECK(values(b) == expected);
 }
 
 TEST_CASE("clear and truncate keep the storage", "[core][buffer]")

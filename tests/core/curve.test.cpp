@@ -32,7 +32,7 @@ TEST_CASE("a box is empty until a point comes, and then holds all of them tightl
     box b;
     CHECK(b.empty());
     CHECK(b.width() == 0.0);
-    b.add(box{});
+    b.merge(box{});
     CHECK(b.empty());
     b.add(point{2, 3});
     CHECK(!b.empty());
@@ -40,7 +40,7 @@ TEST_CASE("a box is empty until a point comes, and then holds all of them tightl
     b.add(point{-1, 5});
     box other;
     other.add(point{0, -4});
-    b.add(other);
+    b.merge(other);
     CHECK(b.low == point{-1, -4});
     CHECK(b.high == point{2, 5});
     CHECK(b.height() == 9.0);

@@ -12,7 +12,8 @@ namespace {
 
 using list = std::vector<double>;
 
-// Its left half is (0,0) (0,2) (2,3) (4,3): segments 1.2 apart, lines through the midpoint (1.25, 2.25) turn by 0.7974 rad.
+// Its left half is (0,0) (0,2) (2,3) (4,3): segments 1.2 apart, lines through the midpoint (1.25, 2.25) turn by
+// 0.7974 rad.
 // The left half of that: segments 0.41279 apart. Its right half: 0.28504.
 const curve arch = curve::from(cubic{{0, 0}, {0, 4}, {8, 4}, {8, 0}});
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Curves to test discretisers with: a reader of corpus/curves.txt, random and degenerate ones, and what is true of them.
+// Curves to test discretisers with: a reader of corpus/curves.txt, random and degenerate ones, and what is true of
+// them.
 
 #include <typemesh/core/curve.hpp>
 

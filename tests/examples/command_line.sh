@@ -43,11 +43,11 @@ done
 expect 0 "" "Two\\nlines" --font $sans --picture p.png --align center --shading gouraud --show triangles,points,contours,control,normals
 expect 0 "" "fi" --font $sans --feature liga=0 --feature -kern --language tr --script Latn --direction ltr --stats
 that "the statistics are one line" [ "$(wc -l <out)" = 1 ]
-for key in glyphs refused missing contour_points hard_edges vertices triangles shape outline discretise fill triangulate extrude; do
+for key in glyphs refused missing contour_points hard_edges vertices triangles smallest_angle shape outline discretise fill triangulate extrude; do
     that "the statistics hold $key" grep -qE "\"$key\":[0-9]+[,}]" out
 done
 for option in "--quality low" "--quality best" "--tolerance 0.01" "--discretiser two_lines" "--discretiser adaptive" \
-    "--triangulator monotone" "--normals shared" "--normals averaged" "--normals creased --crease 40" "--normals curve" "--depth 0" \
+    "--triangulator monotone" "--triangulator delaunay" "--normals shared" "--normals averaged" "--normals creased --crease 40" "--normals curve" "--depth 0" \
     "--depth 1.5" "--fill evenodd" "--fill nonzero" "--uv em" "--uv box" "--strict" "--direction ttb" "--align right"; do
     # shellcheck disable=SC2086  # words
     expect 0 "" "Ego" --font $sans $option --output option.glb

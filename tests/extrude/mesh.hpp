@@ -11,11 +11,10 @@
 
 #include <array>
 #include <cmath>
-#include <map>
-#include <set>
 #include <vector>
 
 #include "shapes.hpp"
+#include "support/mesh_laws.hpp"
 
 namespace meshes {
 
@@ -133,23 +132,10 @@ std::array<double, 3> face_normal(const Mesh& m, const std::array<std::uint32_t,
 template <class Mesh>
 std::size_t open_edges(const Mesh& m)
 {
-    std::map<std::array<float, 3>, std::uint32_t> welded;
-    std::vector<std::uint32_t> id;
-    for (const auto& v : m.vertices) {
-        const std::array<float, 3> key = {v.position.x + 0.0f, v.position.y + 0.0f, v.position.z + 0.0f};
-        id.push_back(welded.emplace(key, static_cast<std::uint32_t>(welded.size())).first->second);
-    }
-    std::map<std::pair<std::uint32_t, std::uint32_t>, int> balance;
-    for (const auto& t : m.triangles) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t a = id[t[k]], b = id[t[(k + 1) % 3]];
-            ++balance[{a, b}];
-            --balance[{b, a}];
-        }
-    }
-    std::size_t open = 0;
-    for (const auto& entry : balance) open += entry.second != 0;
-    return open;
+    test::full_mesh plain;
+    for (const auto& v : m.vertices) plain.vertices.push_back({v.position, {}, {}});
+    for (const auto& t : m.triangles) plain.indices.insert(plain.indices.end(), t.begin(), t.end());
+    return test::examine(plain).unmatched_edges;
 }
 
 inline std::vector<frame> frames()

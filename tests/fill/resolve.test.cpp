@@ -345,3 +345,13 @@ TEST_CASE("resolve() without memory says so and leaves the contours as they were
         if (!was_asked) break;
     }
 }
+
+TEST_CASE("An edge that is bent by rounding does not cross another one", "[fill][resolve]")
+{
+    // Even-odd left (5, 3) to (5, 5) and (3, 8) to (6, 3), which cross at (5, 4.67).
+    const test::shape s{
+        "three bent loops",
+        {{{3, 5}, {3, 2}, {5, 5}, {1, 2}, {0, 7}}, {{8, 4}, {5, 3}, {3, 5}, {1, 4}, {3, 8}}, {{9, 0}, {6, 1}, {3, 8}}}};
+    CHECK(mistake_on(s, fill_rule::even_odd) == "");
+    CHECK(mistake_on(test::shape{"one bent loop", {{{5, 30}, {30, 8}, {18, 38}, {25, 40}, {9, 4}, {16, 20}}}}) == "");
+}

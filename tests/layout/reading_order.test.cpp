@@ -78,3 +78,20 @@ TEST_CASE("a number is what would be wrong the other way round", "[layout][readi
     CHECK(number_in("\u0661\u0662") == 0);
     CHECK(number_in("\u05D0 \u0661\u066B\u0662") == 3);
 }
+
+TEST_CASE("invalid places are counted and the first is told in the caller's units", "[layout][reading_order]")
+{
+    const invalid_places none = read_line(text_view{"gr\xC3\xBC\xC3\x9F"}, 0, 6).invalid;
+    CHECK(none.count == 0);
+    CHECK(none.first == no_cluster);
+
+    const std::string_view broken = "ab\xFF"
+                                    "c\xE2\x82";
+    const invalid_places two = read_line(broken, 0, 6).invalid;
+    CHECK(two.count == 2);
+    CHECK(two.first == 2);
+
+    const std::u16string lone{u'a', u'b', 0xD800};
+    CHECK(read_line(lone, 0, 3).invalid.first == 2);
+    CHECK(read_line(lone, 0, 2).invalid.count == 0);
+}

@@ -95,34 +95,12 @@ TEST_CASE("decoding moves on and stays inside for every sequence of three bytes 
             for (const unsigned c : bytes) {
                 const char units[] = {static_cast<char>(a), static_cast<char>(b), static_cast<char>(c)};
                 const text_view text{std::string_view{units, 3}};
-                std::size_t invalid = 0;
                 for (std::size_t i = 0; i < 3;) {
                     const code_point p = decode(text, i);
                     wrong += !(p.next > i && p.next <= 3);
-                    if (p.valid)
-                        wrong += utf8_of(p.value) != std::string(units + i, p.next - i);  // one spelling only
-                    else
-                        ++invalid;
+                    if (p.valid) wrong += utf8_of(p.value) != std::string(units + i, p.next - i);  // one spelling only
                     i = p.next;
                 }
-                wrong += find_invalid(text, 0, 3).count != invalid;
             }
     CHECK(wrong == 0);
-}
-
-TEST_CASE("invalid places are counted and the first is told in the caller's units", "[layout][utf]")
-{
-    const invalid_places none = find_invalid(text_view{"gr\xC3\xBC\xC3\x9F"}, 0, 6);
-    CHECK(none.count == 0);
-    CHECK(none.first == no_cluster);
-
-    const invalid_places two = find_invalid(text_view{"ab\xFF"
-                                                      "c\xE2\x82"},
-                                            0, 6);
-    CHECK(two.count == 2);
-    CHECK(two.first == 2);
-
-    const std::u16string lone{u'a', u'b', 0xD800};
-    CHECK(find_invalid(lone, 0, 3).first == 2);
-    CHECK(find_invalid(lone, 0, 2).count == 0);
 }

@@ -20,7 +20,9 @@ struct counting_memory {
                 [](void* user, std::size_t bytes, std::size_t alignment) noexcept -> void* {
                     auto& self = *static_cast<counting_memory*>(user);
                     ++self.requests;
-                    if (self.fail_at != 0 && (self.fail_once ? self.requests == self.fail_at : self.requests >= self.fail_at)) return nullptr;
+                    if (self.fail_at != 0 &&
+                        (self.fail_once ? self.requests == self.fail_at : self.requests >= self.fail_at))
+                        return nullptr;
                     self.bytes_held += bytes;
                     const typemesh::memory heap = typemesh::heap();
                     return heap.allocate(heap.user, bytes, alignment);

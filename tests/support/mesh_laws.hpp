@@ -30,13 +30,18 @@ struct full_mesh {
 };
 
 inline typemesh::vec3 subtract(typemesh::vec3 a, typemesh::vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline double dot(typemesh::vec3 a, typemesh::vec3 b) { return double(a.x) * b.x + double(a.y) * b.y + double(a.z) * b.z; }
+inline double dot(typemesh::vec3 a, typemesh::vec3 b)
+{
+    return double(a.x) * b.x + double(a.y) * b.y + double(a.z) * b.z;
+}
 
 /// The cross product in double precision, as three doubles.
 struct cross_product {
     double x, y, z;
     cross_product(typemesh::vec3 a, typemesh::vec3 b)
-        : x{double(a.y) * b.z - double(a.z) * b.y}, y{double(a.z) * b.x - double(a.x) * b.z}, z{double(a.x) * b.y - double(a.y) * b.x}
+        : x{double(a.y) * b.z - double(a.z) * b.y},
+          y{double(a.z) * b.x - double(a.x) * b.z},
+          z{double(a.x) * b.y - double(a.y) * b.x}
     {
     }
     [[nodiscard]] double along(typemesh::vec3 n) const { return x * n.x + y * n.y + z * n.z; }
@@ -53,14 +58,18 @@ struct closedness {
 /// Welds vertices with equal positions and matches the edges of some triangles.
 ///
 /// `depth_axis` tells along which coordinate (0, 1, 2) the text is extruded.
-inline closedness examine(std::span<const full_vertex> vertices, std::span<const std::uint32_t> indices, int depth_axis = 2)
+inline closedness examine(std::span<const full_vertex> vertices, std::span<const std::uint32_t> indices,
+                          int depth_axis = 2)
 {
     struct key {
         std::uint32_t x, y, z;
         bool operator==(const key&) const = default;
     };
     struct hash {
-        std::size_t operator()(const key& k) const { return (k.x * 0x9E3779B97F4A7C15ull) ^ (k.y * 0xC2B2AE3D27D4EB4Full) ^ (k.z * 0x165667B19E3779F9ull); }
+        std::size_t operator()(const key& k) const
+        {
+            return (k.x * 0x9E3779B97F4A7C15ull) ^ (k.y * 0xC2B2AE3D27D4EB4Full) ^ (k.z * 0x165667B19E3779F9ull);
+        }
     };
     const auto bits = [](float f) {
         f += 0.0f;  // -0 and 0 are one place
@@ -74,7 +83,8 @@ inline closedness examine(std::span<const full_vertex> vertices, std::span<const
     for (const std::uint32_t i : indices) {
         if (place_of[i] != ~0u) continue;
         const typemesh::vec3 p = vertices[i].position;
-        const auto [found, fresh] = places.try_emplace(key{bits(p.x), bits(p.y), bits(p.z)}, static_cast<std::uint32_t>(at.size()));
+        const auto [found, fresh] =
+            places.try_emplace(key{bits(p.x), bits(p.y), bits(p.z)}, static_cast<std::uint32_t>(at.size()));
         if (fresh) at.push_back(p);
         place_of[i] = found->second;
     }
@@ -117,7 +127,8 @@ inline double volume(std::span<const full_vertex> vertices, std::span<const std:
 {
     double sum = 0.0;
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-        const typemesh::vec3 a = vertices[indices[i]].position, b = vertices[indices[i + 1]].position, c = vertices[indices[i + 2]].position;
+        const typemesh::vec3 a = vertices[indices[i]].position, b = vertices[indices[i + 1]].position,
+                             c = vertices[indices[i + 2]].position;
         sum += cross_product(b, c).along(a) / 6.0;
     }
     return sum;

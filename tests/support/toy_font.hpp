@@ -16,7 +16,8 @@ namespace test {
 /// Advance 600 for all; ascender 800, descender -200.
 class toy_font {
 public:
-    explicit toy_font(typemesh::memory source = typemesh::heap()) : drawings_{1000.0, typemesh::fill_rule::non_zero, source}
+    explicit toy_font(typemesh::memory source = typemesh::heap())
+        : drawings_{1000.0, typemesh::fill_rule::non_zero, source}
     {
         add([](auto& pen) { box(pen, 50, 0, 500, 700), hole(pen, 100, 50, 450, 650); });
         add([](auto& pen) { ring(pen, 250, 250, 250, true), ring(pen, 250, 250, 150, false); });
@@ -49,8 +50,8 @@ public:
 
     [[nodiscard]] typemesh::line_metrics metrics(typemesh::direction) const noexcept { return {800.0, -200.0, 0.0}; }
 
-    typemesh::result<typemesh::point> shape(typemesh::text_view text, std::size_t first, std::size_t last, const typemesh::shape_options&,
-                                            typemesh::glyph_run& run) noexcept
+    typemesh::result<typemesh::point> shape(typemesh::text_view text, std::size_t first, std::size_t last,
+                                            const typemesh::shape_options&, typemesh::glyph_run& run) noexcept
     {
         double pen = 0.0;
         for (std::size_t i = first; i < last; ++i) {

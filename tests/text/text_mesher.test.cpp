@@ -129,7 +129,9 @@ TEST_CASE("positions come in the unit that was asked for", "[text]")
 {
     test::toy_font font;
     text_mesher mesher{font};
-    const auto box = [&](output_unit unit) { return extent(build(mesher, "E", {.unit = unit, .pixels_per_em = 32.0}), &vec3::x); };
+    const auto box = [&](output_unit unit) {
+        return extent(build(mesher, "E", {.unit = unit, .pixels_per_em = 32.0}), &vec3::x);
+    };
     CHECK(box(output_unit::em).low == 0.05f);
     CHECK(box(output_unit::em).high == 0.45f);
     CHECK(box(output_unit::font_units).high == 450.0f);
@@ -233,6 +235,14 @@ TEST_CASE("empty text and blank glyphs give an empty mesh, not an error", "[text
     CHECK(m.vertices.empty());
     CHECK(m.indices.empty());
 }
+
+static_assert(std::is_nothrow_move_constructible_v<text_plan<flat>> && !std::is_copy_constructible_v<text_plan<flat>>);
+
+// A plan refers to its run, so a run that ends with the line is refused; text of any kind may end.
+template <class M, class Run>
+concept plans = requires(M& mesher, Run&& run) { mesher.plan(std::forward<Run>(run)); };
+static_assert(plans<text_mesher<test::toy_font>, const glyph_run&> && plans<text_mesher<test::toy_font>, std::string>);
+static_assert(!plans<text_mesher<test::toy_font>, glyph_run>);
 
 TEST_CASE("a run made by hand needs no shaper and no lines", "[text]")
 {
@@ -365,7 +375,8 @@ TEST_CASE("the observer sees the stages in order and ends idle", "[text]")
     std::vector<stage> seen;
     auto mesher = text_mesher{font}.with(recorder{&seen});
     REQUIRE(mesher.plan("o"));
-    CHECK(seen == std::vector<stage>{stage::shape, stage::outline, stage::discretise, stage::triangulate, stage::extrude, stage::idle});
+    CHECK(seen == std::vector<stage>{stage::shape, stage::outline, stage::discretise, stage::triangulate,
+                                     stage::extrude, stage::idle});
     seen.clear();
     REQUIRE(mesher.plan("x"));
     CHECK(seen == std::vector<stage>{stage::shape, stage::outline, stage::discretise, stage::triangulate, stage::fill,

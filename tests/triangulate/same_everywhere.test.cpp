@@ -3,6 +3,7 @@
 #include "support/regions.hpp"
 
 #include <typemesh/fill/fill.hpp>
+#include <typemesh/triangulate/constrained_delaunay.hpp>
 #include <typemesh/triangulate/monotone.hpp>
 
 #include <cstdint>
@@ -39,11 +40,20 @@ contours scribble(std::uint64_t seed, int points, std::int32_t width)
     return loops;
 }
 
+/// A smooth convex loop of whole numbers only: runs along two parabolas.
+test::polyline whole_ring(std::int32_t half)
+{
+    test::polyline ring;
+    for (std::int32_t i = -half; i < half; ++i) ring.push_back({i * 100, i * i * 2});
+    for (std::int32_t i = half; i > -half; --i) ring.push_back({i * 100, half * half * 4 - i * i * 2});
+    return ring;
+}
+
 }  // namespace
 
 TEST_CASE("from equal grid points every compiler makes the same regions and the same triangles", "[triangulate]")
 {
-    checksum sum;
+    checksum sum, delaunay;
     std::size_t accepted = 0;
     workspace space;
     const auto add = [&](contours& loops, fill_rule rule) {
@@ -51,10 +61,14 @@ TEST_CASE("from equal grid points every compiler makes the same regions and the 
         sum.add(static_cast<std::uint32_t>(filled.error().code));
         if (!filled) return;
         ++accepted;
-        for (const grid_point p : filled->points()) sum.add(static_cast<std::uint32_t>(p.x)), sum.add(static_cast<std::uint32_t>(p.y));
+        for (const grid_point p : filled->points())
+            sum.add(static_cast<std::uint32_t>(p.x)), sum.add(static_cast<std::uint32_t>(p.y));
         triangle_list triangles;
         REQUIRE_FALSE(monotone{}(*filled, space, triangles));
         for (const triangle t : triangles) sum.add(t.a), sum.add(t.b), sum.add(t.c);
+        triangles.clear();
+        REQUIRE_FALSE(constrained_delaunay{}(*filled, space, triangles));
+        for (const triangle t : triangles) delaunay.add(t.a), delaunay.add(t.b), delaunay.add(t.c);
     };
     for (const auto& given : test::corpus("regions.txt")) {
         for (const fill_rule rule : {fill_rule::non_zero, fill_rule::even_odd}) {
@@ -68,4 +82,9 @@ TEST_CASE("from equal grid points every compiler makes the same regions and the 
     }
     CHECK(accepted > 1500);
     CHECK(sum.value == 0x5de0f7763c9e067cu);  // changes only where the triangulation is changed on purpose
+    for (const test::polyline& ring : {whole_ring(40), whole_ring(900)}) {  // smooth: points are left out and come back
+        contours loops = test::contours_of({ring});
+        add(loops, fill_rule::non_zero);
+    }
+    CHECK(delaunay.value == 0xd03bc3e54aac278du);
 }

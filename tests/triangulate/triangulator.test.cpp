@@ -3,6 +3,7 @@
 // The laws that every triangulator obeys.
 
 #include <typemesh/fill/fill.hpp>
+#include <typemesh/triangulate/constrained_delaunay.hpp>
 #include <typemesh/triangulate/monotone.hpp>
 
 #include "support/catch.hpp"
@@ -15,7 +16,7 @@ using namespace typemesh;
 
 namespace {
 
-using triangulators = std::tuple<monotone>;  // a new one joins the list
+using triangulators = std::tuple<monotone, constrained_delaunay>;  // a new one joins the list
 
 /// Fills and triangulates; the first broken law, or what went wrong before. Shapes whose edges meet break none.
 template <class Triangulator>

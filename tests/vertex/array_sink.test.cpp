@@ -157,3 +157,17 @@ TEST_CASE("an empty mesh needs no memory", "[vertex]")
     CHECK_FALSE(sink.begin({0, 0}));
     sink.end();
 }
+
+TEST_CASE("arrays of a fixed size are written as spans of any size are", "[vertex]")
+{
+    std::array<corner, 3> vertices{};
+    std::array<std::uint16_t, 3> indices{};
+    auto sink = into(std::span{vertices}, std::span{indices}, corner_writer{});
+    REQUIRE_FALSE(sink.begin({3, 1}));
+    for (int i = 0; i < 3; ++i) sink.vertex({{static_cast<float>(i), 0.0f, 0.0f}, {}, {}});
+    sink.triangle(0, 1, 2);
+    sink.end();
+    CHECK(vertices[2] == corner{2, 0, 0});
+    CHECK(indices == std::array<std::uint16_t, 3>{0, 1, 2});
+    CHECK(into(std::span{vertices}, std::span{indices}, corner_writer{}).begin({4, 1}) == error::buffer_too_small);
+}

@@ -13,7 +13,9 @@
 
 #include <cmath>
 #include <set>
+#include <sstream>
 #include <string>
+#include <vector>
 
 using namespace typemesh;
 
@@ -52,7 +54,8 @@ double cap_area(const test::full_mesh& m, const mesh_range& r)
 {
     double area = 0.0;
     for (std::uint32_t i = r.first_index; i < r.first_index + r.index_count; i += 3) {
-        const vec3 a = m.vertices[m.indices[i]].position, b = m.vertices[m.indices[i + 1]].position, c = m.vertices[m.indices[i + 2]].position;
+        const vec3 a = m.vertices[m.indices[i]].position, b = m.vertices[m.indices[i + 1]].position,
+                   c = m.vertices[m.indices[i + 2]].position;
         const double twice = (double(b.x) - a.x) * (double(c.y) - a.y) - (double(b.y) - a.y) * (double(c.x) - a.x);
         REQUIRE(twice > 0.0);
         area += twice;
@@ -89,7 +92,8 @@ TEST_CASE("every glyph of every text of the workload is there and closed, also w
                 std::vector<std::uint32_t> own;
                 for (const part p : all_parts) {
                     const mesh_range r = plan->range(g, p);
-                    own.insert(own.end(), m.indices.begin() + r.first_index, m.indices.begin() + r.first_index + r.index_count);
+                    own.insert(own.end(), m.indices.begin() + r.first_index,
+                               m.indices.begin() + r.first_index + r.index_count);
                 }
                 const auto law = test::examine(m.vertices, own);
                 INFO("glyph " << plan->glyphs()[g].id);
@@ -157,7 +161,13 @@ TEST_CASE("caps have exactly the area of the region, however the glyph is turned
 
     const double angle = degrees * 3.14159265358979323846 / 180.0;
     const bool quarter = degrees == 90.0, half = degrees == 180.0;
-    const double c = quarter ? 0.0 : half ? -1.0 : std::cos(angle), n = quarter ? 1.0 : half ? 0.0 : std::sin(angle), m = mirrored ? -1.0 : 1.0;
+    const double c = quarter ? 0.0
+                     : half  ? -1.0
+                             : std::cos(angle),
+                 n = quarter ? 1.0
+                     : half  ? 0.0
+                             : std::sin(angle),
+                 m = mirrored ? -1.0 : 1.0;
     transformed_outlines turned{*font, {.xx = c * m, .xy = -n, .yx = n * m, .yy = c}};
 
     shaped_by both{*font, turned};
@@ -215,4 +225,41 @@ TEST_CASE("the same text from FreeType's outlines is as closed as from HarfBuzz'
         CHECK(test::examine(m).unmatched_edges == 0);
         CHECK(made->refused == reference.plan(text)->report().refused);
     }
+}
+
+TEST_CASE("the worst glyphs known are built and closed", "[workload]")
+{
+    std::size_t tried = 0;
+    std::string absent;
+    const auto rows = test::workload_lines("nasty-glyphs.tsv");
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        std::vector<std::string> column;
+        std::istringstream row{rows[i]};
+        for (std::string cell; std::getline(row, cell, '\t');) column.push_back(cell);
+        INFO(column.at(1) << ", glyph " << column.at(3) << ": " << column.at(6));
+        auto font = harfbuzz_font::open(("/" + column[1]).c_str(), {.face = std::uint32_t(std::stoul(column[2]))});
+        if (font.error() == error::unreadable_file) {
+            absent += " " + column[0];
+            continue;
+        }
+        REQUIRE(font);
+        ++tried;
+        const auto id = glyph_id(std::stoul(column[3]));
+        glyph_run run;
+        run.units_per_em = font->units_per_em();
+        REQUIRE(run.glyphs.push_back({id, 0, {0, 0}}));
+        text_mesher mesher{*font};
+        for (const double tolerance : {quality::low, quality::high}) {
+            test::full_mesh m;
+            const auto made = mesher.build(run, into(m.vertices, m.indices), {.tolerance = tolerance});
+            REQUIRE(made);
+            CHECK(made->refused == 0);
+            const auto law = test::examine(m);
+            CHECK(law.unmatched_edges == 0);
+            CHECK(law.zero_area == 0);
+            CHECK(test::volume(m.vertices, m.indices) > 0.0);
+        }
+    }
+    if (!absent.empty()) WARN("skipped, fonts not installed:" << absent);
+    CHECK(tried != 0);
 }

@@ -4,7 +4,8 @@
 /// States what the caller owes, with words: TYPEMESH_ASSERT(condition, "one sentence").
 ///
 /// Only mistakes of the calling program are asserted; bad fonts and full buffers come back as `error`.
-/// Define it before the first include to send failures elsewhere; with NDEBUG it costs nothing.
+/// Define it before the first include, and alike in all files of a program, to send failures elsewhere. Undefined, it
+/// is assert(): with NDEBUG it costs nothing.
 #ifndef TYPEMESH_ASSERT
 #include <cassert>
 #define TYPEMESH_ASSERT(condition, words) assert((condition) && (words))

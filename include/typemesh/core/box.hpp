@@ -16,12 +16,14 @@ struct box {
     [[nodiscard]] constexpr double width() const noexcept { return empty() ? 0.0 : high.x - low.x; }
     [[nodiscard]] constexpr double height() const noexcept { return empty() ? 0.0 : high.y - low.y; }
 
+    /// Grows to hold p.
     constexpr void add(point p) noexcept
     {
         low = {p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y};
         high = {p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y};
     }
-    constexpr void add(const box& other) noexcept
+    /// Grows to hold all of `other`; an empty one changes nothing. Not another add(): {x, y} would fit both.
+    constexpr void merge(const box& other) noexcept
     {
         if (other.empty()) return;
         add(other.low);

@@ -5,6 +5,7 @@
 #include <typemesh/core/memory.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <span>
@@ -16,7 +17,8 @@ namespace typemesh {
 /// A growing array of plain values over `memory`, whose growth can fail without an exception.
 ///
 /// Everything that grows returns false (or null) when the memory gives none, and then nothing has changed.
-/// clear() keeps the storage: after warm-up nothing is allocated. Growing moves the elements: spans and pointers into it end.
+/// clear() keeps the storage: after warm-up nothing is allocated. Growing moves the elements: spans and pointers into
+/// it end.
 template <class T>
 class buffer {
     static_assert(std::is_trivially_copyable_v<T>, "a typemesh::buffer holds plain values that can be copied as bytes");
@@ -73,9 +75,11 @@ public:
         size_ = size;
     }
 
+    /// Storage for `wanted` elements in all, so that growing up to that many neither fails nor moves them.
     [[nodiscard]] bool reserve(std::size_t wanted) noexcept { return wanted <= capacity_ || grow(wanted); }
 
-    /// Room for `count` more elements, not initialised; null when there is no memory.
+    /// Room for `count` more elements, not initialised; null when there is no memory (or, for count = 0, no storage
+    /// yet).
     [[nodiscard]] T* append(std::size_t count) noexcept
     {
         if (count > capacity_ - size_ && !grow_by(count)) return nullptr;
@@ -84,11 +88,15 @@ public:
         return first;
     }
 
+    /// Copies of `values`, which may lie in this very buffer.
     [[nodiscard]] bool append(std::span<const T> values) noexcept
     {
+        if (values.empty()) return true;
+        const auto at = reinterpret_cast<std::uintptr_t>(values.data()) - reinterpret_cast<std::uintptr_t>(data_);
+        const bool own = at < size_ * sizeof(T);  // growing would move them
         T* first = append(values.size());
-        if (first == nullptr) return values.empty();
-        if (!values.empty()) std::memcpy(static_cast<void*>(first), values.data(), values.size_bytes());
+        if (first == nullptr) return false;
+        std::memcpy(static_cast<void*>(first), own ? data_ + at / sizeof(T) : values.data(), values.size_bytes());
         return true;
     }
 

@@ -26,7 +26,7 @@ struct [[nodiscard]] error {
         no_outlines,          ///< a font of bitmaps only, or not scalable
         unknown_glyph,        ///< the font has no such glyph, or its outline cannot be loaded
         unknown_variation,    ///< the font has no such axis
-        bad_feature,          ///< an OpenType feature is not of the form "liga=0"
+        bad_feature,          ///< the tag of an OpenType feature is not four printable ASCII characters
         bad_outline,          ///< an outline starts without move_to, or the like
         outline_not_finite,   ///< an outline holds NaN or infinity
         outline_beyond_grid,  ///< an outline is too large for the integer grid
@@ -75,15 +75,17 @@ struct [[nodiscard]] error {
         case no_outlines: return "The font has no outlines (it holds bitmaps only).";
         case unknown_glyph: return "The font has no such glyph, or its outline cannot be loaded.";
         case unknown_variation: return "The font has no such variation axis.";
-        case bad_feature: return "The OpenType feature is not of the form 'liga', 'liga=0' or '-liga'.";
+        case bad_feature: return "The tag of an OpenType feature is not four printable ASCII characters.";
         case bad_outline: return "The outline is malformed: a contour must begin with move_to.";
         case outline_not_finite: return "The outline holds a coordinate that is not a finite number.";
         case outline_beyond_grid: return "The outline is too large for the integer grid.";
         case crossing_contours: return "Contours of the outline cross, touch or overlap.";
         case bad_tolerance: return "The tolerance is not a positive finite number.";
         case bad_option: return "An option is outside its range.";
-        case mixed_direction: return "A line holds both left-to-right and right-to-left text; shape its runs one by one.";
-        case needs_shaping: return "The text needs a real shaper (HarfBuzz): its script is not set by character map and kerning alone.";
+        case mixed_direction:
+            return "A line holds both left-to-right and right-to-left text; shape its runs one by one.";
+        case needs_shaping:
+            return "The text needs a real shaper (HarfBuzz): its script is not set by character map and kerning alone.";
         case font_library_failed: return "The font library refused the request.";
         case refused_by_user: return "A policy of the caller refused.";
         }
@@ -91,7 +93,8 @@ struct [[nodiscard]] error {
     }
 };
 
-/// Writes the sentence with its numbers into `out` (always ended by a zero, cut where it does not fit); returns `out.data()`.
+/// Writes the sentence with its numbers into `out`, always ended by a zero and cut where it does not fit (200
+/// characters hold any); returns out.data(), or "" when `out` is empty.
 ///
 /// "glyph 37, cluster 4: Contours of the outline cross, touch or overlap."
 inline const char* describe(const error& e, std::span<char> out) noexcept
@@ -99,7 +102,8 @@ inline const char* describe(const error& e, std::span<char> out) noexcept
     if (out.empty()) return "";
     char where[64] = "";
     if (e.glyph != no_glyph && e.cluster != no_cluster)
-        std::snprintf(where, sizeof where, "glyph %lu, cluster %lu: ", static_cast<unsigned long>(e.glyph), static_cast<unsigned long>(e.cluster));
+        std::snprintf(where, sizeof where, "glyph %lu, cluster %lu: ", static_cast<unsigned long>(e.glyph),
+                      static_cast<unsigned long>(e.cluster));
     else if (e.glyph != no_glyph)
         std::snprintf(where, sizeof where, "glyph %lu: ", static_cast<unsigned long>(e.glyph));
     else if (e.cluster != no_cluster)

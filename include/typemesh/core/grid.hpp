@@ -10,7 +10,8 @@
 
 namespace typemesh {
 
-/// The integer grid on which a shape is decided: `cells` grid steps to one font unit, a power of two (512 for ordinary fonts).
+/// The integer grid on which a shape is decided: `cells` grid steps to one font unit, a power of two (512 for ordinary
+/// fonts).
 ///
 /// Every grid point is within snap_error() of the point it stands for, and is what is drawn in the end.
 struct grid {
@@ -27,8 +28,9 @@ struct grid {
     /// The place of a grid point in font units; exact.
     [[nodiscard]] constexpr point place(grid_point g) const noexcept { return {g.x / cells, g.y / cells}; }
 
-    /// The grid for an outline: 512 cells a unit where the em has 64 to 65,536 units; for any other em the power of two that
-    /// gives it 2^20 to 2^21 cells; halved as often as `around` (a box that holds all control points) needs to fit.
+    /// The grid for an outline: 512 cells a unit where the em has 64 to 65,536 units; for any other em the power of two
+    /// that gives it 2^20 to 2^21 cells; halved as often as `around` (a box that holds all control points) needs to
+    /// fit.
     ///
     /// Fails  error::bad_option: units_per_em is not positive and finite
     ///        error::outline_not_finite: a corner of the box is NaN or infinite
@@ -56,8 +58,8 @@ struct grid {
     }
 
 private:
-    /// Round half to even by the layout of doubles: 2^52 + 2^51 leaves the integer in the lowest bits. 1 ns less than lrint,
-    /// and no compiler flag can fold it away, for the bits are read as an integer.
+    /// Round half to even by the layout of doubles: 2^52 + 2^51 leaves the integer in the lowest bits. 1 ns less than
+    /// lrint, and no compiler flag can fold it away, for the bits are read as an integer.
     [[nodiscard]] static std::int32_t nearest(double v) noexcept
     {
         const double shifted = v + 0x1.8p52;

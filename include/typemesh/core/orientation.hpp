@@ -3,6 +3,8 @@
 
 #include <typemesh/core/point.hpp>
 
+#include <cstdint>
+
 namespace typemesh {
 
 /// Twice the signed area of the triangle a, b, c: positive when they turn counter-clockwise, zero exactly when in line.

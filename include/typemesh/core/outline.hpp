@@ -12,8 +12,10 @@ namespace typemesh {
 
 /// One glyph's closed contours as curves, in font units.
 ///
-///     curves   [ first contour's curves | second contour's | ... ]   each begins where the one before it ends,
-///     starts   [ 0 | first curve of each further contour | ... | curves.size() ]   and the last ends where the first began
+///     curves   [ first contour's curves | second contour's | ... ]
+///     starts   [ 0 | first curve of each further contour | ... | curves.size() ]; empty without a contour
+///
+/// In a contour each curve begins where the one before it ends, and the last ends where the first began.
 struct outline {
     buffer<curve> curves;
     buffer<std::uint32_t> starts;

@@ -16,7 +16,10 @@ template <class T>
 class [[nodiscard]] result {
 public:
     result(T value) noexcept : value_{std::move(value)} {}
-    result(typemesh::error e) noexcept : error_{e} { TYPEMESH_ASSERT(e, "a result without a value must carry an error"); }
+    result(typemesh::error e) noexcept : error_{e}
+    {
+        TYPEMESH_ASSERT(e, "a result without a value must carry an error");
+    }
     result(typemesh::error::kind k) noexcept : result{typemesh::error{k}} {}
 
     [[nodiscard]] explicit operator bool() const noexcept { return value_.has_value(); }

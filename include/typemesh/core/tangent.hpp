@@ -3,13 +3,15 @@
 
 #include <typemesh/core/curve.hpp>
 
+#include <cstdint>
+
 namespace typemesh {
 
-/// The directions in which a curve arrives at t and leaves it, as t grows. Neither is of unit length; they are zero only for a
-/// curve that is one point.
+/// The directions in which a curve arrives at t and leaves it, as t grows. Neither is of unit length; they are zero
+/// only for a curve that is one point.
 ///
-/// The two differ only where the curve stops and turns, at a cusp or a reversal. Where the derivative vanishes (there, and
-/// at handles of zero length) they are its one-sided limits:
+/// The two differ only where the curve stops and turns, at a cusp or a reversal. Where the derivative vanishes (there,
+/// and at handles of zero length) they are its one-sided limits:
 ///
 ///        after                B(t) = B + B'h + B''h²/2 + B'''h³/6: the first term that does not vanish
 ///     \  ↑  /                 tells the direction; from before, even terms turn their sign.
@@ -48,7 +50,7 @@ struct tangents {
 /// From which side of t a tangent is taken.
 enum class side_of : std::uint8_t { before, after };
 
-/// One of the two.
+/// One of tangents_at()'s two.
 [[nodiscard]] inline point tangent(const curve& c, double t, side_of side) noexcept
 {
     const tangents both = tangents_at(c, t);

@@ -31,7 +31,9 @@ class workspace {
 public:
     explicit workspace(memory source = heap()) noexcept : source_{source} {}
     workspace(workspace&& other) noexcept
-        : source_{other.source_}, first_{std::exchange(other.first_, nullptr)}, current_{std::exchange(other.current_, nullptr)}
+        : source_{other.source_},
+          first_{std::exchange(other.first_, nullptr)},
+          current_{std::exchange(other.current_, nullptr)}
     {
         TYPEMESH_ASSERT(other.depth_ == 0, "a workspace was moved while a scope was open");
     }
@@ -59,7 +61,8 @@ public:
     /// A stretch of borrowing; scopes nest.
     class scope {
     public:
-        explicit scope(workspace& w) noexcept : workspace_{w}, block_{w.current_}, used_{w.current_ != nullptr ? w.current_->used : 0}
+        explicit scope(workspace& w) noexcept
+            : workspace_{w}, block_{w.current_}, used_{w.current_ != nullptr ? w.current_->used : 0}
         {
             ++w.depth_;
         }
@@ -71,7 +74,8 @@ public:
         template <class T>
         [[nodiscard]] T* take(std::size_t count) noexcept
         {
-            static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>, "scratch memory holds plain values");
+            static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>,
+                          "scratch memory holds plain values");
             static_assert(alignof(T) <= alignment);
             if (count > (~std::size_t{0} >> 2) / sizeof(T)) return nullptr;
             return static_cast<T*>(workspace_.take_bytes(count * sizeof(T)));

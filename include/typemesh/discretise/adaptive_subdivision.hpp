@@ -17,9 +17,10 @@ namespace typemesh {
 ///        P1 ---------- P4         - it came out of the `levels`-th halving,
 ///                               and is halved again otherwise. The whole curve is always halved once.
 ///
-/// Quadratics are raised to cubics first. The tolerance given is ignored, and none is kept: an S-shaped half whose segments
-/// cross is taken for a line at once, and so is any half that looks straight at its midpoint. `best` promises 0.005 of 64
-/// units, but leaves errors of six or seven times that on real fonts. What keeps its tolerance is `certified`.
+/// Quadratics are raised to cubics first. The tolerance given is ignored, and none is kept: an S-shaped half whose
+/// segments cross is taken for a line at once, and so is any half that looks straight at its midpoint. `best` promises
+/// 0.005 of 64 units; on real fonts the worst chords of cubics are off by 37 times that, of quadratics by 5 times. What
+/// keeps its tolerance is `certified`.
 ///
 /// Values of t are exact (multiples of 2^-levels). At most 2^levels points a curve; degenerate curves end early.
 ///

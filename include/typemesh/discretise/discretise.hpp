@@ -111,19 +111,20 @@ private:
 
 }  // namespace detail
 
-/// Turns an outline's curves into closed polylines on the grid. What `out` held before is forgotten; its storage is used again.
+/// Turns an outline's curves into closed polylines on the grid. What `out` held before is forgotten; its storage is
+/// used again.
 ///
 ///     curves      the outline, in font units; every control point within the reach of `g` (see grid::fitting)
 ///     how         the discretiser
 ///     tolerance   how far a polyline may be from its curve, in font units, rounding to the grid included
 ///     out         its `curves` refer to the outline: keep that as long as `out` is read
 ///
-/// Points that fall on one grid point with the one before them are merged: the edge before keeps the t at which it first got
-/// there, the edge after starts at the t (or the curve) with which the boundary leaves. Contours of which fewer than 3 points
-/// are left enclose nothing and are dropped.
+/// Points that fall on one grid point with the one before them are merged: the edge before keeps the t at which it
+/// first got there, the edge after starts at the t (or the curve) with which the boundary leaves. Contours of which
+/// fewer than 3 points are left enclose nothing and are dropped.
 ///
-/// The discretiser is given `tolerance` less g.snap_error(), but never less than g.snap_error(): below twice that error no
-/// tolerance can be kept, and asking for more points would give the grid's steps instead of the curve.
+/// The discretiser is given `tolerance` less g.snap_error(), but never less than g.snap_error(): below twice that error
+/// no tolerance can be kept, and asking for more points would give the grid's steps instead of the curve.
 ///
 /// Fails  error::bad_tolerance: not positive and finite
 ///        error::out_of_memory, error::too_large (2^32 - 1 points or curves and more); `out` is empty then

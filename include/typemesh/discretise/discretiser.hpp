@@ -10,8 +10,8 @@ struct ignore_points {
     constexpr void operator()(point, double) const noexcept {}
 };
 
-/// Walks one curve and hands out points on it: emit(point, t) with 0 < t <= 1 ascending, the last at t = 1 and the curve's
-/// own end. The start is not handed out. Lines never come here.
+/// Walks one curve and hands out points on it: emit(point, t) with 0 < t <= 1 ascending, the last at t = 1 and the
+/// curve's own end. The start is not handed out. Lines never come here.
 ///
 /// The compiler tests the signatures. The author promises the rest: every chord between neighbouring points (the start
 /// included) stays within `tolerance` of the curve, and the curve within `tolerance` of its chord. The tolerance is
@@ -29,16 +29,9 @@ struct ignore_points {
 /// A point that lies where the curve stops and turns (a cusp, a reversal) becomes a hard corner of the walls by itself:
 /// the two tangents there are found from the curve and t (see core/tangent.hpp).
 template <class D>
-concept discretiser = requires(const D& d, const quadratic& q, const cubic& c, double tolerance, ignore_points emit)
-{
-    {
-        d(q, tolerance, emit)
-    }
-    noexcept;
-    {
-        d(c, tolerance, emit)
-    }
-    noexcept;
+concept discretiser = requires(const D& d, const quadratic& q, const cubic& c, double tolerance, ignore_points emit) {
+    { d(q, tolerance, emit) } noexcept;
+    { d(c, tolerance, emit) } noexcept;
 };
 
 }  // namespace typemesh

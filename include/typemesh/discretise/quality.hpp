@@ -5,11 +5,13 @@
 
 namespace typemesh {
 
-/// How smooth curves become: the greatest distance between a curve and its chords, in em. Multiply by the font's units per em
-/// for a tolerance in font units.
+/// How smooth curves become: the greatest distance between a curve and its chords, in em. Multiply by the font's units
+/// per em for a tolerance in font units.
 ///
-/// The four are the errors that the presets of the thesis reach on real fonts ("Study of mesh generation and optimization
-/// techniques applied to parametric forms", J. Vandenbergh, 2020), with 18 to 28 % fewer points.
+/// normal, high and best are near the errors that 99 of 100 chords of the presets of the thesis keep on real fonts
+/// ("Study of mesh generation and optimization techniques applied to parametric forms", J. Vandenbergh, 2020); low
+/// takes the place of its two lines a curve. `certified` keeps them on all chords, with 19 to 40 % fewer chords than
+/// those.
 namespace quality {
 
 inline constexpr double low = 1.0 / 100;
@@ -19,8 +21,8 @@ inline constexpr double best = 1.0 / 16000;
 
 }  // namespace quality
 
-/// The tolerance in em with which no curve is off by more than `error_in_pixels` where one em is drawn `pixels_per_em` large.
-/// A quarter of a pixel is hard to see.
+/// The tolerance in em with which no curve is off by more than `error_in_pixels` where one em is drawn `pixels_per_em`
+/// large. A quarter of a pixel is hard to see.
 ///
 /// 0, which discretise() refuses as error::bad_tolerance, when either number is not positive and finite.
 [[nodiscard]] inline double tolerance_for_pixels(double pixels_per_em, double error_in_pixels = 0.25) noexcept

@@ -10,8 +10,8 @@ namespace typemesh {
 /// 4N + 2H vertices: normals exact from the curves that the walls stand for, however coarse the polygon.
 ///
 ///     inside a curve     soft: one normal, the curve's own; at a cusp or where the curve turns back, as at a joint
-///     at a joint         hard where the two curves' tangents break by more than the crease angle: doubled, each wall with
-///                        its own curve's normal. Otherwise soft, with the normalised sum of the two
+///     at a joint         hard where the two curves' tangents break by more than the crease angle: doubled, each wall
+///                        with its own curve's normal. Otherwise soft, with the normalised sum of the two
 ///     along a line       the line's normal: a wall between two corners is shaded evenly
 ///
 /// A tangent that points against its own edge (the polygon is so coarse that it leaves out the whole hook there), or

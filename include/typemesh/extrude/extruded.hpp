@@ -5,7 +5,13 @@
 #include <typemesh/extrude/axes.hpp>
 #include <typemesh/extrude/curve_normals.hpp>
 #include <typemesh/extrude/extruder.hpp>
+#include <typemesh/extrude/side_normals.hpp>
 #include <typemesh/extrude/texture.hpp>
+#include <typemesh/extrude/wall_normal.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 namespace typemesh {
 

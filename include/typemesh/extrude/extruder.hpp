@@ -9,6 +9,7 @@
 #include <typemesh/vertex/surface_point.hpp>
 
 #include <concepts>
+#include <cstdint>
 
 namespace typemesh {
 
@@ -33,9 +34,10 @@ struct ignore_surface {
 ///                                      writing will want to know (usually one side_point a contour point, or nothing)
 ///     e.heights()                      between which heights everything will lie
 ///     e.vertices<Wants>(part, s, at, emit)     emit(surface_point<Wants>) as often as plan() said for that part
-///     e.triangles(part, s, first, emit)        emit(a, b, c) as often as plan() said: vertex numbers, of any part, each
-///                                      being first[part] + the place in which vertices() emitted it. Counter-clockwise
-///                                      seen from outside in a right-handed frame; mirroring is not its business.
+///     e.triangles(part, s, first, emit)        emit(a, b, c) as often as plan() said: vertex numbers, of any part,
+///                                      each being first[part] + the place in which vertices() emitted it.
+///                                      Counter-clockwise seen from outside in a right-handed frame; mirroring is not
+///                                      its business.
 ///
 /// plan() fails with error::bad_option for options out of range, error::out_of_memory, or an error of its own, `sides`
 /// then being as it was. The rest cannot fail.

@@ -24,14 +24,14 @@ struct placement {
         double z = 0.0;
     };
 
-    point pen;  ///< the glyph's origin, in cells
-    double unit_per_cell = 1.0;
-    double unit_per_em = 1.0;
+    point pen = {};              ///< the glyph's origin, in cells
+    double unit_per_cell = 1.0;  ///< output units to a cell
+    double unit_per_em = 1.0;    ///< output units to an em: what depths are scaled by
     double em_per_cell = 1.0;
-    point em_pen;            ///< em mapping: the glyph's origin, in cells, seen from the text's own origin
-    point texture_pen;       ///< box mapping: the glyph's origin, in cells, seen from the box's lower left corner
-    point texture_per_cell;  ///< box mapping: how much u and v grow with a cell; 0 where the box has no extent
-    typemesh::frame frame;
+    point em_pen = {};            ///< em mapping: the glyph's origin, in cells, seen from the text's own origin
+    point texture_pen = {};       ///< box mapping: the glyph's origin, in cells, seen from the box's lower left corner
+    point texture_per_cell = {};  ///< box mapping: how much u and v grow with a cell; 0 where the box has no extent
+    typemesh::frame frame = {};
 
     /// Where a grid point stands: the part of position() that is the same for all heights.
     [[nodiscard]] footprint foot(grid_point p) const noexcept
@@ -55,15 +55,12 @@ struct placement {
     /// A height given in em, in output units.
     [[nodiscard]] float height(double em) const noexcept { return static_cast<float>(em * unit_per_em); }
 
-    /// A wall's normal, given in the plane.
+    /// A wall's normal, given in the plane, in the caller's axes.
     [[nodiscard]] vec3 normal(vec2 n) const noexcept
     {
         return {frame.right.x * n.x + frame.up.x * n.y, frame.right.y * n.x + frame.up.y * n.y,
                 frame.right.z * n.x + frame.up.z * n.y};
     }
-
-    /// The front cap's normal; the back's with sign = -1.
-    [[nodiscard]] vec3 cap_normal(float sign) const noexcept { return frame(0.0f, 0.0f, sign); }
 
 private:
     /// What a cast to float and back gives, done on the bits: seeing the casts, -ffast-math would compute the whole

@@ -3,7 +3,9 @@
 
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/orientation.hpp>
-#include <typemesh/core/region.hpp>
+#include <typemesh/core/point.hpp>
+
+#include <cmath>
 
 namespace typemesh {
 

@@ -13,7 +13,7 @@ namespace typemesh {
 struct placed_glyph {
     glyph_id id = 0;
     cluster_id cluster = 0;
-    point origin;
+    point origin = {};
     bool missing = false;  ///< the font has no glyph for this text: `id` is its .notdef, drawn only if asked
 };
 
@@ -21,18 +21,18 @@ struct placed_glyph {
 struct text_line {
     std::uint32_t first_glyph = 0;
     std::uint32_t glyph_count = 0;
-    point origin;          ///< where the pen stood at the line's start, alignment included
+    point origin = {};     ///< where the pen stood at the line's start, alignment included
     double advance = 0.0;  ///< how far the pen went, in font units, never negative
 };
 
 /// Shaped text: what every stage after shaping works from. Fill one by hand and no shaper is needed.
 ///
-/// Glyphs lie in the order of drawing (left to right in a horizontal line, whatever the script's direction); a line's glyphs
-/// lie together. A run that was made by hand may leave `lines` empty: it then counts as one line.
+/// Glyphs lie in the order of drawing (left to right in a horizontal line, whatever the script's direction); a line's
+/// glyphs lie together. A run that was made by hand may leave `lines` empty: it then counts as one line.
 struct glyph_run {
     buffer<placed_glyph> glyphs;
     buffer<text_line> lines;
-    double units_per_em = 1000.0;
+    double units_per_em = 1000.0;  ///< of the font that `id` and `origin` belong to
 
     std::uint32_t missing = 0;                 ///< glyphs that the font lacks (drawn as .notdef only if asked)
     cluster_id first_missing = no_cluster;     ///< where in the text the first of them is

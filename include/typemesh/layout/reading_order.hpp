@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/glyph_id.hpp>
 #include <typemesh/layout/utf.hpp>
 
 #include <cstddef>
@@ -81,6 +82,12 @@ enum class reading : std::uint8_t {
     return reading_of(c) == reading::to_the_left;
 }
 
+/// How often U+FFFD is read for something invalid, and where first.
+struct invalid_places {
+    std::uint32_t count = 0;
+    cluster_id first = no_cluster;
+};
+
 /// What a line holds, and where each was met first.
 struct line_reading {
     static constexpr std::size_t nowhere = ~std::size_t{0};
@@ -114,8 +121,8 @@ struct line_reading {
 /// ("5%"). One digit alone reads the same in both directions. line_reading::nowhere if there is none.
 [[nodiscard]] inline std::size_t find_number(text_view text, std::size_t first, std::size_t last) noexcept
 {
-    auto before = reading::neutral,
-         earlier = reading::neutral;  // the character before this one, and the one before that
+    // The character before this one, and the one before that.
+    reading before = reading::neutral, earlier = reading::neutral;
     std::size_t before_at = first, earlier_at = first;
     for (std::size_t i = first; i < last;) {
         const code_point c = decode(text, i, last);
@@ -125,8 +132,10 @@ struct line_reading {
             if (before == reading::separator && earlier == reading::digit) return earlier_at;
         }
         if (what == reading::terminator && before == reading::digit) return before_at;
-        earlier = before, earlier_at = before_at;
-        before = what, before_at = i;
+        earlier = before;
+        earlier_at = before_at;
+        before = what;
+        before_at = i;
         i = c.next;
     }
     return line_reading::nowhere;

@@ -15,7 +15,8 @@ enum class direction : std::uint8_t {
     top_to_bottom,  ///< columns, the next to the left of the one before
 };
 
-/// An OpenType feature switched on (1), off (0) or set to one of its alternates (2, 3, ...), for the whole text: {"liga", 0}.
+/// An OpenType feature switched on (1), off (0) or set to one of its alternates (2, 3, ...), for the whole text:
+/// {"liga", 0}.
 struct feature {
     char tag[5] = {};  ///< four letters; the fifth place is for the string's own end
     std::uint32_t value = 1;
@@ -24,9 +25,9 @@ struct feature {
 /// What a shaper is told besides the text.
 struct shape_options {
     typemesh::direction direction = typemesh::direction::automatic;
-    std::string_view language;          ///< BCP 47, such as "tr" or "zh-Hant"; empty: no language, never the machine's locale
-    std::string_view script;            ///< ISO 15924, such as "Arab"; empty: found from the text
-    std::span<const feature> features;  ///< besides those that the script has on by default
+    std::string_view language = {};  ///< BCP 47, such as "tr" or "zh-Hant"; empty: none, never the machine's locale
+    std::string_view script = {};    ///< ISO 15924, such as "Arab"; empty: found from the text
+    std::span<const feature> features = {};  ///< besides those that the script has on by default
 };
 
 }  // namespace typemesh

@@ -26,11 +26,12 @@ struct line_metrics {
 ///
 ///     s.units_per_em()                    as in outline_source; of the same font
 ///     s.metrics(direction)                the font's line metrics, for horizontal or vertical lines
-///     s.shape(text, first, last, o, run)  appends the glyphs of text[first, last), one line without line breaks, to run.glyphs,
-///                                         in drawing order, with the pen starting at (0, 0), and gives the pen's
-///                                         way: {advance x, advance y} in font units; horizontal lines always run
-///                                         to the right, vertical lines down. Clusters count from the start of
-///                                         `text`, in its units. Adds to run.missing and run.invalid_units.
+///     s.shape(text, first, last, o, run)  appends the glyphs of text[first, last), one line without line breaks, to
+///                                         run.glyphs, in drawing order, with the pen starting at (0, 0), and gives
+///                                         the pen's way: {advance x, advance y} in font units; horizontal lines
+///                                         always run to the right, vertical lines down. Clusters count from the
+///                                         start of `text`, in its units. Flags missing glyphs, adds to run.missing
+///                                         and run.invalid_units and keeps the first place of each.
 ///
 /// Fails  error::mixed_direction: the line holds text of both directions (never drawn in the wrong order)
 ///        error::needs_shaping: the shaper is not made for this script

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/assert.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -12,8 +14,8 @@ enum class encoding : std::uint8_t { utf8, utf16 };
 
 /// The caller's text where it lies: UTF-8 (char, char8_t) or UTF-16 (char16_t). Nothing is copied, nothing owned.
 ///
-/// Offsets and clusters count units: bytes of UTF-8, 16-bit units of UTF-16. What is not valid in its encoding reads as U+FFFD
-/// (see utf.hpp).
+/// Offsets and clusters count units: bytes of UTF-8, 16-bit units of UTF-16. What is not valid in its encoding reads as
+/// U+FFFD (see utf.hpp).
 class text_view {
 public:
     constexpr text_view() noexcept = default;
@@ -35,7 +37,10 @@ public:
     }
     constexpr text_view(std::string_view text) noexcept : units_{text.data()}, size_{text.size()} {}
     constexpr text_view(std::u8string_view text) noexcept : units_{text.data()}, size_{text.size()} {}
-    constexpr text_view(std::u16string_view text) noexcept : units_{text.data()}, size_{text.size()}, encoding_{typemesh::encoding::utf16} {}
+    constexpr text_view(std::u16string_view text) noexcept
+        : units_{text.data()}, size_{text.size()}, encoding_{typemesh::encoding::utf16}
+    {
+    }
 
     /// How many units, and of which encoding.
     [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
@@ -43,8 +48,16 @@ public:
     [[nodiscard]] constexpr typemesh::encoding encoding() const noexcept { return encoding_; }
 
     /// The units themselves; the first only for UTF-8, the second only for UTF-16.
-    [[nodiscard]] const char* utf8() const noexcept { return static_cast<const char*>(units_); }
-    [[nodiscard]] const char16_t* utf16() const noexcept { return static_cast<const char16_t*>(units_); }
+    [[nodiscard]] const char* utf8() const noexcept
+    {
+        TYPEMESH_ASSERT(encoding_ == typemesh::encoding::utf8, "a text in UTF-16 was read as UTF-8");
+        return static_cast<const char*>(units_);
+    }
+    [[nodiscard]] const char16_t* utf16() const noexcept
+    {
+        TYPEMESH_ASSERT(encoding_ == typemesh::encoding::utf16, "a text in UTF-8 was read as UTF-16");
+        return static_cast<const char16_t*>(units_);
+    }
 
     /// The unit at i, as a number. Needs i < size().
     [[nodiscard]] std::uint32_t unit(std::size_t i) const noexcept

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/core/glyph_id.hpp>
 #include <typemesh/layout/text_view.hpp>
 
 #include <cstddef>
-#include <cstdint>
 
 namespace typemesh {
 
@@ -60,23 +58,5 @@ struct code_point {
 }
 
 [[nodiscard]] inline code_point decode(text_view text, std::size_t i) noexcept { return decode(text, i, text.size()); }
-
-/// How often U+FFFD is read for something invalid, and where first.
-struct invalid_places {
-    std::uint32_t count = 0;
-    cluster_id first = no_cluster;
-};
-
-/// Looks through text[first, last); O(n).
-[[nodiscard]] inline invalid_places find_invalid(text_view text, std::size_t first, std::size_t last) noexcept
-{
-    invalid_places found;
-    for (std::size_t i = first; i < last;) {
-        const code_point c = decode(text, i, last);
-        if (!c.valid && found.count++ == 0) found.first = static_cast<cluster_id>(i);
-        i = c.next;
-    }
-    return found;
-}
 
 }  // namespace typemesh

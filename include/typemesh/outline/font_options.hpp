@@ -15,8 +15,8 @@ struct variation {
 
 /// Which face of a font file, and where on its axes. Read while the font is opened, not kept.
 struct font_options {
-    std::uint32_t face = 0;                 ///< in a collection (.ttc, .otc); 0 for every other file
-    std::span<const variation> variations;  ///< error::unknown_variation where the font has no such axis
+    std::uint32_t face = 0;                      ///< in a collection (.ttc, .otc); 0 for every other file
+    std::span<const variation> variations = {};  ///< error::unknown_variation where the font has no such axis
 };
 
 }  // namespace typemesh

@@ -57,8 +57,8 @@ public:
         else if (!out_.starts.push_back(end)) trouble_ = error::out_of_memory;
     }
 
-    /// Closes what is open and says how it went: error::outline_not_finite, error::bad_outline (a contour that does not begin
-    /// with move), error::out_of_memory, error::too_large, or none.
+    /// Closes what is open and says how it went: error::outline_not_finite, error::bad_outline (a contour that does not
+    /// begin with move), error::out_of_memory, error::too_large, or none.
     error finish() noexcept
     {
         close();
@@ -93,6 +93,9 @@ private:
 static_assert(outline_sink<outline_recorder>);
 
 /// Reads one glyph of a source into `out`, fill rule included. The stage in one call.
+///
+/// Fails with the source's own error (error::unknown_glyph, ...), else as finish() does; what `out` holds then means
+/// nothing.
 template <outline_source Source>
 error record(Source& source, glyph_id id, outline& out) noexcept
 {

@@ -7,8 +7,8 @@ namespace typemesh {
 
 /// Takes an outline in five calls, in font units, y up.
 ///
-/// Every contour begins with move() and ends with close(), or with the next move(), or with the outline's end; whichever it
-/// is, it is closed, with a straight line where its last point is not its first.
+/// Every contour begins with move() and ends with close(), or with the next move(), or with the outline's end;
+/// whichever it is, it is closed, with a straight line where its last point is not its first.
 template <class S>
 concept outline_sink = requires(S& s, point p) {
     { s.move(p) } noexcept;

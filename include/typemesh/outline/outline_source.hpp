@@ -13,8 +13,8 @@ namespace typemesh {
 ///
 ///     s.units_per_em()      how many font units make one em; positive
 ///     s.fill()              the rule by which its contours fill; fonts mean non_zero
-///     s.outline(id, sink)   makes the sink's five calls (any outline_sink). A blank glyph makes none, which is no error;
-///                           an id that does not exist, or that cannot be loaded, is error::unknown_glyph.
+///     s.outline(id, sink)   makes the sink's five calls (any outline_sink). A blank glyph makes none, which is no
+///                           error; an id that does not exist, or that cannot be loaded, is error::unknown_glyph.
 template <class S>
 concept outline_source = requires(S& s, glyph_id id, ignore_outline& sink) {
     { s.units_per_em() } noexcept -> std::convertible_to<double>;

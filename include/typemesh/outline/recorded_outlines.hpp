@@ -16,12 +16,19 @@ namespace typemesh {
 ///     });                                                           // ids count from 0
 class recorded_outlines {
 public:
-    explicit recorded_outlines(double units_per_em, fill_rule rule = fill_rule::non_zero, memory source = heap()) noexcept
-        : units_per_em_{units_per_em}, rule_{rule}, scratch_{source}, curves_{source}, contours_{source}, glyphs_{source}
+    explicit recorded_outlines(double units_per_em, fill_rule rule = fill_rule::non_zero,
+                               memory source = heap()) noexcept
+        : units_per_em_{units_per_em},
+          rule_{rule},
+          scratch_{source},
+          curves_{source},
+          contours_{source},
+          glyphs_{source}
     {
     }
 
-    /// Calls draw(sink) once and keeps what it draws; gives its id. A failed add leaves the set as it was. Errors: see outline_recorder.
+    /// Calls draw(sink) once and keeps what it draws; gives its id. A failed add leaves the set as it was. Errors: see
+    /// outline_recorder.
     template <class Draw>
     result<glyph_id> add(Draw&& draw) noexcept
     {
@@ -30,7 +37,8 @@ public:
         if (error e = recorder.finish()) return e;
 
         const glyph kept{contours_.size(), scratch_.contour_count(), curves_.size()};
-        if (!contours_.append(scratch_.starts.view()) || !curves_.append(scratch_.curves.view()) || !glyphs_.push_back(kept)) {
+        if (!contours_.append(scratch_.starts.view()) || !curves_.append(scratch_.curves.view()) ||
+            !glyphs_.push_back(kept)) {
             contours_.truncate(kept.first_start);
             curves_.truncate(kept.first_curve);
             return error::out_of_memory;
@@ -48,7 +56,8 @@ public:
         if (id >= glyphs_.size()) return error{error::unknown_glyph}.at(id, no_cluster);
         const glyph& g = glyphs_[id];
         for (std::size_t k = 0; k < g.contour_count; ++k) {
-            const std::size_t first = g.first_curve + contours_[g.first_start + k], last = g.first_curve + contours_[g.first_start + k + 1];
+            const std::size_t first = g.first_curve + contours_[g.first_start + k],
+                              last = g.first_curve + contours_[g.first_start + k + 1];
             sink.move(curves_[first].start());
             for (std::size_t i = first; i < last; ++i) {
                 const curve& c = curves_[i];

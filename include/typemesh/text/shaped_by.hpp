@@ -6,8 +6,8 @@
 
 namespace typemesh {
 
-/// A shaper and an outline source that go together: text shaped by one library, drawn by another. Both must outlive it and
-/// speak of the same font, with the same units per em.
+/// A shaper and an outline source that go together: text shaped by one library, drawn by another. Both must outlive it
+/// and speak of the same font, with the same units per em.
 template <shaper Shaper, outline_source Source>
 class shaped_by {
 public:
@@ -17,7 +17,8 @@ public:
     [[nodiscard]] fill_rule fill() noexcept { return draws_->fill(); }
     [[nodiscard]] line_metrics metrics(direction d) noexcept { return shapes_->metrics(d); }
 
-    [[nodiscard]] result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& options, glyph_run& run) noexcept
+    [[nodiscard]] result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& options,
+                                      glyph_run& run) noexcept
     {
         return shapes_->shape(text, first, last, options, run);
     }

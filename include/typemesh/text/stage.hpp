@@ -9,9 +9,11 @@ namespace typemesh {
 /// The stages of a text's way, in order. `idle` comes when a call of the mesher ends.
 enum class stage : std::uint8_t { shape, outline, discretise, fill, triangulate, extrude, idle };
 
-/// Told of every change of stage, for profilers and statistics: observe(stage) noexcept, cheap, for it comes some six times a glyph.
+/// Told of every change of stage, for profilers and statistics: observe(stage) noexcept, cheap, for it comes some six
+/// times a glyph.
 ///
-/// A triangulator that proves (see triangulate/triangulator.hpp) does fill's work on most glyphs: that counts as triangulate.
+/// A triangulator that proves (see triangulate/triangulator.hpp) does fill's work on most glyphs: that counts as
+/// triangulate.
 template <class O>
 concept stage_observer = requires(O& observe, stage now) {
     { observe(now) } noexcept;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/contours.hpp>
+#include <typemesh/core/finite.hpp>
+#include <typemesh/core/grid.hpp>
 #include <typemesh/core/outline.hpp>
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/discretise/certified.hpp>
@@ -9,9 +12,14 @@
 #include <typemesh/layout/layout.hpp>
 #include <typemesh/outline/outline_recorder.hpp>
 #include <typemesh/text/cap.hpp>
+#include <typemesh/text/text_options.hpp>
 #include <typemesh/text/text_plan.hpp>
+#include <typemesh/text/text_shapes.hpp>
 #include <typemesh/triangulate/monotone.hpp>
 
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
 #include <utility>
 
 namespace typemesh {
@@ -19,18 +27,19 @@ namespace typemesh {
 /// Joins the stages: text in, mesh out.
 ///
 ///     text_mesher mesher{font};                                 // certified, monotone, extruded with curve normals
-///     if (error e = mesher.build("Hello world!", into(vertices, indices))) puts(e.message());
+///     auto made = mesher.build("Hello world!", into(vertices, indices));
+///     if (!made) puts(made.error().message());
 ///
 /// Change one policy by naming it:
 ///
 ///     auto flat_text = text_mesher{font}.with(flat{});
 ///     auto deep_text = text_mesher{font}.with(extruded<>{.depth = 0.5f}).with(two_lines{});
 ///
-/// `font` is an outline source and, for plan(text), a shaper as well; it is referred to and must outlive the mesher. Memory
-/// grows to what the largest text needs and stays: after warm-up a text of the same size allocates nothing here. One
-/// mesher a thread.
-template <outline_source Font, discretiser Discretiser = certified, triangulator Triangulator = monotone, extruder Extruder = extruded<>,
-          stage_observer Observer = no_observer>
+/// `font` is an outline source and, for plan(text), a shaper as well; it is referred to and must outlive the mesher.
+/// Memory grows to what the largest text needs and stays: after warm-up a text of the same size allocates nothing here.
+/// One mesher a thread.
+template <outline_source Font, discretiser Discretiser = certified, triangulator Triangulator = monotone,
+          extruder Extruder = extruded<>, stage_observer Observer = no_observer>
 class text_mesher {
 public:
     using plan_type = text_plan<Extruder>;
@@ -39,6 +48,8 @@ public:
         : font_{&font}, space_{source}, outline_{source}, loops_{source}, run_{source}, shapes_{source}
     {
     }
+
+    text_mesher(const Font&&, memory = heap()) = delete;  // the mesher refers to its font: a temporary will not do
 
     /// The same mesher with one policy exchanged: a discretiser, a triangulator, an extruder or a stage_observer.
     template <class Policy>
@@ -52,8 +63,9 @@ public:
             return changed(discretiser_, triangulator_, std::move(policy), observer_);
         else {
             static_assert(stage_observer<Policy>,
-                          "typemesh: with() takes a discretiser, a triangulator, an extruder or a stage_observer, and this type is none "
-                          "of them; static_assert the concept that it should model to see what it lacks.");
+                          "typemesh: with() takes a discretiser, a triangulator, an extruder or a stage_observer, and "
+                          "this type is none of them; static_assert the concept that it should model to see what it "
+                          "lacks.");
             return changed(discretiser_, triangulator_, extruder_, std::move(policy));
         }
     }
@@ -66,10 +78,11 @@ public:
 
     /// Shapes, lays out and meshes a text: everything but the writing. Ends the plan before it.
     ///
-    /// Glyphs that cannot be built are left out and reported by the plan; empty text and blank glyphs give an empty mesh.
+    /// Glyphs that cannot be built are left out and reported by the plan; empty text and blank glyphs give an empty
+    /// mesh.
     /// Fails  what layout() fails with (error::mixed_direction, ...); error::bad_tolerance, error::bad_option;
     ///        error::too_large; error::out_of_memory
-    [[nodiscard]] result<plan_type> plan(text_view text, const text_options& options = {}) noexcept
+    [[nodiscard]] result<plan_type> plan(text_view text, const text_options& options = {}) & noexcept
         requires shaper<Font>
     {
         shapes_.clear();
@@ -79,13 +92,19 @@ public:
     }
 
     /// The same from shaped text; no shaper is needed. The run must stay as it is while the plan is used.
-    [[nodiscard]] result<plan_type> plan(const glyph_run& run, const text_options& options = {}) noexcept
+    [[nodiscard]] result<plan_type> plan(const glyph_run& run, const text_options& options = {}) & noexcept
     {
         shapes_.clear();
         return plan_run(run, options);
     }
 
-    /// plan() and write() in one: the report of what was built, or the error. Nothing reaches the sink if the plan fails.
+    // A plan refers to its run and to its mesher: temporaries would leave it in the air.
+    result<plan_type> plan(glyph_run&& run, const text_options& options = {}) & = delete;
+    result<plan_type> plan(text_view text, const text_options& options = {}) && = delete;
+    result<plan_type> plan(const glyph_run& run, const text_options& options = {}) && = delete;
+
+    /// plan() and write() in one: the report of what was built, or the error. Nothing reaches the sink if the plan
+    /// fails.
     template <class Text, class Sink>
         requires mesh_sink<std::remove_reference_t<Sink>>
     result<text_report> build(const Text& text, Sink&& sink, const text_options& options = {}) noexcept
@@ -103,18 +122,28 @@ private:
     template <outline_source, discretiser, triangulator, extruder, stage_observer>
     friend class text_mesher;
 
-    text_mesher(Font* font, workspace&& space, outline&& o, contours&& c, glyph_run&& run, text_shapes&& shapes, Discretiser d,
-                Triangulator t, Extruder e, Observer w) noexcept
-        : font_{font}, space_{std::move(space)}, outline_{std::move(o)}, loops_{std::move(c)}, run_{std::move(run)},
-          shapes_{std::move(shapes)}, discretiser_{std::move(d)}, triangulator_{std::move(t)}, extruder_{std::move(e)}, observer_{std::move(w)}
+    text_mesher(Font* font, workspace&& space, outline&& o, contours&& c, glyph_run&& run, text_shapes&& shapes,
+                Discretiser d, Triangulator t, Extruder e, Observer w) noexcept
+        : font_{font},
+          space_{std::move(space)},
+          outline_{std::move(o)},
+          loops_{std::move(c)},
+          run_{std::move(run)},
+          shapes_{std::move(shapes)},
+          discretiser_{std::move(d)},
+          triangulator_{std::move(t)},
+          extruder_{std::move(e)},
+          observer_{std::move(w)}
     {
     }
 
     template <class D, class T, class E, class W>
     auto changed(D d, T t, E e, W w) noexcept
     {
-        return text_mesher<Font, D, T, E, W>{font_,           std::move(space_), std::move(outline_), std::move(loops_), std::move(run_),
-                                             std::move(shapes_), std::move(d),      std::move(t),        std::move(e),      std::move(w)};
+        return text_mesher<Font, D, T, E, W>{
+            font_,           std::move(space_),  std::move(outline_), std::move(loops_),
+            std::move(run_), std::move(shapes_), std::move(d),        std::move(t),
+            std::move(e),    std::move(w)};
     }
 
     error stop(error e) noexcept
@@ -129,6 +158,9 @@ private:
         if (!is_finite(options.pixels_per_em) || !(options.pixels_per_em > 0.0)) return stop(error::bad_option);
         if (!is_finite(run.units_per_em) || !(run.units_per_em > 0.0)) return stop(error::bad_option);
 
+        TYPEMESH_ASSERT(run.units_per_em == font_->units_per_em(), "the glyph_run was made for a font of other units per em");
+        TYPEMESH_ASSERT(options.frame.is_orthonormal(), "a frame's axes must be unit vectors at right angles");
+
         text_report& report = shapes_.report;
         report.missing = run.missing;
         report.first_missing = run.first_missing;
@@ -142,9 +174,8 @@ private:
             ++report.glyphs;
             if (glyph.missing && !options.draw_missing) continue;
             if (error e = add(glyph, static_cast<std::uint32_t>(line), options)) {
-                e = e.at(glyph.id, glyph.cluster);
                 if (!concerns_the_glyph_alone(e)) return stop(e);
-                if (report.refused++ == 0) report.first_refusal = e;
+                if (report.refused++ == 0) report.first_refusal = e.at(glyph.id, glyph.cluster);
             }
         }
         if (error e = arrange(run, options)) return stop(e);
@@ -173,7 +204,8 @@ private:
             shapes_.sides.truncate(sides_before);
             return e;
         };
-        const auto filled = cap(loops_, options.fill.value_or(outline_.rule), triangulator_, space_, shapes_.triangles, observer_);
+        const auto filled =
+            cap(loops_, options.fill.value_or(outline_.rule), triangulator_, space_, shapes_.triangles, observer_);
         if (!filled) return undo(filled.error());
         if (filled->points().empty()) return blank();
 
@@ -210,8 +242,8 @@ private:
         }
         for (const shape_record& s : all.records) {
             const box ink = text_shapes::ink_of(s);
-            all.ink.add(ink);
-            if (by_line) all.line_boxes[s.line].add(ink);
+            all.ink.merge(ink);
+            if (by_line) all.line_boxes[s.line].merge(ink);
         }
 
         text_placement& placed = all.placed;
@@ -239,7 +271,8 @@ private:
         const height_range heights = extruder_.heights();
         for (const shape_record& s : shapes_.records) {
             const placement at = shapes_.place(s);
-            for (const grid_point corner : {s.low, s.high, grid_point{s.low.x, s.high.y}, grid_point{s.high.x, s.low.y}}) {
+            for (const grid_point corner :
+                 {s.low, s.high, grid_point{s.low.x, s.high.y}, grid_point{s.high.x, s.low.y}}) {
                 for (const double height : {heights.low, heights.high}) {
                     const vec3 p = at.position(corner, static_cast<float>(height * at.unit_per_em));
                     if (first) shapes_.bounds = {p, p};
@@ -281,5 +314,7 @@ template <class Font>
 text_mesher(Font&) -> text_mesher<Font>;
 template <class Font>
 text_mesher(Font&, memory) -> text_mesher<Font>;
+template <class Font>
+text_mesher(const Font&&) -> text_mesher<Font>;  // chosen only to be refused: see the deleted constructor
 
 }  // namespace typemesh

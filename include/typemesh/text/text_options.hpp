@@ -27,7 +27,7 @@ struct text_options {
     shape_options shape = {};    ///< direction, language, script, features
     layout_options layout = {};  ///< alignment, line spacing
 
-    double tolerance = quality::high;    ///< the largest distance between curve and mesh, in em; see discretise/quality.hpp
+    double tolerance = quality::high;    ///< the largest distance between curve and mesh, in em; see quality.hpp
     std::optional<fill_rule> fill = {};  ///< instead of the outline source's own rule
 
     output_unit unit = output_unit::em;
@@ -35,7 +35,8 @@ struct text_options {
     texture_box texture_over = texture_box::text;
     typemesh::frame frame = right_handed_y_up;
 
-    bool draw_missing = false;  ///< draw the font's .notdef (a box, mostly) for glyphs that it lacks; they are reported either way
+    /// Draw the font's .notdef (a box, mostly) for glyphs that it lacks; they are reported either way.
+    bool draw_missing = false;
 };
 
 }  // namespace typemesh

@@ -23,16 +23,16 @@ struct mesh_range {
 
 /// A text, meshed and measured but not yet written: exact sizes first, then write() as often as you like.
 ///
-///     vertices   [ front: glyph 0, glyph 1, ... | back: ... | side: ... ]        each part in one piece, so that it can
-///     indices    [ front: glyph 0, glyph 1, ... | back: ... | side: ... ]        be drawn with a material of its own
+///     vertices   [ front: glyph 0, glyph 1, ... | back: ... | side: ... ]       each part in one piece, so that it can
+///     indices    [ front: glyph 0, glyph 1, ... | back: ... | side: ... ]       be drawn with a material of its own
 ///
-/// Move-only. It refers to its mesher's memory: the mesher must stay where it is, and its next plan() ends this one (using it
-/// then is asserted). Only glyphs that have triangles are counted among glyphs().
+/// Move-only. It refers to its mesher, which must outlive it; a move of the mesher ends it, and so does the mesher's
+/// next plan() (using it then is asserted). Only glyphs that have triangles are counted among glyphs().
 template <extruder Extruder>
 class text_plan {
 public:
     text_plan(const text_shapes& shapes, const glyph_run& run, const Extruder& extruder) noexcept
-        : shapes_{&shapes}, run_{&run}, extruder_{extruder}, generation_{shapes.generation}
+        : shapes_{&shapes}, run_{&run}, extruder_{extruder}, generation_{shapes.generation.number}
     {
     }
     text_plan(text_plan&&) noexcept = default;
@@ -67,12 +67,17 @@ public:
     [[nodiscard]] const text_report& report() const noexcept { return fresh().report; }
 
     /// The shaped text behind the mesh: every glyph with its place and cluster, every line.
-    [[nodiscard]] const glyph_run& run() const noexcept { return *run_; }
+    [[nodiscard]] const glyph_run& run() const noexcept
+    {
+        (void)fresh();
+        return *run_;
+    }
 
     /// The box around all vertices; exact for frames whose axes lie along the coordinate axes, else it may be larger.
     [[nodiscard]] bounds3 bounds() const noexcept { return fresh().bounds; }
 
-    /// N and H of the four vertex counts 2N, 4N and 4N + 2H: contour points, and those among them with doubled side vertices.
+    /// N and H of the four vertex counts 2N, 4N and 4N + 2H: contour points, and those among them with doubled side
+    /// vertices.
     [[nodiscard]] std::uint64_t contour_points() const noexcept { return fresh().points.size(); }
     [[nodiscard]] std::uint64_t hard_edges() const noexcept
     {
@@ -81,7 +86,8 @@ public:
         return hard;
     }
 
-    /// Emits every vertex and every triangle once, in ascending order. Only the sink's begin() can fail; nothing is allocated.
+    /// Emits every vertex and every triangle once, in ascending order. Only the sink's begin() can fail; nothing is
+    /// allocated.
     template <class Sink>
         requires mesh_sink<std::remove_reference_t<Sink>>
     error write(Sink&& sink) const noexcept
@@ -110,7 +116,8 @@ public:
 private:
     const text_shapes& fresh() const noexcept
     {
-        TYPEMESH_ASSERT(shapes_->generation == generation_, "this text_plan is stale: its mesher has made another plan since");
+        TYPEMESH_ASSERT(shapes_->generation.number == generation_,
+                        "this text_plan is stale: its mesher has made another plan or was moved since");
         return *shapes_;
     }
 

@@ -18,8 +18,11 @@ struct text_report {
     std::uint32_t invalid_units = 0;  ///< places of the text that are not valid UTF, read as U+FFFD
     cluster_id first_invalid_unit = no_cluster;
 
-    /// True when every glyph of the text is in the mesh.
-    [[nodiscard]] constexpr bool complete() const noexcept { return refused == 0 && missing == 0 && invalid_units == 0; }
+    /// True when nothing was lost: every glyph of the text is in the mesh, and no place of it read as U+FFFD.
+    [[nodiscard]] constexpr bool complete() const noexcept
+    {
+        return refused == 0 && missing == 0 && invalid_units == 0;
+    }
 };
 
 }  // namespace typemesh

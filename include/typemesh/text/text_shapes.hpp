@@ -50,6 +50,20 @@ struct text_placement {
     typemesh::frame frame;
 };
 
+/// By what a plan knows whether its shapes are still those that it was made of: another number after every clear() and
+/// every move, out of them or into them.
+struct shapes_generation {
+    std::uint64_t number = 0;
+
+    shapes_generation() noexcept = default;
+    shapes_generation(shapes_generation&& other) noexcept : number{other.number++} {}
+    shapes_generation& operator=(shapes_generation&& other) noexcept
+    {
+        number += ++other.number;
+        return *this;
+    }
+};
+
 /// All shapes of one text in a few growing arrays: what a plan measured and write() reads.
 struct text_shapes {
     buffer<grid_point> points;
@@ -63,7 +77,7 @@ struct text_shapes {
     text_placement placed;
     text_report report;
     bounds3 bounds;
-    std::uint64_t generation = 0;
+    shapes_generation generation;
 
     explicit text_shapes(memory source) noexcept
         : points{source}, starts{source}, triangles{source}, sides{source}, records{source}, line_boxes{source}
@@ -82,7 +96,7 @@ struct text_shapes {
         totals = {};
         report = {};
         bounds = {};
-        ++generation;
+        ++generation.number;
     }
 
     /// Keeps a region whose triangles and sides have been appended already, from s.first_triangle and s.first_side on.
@@ -124,8 +138,10 @@ struct text_shapes {
 
     [[nodiscard]] solid solid_of(const shape_record& s) const noexcept
     {
-        return {points.view().subspan(s.first_point, s.point_count), starts.view().subspan(s.first_start, s.start_count),
-                triangles.view().subspan(s.first_triangle, s.triangle_count), sides.view().subspan(s.first_side, s.side_count)};
+        return {points.view().subspan(s.first_point, s.point_count),
+                starts.view().subspan(s.first_start, s.start_count),
+                triangles.view().subspan(s.first_triangle, s.triangle_count),
+                sides.view().subspan(s.first_side, s.side_count)};
     }
 
     /// A shape's own box, in font units, seen from the text's origin.

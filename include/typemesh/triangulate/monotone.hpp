@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/triangulate/chain_cutter.hpp>
 #include <typemesh/triangulate/monotone_sweep.hpp>
 #include <typemesh/triangulate/triangulator.hpp>
 
@@ -25,8 +26,9 @@ struct monotone {
     /// Relies on the region's promise. Fails with error::out_of_memory, `out` being as it was.
     [[nodiscard]] error operator()(const region& r, workspace& space, triangle_list& out) const noexcept
     {
-        if (r.is_touching()) return detail::monotone_sweep<false, true>{r.points(), r.starts()}.run(space, out);
-        return detail::monotone_sweep<false>{r.points(), r.starts()}.run(space, out);
+        const auto nothing = [](const auto&) noexcept {};
+        return r.is_touching() ? cut<false, true>(r.points(), r.starts(), space, out, nothing)
+                               : cut<false, false>(r.points(), r.starts(), space, out, nothing);
     }
 
     /// The region that `loops` bound, its triangles appended to `out`.
@@ -38,9 +40,30 @@ struct monotone {
     /// In both cases `out` is as it was.
     [[nodiscard]] result<region> prove(const contours& loops, workspace& space, triangle_list& out) const noexcept
     {
-        detail::monotone_sweep<true> sweep{loops.points.view(), loops.starts.view()};
-        if (const error e = sweep.run(space, out)) return e;
-        return region::proven(loops, sweep.holes(), sweep.outers());
+        region r = region::proven(loops, 0, 0);
+        const error e =
+            cut<true, false>(loops.points.view(), loops.starts.view(), space, out,
+                      [&](const auto& sweep) noexcept { r = region::proven(loops, sweep.holes(), sweep.outers()); });
+        if (e) return e;
+        return r;
+    }
+
+private:
+    template <bool Proving, bool Touching, class Then>
+    [[nodiscard]] static error cut(std::span<const grid_point> points, std::span<const std::uint32_t> starts,
+                                   workspace& space, triangle_list& out, Then&& then) noexcept
+    {
+        if (points.empty()) return error::none;
+        const std::size_t before = out.size();
+        triangle* const first = out.append(points.size() + 2 * (starts.size() - 1));
+        if (first == nullptr) return error::out_of_memory;
+        using cutter = detail::chain_cutter<detail::triangle_output>;
+        detail::monotone_sweep<Proving, Touching, cutter> sweep{points, starts, cutter{detail::triangle_output{first}}};
+        const error e = sweep.run(space);
+        const triangle* const end = e ? first : sweep.cutter().output().end();
+        out.truncate(before + static_cast<std::size_t>(end - first));
+        if (!e) then(sweep);
+        return e;
     }
 };
 

@@ -6,7 +6,6 @@
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/sweep_order.hpp>
 #include <typemesh/core/sweep_status.hpp>
-#include <typemesh/core/triangle.hpp>
 #include <typemesh/core/workspace.hpp>
 
 #include <cstddef>
@@ -15,24 +14,11 @@
 
 namespace typemesh::detail {
 
-/// The sweep behind `monotone`: cuts loops into triangles from left to right and, when `Proving`, finds out whether
-/// they bound a region at all.
+/// The sweep behind the triangulators: goes over the spans of interior from left to right, lets `Cutter` cut them into
+/// triangles (see chain_cutter.hpp) and, when `Proving`, finds out whether the loops bound a region at all.
 ///
-/// Between two neighbouring boundary edges that the sweep line crosses lies a *span* of interior. What the sweep has
-/// seen of it and could not cut yet is a chain of points along its lower or its upper side. Sides are numbered: 0
+/// Between two neighbouring boundary edges that the sweep line crosses lies a *span* of interior. Its sides are numbered: 0
 /// lower, 1 upper.
-///
-///      c0 ---- c1 ----- c2 ----     p comes on the lower side. It sees all of a chain along the upper side, which
-///        '.     .      .   ::::     is cut into (c0 p c1) (c1 p c2) and closed: what is left is the chain c2 p.
-///          '.    .   .    :::::
-///            '---- p ----------     Of a chain along its own side it cuts off what turns left, and becomes its end.
-///
-/// Both chains at once are there only behind a merge, where they end in the same point m; the next point in the span
-/// joins m by an edge that closes one of them. This needs no partition into monotone pieces beforehand.
-///
-///      ------------.                  the chain along the upper side of the lower part,
-///                    m    p           the chain along the lower side of the upper part: both end in m.
-///      ------------'
 ///
 /// Why the tests suffice: let X be the first point in sweep order where loops cross, touch or overlap. Left of X the
 /// status is right. If X is no vertex, two edges next to each other in the status cross there; nothing can be placed
@@ -51,7 +37,7 @@ namespace typemesh::detail {
 ///     '        left)           :::/ \:::   below)      ---'::::                 ::::'---   right)
 ///
 /// Only starts must be told where they belong between edges that begin in the point itself: by their angle.
-template <bool Proving, bool Touching = false>
+template <bool Proving, bool Touching, class Cutter>
 class monotone_sweep {
     struct vertex {
         std::uint32_t span[2];   // the span whose lower / upper side ends here; 0: that neighbour comes later
@@ -63,23 +49,19 @@ class monotone_sweep {
     };
     struct span_of_interior {
         side sides[2];
-        std::uint32_t end[2];    // the vertex where each side ends
-        std::uint32_t chain[2];  // the last link of the chain along each side; 0: none
-    };
-    struct chain_link {
-        grid_point place;
-        std::uint32_t point;
-        std::uint32_t before;  // the link before it; 0: none
+        std::uint32_t end[2];  // the vertex where each side ends
+        [[no_unique_address]] typename Cutter::chains seen;
     };
 
 public:
-    monotone_sweep(std::span<const grid_point> points, std::span<const std::uint32_t> starts) noexcept
-        : points_{points}, starts_{starts}
+    monotone_sweep(std::span<const grid_point> points, std::span<const std::uint32_t> starts, Cutter cutter) noexcept
+        : points_{points}, starts_{starts}, cut_{cutter}
     {
     }
 
-    /// Appends the triangles to `out`. On failure `out` is as it was.
-    [[nodiscard]] error run(workspace& space, triangle_list& out) noexcept
+    /// Sweeps over all. The cutter makes points + 2 * loops triangles at most, even where it ends with
+    /// error::crossing_contours.
+    [[nodiscard]] error run(workspace& space) noexcept
     {
         const std::size_t n = points_.size();
         if (n == 0) return error::none;
@@ -87,23 +69,17 @@ public:
         workspace::scope scratch{space};
         auto* const order = scratch.take<std::uint32_t>(n);
         vertices_ = scratch.take<vertex>(n);
-        spans_ = scratch.take<span_of_interior>(n / 2 + 2);    // every other point at most opens one
-        links_ = scratch.take<chain_link>(2 * n + n / 2 + 2);  // one a point, one more a merge, two more a split
-        if (order == nullptr || vertices_ == nullptr || spans_ == nullptr || links_ == nullptr ||
+        spans_ = scratch.take<span_of_interior>(n / 2 + 2);  // every other point at most opens one
+        if (order == nullptr || vertices_ == nullptr || spans_ == nullptr || !cut_.open(scratch, n) ||
             !status_.open(scratch, n / 2 + 1) || !sweep_order(points_, space, order))
             return error::out_of_memory;
         link_up();
         if constexpr (Touching)
             if (!order_visits(order, scratch)) return error::out_of_memory;
-
-        const std::size_t before = out.size();
-        triangle* const first = out.append(n + 2 * loops());
-        if (first == nullptr) return error::out_of_memory;
-        cut_ = {first, 0};
-        const bool simple = sweep(order);
-        out.truncate(simple ? before + static_cast<std::size_t>(cut_.write - first) : before);
-        return simple ? error::none : error::crossing_contours;
+        return sweep(order) ? error::none : error::crossing_contours;
     }
+
+    [[nodiscard]] const Cutter& cutter() const noexcept { return cut_; }
 
     /// After a proof: every loop is a hole or an outer one, and excess_ is 2h - 2c.
     [[nodiscard]] std::uint32_t holes() const noexcept
@@ -113,12 +89,6 @@ public:
     [[nodiscard]] std::uint32_t outers() const noexcept { return loops_met_ - holes(); }
 
 private:
-    /// Where triangles and links are written. The loop keeps its own copy, which stays in registers.
-    struct cutter {
-        triangle* write;
-        std::uint32_t links;
-    };
-
     [[nodiscard]] std::size_t loops() const noexcept { return starts_.empty() ? 0 : starts_.size() - 1; }
 
     void link_up() noexcept
@@ -135,7 +105,7 @@ private:
         // Span 0 lies around everything: its lower side above all points, its upper side below them.
         constexpr std::int32_t reach = 1 << 28;
         spans_[0] = {
-            {{{-reach, reach + 1}, {reach, reach + 1}}, {{reach, -reach - 1}, {-reach, -reach - 1}}}, {0, 0}, {0, 0}};
+            {{{-reach, reach + 1}, {reach, reach + 1}}, {{reach, -reach - 1}, {-reach, -reach - 1}}}, {0, 0}, {}};
     }
 
     /// Puts visits of one point into the order told above.
@@ -170,7 +140,7 @@ private:
     {
         const auto n = static_cast<std::int64_t>(points_.size());
         grid_point last{-(1 << 28) - 1, 0};  // no point of the grid
-        cutter cut = cut_;
+        Cutter cut = cut_;                   // a copy of its own stays in registers
         stop_ = n;
         std::int64_t i = 0;
         for (; i < stop_; ++i) {
@@ -199,13 +169,13 @@ private:
     ///          ::::::::::  '---       or    :::::::: .----
     ///   lower  --------p----                --------p
     template <std::uint32_t on>
-    [[nodiscard]] bool pass(cutter& cut, std::uint32_t s, std::uint32_t v, grid_point p) noexcept
+    [[nodiscard]] bool pass(Cutter& cut, std::uint32_t s, std::uint32_t v, grid_point p) noexcept
     {
         if constexpr (Proving) {
             const std::uint32_t outside = status_.neighbour(s, on);
             if (spans_[s].sides[1 - on].at(p) <= 0 || spans_[outside].sides[1 - on].at(p) >= 0) return false;
         }
-        extend<on>(cut, spans_[s], v, p);
+        cut.template extend<on>(spans_[s].seen, v, p);
         set_side<on>(s, v, p);
         return true;
     }
@@ -234,21 +204,15 @@ private:
         bound_triangles(splits ? 1 : -1);
         const std::uint32_t fresh = take_span();
         span_of_interior& above = spans_[fresh];
-        above.chain[1] = 0;
         if (splits) {
             span_of_interior& below = spans_[s];
-            std::uint32_t up = below.chain[1], low = below.chain[0];
-            if (up == 0) up = link(cut_, links_[low].place, links_[low].point, 0);
-            if (low == 0) low = link(cut_, links_[up].place, links_[up].point, 0);
-            below.chain[0] = 0;
-            below.chain[1] = push<1>(cut_, up, v, p);
-            above.chain[0] = push<0>(cut_, low, v, p);
+            cut_.split(below.seen, above.seen, v, p);
             above.sides[1] = below.sides[1];
             above.end[1] = below.end[1];
             vertices_[above.end[1]].span[1] = fresh;
             set_side<1>(s, v, p);
         } else {
-            above.chain[0] = link(cut_, p, v, 0);
+            cut_.start(above.seen, v, p);
             set_side<1>(fresh, v, p);
         }
         set_side<0>(fresh, v, p);
@@ -274,13 +238,10 @@ private:
         bound_triangles(ends ? -1 : 1);
         span_of_interior& gone = spans_[lower];
         if (ends) {
-            if (gone.chain[0] != 0) fan<0>(cut_, gone.chain[0], v);
-            if (gone.chain[1] != 0) fan<1>(cut_, gone.chain[1], v);
+            cut_.finish(gone.seen, v, p);
         } else {
             span_of_interior& stays = spans_[upper];
-            extend<0>(cut_, gone, v, p);
-            extend<1>(cut_, stays, v, p);
-            stays.chain[0] = gone.chain[0];
+            cut_.merge(stays.seen, gone.seen, v, p);
             stays.sides[1] = gone.sides[1];
             stays.end[1] = gone.end[1];
             vertices_[stays.end[1]].span[1] = upper;
@@ -312,54 +273,6 @@ private:
         return s;
     }
 
-    std::uint32_t link(cutter& cut, grid_point p, std::uint32_t v, std::uint32_t before) noexcept
-    {
-        links_[++cut.links] = {p, v, before};
-        return cut.links;
-    }
-
-    /// p comes on side `on`: closes the chain along the other side, goes on with the one along its own.
-    template <std::uint32_t on>
-    void extend(cutter& cut, span_of_interior& s, std::uint32_t v, grid_point p) noexcept
-    {
-        const std::uint32_t own = s.chain[on], other = s.chain[1 - on];
-        if (other != 0) {
-            fan<1 - on>(cut, other, v);
-            s.chain[1 - on] = 0;
-            if (own == 0) {
-                links_[other].before = 0;
-                s.chain[on] = link(cut, p, v, other);
-                return;
-            }
-        }
-        s.chain[on] = push<on>(cut, own, v, p);
-    }
-
-    /// Triangles from v to every edge of a chain on the opposite side.
-    template <std::uint32_t along>
-    void fan(cutter& cut, std::uint32_t at, std::uint32_t v) noexcept
-    {
-        for (std::uint32_t before = links_[at].before; before != 0; before = links_[at].before) {
-            const std::uint32_t b = links_[at].point;
-            *cut.write++ = {links_[before].point, along == 0 ? b : v, along == 0 ? v : b};
-            at = before;
-        }
-    }
-
-    /// Cuts off what turns towards the interior at the end of the chain along `on`, and makes v its end.
-    template <std::uint32_t on>
-    [[nodiscard]] std::uint32_t push(cutter& cut, std::uint32_t at, std::uint32_t v, grid_point p) noexcept
-    {
-        for (std::uint32_t before = links_[at].before; before != 0; before = links_[at].before) {
-            const std::int64_t turn = orientation(links_[before].place, links_[at].place, p);
-            if ((on == 0 ? turn : -turn) <= 0) break;
-            const std::uint32_t b = links_[at].point;
-            *cut.write++ = {links_[before].point, on == 0 ? b : v, on == 0 ? v : b};
-            at = before;
-        }
-        return link(cut, p, v, at);
-    }
-
     /// Splits and merges add triangles, starts and ends take some away. For a region, splits + merges - starts - ends
     /// is 2h - 2c in the end, so it can never be more than the points to come may take back: more means that loops
     /// cross, and what remains could ask for more triangles than there is room.
@@ -377,9 +290,8 @@ private:
     std::span<const std::uint32_t> starts_;
     vertex* vertices_ = nullptr;
     span_of_interior* spans_ = nullptr;
-    chain_link* links_ = nullptr;
     sweep_status status_;
-    cutter cut_{nullptr, 0};
+    Cutter cut_;
     std::int64_t stop_ = 0;
     std::int64_t excess_ = 0;
     std::uint32_t span_count_ = 0;

@@ -5,6 +5,7 @@
 #include <typemesh/vertex/vertex_traits.hpp>
 
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -13,7 +14,8 @@
 
 namespace typemesh {
 
-/// 0xFFFF and 0xFFFFFFFF are kept free: graphics interfaces read them as "restart".
+/// Whether Index can number so many vertices from 0 on. Its greatest value (0xFFFF, 0xFFFFFFFF) is kept free: graphics
+/// interfaces read it as "restart".
 template <std::unsigned_integral Index>
 [[nodiscard]] constexpr bool index_can_number(std::uint64_t vertices) noexcept
 {
@@ -25,13 +27,14 @@ template <std::unsigned_integral Index>
 ///
 /// Fails in begin(), before anything is written:
 ///        error::buffer_too_small  a span is too short; count = how many elements it needs
-///        error::index_overflow    Index cannot number base_vertex + vertices; count = how many vertices
+///        error::index_overflow    Index cannot number base_vertex + vertices; count = that sum
 template <class Vertex, std::unsigned_integral Index, vertex_writer Writer>
 class array_sink {
 public:
     static constexpr attribute wants = Writer::wants;
 
-    array_sink(std::span<Vertex> vertices, std::span<Index> indices, Writer writer, std::uint32_t base_vertex = 0) noexcept
+    array_sink(std::span<Vertex> vertices, std::span<Index> indices, Writer writer,
+               std::uint32_t base_vertex = 0) noexcept
         : vertices_{vertices}, indices_{indices}, writer_{std::move(writer)}, base_{base_vertex}
     {
     }
@@ -68,23 +71,25 @@ private:
 template <class Vertex>
 consteval void require_vertex_traits() noexcept
 {
-    static_assert(mesh_vertex<Vertex>,
-                  "typemesh: this vertex type has no usable typemesh::vertex_traits<Vertex>. Specialise it for your vertex: "
-                  "`static constexpr auto wants = ...` and `Vertex operator()(const surface_point<wants>&) const noexcept`; "
-                  "see typemesh/vertex/vertex_traits.hpp.");
+    static_assert(
+        mesh_vertex<Vertex>,
+        "typemesh: this vertex type has no usable typemesh::vertex_traits<Vertex>. Specialise it for your vertex: "
+        "`static constexpr auto wants = ...` and `Vertex operator()(const surface_point<wants>&) const noexcept`; "
+        "see typemesh/vertex/vertex_traits.hpp.");
 }
 
 /// A sink over two arrays; the writer is the vertex' own vertex_traits.
-template <class Vertex, std::unsigned_integral Index>
-[[nodiscard]] auto into(std::span<Vertex> vertices, std::span<Index> indices, std::uint32_t base_vertex = 0) noexcept
+template <class Vertex, std::size_t V, std::unsigned_integral Index, std::size_t I>
+[[nodiscard]] auto into(std::span<Vertex, V> vertices, std::span<Index, I> indices,
+                        std::uint32_t base_vertex = 0) noexcept
 {
     require_vertex_traits<Vertex>();
     return array_sink<Vertex, Index, vertex_traits<Vertex>>{vertices, indices, {}, base_vertex};
 }
 
 /// The same with a writer of your own, which may carry state.
-template <class Vertex, std::unsigned_integral Index, vertex_writer Writer>
-[[nodiscard]] auto into(std::span<Vertex> vertices, std::span<Index> indices, Writer writer,
+template <class Vertex, std::size_t V, std::unsigned_integral Index, std::size_t I, vertex_writer Writer>
+[[nodiscard]] auto into(std::span<Vertex, V> vertices, std::span<Index, I> indices, Writer writer,
                         std::uint32_t base_vertex = 0) noexcept
 {
     return array_sink<Vertex, Index, Writer>{vertices, indices, std::move(writer), base_vertex};

@@ -15,9 +15,10 @@ enum class uv_origin : std::uint8_t { top_left, bottom_left };
 ///        up                       Text runs along `right`, stands along `up` and looks along `toward` (the front cap's
 ///         |   the text's front    normal). The three are unit vectors at right angles; they may be left-handed.
 ///         |
-///         +------ right           winding: the sign of dot(cross(b - a, c - a), normal) for a triangle a, b, c, computed
-///        /                        in these very coordinates. +1 for OpenGL, glTF, Direct3D and Unity; -1 for Godot. It
-///     toward                      says what "clockwise" leaves open: a left-handed frame by itself turns no triangle.
+///         +------ right           winding: the sign of dot(cross(b - a, c - a), normal) for a triangle a, b, c,
+///        /                        computed in these very coordinates. +1 for OpenGL, glTF, Direct3D and Unity; -1 for
+///     toward                      Godot. It says what "clockwise" leaves open: a left-handed frame by itself turns no
+///                                 triangle.
 struct frame {
     vec3 right{1.0f, 0.0f, 0.0f};
     vec3 up{0.0f, 1.0f, 0.0f};
@@ -33,6 +34,17 @@ struct frame {
                                   right.y * (up.x * toward.z - up.z * toward.x) +
                                   right.z * (up.x * toward.y - up.y * toward.x);
         return (determinant < 0.0f) != (winding < 0);
+    }
+
+    /// Whether the three are unit vectors at right angles, but for rounding.
+    [[nodiscard]] constexpr bool is_orthonormal() const noexcept
+    {
+        const auto product = [](vec3 a, vec3 b) noexcept { return a.x * b.x + a.y * b.y + a.z * b.z; };
+        const auto is = [](float value, float wanted) noexcept {
+            return value > wanted - 1e-3f && value < wanted + 1e-3f;
+        };
+        return is(product(right, right), 1.0f) && is(product(up, up), 1.0f) && is(product(toward, toward), 1.0f) &&
+               is(product(right, up), 0.0f) && is(product(up, toward), 0.0f) && is(product(toward, right), 0.0f);
     }
 
     [[nodiscard]] constexpr vec3 operator()(float x, float y, float z) const noexcept

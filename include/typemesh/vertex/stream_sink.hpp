@@ -3,9 +3,12 @@
 
 #include <typemesh/vertex/array_sink.hpp>
 
+#include <concepts>
 #include <cstddef>
-#include <cstring>
+#include <cstdint>
+#include <span>
 #include <tuple>
+#include <type_traits>
 
 namespace typemesh {
 
@@ -46,21 +49,26 @@ concept vertex_stream = requires(const S& s, std::size_t i, const surface_point<
 
 /// Writes each attribute into an array of its own (structure of arrays), and the indices into one more.
 ///
-///     stream_sink sink{std::span{indices}, stream<attribute::position, float3>{positions}, stream<attribute::uv, float2>{uvs}};
+///     stream_sink sink{std::span{indices}, stream<attribute::position, float3>{positions},
+///                      stream<attribute::uv, float2>{uvs}};
 ///
-/// Fails in begin(), before anything is written, as array_sink does.
+/// Fails in begin(), before anything is written, as array_sink does; there is no base vertex.
 template <std::unsigned_integral Index, vertex_stream... Streams>
 class stream_sink {
 public:
     static constexpr attribute wants = (attribute::none | ... | Streams::wants);
 
-    explicit stream_sink(std::span<Index> indices, Streams... streams) noexcept : indices_{indices}, streams_{streams...} {}
+    explicit stream_sink(std::span<Index> indices, Streams... streams) noexcept
+        : indices_{indices}, streams_{streams...}
+    {
+    }
 
     error begin(mesh_size exact) noexcept
     {
         if (!index_can_number<Index>(exact.vertices)) return {error::index_overflow, exact.vertices};
         if (exact.indices() > indices_.size()) return {error::buffer_too_small, exact.indices()};
-        const bool fits = std::apply([&](const auto&... s) { return ((exact.vertices <= s.capacity) && ...); }, streams_);
+        const bool fits =
+            std::apply([&](const auto&... s) { return ((exact.vertices <= s.capacity) && ...); }, streams_);
         if (!fits) return {error::buffer_too_small, exact.vertices};
         next_vertex_ = 0;
         next_index_ = indices_.data();
@@ -69,7 +77,8 @@ public:
     void vertex(const surface_point<wants>& p) noexcept
     {
         std::apply(
-            [&](const auto&... s) { (s.put(next_vertex_, only<std::remove_cvref_t<decltype(s)>::wants>(p)), ...); }, streams_);
+            [&](const auto&... s) { (s.put(next_vertex_, only<std::remove_cvref_t<decltype(s)>::wants>(p)), ...); },
+            streams_);
         ++next_vertex_;
     }
     void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept
@@ -88,7 +97,7 @@ private:
     Index* next_index_ = nullptr;
 };
 
-template <class Index, class... Streams>
-stream_sink(std::span<Index>, Streams...) -> stream_sink<Index, Streams...>;
+template <class Index, std::size_t I, class... Streams>
+stream_sink(std::span<Index, I>, Streams...) -> stream_sink<Index, Streams...>;
 
 }  // namespace typemesh

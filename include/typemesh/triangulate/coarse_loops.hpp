@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/orientation.hpp>
+#include <typemesh/core/workspace.hpp>
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace typemesh::detail {
+
+/// Loops with the points left out that only smooth them, and the order in which those come back: from coarse to fine, each
+/// halving a stretch.
+///
+///        4                    A stretch runs from one kept point to the next, while no edge turns away from the stretch's first by
+///     2     6                 more than a set angle. Of its points 1, 2, 3, ... those come first which the highest power
+///    1 3   5 7                of two divides. Point i then comes between i - (its lowest bit) and whatever is next there.
+///   0         8
+///
+/// A loop that would keep fewer than three points keeps all. 20 bytes a point.
+class coarse_loops {
+public:
+    static constexpr std::int64_t keep_all = -1;
+
+    /// No edge turns away from the first of its stretch by 1 / `straightness` or more (as a tangent); with keep_all, no point is
+    /// left out. Sheared places are x -> 5x + 2y: the same loops to a sweep, which then meets few points on one vertical line.
+    /// False when there is no memory.
+    [[nodiscard]] bool take(workspace::scope& scratch, std::span<const grid_point> points,
+                            std::span<const std::uint32_t> starts, std::int64_t straightness, bool sheared) noexcept
+    {
+        const std::size_t n = points.size();
+        places_ = scratch.take<grid_point>(n);
+        names_ = scratch.take<std::uint32_t>(n);
+        starts_ = scratch.take<std::uint32_t>(starts.size());
+        left_out_ = scratch.take<left_out>(n);
+        if (places_ == nullptr || names_ == nullptr || starts_ == nullptr || left_out_ == nullptr) return false;
+        for (std::uint32_t& head : first_of_level_) head = none;
+        loops_ = starts.size() - 1;
+        size_ = 0;
+        for (std::size_t l = 0; l < loops_; ++l) {
+            starts_[l] = size_;
+            thin_out(points.data(), starts[l], starts[l + 1], straightness);
+        }
+        starts_[loops_] = size_;
+        if (sheared)
+            for (std::uint32_t i = 0; i < size_; ++i) places_[i].x = 5 * places_[i].x + 2 * places_[i].y;
+        return true;
+    }
+
+    [[nodiscard]] std::span<const grid_point> points() const noexcept { return {places_, size_}; }
+    [[nodiscard]] std::span<const std::uint32_t> starts() const noexcept { return {starts_, loops_ + 1}; }
+    /// Which points these are.
+    [[nodiscard]] const std::uint32_t* names() const noexcept { return names_; }
+
+    /// f(point before it on the boundary, point) for each point left out, from coarse to fine, until f is false; then false.
+    template <class F>
+    [[nodiscard]] bool bring_back(F&& f) const noexcept
+    {
+        for (std::uint32_t level = levels; level-- != 0;)
+            for (std::uint32_t v = first_of_level_[level]; v != none; v = left_out_[v].next)
+                if (!f(left_out_[v].before, v)) return false;
+        return true;
+    }
+
+private:
+    static constexpr std::uint32_t none = ~std::uint32_t{0}, levels = 32;
+    struct left_out {
+        std::uint32_t before;
+        std::uint32_t next;
+    };
+
+    void thin_out(const grid_point* points, std::uint32_t begin, std::uint32_t end, std::int64_t straightness) noexcept
+    {
+        const std::uint32_t kept_before = size_;
+        std::uint32_t step = 0;
+        std::int64_t dx = 0, dy = 0;
+        grid_point p = points[begin];
+        for (std::uint32_t v = begin; v < end; ++v) {  // what is kept and what not comes as by chance: no branches
+            const grid_point q = points[v + 1 == end ? begin : v + 1];
+            const std::int64_t ex = std::int64_t{q.x} - p.x, ey = std::int64_t{q.y} - p.y;
+            const std::int64_t cross = dx * ey - dy * ex, dot = dx * ex + dy * ey;
+            const bool keep = (straightness * cross >= dot) | (-straightness * cross >= dot) |
+                              (straightness == keep_all);  // up to 2^62
+            names_[size_] = v;
+            places_[size_] = p;
+            size_ += keep;
+            dx = keep ? ex : dx;
+            dy = keep ? ey : dy;
+            step = keep ? 0 : step + 1;
+            const auto level =
+                static_cast<std::uint32_t>(std::countr_zero(step));  // 32 for points that are kept: a list nobody reads
+            left_out_[v] = {v - (step & (0 - step)), first_of_level_[level]};
+            first_of_level_[level] = v;
+            p = q;
+        }
+        if (size_ - kept_before >= 3) return;
+        size_ = kept_before;
+        for (std::uint32_t& head : first_of_level_)
+            while (head != none && head >= begin) head = left_out_[head].next;
+        for (std::uint32_t v = begin; v < end; ++v) {
+            names_[size_] = v;
+            places_[size_++] = points[v];
+        }
+    }
+
+    grid_point* places_ = nullptr;
+    std::uint32_t* names_ = nullptr;
+    std::uint32_t* starts_ = nullptr;
+    left_out* left_out_ = nullptr;
+    std::size_t loops_ = 0;
+    std::uint32_t size_ = 0;
+    std::uint32_t first_of_level_[levels + 1];
+};
+
+}  // namespace typemesh::detail

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/triangulate/chain_cutter.hpp>
+#include <typemesh/triangulate/coarse_loops.hpp>
+#include <typemesh/triangulate/delaunay_flips.hpp>
+#include <typemesh/triangulate/half_edges.hpp>
+#include <typemesh/triangulate/monotone_sweep.hpp>
+#include <typemesh/triangulate/triangulator.hpp>
+
+namespace typemesh {
+
+/// The triangulator for good triangles: the constrained Delaunay triangulation of the region, exact and unique.
+///
+/// Of all triangulations over the region's own points it has the largest smallest angle. An edge that is not the region's own is
+/// there exactly when some circle through its ends holds no point that is seen from it. Where four or more points that see each
+/// other lie on one circle, all free diagonals between them leave the lexicographically smallest (by x, then y): so the set of
+/// triangles depends on nothing but the region, neither on where contours begin nor on their order nor on the machine.
+///
+/// How: points that only smooth the outline are left out at first (coarse_loops); what remains is swept (monotone_sweep), made
+/// Delaunay by exchanging diagonals (delaunay_flips), and then takes the points left out back on its boundary, each between its
+/// neighbours and from coarse to fine, staying Delaunay: no searching, two exchanges a point. Whether the coarse outline crosses
+/// itself does not matter: it is proven like any other, and where it does, no point is left out. Nor does it matter whether outlines
+/// cross on the way from coarse to fine: all triangles turn counter-clockwise throughout, and triangles that do so and have a
+/// simple boundary cover what is inside once.
+///
+/// Cost   O(n log n) wherever it was measured (docs/triangulation.md). Exchanging diagonals is quadratic at worst, so it has a budget;
+///        where that is spent, coarse loops of another kind are tried before it may take what it needs.
+/// Space  about 220 bytes a point and 128 a loop from `space`, nothing else after `out` has room
+/// Exact  orientation in 64 bits, in-circle in 128 (core/in_circle.hpp)
+struct constrained_delaunay {
+    /// Relies on the region's promise. Fails with error::out_of_memory, `out` being as it was.
+    [[nodiscard]] error operator()(const region& r, workspace& space, triangle_list& out) const noexcept
+    {
+        if (r.points().empty()) return error::none;
+        const std::size_t before = out.size();
+        triangle* const write = out.append(r.triangle_count());
+        if (write == nullptr) return error::out_of_memory;
+        constexpr attempt attempts[] = {{2, true, true},  // within 27 degrees
+                                        {8, true, true},  // within 7 degrees
+                                        {detail::coarse_loops::keep_all, false, true},
+                                        {0, true, true},  // within 90 degrees
+                                        {detail::coarse_loops::keep_all, false, false}};
+        error e = error::crossing_contours;
+        double tried = 0;  // how much of the points the last attempt kept
+        for (const attempt& a : attempts) {
+            if (e != error::crossing_contours) break;
+            if (a.straightness == 8 && tried > worth_it) continue;
+            if (r.is_touching()) {  // points that coincide are not proven anew: all of them are swept, none is left out
+                if (!a.proving) e = from_loops<false, true>(r, space, write, a, tried);
+                continue;
+            }
+            e = a.proving ? from_loops<true, false>(r, space, write, a, tried)
+                          : from_loops<false, false>(r, space, write, a, tried);
+        }
+        if (e) out.truncate(before);
+        return e;
+    }
+
+    /// The region that `loops` bound, its triangles appended to `out`. Fails as monotone{}.prove() does.
+    [[nodiscard]] result<region> prove(const contours& loops, workspace& space, triangle_list& out) const noexcept
+    {
+        detail::monotone_sweep<true, false, detail::no_cutter> sweep{loops.points.view(), loops.starts.view(), {}};
+        if (const error e = sweep.run(space)) return e;
+        const region r = region::proven(loops, sweep.holes(), sweep.outers());
+        if (const error e = (*this)(r, space, out)) return e;
+        return r;
+    }
+
+private:
+    using cutter = detail::chain_cutter<detail::half_edges::output>;
+
+    /// Regular patterns of many holes put whole columns of points on one vertical line, where a sweep makes needles.
+    static constexpr std::size_t sheared_from = 1000;
+
+    struct attempt {
+        std::int64_t straightness;
+        bool proving;  // that what is kept is a region; trusting is for all points
+        bool limited;  // in flips, to `most_flips` a triangle
+    };
+    static constexpr std::uint64_t most_flips = 16;
+    static constexpr double worth_it = 0.875;  ///< leaving out fewer points than this leaves costs more than it saves
+
+    /// error::crossing_contours: not this way.
+    template <bool Proving, bool Touching>
+    [[nodiscard]] static error from_loops(const region& r, workspace& space, triangle* write, const attempt& how,
+                                          double& kept) noexcept
+    {
+        const std::size_t n = r.points().size();
+        workspace::scope scratch{space};
+        detail::coarse_loops coarse;
+        if (!coarse.take(scratch, r.points(), r.starts(), how.straightness, n >= sheared_from))
+            return error::out_of_memory;
+        kept = static_cast<double>(coarse.points().size()) / static_cast<double>(n);
+        if (Proving && kept > worth_it) return error::crossing_contours;
+        detail::half_edges mesh{r.points()};
+        if (!mesh.open(scratch, n + 2 * std::size_t{r.loop_count()}))
+            return error::out_of_memory;  // as many as a sweep can ask for
+        detail::monotone_sweep<Proving, Touching, cutter> sweep{coarse.points(), coarse.starts(),
+                                                      cutter{detail::half_edges::output{mesh, coarse.names()}}};
+        if (const error e = sweep.run(space)) return e;
+        if (Proving && (sweep.holes() != r.holes() || sweep.outers() != r.outers())) return error::crossing_contours;
+        mesh.finish(sweep.cutter().output());
+
+        detail::delaunay_flips flips{mesh, r.points()};
+        if (!flips.open(scratch, r.triangle_count())) return error::out_of_memory;
+        if (!flips.everywhere(how.limited ? most_flips * r.triangle_count() : ~std::uint64_t{0}))
+            return error::crossing_contours;
+        if (!coarse.bring_back(
+                [&](std::uint32_t previous, std::uint32_t p) noexcept { return flips.insert(previous, p); }))
+            return error::crossing_contours;
+        mesh.write(write);
+        return error::none;
+    }
+};
+
+static_assert(proving_triangulator<constrained_delaunay>);
+
+}  // namespace typemesh

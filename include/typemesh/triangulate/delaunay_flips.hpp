@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/in_circle.hpp>
+#include <typemesh/triangulate/half_edges.hpp>
+
+#include <cstddef>
+
+namespace typemesh::detail {
+
+/// Keeps a triangulation Delaunay: exchanges diagonals until no edge wants it, from edges that are on a stack.
+///
+/// From  C. Lawson, Software for C1 surface interpolation (1977); S. Sloan, A fast algorithm for generating constrained Delaunay
+///       triangulations (1993)
+class delaunay_flips {
+public:
+    explicit delaunay_flips(half_edges& mesh, std::span<const grid_point> points) noexcept
+        : mesh_{mesh}, points_{points}
+    {
+    }
+
+    /// Room for a mesh of so many triangles; false when there is no memory.
+    [[nodiscard]] bool open(workspace::scope& scratch, std::size_t triangles) noexcept
+    {
+        room_ = 4 * triangles + 8;
+        stack_ = scratch.take<std::uint32_t>(room_);
+        return stack_ != nullptr;
+    }
+
+    /// Makes the whole mesh Delaunay, with at most `budget` flips; false when they did not suffice.
+    [[nodiscard]] bool everywhere(std::uint64_t budget) noexcept
+    {
+        left_ = budget;
+        do {
+            overflow_ = false;
+            size_ = 0;
+            for (std::uint32_t t = 0; t < mesh_.end(); t += 4) {
+                for (std::uint32_t h = t; h < t + 3; ++h) {  // each inner edge once
+                    stack_[size_] = h;
+                    size_ += mesh_.is_first_half(h);
+                }
+            }
+            around();
+        } while (overflow_ && left_ != 0);
+        return left_ != 0;
+    }
+
+    /// Makes p a point of the boundary between `before` and the point after it, in a mesh that is Delaunay and stays so.
+    ///
+    /// False when that cannot be done: p is hidden from the boundary edge. Then the mesh is of no use any more.
+    [[nodiscard]] bool insert(std::uint32_t before, std::uint32_t p) noexcept
+    {
+        const std::uint32_t h = mesh_.boundary_from(before), h1 = half_edges::next(h), h2 = half_edges::previous(h);
+        const grid_point a = mesh_.place(h), b = mesh_.place(h1), c = mesh_.place(h2), at = points_[p];
+        if (orientation(a, at, b) > 0) {
+            stack_[0] = mesh_.add_ear(h, p);
+            towards_apex(1);
+            return true;
+        }
+        const bool inside = orientation(b, c, at) > 0 && orientation(c, a, at) > 0;
+        stack_[0] = mesh_.dent(h, p);
+        stack_[1] = h2;
+        if (inside) [[likely]] {
+            towards_apex(2);
+            return true;
+        }
+        return pull_to_apex(2, p);
+    }
+
+private:
+    void push(std::uint32_t h) noexcept
+    {
+        if (size_ < room_)
+            stack_[size_++] = h;
+        else
+            overflow_ = true;
+    }
+
+    [[nodiscard]] static bool wants_flip(const half_edges& mesh, std::uint32_t h, std::uint32_t g) noexcept
+    {
+        return prefers_other_diagonal(mesh.place(h), mesh.place(g), mesh.place(half_edges::previous(h)),
+                                      mesh.place(half_edges::previous(g)));
+    }
+
+    /// Until the stack is empty or the budget is spent; a flip puts all four edges round it there.
+    void around() noexcept
+    {
+        while (size_ != 0 && left_ != 0) {
+            const std::uint32_t h = stack_[--size_];
+            if (mesh_.is_boundary(h)) continue;
+            const std::uint32_t g = mesh_.twin(h);
+            if (!wants_flip(mesh_, h, g)) continue;
+            mesh_.flip(h);
+            --left_;
+            push(half_edges::previous(g));
+            push(g);
+            push(half_edges::previous(h));
+            push(h);
+        }
+    }
+
+    /// The same where the first `size` on the stack are edges seen from one new point: what a flip joins to it stays, so the stack
+    /// never holds more than the triangles round that point.
+    void towards_apex(std::size_t size) noexcept
+    {
+        std::uint32_t* const stack = stack_;
+        half_edges mesh = mesh_;
+        do {
+            const std::uint32_t h = stack[--size];
+            if (mesh.is_boundary(h)) continue;
+            const std::uint32_t g = mesh.twin(h);
+            if (!wants_flip(mesh, h, g)) continue;
+            mesh.flip(h);
+            stack[size++] = half_edges::previous(g);
+            stack[size++] = h;
+        } while (size != 0);
+    }
+
+    /// The same where p lies beyond its triangle, so that some triangle at p turns clockwise: the edge opposite p in it has to go
+    /// whatever the circles say, until all that is between p and its boundary edge has been joined to p.
+    [[nodiscard]] bool pull_to_apex(std::size_t size, std::uint32_t p) noexcept
+    {
+        while (size != 0) {
+            const std::uint32_t h = stack_[--size];
+            const bool is_behind = orientation(mesh_.place(half_edges::previous(h)), mesh_.place(h),
+                                               mesh_.place(half_edges::next(h))) <= 0;
+            if (mesh_.is_boundary(h)) {
+                if (is_behind) return false;
+                continue;
+            }
+            const std::uint32_t g = mesh_.twin(h);
+            if (!is_behind && !wants_flip(mesh_, h, g)) continue;
+            mesh_.flip(h);
+            stack_[size++] = half_edges::previous(g);
+            stack_[size++] = h;
+        }
+        // What was joined by force may not be Delaunay: the edges that leave p are tested too.
+        size_ = 0;
+        for (std::uint32_t h = mesh_.boundary_from(p);;) {
+            h = half_edges::previous(h);
+            if (mesh_.is_boundary(h)) break;
+            push(h);
+            h = mesh_.twin(h);
+        }
+        left_ = ~std::uint64_t{0};
+        around();
+        return !overflow_;
+    }
+
+    half_edges& mesh_;
+    std::span<const grid_point> points_;
+    std::uint32_t* stack_ = nullptr;
+    std::size_t room_ = 0;
+    std::size_t size_ = 0;
+    std::uint64_t left_ = 0;  // flips
+    bool overflow_ = false;
+};
+
+}  // namespace typemesh::detail

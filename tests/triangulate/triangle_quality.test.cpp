@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+
+#include <typemesh/fill/fill.hpp>
+#include <typemesh/triangulate/constrained_delaunay.hpp>
+#include <typemesh/triangulate/monotone.hpp>
+#include <typemesh/triangulate/triangle_quality.hpp>
+
+#include "support/catch.hpp"
+#include "support/regions.hpp"
+
+#include <cmath>
+
+using namespace typemesh;
+
+TEST_CASE("a square halved has angles of 45 degrees and an aspect of 2", "[triangulate][quality]")
+{
+    const grid_point points[] = {{0, 0}, {7, 0}, {7, 7}, {0, 7}};
+    const triangle triangles[] = {{0, 1, 2}, {2, 3, 0}};
+    const triangle_quality q = analyze_triangles(points, triangles);
+    CHECK(q.triangles == 2);
+    CHECK(std::abs(q.smallest_angle - 45.0) < 1e-9);
+    CHECK(std::abs(q.largest_aspect - 2.0) < 1e-9);
+    CHECK(std::abs(q.angle_at(0.5) - 45.0) < 0.06);
+}
+
+TEST_CASE("quality holds at the ends of the grid, whatever the order of the corners", "[triangulate][quality]")
+{
+    constexpr std::int32_t r = 1 << 28;
+    const grid_point points[] = {{-r, -r}, {r, -r}, {-r, 1 - r}};
+    for (const triangle t : {triangle{0, 1, 2}, triangle{1, 2, 0}, triangle{2, 0, 1}, triangle{2, 1, 0}}) {
+        const triangle_quality q = analyze_triangles(points, {&t, 1});
+        CHECK(std::abs(q.smallest_angle * 0x1p29 / 57.29577951308232 - 1.0) < 1e-6);
+        CHECK(std::abs(q.largest_aspect / 0x1p29 - 1.0) < 1e-6);
+    }
+}
+
+TEST_CASE("triangles without area count with angle 0, and none at all is no trouble", "[triangulate][quality]")
+{
+    const grid_point points[] = {{0, 0}, {1, 1}, {5, 5}};
+    const triangle flat{0, 1, 2};
+    CHECK(analyze_triangles(points, {&flat, 1}).smallest_angle == 0.0);
+    CHECK(analyze_triangles(points, {&flat, 1}).largest_aspect == 0.0);
+    CHECK(analyze_triangles(points, {}).triangles == 0);
+    CHECK(analyze_triangles(points, {}).angle_at(0.05) == 0.0);
+}
+
+TEST_CASE("constrained_delaunay has the larger smallest angle on every shape", "[triangulate][quality]")
+{
+    for (const test::shape& s : test::generated_regions()) {
+        contours loops = test::contours_of(s);
+        workspace space;
+        const result<region> filled = fill(loops, fill_rule::non_zero, space);
+        if (!filled) continue;
+        triangle_list by_sweep, delaunay;
+        REQUIRE_FALSE(monotone{}(*filled, space, by_sweep));
+        REQUIRE_FALSE(constrained_delaunay{}(*filled, space, delaunay));
+        const triangle_quality plain = analyze_triangles(filled->points(), by_sweep.view()),
+                               better = analyze_triangles(filled->points(), delaunay.view());
+        INFO(s.name);
+        CHECK(better.triangles == plain.triangles);
+        CHECK(better.smallest_angle >= plain.smallest_angle * (1.0 - 1e-9));
+        CHECK(better.angle_at(0.05) >= plain.angle_at(0.05) - 0.11);
+    }
+}
