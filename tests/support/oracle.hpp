@@ -238,7 +238,8 @@ inline double distance(const std::vector<loop>& loops, grid_point p)
     return nearest;
 }
 
-/// Whether direction d lies strictly between a and b, turning counter-clockwise from a; if a and b are one direction, all others do.
+/// Whether direction d lies strictly between a and b, turning counter-clockwise from a; if a and b are one direction,
+/// all others do.
 inline bool turns_through(grid_point p, grid_point a, grid_point d, grid_point b)
 {
     const auto sector = [&](grid_point q) {  // 0: along a, 1: left of it, 2: against it, 3: right of it
@@ -252,7 +253,8 @@ inline bool turns_through(grid_point p, grid_point a, grid_point d, grid_point b
     return sd % 2 == 1 && side(p, d, b) > 0;
 }
 
-/// What keeps loops from being walks round an area, as region promises; empty when nothing does. Loops may touch in points.
+/// What keeps loops from being walks round an area, as region promises; empty when nothing does. Loops may touch in
+/// points.
 inline std::string broken_walk(const std::vector<loop>& loops)
 {
     struct edge {

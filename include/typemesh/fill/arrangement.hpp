@@ -65,7 +65,8 @@ struct stretch {
 
 /// Contours taken apart into stretches between numbered points: the material that is cut until no two stretches cross.
 ///
-/// Whatever is cut, flipped or joined, the turns add up to closed contours: in every point as much comes in as goes out.
+/// Whatever is cut, flipped or joined, the turns add up to closed contours: in every point as much comes in as goes
+/// out.
 struct arrangement {
     stretch* stretches = nullptr;
     std::uint32_t count = 0;
@@ -77,8 +78,12 @@ struct arrangement {
     std::uint32_t point_count = 0;
     const contours* loops = nullptr;  // what was taken apart
 
-    /// Whether p lies within about one cell of the line of a stretch's original edge: bending may not lead farther away.
-    [[nodiscard]] bool is_at_home(const stretch& s, grid_point p) const noexcept
+    struct edge {
+        grid_point from, to;
+    };
+
+    /// The contour edge that a stretch was cut from.
+    [[nodiscard]] edge home(const stretch& s) const noexcept
     {
         std::uint32_t contour = 0;
         for (std::uint32_t size = loops->contour_count(); size > 1;) {
@@ -86,8 +91,14 @@ struct arrangement {
             if (loops->starts[contour + half] <= s.origin) contour += half;
             size -= half;
         }
-        const std::uint32_t next = s.origin + 1 < loops->starts[contour + 1] ? s.origin + 1 : loops->starts[contour];
-        const grid_point a = loops->points[s.origin], b = loops->points[next];
+        const std::uint32_t last = loops->starts[contour + 1] - 1;
+        return {loops->points[s.origin], loops->points[s.origin < last ? s.origin + 1 : loops->starts[contour]]};
+    }
+
+    /// Whether p lies within about one cell of the line of a stretch's contour edge: bending may not lead farther away.
+    [[nodiscard]] bool is_at_home(const stretch& s, grid_point p) const noexcept
+    {
+        const auto [a, b] = home(s);
         const std::int64_t dx = std::int64_t{b.x} - a.x, dy = std::int64_t{b.y} - a.y, side = orientation(a, b, p);
         return (side < 0 ? -side : side) <= (dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy);
     }

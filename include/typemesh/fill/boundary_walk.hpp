@@ -13,12 +13,12 @@ namespace typemesh::detail {
 
 /// Walks the boundary of the filled area and writes it down as loops.
 ///
-/// Of a finished arrangement, the stretches with the interior on one side only are the boundary, run so that it lies on the
-/// left. Where boundaries touch, the walk stays in the wedge of interior that it is in:
+/// Of a finished arrangement, the stretches with the interior on one side only are the boundary, run so that it lies on
+/// the left. Where boundaries touch, the walk stays in the wedge of interior that it is in:
 ///
-///      ::: \     / :::     What comes in along 1 goes out along 2, with the wedge on the left of both between them; 3 goes
-///      ::: 2\   /3 :::     out along 4. So two outer loops that touch stay two, a hole that touches its outer loop joins
-///      ::::: \ / :::::     it, and two holes that touch become one.
+///      ::: \     / :::     What comes in along 1 goes out along 2, with the wedge of interior on the left of both
+///      ::: 2\   /3 :::     between them; 3 goes out along 4. So two outer loops that touch stay two, a hole that
+///      ::::: \ / :::::     touches its outer loop joins it, and two holes that touch become one.
 ///      :::::: x ::::::
 ///      ::::: / \ :::::
 ///      ::: 1/   \4 :::

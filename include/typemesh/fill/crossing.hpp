@@ -11,9 +11,10 @@ namespace detail {
 
 /// size * part / whole, rounded to the nearest integer (halves up), for 0 <= part <= whole, whole > 0.
 ///
-/// Exact. Budget: |size| < 2^30, whole < 2^61, so the product has up to 91 bits and no word holds it. The quotient is guessed
-/// in floating point; what is left over, which is below 2^63 although its two terms are not, tells by arithmetic modulo 2^64
-/// how far the guess is off. The guess only has to be good to a few units, so any rounding mode and compiler flag will do.
+/// Exact. Budget: |size| < 2^30, whole < 2^61, so the product has up to 91 bits and no word holds it. The quotient is
+/// guessed in floating point; what is left over, which is below 2^63 although its two terms are not, tells by
+/// arithmetic modulo 2^64 how far the guess is off. The guess only has to be good to a few units, so any rounding mode
+/// and compiler flag will do.
 [[nodiscard]] inline std::int64_t scaled(std::int64_t size, std::int64_t part, std::int64_t whole) noexcept
 {
     auto guess =
@@ -27,11 +28,11 @@ namespace detail {
 
 }  // namespace detail
 
-/// The grid point nearest to the place where the segments ab and cd cross; false, `nearest` as it was, when no inner point of
-/// both is there (they miss each other, only touch with an end, or are parallel).
+/// The grid point nearest to the place where the segments ab and cd cross; false, `nearest` as it was, when no inner
+/// point of both is there (they miss each other, only touch with an end, or are parallel).
 ///
-///     a ---.__            The exact place lies in the boxes of both segments, whose corners are grid points, and rounding
-///     c ____  '--.__ d    keeps the order of coordinates: the nearest grid point lies in both boxes as well.
+///     a ---.__            The exact place lies in the boxes of both segments, whose corners are grid points, and
+///     c ____  '--.__ d    rounding keeps the order of coordinates: the nearest grid point lies in both boxes as well.
 ///           '-----x--- b
 ///
 /// Exact. Budget: |coordinate| <= 2^28; cross products below 2^61, see scaled() for the rest. O(1)

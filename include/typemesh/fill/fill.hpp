@@ -11,8 +11,8 @@
 
 namespace typemesh {
 
-/// The region that any contours fill under `rule`: nest() where they do not meet, which is found out on the way and leaves
-/// their points as they are, else resolve().
+/// The region that any contours fill under `rule`: nest() where they do not meet, which is found out on the way and
+/// leaves their points as they are, else resolve().
 ///
 /// Replaces `loops`; nothing may be left: a region without points.
 ///

@@ -14,7 +14,8 @@
 
 namespace typemesh {
 
-/// The region that contours which do not meet fill under `rule`, whatever way they run and however they lie in each other.
+/// The region that contours which do not meet fill under `rule`, whatever way they run and however they lie in each
+/// other.
 ///
 ///     .-----------------.        .-----------------.      non_zero, all three counter-clockwise: the inner ones
 ///     |  .-----------.  |        |                 |      have filled places on both sides and are no boundary.

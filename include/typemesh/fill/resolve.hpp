@@ -22,20 +22,21 @@ struct resolve_effort {
     bool rounded = false;     ///< snap rounding was needed
 };
 
-/// The region that any closed polylines fill under `rule`, however they cross, touch, overlap or run back on themselves.
+/// The region that any closed polylines fill under `rule`, however they cross, touch, overlap or run back on
+/// themselves.
 ///
-///      .------.                .------.            Crossings, corners on edges, shared edges, doubled contours, spikes, edges
-///      |   .--|---.            |      '---.        without length, contours of one point, any nesting, any winding number.
-///      |   |  |   |     ->     |          |        In every point where boundaries touch, a walk stays in its own wedge of
-///      '---|--'   |            '---.      |        interior: a hole that touches its outer loop joins it, holes that touch
-///          '------'                '------'        become one, outer loops that touch stay apart.
+///      .------.                .------.            Crossings, corners on edges, shared edges, doubled contours,
+///      |   .--|---.            |      '---.        spikes, edges without length, contours of one point, any nesting,
+///      |   |  |   |     ->     |          |        any winding number. In every point where boundaries touch, a walk
+///      '---|--'   |            '---.      |        stays in its own wedge of interior: a hole that touches its outer
+///          '------'                '------'        loop joins it, holes that touch become one, outer loops stay apart.
 ///
-/// Replaces `loops`; nothing may be left: a region without points. Edges keep the curve and t that they come from (where
-/// several lie upon each other, those of the curve with the lowest number), t0 > t1 where they are run against it. Points
-/// of the contours that lie on the boundary stay; points are added where edges are cut, and nowhere else.
+/// Replaces `loops`; nothing may be left: a region without points. Edges keep the curve and t that they come from
+/// (where several lie upon each other, those of the curve with the lowest number), t0 > t1 where they are run against
+/// it. Points of the contours that lie on the boundary stay; points are added where edges are cut, and nowhere else.
 ///
-/// Crossings are rounded to the grid. The boundary stays within about 1.5 cells of the contours' edges, and farther from
-/// all edges every place is filled as the rule says; where all crossings are grid points, everywhere.
+/// Crossings are rounded to the grid. The boundary stays within about 1.5 cells of the contours' edges, and farther
+/// from all edges every place is filled as the rule says; where all crossings are grid points, everywhere.
 ///
 /// Fails  error::too_large: more than 2^29 points, or 2^30 pieces; error::out_of_memory. Then `loops` is as it was.
 ///        (error::crossing_contours stands for a mistake in here: no input is known that leads to it.)

@@ -9,6 +9,7 @@
 #include <typemesh/fill/arrangement.hpp>
 #include <typemesh/fill/crossing.hpp>
 #include <typemesh/fill/event_queue.hpp>
+#include <typemesh/fill/swept_edge.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -18,9 +19,9 @@ namespace typemesh::detail {
 
 /// One walk from left to right over an arrangement that cuts stretches where they cross, touch or overlap.
 ///
-/// The sweep line crosses edges, ordered from below to above. Two that become neighbours are tested once: the one that ends
-/// first must end on its own side of the other. Where it does not, both are cut where they cross, at the nearest grid point
-/// x, and bent through it:
+/// The sweep line crosses edges, ordered from below to above. Two that become neighbours are tested once: the one that
+/// ends first must end on its own side of the other. Where it does not, both are cut where they cross, at the nearest
+/// grid point x, and bent through it:
 ///
 ///     a ---.__                     a ---.__      . d      The right parts wait in a queue until the sweep comes to x.
 ///     c ____  '--.__       ->      c ______'--x-'         An end that lies on the other edge cuts it without bending.
@@ -30,27 +31,27 @@ namespace typemesh::detail {
 /// In a point the edges that end there lie next to each other. Those that start there are put in order by their angle;
 /// those that lie upon each other are joined, the longer one cut at the end of the shorter one.
 ///
-/// Bending moves an edge by less than a cell, and what the sweep has passed already may then lie on its other side. So a
-/// walk that bends is only a step, and `again` asks for another one. A walk that bends nothing is exact in every step: then
-/// no two stretches have more than an end in common, the winding numbers below them are right, and `next` joins those that
-/// bound the filled area, in the way that boundary_walk tells. (Where a step is wrong because of a bend, it cuts in wrong
-/// places, misses some, and nothing worse.)
+/// A walk that bends nothing is exact in every step: in the end no two stretches have more than an end in common, the
+/// winding numbers below them are right, and `next` joins those that bound the filled area, as boundary_walk tells.
 ///
-/// Why it ends: cutting an edge in a grid point of its box leaves two whose widths and heights add up to its own. So the sum
-/// of the widths and heights of all stretches never grows, every stretch has at least 1 of it, and every walk but the last
-/// adds a stretch. In fact two or three walks do.
+/// Bending moves an edge by less than a cell, and what the sweep has passed already may then lie on its other side:
 ///
-/// From  Bentley & Ottmann, Algorithms for reporting and counting geometric intersections (1979); Hobby, Practical segment
-///       intersection with finite precision output (1999)
+///     a ---.__ v                   The strip between the edge as it was and as it is holds only what has a corner v
+///     :  '-.__'--.__               in it (or comes out again to the right, where neighbours are tested anew). Each v,
+///     :       '-.__ '--            or one nearer to the edge, was tested against the edge while it was its neighbour.
+///     '- - - - - - x               So an edge remembers whether a point came within two cells of its line.
+///
+/// Only if such a `tight` edge is bent, one is bent twice, a crossing lies behind the sweep, or anything does not add
+/// up, `again` asks for one more walk over what there is now. Then a step may be wrong: it cuts in wrong places, misses
+/// some, and nothing worse, for whatever is cut, the stretches stay closed contours.
+///
+/// Why walks would end even without snap rounding: cutting an edge in a grid point of its box leaves two whose widths
+/// and heights add up to its own. So the sum of the widths and heights of all stretches never grows, every stretch has
+/// at least 1 of it, and every walk but the last adds a stretch.
+///
+/// From  Bentley & Ottmann, Algorithms for reporting and counting geometric intersections (1979); Hobby, Practical
+///       segment intersection with finite precision output (1999)
 class resolving_sweep {
-    struct crossed_edge {
-        grid_point from, to;
-        std::uint32_t stretch;  // no_number: the slot is free
-        std::int32_t above;     // the winding number right above it
-        std::uint32_t margin;   // orientation(from, to, p) of a point p two cells away, at least
-        bool tight;             // a point came nearer than that
-        bool bent;
-    };
     struct ray {
         std::int32_t x, y;  // direction
         std::uint32_t stretch;
@@ -78,7 +79,7 @@ public:
     {
         workspace::scope scratch{space};
         const std::uint32_t room = a_.capacity;
-        edges_ = scratch.take<crossed_edge>(std::size_t{room} + 1);
+        edges_ = scratch.take<swept_edge>(std::size_t{room} + 1);
         ends_ = scratch.take<std::uint32_t>(std::size_t{room} + 1);
         dirty_ = scratch.take<std::uint32_t>(std::size_t{room} + 1);
         rays_ = scratch.take<ray>(std::size_t{room} + 1);
@@ -87,7 +88,8 @@ public:
             !status_.open(scratch, room) || !queue_.open(scratch, room))
             return false;
         constexpr std::int32_t beyond = (std::numeric_limits<std::int32_t>::max)();
-        edges_[0] = {{beyond, beyond}, {beyond, beyond}, no_number, 0, 0, false, false};
+        edges_[0] = {};
+        edges_[0].from = edges_[0].to = {beyond, beyond};
         for (std::uint32_t i = 0; i < a_.point_count; ++i) hints_[i] = 0;
         passed_ = 0;
         sweep();
@@ -168,7 +170,7 @@ private:
     /// One edge ends, one starts: the usual case.
     void pass(std::uint32_t slot, std::uint32_t starting, grid_point p) noexcept
     {
-        crossed_edge& e = edges_[slot];
+        swept_edge& e = edges_[slot];
         const std::uint32_t ending = e.stretch;
         stretch& s = a_.stretches[starting];
         s.below = a_.stretches[ending].below;
@@ -185,8 +187,8 @@ private:
     /// Any number of edges ends, any number starts.
     void meet(std::uint32_t slot, std::uint32_t starting, grid_point p, bool repeated) noexcept
     {
-        // Those that end lie next to each other. One that goes through p is cut; in a point that comes once more, those that
-        // started there the first time start again.
+        // Those that end lie next to each other. One that goes through p is cut; in a point that comes once more, those
+        // that started there the first time start again.
         bool searched = false;
         std::uint32_t under = 0, low = 0;
         const auto is_here = [&](std::uint32_t s) noexcept {
@@ -204,7 +206,7 @@ private:
         std::uint32_t ending_count = 0;
         for (std::uint32_t s = low, over; s != 0; s = over) {
             over = status_.above(s);
-            crossed_edge& e = edges_[s];
+            swept_edge& e = edges_[s];
             if (is_here(s)) {
                 if (!(e.to == p)) {
                     a_.stretches[e.stretch].next = starting;
@@ -244,32 +246,28 @@ private:
                 free_slot_ = static_cast<std::uint32_t>(edges_[fresh].from.y);
             begin(fresh, rays_[i].stretch, p);
             status_.insert_above(last, fresh);
+            if (i != 0) test(last, fresh);  // they do not cross, but may come near each other's ends
             last = fresh;
         }
         const std::uint32_t over = status_.above(last);
         if (winding != (over != 0 ? a_.stretches[edges_[over].stretch].below : 0)) unsure_ = true;
         join(starting_count, ending_count);
         if (ending_count == 0) {
-            come_near(under, p);
-            come_near(over, p);
+            if (under != 0) edges_[under].come_near(p);
+            if (over != 0) edges_[over].come_near(p);
         }
         test(under, status_.above(under));
         if (last != under) test(last, over);
     }
 
-    /// Whether of two edges that end in one point, `l` lies below `h`.
-    [[nodiscard]] static bool are_in_order(const crossed_edge& l, const crossed_edge& h) noexcept
+    /// Bent edges cross a little beside where the contours do: takes the contours' crossing if both edges can be cut
+    /// there. So bends do not add up along an edge with many crossings.
+    void lead_home(std::uint32_t low, std::uint32_t high, grid_point& x) const noexcept
     {
-        return sweep_place(l.from) < sweep_place(h.from) ? orientation(l.from, l.to, h.from) > 0
-                                                         : orientation(h.from, h.to, l.from) < 0;
-    }
-
-    void come_near(std::uint32_t slot, grid_point p) noexcept
-    {
-        if (slot == 0) return;
-        crossed_edge& e = edges_[slot];
-        const std::int64_t side = orientation(e.from, e.to, p);
-        e.tight |= (side < 0 ? -side : side) <= e.margin;
+        const auto l = a_.home(a_.stretches[edges_[low].stretch]), h = a_.home(a_.stretches[edges_[high].stretch]);
+        grid_point better;
+        if (crossing_of(l.from, l.to, h.from, h.to, better) && edges_[low].holds(better) && edges_[high].holds(better))
+            x = better;
     }
 
     /// The last edge below p.
@@ -288,10 +286,7 @@ private:
     {
         stretch& s = a_.stretches[starting];
         s.start = passed_ - 1;
-        const std::int32_t dx = s.to.x - p.x, dy = s.to.y - p.y;
-        edges_[slot] = {
-            p,     s.to, starting, s.below + s.turn, 2 * static_cast<std::uint32_t>(dx + (dy < 0 ? -dy : dy)),
-            false, false};
+        edges_[slot] = swept_edge{p, s.to, starting, s.below + s.turn};
         if (s.end != no_number) hints_[s.end] = slot;
     }
 
@@ -329,8 +324,8 @@ private:
         return kept;
     }
 
-    /// Two stretches that start in one point and in one direction: what they share becomes one of them, which is returned, the
-    /// rest of the longer one the other.
+    /// Two stretches that start in one point and in one direction: what they share becomes one of them, which is
+    /// returned, the rest of the longer one the other.
     [[nodiscard]] std::uint32_t joined(std::uint32_t i, std::uint32_t k) noexcept
     {
         if (sweep_place(a_.stretches[k].to) < sweep_place(a_.stretches[i].to)) {
@@ -388,10 +383,10 @@ private:
     void test(std::uint32_t low, std::uint32_t high) noexcept
     {
         if (low == 0 || high == 0) return;
-        crossed_edge& l = edges_[low];
-        crossed_edge& h = edges_[high];
+        swept_edge& l = edges_[low];
+        swept_edge& h = edges_[high];
         if (l.to == h.to) {
-            if (l.bent || h.bent) unsure_ |= !are_in_order(l, h);
+            if (l.bent || h.bent) unsure_ |= !l.ends_below(h);
             return;
         }
         if (lexicographic_less(l.to, h.to)) {
@@ -428,13 +423,15 @@ private:
             unsure_ = true;
             return;
         }
+        lead_home(low, high, x);
         if (cut(low, x)) (void)cut(high, x);
     }
 
     /// Cuts an edge in a grid point of its box and lets the right part wait; false when there is no room.
     ///
-    /// A part of a nearly vertical edge may be vertical and run from above to below. The right part is turned round then and
-    /// waits where the edge ended; the left part is turned round when the sweep finishes it, which it does at once.
+    /// A part of a nearly vertical edge may be vertical and run from above to below. The right part is turned round
+    /// then and waits where the edge ended; the left part is turned round when the sweep finishes it, which it does at
+    /// once.
     [[nodiscard]] bool cut(std::uint32_t slot, grid_point x) noexcept
     {
         if (edges_[slot].to == x || edges_[slot].from == x) {
@@ -465,7 +462,7 @@ private:
             full = true;
             return false;
         }
-        crossed_edge& e = edges_[slot];
+        swept_edge& e = edges_[slot];
         if (orientation(e.from, e.to, x) != 0) {
             unsure_ = true;
             e.bent = true;
@@ -484,7 +481,7 @@ private:
 
     arrangement& a_;
     fill_rule rule_;
-    crossed_edge* edges_ = nullptr;
+    swept_edge* edges_ = nullptr;
     std::uint32_t* ends_ = nullptr;
     std::uint32_t* dirty_ = nullptr;
     ray* rays_ = nullptr;

@@ -16,22 +16,23 @@ namespace typemesh::detail {
 
 /// Cuts all stretches of an arrangement at once, so that no two cross afterwards: snap rounding.
 ///
-///      .   .   .   .   .      The cell round a grid point is hot when a stretch ends or two cross in it. Every stretch is led
-///        +---+   _.-''.       through the middle of every hot cell that it comes through. Nothing moves by more than half a
-///      . | x-+-''  .   .      cell's diagonal, no two of the new stretches cross, and none comes near a point without
-///     .-'+---+ `-.            ending in it: this is proven in the second paper, and needs one round only.
-///      .   .   .   `.  .
+///      .   .   .   .   .      The cell round a grid point is hot when a stretch ends or two cross in it. Every
+///        +---+   _.-''.       stretch is led through the middle of every hot cell that it comes through. Nothing
+///      . | x-+-''  .   .      moves by more than half a cell's diagonal, no two of the new stretches cross, and none
+///     .-'+---+ `-.            comes near a point without ending in it: this is proven in the second paper, and needs
+///      .   .   .   `.  .      one round only.
 ///
-/// The sweep needs less for what real outlines hold, and may need many rounds for long edges that run together at a distance
-/// below a cell; those are for this way, which is plain: pairs of stretches are tested whose boxes meet.
+/// The sweep needs less for what real outlines hold, and may need many rounds for long edges that run together at a
+/// distance below a cell; those are for this way, which is plain: pairs of stretches are tested whose boxes meet.
 ///
-/// Exact: a stretch comes through the half-open cell [-1/2, 1/2)² round p when |2 s| < |dx| + |dy| for s = orientation(from, to, p),
-/// or when it touches it in the one corner that belongs to the cell. Below 2^62.
-/// From   Hobby, Practical segment intersection with finite precision output (1999); Guibas & Marimont, Rounding arrangements
-///        dynamically (1998)
+/// Exact: a stretch comes through the half-open cell [-1/2, 1/2)² round p when |2 s| < |dx| + |dy| for s =
+/// orientation(from, to, p), or when it touches it in the one corner that belongs to the cell. Below 2^62.
+/// From   Hobby, Practical segment intersection with finite precision output (1999); Guibas & Marimont, Rounding
+///        arrangements dynamically (1998)
 class snap_rounding {
 public:
-    /// Takes the arrangement as take_apart() leaves it and gives it the cut stretches, in order. False when there is no memory.
+    /// Takes the arrangement as take_apart() leaves it and gives it the cut stretches, in order. False when there is no
+    /// memory.
     [[nodiscard]] static bool run(arrangement& a, workspace::scope& scratch, workspace& space) noexcept
     {
         growing<grid_point> hot{scratch};

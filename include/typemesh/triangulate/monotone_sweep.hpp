@@ -28,9 +28,9 @@ namespace typemesh::detail {
 /// leaves no room for a new span (tested), or lies between two edges that end there (then they are not neighbours).
 /// Doubling back shows where the two edges start.
 ///
-/// When `Touching`, a proven region may come through a point more than once, each time with a wedge of interior of its own.
-/// Think of every such point as moved a little into its wedge: then all points differ, and the sweep meets them in this
-/// order:
+/// When `Touching`, a proven region may come through a point more than once, each time with a wedge of interior of its
+/// own. Think of every such point as moved a little into its wedge: then all points differ, and the sweep meets them in
+/// this order:
 ///
 ///     .        ends            :::\ /:::   passes      ---.::::   a merge, or   ::::.---   starts
 ///     :::>.    (wedge on the   ::: x :::   (above,        p :::   a split       ::: p      (wedge on the    .<:::
