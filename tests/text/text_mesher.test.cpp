@@ -382,3 +382,21 @@ TEST_CASE("the observer sees the stages in order and ends idle", "[text]")
     CHECK(seen == std::vector<stage>{stage::shape, stage::outline, stage::discretise, stage::triangulate, stage::fill,
                                      stage::triangulate, stage::extrude, stage::idle});
 }
+
+TEST_CASE("a glyph beyond all reach is refused, and no vertex is infinite", "[text]")
+{
+    test::toy_font font;
+    const double origin = GENERATE(1e20, -1e20, 1e100, 1.7e308);
+    const auto unit = GENERATE(output_unit::em, output_unit::font_units, output_unit::pixels, output_unit::unit_box);
+    glyph_run run;
+    REQUIRE(run.glyphs.push_back({.id = 2, .cluster = 0, .origin = {origin, 0}}));
+    REQUIRE(run.glyphs.push_back({.id = 2, .cluster = 1, .origin = {0, 0}}));
+    text_mesher mesher{font};
+    full_mesh m;
+    const auto made = mesher.build(run, into(m.vertices, m.indices), {.unit = unit});
+    REQUIRE(made);
+    CHECK(made->refused == (std::fabs(origin) > 1e24 ? 1u : 0u));
+    if (made->refused != 0) CHECK(made->first_refusal == error::outline_beyond_grid);
+    for (const auto& v : m.vertices)
+        for (const float f : {v.position.x, v.position.y, v.position.z, v.uv.x, v.uv.y}) REQUIRE(is_finite(double(f)));
+}

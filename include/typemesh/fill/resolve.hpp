@@ -46,7 +46,7 @@ struct resolve_effort {
 [[nodiscard]] inline result<region> resolve(contours& loops, fill_rule rule, workspace& space,
                                             resolve_effort* effort = nullptr) noexcept
 {
-    constexpr std::uint32_t most_bent_walks = 2;
+    constexpr std::uint32_t most_bent_walks = 4;
     const std::size_t n = loops.points.size();
     if (n > std::size_t{1} << 29) return error::too_large;
     workspace::scope scratch{space};

@@ -467,7 +467,7 @@ private:
         }
         crossed_edge& e = edges_[slot];
         if (orientation(e.from, e.to, x) != 0) {
-            if (e.tight || e.bent) unsure_ = true;
+            unsure_ = true;
             e.bent = true;
             astray |= !a_.is_at_home(a_.stretches[e.stretch], x);
         }

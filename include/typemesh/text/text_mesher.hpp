@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
+#include <cmath>
 #include <utility>
 
 namespace typemesh {
@@ -155,7 +156,8 @@ private:
     result<plan_type> plan_run(const glyph_run& run, const text_options& options) noexcept
     {
         if (!is_finite(options.tolerance) || !(options.tolerance > 0.0)) return stop(error::bad_tolerance);
-        if (!is_finite(options.pixels_per_em) || !(options.pixels_per_em > 0.0)) return stop(error::bad_option);
+        if (!is_finite(options.pixels_per_em) || !(options.pixels_per_em > 0.0) || options.pixels_per_em > 0x1p30)
+            return stop(error::bad_option);
         if (!is_finite(run.units_per_em) || !(run.units_per_em > 0.0)) return stop(error::bad_option);
 
         TYPEMESH_ASSERT(run.units_per_em == font_->units_per_em(), "the glyph_run was made for a font of other units per em");
@@ -188,6 +190,8 @@ private:
     {
         const double units_per_em = font_->units_per_em();
         if (!is_finite(glyph.origin.x) || !is_finite(glyph.origin.y)) return error::outline_not_finite;
+        constexpr double farthest = 0x1p80;  // font units: 32-bit floats would not reach much farther in any output unit
+        if (std::fabs(glyph.origin.x) > farthest || std::fabs(glyph.origin.y) > farthest) return error::outline_beyond_grid;
         observer_(stage::outline);
         if (error e = record(*font_, glyph.id, outline_)) return e;
         if (outline_.curves.empty()) return blank();
