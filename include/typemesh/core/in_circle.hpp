@@ -53,15 +53,16 @@ struct two_words {
 
 /// Where d lies by the circle through a, b, c, which turn counter-clockwise: 1 inside, 0 on it, -1 outside.
 ///
-///       c             The angles over the chord ab, at c and at d: d lies on the circle when they sum to 180 degrees, so
-///     /   \           when sin(c + d) = 0. With cross and dot for sine and cosine of each, that is two products and a sum
+///       c             The angles over the chord ab, at c and at d: d lies on the circle when they sum to 180 degrees,
+///     /   \           so when sin(c + d) = 0. With cross and dot for sine and cosine, that is two products and a sum
 ///    a-----b          instead of a determinant of degree four.
 ///     \   /
 ///       d
 ///
-/// Exact. Budget: |coordinate| <= 2^28, differences <= 2^29, cross and dot <= 2^59, products <= 2^118, their sum <= 2^119:
-/// two words of 64 bits.
-/// From  C. Lawson, Software for C1 surface interpolation (1977); A. Cline & R. Renka, A storage-efficient method (1984)
+/// Exact. Budget: |coordinate| <= 2^28, differences <= 2^29, cross and dot <= 2^59, products <= 2^118, their sum <=
+/// 2^119: two words of 64 bits.
+/// From  C. Lawson, Software for C1 surface interpolation (1977); A. Cline & R. Renka, A storage-efficient method
+///       (1984)
 [[nodiscard]] constexpr int in_circle(grid_point a, grid_point b, grid_point c, grid_point d) noexcept
 {
     const std::int64_t acx = std::int64_t{a.x} - c.x, acy = std::int64_t{a.y} - c.y, bcx = std::int64_t{b.x} - c.x,
@@ -74,12 +75,13 @@ struct two_words {
     return static_cast<std::int64_t>(sum.high) < 0 ? 1 : (sum.high | sum.low) != 0 ? -1 : 0;
 }
 
-/// Whether of the quadrilateral a, d, b, c (counter-clockwise, cut by ab into two triangles) the other diagonal, dc, is the
-/// Delaunay one. Of four points on one circle, it is the diagonal that leaves the lexicographically smallest.
+/// Whether of the quadrilateral a, d, b, c (counter-clockwise, cut by ab into two triangles) the other diagonal, dc,
+/// is the Delaunay one. Of four points on one circle, it is the diagonal that leaves the lexicographically smallest.
 ///
-/// When that is so, the quadrilateral is strictly convex: the diagonals can be exchanged. Taken edge by edge, the rule for ties
-/// makes all free diagonals of a cell of co-circular points leave its smallest point: it is what remains when the smaller point is
-/// lowered by infinitely more than every greater one on the paraboloid whose lower hull is the triangulation.
+/// When that is so, the quadrilateral is strictly convex: the diagonals can be exchanged. Taken edge by edge, the rule
+/// for ties makes all free diagonals of a cell of co-circular points leave its smallest point: it is what remains when
+/// the smaller point is lowered by infinitely more than every greater one on the paraboloid whose lower hull is the
+/// triangulation.
 [[nodiscard]] constexpr bool prefers_other_diagonal(grid_point a, grid_point b, grid_point c, grid_point d) noexcept
 {
     const std::int64_t acx = std::int64_t{a.x} - c.x, acy = std::int64_t{a.y} - c.y, bcx = std::int64_t{b.x} - c.x,

@@ -18,7 +18,7 @@ namespace typemesh {
 
 /// What resolve() did, for those who want to know.
 struct resolve_effort {
-    std::uint32_t walks = 0;  ///< sweeps over the arrangement: one where all crossings are grid points, else nearly always two
+    std::uint32_t walks = 0;  ///< sweeps over the arrangement; nearly always two, one where no crossing is rounded
     bool rounded = false;     ///< snap rounding was needed
 };
 

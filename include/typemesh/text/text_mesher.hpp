@@ -17,10 +17,10 @@
 #include <typemesh/text/text_shapes.hpp>
 #include <typemesh/triangulate/monotone.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
-#include <cmath>
 #include <utility>
 
 namespace typemesh {
@@ -160,7 +160,8 @@ private:
             return stop(error::bad_option);
         if (!is_finite(run.units_per_em) || !(run.units_per_em > 0.0)) return stop(error::bad_option);
 
-        TYPEMESH_ASSERT(run.units_per_em == font_->units_per_em(), "the glyph_run was made for a font of other units per em");
+        TYPEMESH_ASSERT(run.units_per_em == font_->units_per_em(),
+                        "the glyph_run was made for a font of other units per em");
         TYPEMESH_ASSERT(options.frame.is_orthonormal(), "a frame's axes must be unit vectors at right angles");
 
         text_report& report = shapes_.report;
@@ -190,8 +191,9 @@ private:
     {
         const double units_per_em = font_->units_per_em();
         if (!is_finite(glyph.origin.x) || !is_finite(glyph.origin.y)) return error::outline_not_finite;
-        constexpr double farthest = 0x1p80;  // font units: 32-bit floats would not reach much farther in any output unit
-        if (std::fabs(glyph.origin.x) > farthest || std::fabs(glyph.origin.y) > farthest) return error::outline_beyond_grid;
+        constexpr double farthest = 0x1p80;  // font units; 32-bit floats do not reach much farther in any unit
+        if (std::fabs(glyph.origin.x) > farthest || std::fabs(glyph.origin.y) > farthest)
+            return error::outline_beyond_grid;
         observer_(stage::outline);
         if (error e = record(*font_, glyph.id, outline_)) return e;
         if (outline_.curves.empty()) return blank();

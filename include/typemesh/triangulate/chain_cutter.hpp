@@ -10,8 +10,8 @@
 
 namespace typemesh::detail {
 
-/// What a sweep has seen of each span of interior and could not cut into triangles yet: a chain of points along its lower
-/// (0) or its upper (1) side.
+/// What a sweep has seen of each span of interior and could not cut into triangles yet: a chain of points along its
+/// lower (0) or its upper (1) side.
 ///
 ///      c0 ---- c1 ----- c2 ----     p comes on the lower side. It sees all of a chain along the upper side, which
 ///        '.     .      .   ::::     is cut into (c0 p c1) (c1 p c2) and closed: what is left is the chain c2 p.
@@ -133,8 +133,8 @@ private:
         return first;
     }
 
-    /// Cuts off what turns towards the interior at the end of the chain along `on`, and makes v its end. `edge` joins v to the
-    /// chain's end.
+    /// Cuts off what turns towards the interior at the end of the chain along `on`, and makes v its end. `edge` joins
+    /// v to the chain's end.
     template <std::uint32_t on>
     [[nodiscard]] std::uint32_t push(std::uint32_t at, std::uint32_t v, grid_point p,
                                      typename Output::edge edge) noexcept
@@ -166,7 +166,8 @@ public:
     [[nodiscard]] triangle* end() const noexcept { return write_; }
     [[nodiscard]] static std::uint32_t name(std::uint32_t v) noexcept { return v; }
 
-    /// The triangle of v and the two links a, b of a chain along side `along`; `edge` joins b and v. Returns that of a and v.
+    /// The triangle of v and the two links a, b of a chain along side `along`; `edge` joins b and v. Returns that of a
+    /// and v.
     template <std::uint32_t along, class Link>
     edge cut(const Link& a, const Link& b, std::uint32_t v, grid_point, edge) noexcept
     {

@@ -11,12 +11,12 @@
 
 namespace typemesh::detail {
 
-/// Loops with the points left out that only smooth them, and the order in which those come back: from coarse to fine, each
-/// halving a stretch.
+/// Loops with the points left out that only smooth them, and the order in which those come back: from coarse to fine,
+/// each halving a stretch.
 ///
-///        4                    A stretch runs from one kept point to the next, while no edge turns away from the stretch's first by
-///     2     6                 more than a set angle. Of its points 1, 2, 3, ... those come first which the highest power
-///    1 3   5 7                of two divides. Point i then comes between i - (its lowest bit) and whatever is next there.
+///        4          A stretch runs from one kept point to the next, while no edge turns away from the stretch's
+///     2     6       first by more than a set angle. Of its points 1, 2, 3, ... those come first which the highest
+///    1 3   5 7      power of two divides. Point i then comes between i - (its lowest bit) and whatever is next there.
 ///   0         8
 ///
 /// A loop that would keep fewer than three points keeps all. 20 bytes a point.
@@ -24,9 +24,9 @@ class coarse_loops {
 public:
     static constexpr std::int64_t keep_all = -1;
 
-    /// No edge turns away from the first of its stretch by 1 / `straightness` or more (as a tangent); with keep_all, no point is
-    /// left out. Sheared places are x -> 5x + 2y: the same loops to a sweep, which then meets few points on one vertical line.
-    /// False when there is no memory.
+    /// No edge turns away from the first of its stretch by 1 / `straightness` or more (as a tangent); with keep_all,
+    /// no point is left out. Sheared places are x -> 5x + 2y: the same loops to a sweep, which then meets few points
+    /// on one vertical line. False when there is no memory.
     [[nodiscard]] bool take(workspace::scope& scratch, std::span<const grid_point> points,
                             std::span<const std::uint32_t> starts, std::int64_t straightness, bool sheared) noexcept
     {
@@ -54,7 +54,8 @@ public:
     /// Which points these are.
     [[nodiscard]] const std::uint32_t* names() const noexcept { return names_; }
 
-    /// f(point before it on the boundary, point) for each point left out, from coarse to fine, until f is false; then false.
+    /// f(point before it on the boundary, point) for each point left out, from coarse to fine, until f is false; then
+    /// false.
     template <class F>
     [[nodiscard]] bool bring_back(F&& f) const noexcept
     {

@@ -12,20 +12,22 @@ namespace typemesh {
 
 /// The triangulator for good triangles: the constrained Delaunay triangulation of the region, exact and unique.
 ///
-/// Of all triangulations over the region's own points it has the largest smallest angle. An edge that is not the region's own is
-/// there exactly when some circle through its ends holds no point that is seen from it. Where four or more points that see each
-/// other lie on one circle, all free diagonals between them leave the lexicographically smallest (by x, then y): so the set of
-/// triangles depends on nothing but the region, neither on where contours begin nor on their order nor on the machine.
+/// Of all triangulations over the region's own points it has the largest smallest angle. An edge that is not the
+/// region's own is there exactly when some circle through its ends holds no point that is seen from it. Where four or
+/// more points that see each other lie on one circle, all free diagonals between them leave the lexicographically
+/// smallest (by x, then y): so the set of triangles depends on nothing but the region, neither on where contours begin
+/// nor on their order nor on the machine.
 ///
-/// How: points that only smooth the outline are left out at first (coarse_loops); what remains is swept (monotone_sweep), made
-/// Delaunay by exchanging diagonals (delaunay_flips), and then takes the points left out back on its boundary, each between its
-/// neighbours and from coarse to fine, staying Delaunay: no searching, two exchanges a point. Whether the coarse outline crosses
-/// itself does not matter: it is proven like any other, and where it does, no point is left out. Nor does it matter whether outlines
-/// cross on the way from coarse to fine: all triangles turn counter-clockwise throughout, and triangles that do so and have a
-/// simple boundary cover what is inside once.
+/// How: points that only smooth the outline are left out at first (coarse_loops); what remains is swept
+/// (monotone_sweep), made Delaunay by exchanging diagonals (delaunay_flips), and then takes the points left out back
+/// on its boundary, each between its neighbours and from coarse to fine, staying Delaunay: no searching, two exchanges
+/// a point. Whether the coarse outline crosses itself does not matter: it is proven like any other, and where it does,
+/// no point is left out. Nor does it matter whether outlines cross on the way from coarse to fine: all triangles turn
+/// counter-clockwise throughout, and triangles that do so and have a simple boundary cover what is inside once.
 ///
-/// Cost   O(n log n) wherever it was measured (docs/triangulation.md). Exchanging diagonals is quadratic at worst, so it has a budget;
-///        where that is spent, coarse loops of another kind are tried before it may take what it needs.
+/// Cost   O(n log n) wherever it was measured (docs/triangulation.md). Exchanging diagonals is quadratic at worst, so
+///        it has a budget; where that is spent, coarse loops of another kind are tried before it may take what it
+///        needs.
 /// Space  about 220 bytes a point and 128 a loop from `space`, nothing else after `out` has room
 /// Exact  orientation in 64 bits, in-circle in 128 (core/in_circle.hpp)
 struct constrained_delaunay {
@@ -96,8 +98,8 @@ private:
         detail::half_edges mesh{r.points()};
         if (!mesh.open(scratch, n + 2 * std::size_t{r.loop_count()}))
             return error::out_of_memory;  // as many as a sweep can ask for
-        detail::monotone_sweep<Proving, Touching, cutter> sweep{coarse.points(), coarse.starts(),
-                                                      cutter{detail::half_edges::output{mesh, coarse.names()}}};
+        detail::monotone_sweep<Proving, Touching, cutter> sweep{
+            coarse.points(), coarse.starts(), cutter{detail::half_edges::output{mesh, coarse.names()}}};
         if (const error e = sweep.run(space)) return e;
         if (Proving && (sweep.holes() != r.holes() || sweep.outers() != r.outers())) return error::crossing_contours;
         mesh.finish(sweep.cutter().output());

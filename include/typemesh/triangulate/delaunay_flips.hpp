@@ -10,8 +10,8 @@ namespace typemesh::detail {
 
 /// Keeps a triangulation Delaunay: exchanges diagonals until no edge wants it, from edges that are on a stack.
 ///
-/// From  C. Lawson, Software for C1 surface interpolation (1977); S. Sloan, A fast algorithm for generating constrained Delaunay
-///       triangulations (1993)
+/// From  C. Lawson, Software for C1 surface interpolation (1977); S. Sloan, A fast algorithm for generating
+///       constrained Delaunay triangulations (1993)
 class delaunay_flips {
 public:
     explicit delaunay_flips(half_edges& mesh, std::span<const grid_point> points) noexcept
@@ -45,7 +45,8 @@ public:
         return left_ != 0;
     }
 
-    /// Makes p a point of the boundary between `before` and the point after it, in a mesh that is Delaunay and stays so.
+    /// Makes p a point of the boundary between `before` and the point after it, in a mesh that is Delaunay and stays
+    /// so.
     ///
     /// False when that cannot be done: p is hidden from the boundary edge. Then the mesh is of no use any more.
     [[nodiscard]] bool insert(std::uint32_t before, std::uint32_t p) noexcept
@@ -99,8 +100,8 @@ private:
         }
     }
 
-    /// The same where the first `size` on the stack are edges seen from one new point: what a flip joins to it stays, so the stack
-    /// never holds more than the triangles round that point.
+    /// The same where the first `size` on the stack are edges seen from one new point: what a flip joins to it stays,
+    /// so the stack never holds more than the triangles round that point.
     void towards_apex(std::size_t size) noexcept
     {
         std::uint32_t* const stack = stack_;
@@ -116,8 +117,8 @@ private:
         } while (size != 0);
     }
 
-    /// The same where p lies beyond its triangle, so that some triangle at p turns clockwise: the edge opposite p in it has to go
-    /// whatever the circles say, until all that is between p and its boundary edge has been joined to p.
+    /// The same where p lies beyond its triangle, so that some triangle at p turns clockwise: the edge opposite p in
+    /// it has to go whatever the circles say, until all that is between p and its boundary edge has been joined to p.
     [[nodiscard]] bool pull_to_apex(std::size_t size, std::uint32_t p) noexcept
     {
         while (size != 0) {

@@ -11,13 +11,13 @@
 
 namespace typemesh::detail {
 
-/// Triangles that know their neighbours: for each directed edge of a triangle, where it begins and the same edge seen from the
-/// other side.
+/// Triangles that know their neighbours: for each directed edge of a triangle, where it begins and the same edge seen
+/// from the other side.
 ///
 ///               r                  triangle t has the half-edges 4t, 4t + 1, 4t + 2; 4t + 3 stays empty
 ///             /   ^                next() goes round a triangle counter-clockwise
 ///        h2 /   t   \ h1           a boundary edge p -> q has for twin the *rim* half-edge of its first point p, which
-///         v           \            is none of a triangle; so each boundary edge is found by its first point, and moving
+///         v           \            is none of a triangle; so each boundary edge is found by its first point; moving
 ///        p ---- h ----> q          a half-edge to another place needs no question what its twin is
 ///
 /// Points are indices of the caller's. A triangle fills one cache line; 80 bytes a point in all.
@@ -41,8 +41,9 @@ public:
 
     /// For chain_cutter.hpp: takes its triangles, and knows without any searching who is whose neighbour.
     ///
-    /// An edge is the half-edge that waits for its twin, or the one to be its twin. Between the two sides of a diagonal that a
-    /// sweep draws before either has a triangle, the empty fourth places of triangles stand in until finish().
+    /// An edge is the half-edge that waits for its twin, or the one to be its twin. Between the two sides of a
+    /// diagonal that a sweep draws before either has a triangle, the empty fourth places of triangles stand in until
+    /// finish().
     class output {
     public:
         using edge = std::uint32_t;
@@ -135,7 +136,7 @@ public:
     /// Exchanges the diagonals of the quadrilateral round h, which is no boundary edge.
     ///
     ///          r                      r            h, its twin g and the half-edges behind each keep their numbers and
-    ///        / ^                    / | ^          their first points; the two that leave q before and p before are new:
+    ///        / ^                    / | ^          their first points; the two that left q and p are new:
     ///      h2   h1               h2   |   g
     ///      v     \               v   h1|   \         next(h) runs from s to r, next(g) from r to s.
     ///     p --h-> q             p     |g1   q

@@ -41,9 +41,9 @@ struct monotone {
     [[nodiscard]] result<region> prove(const contours& loops, workspace& space, triangle_list& out) const noexcept
     {
         region r = region::proven(loops, 0, 0);
-        const error e =
-            cut<true, false>(loops.points.view(), loops.starts.view(), space, out,
-                      [&](const auto& sweep) noexcept { r = region::proven(loops, sweep.holes(), sweep.outers()); });
+        const error e = cut<true, false>(
+            loops.points.view(), loops.starts.view(), space, out,
+            [&](const auto& sweep) noexcept { r = region::proven(loops, sweep.holes(), sweep.outers()); });
         if (e) return e;
         return r;
     }

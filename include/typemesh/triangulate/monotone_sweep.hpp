@@ -17,8 +17,8 @@ namespace typemesh::detail {
 /// The sweep behind the triangulators: goes over the spans of interior from left to right, lets `Cutter` cut them into
 /// triangles (see chain_cutter.hpp) and, when `Proving`, finds out whether the loops bound a region at all.
 ///
-/// Between two neighbouring boundary edges that the sweep line crosses lies a *span* of interior. Its sides are numbered: 0
-/// lower, 1 upper.
+/// Between two neighbouring boundary edges that the sweep line crosses lies a *span* of interior. Its sides are
+/// numbered: 0 lower, 1 upper.
 ///
 /// Why the tests suffice: let X be the first point in sweep order where loops cross, touch or overlap. Left of X the
 /// status is right. If X is no vertex, two edges next to each other in the status cross there; nothing can be placed
@@ -129,7 +129,8 @@ private:
     /// 0: an end, 1: a pass, 2: a merge or a split, 3: a start.
     [[nodiscard]] std::uint32_t visit_rank(std::uint32_t v) const noexcept
     {
-        const grid_point p = points_[v], next = points_[vertices_[v].right[0]], previous = points_[vertices_[v].right[1]];
+        const grid_point p = points_[v], next = points_[vertices_[v].right[0]],
+                         previous = points_[vertices_[v].right[1]];
         const bool opens = lexicographic_less(p, next);
         if (opens != lexicographic_less(p, previous)) return 1;
         if (orientation(previous, p, next) < 0) return 2;

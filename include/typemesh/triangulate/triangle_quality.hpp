@@ -13,8 +13,9 @@ namespace typemesh {
 
 /// How good triangles are to light and to bend, gathered over one glyph or over many.
 ///
-/// The angle of a triangle is its smallest, in degrees: 60 for the best, near 0 for a needle. Its aspect is its longest edge by the
-/// height upon it: 2 / sqrt(3) for the best. Triangles without area count with angle 0 and leave the aspect as it is.
+/// The angle of a triangle is its smallest, in degrees: 60 for the best, near 0 for a needle. Its aspect is its
+/// longest edge by the height upon it: 2 / sqrt(3) for the best. Triangles without area count with angle 0 and leave
+/// the aspect as it is.
 struct triangle_quality {
     std::uint64_t triangles = 0;
     double smallest_angle = 60.0;  ///< of all; 60 where there are none
@@ -53,7 +54,8 @@ template <class Point>
 }
 }  // namespace detail
 
-/// Adds triangles over `points` (grid points, or any type whose x and y are floating-point numbers) to what has been gathered.
+/// Adds triangles over `points` (grid points, or any type whose x and y are floating-point numbers) to what has been
+/// gathered.
 ///
 /// Cost   one arc tangent a triangle
 template <class Point>
