@@ -25,9 +25,10 @@ while [ $# -gt 0 ]; do
     shift
 done
 
+mkdir -p "$build"
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DTYPEMESH_BUILD_BENCH=OFF -DTYPEMESH_BUILD_EXAMPLES=OFF \
-    -DTYPEMESH_TEST_ROOMS=every_glyph >"$build.log" 2>&1 || { cat "$build.log" >&2 && exit 1; }
-cmake --build "$build" --target typemesh_every_glyph >"$build.log" 2>&1 || { cat "$build.log" >&2 && exit 1; }
+    -DTYPEMESH_TEST_ROOMS=every_glyph >"$build/log" 2>&1 || { cat "$build/log" >&2 && exit 1; }
+cmake --build "$build" --target typemesh_every_glyph >"$build/log" 2>&1 || { cat "$build/log" >&2 && exit 1; }
 
 # unpacked PACKAGE: its files lie under $fonts/PACKAGE afterwards.
 unpacked() {
