@@ -13,11 +13,12 @@
 // Fonts are looked for under $TYPEMESH_FONT_DIR (default /usr/share/fonts); packages fonts-liberation,
 // fonts-dejavu-core, fonts-wqy-microhei, fonts-inter-variable, fonts-mplus.
 
+#include "polygons.hpp"
+
 #include <typemesh/fill/fill.hpp>
 #include <typemesh/triangulate/monotone.hpp>
 
 #include <benchmark/benchmark.h>
-#include <hb.h>
 
 #include <algorithm>
 #include <chrono>
@@ -31,126 +32,7 @@
 namespace {
 
 using namespace typemesh;
-
-// --- glyphs as polygons ------------------------------------------------------------------------------------------
-
-using polygon = std::vector<std::vector<grid_point>>;
-
-struct flattener {
-    double tolerance;
-    polygon loops;
-    point at;
-    grid cells;
-
-    void add(point p)
-    {
-        const grid_point g = cells.snap(p);
-        if (loops.back().empty() || !(loops.back().back() == g)) loops.back().push_back(g);
-    }
-    static point of(float x, float y) { return {double{x}, double{y}}; }
-    static flattener& self(void* data) { return *static_cast<flattener*>(data); }
-
-    void move(point p)
-    {
-        loops.emplace_back();
-        add(at = p);
-    }
-    void line(point p) { add(at = p); }
-    void quadratic_to(point b, point c)
-    {
-        const quadratic q{at, b, c};
-        const int n =
-            (std::max)(1, static_cast<int>(std::ceil(std::sqrt(length(q.p0 - 2.0 * b + c) / (4.0 * tolerance)))));
-        for (int i = 1; i <= n; ++i) add(i == n ? c : q.at(double(i) / n));
-        at = c;
-    }
-    void cubic_to(point b, point c, point d)
-    {
-        const cubic q{at, b, c, d};
-        const double bend = (std::max)(length(q.p0 - 2.0 * b + c), length(b - 2.0 * c + d));
-        const int n = (std::max)(1, static_cast<int>(std::ceil(std::sqrt(0.75 * bend / tolerance))));
-        for (int i = 1; i <= n; ++i) add(i == n ? d : q.at(double(i) / n));
-        at = d;
-    }
-    void close()
-    {
-        while (loops.back().size() > 1 && loops.back().back() == loops.back().front()) loops.back().pop_back();
-        if (loops.back().size() < 3) loops.pop_back();
-    }
-};
-
-hb_draw_funcs_t* drawing()
-{
-    hb_draw_funcs_t* f = hb_draw_funcs_create();
-    hb_draw_funcs_set_move_to_func(
-        f,
-        [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, float x, float y, void*) {
-            flattener::self(d).move(flattener::of(x, y));
-        },
-        nullptr, nullptr);
-    hb_draw_funcs_set_line_to_func(
-        f,
-        [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, float x, float y, void*) {
-            flattener::self(d).line(flattener::of(x, y));
-        },
-        nullptr, nullptr);
-    hb_draw_funcs_set_quadratic_to_func(
-        f,
-        [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, float a, float b, float x, float y, void*) {
-            flattener::self(d).quadratic_to(flattener::of(a, b), flattener::of(x, y));
-        },
-        nullptr, nullptr);
-    hb_draw_funcs_set_cubic_to_func(
-        f,
-        [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, float a, float b, float p, float q, float x, float y, void*) {
-            flattener::self(d).cubic_to(flattener::of(a, b), flattener::of(p, q), flattener::of(x, y));
-        },
-        nullptr, nullptr);
-    hb_draw_funcs_set_close_path_func(
-        f, [](hb_draw_funcs_t*, void* d, hb_draw_state_t*, void*) { flattener::self(d).close(); }, nullptr, nullptr);
-    hb_draw_funcs_make_immutable(f);
-    return f;
-}
-
-std::vector<polygon> glyphs_of(const char* file, double tolerance, unsigned most)
-{
-    const char* folder = std::getenv("TYPEMESH_FONT_DIR");
-    const std::string path = std::string{folder != nullptr ? folder : "/usr/share/fonts"} + "/" + file;
-    hb_blob_t* blob = hb_blob_create_from_file(path.c_str());
-    hb_face_t* face = hb_face_create(blob, 0);
-    hb_font_t* font = hb_font_create(face);
-    const auto scale = static_cast<int>(hb_face_get_upem(face));
-    hb_font_set_scale(font, scale, scale);
-    hb_draw_funcs_t* draw = drawing();
-    std::vector<polygon> all;
-    const unsigned count = hb_face_get_glyph_count(face), step = count > most ? count / most : 1;
-    for (unsigned g = 0; g < count; g += step) {
-        flattener f{tolerance, {}, {}, {}};
-#if HB_VERSION_ATLEAST(7, 0, 0)
-        hb_font_draw_glyph(font, g, draw, &f);
-#else
-        hb_font_get_glyph_shape(font, g, draw, &f);
-#endif
-        if (!f.loops.empty()) all.push_back(std::move(f.loops));
-    }
-    hb_draw_funcs_destroy(draw);
-    hb_font_destroy(font);
-    hb_face_destroy(face);
-    hb_blob_destroy(blob);
-    return all;
-}
-
-contours contours_of(const polygon& loops)
-{
-    contours c;
-    bool fits = c.starts.push_back(0);
-    for (const auto& l : loops) {
-        for (const grid_point p : l) fits = fits && c.points.push_back(p) && c.edges.push_back({0, 0.0f, 1.0f});
-        fits = fits && c.starts.push_back(static_cast<std::uint32_t>(c.points.size()));
-    }
-    if (!fits) std::abort();
-    return c;
-}
+using namespace bench;
 
 // --- timing ------------------------------------------------------------------------------------------------------
 
@@ -272,84 +154,6 @@ void add(const set& s, int passes)
                                      [&s, w = w, passes](benchmark::State& state) { run(state, s, w, passes); })
             ->Iterations(1)
             ->Unit(benchmark::kMillisecond);
-}
-
-// --- shapes of all sizes -----------------------------------------------------------------------------------------
-
-std::uint64_t next_random(std::uint64_t& state)
-{
-    std::uint64_t z = state += 0x9E37'79B9'7F4A'7C15u;
-    z = (z ^ z >> 30) * 0xBF58'476D'1CE4'E5B9u;
-    return z ^ z >> 27;
-}
-
-grid_point on_circle(double cx, double cy, double radius, double turn)
-{
-    const double angle = 6.283185307179586 * turn;
-    return {static_cast<std::int32_t>(std::lround(cx + radius * std::cos(angle))),
-            static_cast<std::int32_t>(std::lround(cy + radius * std::sin(angle)))};
-}
-
-polygon circle(int n)
-{
-    polygon p(1);
-    for (int i = 0; i < n; ++i) p[0].push_back(on_circle(0, 0, 2.5e8, double(i) / n));
-    return p;
-}
-polygon comb(int n)  // all teeth begin in one column
-{
-    polygon p(1);
-    for (int i = 0; i < n / 3; ++i) p[0].insert(p[0].end(), {{0, 64 * i}, {0, 64 * i + 32}, {10'000'000, 64 * i + 40}});
-    p[0].push_back({20'000'000, 64 * (n / 3)});
-    p[0].push_back({20'000'000, -1});
-    std::reverse(p[0].begin(), p[0].end());
-    return p;
-}
-polygon spiral(int n)
-{
-    polygon p(1);
-    const double turns = std::sqrt(n / 20.0), step = 2e8 / turns;
-    for (int i = 0; i <= n / 2; ++i)
-        p[0].push_back(on_circle(0, 0, step * (0.5 + turns * i / (n / 2)), turns * i / (n / 2)));
-    for (int i = n / 2; i >= 0; --i)
-        p[0].push_back(on_circle(0, 0, step * (0.8 + turns * i / (n / 2)), turns * i / (n / 2)));
-    std::reverse(p[0].begin(), p[0].end());
-    return p;
-}
-polygon star(int n)
-{
-    polygon p(1);
-    std::uint64_t seed = 1;
-    for (int i = 0; i < n; ++i)
-        p[0].push_back(
-            on_circle(0, 0, 5e7 + 2e8 * static_cast<double>(next_random(seed) >> 11) * 0x1p-53, double(i) / n));
-    return p;
-}
-polygon parabola(int n, bool upwards)
-{
-    polygon p(1);
-    const double half = n / 2;
-    for (int i = 0; i < n; ++i) {
-        const double x = (i - half) / half;
-        p[0].push_back(
-            {static_cast<std::int32_t>(std::lround(2.5e8 * x)), static_cast<std::int32_t>(std::lround(2.5e8 * x * x))});
-    }
-    if (!upwards)
-        for (grid_point& q : p[0]) q = {-q.y, q.x};
-    return p;
-}
-polygon square_with_holes(int n)
-{
-    const int rows = (std::max)(1, static_cast<int>(std::sqrt(n / 16.0)));
-    const std::int32_t pitch = 2000, side = pitch * rows;
-    polygon p{{{0, 0}, {side, 0}, {side, side}, {0, side}}};
-    for (int y = 0; y < rows; ++y)
-        for (int x = 0; x < rows; ++x) {
-            p.emplace_back();
-            for (int i = 16; i-- != 0;)
-                p.back().push_back(on_circle((x + 0.5) * pitch, (y + 0.5) * pitch, 0.4 * pitch, i / 16.0));
-        }
-    return p;
 }
 
 }  // namespace
