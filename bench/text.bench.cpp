@@ -6,6 +6,8 @@
 //
 //     text_bench                       fonts are looked for under $TYPEMESH_FONT_DIR (default /usr/share/fonts)
 
+#include "full_vertex.hpp"
+
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/typemesh.hpp>
 
@@ -21,22 +23,9 @@
 #include <vector>
 
 namespace {
-struct vertex {
-    typemesh::vec3 position, normal;
-    typemesh::vec2 uv;
-};
-static_assert(sizeof(vertex) == 32);
-}  // namespace
-
-template <>
-struct typemesh::vertex_traits<vertex> {
-    static constexpr auto wants = attribute::position | attribute::normal | attribute::uv;
-    vertex operator()(const surface_point<wants>& s) const noexcept { return {s.position, s.normal, s.uv}; }
-};
-
-namespace {
 
 using namespace typemesh;
+using vertex = bench::full_vertex;
 
 struct sample {
     const char* name;

@@ -149,7 +149,7 @@ TEST_CASE("the four styles of normals make 2N, 4N, 4N+2H and 4N+2H vertices of e
     law(extruded<curve_normals>{}, 4, true);
 }
 
-TEST_CASE("caps have exactly the area of the region, however the glyph is turned", "[workload]")
+TEST_CASE("caps have exactly the area of the region and walls close, however the glyph is turned", "[workload]")
 {
     const auto s = GENERATE(from_range(subjects()));
     if (!s.font.available()) return;
@@ -177,6 +177,13 @@ TEST_CASE("caps have exactly the area of the region, however the glyph is turned
     test::full_mesh mesh;
     REQUIRE_FALSE(plan->write(into(mesh.vertices, mesh.indices)));
     CHECK(plan->report().refused == 0);
+
+    text_mesher deep{both};
+    auto walls = deep.plan(test::workload_texts(s.script).front());
+    REQUIRE(walls);
+    REQUIRE_FALSE(walls->write(into(mesh.vertices, mesh.indices)));
+    CHECK(test::examine(mesh).unmatched_edges == 0);
+    CHECK(test::volume(mesh.vertices, mesh.indices) > 0.0);
 
     outline shape;
     contours loops;
@@ -262,4 +269,28 @@ TEST_CASE("the worst glyphs known are built and closed", "[workload]")
     }
     if (!absent.empty()) WARN("skipped, fonts not installed:" << absent);
     CHECK(tried != 0);
+}
+
+TEST_CASE("a variable font is meshed at every end of its axes, and each weight is another mesh", "[workload]")
+{
+    const char* path = "/usr/share/fonts/truetype/inter-vf/Inter.var.ttf";
+    std::vector<double> volumes;
+    for (const float weight : {100.0f, 400.0f, 900.0f}) {
+        const variation wanted[] = {{"wght", weight}};
+        auto font = harfbuzz_font::open(path, {.variations = wanted});
+        INFO(path << " (Debian package fonts-inter-variable) at weight " << weight);
+        REQUIRE(font);
+        text_mesher mesher{*font};
+        for (const std::string& text : test::workload_texts("latin")) {
+            test::full_mesh m;
+            const auto made = mesher.build(text, into(m.vertices, m.indices));
+            REQUIRE(made);
+            CHECK(made->refused == 0);
+            CHECK(test::examine(m).unmatched_edges == 0);
+            if (text == "Hello world!") volumes.push_back(test::volume(m.vertices, m.indices));
+        }
+    }
+    REQUIRE(volumes.size() == 3);
+    CHECK(volumes[0] < volumes[1]);
+    CHECK(volumes[1] < volumes[2]);
 }
