@@ -18,7 +18,7 @@ struct tiles {
     std::vector<placed_loops> all;
 
     explicit tiles(std::int32_t size) : tile{test::contours_of({"tile", {test::square(0, 0, size)}})} {}
-    void add(std::int64_t x, std::int64_t y) { all.push_back({tile.points.view(), tile.starts.view(), x, y, 1}); }
+    void add(std::int64_t x, std::int64_t y) { all.push_back({tile.points.view(), tile.starts.view(), x, y}); }
     [[nodiscard]] std::vector<std::uint32_t> groups(memory source = heap()) const
     {
         std::vector<std::uint32_t> group(all.size(), 99);

@@ -12,15 +12,13 @@
 
 namespace typemesh {
 
-/// The loops of a region, set down on a grid that it shares with others: a point p lies at scale * p + (x, y).
-///
-/// Needs |scale * p| <= 2^28; (x, y) may be any place up to 2^60.
+/// The loops of a region, set down on a grid that it shares with others: a point p lies at p + (x, y),
+/// which may be any place up to 2^60.
 struct placed_loops {
     std::span<const grid_point> points;
     std::span<const std::uint32_t> starts;
     std::int64_t x = 0;
     std::int64_t y = 0;
-    std::int64_t scale = 1;
 };
 
 namespace detail {
@@ -67,7 +65,7 @@ struct placed_segment {
 
 [[nodiscard]] inline placed_point place(const placed_loops& l, std::size_t i) noexcept
 {
-    return {l.scale * l.points[i].x + l.x, l.scale * l.points[i].y + l.y};
+    return {l.points[i].x + l.x, l.points[i].y + l.y};
 }
 
 [[nodiscard]] inline placed_box box_around(const placed_loops& l) noexcept
