@@ -26,14 +26,29 @@ struct bounds3 {
     }
 };
 
-/// One glyph of the mesh: who it is, what it looks like and where it stands.
+/// One glyph of the mesh: who it is, what it looks like and where it stands. Or several that are merged to one shape:
+/// then the first of them.
 struct shape_record {
     const glyph_shape* shape = nullptr;
     point origin;  ///< font units
     glyph_id id = no_glyph;
     cluster_id cluster = no_cluster;
     std::uint32_t line = 0;
-    part_sizes before = {};  ///< the counts of all glyphs before it
+    std::uint32_t glyph = 0;             ///< its place in the run
+    std::uint32_t merged = no_merging;   ///< its place in text_shapes::merged
+    part_sizes before = {};              ///< the counts of all glyphs before it
+
+    static constexpr std::uint32_t no_merging = 0xFFFF'FFFFu;
+};
+
+/// Glyphs whose outlines meet, joined to one shape: see merge_glyphs.hpp.
+struct merged_glyphs {
+    const glyph_shape* shape = nullptr;
+    point origin;                    ///< font units: that of its first glyph, rounded to the grid
+    std::uint32_t first_member = 0;  ///< its glyphs' places in the run, ascending: text_shapes::members
+    std::uint32_t member_count = 0;
+    std::uint32_t first_owner = 0;   ///< for each contour point the place in the run of the glyph whose outline runs
+                                     ///< from there to the next point: text_shapes::owners
 };
 
 /// How placements are made: the same for all glyphs of a text.
@@ -66,6 +81,11 @@ struct text_shapes {
     buffer<const glyph_shape*> shapes;   ///< theirs, blank and refused ones included
     buffer<std::uint32_t> numbers;       ///< for each glyph of the run, which of them it is
     shape_store store;                   ///< where their shapes lie
+    buffer<std::uint32_t> groups;        ///< for each glyph of the run the first that it is merged with; empty where
+                                         ///< nothing is merged
+    buffer<merged_glyphs> merged;        ///< in the order of their first glyphs
+    buffer<std::uint32_t> members;
+    buffer<std::uint32_t> owners;
     buffer<shape_record> records;        ///< what is drawn
     buffer<box> line_boxes;              ///< in font units; filled for texture_box::line alone
     box ink;                             ///< around all records, font units
@@ -76,7 +96,16 @@ struct text_shapes {
     shapes_generation generation;
 
     explicit text_shapes(memory source) noexcept
-        : different{source}, shapes{source}, numbers{source}, store{source}, records{source}, line_boxes{source}
+        : different{source},
+          shapes{source},
+          numbers{source},
+          store{source},
+          groups{source},
+          merged{source},
+          members{source},
+          owners{source},
+          records{source},
+          line_boxes{source}
     {
     }
 
@@ -86,6 +115,10 @@ struct text_shapes {
         shapes.clear();
         numbers.clear();
         store.clear();
+        groups.clear();
+        merged.clear();
+        members.clear();
+        owners.clear();
         records.clear();
         line_boxes.clear();
         ink = {};
