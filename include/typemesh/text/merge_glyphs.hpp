@@ -31,7 +31,7 @@ public:
     {
     }
 
-    /// Fills all.groups, merged, members and owners; all.shapes and numbers are given.
+    /// Fills all.merged; all.shapes and numbers are given.
     ///
     /// Fails  error::too_large, error::out_of_memory, error::outline_beyond_grid with the cluster's first glyph
     template <outline_source Font, discretiser Discretiser, triangulator Triangulator, extruder Extruder,
@@ -45,7 +45,7 @@ public:
         workspace::scope scratch{space_};
         auto* next = scratch.take<std::uint32_t>(count);  // the next glyph of the same group; at its last one: count
         auto* last = scratch.take<std::uint32_t>(count);  // the last so far of the group that begins here
-        std::uint32_t* groups = all.groups.append(count);
+        std::uint32_t* groups = all.merged.groups.append(count);
         if (count != 0 && (next == nullptr || last == nullptr || groups == nullptr)) return error::out_of_memory;
         if (error e = group(all, run, {groups, count})) return e;
 
@@ -57,16 +57,16 @@ public:
         }
         for (std::uint32_t i = 0; i < count; ++i) {
             if (groups[i] != i || next[i] == none) continue;
-            const auto first_member = static_cast<std::uint32_t>(all.members.size());
+            const auto first_member = static_cast<std::uint32_t>(all.merged.members.size());
             for (std::uint32_t k = i; k != none; k = next[k])
-                if (!all.members.push_back(k)) return error::out_of_memory;
-            const std::span<const std::uint32_t> members = all.members.view().subspan(first_member);
-            merged_glyphs made;
+                if (!all.merged.members.push_back(k)) return error::out_of_memory;
+            const std::span<const std::uint32_t> members = all.merged.members.view().subspan(first_member);
+            merged_cluster made;
             made.first_member = first_member;
             made.member_count = static_cast<std::uint32_t>(members.size());
             if (error e = join(made, all, run, members, builder, font, how, flatten, cut, raise, observe))
                 return e.at(run.glyphs[i].id, run.glyphs[i].cluster);
-            if (!all.merged.push_back(made)) return error::out_of_memory;
+            if (!all.merged.clusters.push_back(made)) return error::out_of_memory;
         }
         return {};
     }
@@ -87,7 +87,7 @@ private:
     static double finest(const text_shapes& all) noexcept
     {
         double cells = 0.0;
-        for (std::size_t k = 0; k < all.shapes.size(); ++k) {
+        for (std::size_t k = 0; k < all.different.ids().size(); ++k) {
             const glyph_shape* s = all.shapes[k];
             if (!s->form().points.empty() && s->cells() > cells) cells = s->cells();
         }
@@ -139,7 +139,7 @@ private:
     }
 
     template <class Font, class Discretiser, class Triangulator, class Extruder, class Observer>
-    error join(merged_glyphs& made, text_shapes& all, const glyph_run& run, std::span<const std::uint32_t> members,
+    error join(merged_cluster& made, text_shapes& all, const glyph_run& run, std::span<const std::uint32_t> members,
                glyph_builder& builder, Font& font, const glyph_settings& how, const Discretiser& flatten,
                const Triangulator& cut, const Extruder& raise, Observer& observe) noexcept
     {
@@ -170,9 +170,9 @@ private:
                                      onto->cells,
                                      {}});
         made.origin = {static_cast<double>(first.x) / onto->cells, static_cast<double>(first.y) / onto->cells};
-        made.first_owner = static_cast<std::uint32_t>(all.owners.size());
+        made.first_owner = static_cast<std::uint32_t>(all.merged.owners.size());
         const auto edges = joined->edges();
-        std::uint32_t* owners = all.owners.append(edges.size());
+        std::uint32_t* owners = all.merged.owners.append(edges.size());
         if (made.shape == nullptr || (owners == nullptr && !edges.empty())) return error::out_of_memory;
         for (std::size_t i = 0; i < edges.size(); ++i) owners[i] = members[cluster_.member_of(edges[i].curve)];
         return {};

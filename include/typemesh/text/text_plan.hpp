@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <span>
 #include <type_traits>
+#include <utility>
 
 namespace typemesh {
 
@@ -27,16 +28,34 @@ struct mesh_range {
 ///     indices    [ front: glyph 0, glyph 1, ... | back: ... | side: ... ]       be drawn with a material of its own
 ///
 /// Move-only. It refers to its mesher, which must outlive it; a move of the mesher ends it, and so does the mesher's
-/// next plan() (using it then is asserted). Only glyphs that have triangles are counted among glyphs().
+/// next plan() (using it then is asserted). Until its end the shapes that it took from a glyph_cache stay where they
+/// are, whoever throws out others. Only glyphs that have triangles are counted among glyphs().
 template <extruder Extruder>
 class text_plan {
 public:
-    text_plan(const text_shapes& shapes, const glyph_run& run, const Extruder& extruder) noexcept
+    text_plan(text_shapes& shapes, const glyph_run& run, const Extruder& extruder) noexcept
         : shapes_{&shapes}, run_{&run}, extruder_{extruder}, generation_{shapes.generation.number}
     {
     }
-    text_plan(text_plan&&) noexcept = default;
-    text_plan& operator=(text_plan&&) noexcept = default;
+    text_plan(text_plan&& other) noexcept
+        : shapes_{std::exchange(other.shapes_, nullptr)},
+          run_{other.run_},
+          extruder_{std::move(other.extruder_)},
+          generation_{other.generation_}
+    {
+    }
+    text_plan& operator=(text_plan&& other) noexcept
+    {
+        std::swap(shapes_, other.shapes_);
+        std::swap(run_, other.run_);
+        std::swap(extruder_, other.extruder_);
+        std::swap(generation_, other.generation_);
+        return *this;
+    }
+    ~text_plan()
+    {
+        if (shapes_ != nullptr && shapes_->generation.number == generation_) shapes_->shapes.release();
+    }
 
     /// Exactly how many vertices and triangles write() will emit.
     [[nodiscard]] mesh_size size() const noexcept
@@ -62,6 +81,29 @@ public:
 
     /// The glyphs in the mesh, in drawing order.
     [[nodiscard]] std::span<const shape_record> glyphs() const noexcept { return fresh().records.view(); }
+
+    /// Which glyphs of the run one of glyphs() stands for: itself alone, or all that text_options::merge joined to it,
+    /// ascending. glyph < glyphs().size().
+    [[nodiscard]] std::span<const std::uint32_t> members(std::size_t glyph) const noexcept
+    {
+        const shape_record& s = fresh().records[glyph];
+        if (s.merged == shape_record::not_merged) return {&s.glyph, 1};
+        return shapes_->merged.members_of(shapes_->merged.clusters[s.merged]);
+    }
+
+    /// Whose a triangle is: the place in the run of the one glyph whose outline all contour edges at its corners follow
+    /// (a wall's: whose outline it stands on), or shared_glyph where merged glyphs run together. For extruders that
+    /// write caps in the order of the region's triangles and walls two triangles an edge, as flat and extruded do.
+    ///
+    ///     triangle    the place in range(glyph, p), below index_count / 3
+    [[nodiscard]] std::uint32_t owner(std::size_t glyph, part p, std::uint32_t triangle) const noexcept
+    {
+        const shape_record& s = fresh().records[glyph];
+        if (s.merged == shape_record::not_merged) return s.glyph;
+        const merged_cluster& c = shapes_->merged.clusters[s.merged];
+        if (p == part::side) return shapes_->merged.owners_of(c)[triangle / 2];
+        return shapes_->merged.owner_of(c, s.shape->form().triangles[triangle]);
+    }
 
     /// What is not in the mesh, and why.
     [[nodiscard]] const text_report& report() const noexcept { return fresh().report; }
@@ -123,6 +165,7 @@ public:
 private:
     const text_shapes& fresh() const noexcept
     {
+        TYPEMESH_ASSERT(shapes_ != nullptr, "a text_plan was used that has been moved away");
         TYPEMESH_ASSERT(shapes_->generation.number == generation_,
                         "this text_plan is stale: its mesher has made another plan or was moved since");
         return *shapes_;
@@ -139,7 +182,7 @@ private:
         return r;
     }
 
-    const text_shapes* shapes_;
+    text_shapes* shapes_;
     const glyph_run* run_;
     Extruder extruder_;
     std::uint64_t generation_;

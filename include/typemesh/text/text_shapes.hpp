@@ -5,6 +5,8 @@
 #include <typemesh/extrude/placement.hpp>
 #include <typemesh/text/glyph_set.hpp>
 #include <typemesh/text/glyph_shape.hpp>
+#include <typemesh/text/merged_glyphs.hpp>
+#include <typemesh/text/pinned_shapes.hpp>
 #include <typemesh/text/shape_store.hpp>
 #include <typemesh/text/text_options.hpp>
 #include <typemesh/text/text_report.hpp>
@@ -34,21 +36,11 @@ struct shape_record {
     glyph_id id = no_glyph;
     cluster_id cluster = no_cluster;
     std::uint32_t line = 0;
-    std::uint32_t glyph = 0;             ///< its place in the run
-    std::uint32_t merged = no_merging;   ///< its place in text_shapes::merged
-    part_sizes before = {};              ///< the counts of all glyphs before it
+    std::uint32_t glyph = 0;            ///< its place in the run
+    std::uint32_t merged = not_merged;  ///< its place in text_shapes::merged.clusters
+    part_sizes before = {};             ///< the counts of all glyphs before it
 
-    static constexpr std::uint32_t no_merging = 0xFFFF'FFFFu;
-};
-
-/// Glyphs whose outlines meet, joined to one shape: see merge_glyphs.hpp.
-struct merged_glyphs {
-    const glyph_shape* shape = nullptr;
-    point origin;                    ///< font units: that of its first glyph, rounded to the grid
-    std::uint32_t first_member = 0;  ///< its glyphs' places in the run, ascending: text_shapes::members
-    std::uint32_t member_count = 0;
-    std::uint32_t first_owner = 0;   ///< for each contour point the place in the run of the glyph whose outline runs
-                                     ///< from there to the next point: text_shapes::owners
+    static constexpr std::uint32_t not_merged = 0xFFFF'FFFFu;
 };
 
 /// How placements are made: the same for all glyphs of a text.
@@ -78,14 +70,10 @@ struct shapes_generation {
 /// write() reads.
 struct text_shapes {
     glyph_set different;                 ///< the glyphs that the text asks for
-    buffer<const glyph_shape*> shapes;   ///< theirs, blank and refused ones included
+    pinned_shapes shapes;                ///< theirs, blank and refused ones included
     buffer<std::uint32_t> numbers;       ///< for each glyph of the run, which of them it is
-    shape_store store;                   ///< where their shapes lie
-    buffer<std::uint32_t> groups;        ///< for each glyph of the run the first that it is merged with; empty where
-                                         ///< nothing is merged
-    buffer<merged_glyphs> merged;        ///< in the order of their first glyphs
-    buffer<std::uint32_t> members;
-    buffer<std::uint32_t> owners;
+    shape_store store;                   ///< where shapes lie that no cache keeps
+    merged_glyphs merged;                ///< and glyphs that are drawn together
     buffer<shape_record> records;        ///< what is drawn
     buffer<box> line_boxes;              ///< in font units; filled for texture_box::line alone
     box ink;                             ///< around all records, font units
@@ -100,10 +88,7 @@ struct text_shapes {
           shapes{source},
           numbers{source},
           store{source},
-          groups{source},
           merged{source},
-          members{source},
-          owners{source},
           records{source},
           line_boxes{source}
     {
@@ -115,10 +100,7 @@ struct text_shapes {
         shapes.clear();
         numbers.clear();
         store.clear();
-        groups.clear();
         merged.clear();
-        members.clear();
-        owners.clear();
         records.clear();
         line_boxes.clear();
         ink = {};
