@@ -126,8 +126,8 @@ private:
     template <outline_source, discretiser, triangulator, extruder, stage_observer, class>
     friend class text_mesher;
 
-    text_mesher(Font* font, glyph_builder&& builder, glyph_merger&& merger, glyph_run&& run, text_shapes&& shapes, Discretiser d,
-                Triangulator t, Extruder e, Observer w, Cache cache) noexcept
+    text_mesher(Font* font, glyph_builder&& builder, glyph_merger&& merger, glyph_run&& run, text_shapes&& shapes,
+                Discretiser d, Triangulator t, Extruder e, Observer w, Cache cache) noexcept
         : font_{font},
           builder_{std::move(builder)},
           merger_{std::move(merger)},
