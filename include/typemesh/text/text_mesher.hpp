@@ -256,15 +256,15 @@ private:
         text_report& report = shapes_.report;
         const merged_glyphs& merged = shapes_.merged;
         report.glyphs = static_cast<std::uint32_t>(run.glyphs.size());
-        if (!shapes_.records.reserve(run.glyphs.size())) return error::out_of_memory;
+        if (!shapes_.expect_records(run.glyphs.size())) return error::out_of_memory;
         std::uint32_t line = 0, cluster = 0;
         for (std::uint32_t i = 0; i < run.glyphs.size(); ++i) {
             while (line + 1 < run.lines.size() && i >= run.lines[line + 1].first_glyph) ++line;
-            if (shapes_.numbers[i] == not_drawn) continue;
-            if (!merged.groups.empty() && merged.groups[i] != i) continue;
+            const std::uint32_t number = shapes_.numbers[i];
+            if (number == not_drawn || (!merged.groups.empty() && merged.groups[i] != i)) continue;
             const placed_glyph& glyph = run.glyphs[i];
             shape_record s;
-            s.shape = shapes_.shapes[shapes_.numbers[i]];
+            s.shape = shapes_.shapes[number];
             s.origin = glyph.origin;
             s.id = glyph.id;
             s.cluster = glyph.cluster;
@@ -281,10 +281,11 @@ private:
                 if (report.refused++ == 0) report.first_refusal = refusal.at(glyph.id, glyph.cluster);
             } else if (s.shape->is_blank()) {
                 ++report.blank;
-            } else if (error e = shapes_.place_shape(s)) {
+            } else if (error e = shapes_.place_shape(s, number)) {
                 return e;
             }
         }
+        shapes_.number_meshes();
         return {};
     }
 

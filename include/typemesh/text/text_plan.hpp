@@ -7,7 +7,11 @@
 #include <typemesh/text/text_shapes.hpp>
 #include <typemesh/vertex/mesh_sink.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -20,6 +24,14 @@ struct mesh_range {
     std::uint32_t vertex_count = 0;
     std::uint32_t first_index = 0;
     std::uint32_t index_count = 0;
+
+    friend constexpr bool operator==(const mesh_range&, const mesh_range&) noexcept = default;
+};
+
+/// Neighbouring glyphs of a plan: glyphs [first, last).
+struct glyph_span {
+    std::size_t first = 0;
+    std::size_t last = 0;
 };
 
 /// A text, meshed and measured but not yet written: exact sizes first, then write() as often as you like.
@@ -75,8 +87,29 @@ public:
     /// Where one glyph's share of a part lies. glyph < glyphs().size().
     [[nodiscard]] mesh_range range(std::size_t glyph, part p) const noexcept
     {
-        const shape_record& s = fresh().records[glyph];
-        return range_between(p, s.before, s.shape->sizes());
+        return range(glyph_span{glyph, glyph + 1}, p);
+    }
+
+    /// Where the share of neighbouring glyphs lies; it is in one piece.
+    [[nodiscard]] mesh_range range(glyph_span some, part p) const noexcept
+    {
+        const part_sizes first = before(some.first), last = before(some.last);
+        part_sizes own;
+        own.vertices[p] = last.vertices[p] - first.vertices[p];
+        own.triangles[p] = last.triangles[p] - first.triangles[p];
+        return range_between(p, first, own);
+    }
+
+    /// The glyphs that come from a place of the caller's text; none (first == last) where it left no glyph in the mesh.
+    /// The glyphs of a cluster are neighbours, whichever way the script runs. Cost: O(glyphs).
+    [[nodiscard]] glyph_span glyphs_of(cluster_id cluster) const noexcept
+    {
+        const auto records = glyphs();
+        std::size_t first = 0;
+        while (first < records.size() && records[first].cluster != cluster) ++first;
+        std::size_t last = first;
+        while (last < records.size() && records[last].cluster == cluster) ++last;
+        return {first, last};
     }
 
     /// The glyphs in the mesh, in drawing order.
@@ -118,6 +151,21 @@ public:
     /// The box around all vertices; exact for frames whose axes lie along the coordinate axes, else it may be larger.
     [[nodiscard]] bounds3 bounds() const noexcept { return fresh().bounds; }
 
+    /// The distance between neighbouring 32-bit floats at the mesh's farthest coordinate, in em: no position is rounded
+    /// by more than half of it. What is thinner than two such steps may fall together; see rounding.hpp.
+    [[nodiscard]] double position_step() const noexcept
+    {
+        const text_shapes& all = fresh();
+        float farthest = 0.0f;
+        for (const vec3 corner : {all.bounds.low, all.bounds.high})
+            for (const float v : {corner.x, corner.y, corner.z}) farthest = (std::max)(farthest, std::fabs(v));
+        const double next = std::nextafter(farthest, (std::numeric_limits<float>::max)());
+        return (next - farthest) / (all.placed.unit_per_font_unit * all.placed.units_per_em);
+    }
+
+    /// Where one glyph stands, as its extruder is told.
+    [[nodiscard]] placement place(std::size_t glyph) const noexcept { return fresh().place(fresh().records[glyph]); }
+
     /// N and H of the four vertex counts 2N, 4N and 4N + 2H: contour points, and those among them with doubled side
     /// vertices. Cost: O(glyphs), and O(points) for H.
     [[nodiscard]] std::uint64_t contour_points() const noexcept
@@ -143,23 +191,105 @@ public:
     {
         const text_shapes& all = fresh();
         if (error e = sink.begin(size())) return e;
+        for (const part p : all_parts) write_vertices_of(all.records.view(), p, sink);
+        for (const part p : all_parts) write_triangles_of(all.records.view(), p, sink);
+        sink.end();
+        return {};
+    }
 
-        for (const part p : all_parts)
-            for (const shape_record& s : all.records) write_vertices(p, s.shape->form(), extruder_, all.place(s), sink);
-
-        part_counts start;
-        start[part::back] = all.totals.vertices[part::front];
-        start[part::side] = start[part::back] + all.totals.vertices[part::back];
-        const bool turned = all.placed.frame.turns_triangles();
+    /// Writes only some neighbouring glyphs, each part to where it lies in the whole mesh: for a text of which little
+    /// has changed since it was written. Vertices ascend, then indices, in each part; all else is left alone.
+    ///
+    ///     keep of the text before     size(), and range(glyph, part) of each glyph that will change
+    ///     if size() is the same now and these ranges are, nothing else has moved: write these glyphs
+    ///     else                        write the whole
+    ///
+    /// Besides, the others' vertices must be what they were: pen positions (the advance of what changed), and with
+    /// texture_box::text or ::line or output_unit::unit_box the box that they are measured by.
+    /// Fails as write() does. For sinks over the whole mesh's memory that can begin anywhere: array_sink, stream_sink.
+    template <class Sink>
+        requires patching_sink<std::remove_reference_t<Sink>>
+    error write(glyph_span some, Sink&& sink) const noexcept
+    {
+        const auto records = fresh().records.view().subspan(some.first, some.last - some.first);
+        const mesh_size whole = size();
         for (const part p : all_parts) {
-            for (const shape_record& s : all.records) {
-                first_vertices first;
-                for (const part q : all_parts) first[q] = start[q] + s.before.vertices[q];
-                write_triangles(p, s.shape->form(), extruder_, first, turned, sink);
+            const mesh_range r = range(some, p);
+            if (error e = sink.begin_at(whole, r.first_vertex, r.first_index)) return e;
+            write_vertices_of(records, p, sink);
+            write_triangles_of(records, p, sink);
+            sink.end();
+        }
+        return {};
+    }
+
+    /// The text's different glyphs, each of which write_meshes() writes once.
+    [[nodiscard]] std::span<const glyph_mesh> meshes() const noexcept { return fresh().meshes.view(); }
+
+    /// Exactly what write_meshes() emits. There are glyphs().size() instances.
+    [[nodiscard]] mesh_size meshes_size() const noexcept
+    {
+        mesh_size all;
+        for (const glyph_mesh& m : meshes()) {
+            for (const part p : all_parts) {
+                all.vertices += m.shape->sizes().vertices[p];
+                all.triangles += m.shape->sizes().triangles[p];
             }
+        }
+        return all;
+    }
+
+    /// Where one part of a mesh lies in what write_meshes() writes. mesh < meshes().size().
+    [[nodiscard]] mesh_range mesh_part(std::size_t mesh, part p) const noexcept
+    {
+        const glyph_mesh& m = fresh().meshes[mesh];
+        const part_sizes& own = m.shape->sizes();
+        mesh_range r{m.first_vertex, own.vertices[p], m.first_index, 3 * own.triangles[p]};
+        for (const part q : all_parts) {
+            if (q >= p) break;
+            r.first_vertex += own.vertices[q];
+            r.first_index += 3 * own.triangles[q];
+        }
+        return r;
+    }
+
+    /// For instanced drawing: every different glyph once, standing at the output's origin.
+    ///
+    ///     vertices   [ mesh 0: front, back, side | mesh 1: front, back, side | ... ]      indices likewise
+    ///
+    /// Textures spread over each glyph's own box, or, in em mapping, begin at its own origin. Fails as write() does.
+    template <class Sink>
+        requires mesh_sink<std::remove_reference_t<Sink>>
+    error write_meshes(Sink&& sink) const noexcept
+    {
+        const text_shapes& all = fresh();
+        if (error e = sink.begin(meshes_size())) return e;
+        for (const glyph_mesh& m : all.meshes)
+            for (const part p : all_parts) write_vertices(p, m.shape->form(), extruder_, all.place(m), sink);
+        const bool turned = all.placed.frame.turns_triangles();
+        for (std::size_t i = 0; i < all.meshes.size(); ++i) {
+            first_vertices first;
+            for (const part p : all_parts) first[p] = mesh_part(i, p).first_vertex;
+            for (const part p : all_parts)
+                write_triangles(p, all.meshes[i].shape->form(), extruder_, first, turned, sink);
         }
         sink.end();
         return {};
+    }
+
+    /// The other half: emit(const glyph_instance&) for every glyph, those of mesh 0 first (glyph_mesh::glyph_count of
+    /// them), then those of mesh 1, and so on. A mesh moved by the translation is the placed glyph, up to the rounding
+    /// of the sum and to textures that spread over more than the glyph.
+    template <class Emit>
+    void write_instances(Emit&& emit) const noexcept
+    {
+        const text_shapes& all = fresh();
+        for (std::uint32_t mesh = 0; mesh < all.meshes.size(); ++mesh) {
+            for (std::uint32_t i = all.meshes[mesh].first_glyph; i != no_glyph; i = all.records[i].next_alike) {
+                const shape_record& s = all.records[i];
+                emit(glyph_instance{all.translation_of(s), mesh, i, s.id, s.cluster});
+            }
+        }
     }
 
 private:
@@ -169,6 +299,34 @@ private:
         TYPEMESH_ASSERT(shapes_->generation.number == generation_,
                         "this text_plan is stale: its mesher has made another plan or was moved since");
         return *shapes_;
+    }
+
+    /// The counts of all glyphs before this one; glyph == glyphs().size() is allowed.
+    [[nodiscard]] part_sizes before(std::size_t glyph) const noexcept
+    {
+        return glyph == fresh().records.size() ? fresh().totals : fresh().records[glyph].before;
+    }
+
+    template <class Sink>
+    void write_vertices_of(std::span<const shape_record> records, part p, Sink& sink) const noexcept
+    {
+        for (const shape_record& s : records)
+            write_vertices(p, s.shape->form(), extruder_, shapes_->place(s), sink);
+    }
+
+    template <class Sink>
+    void write_triangles_of(std::span<const shape_record> records, part p, Sink& sink) const noexcept
+    {
+        const text_shapes& all = *shapes_;
+        part_counts start;
+        start[part::back] = all.totals.vertices[part::front];
+        start[part::side] = start[part::back] + all.totals.vertices[part::back];
+        const bool turned = all.placed.frame.turns_triangles();
+        for (const shape_record& s : records) {
+            first_vertices first;
+            for (const part q : all_parts) first[q] = start[q] + s.before.vertices[q];
+            write_triangles(p, s.shape->form(), extruder_, first, turned, sink);
+        }
     }
 
     [[nodiscard]] mesh_range range_between(part p, const part_sizes& before, const part_sizes& sizes) const noexcept
