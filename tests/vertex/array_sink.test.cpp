@@ -47,11 +47,18 @@ struct tinting_writer {
     corner operator()(const surface_point<wants>& s) const noexcept { return {s.position.x, s.position.y, tint}; }
 };
 
+surface_point<attribute::position> at(vec3 position)
+{
+    surface_point<attribute::position> s;
+    s.position = position;
+    return s;
+}
+
 template <class Sink>
 void write(Sink& sink, std::uint32_t vertices, std::uint32_t triangles)
 {
     for (std::uint32_t i = 0; i < vertices; ++i)
-        sink.vertex({.position = {static_cast<float>(i), 2.0f * static_cast<float>(i), 0.5f}});
+        sink.vertex(at({static_cast<float>(i), 2.0f * static_cast<float>(i), 0.5f}));
     for (std::uint32_t i = 0; i < triangles; ++i) sink.triangle(i, i + 1, i + 2);
     sink.end();
 }
@@ -164,7 +171,7 @@ TEST_CASE("arrays of a fixed size are written as spans of any size are", "[verte
     std::array<std::uint16_t, 3> indices{};
     auto sink = into(std::span{vertices}, std::span{indices}, corner_writer{});
     REQUIRE_FALSE(sink.begin({3, 1}));
-    for (int i = 0; i < 3; ++i) sink.vertex({{static_cast<float>(i), 0.0f, 0.0f}, {}, {}});
+    for (int i = 0; i < 3; ++i) sink.vertex(at({static_cast<float>(i), 0.0f, 0.0f}));
     sink.triangle(0, 1, 2);
     sink.end();
     CHECK(vertices[2] == corner{2, 0, 0});

@@ -37,7 +37,11 @@ struct packed_normals {
 surface_point<attribute::position | attribute::normal | attribute::uv> numbered(std::uint32_t i)
 {
     const auto f = static_cast<float>(i);
-    return {.position = {f, f + 0.25f, f + 0.5f}, .normal = {0.0f, 0.0f, 1.0f}, .uv = {-f, f}};
+    surface_point<attribute::position | attribute::normal | attribute::uv> s;
+    s.position = {f, f + 0.25f, f + 0.5f};
+    s.normal = {0.0f, 0.0f, 1.0f};
+    s.uv = {-f, f};
+    return s;
 }
 
 }  // namespace

@@ -166,6 +166,8 @@ struct text_shapes {
         at.texture_per_cell = {over.width() > 0.0 ? 1.0 / (s.cells * over.width()) : 0.0,
                                over.height() > 0.0 ? 1.0 / (s.cells * over.height()) : 0.0};
         at.frame = placed.frame;
+        at.glyph = s.id;
+        at.cluster = s.cluster;
         return at;
     }
 };
