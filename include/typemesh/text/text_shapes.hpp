@@ -222,6 +222,8 @@ private:
         at.texture_per_cell = {over.width() > 0.0 ? 1.0 / (cells * over.width()) : 0.0,
                                over.height() > 0.0 ? 1.0 / (cells * over.height()) : 0.0};
         at.frame = placed.frame;
+        at.glyph = s.id;
+        at.cluster = s.cluster;
         return at;
     }
 };
