@@ -23,6 +23,7 @@ struct [[nodiscard]] error {
         unreadable_file,      ///< the file cannot be opened or read
         not_a_font,           ///< the bytes are no font that the font library understands
         no_such_face,         ///< the file has no face of that number; count = how many it has
+        no_such_family,       ///< no font of that family is installed, or in the collection given
         no_outlines,          ///< a font of bitmaps only, or not scalable
         unknown_glyph,        ///< the font has no such glyph, or its outline cannot be loaded
         unknown_variation,    ///< the font has no such axis
@@ -35,7 +36,7 @@ struct [[nodiscard]] error {
         bad_option,           ///< an option is outside its range
         mixed_direction,      ///< one line holds left-to-right and right-to-left text
         needs_shaping,        ///< the plain shaper was given a script that it would set wrongly
-        font_library_failed,  ///< FreeType or HarfBuzz refused; count = its own error number, if it has one
+        font_library_failed,  ///< FreeType, HarfBuzz or DirectWrite refused; count = its own error number, if it has one
         refused_by_user,      ///< for policies of the caller's own
     };
 
@@ -72,6 +73,7 @@ struct [[nodiscard]] error {
         case unreadable_file: return "The font file cannot be opened or read.";
         case not_a_font: return "The data is not a font, or is damaged.";
         case no_such_face: return "The font file has no face of that number.";
+        case no_such_family: return "No font of this family is installed, or in the collection given.";
         case no_outlines: return "The font has no outlines (it holds bitmaps only).";
         case unknown_glyph: return "The font has no such glyph, or its outline cannot be loaded.";
         case unknown_variation: return "The font has no such variation axis.";
