@@ -151,7 +151,8 @@ struct text_shapes {
         s.mesh = alone ? no_glyph : mesh_of[number];
         if (s.mesh == no_glyph) {
             s.mesh = static_cast<std::uint32_t>(meshes.size());
-            meshes.push_back_unchecked({.shape = s.shape, .id = s.id, .first_glyph = self, .last_glyph = self});
+            const glyph_id id = alone ? no_glyph : s.id;
+            meshes.push_back_unchecked({.shape = s.shape, .id = id, .first_glyph = self, .last_glyph = self});
             if (!alone) mesh_of[number] = s.mesh;
         }
         glyph_mesh& mesh = meshes[s.mesh];
@@ -189,13 +190,18 @@ struct text_shapes {
         const box over = placed.texture_over == texture_box::text   ? ink
                          : placed.texture_over == texture_box::line ? line_boxes[s.line]
                                                                     : ink_of(s);
-        return place(*s.shape, s.origin, placed.centre, over);
+        placement at = place(*s.shape, s.origin, placed.centre, over);
+        at.glyph = s.merged == shape_record::not_merged ? s.id : no_glyph;
+        at.cluster = s.cluster;
+        return at;
     }
 
     /// A mesh for itself, at the output's origin: textures spread over its own box.
     [[nodiscard]] placement place(const glyph_mesh& m) const noexcept
     {
-        return place(*m.shape, {}, {}, m.shape->ink());
+        placement at = place(*m.shape, {}, {}, m.shape->ink());
+        at.glyph = m.id;
+        return at;
     }
 
     /// How a record's glyph is moved from where its mesh stands alone.
@@ -222,8 +228,6 @@ private:
         at.texture_per_cell = {over.width() > 0.0 ? 1.0 / (cells * over.width()) : 0.0,
                                over.height() > 0.0 ? 1.0 / (cells * over.height()) : 0.0};
         at.frame = placed.frame;
-        at.glyph = s.id;
-        at.cluster = s.cluster;
         return at;
     }
 };
