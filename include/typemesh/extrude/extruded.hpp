@@ -69,7 +69,7 @@ struct extruded {
 
     [[nodiscard]] result<part_sizes> plan(const region& shape, buffer<side_point>& sides) const noexcept
     {
-        if (!is_finite(static_cast<double>(depth)) || !(depth > 0.0f)) return error::bad_option;
+        if (!is_finite(static_cast<double>(depth)) || !(depth > 0.0f)) return error::bad("depth");
         const std::size_t n = shape.points().size();
         if (n > 0x3FFF'FFFFu) return error::too_large;
         if (!side || n == 0) {

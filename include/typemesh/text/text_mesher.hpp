@@ -159,8 +159,8 @@ private:
     {
         if (!is_finite(options.tolerance) || !(options.tolerance > 0.0)) return stop(error::bad_tolerance);
         if (!is_finite(options.pixels_per_em) || !(options.pixels_per_em > 0.0) || options.pixels_per_em > 0x1p30)
-            return stop(error::bad_option);
-        if (!is_finite(run.units_per_em) || !(run.units_per_em > 0.0)) return stop(error::bad_option);
+            return stop(error::bad("pixels_per_em"));
+        if (!is_finite(run.units_per_em) || !(run.units_per_em > 0.0)) return stop(error::bad("units_per_em"));
 
         TYPEMESH_ASSERT(run.units_per_em == font_->units_per_em(),
                         "the glyph_run was made for a font of other units per em");
