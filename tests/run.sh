@@ -11,6 +11,7 @@ usage: tests/run.sh [--with TIER[,TIER...]] [--all]
 Installs what is missing, builds and runs the tests of the core and its adapters with g++. Further tiers:
   clang      the same tests with clang++
   sanitize   the same tests with g++ under the address and undefined behaviour sanitizers
+  tsan       the tests that use threads with g++ under the thread sanitizer
   external   other people's tools (admesh, gltf-validator) read what text_to_mesh writes; the benchmarks are built
 --all takes every tier.
 END
@@ -19,13 +20,13 @@ END
 tiers=gcc
 while [ $# -gt 0 ]; do
     case $1 in
-        --all) tiers="gcc clang sanitize external" ;;
+        --all) tiers="gcc clang sanitize tsan external" ;;
         --with | --with=*)
             [ "$1" != --with ] || shift
             [ $# -gt 0 ] || { usage >&2 && exit 2; }
             for tier in $(say "${1#--with=}" | tr , ' '); do
                 case $tier in
-                    clang | sanitize | external) tiers="$tiers $tier" ;;
+                    clang | sanitize | tsan | external) tiers="$tiers $tier" ;;
                     *) usage >&2 && exit 2 ;;
                 esac
             done
@@ -76,6 +77,7 @@ tier_clang() {
     test_preset clang
 }
 tier_sanitize() { test_preset sanitize typemesh_tests; }
+tier_tsan() { test_preset tsan typemesh_tests; }
 
 # Scripts in tests/external, each run in a scratch folder: 0 passed, 77 skipped with the reason on the last line, anything
 # else failed. They find the tool in TYPEMESH_TEXT_TO_MESH, tests/ in TYPEMESH_TEST_DATA, npm's packages by NODE_PATH.
