@@ -57,7 +57,7 @@ public:
     [[nodiscard]] mesh_range range(std::size_t glyph, part p) const noexcept
     {
         const shape_record& s = fresh().records[glyph];
-        return range_between(p, s.before, s.sizes);
+        return range_between(p, s.before, s.shape->sizes());
     }
 
     /// The glyphs in the mesh, in drawing order.
@@ -77,12 +77,19 @@ public:
     [[nodiscard]] bounds3 bounds() const noexcept { return fresh().bounds; }
 
     /// N and H of the four vertex counts 2N, 4N and 4N + 2H: contour points, and those among them with doubled side
-    /// vertices.
-    [[nodiscard]] std::uint64_t contour_points() const noexcept { return fresh().points.size(); }
+    /// vertices. Cost: O(glyphs), and O(points) for H.
+    [[nodiscard]] std::uint64_t contour_points() const noexcept
+    {
+        std::uint64_t points = 0;
+        for (const shape_record& s : fresh().records) points += s.shape->form().points.size();
+        return points;
+    }
     [[nodiscard]] std::uint64_t hard_edges() const noexcept
     {
         std::uint64_t hard = 0;
-        for (const side_point& s : fresh().sides) hard += s.doubled && !(s.seam && s.before == s.after) ? 1u : 0u;
+        for (const shape_record& r : fresh().records)
+            for (const side_point& s : r.shape->form().sides)
+                hard += s.doubled && !(s.seam && s.before == s.after) ? 1u : 0u;
         return hard;
     }
 
@@ -96,7 +103,7 @@ public:
         if (error e = sink.begin(size())) return e;
 
         for (const part p : all_parts)
-            for (const shape_record& s : all.records) write_vertices(p, all.solid_of(s), extruder_, all.place(s), sink);
+            for (const shape_record& s : all.records) write_vertices(p, s.shape->form(), extruder_, all.place(s), sink);
 
         part_counts start;
         start[part::back] = all.totals.vertices[part::front];
@@ -106,7 +113,7 @@ public:
             for (const shape_record& s : all.records) {
                 first_vertices first;
                 for (const part q : all_parts) first[q] = start[q] + s.before.vertices[q];
-                write_triangles(p, all.solid_of(s), extruder_, first, turned, sink);
+                write_triangles(p, s.shape->form(), extruder_, first, turned, sink);
             }
         }
         sink.end();
