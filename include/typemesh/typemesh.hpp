@@ -38,4 +38,5 @@
 #include <typemesh/extrude/shared_normals.hpp>
 
 #include <typemesh/text/shaped_by.hpp>
+#include <typemesh/text/text_chunks.hpp>
 #include <typemesh/text/text_mesher.hpp>

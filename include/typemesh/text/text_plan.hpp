@@ -2,24 +2,20 @@
 #pragma once
 
 #include <typemesh/core/assert.hpp>
+#include <typemesh/core/executor.hpp>
 #include <typemesh/extrude/extrude.hpp>
 #include <typemesh/layout/glyph_run.hpp>
+#include <typemesh/text/mesh_layout.hpp>
 #include <typemesh/text/text_shapes.hpp>
-#include <typemesh/vertex/mesh_sink.hpp>
+#include <typemesh/vertex/ranged_sink.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <type_traits>
+#include <utility>
 
 namespace typemesh {
-
-/// A stretch of the output: vertices [first_vertex, first_vertex + vertex_count), indices likewise.
-struct mesh_range {
-    std::uint32_t first_vertex = 0;
-    std::uint32_t vertex_count = 0;
-    std::uint32_t first_index = 0;
-    std::uint32_t index_count = 0;
-};
 
 /// A text, meshed and measured but not yet written: exact sizes first, then write() as often as you like.
 ///
@@ -30,6 +26,8 @@ struct mesh_range {
 /// next plan() (using it then is asserted). Only glyphs that have triangles are counted among glyphs().
 template <extruder Extruder>
 class text_plan {
+    friend class text_chunks;
+
 public:
     text_plan(const text_shapes& shapes, const glyph_run& run, const Extruder& extruder) noexcept
         : shapes_{&shapes}, run_{&run}, extruder_{extruder}, generation_{shapes.generation.number}
@@ -39,25 +37,15 @@ public:
     text_plan& operator=(text_plan&&) noexcept = default;
 
     /// Exactly how many vertices and triangles write() will emit.
-    [[nodiscard]] mesh_size size() const noexcept
-    {
-        const part_counts vertices = fresh().totals.vertices, triangles = fresh().totals.triangles;
-        mesh_size all;
-        for (const part p : all_parts) {
-            all.vertices += vertices[p];
-            all.triangles += triangles[p];
-        }
-        return all;
-    }
+    [[nodiscard]] mesh_size size() const noexcept { return whole().size(); }
 
     /// Where one part lies in the output.
-    [[nodiscard]] mesh_range range(part p) const noexcept { return range_between(p, {}, fresh().totals); }
+    [[nodiscard]] mesh_range range(part p) const noexcept { return whole().range(p); }
 
     /// Where one glyph's share of a part lies. glyph < glyphs().size().
     [[nodiscard]] mesh_range range(std::size_t glyph, part p) const noexcept
     {
-        const shape_record& s = fresh().records[glyph];
-        return range_between(p, s.before, s.shape->sizes());
+        return whole().range(p, glyph, glyph + 1);
     }
 
     /// The glyphs in the mesh, in drawing order.
@@ -99,23 +87,24 @@ public:
         requires mesh_sink<std::remove_reference_t<Sink>>
     error write(Sink&& sink) const noexcept
     {
-        const text_shapes& all = fresh();
         if (error e = sink.begin(size())) return e;
+        whole().everything(extruder_, sink);
+        sink.end();
+        return {};
+    }
 
-        for (const part p : all_parts)
-            for (const shape_record& s : all.records) write_vertices(p, s.shape->form(), extruder_, all.place(s), sink);
-
-        part_counts start;
-        start[part::back] = all.totals.vertices[part::front];
-        start[part::side] = start[part::back] + all.totals.vertices[part::back];
-        const bool turned = all.placed.frame.turns_triangles();
-        for (const part p : all_parts) {
-            for (const shape_record& s : all.records) {
-                first_vertices first;
-                for (const part q : all_parts) first[q] = start[q] + s.before.vertices[q];
-                write_triangles(p, s.shape->form(), extruder_, first, turned, sink);
-            }
-        }
+    /// The same by several workers, in equal shares; the output is the same to the bit. The sink must take stretches
+    /// (see ranged_sink), as those over arrays and containers do. A share is written ascending.
+    template <class Sink, executor Executor>
+        requires ranged_sink<std::remove_reference_t<Sink>>
+    error write(Sink&& sink, Executor& workers) const noexcept
+    {
+        if (error e = sink.begin(size())) return e;
+        const mesh_layout all = whole();
+        const std::size_t shares = shares_for(workers.workers());
+        workers.run(shares, [&, this](std::size_t k, std::size_t) noexcept {
+            all.share(k, shares, extruder_, std::as_const(sink));
+        });
         sink.end();
         return {};
     }
@@ -128,15 +117,14 @@ private:
         return *shapes_;
     }
 
-    [[nodiscard]] mesh_range range_between(part p, const part_sizes& before, const part_sizes& sizes) const noexcept
+    [[nodiscard]] mesh_layout whole() const noexcept { return {fresh(), 0, fresh().records.size()}; }
+
+    /// Enough shares that no worker waits long for another, none so small that it is not worth the asking.
+    [[nodiscard]] std::size_t shares_for(std::size_t workers) const noexcept
     {
-        mesh_range r{before.vertices[p], sizes.vertices[p], 3 * before.triangles[p], 3 * sizes.triangles[p]};
-        for (const part q : all_parts) {
-            if (q >= p) break;
-            r.first_vertex += shapes_->totals.vertices[q];
-            r.first_index += 3 * shapes_->totals.triangles[q];
-        }
-        return r;
+        if (workers <= 1) return 1;
+        const std::uint64_t worth = size().vertices / 2048 + 1;
+        return worth < 8 * workers ? static_cast<std::size_t>(worth) : 8 * workers;
     }
 
     const text_shapes* shapes_;
