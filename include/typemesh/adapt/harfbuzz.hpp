@@ -7,6 +7,7 @@
 #include <typemesh/layout/shaper.hpp>
 #include <typemesh/outline/font_options.hpp>
 #include <typemesh/outline/outline_source.hpp>
+#include <typemesh/outline/variation_key.hpp>
 
 #include <hb-ot.h>
 #include <hb.h>
@@ -91,6 +92,17 @@ public:
 
     /// How many glyphs the face has; their ids count from 0.
     [[nodiscard]] std::uint32_t glyph_count() const noexcept { return glyph_count_; }
+
+    /// See variation_key.hpp. Of the face's number and the axes; not of what else the caller may change in a font that
+    /// he wrapped, such as its slant.
+    [[nodiscard]] std::uint64_t variation_key() const noexcept
+    {
+        unsigned count = 0;
+        const int* axes = hb_font_get_var_coords_normalized(font_, &count);
+        std::uint64_t key = hb_face_get_index(hb_font_get_face(font_));
+        for (unsigned i = 0; i < count; ++i) key = mixed_key(key, static_cast<std::uint32_t>(axes[i]));
+        return key;
+    }
 
     /// See outline_source. Curves keep their degree: quadratics from TrueType, cubics from CFF.
     template <outline_sink Sink>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/assert.hpp>
+#include <typemesh/core/option_bits.hpp>
 #include <typemesh/discretise/discretiser.hpp>
 
 #include <cmath>
@@ -45,6 +46,9 @@ struct adaptive_subdivision {
     {
         return {15, 0.005 / 64.0 * units_per_em, 0.01};
     }
+
+    /// See option_bits.
+    [[nodiscard]] option_bits cache_key() const noexcept { return {levels, distance, angle}; }
 
     template <class Emit>
     void operator()(const quadratic& q, double tolerance, Emit&& emit) const noexcept

@@ -17,6 +17,9 @@ struct creased_normals {
 
     float crease_degrees = 30.0f;  ///< 0 to 180
 
+    /// See option_bits.
+    [[nodiscard]] option_bits cache_key() const noexcept { return {crease_degrees}; }
+
     error operator()(const region& shape, std::span<side_point> sides) const noexcept
     {
         if (!is_crease_angle(crease_degrees)) return error::bad_option;

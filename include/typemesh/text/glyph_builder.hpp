@@ -18,8 +18,8 @@ namespace typemesh {
 
 /// What a glyph is asked for with, beside the policies.
 struct glyph_settings {
-    double tolerance = 0.0;        ///< the largest distance between curve and mesh, in em
-    std::optional<fill_rule> fill; ///< instead of the outline source's own
+    double tolerance = 0.0;              ///< the largest distance between curve and mesh, in em
+    std::optional<fill_rule> fill = {};  ///< instead of the outline source's own
 };
 
 /// Makes one glyph from its outline: record, discretise, fill, triangulate, and the extruder's count. Holds the scratch

@@ -7,6 +7,7 @@
 #include <typemesh/layout/layout.hpp>
 #include <typemesh/text/arrange.hpp>
 #include <typemesh/text/glyph_builder.hpp>
+#include <typemesh/text/glyph_cache.hpp>
 #include <typemesh/text/text_options.hpp>
 #include <typemesh/text/text_plan.hpp>
 #include <typemesh/text/text_shapes.hpp>
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -30,13 +32,14 @@ namespace typemesh {
 ///
 ///     auto flat_text = text_mesher{font}.with(flat{});
 ///     auto deep_text = text_mesher{font}.with(extruded<>{.depth = 0.5f}).with(two_lines{});
+///     auto quick_text = text_mesher{font}.with(cached_in{cache, 1});            // see glyph_cache.hpp
 ///
 /// `font` is an outline source and, for plan(text), a shaper as well; it is referred to and must outlive the mesher.
 /// A glyph that occurs more than once in a text is built once. Memory grows to what the largest text needs and stays:
 /// after warm-up a text of the same size allocates nothing here.
 /// One mesher a thread.
 template <outline_source Font, discretiser Discretiser = certified, triangulator Triangulator = monotone,
-          extruder Extruder = extruded<>, stage_observer Observer = no_observer>
+          extruder Extruder = extruded<>, stage_observer Observer = no_observer, class Cache = no_cache>
 class text_mesher {
 public:
     using plan_type = text_plan<Extruder>;
@@ -48,22 +51,25 @@ public:
 
     text_mesher(const Font&&, memory = heap()) = delete;  // the mesher refers to its font: a temporary will not do
 
-    /// The same mesher with one policy exchanged: a discretiser, a triangulator, an extruder or a stage_observer.
+    /// The same mesher with one policy exchanged: a discretiser, a triangulator, an extruder or a stage_observer; or
+    /// with the cache that its glyphs shall be kept in, as cached_in (no_cache{}: in none).
     template <class Policy>
     [[nodiscard]] auto with(Policy policy) && noexcept
     {
-        if constexpr (discretiser<Policy>)
-            return changed(std::move(policy), triangulator_, extruder_, observer_);
+        if constexpr (detail::is_cache<Policy>)
+            return changed(discretiser_, triangulator_, extruder_, observer_, policy);
+        else if constexpr (discretiser<Policy>)
+            return changed(std::move(policy), triangulator_, extruder_, observer_, cache_);
         else if constexpr (triangulator<Policy>)
-            return changed(discretiser_, std::move(policy), extruder_, observer_);
+            return changed(discretiser_, std::move(policy), extruder_, observer_, cache_);
         else if constexpr (extruder<Policy>)
-            return changed(discretiser_, triangulator_, std::move(policy), observer_);
+            return changed(discretiser_, triangulator_, std::move(policy), observer_, cache_);
         else {
             static_assert(stage_observer<Policy>,
-                          "typemesh: with() takes a discretiser, a triangulator, an extruder or a stage_observer, and "
-                          "this type is none of them; static_assert the concept that it should model to see what it "
-                          "lacks.");
-            return changed(discretiser_, triangulator_, extruder_, std::move(policy));
+                          "typemesh: with() takes a discretiser, a triangulator, an extruder, a stage_observer or "
+                          "cached_in, and this type is none of them; static_assert the concept that it should model "
+                          "to see what it lacks.");
+            return changed(discretiser_, triangulator_, extruder_, std::move(policy), cache_);
         }
     }
 
@@ -116,11 +122,11 @@ public:
     }
 
 private:
-    template <outline_source, discretiser, triangulator, extruder, stage_observer>
+    template <outline_source, discretiser, triangulator, extruder, stage_observer, class>
     friend class text_mesher;
 
     text_mesher(Font* font, glyph_builder&& builder, glyph_run&& run, text_shapes&& shapes, Discretiser d,
-                Triangulator t, Extruder e, Observer w) noexcept
+                Triangulator t, Extruder e, Observer w, Cache cache) noexcept
         : font_{font},
           builder_{std::move(builder)},
           run_{std::move(run)},
@@ -128,15 +134,17 @@ private:
           discretiser_{std::move(d)},
           triangulator_{std::move(t)},
           extruder_{std::move(e)},
-          observer_{std::move(w)}
+          observer_{std::move(w)},
+          cache_{cache}
     {
     }
 
-    template <class D, class T, class E, class W>
-    auto changed(D d, T t, E e, W w) noexcept
+    template <class D, class T, class E, class W, class C>
+    auto changed(D d, T t, E e, W w, C cache) noexcept
     {
-        return text_mesher<Font, D, T, E, W>{font_,        std::move(builder_), std::move(run_), std::move(shapes_),
-                                             std::move(d), std::move(t),        std::move(e),    std::move(w)};
+        return text_mesher<Font, D, T, E, W, C>{font_,          std::move(builder_), std::move(run_), std::move(shapes_),
+                                                std::move(d),   std::move(t),        std::move(e),    std::move(w),
+                                                cache};
     }
 
     error stop(error e) noexcept
@@ -166,7 +174,10 @@ private:
         if (!e) e = build_shapes(options);
         if (!e) e = place_shapes(run);
         if (!e) e = arrange(shapes_, run, options, font_->units_per_em(), extruder_.heights());
-        if (e) return stop(e);
+        if (e) {
+            shapes_.shapes.release();
+            return stop(e);
+        }
         observer_(stage::idle);
         return plan_type{shapes_, run, extruder_};
     }
@@ -190,19 +201,42 @@ private:
         return {};
     }
 
-    /// Builds each different glyph.
+    /// Finds or builds each different glyph.
     error build_shapes(const text_options& options) noexcept
     {
         const auto ids = shapes_.different.ids();
-        const glyph_shape** shapes = shapes_.shapes.append(ids.size());
-        if (shapes == nullptr && !ids.empty()) return error::out_of_memory;
         const glyph_settings how{options.tolerance, options.fill};
+        if constexpr (!std::is_same_v<Cache, no_cache>) {
+            if (options.reuse) {
+                auto& cache = *cache_.cache;
+                if (!shapes_.shapes.expect(ids.size(), &cache)) return error::out_of_memory;
+                const shape_context context =
+                    context_of(cache_.font, *font_, how, discretiser_, triangulator_, extruder_);
+                const std::uint64_t hash = context.hash();
+                return each_shape(
+                    ids, how, [&](glyph_id id) noexcept { return cache.find(context, hash, id); },
+                    [&](glyph_id id, const glyph_parts& parts) noexcept { return cache.keep(context, hash, id, parts); });
+            }
+        }
+        if (!shapes_.shapes.expect(ids.size())) return error::out_of_memory;
+        return each_shape(
+            ids, how, [](glyph_id) noexcept { return static_cast<const glyph_shape*>(nullptr); },
+            [&](glyph_id, const glyph_parts& parts) noexcept { return shapes_.store.keep(parts); });
+    }
+
+    template <class Find, class Keep>
+    error each_shape(std::span<const glyph_id> ids, const glyph_settings& how, Find&& find, Keep&& keep) noexcept
+    {
         for (std::size_t k = 0; k < ids.size(); ++k) {
-            const auto parts =
-                builder_.build(*font_, ids[k], how, discretiser_, triangulator_, extruder_, observer_);
-            if (!parts) return parts.error();
-            shapes[k] = shapes_.store.keep(*parts);
-            if (shapes[k] == nullptr) return error::out_of_memory;
+            const glyph_shape* shape = find(ids[k]);
+            if (shape == nullptr) {
+                const auto parts =
+                    builder_.build(*font_, ids[k], how, discretiser_, triangulator_, extruder_, observer_);
+                if (!parts) return parts.error();
+                shape = keep(ids[k], *parts);
+                if (shape == nullptr) return error::out_of_memory;
+            }
+            shapes_.shapes.set(k, shape);
         }
         return {};
     }
@@ -253,6 +287,7 @@ private:
     [[no_unique_address]] Triangulator triangulator_{};
     [[no_unique_address]] Extruder extruder_{};
     [[no_unique_address]] Observer observer_{};
+    [[no_unique_address]] Cache cache_{};
 };
 
 template <class Font>

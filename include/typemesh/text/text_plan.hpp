@@ -23,18 +23,36 @@ namespace typemesh {
 ///     indices    [ front: glyph 0, glyph 1, ... | back: ... | side: ... ]       be drawn with a material of its own
 ///
 /// Move-only. It refers to its mesher, which must outlive it; a move of the mesher ends it, and so does the mesher's
-/// next plan() (using it then is asserted). Only glyphs that have triangles are counted among glyphs().
+/// next plan() (using it then is asserted). Until its end the shapes that it took from a glyph_cache stay where they
+/// are, whoever throws out others. Only glyphs that have triangles are counted among glyphs().
 template <extruder Extruder>
 class text_plan {
     friend class text_chunks;
 
 public:
-    text_plan(const text_shapes& shapes, const glyph_run& run, const Extruder& extruder) noexcept
+    text_plan(text_shapes& shapes, const glyph_run& run, const Extruder& extruder) noexcept
         : shapes_{&shapes}, run_{&run}, extruder_{extruder}, generation_{shapes.generation.number}
     {
     }
-    text_plan(text_plan&&) noexcept = default;
-    text_plan& operator=(text_plan&&) noexcept = default;
+    text_plan(text_plan&& other) noexcept
+        : shapes_{std::exchange(other.shapes_, nullptr)},
+          run_{other.run_},
+          extruder_{std::move(other.extruder_)},
+          generation_{other.generation_}
+    {
+    }
+    text_plan& operator=(text_plan&& other) noexcept
+    {
+        std::swap(shapes_, other.shapes_);
+        std::swap(run_, other.run_);
+        std::swap(extruder_, other.extruder_);
+        std::swap(generation_, other.generation_);
+        return *this;
+    }
+    ~text_plan()
+    {
+        if (shapes_ != nullptr && shapes_->generation.number == generation_) shapes_->shapes.release();
+    }
 
     /// Exactly how many vertices and triangles write() will emit.
     [[nodiscard]] mesh_size size() const noexcept { return whole().size(); }
@@ -112,6 +130,7 @@ public:
 private:
     const text_shapes& fresh() const noexcept
     {
+        TYPEMESH_ASSERT(shapes_ != nullptr, "a text_plan was used that has been moved away");
         TYPEMESH_ASSERT(shapes_->generation.number == generation_,
                         "this text_plan is stale: its mesher has made another plan or was moved since");
         return *shapes_;
@@ -127,7 +146,7 @@ private:
         return worth < 8 * workers ? static_cast<std::size_t>(worth) : 8 * workers;
     }
 
-    const text_shapes* shapes_;
+    text_shapes* shapes_;
     const glyph_run* run_;
     Extruder extruder_;
     std::uint64_t generation_;

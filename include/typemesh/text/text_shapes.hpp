@@ -5,6 +5,7 @@
 #include <typemesh/extrude/placement.hpp>
 #include <typemesh/text/glyph_set.hpp>
 #include <typemesh/text/glyph_shape.hpp>
+#include <typemesh/text/pinned_shapes.hpp>
 #include <typemesh/text/shape_store.hpp>
 #include <typemesh/text/text_options.hpp>
 #include <typemesh/text/text_report.hpp>
@@ -63,9 +64,9 @@ struct shapes_generation {
 /// write() reads.
 struct text_shapes {
     glyph_set different;                 ///< the glyphs that the text asks for
-    buffer<const glyph_shape*> shapes;   ///< theirs, blank and refused ones included
+    pinned_shapes shapes;                ///< theirs, blank and refused ones included
     buffer<std::uint32_t> numbers;       ///< for each glyph of the run, which of them it is
-    shape_store store;                   ///< where their shapes lie
+    shape_store store;                   ///< where shapes lie that no cache keeps
     buffer<shape_record> records;        ///< what is drawn
     buffer<box> line_boxes;              ///< in font units; filled for texture_box::line alone
     box ink;                             ///< around all records, font units
