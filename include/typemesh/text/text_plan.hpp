@@ -24,7 +24,7 @@ namespace typemesh {
 ///
 /// Move-only. It refers to its mesher, which must outlive it; a move of the mesher ends it, and so does the mesher's
 /// next plan() (using it then is asserted). Until its end the shapes that it took from a glyph_cache stay where they
-/// are, whoever throws out others. Only glyphs that have triangles are counted among glyphs().
+/// are, whoever throws out others; those that a glyph_team built lie there. Only glyphs that have triangles are counted among glyphs().
 template <extruder Extruder>
 class text_plan {
     friend class text_chunks;
@@ -133,6 +133,7 @@ private:
         TYPEMESH_ASSERT(shapes_ != nullptr, "a text_plan was used that has been moved away");
         TYPEMESH_ASSERT(shapes_->generation.number == generation_,
                         "this text_plan is stale: its mesher has made another plan or was moved since");
+        TYPEMESH_ASSERT(shapes_->lent.are_there(), "this text_plan is stale: its glyph_team has built another since");
         return *shapes_;
     }
 
