@@ -38,6 +38,7 @@
 #include <typemesh/extrude/shared_normals.hpp>
 
 #include <typemesh/text/glyph_cache.hpp>
+#include <typemesh/text/rounding.hpp>
 #include <typemesh/text/shaped_by.hpp>
 #include <typemesh/text/text_chunks.hpp>
 #include <typemesh/text/text_mesher.hpp>

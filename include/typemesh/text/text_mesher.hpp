@@ -326,27 +326,27 @@ private:
     {
         text_report& report = shapes_.report;
         report.glyphs = static_cast<std::uint32_t>(run.glyphs.size());
-        if (!shapes_.records.reserve(run.glyphs.size())) return error::out_of_memory;
+        if (!shapes_.expect_records(run.glyphs.size())) return error::out_of_memory;
         std::size_t line = 0;
         for (std::size_t i = 0; i < run.glyphs.size(); ++i) {
             while (line + 1 < run.lines.size() && i >= run.lines[line + 1].first_glyph) ++line;
-            if (shapes_.numbers[i] == not_drawn) continue;
+            const std::uint32_t number = shapes_.numbers[i];
+            if (number == not_drawn) continue;
             const placed_glyph& glyph = run.glyphs[i];
-            const glyph_shape* shape = shapes_.shapes[shapes_.numbers[i]];
+            const glyph_shape* shape = shapes_.shapes[number];
             error refusal = misplaced(glyph.origin);
             if (!refusal) refusal = shape->refusal();
             if (refusal) {
                 if (report.refused++ == 0) report.first_refusal = refusal.at(glyph.id, glyph.cluster);
             } else if (shape->is_blank()) {
                 ++report.blank;
-            } else if (error e = shapes_.place_shape({.shape = shape,
-                                                      .origin = glyph.origin,
-                                                      .id = glyph.id,
-                                                      .cluster = glyph.cluster,
-                                                      .line = static_cast<std::uint32_t>(line)})) {
-                return e;
+            } else {
+                const auto of_line = static_cast<std::uint32_t>(line);
+                if (error e = shapes_.place_shape({shape, glyph.origin, glyph.id, glyph.cluster, of_line}, number))
+                    return e;
             }
         }
+        shapes_.number_meshes();
         return {};
     }
 

@@ -9,13 +9,22 @@
 #include <typemesh/text/text_shapes.hpp>
 #include <typemesh/vertex/ranged_sink.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <type_traits>
 #include <utility>
 
 namespace typemesh {
+
+/// Neighbouring glyphs of a plan: glyphs [first, last).
+struct glyph_span {
+    std::size_t first = 0;
+    std::size_t last = 0;
+};
 
 /// A text, meshed and measured but not yet written: exact sizes first, then write() as often as you like.
 ///
@@ -24,7 +33,8 @@ namespace typemesh {
 ///
 /// Move-only. It refers to its mesher, which must outlive it; a move of the mesher ends it, and so does the mesher's
 /// next plan() (using it then is asserted). Until its end the shapes that it took from a glyph_cache stay where they
-/// are, whoever throws out others; those that a glyph_team built lie there. Only glyphs that have triangles are counted among glyphs().
+/// are, whoever throws out others; those that a glyph_team built lie in the team. Only glyphs that have triangles are
+/// counted among glyphs().
 template <extruder Extruder>
 class text_plan {
     friend class text_chunks;
@@ -63,7 +73,25 @@ public:
     /// Where one glyph's share of a part lies. glyph < glyphs().size().
     [[nodiscard]] mesh_range range(std::size_t glyph, part p) const noexcept
     {
-        return whole().range(p, glyph, glyph + 1);
+        return range(glyph_span{glyph, glyph + 1}, p);
+    }
+
+    /// Where the share of neighbouring glyphs lies; it is in one piece.
+    [[nodiscard]] mesh_range range(glyph_span some, part p) const noexcept
+    {
+        return whole().range(p, some.first, some.last);
+    }
+
+    /// The glyphs that come from a place of the caller's text; none (first == last) where it left no glyph in the mesh.
+    /// The glyphs of a cluster are neighbours, whichever way the script runs. Cost: O(glyphs).
+    [[nodiscard]] glyph_span glyphs_of(cluster_id cluster) const noexcept
+    {
+        const auto records = glyphs();
+        std::size_t first = 0;
+        while (first < records.size() && records[first].cluster != cluster) ++first;
+        std::size_t last = first;
+        while (last < records.size() && records[last].cluster == cluster) ++last;
+        return {first, last};
     }
 
     /// The glyphs in the mesh, in drawing order.
@@ -81,6 +109,21 @@ public:
 
     /// The box around all vertices; exact for frames whose axes lie along the coordinate axes, else it may be larger.
     [[nodiscard]] bounds3 bounds() const noexcept { return fresh().bounds; }
+
+    /// The distance between neighbouring 32-bit floats at the mesh's farthest coordinate, in em: no position is rounded
+    /// by more than half of it. What is thinner than two such steps may fall together; see rounding.hpp.
+    [[nodiscard]] double position_step() const noexcept
+    {
+        const text_shapes& all = fresh();
+        float farthest = 0.0f;
+        for (const vec3 corner : {all.bounds.low, all.bounds.high})
+            for (const float v : {corner.x, corner.y, corner.z}) farthest = (std::max)(farthest, std::fabs(v));
+        const double next = std::nextafter(farthest, (std::numeric_limits<float>::max)());
+        return (next - farthest) / (all.placed.unit_per_font_unit * all.placed.units_per_em);
+    }
+
+    /// Where one glyph stands, as its extruder is told.
+    [[nodiscard]] placement place(std::size_t glyph) const noexcept { return fresh().place(fresh().records[glyph]); }
 
     /// N and H of the four vertex counts 2N, 4N and 4N + 2H: contour points, and those among them with doubled side
     /// vertices. Cost: O(glyphs), and O(points) for H.
@@ -125,6 +168,101 @@ public:
         });
         sink.end();
         return {};
+    }
+
+    /// Writes only some neighbouring glyphs, each part to where it lies in the whole mesh: for a text of which little
+    /// has changed since it was written. Vertices ascend, then indices, in each part; all else is left alone.
+    ///
+    ///     keep of the text before     size(), and range(glyph, part) of each glyph that will change
+    ///     if size() is the same now and these ranges are, nothing else has moved: write these glyphs
+    ///     else                        write the whole
+    ///
+    /// Besides, the others' vertices must be what they were: pen positions (the advance of what changed), and with
+    /// texture_box::text or ::line or output_unit::unit_box the box that they are measured by.
+    /// Fails as write() does. For sinks over memory that holds the whole mesh; a container that has another size is not
+    /// that any more.
+    template <class Sink>
+        requires ranged_sink<std::remove_reference_t<Sink>>
+    error write(glyph_span some, Sink&& sink) const noexcept
+    {
+        const mesh_layout all = whole();
+        if (error e = sink.begin(all.size())) return e;
+        for (const part p : all_parts) {
+            auto piece = std::as_const(sink).stretch(range(some, p));
+            all.vertices(p, some.first, some.last, extruder_, piece);
+            all.triangles(p, some.first, some.last, extruder_, piece);
+        }
+        sink.end();
+        return {};
+    }
+
+    /// The text's different glyphs, each of which write_meshes() writes once.
+    [[nodiscard]] std::span<const glyph_mesh> meshes() const noexcept { return fresh().meshes.view(); }
+
+    /// Exactly what write_meshes() emits. There are glyphs().size() instances.
+    [[nodiscard]] mesh_size meshes_size() const noexcept
+    {
+        mesh_size all;
+        for (const glyph_mesh& m : meshes()) {
+            for (const part p : all_parts) {
+                all.vertices += m.shape->sizes().vertices[p];
+                all.triangles += m.shape->sizes().triangles[p];
+            }
+        }
+        return all;
+    }
+
+    /// Where one part of a mesh lies in what write_meshes() writes. mesh < meshes().size().
+    [[nodiscard]] mesh_range mesh_part(std::size_t mesh, part p) const noexcept
+    {
+        const glyph_mesh& m = fresh().meshes[mesh];
+        const part_sizes& own = m.shape->sizes();
+        mesh_range r{m.first_vertex, own.vertices[p], m.first_index, 3 * own.triangles[p]};
+        for (const part q : all_parts) {
+            if (q >= p) break;
+            r.first_vertex += own.vertices[q];
+            r.first_index += 3 * own.triangles[q];
+        }
+        return r;
+    }
+
+    /// For instanced drawing: every different glyph once, standing at the output's origin.
+    ///
+    ///     vertices   [ mesh 0: front, back, side | mesh 1: front, back, side | ... ]      indices likewise
+    ///
+    /// Textures spread over each glyph's own box, or, in em mapping, begin at its own origin. Fails as write() does.
+    template <class Sink>
+        requires mesh_sink<std::remove_reference_t<Sink>>
+    error write_meshes(Sink&& sink) const noexcept
+    {
+        const text_shapes& all = fresh();
+        if (error e = sink.begin(meshes_size())) return e;
+        for (const glyph_mesh& m : all.meshes)
+            for (const part p : all_parts) write_vertices(p, m.shape->form(), extruder_, all.place(m), sink);
+        const bool turned = all.placed.frame.turns_triangles();
+        for (std::size_t i = 0; i < all.meshes.size(); ++i) {
+            first_vertices first;
+            for (const part p : all_parts) first[p] = mesh_part(i, p).first_vertex;
+            for (const part p : all_parts)
+                write_triangles(p, all.meshes[i].shape->form(), extruder_, first, turned, sink);
+        }
+        sink.end();
+        return {};
+    }
+
+    /// The other half: emit(const glyph_instance&) for every glyph, those of mesh 0 first (glyph_mesh::glyph_count of
+    /// them), then those of mesh 1, and so on. A mesh moved by the translation is the placed glyph, up to the rounding
+    /// of the sum and to textures that spread over more than the glyph.
+    template <class Emit>
+    void write_instances(Emit&& emit) const noexcept
+    {
+        const text_shapes& all = fresh();
+        for (std::uint32_t mesh = 0; mesh < all.meshes.size(); ++mesh) {
+            for (std::uint32_t i = all.meshes[mesh].first_glyph; i != no_glyph; i = all.records[i].next_alike) {
+                const shape_record& s = all.records[i];
+                emit(glyph_instance{all.translation_of(s), mesh, i, s.id, s.cluster});
+            }
+        }
     }
 
 private:

@@ -5,6 +5,7 @@
 #include <typemesh/extrude/placement.hpp>
 #include <typemesh/text/glyph_set.hpp>
 #include <typemesh/text/glyph_shape.hpp>
+#include <typemesh/text/instances.hpp>
 #include <typemesh/text/pinned_shapes.hpp>
 #include <typemesh/text/shape_store.hpp>
 #include <typemesh/text/text_options.hpp>
@@ -34,7 +35,9 @@ struct shape_record {
     glyph_id id = no_glyph;
     cluster_id cluster = no_cluster;
     std::uint32_t line = 0;
-    part_sizes before = {};  ///< the counts of all glyphs before it
+    std::uint32_t mesh = 0;               ///< which of the text's meshes it is an instance of
+    std::uint32_t next_alike = no_glyph;  ///< the next record of that mesh, or no_glyph
+    part_sizes before = {};               ///< the counts of all glyphs before it
 };
 
 /// How placements are made: the same for all glyphs of a text.
@@ -76,6 +79,8 @@ struct text_shapes {
     buffer<std::uint32_t> numbers;       ///< for each glyph of the run, which of them it is
     shape_store store;                   ///< where shapes lie that no cache keeps, and no glyph_team
     lent_shapes lent;                    ///< those that a glyph_team keeps
+    buffer<std::uint32_t> mesh_of;       ///< for each of the different glyphs, which mesh it is; no_glyph before it has one
+    buffer<glyph_mesh> meshes;           ///< those of the different glyphs that are drawn
     buffer<shape_record> records;        ///< what is drawn
     buffer<box> line_boxes;              ///< in font units; filled for texture_box::line alone
     box ink;                             ///< around all records, font units
@@ -86,7 +91,14 @@ struct text_shapes {
     shapes_generation generation;
 
     explicit text_shapes(memory source) noexcept
-        : different{source}, shapes{source}, numbers{source}, store{source}, records{source}, line_boxes{source}
+        : different{source},
+          shapes{source},
+          numbers{source},
+          store{source},
+          mesh_of{source},
+          meshes{source},
+          records{source},
+          line_boxes{source}
     {
     }
 
@@ -97,6 +109,8 @@ struct text_shapes {
         numbers.clear();
         store.clear();
         lent = {};
+        mesh_of.clear();
+        meshes.clear();
         records.clear();
         line_boxes.clear();
         ink = {};
@@ -106,9 +120,19 @@ struct text_shapes {
         ++generation.number;
     }
 
-    /// Puts a shape that is neither blank nor refused at its place, `s.before` apart, which is found here.
-    /// Fails with error::too_large where 32 bits do not suffice, or error::out_of_memory; then all is as it was.
-    error place_shape(shape_record s) noexcept
+    /// Room for so many glyphs of the run to be placed. False when the memory gives none.
+    [[nodiscard]] bool expect_records(std::size_t count) noexcept
+    {
+        const std::size_t kinds = different.ids().size();
+        if (!records.reserve(count) || !meshes.reserve(kinds) || !mesh_of.reserve(kinds)) return false;
+        for (std::size_t i = 0; i < kinds; ++i) mesh_of.push_back_unchecked(no_glyph);
+        return true;
+    }
+
+    /// Puts a shape that is neither blank nor refused at its place, after expect_records(); `number` says which of the
+    /// different glyphs it is. What hangs on other records (mesh, next_alike, before) is found here.
+    /// Fails with error::too_large where 32 bits do not suffice; then all is as it was.
+    error place_shape(shape_record s, std::uint32_t number) noexcept
     {
         const part_sizes& sizes = s.shape->sizes();
         s.before = totals;
@@ -122,9 +146,34 @@ struct text_shapes {
         }
         constexpr std::uint64_t most = 0xFFFF'FFFFu;
         if (vertices > most || 3 * triangles > most) return error::too_large;
-        if (!records.push_back(s)) return error::out_of_memory;
+        const auto self = static_cast<std::uint32_t>(records.size());
+        if (mesh_of[number] == no_glyph) {
+            mesh_of[number] = static_cast<std::uint32_t>(meshes.size());
+            meshes.push_back_unchecked({.shape = s.shape, .id = s.id, .first_glyph = self, .last_glyph = self});
+        }
+        s.mesh = mesh_of[number];
+        glyph_mesh& mesh = meshes[s.mesh];
+        if (mesh.glyph_count++ != 0) records[mesh.last_glyph].next_alike = self;
+        mesh.last_glyph = self;
+        records.push_back_unchecked(s);
         totals = sum;
         return {};
+    }
+
+    /// Once all are placed: where each mesh begins, and its instances.
+    void number_meshes() noexcept
+    {
+        std::uint32_t vertex = 0, index = 0, instance = 0;  // no larger than the text's own
+        for (glyph_mesh& m : meshes) {
+            m.first_vertex = vertex;
+            m.first_index = index;
+            m.first_instance = instance;
+            for (const part p : all_parts) {
+                vertex += m.shape->sizes().vertices[p];
+                index += 3 * m.shape->sizes().triangles[p];
+            }
+            instance += m.glyph_count;
+        }
     }
 
     /// A glyph's own box, in font units, seen from the text's origin.
@@ -138,14 +187,36 @@ struct text_shapes {
         const box over = placed.texture_over == texture_box::text   ? ink
                          : placed.texture_over == texture_box::line ? line_boxes[s.line]
                                                                     : ink_of(s);
-        const double cells = s.shape->cells();
+        return place(*s.shape, s.origin, placed.centre, over);
+    }
+
+    /// A mesh for itself, at the output's origin: textures spread over its own box.
+    [[nodiscard]] placement place(const glyph_mesh& m) const noexcept
+    {
+        return place(*m.shape, {}, {}, m.shape->ink());
+    }
+
+    /// How a record's glyph is moved from where its mesh stands alone.
+    [[nodiscard]] vec3 translation_of(const shape_record& s) const noexcept
+    {
         placement at;
-        at.pen = cells * (s.origin - placed.centre);
+        at.unit_per_cell = placed.unit_per_font_unit;
+        at.pen = s.origin - placed.centre;
+        at.frame = placed.frame;
+        return at.position(grid_point{}, 0.0f);
+    }
+
+private:
+    [[nodiscard]] placement place(const glyph_shape& shape, point origin, point centre, const box& over) const noexcept
+    {
+        const double cells = shape.cells();
+        placement at;
+        at.pen = cells * (origin - centre);
         at.unit_per_cell = placed.unit_per_font_unit / cells;
         at.unit_per_em = placed.unit_per_font_unit * placed.units_per_em;
         at.em_per_cell = 1.0 / (cells * placed.units_per_em);
-        at.em_pen = cells * s.origin;
-        at.texture_pen = cells * (s.origin - over.low);
+        at.em_pen = cells * origin;
+        at.texture_pen = cells * (origin - over.low);
         at.texture_per_cell = {over.width() > 0.0 ? 1.0 / (cells * over.width()) : 0.0,
                                over.height() > 0.0 ? 1.0 / (cells * over.height()) : 0.0};
         at.frame = placed.frame;
