@@ -4,6 +4,8 @@
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/executor.hpp>
 #include <typemesh/core/result.hpp>
+#include <typemesh/layout/layout.hpp>
+#include <typemesh/layout/shared_layout.hpp>
 #include <typemesh/outline/outline_source.hpp>
 #include <typemesh/text/glyph_builder.hpp>
 #include <typemesh/text/shape_store.hpp>
@@ -19,7 +21,7 @@ namespace typemesh {
 
 /// Makes the outline source of one worker: clone(worker) gives a result<Source>, for each worker once.
 ///
-/// All must draw the same glyphs, and none may share with another, or with the mesher's font, what either changes:
+/// All must draw and shape alike, and none may share with another, or with the mesher's font, what either changes:
 ///
 ///     HarfBuzz    [&](std::size_t) noexcept { return harfbuzz_font::wrap(font.handle()); }       shares all that is large
 ///     FreeType    [&](std::size_t) noexcept { return freetype_font::open(path, options); }       a face, and a library, each:
@@ -32,7 +34,7 @@ concept source_maker = requires(C& clone, std::size_t worker) {
     { clone(worker).error() } noexcept -> std::same_as<error>;
 };
 
-/// The workers that build a text's glyphs side by side: an executor, and for each of its workers an outline source,
+/// The workers that shape a text's lines and build its glyphs side by side: an executor, and for each of its workers an outline source,
 /// scratch memory, and room for the shapes that it makes. See team_of().
 ///
 /// Move-only. It refers to its executor. One plan at a time lies in it: the next plan() that is given the team ends the
@@ -47,12 +49,16 @@ class glyph_team {
         Source font;
         glyph_builder builder;
         shape_store store;
+        glyph_run lines;
         error trouble;
         std::size_t trouble_at;
     };
     struct block {
         std::uint64_t plans = 0;  // how many have begun
         std::size_t count = 0;
+        shared_layout lines;
+
+        explicit block(memory source) noexcept : lines{source} {}
     };
     static constexpr std::size_t header = (sizeof(block) + alignof(member) - 1) / alignof(member) * alignof(member);
 
@@ -66,12 +72,12 @@ public:
         const std::size_t bytes = header + count * sizeof(member);
         void* raw = source.allocate(source.user, bytes, alignof(member));
         if (raw == nullptr) return error::out_of_memory;
-        glyph_team team{workers, source, new (raw) block, bytes};
+        glyph_team team{workers, source, new (raw) block{source}, bytes};
         for (; team.block_->count < count; ++team.block_->count) {
             const std::size_t worker = team.block_->count;
             auto made = clone(worker);
             if (!made) return made.error();
-            new (team.members() + worker) member{std::move(*made), glyph_builder{source}, shape_store{source}, {}, 0};
+            new (team.members() + worker) member{std::move(*made), glyph_builder{source}, shape_store{source}, glyph_run{source}, {}, 0};
         }
         return result<glyph_team>{std::move(team)};
     }
@@ -95,6 +101,7 @@ public:
     {
         if (block_ == nullptr) return;
         for (std::size_t i = block_->count; i-- > 0;) members()[i].~member();
+        block_->~block();
         source_.deallocate(source_.user, block_, bytes_, alignof(member));
     }
 
@@ -103,6 +110,23 @@ public:
 
     /// The font units to an em of its sources.
     [[nodiscard]] double units_per_em() noexcept { return members()[0].font.units_per_em(); }
+
+    /// What typemesh::layout() does, to the same result: lines are shaped by all workers where the sources are shapers of
+    /// the mesher's own kind, else by its font.
+    template <shaper Shaper>
+    error layout(Shaper& font, text_view text, const shape_options& how, const layout_options& options,
+                 glyph_run& run) noexcept
+    {
+        if constexpr (std::is_same_v<Shaper, Source>) {
+            member* all = members();
+            if (block_->count > 1)
+                return block_->lines(
+                    *executor_, [all](std::size_t worker) noexcept -> Source& { return all[worker].font; },
+                    [all](std::size_t worker) noexcept -> glyph_run& { return all[worker].lines; }, font, text, how,
+                    options, run);
+        }
+        return typemesh::layout(font, text, how, options, run);
+    }
 
     /// Ends the shapes of the plan before, and gives the number by which the new one is known. It stays where it is
     /// when the team moves.

@@ -101,8 +101,8 @@ public:
         return plan_run(run, options, alone);
     }
 
-    /// Both by a team of workers (see glyph_team.hpp), whose sources stand in for the mesher's font when glyphs are
-    /// built. The plan is the same, to the bit; of several errors that of the lowest glyph is told. It lies in the team,
+    /// Both by a team of workers (see glyph_team.hpp), whose sources stand in for the mesher's font when lines are shaped
+    /// and glyphs built. The plan is the same, to the bit; of several errors that of the lowest glyph is told. It lies in the team,
     /// which must outlive it. A cache needs a real lock.
     ///
     /// Policies are called by several threads at a time, as const. Of building the observer is told stage::outline alone.
@@ -198,6 +198,11 @@ private:
     struct alone_type {
         text_mesher& mesher;
 
+        error layout(Font& font, text_view text, const shape_options& how, const layout_options& options,
+                     glyph_run& run) noexcept
+        {
+            return typemesh::layout(font, text, how, options, run);
+        }
         template <class Task>
         error each(std::size_t n, const Task& task) noexcept
         {
@@ -212,7 +217,7 @@ private:
     {
         shapes_.clear();
         observer_(stage::shape);
-        if (error e = layout(*font_, text, options.shape, options.layout, run_)) return stop(e);
+        if (error e = team.layout(*font_, text, options.shape, options.layout, run_)) return stop(e);
         return plan_run(run_, options, team);
     }
 
