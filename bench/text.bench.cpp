@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Whole texts: from characters to vertices and indices, extruded, curve normals, texture coordinates, 1/800 em, 32-byte vertices,
-// 32-bit indices, nothing cached. Beside it, in the same run, the floors: HarfBuzz shaping and outline extraction of the same
-// text, and a memcpy of the finished mesh. Ratios are what counts: "of_floor" is the time by that of the floor.
+// Whole texts: from characters to vertices and indices, extruded, curve normals, texture coordinates, 1/800 em, 32-byte
+// vertices, 32-bit indices, one thread. What counts are the ratios, taken in one run:
+//
+//     cold_of_floor          nothing cached, every letter built anew, by the floor: HarfBuzz shaping and outline extraction
+//     cold_reuse_of_floor    nothing cached, a letter that occurs again built once
+//     warm_of_hand           all glyphs cached, by shaping and a hand-written loop over meshed letters that adds pen
+//                            position and base index
+//     memcpy_of_hand         a memcpy of the finished mesh, by that loop
+//     mallocs_of_font        calls of malloc a warm text; typemesh's own are none (tests/text/allocation.test.cpp)
 //
 //     text_bench                       fonts are looked for under $TYPEMESH_FONT_DIR (default /usr/share/fonts)
 
@@ -21,6 +27,19 @@
 #include <map>
 #include <string>
 #include <vector>
+
+static std::size_t mallocs = 0;
+
+#if defined(__GLIBC__)  // every allocation of the process is counted, HarfBuzz's among them
+extern "C" {
+void* __libc_malloc(std::size_t) noexcept;
+void* __libc_calloc(std::size_t, std::size_t) noexcept;
+void* __libc_realloc(void*, std::size_t) noexcept;
+void* malloc(std::size_t n) noexcept { return ++mallocs, __libc_malloc(n); }
+void* calloc(std::size_t n, std::size_t size) noexcept { return ++mallocs, __libc_calloc(n, size); }
+void* realloc(void* p, std::size_t n) noexcept { return ++mallocs, __libc_realloc(p, n); }
+}
+#endif
 
 namespace {
 
@@ -57,18 +76,73 @@ void floor_of(harfbuzz_font& font, const std::string& text, glyph_run& run)
         if (font.outline(g.id, sink)) std::abort();
 }
 
+/// The best of many short rounds, so that what else runs on the machine falls out.
 double nanoseconds_each(auto&& work)
 {
     using clock = std::chrono::steady_clock;
+    const auto nanoseconds = [](auto d) { return std::chrono::duration<double, std::nano>(d).count(); };
+    work();
+    auto start = clock::now();
+    work();
+    const int times = 1 + static_cast<int>(200'000.0 / (1.0 + nanoseconds(clock::now() - start)));
     double best = 1e30;
-    for (int round = 0; round < 15; ++round) {
-        const auto start = clock::now();
-        constexpr int times = 200;
+    for (int round = 0; round < 300; ++round) {
+        start = clock::now();
         for (int i = 0; i < times; ++i) work();
-        best = std::min(best, std::chrono::duration<double, std::nano>(clock::now() - start).count() / times);
+        best = std::min(best, nanoseconds(clock::now() - start) / times);
     }
     return best;
 }
+
+/// What one would write by hand for letters that are meshed already: for each, its vertices moved to the pen, its
+/// indices raised to where they lie.
+class by_hand {
+public:
+    template <class Plan>
+    explicit by_hand(const Plan& plan)
+    {
+        if (plan.write_meshes(into(vertices_, indices_))) std::abort();
+        letters_.resize(plan.glyphs().size());
+        plan.write_instances([&](const glyph_instance& i) noexcept {
+            const glyph_mesh& m = plan.meshes()[i.mesh];
+            const bool last = i.mesh + 1 == plan.meshes().size();
+            const auto end_vertex = last ? static_cast<std::uint32_t>(vertices_.size()) : (&m)[1].first_vertex;
+            const auto end_index = last ? static_cast<std::uint32_t>(indices_.size()) : (&m)[1].first_index;
+            letters_[i.glyph] = {i.translation, m.first_vertex, end_vertex, m.first_index, end_index};
+        });
+    }
+
+    void write(std::vector<vertex>& vertices, std::vector<std::uint32_t>& indices) const
+    {
+        vertex* to = vertices.data();
+        std::uint32_t* index = indices.data();
+        std::uint32_t base = 0;
+        for (const letter l : letters_) {
+            const vertex* from = vertices_.data() + l.first_vertex;
+            const std::uint32_t count = l.end_vertex - l.first_vertex;
+            for (std::uint32_t i = 0; i < count; ++i) {
+                const vertex& v = from[i];
+                to[i] = {{v.position.x + l.pen.x, v.position.y + l.pen.y, v.position.z + l.pen.z}, v.normal, v.uv};
+            }
+            const std::uint32_t* index_from = indices_.data() + l.first_index;
+            const std::uint32_t index_count = l.end_index - l.first_index, raise = base - l.first_vertex;
+            for (std::uint32_t i = 0; i < index_count; ++i) index[i] = index_from[i] + raise;
+            to += count;
+            index += index_count;
+            base += count;
+        }
+        benchmark::ClobberMemory();
+    }
+
+private:
+    struct letter {
+        vec3 pen;
+        std::uint32_t first_vertex, end_vertex, first_index, end_index;
+    };
+    std::vector<vertex> vertices_;
+    std::vector<std::uint32_t> indices_;
+    std::vector<letter> letters_;
+};
 
 struct stage_clock {
     using clock = std::chrono::steady_clock;
@@ -99,22 +173,46 @@ void register_sample(const sample& s)
         glyph_run run;
         for (auto _ : state) floor_of(font, s.text, run);
     });
-    for (const bool reuse : {false, true})
-    benchmark::RegisterBenchmark((std::string{reuse ? "reuse/" : "extruded/"} + s.name).c_str(), [&font, s, reuse](benchmark::State& state) {
+    benchmark::RegisterBenchmark((std::string{"text/"} + s.name).c_str(), [&font, s](benchmark::State& state) {
         glyph_run run;
-        const double floor = nanoseconds_each([&] { floor_of(font, s.text, run); });
-        text_mesher mesher{font};
         std::vector<vertex> vertices;
         std::vector<std::uint32_t> indices;
-        const auto work = [&] {
-            const auto made = mesher.build(s.text, into(vertices, indices), {.reuse = reuse});
-            if (!made) std::abort();
+        const auto times = [&](auto& mesher, bool reuse) {
+            return nanoseconds_each([&] {
+                if (!mesher.build(s.text, into(vertices, indices), {.reuse = reuse})) std::abort();
+            });
         };
-        const double all = nanoseconds_each(work);
-        for (auto _ : state) work();
-        state.counters["of_floor"] = all / floor;
+        glyph_cache cache;
+        text_mesher cold{font};
+        auto warm = text_mesher{font}.with(cached_in{cache, 1});
+        const double floor = nanoseconds_each([&] { floor_of(font, s.text, run); });
+        const double shaping = nanoseconds_each([&] {
+            if (layout(font, s.text, {}, {}, run)) std::abort();
+        });
+        if (!warm.build(s.text, into(vertices, indices))) std::abort();
+        const by_hand loop{*warm.plan(s.text)};
+        const double hand = nanoseconds_each([&] { loop.write(vertices, indices); });
+        state.counters["cold_of_floor"] = times(cold, false) / floor;
+        state.counters["cold_reuse_of_floor"] = times(cold, true) / floor;
+        const double cached = times(warm, true);
+        state.counters["warm_of_floor"] = cached / floor;
+        state.counters["warm_of_hand"] = cached / (shaping + hand);
+        auto vertices_to = vertices;
+        auto indices_to = indices;
+        state.counters["memcpy_of_hand"] = nanoseconds_each([&] {
+            std::memcpy(static_cast<void*>(vertices_to.data()), vertices.data(), vertices.size() * sizeof(vertex));
+            std::memcpy(indices_to.data(), indices.data(), indices.size() * 4);
+            benchmark::ClobberMemory();
+        }) / hand;
+        state.counters["shaping_ns"] = shaping;
+        state.counters["hand_ns"] = hand;
         state.counters["vertices"] = static_cast<double>(vertices.size());
         state.counters["triangles"] = static_cast<double>(indices.size() / 3);
+        const std::size_t before = mallocs;
+        for (auto _ : state)
+            if (!warm.build(s.text, into(vertices, indices))) std::abort();
+        state.counters["mallocs_of_font"] =
+            benchmark::Counter(static_cast<double>(mallocs - before), benchmark::Counter::kAvgIterations);
     });
     benchmark::RegisterBenchmark((std::string{"plan_only/"} + s.name).c_str(), [&font, s](benchmark::State& state) {
         text_mesher mesher{font};

@@ -146,7 +146,7 @@ static_assert(executor<thread_pool>);
 /// A lock for what threads share, such as a glyph cache: std::mutex in calls that are noexcept.
 class mutex_lock {
 public:
-    void lock() noexcept { mutex_.lock(); }
+    void lock() noexcept { mutex_.lock(); }  // fails only for a mutex that its own thread holds already: never here
     void unlock() noexcept { mutex_.unlock(); }
 
 private:

@@ -30,6 +30,7 @@ inline error arrange(text_shapes& all, const glyph_run& run, const text_options&
     text_placement& placed = all.placed;
     placed = {};
     placed.units_per_em = units_per_em;
+    placed.em_per_font_unit = 1.0 / units_per_em;
     placed.texture_over = options.texture_over;
     placed.frame = options.frame;
     switch (options.unit) {
@@ -43,18 +44,26 @@ inline error arrange(text_shapes& all, const glyph_run& run, const text_options&
         break;
     }
 
-    bool first = true;
+    placed.unit_per_em = placed.unit_per_font_unit * units_per_em;
+    placed.texture_per_font_unit = text_shapes::texture_over(all.ink);
+
+    placement at;
+    at.unit_per_em = placed.unit_per_em;
+    at.frame = placed.frame;
+    const float bottom = at.height(heights.low), top = at.height(heights.high);
+    const bool along_axes = placed.frame.is_along_axes();
     for (const shape_record& s : all.records) {
-        const placement at = all.place(s);
+        at.pen = s.shape->cells() * (s.origin - placed.centre);
+        at.unit_per_cell = placed.unit_per_font_unit * s.shape->font_units_per_cell();
         const grid_point low = s.shape->low(), high = s.shape->high();
-        for (const grid_point corner : {low, high, grid_point{low.x, high.y}, grid_point{high.x, low.y}}) {
-            for (const double height : {heights.low, heights.high}) {
-                const vec3 p = at.position(corner, at.height(height));
-                if (first) all.bounds = {p, p};
-                first = false;
-                all.bounds.add(p);
-            }
-        }
+        const vec3 corner = at.position(low, bottom);
+        if (&s == all.records.begin()) all.bounds = {corner, corner};
+        all.bounds.add(corner);
+        all.bounds.add(at.position(high, top));
+        if (along_axes) continue;  // two opposite corners are enough
+        for (const float z : {bottom, top})
+            for (const grid_point g : {low, high, grid_point{low.x, high.y}, grid_point{high.x, low.y}})
+                all.bounds.add(at.position(g, z));
     }
     return {};
 }

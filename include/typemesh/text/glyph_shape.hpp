@@ -51,6 +51,7 @@ public:
     [[nodiscard]] const solid& form() const noexcept { return form_; }
     [[nodiscard]] const part_sizes& sizes() const noexcept { return sizes_; }
     [[nodiscard]] double cells() const noexcept { return cells_; }
+    [[nodiscard]] double font_units_per_cell() const noexcept { return font_units_per_cell_; }
 
     /// The box around its points, in cells and in font units. Nothing sensible without points.
     [[nodiscard]] grid_point low() const noexcept { return low_; }
@@ -64,7 +65,7 @@ public:
 
 private:
     explicit glyph_shape(const glyph_parts& parts) noexcept
-        : sizes_{parts.sizes}, cells_{parts.cells}, refusal_{parts.refusal}
+        : sizes_{parts.sizes}, cells_{parts.cells}, font_units_per_cell_{1.0 / parts.cells}, refusal_{parts.refusal}
     {
         std::byte* free = reinterpret_cast<std::byte*>(this + 1);
         form_.points = copied(parts.form.points, free);
@@ -95,6 +96,7 @@ private:
     solid form_;
     part_sizes sizes_;
     double cells_;
+    double font_units_per_cell_;
     grid_point low_, high_;
     box ink_;
     error refusal_;

@@ -43,8 +43,11 @@ struct shape_record {
 /// How placements are made: the same for all glyphs of a text.
 struct text_placement {
     double units_per_em = 1000.0;
+    double em_per_font_unit = 1e-3;
     double unit_per_font_unit = 1.0;  ///< output units a font unit
+    double unit_per_em = 1000.0;
     point centre;                     ///< what is moved to the output's origin, font units
+    point texture_per_font_unit;      ///< how much u and v grow over the whole text's box, with texture_box::text
     texture_box texture_over = texture_box::text;
     typemesh::frame frame;
 };
@@ -184,16 +187,23 @@ struct text_shapes {
 
     [[nodiscard]] placement place(const shape_record& s) const noexcept
     {
-        const box over = placed.texture_over == texture_box::text   ? ink
-                         : placed.texture_over == texture_box::line ? line_boxes[s.line]
-                                                                    : ink_of(s);
-        return place(*s.shape, s.origin, placed.centre, over);
+        if (placed.texture_over == texture_box::text)
+            return place(*s.shape, s.origin, placed.centre, ink.low, placed.texture_per_font_unit);
+        const box over = placed.texture_over == texture_box::line ? line_boxes[s.line] : ink_of(s);
+        return place(*s.shape, s.origin, placed.centre, over.low, texture_over(over));
     }
 
     /// A mesh for itself, at the output's origin: textures spread over its own box.
     [[nodiscard]] placement place(const glyph_mesh& m) const noexcept
     {
-        return place(*m.shape, {}, {}, m.shape->ink());
+        const box& own = m.shape->ink();
+        return place(*m.shape, {}, {}, own.low, texture_over(own));
+    }
+
+    /// How much u and v grow with a font unit if they span a box; 0 where it has no extent.
+    [[nodiscard]] static point texture_over(const box& b) noexcept
+    {
+        return {b.width() > 0.0 ? 1.0 / b.width() : 0.0, b.height() > 0.0 ? 1.0 / b.height() : 0.0};
     }
 
     /// How a record's glyph is moved from where its mesh stands alone.
@@ -207,18 +217,20 @@ struct text_shapes {
     }
 
 private:
-    [[nodiscard]] placement place(const glyph_shape& shape, point origin, point centre, const box& over) const noexcept
+    /// No division here: this runs for each part of each glyph. Cells are a power of two, so that multiplying with them
+    /// or with their inverse is exact.
+    [[nodiscard]] placement place(const glyph_shape& shape, point origin, point centre, point texture_low,
+                                  point texture_per_font_unit) const noexcept
     {
-        const double cells = shape.cells();
+        const double cells = shape.cells(), per_cell = shape.font_units_per_cell();
         placement at;
         at.pen = cells * (origin - centre);
-        at.unit_per_cell = placed.unit_per_font_unit / cells;
-        at.unit_per_em = placed.unit_per_font_unit * placed.units_per_em;
-        at.em_per_cell = 1.0 / (cells * placed.units_per_em);
+        at.unit_per_cell = placed.unit_per_font_unit * per_cell;
+        at.unit_per_em = placed.unit_per_em;
+        at.em_per_cell = placed.em_per_font_unit * per_cell;
         at.em_pen = cells * origin;
-        at.texture_pen = cells * (origin - over.low);
-        at.texture_per_cell = {over.width() > 0.0 ? 1.0 / (cells * over.width()) : 0.0,
-                               over.height() > 0.0 ? 1.0 / (cells * over.height()) : 0.0};
+        at.texture_pen = cells * (origin - texture_low);
+        at.texture_per_cell = per_cell * texture_per_font_unit;
         at.frame = placed.frame;
         return at;
     }

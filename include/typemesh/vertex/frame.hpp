@@ -47,6 +47,15 @@ struct frame {
                is(product(right, up), 0.0f) && is(product(up, toward), 0.0f) && is(product(toward, right), 0.0f);
     }
 
+    /// Whether each of the three points along a coordinate axis, forwards or backwards.
+    [[nodiscard]] constexpr bool is_along_axes() const noexcept
+    {
+        const auto one = [](vec3 v) noexcept {
+            return (v.x != 0.0f ? 1 : 0) + (v.y != 0.0f ? 1 : 0) + (v.z != 0.0f ? 1 : 0) == 1;
+        };
+        return one(right) && one(up) && one(toward);
+    }
+
     [[nodiscard]] constexpr vec3 operator()(float x, float y, float z) const noexcept
     {
         return {right.x * x + up.x * y + toward.x * z, right.y * x + up.y * y + toward.y * z,
