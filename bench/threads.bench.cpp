@@ -71,11 +71,11 @@ struct counted_heap {
     }
 };
 
-/// An executor that measures how long it is at work.
+/// An executor that would have two workers, and measures how long they would be at work.
 struct watched_worker {
     double seconds = 0.0;
 
-    [[nodiscard]] static std::size_t workers() noexcept { return 1; }
+    [[nodiscard]] static std::size_t workers() noexcept { return 2; }
     template <class Task>
     void run(std::size_t n, const Task& task) noexcept
     {
