@@ -317,7 +317,7 @@ private:
     {
         if (wanted.empty()) return {};
         for (const variation& v : wanted)
-            if (!is_finite(double{v.value})) return error::bad_option;
+            if (!is_finite(double{v.value})) return error::bad("variations");
         FT_MM_Var* axes = nullptr;
         if (!FT_HAS_MULTIPLE_MASTERS(face_) || FT_Get_MM_Var(face_, &axes)) return error::unknown_variation;
 

@@ -67,7 +67,7 @@ public:
         TYPEMESH_ASSERT(font != nullptr, "a null hb_font_t* was wrapped");
         int x = 0, y = 0;
         hb_font_get_scale(font, &x, &y);
-        if (x == 0 || y == 0) return error::bad_option;
+        if (x == 0 || y == 0) return error::bad("scale");
         return finished(harfbuzz_font{hb_font_reference(font)});
     }
 
@@ -155,7 +155,7 @@ public:
         hb_script_t script = HB_SCRIPT_INVALID;
         if (!options.script.empty()) {
             script = hb_script_from_string(options.script.data(), options.script.size() == 4 ? 4 : 0);
-            if (script == HB_SCRIPT_INVALID || script == HB_SCRIPT_UNKNOWN) return error::bad_option;
+            if (script == HB_SCRIPT_INVALID || script == HB_SCRIPT_UNKNOWN) return error::bad("script");
         }
         const auto direction = direction_of(found, options.direction, script);
         if (!direction) return direction.error();
@@ -339,7 +339,7 @@ private:
         if (wanted.empty()) return {};
         buffer<hb_variation_t> values;
         for (const variation& v : wanted) {
-            if (!is_finite(double{v.value})) return error::bad_option;
+            if (!is_finite(double{v.value})) return error::bad("variations");
             const hb_variation_t value{hb_tag_from_string(v.tag, 4), v.value};
             hb_ot_var_axis_info_t axis;
             if (!hb_ot_var_find_axis_info(hb_font_get_face(font_), value.tag, &axis)) return error::unknown_variation;

@@ -30,7 +30,7 @@ struct curve_normals {
 
     error operator()(const region& shape, std::span<side_point> sides) const noexcept
     {
-        if (!is_crease_angle(crease_degrees)) return error::bad_option;
+        if (!is_crease_angle(crease_degrees)) return error::bad("crease_degrees");
         const double crease = crease_cosine(crease_degrees);
         const auto points = shape.points();
         const auto edges = shape.edges();

@@ -52,6 +52,24 @@ public:
         return made;
     }
 
+    /// The region that the glyph fills, in this builder until its next call; an empty one for a blank glyph.
+    ///
+    /// Fails  with whatever the glyph met
+    template <outline_source Font, discretiser Discretiser, triangulator Triangulator, stage_observer Observer>
+    [[nodiscard]] result<region> build_region(Font& font, glyph_id id, const glyph_settings& how,
+                                              const Discretiser& flatten, const Triangulator& cut,
+                                              Observer& observe) noexcept
+    {
+        observe(stage::outline);
+        if (error e = record(font, id, outline_)) return e;
+        if (outline_.curves.empty()) return region{};
+        const double units_per_em = font.units_per_em();
+        const auto fitting = grid::fitting(units_per_em, outline_.bounds);
+        if (!fitting) return fitting.error();
+        return region_of(outline_, how.fill.value_or(outline_.rule), how.tolerance * units_per_em, *fitting, flatten,
+                         cut, observe);
+    }
+
     /// Whether a text may go on without the glyph that met this error.
     [[nodiscard]] static constexpr bool concerns_the_glyph_alone(const error& e) noexcept
     {
@@ -72,15 +90,7 @@ private:
     error try_to_build(Font& font, glyph_id id, const glyph_settings& how, const Discretiser& flatten,
                        const Triangulator& cut, const Extruder& raise, Observer& observe, glyph_parts& made) noexcept
     {
-        observe(stage::outline);
-        if (error e = record(font, id, outline_)) return e;
-        if (outline_.curves.empty()) return {};
-
-        const double units_per_em = font.units_per_em();
-        const auto fitting = grid::fitting(units_per_em, outline_.bounds);
-        if (!fitting) return fitting.error();
-        const auto filled = region_of(outline_, how.fill.value_or(outline_.rule), how.tolerance * units_per_em,
-                                      *fitting, flatten, cut, observe);
+        const auto filled = build_region(font, id, how, flatten, cut, observe);
         if (!filled) return filled.error();
         if (filled->points().empty()) return {};
 

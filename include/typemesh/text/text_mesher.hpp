@@ -7,6 +7,7 @@
 #include <typemesh/layout/layout.hpp>
 #include <typemesh/text/arrange.hpp>
 #include <typemesh/text/glyph_builder.hpp>
+#include <typemesh/text/merge_glyphs.hpp>
 #include <typemesh/text/glyph_cache.hpp>
 #include <typemesh/text/glyph_team.hpp>
 #include <typemesh/text/text_options.hpp>
@@ -46,7 +47,7 @@ public:
     using plan_type = text_plan<Extruder>;
 
     explicit text_mesher(Font& font, memory source = heap()) noexcept
-        : font_{&font}, builder_{source}, run_{source}, shapes_{source}
+        : font_{&font}, builder_{source}, merger_{source}, run_{source}, shapes_{source}
     {
     }
 
@@ -166,10 +167,11 @@ private:
     template <outline_source, discretiser, triangulator, extruder, stage_observer, class>
     friend class text_mesher;
 
-    text_mesher(Font* font, glyph_builder&& builder, glyph_run&& run, text_shapes&& shapes, Discretiser d,
-                Triangulator t, Extruder e, Observer w, Cache cache) noexcept
+    text_mesher(Font* font, glyph_builder&& builder, glyph_merger&& merger, glyph_run&& run, text_shapes&& shapes,
+                Discretiser d, Triangulator t, Extruder e, Observer w, Cache cache) noexcept
         : font_{font},
           builder_{std::move(builder)},
+          merger_{std::move(merger)},
           run_{std::move(run)},
           shapes_{std::move(shapes)},
           discretiser_{std::move(d)},
@@ -183,9 +185,9 @@ private:
     template <class D, class T, class E, class W, class C>
     auto changed(D d, T t, E e, W w, C cache) noexcept
     {
-        return text_mesher<Font, D, T, E, W, C>{font_,          std::move(builder_), std::move(run_), std::move(shapes_),
-                                                std::move(d),   std::move(t),        std::move(e),    std::move(w),
-                                                cache};
+        return text_mesher<Font, D, T, E, W, C>{
+            font_,        std::move(builder_), std::move(merger_), std::move(run_), std::move(shapes_),
+            std::move(d), std::move(t),        std::move(e),       std::move(w),    cache};
     }
 
     error stop(error e) noexcept
@@ -226,8 +228,8 @@ private:
     {
         if (!is_finite(options.tolerance) || !(options.tolerance > 0.0)) return stop(error::bad_tolerance);
         if (!is_finite(options.pixels_per_em) || !(options.pixels_per_em > 0.0) || options.pixels_per_em > 0x1p30)
-            return stop(error::bad_option);
-        if (!is_finite(run.units_per_em) || !(run.units_per_em > 0.0)) return stop(error::bad_option);
+            return stop(error::bad("pixels_per_em"));
+        if (!is_finite(run.units_per_em) || !(run.units_per_em > 0.0)) return stop(error::bad("units_per_em"));
 
         TYPEMESH_ASSERT(run.units_per_em == font_->units_per_em(),
                         "the glyph_run was made for a font of other units per em");
@@ -241,6 +243,7 @@ private:
 
         error e = collect(run, options);
         if (!e) e = build_shapes(options, team);
+        if (!e && options.merge) e = merge(run, options);
         if (!e) e = place_shapes(run);
         if (!e) e = arrange(shapes_, run, options, font_->units_per_em(), extruder_.heights());
         if (e) {
@@ -326,29 +329,45 @@ private:
         });
     }
 
-    /// Puts each glyph of the run at its place.
+    error merge(const glyph_run& run, const text_options& options) noexcept
+    {
+        const glyph_settings how{options.tolerance, options.fill};
+        return merger_(shapes_, run, builder_, *font_, how, discretiser_, triangulator_, extruder_, observer_);
+    }
+
+    /// Puts each glyph of the run at its place, a cluster of merged ones at that of the first.
     error place_shapes(const glyph_run& run) noexcept
     {
         text_report& report = shapes_.report;
+        const merged_glyphs& merged = shapes_.merged;
         report.glyphs = static_cast<std::uint32_t>(run.glyphs.size());
         if (!shapes_.expect_records(run.glyphs.size())) return error::out_of_memory;
-        std::size_t line = 0;
-        for (std::size_t i = 0; i < run.glyphs.size(); ++i) {
+        std::uint32_t line = 0, cluster = 0;
+        for (std::uint32_t i = 0; i < run.glyphs.size(); ++i) {
             while (line + 1 < run.lines.size() && i >= run.lines[line + 1].first_glyph) ++line;
             const std::uint32_t number = shapes_.numbers[i];
-            if (number == not_drawn) continue;
+            if (number == not_drawn || (!merged.groups.empty() && merged.groups[i] != i)) continue;
             const placed_glyph& glyph = run.glyphs[i];
-            const glyph_shape* shape = shapes_.shapes[number];
-            error refusal = misplaced(glyph.origin);
-            if (!refusal) refusal = shape->refusal();
+            shape_record s;
+            s.shape = shapes_.shapes[number];
+            s.origin = glyph.origin;
+            s.id = glyph.id;
+            s.cluster = glyph.cluster;
+            s.line = line;
+            s.glyph = i;
+            if (cluster < merged.clusters.size() && merged.members_of(merged.clusters[cluster]).front() == i) {
+                s.shape = merged.clusters[cluster].shape;
+                s.origin = merged.clusters[cluster].origin;
+                s.merged = cluster++;
+            }
+            error refusal = misplaced(s.origin);
+            if (!refusal) refusal = s.shape->refusal();
             if (refusal) {
                 if (report.refused++ == 0) report.first_refusal = refusal.at(glyph.id, glyph.cluster);
-            } else if (shape->is_blank()) {
+            } else if (s.shape->is_blank()) {
                 ++report.blank;
-            } else {
-                const auto of_line = static_cast<std::uint32_t>(line);
-                if (error e = shapes_.place_shape({shape, glyph.origin, glyph.id, glyph.cluster, of_line}, number))
-                    return e;
+            } else if (error e = shapes_.place_shape(s, number)) {
+                return e;
             }
         }
         shapes_.number_meshes();
@@ -366,6 +385,7 @@ private:
 
     Font* font_;
     glyph_builder builder_;
+    glyph_merger merger_;
     glyph_run run_;
     text_shapes shapes_;
     [[no_unique_address]] Discretiser discretiser_{};

@@ -97,6 +97,29 @@ public:
     /// The glyphs in the mesh, in drawing order.
     [[nodiscard]] std::span<const shape_record> glyphs() const noexcept { return fresh().records.view(); }
 
+    /// Which glyphs of the run one of glyphs() stands for: itself alone, or all that text_options::merge joined to it,
+    /// ascending. glyph < glyphs().size().
+    [[nodiscard]] std::span<const std::uint32_t> members(std::size_t glyph) const noexcept
+    {
+        const shape_record& s = fresh().records[glyph];
+        if (s.merged == shape_record::not_merged) return {&s.glyph, 1};
+        return shapes_->merged.members_of(shapes_->merged.clusters[s.merged]);
+    }
+
+    /// Whose a triangle is: the place in the run of the one glyph whose outline all contour edges at its corners follow
+    /// (a wall's: whose outline it stands on), or shared_glyph where merged glyphs run together. For extruders that
+    /// write caps in the order of the region's triangles and walls two triangles an edge, as flat and extruded do.
+    ///
+    ///     triangle    the place in range(glyph, p), below index_count / 3
+    [[nodiscard]] std::uint32_t owner(std::size_t glyph, part p, std::uint32_t triangle) const noexcept
+    {
+        const shape_record& s = fresh().records[glyph];
+        if (s.merged == shape_record::not_merged) return s.glyph;
+        const merged_cluster& c = shapes_->merged.clusters[s.merged];
+        if (p == part::side) return shapes_->merged.owners_of(c)[triangle / 2];
+        return shapes_->merged.owner_of(c, s.shape->form().triangles[triangle]);
+    }
+
     /// What is not in the mesh, and why.
     [[nodiscard]] const text_report& report() const noexcept { return fresh().report; }
 

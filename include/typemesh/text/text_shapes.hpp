@@ -6,6 +6,7 @@
 #include <typemesh/text/glyph_set.hpp>
 #include <typemesh/text/glyph_shape.hpp>
 #include <typemesh/text/instances.hpp>
+#include <typemesh/text/merged_glyphs.hpp>
 #include <typemesh/text/pinned_shapes.hpp>
 #include <typemesh/text/shape_store.hpp>
 #include <typemesh/text/text_options.hpp>
@@ -28,16 +29,21 @@ struct bounds3 {
     }
 };
 
-/// One glyph of the mesh: who it is, what it looks like and where it stands.
+/// One glyph of the mesh: who it is, what it looks like and where it stands. Or several that are merged to one shape:
+/// then the first of them.
 struct shape_record {
     const glyph_shape* shape = nullptr;
     point origin;  ///< font units
     glyph_id id = no_glyph;
     cluster_id cluster = no_cluster;
     std::uint32_t line = 0;
+    std::uint32_t glyph = 0;              ///< its place in the run
+    std::uint32_t merged = not_merged;    ///< its place in text_shapes::merged.clusters
     std::uint32_t mesh = 0;               ///< which of the text's meshes it is an instance of
     std::uint32_t next_alike = no_glyph;  ///< the next record of that mesh, or no_glyph
     part_sizes before = {};               ///< the counts of all glyphs before it
+
+    static constexpr std::uint32_t not_merged = 0xFFFF'FFFFu;
 };
 
 /// How placements are made: the same for all glyphs of a text.
@@ -82,6 +88,7 @@ struct text_shapes {
     buffer<std::uint32_t> numbers;       ///< for each glyph of the run, which of them it is
     shape_store store;                   ///< where shapes lie that no cache keeps, and no glyph_team
     lent_shapes lent;                    ///< those that a glyph_team keeps
+    merged_glyphs merged;                ///< and glyphs that are drawn together
     buffer<std::uint32_t> mesh_of;       ///< for each of the different glyphs, which mesh it is; no_glyph before it has one
     buffer<glyph_mesh> meshes;           ///< those of the different glyphs that are drawn
     buffer<shape_record> records;        ///< what is drawn
@@ -98,6 +105,7 @@ struct text_shapes {
           shapes{source},
           numbers{source},
           store{source},
+          merged{source},
           mesh_of{source},
           meshes{source},
           records{source},
@@ -112,6 +120,7 @@ struct text_shapes {
         numbers.clear();
         store.clear();
         lent = {};
+        merged.clear();
         mesh_of.clear();
         meshes.clear();
         records.clear();
@@ -127,13 +136,14 @@ struct text_shapes {
     [[nodiscard]] bool expect_records(std::size_t count) noexcept
     {
         const std::size_t kinds = different.ids().size();
-        if (!records.reserve(count) || !meshes.reserve(kinds) || !mesh_of.reserve(kinds)) return false;
+        if (!records.reserve(count) || !meshes.reserve(kinds + merged.clusters.size()) || !mesh_of.reserve(kinds))
+            return false;
         for (std::size_t i = 0; i < kinds; ++i) mesh_of.push_back_unchecked(no_glyph);
         return true;
     }
 
     /// Puts a shape that is neither blank nor refused at its place, after expect_records(); `number` says which of the
-    /// different glyphs it is. What hangs on other records (mesh, next_alike, before) is found here.
+    /// different glyphs it is; merged ones make a mesh of their own. What hangs on other records (mesh, next_alike, before) is found here.
     /// Fails with error::too_large where 32 bits do not suffice; then all is as it was.
     error place_shape(shape_record s, std::uint32_t number) noexcept
     {
@@ -150,11 +160,14 @@ struct text_shapes {
         constexpr std::uint64_t most = 0xFFFF'FFFFu;
         if (vertices > most || 3 * triangles > most) return error::too_large;
         const auto self = static_cast<std::uint32_t>(records.size());
-        if (mesh_of[number] == no_glyph) {
-            mesh_of[number] = static_cast<std::uint32_t>(meshes.size());
-            meshes.push_back_unchecked({.shape = s.shape, .id = s.id, .first_glyph = self, .last_glyph = self});
+        const bool alone = s.merged != shape_record::not_merged;
+        s.mesh = alone ? no_glyph : mesh_of[number];
+        if (s.mesh == no_glyph) {
+            s.mesh = static_cast<std::uint32_t>(meshes.size());
+            const glyph_id id = alone ? no_glyph : s.id;
+            meshes.push_back_unchecked({.shape = s.shape, .id = id, .first_glyph = self, .last_glyph = self});
+            if (!alone) mesh_of[number] = s.mesh;
         }
-        s.mesh = mesh_of[number];
         glyph_mesh& mesh = meshes[s.mesh];
         if (mesh.glyph_count++ != 0) records[mesh.last_glyph].next_alike = self;
         mesh.last_glyph = self;
@@ -187,17 +200,25 @@ struct text_shapes {
 
     [[nodiscard]] placement place(const shape_record& s) const noexcept
     {
-        if (placed.texture_over == texture_box::text)
-            return place(*s.shape, s.origin, placed.centre, ink.low, placed.texture_per_font_unit);
-        const box over = placed.texture_over == texture_box::line ? line_boxes[s.line] : ink_of(s);
-        return place(*s.shape, s.origin, placed.centre, over.low, texture_over(over));
+        point low = ink.low, per_font_unit = placed.texture_per_font_unit;
+        if (placed.texture_over != texture_box::text) {
+            const box over = placed.texture_over == texture_box::line ? line_boxes[s.line] : ink_of(s);
+            low = over.low;
+            per_font_unit = texture_over(over);
+        }
+        placement at = place(*s.shape, s.origin, placed.centre, low, per_font_unit);
+        at.glyph = s.merged == shape_record::not_merged ? s.id : no_glyph;
+        at.cluster = s.cluster;
+        return at;
     }
 
     /// A mesh for itself, at the output's origin: textures spread over its own box.
     [[nodiscard]] placement place(const glyph_mesh& m) const noexcept
     {
         const box& own = m.shape->ink();
-        return place(*m.shape, {}, {}, own.low, texture_over(own));
+        placement at = place(*m.shape, {}, {}, own.low, texture_over(own));
+        at.glyph = m.id;
+        return at;
     }
 
     /// How much u and v grow with a font unit if they span a box; 0 where it has no extent.
