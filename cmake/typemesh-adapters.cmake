@@ -3,7 +3,7 @@
 # How each adapter's library is found: by its CMake package first, by pkg-config second. Used by the source tree and,
 # installed beside typemesh-config.cmake, by find_package(typemesh COMPONENTS ...).
 
-set(typemesh_adapters harfbuzz freetype directwrite glm)
+set(typemesh_adapters harfbuzz freetype directwrite glm threads)
 
 # Sets `result` to the target of the library that the adapter `name` needs, or leaves it empty and says in `reason` why.
 function(typemesh_find_adapter name result reason)
@@ -29,6 +29,15 @@ function(typemesh_find_adapter name result reason)
     elseif(name STREQUAL "glm")
         typemesh_find_library(glm glm::glm glm library)
         set(why "GLM was not found, neither as the CMake package 'glm' nor as the pkg-config module 'glm'")
+    elseif(name STREQUAL "threads")
+        if(NOT TARGET Threads::Threads)
+            find_package(Threads QUIET)
+        endif()
+        set(library)
+        if(TARGET Threads::Threads)
+            set(library Threads::Threads)
+        endif()
+        set(why "the system's threads were not found by CMake's FindThreads")
     else()
         list(JOIN typemesh_adapters ", " known)
         set(library "")

@@ -11,6 +11,7 @@ usage: tests/run.sh [--with TIER[,TIER...]] [--all]
 Installs what is missing, builds and runs the tests of the core and its adapters with g++. Further tiers:
   clang      the same tests with clang++
   sanitize   the same tests with g++ under the address and undefined behaviour sanitizers
+  tsan       the tests that use threads with g++ under the thread sanitizer
   windows    the tests of the core and of DirectWrite as Windows programs (mingw-w64), run under Wine
   external   other people's tools (admesh, gltf-validator) read what text_to_mesh writes; the benchmarks are built
 --all takes every tier.
@@ -20,13 +21,13 @@ END
 tiers=gcc
 while [ $# -gt 0 ]; do
     case $1 in
-        --all) tiers="gcc clang sanitize windows external" ;;
+        --all) tiers="gcc clang sanitize tsan windows external" ;;
         --with | --with=*)
             [ "$1" != --with ] || shift
             [ $# -gt 0 ] || { usage >&2 && exit 2; }
             for tier in $(say "${1#--with=}" | tr , ' '); do
                 case $tier in
-                    clang | sanitize | windows | external) tiers="$tiers $tier" ;;
+                    clang | sanitize | tsan | windows | external) tiers="$tiers $tier" ;;
                     *) usage >&2 && exit 2 ;;
                 esac
             done
@@ -77,6 +78,7 @@ tier_clang() {
     test_preset clang
 }
 tier_sanitize() { test_preset sanitize typemesh_tests; }
+tier_tsan() { test_preset tsan typemesh_tests; }
 
 # Windows programs are built here and run under Wine, with a prefix of their own and without a display. What they draw is
 # compared with outlines that HarfBuzz and FreeType have drawn natively.

@@ -12,6 +12,7 @@
 #include <typemesh/outline/transformed_outlines.hpp>
 
 #include <typemesh/layout/layout.hpp>
+#include <typemesh/layout/shared_layout.hpp>
 
 #include <typemesh/discretise/adaptive_subdivision.hpp>
 #include <typemesh/discretise/certified.hpp>
@@ -40,4 +41,5 @@
 #include <typemesh/text/glyph_cache.hpp>
 #include <typemesh/text/rounding.hpp>
 #include <typemesh/text/shaped_by.hpp>
+#include <typemesh/text/text_chunks.hpp>
 #include <typemesh/text/text_mesher.hpp>

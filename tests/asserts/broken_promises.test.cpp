@@ -19,6 +19,15 @@ std::string asserted()
 
 const char* const stale = "this text_plan is stale: its mesher has made another plan or was moved since";
 
+/// A sink that keeps nothing.
+struct nowhere {
+    static constexpr auto wants = attribute::none;
+    error begin(mesh_size) noexcept { return {}; }
+    void vertex(const surface_point<wants>&) noexcept {}
+    void triangle(std::uint32_t, std::uint32_t, std::uint32_t) noexcept {}
+    void end() noexcept {}
+};
+
 }  // namespace
 
 TEST_CASE("a plan that outlived its mesher's next plan is told so", "[asserts]")
@@ -53,6 +62,30 @@ TEST_CASE("a plan whose mesher was moved is told so", "[asserts]")
     CHECK(asserted() == stale);
     (void)flat_text.plan("E")->size();
     CHECK(asserted() == "");
+}
+
+TEST_CASE("a plan whose team has built another, and chunks of another plan, are told so", "[asserts]")
+{
+    test::toy_font font;
+    text_mesher mesher{font}, other{font};
+    one_worker alone;
+    auto team = team_of(alone, [](std::size_t) noexcept { return result<test::toy_font>{test::toy_font{}}; });
+    auto plan = mesher.plan("E", {}, *team);
+    (void)plan->size();
+    CHECK(asserted() == "");
+    auto of_other = other.plan("o", {}, *team);
+    (void)of_other->size();
+    CHECK(asserted() == "");
+    (void)plan->size();
+    CHECK(asserted() == "this text_plan is stale: its glyph_team has built another since");
+
+    text_chunks chunks;
+    CHECK_FALSE(chunks.cut(*of_other));
+    CHECK_FALSE(chunks.write(*of_other, 0, nowhere{}));
+    CHECK(asserted() == "");
+    auto alike = mesher.plan("o");
+    CHECK_FALSE(chunks.write(*alike, 0, nowhere{}));
+    CHECK(asserted() == "these text_chunks were cut from another plan");
 }
 
 TEST_CASE("an error is not read as a value without a word", "[asserts]")

@@ -2,17 +2,11 @@
 #pragma once
 
 #include <typemesh/core/finite.hpp>
-#include <typemesh/layout/alignment.hpp>
 #include <typemesh/layout/line_break.hpp>
+#include <typemesh/layout/line_places.hpp>
 #include <typemesh/layout/shaper.hpp>
 
 namespace typemesh {
-
-/// How shaped lines are put together.
-struct layout_options {
-    alignment align = alignment::left;
-    double line_spacing = 1.0;  ///< times the font's own distance between lines; any finite number
-};
 
 /// Sets a text: cuts it at its line breaks (line_break_at; they leave no glyph), has every line shaped and puts it in
 /// its place.
@@ -44,11 +38,8 @@ error layout(Shaper& shaper, text_view text, const shape_options& how, const lay
         run.clear();
         return e;
     };
-    const bool vertical = how.direction == direction::top_to_bottom;
     run.units_per_em = shaper.units_per_em();
-    const line_metrics metrics = shaper.metrics(how.direction);
-    const double measured = metrics.ascender - metrics.descender + metrics.gap;
-    const double distance = (measured > 0.0 ? measured : run.units_per_em) * options.line_spacing;
+    const line_places places{shaper.metrics(how.direction), run.units_per_em, how.direction, options};
 
     std::size_t begin = 0;
     for (bool more = true; more;) {
@@ -61,17 +52,12 @@ error layout(Shaper& shaper, text_view text, const shape_options& how, const lay
         if (begin < end) {
             const auto way = shaper.shape(text, begin, end, how, run);
             if (!way) return fail(way.error());
-            const double advance = vertical ? -(*way).y : (*way).x;
-            line.advance = advance > 0.0 ? advance : 0.0;
+            line.advance = places.advance(*way);
         }
         if (run.glyphs.size() > 0xFFFF'FFFFu) return fail(error::too_large);
         line.glyph_count = static_cast<std::uint32_t>(run.glyphs.size()) - line.first_glyph;
 
-        const double back = options.align == alignment::left     ? 0.0
-                            : options.align == alignment::centre ? line.advance / 2
-                                                                 : line.advance;
-        const double across = 0.0 - distance * static_cast<double>(run.lines.size());
-        line.origin = vertical ? point{across, back} : point{0.0 - back, across};
+        line.origin = places.origin(run.lines.size(), line.advance);
         if (!(line.origin == point{}))
             for (placed_glyph& g : run.glyphs.view().subspan(line.first_glyph)) g.origin = g.origin + line.origin;
         if (!run.lines.push_back(line)) return fail(error::out_of_memory);

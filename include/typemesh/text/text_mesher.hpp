@@ -9,6 +9,7 @@
 #include <typemesh/text/glyph_builder.hpp>
 #include <typemesh/text/merge_glyphs.hpp>
 #include <typemesh/text/glyph_cache.hpp>
+#include <typemesh/text/glyph_team.hpp>
 #include <typemesh/text/text_options.hpp>
 #include <typemesh/text/text_plan.hpp>
 #include <typemesh/text/text_shapes.hpp>
@@ -89,23 +90,46 @@ public:
     [[nodiscard]] result<plan_type> plan(text_view text, const text_options& options = {}) & noexcept
         requires shaper<Font>
     {
-        shapes_.clear();
-        observer_(stage::shape);
-        if (error e = layout(*font_, text, options.shape, options.layout, run_)) return stop(e);
-        return plan_run(run_, options);
+        alone_type alone{*this};
+        return plan_text(text, options, alone);
     }
 
     /// The same from shaped text; no shaper is needed. The run must stay as it is while the plan is used.
     [[nodiscard]] result<plan_type> plan(const glyph_run& run, const text_options& options = {}) & noexcept
     {
         shapes_.clear();
-        return plan_run(run, options);
+        alone_type alone{*this};
+        return plan_run(run, options, alone);
+    }
+
+    /// Both by a team of workers (see glyph_team.hpp), whose sources stand in for the mesher's font when lines are shaped
+    /// and glyphs built. The plan is the same, to the bit; of several errors that of the lowest glyph is told. It lies in the team,
+    /// which must outlive it. A cache needs a real lock.
+    ///
+    /// Policies are called by several threads at a time, as const. Of building the observer is told stage::outline alone.
+    template <executor Executor, outline_source Source>
+    [[nodiscard]] result<plan_type> plan(text_view text, const text_options& options,
+                                         glyph_team<Executor, Source>& team) & noexcept
+        requires shaper<Font>
+    {
+        return plan_text(text, options, team);
+    }
+    template <executor Executor, outline_source Source>
+    [[nodiscard]] result<plan_type> plan(const glyph_run& run, const text_options& options,
+                                         glyph_team<Executor, Source>& team) & noexcept
+    {
+        shapes_.clear();
+        return plan_run(run, options, team);
     }
 
     // A plan refers to its run and to its mesher: temporaries would leave it in the air.
     result<plan_type> plan(glyph_run&& run, const text_options& options = {}) & = delete;
     result<plan_type> plan(text_view text, const text_options& options = {}) && = delete;
     result<plan_type> plan(const glyph_run& run, const text_options& options = {}) && = delete;
+    template <class Team>
+    result<plan_type> plan(glyph_run&& run, const text_options& options, Team& team) & = delete;
+    template <class Text, class Team>
+    result<plan_type> plan(const Text& text, const text_options& options, Team& team) && = delete;
 
     /// plan() and write() in one: the report of what was built, or the error. Nothing reaches the sink if the plan
     /// fails.
@@ -117,6 +141,23 @@ public:
         if (!made) return made.error();
         observer_(stage::extrude);
         const error e = made->write(sink);
+        observer_(stage::idle);
+        if (e) return e;
+        return made->report();
+    }
+
+    /// The same by a team of workers. The sink is written by all of them if it takes stretches (see ranged_sink).
+    template <class Text, class Sink, executor Executor, outline_source Source>
+        requires mesh_sink<std::remove_reference_t<Sink>>
+    result<text_report> build(const Text& text, Sink&& sink, const text_options& options,
+                              glyph_team<Executor, Source>& team) noexcept
+    {
+        auto made = plan(text, options, team);
+        if (!made) return made.error();
+        observer_(stage::extrude);
+        error e;
+        if constexpr (ranged_sink<std::remove_reference_t<Sink>>) e = made->write(sink, team.workers());
+        else e = made->write(sink);
         observer_(stage::idle);
         if (e) return e;
         return made->report();
@@ -155,7 +196,35 @@ private:
         return e;
     }
 
-    result<plan_type> plan_run(const glyph_run& run, const text_options& options) noexcept
+    /// The team of one: the mesher itself.
+    struct alone_type {
+        text_mesher& mesher;
+
+        error layout(Font& font, text_view text, const shape_options& how, const layout_options& options,
+                     glyph_run& run) noexcept
+        {
+            return typemesh::layout(font, text, how, options, run);
+        }
+        template <class Task>
+        error each(std::size_t n, const Task& task) noexcept
+        {
+            for (std::size_t k = 0; k < n; ++k)
+                if (error e = task(k, *mesher.font_, mesher.builder_, mesher.shapes_.store, mesher.observer_)) return e;
+            return {};
+        }
+    };
+
+    template <class Team>
+    result<plan_type> plan_text(text_view text, const text_options& options, Team& team) noexcept
+    {
+        shapes_.clear();
+        observer_(stage::shape);
+        if (error e = team.layout(*font_, text, options.shape, options.layout, run_)) return stop(e);
+        return plan_run(run_, options, team);
+    }
+
+    template <class Team>
+    result<plan_type> plan_run(const glyph_run& run, const text_options& options, Team& team) noexcept
     {
         if (!is_finite(options.tolerance) || !(options.tolerance > 0.0)) return stop(error::bad_tolerance);
         if (!is_finite(options.pixels_per_em) || !(options.pixels_per_em > 0.0) || options.pixels_per_em > 0x1p30)
@@ -173,7 +242,7 @@ private:
         report.first_invalid_unit = run.first_invalid_unit;
 
         error e = collect(run, options);
-        if (!e) e = build_shapes(options);
+        if (!e) e = build_shapes(options, team);
         if (!e && options.merge) e = merge(run, options);
         if (!e) e = place_shapes(run);
         if (!e) e = arrange(shapes_, run, options, font_->units_per_em(), extruder_.heights());
@@ -205,11 +274,20 @@ private:
     }
 
     /// Finds or builds each different glyph.
-    error build_shapes(const text_options& options) noexcept
+    template <class Team>
+    error build_shapes(const text_options& options, Team& team) noexcept
     {
+        constexpr bool alone = std::is_same_v<Team, alone_type>;
         const auto ids = shapes_.different.ids();
         const glyph_settings how{options.tolerance, options.fill};
+        if constexpr (!alone) {
+            TYPEMESH_ASSERT(team.units_per_em() == font_->units_per_em(), "the sources of a glyph_team are of another font");
+            observer_(stage::outline);
+        }
         if constexpr (!std::is_same_v<Cache, no_cache>) {
+            static_assert(alone || !std::is_same_v<decltype(cache_), cached_in<no_lock>>,
+                          "typemesh: a glyph_team needs a glyph_cache with a lock: glyph_cache<mutex_lock> (see "
+                          "typemesh/adapt/threads.hpp), or a lock of your own.");
             if (options.reuse) {
                 auto& cache = *cache_.cache;
                 if (!shapes_.shapes.expect(ids.size(), &cache)) return error::out_of_memory;
@@ -217,31 +295,38 @@ private:
                     context_of(cache_.font, *font_, how, discretiser_, triangulator_, extruder_);
                 const std::uint64_t hash = context.hash();
                 return each_shape(
-                    ids, how, [&](glyph_id id) noexcept { return cache.find(context, hash, id); },
-                    [&](glyph_id id, const glyph_parts& parts) noexcept { return cache.keep(context, hash, id, parts); });
+                    ids, how, team, [&](glyph_id id) noexcept { return cache.find(context, hash, id); },
+                    [&](glyph_id id, const glyph_parts& parts, shape_store&) noexcept {
+                        return cache.keep(context, hash, id, parts);
+                    });
             }
         }
         if (!shapes_.shapes.expect(ids.size())) return error::out_of_memory;
+        if constexpr (!alone) {
+            shapes_.lent.now = team.begin_plan();
+            shapes_.lent.then = *shapes_.lent.now;
+        }
         return each_shape(
-            ids, how, [](glyph_id) noexcept { return static_cast<const glyph_shape*>(nullptr); },
-            [&](glyph_id, const glyph_parts& parts) noexcept { return shapes_.store.keep(parts); });
+            ids, how, team, [](glyph_id) noexcept { return static_cast<const glyph_shape*>(nullptr); },
+            [](glyph_id, const glyph_parts& parts, shape_store& store) noexcept { return store.keep(parts); });
     }
 
-    template <class Find, class Keep>
-    error each_shape(std::span<const glyph_id> ids, const glyph_settings& how, Find&& find, Keep&& keep) noexcept
+    template <class Team, class Find, class Keep>
+    error each_shape(std::span<const glyph_id> ids, const glyph_settings& how, Team& team, const Find& find,
+                     const Keep& keep) noexcept
     {
-        for (std::size_t k = 0; k < ids.size(); ++k) {
+        return team.each(ids.size(), [&](std::size_t k, auto& font, glyph_builder& builder, shape_store& store,
+                                         auto& observe) noexcept -> error {
             const glyph_shape* shape = find(ids[k]);
             if (shape == nullptr) {
-                const auto parts =
-                    builder_.build(*font_, ids[k], how, discretiser_, triangulator_, extruder_, observer_);
+                const auto parts = builder.build(font, ids[k], how, discretiser_, triangulator_, extruder_, observe);
                 if (!parts) return parts.error();
-                shape = keep(ids[k], *parts);
+                shape = keep(ids[k], *parts, store);
                 if (shape == nullptr) return error::out_of_memory;
             }
             shapes_.shapes.set(k, shape);
-        }
-        return {};
+            return {};
+        });
     }
 
     error merge(const glyph_run& run, const text_options& options) noexcept

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <typemesh/core/assert.hpp>
+#include <typemesh/core/executor.hpp>
 #include <typemesh/extrude/extrude.hpp>
 #include <typemesh/layout/glyph_run.hpp>
+#include <typemesh/text/mesh_layout.hpp>
 #include <typemesh/text/text_shapes.hpp>
-#include <typemesh/vertex/mesh_sink.hpp>
+#include <typemesh/vertex/ranged_sink.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,16 +19,6 @@
 #include <utility>
 
 namespace typemesh {
-
-/// A stretch of the output: vertices [first_vertex, first_vertex + vertex_count), indices likewise.
-struct mesh_range {
-    std::uint32_t first_vertex = 0;
-    std::uint32_t vertex_count = 0;
-    std::uint32_t first_index = 0;
-    std::uint32_t index_count = 0;
-
-    friend constexpr bool operator==(const mesh_range&, const mesh_range&) noexcept = default;
-};
 
 /// Neighbouring glyphs of a plan: glyphs [first, last).
 struct glyph_span {
@@ -41,9 +33,12 @@ struct glyph_span {
 ///
 /// Move-only. It refers to its mesher, which must outlive it; a move of the mesher ends it, and so does the mesher's
 /// next plan() (using it then is asserted). Until its end the shapes that it took from a glyph_cache stay where they
-/// are, whoever throws out others. Only glyphs that have triangles are counted among glyphs().
+/// are, whoever throws out others; those that a glyph_team built lie in the team. Only glyphs that have triangles are
+/// counted among glyphs().
 template <extruder Extruder>
 class text_plan {
+    friend class text_chunks;
+
 public:
     text_plan(text_shapes& shapes, const glyph_run& run, const Extruder& extruder) noexcept
         : shapes_{&shapes}, run_{&run}, extruder_{extruder}, generation_{shapes.generation.number}
@@ -70,19 +65,10 @@ public:
     }
 
     /// Exactly how many vertices and triangles write() will emit.
-    [[nodiscard]] mesh_size size() const noexcept
-    {
-        const part_counts vertices = fresh().totals.vertices, triangles = fresh().totals.triangles;
-        mesh_size all;
-        for (const part p : all_parts) {
-            all.vertices += vertices[p];
-            all.triangles += triangles[p];
-        }
-        return all;
-    }
+    [[nodiscard]] mesh_size size() const noexcept { return whole().size(); }
 
     /// Where one part lies in the output.
-    [[nodiscard]] mesh_range range(part p) const noexcept { return range_between(p, {}, fresh().totals); }
+    [[nodiscard]] mesh_range range(part p) const noexcept { return whole().range(p); }
 
     /// Where one glyph's share of a part lies. glyph < glyphs().size().
     [[nodiscard]] mesh_range range(std::size_t glyph, part p) const noexcept
@@ -93,11 +79,7 @@ public:
     /// Where the share of neighbouring glyphs lies; it is in one piece.
     [[nodiscard]] mesh_range range(glyph_span some, part p) const noexcept
     {
-        const part_sizes first = before(some.first), last = before(some.last);
-        part_sizes own;
-        own.vertices[p] = last.vertices[p] - first.vertices[p];
-        own.triangles[p] = last.triangles[p] - first.triangles[p];
-        return range_between(p, first, own);
+        return whole().range(p, some.first, some.last);
     }
 
     /// The glyphs that come from a place of the caller's text; none (first == last) where it left no glyph in the mesh.
@@ -189,10 +171,24 @@ public:
         requires mesh_sink<std::remove_reference_t<Sink>>
     error write(Sink&& sink) const noexcept
     {
-        const text_shapes& all = fresh();
         if (error e = sink.begin(size())) return e;
-        for (const part p : all_parts) write_vertices_of(all.records.view(), p, sink);
-        for (const part p : all_parts) write_triangles_of(all.records.view(), p, sink);
+        whole().everything(extruder_, sink);
+        sink.end();
+        return {};
+    }
+
+    /// The same by several workers, in equal shares; the output is the same to the bit. The sink must take stretches
+    /// (see ranged_sink), as those over arrays and containers do. A share is written ascending.
+    template <class Sink, executor Executor>
+        requires ranged_sink<std::remove_reference_t<Sink>>
+    error write(Sink&& sink, Executor& workers) const noexcept
+    {
+        if (error e = sink.begin(size())) return e;
+        const mesh_layout all = whole();
+        const std::size_t shares = shares_for(workers.workers());
+        workers.run(shares, [&, this](std::size_t k, std::size_t) noexcept {
+            all.share(k, shares, extruder_, std::as_const(sink));
+        });
         sink.end();
         return {};
     }
@@ -206,20 +202,20 @@ public:
     ///
     /// Besides, the others' vertices must be what they were: pen positions (the advance of what changed), and with
     /// texture_box::text or ::line or output_unit::unit_box the box that they are measured by.
-    /// Fails as write() does. For sinks over the whole mesh's memory that can begin anywhere: array_sink, stream_sink.
+    /// Fails as write() does. For sinks over memory that holds the whole mesh; a container that has another size is not
+    /// that any more.
     template <class Sink>
-        requires patching_sink<std::remove_reference_t<Sink>>
+        requires ranged_sink<std::remove_reference_t<Sink>>
     error write(glyph_span some, Sink&& sink) const noexcept
     {
-        const auto records = fresh().records.view().subspan(some.first, some.last - some.first);
-        const mesh_size whole = size();
+        const mesh_layout all = whole();
+        if (error e = sink.begin(all.size())) return e;
         for (const part p : all_parts) {
-            const mesh_range r = range(some, p);
-            if (error e = sink.begin_at(whole, r.first_vertex, r.first_index)) return e;
-            write_vertices_of(records, p, sink);
-            write_triangles_of(records, p, sink);
-            sink.end();
+            auto piece = std::as_const(sink).stretch(range(some, p));
+            all.vertices(p, some.first, some.last, extruder_, piece);
+            all.triangles(p, some.first, some.last, extruder_, piece);
         }
+        sink.end();
         return {};
     }
 
@@ -298,46 +294,18 @@ private:
         TYPEMESH_ASSERT(shapes_ != nullptr, "a text_plan was used that has been moved away");
         TYPEMESH_ASSERT(shapes_->generation.number == generation_,
                         "this text_plan is stale: its mesher has made another plan or was moved since");
+        TYPEMESH_ASSERT(shapes_->lent.are_there(), "this text_plan is stale: its glyph_team has built another since");
         return *shapes_;
     }
 
-    /// The counts of all glyphs before this one; glyph == glyphs().size() is allowed.
-    [[nodiscard]] part_sizes before(std::size_t glyph) const noexcept
-    {
-        return glyph == fresh().records.size() ? fresh().totals : fresh().records[glyph].before;
-    }
+    [[nodiscard]] mesh_layout whole() const noexcept { return {fresh(), 0, fresh().records.size()}; }
 
-    template <class Sink>
-    void write_vertices_of(std::span<const shape_record> records, part p, Sink& sink) const noexcept
+    /// Enough shares that no worker waits long for another, none so small that it is not worth the asking.
+    [[nodiscard]] std::size_t shares_for(std::size_t workers) const noexcept
     {
-        for (const shape_record& s : records)
-            write_vertices(p, s.shape->form(), extruder_, shapes_->place(s), sink);
-    }
-
-    template <class Sink>
-    void write_triangles_of(std::span<const shape_record> records, part p, Sink& sink) const noexcept
-    {
-        const text_shapes& all = *shapes_;
-        part_counts start;
-        start[part::back] = all.totals.vertices[part::front];
-        start[part::side] = start[part::back] + all.totals.vertices[part::back];
-        const bool turned = all.placed.frame.turns_triangles();
-        for (const shape_record& s : records) {
-            first_vertices first;
-            for (const part q : all_parts) first[q] = start[q] + s.before.vertices[q];
-            write_triangles(p, s.shape->form(), extruder_, first, turned, sink);
-        }
-    }
-
-    [[nodiscard]] mesh_range range_between(part p, const part_sizes& before, const part_sizes& sizes) const noexcept
-    {
-        mesh_range r{before.vertices[p], sizes.vertices[p], 3 * before.triangles[p], 3 * sizes.triangles[p]};
-        for (const part q : all_parts) {
-            if (q >= p) break;
-            r.first_vertex += shapes_->totals.vertices[q];
-            r.first_index += 3 * shapes_->totals.triangles[q];
-        }
-        return r;
+        if (workers <= 1) return 1;
+        const std::uint64_t worth = size().vertices / 2048 + 1;
+        return worth < 8 * workers ? static_cast<std::size_t>(worth) : 8 * workers;
     }
 
     text_shapes* shapes_;

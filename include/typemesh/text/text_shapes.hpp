@@ -72,13 +72,22 @@ struct shapes_generation {
     }
 };
 
+/// By what a plan knows whether shapes that lie elsewhere are still there: a number that another plan changes.
+struct lent_shapes {
+    const std::uint64_t* now = nullptr;  ///< null: nothing lies elsewhere
+    std::uint64_t then = 0;
+
+    [[nodiscard]] bool are_there() const noexcept { return now == nullptr || *now == then; }
+};
+
 /// All of one text: its different glyphs, each meshed once, and its glyphs, each at its place. What a plan measured and
 /// write() reads.
 struct text_shapes {
     glyph_set different;                 ///< the glyphs that the text asks for
     pinned_shapes shapes;                ///< theirs, blank and refused ones included
     buffer<std::uint32_t> numbers;       ///< for each glyph of the run, which of them it is
-    shape_store store;                   ///< where shapes lie that no cache keeps
+    shape_store store;                   ///< where shapes lie that no cache keeps, and no glyph_team
+    lent_shapes lent;                    ///< those that a glyph_team keeps
     merged_glyphs merged;                ///< and glyphs that are drawn together
     buffer<std::uint32_t> mesh_of;       ///< for each of the different glyphs, which mesh it is; no_glyph before it has one
     buffer<glyph_mesh> meshes;           ///< those of the different glyphs that are drawn
@@ -110,6 +119,7 @@ struct text_shapes {
         shapes.clear();
         numbers.clear();
         store.clear();
+        lent = {};
         merged.clear();
         mesh_of.clear();
         meshes.clear();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/vertex/mesh_sink.hpp>
+#include <typemesh/vertex/ranged_sink.hpp>
 #include <typemesh/vertex/vertex_traits.hpp>
 
 #include <concepts>
@@ -39,22 +39,17 @@ public:
     {
     }
 
-    error begin(mesh_size exact) noexcept
+    error begin(mesh_size exact) noexcept { return begin_numbering(exact, exact.vertices); }
+    /// See chunked_sink: Index need only number the vertices of one chunk.
+    error begin_chunks(mesh_size exact, std::uint32_t most) noexcept { return begin_numbering(exact, most); }
+    /// See ranged_sink.
+    [[nodiscard]] array_sink stretch(mesh_range range) const noexcept
+        requires std::is_copy_constructible_v<Writer>
     {
-        if (!index_can_number<Index>(base_ + exact.vertices)) return {error::index_overflow, base_ + exact.vertices};
-        if (exact.vertices > vertices_.size()) return {error::buffer_too_small, exact.vertices};
-        if (exact.indices() > indices_.size()) return {error::buffer_too_small, exact.indices()};
-        next_vertex_ = vertices_.data();
-        next_index_ = indices_.data();
-        return {};
-    }
-    /// See patching_sink. Fails as begin() does.
-    error begin_at(mesh_size whole, std::uint32_t first_vertex, std::uint32_t first_index) noexcept
-    {
-        if (error e = begin(whole)) return e;
-        next_vertex_ += first_vertex;
-        next_index_ += first_index;
-        return {};
+        array_sink part = *this;
+        part.next_vertex_ += range.first_vertex;
+        part.next_index_ += range.first_index;
+        return part;
     }
     void vertex(const surface_point<wants>& s) noexcept { *next_vertex_++ = writer_(s); }
     void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept
@@ -67,6 +62,16 @@ public:
     void end() noexcept {}
 
 private:
+    error begin_numbering(mesh_size exact, std::uint64_t vertices) noexcept
+    {
+        if (!index_can_number<Index>(base_ + vertices)) return {error::index_overflow, base_ + vertices};
+        if (exact.vertices > vertices_.size()) return {error::buffer_too_small, exact.vertices};
+        if (exact.indices() > indices_.size()) return {error::buffer_too_small, exact.indices()};
+        next_vertex_ = vertices_.data();
+        next_index_ = indices_.data();
+        return {};
+    }
+
     std::span<Vertex> vertices_;
     std::span<Index> indices_;
     Vertex* next_vertex_ = nullptr;

@@ -6,6 +6,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 
 namespace typemesh {
@@ -37,16 +38,17 @@ public:
     {
     }
 
-    error begin(mesh_size exact) noexcept
+    error begin(mesh_size exact) noexcept { return begin_numbering(exact, exact.vertices); }
+    /// See chunked_sink: the indices' type need only number the vertices of one chunk.
+    error begin_chunks(mesh_size exact, std::uint32_t most) noexcept { return begin_numbering(exact, most); }
+    /// See ranged_sink.
+    [[nodiscard]] growing_sink stretch(mesh_range range) const noexcept
+        requires std::is_copy_constructible_v<Writer>
     {
-        if (!index_can_number<index_type>(base_ + exact.vertices))
-            return {error::index_overflow, base_ + exact.vertices};
-        const auto vertices = static_cast<std::size_t>(exact.vertices);
-        const auto indices = static_cast<std::size_t>(exact.indices());
-        if (!resize(vertices, indices)) return error::out_of_memory;
-        next_vertex_ = vertices_->data();
-        next_index_ = indices_->data();
-        return {};
+        growing_sink part = *this;
+        part.next_vertex_ += range.first_vertex;
+        part.next_index_ += range.first_index;
+        return part;
     }
     void vertex(const surface_point<wants>& s) noexcept { *next_vertex_++ = writer_(s); }
     void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept
@@ -59,6 +61,17 @@ public:
     void end() noexcept {}
 
 private:
+    error begin_numbering(mesh_size exact, std::uint64_t numbered) noexcept
+    {
+        if (!index_can_number<index_type>(base_ + numbered)) return {error::index_overflow, base_ + numbered};
+        const auto vertices = static_cast<std::size_t>(exact.vertices);
+        const auto indices = static_cast<std::size_t>(exact.indices());
+        if (!resize(vertices, indices)) return error::out_of_memory;
+        next_vertex_ = vertices_->data();
+        next_index_ = indices_->data();
+        return {};
+    }
+
     bool resize(std::size_t vertices, std::size_t indices) noexcept
     {
 #if defined(__cpp_exceptions)

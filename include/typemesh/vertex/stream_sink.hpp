@@ -96,24 +96,17 @@ public:
     {
     }
 
-    error begin(mesh_size exact) noexcept
+    error begin(mesh_size exact) noexcept { return begin_numbering(exact, exact.vertices); }
+    /// See chunked_sink: Index need only number the vertices of one chunk.
+    error begin_chunks(mesh_size exact, std::uint32_t most) noexcept { return begin_numbering(exact, most); }
+    /// See ranged_sink.
+    [[nodiscard]] stream_sink stretch(mesh_range range) const noexcept
+        requires(std::is_copy_constructible_v<Streams> && ...)
     {
-        if (!index_can_number<Index>(base_ + exact.vertices)) return {error::index_overflow, base_ + exact.vertices};
-        if (exact.indices() > indices_.size()) return {error::buffer_too_small, exact.indices()};
-        const bool fits =
-            std::apply([&](const auto&... s) { return ((exact.vertices <= s.capacity) && ...); }, streams_);
-        if (!fits) return {error::buffer_too_small, exact.vertices};
-        next_vertex_ = 0;
-        next_index_ = indices_.data();
-        return {};
-    }
-    /// See patching_sink. Fails as begin() does.
-    error begin_at(mesh_size whole, std::uint32_t first_vertex, std::uint32_t first_index) noexcept
-    {
-        if (error e = begin(whole)) return e;
-        next_vertex_ = first_vertex;
-        next_index_ += first_index;
-        return {};
+        stream_sink part = *this;
+        part.next_vertex_ = range.first_vertex;
+        part.next_index_ += range.first_index;
+        return part;
     }
     void vertex(const surface_point<wants>& p) noexcept
     {
@@ -132,6 +125,18 @@ public:
     void end() noexcept {}
 
 private:
+    error begin_numbering(mesh_size exact, std::uint64_t vertices) noexcept
+    {
+        if (!index_can_number<Index>(base_ + vertices)) return {error::index_overflow, base_ + vertices};
+        if (exact.indices() > indices_.size()) return {error::buffer_too_small, exact.indices()};
+        const bool fits =
+            std::apply([&](const auto&... s) { return ((exact.vertices <= s.capacity) && ...); }, streams_);
+        if (!fits) return {error::buffer_too_small, exact.vertices};
+        next_vertex_ = 0;
+        next_index_ = indices_.data();
+        return {};
+    }
+
     std::span<Index> indices_;
     std::tuple<Streams...> streams_;
     std::size_t next_vertex_ = 0;

@@ -10,6 +10,9 @@
 #ifdef USER_HAS_glm
 #include <typemesh/adapt/glm.hpp>
 #endif
+#ifdef USER_HAS_threads
+#include <typemesh/adapt/threads.hpp>
+#endif
 
 int main()
 {
@@ -23,6 +26,12 @@ int main()
 #endif
 #ifdef USER_HAS_glm
     if (glm::vec2(1.0f).x != 1.0f) return 1;
+#endif
+#ifdef USER_HAS_threads
+    bool done[8] = {};
+    typemesh::thread_pool{2}.run(8, [&done](std::size_t i, std::size_t) noexcept { done[i] = true; });
+    for (const bool d : done)
+        if (!d) return 1;
 #endif
     return 0;
 }

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+
+namespace typemesh {
+
+/// What an executor is tried with.
+struct ignore_tasks {
+    constexpr void operator()(std::size_t, std::size_t) const noexcept {}
+};
+
+/// Carries out tasks, in several threads or in one: a job system of the caller's, or thread_pool
+/// (adapt/threads.hpp). The library makes no thread by itself.
+///
+///     x.workers()       how many tasks may be under way at a time, at least 1; the same as long as x lives
+///     x.run(n, task)    calls task(i, worker) once for each i < n, in any order, worker < workers(), and returns when
+///                       all calls have; n may be 0
+///
+/// The compiler looks at the signatures. The author promises the rest: of one run(), two calls with the same worker
+/// never overlap, so that what is kept for a worker is used by one thread at a time; what was written before run() is
+/// seen by the tasks, and what they wrote after it. Tasks are noexcept, may be called through a const reference, and
+/// do not call run() of the same executor.
+template <class X>
+concept executor = requires(X& x, std::size_t n, const ignore_tasks& task) {
+    { x.workers() } noexcept -> std::convertible_to<std::size_t>;
+    { x.run(n, task) } noexcept;
+};
+
+/// The executor without threads: one worker, the caller itself, and tasks in ascending order.
+struct one_worker {
+    [[nodiscard]] static constexpr std::size_t workers() noexcept { return 1; }
+
+    template <class Task>
+    static constexpr void run(std::size_t n, const Task& task) noexcept
+    {
+        for (std::size_t i = 0; i < n; ++i) task(i, std::size_t{0});
+    }
+};
+static_assert(executor<one_worker>);
+
+}  // namespace typemesh

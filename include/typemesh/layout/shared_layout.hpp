@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/executor.hpp>
+#include <typemesh/core/finite.hpp>
+#include <typemesh/layout/glyph_run.hpp>
+#include <typemesh/layout/line_break.hpp>
+#include <typemesh/layout/line_places.hpp>
+#include <typemesh/layout/shaper.hpp>
+#include <typemesh/layout/text_view.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace typemesh {
+
+/// What layout() does, its lines shaped by several workers, each with a shaper and a run of its own. The result is the
+/// same, the error that of the first line that met one. Keeps its memory for the next text.
+class shared_layout {
+public:
+    explicit shared_layout(memory source = heap()) noexcept : lines_{source}, blocks_{source} {}
+
+    /// `shaper_of(worker)` and `run_of(worker)` give references to what the worker shapes with and into; the latter's
+    /// content means nothing before and after. `shaper` is asked for units and metrics alone.
+    ///
+    /// Fails  as layout() does
+    template <executor Executor, shaper Shaper, class ShaperOf, class RunOf>
+    error operator()(Executor& workers, const ShaperOf& shaper_of, const RunOf& run_of, Shaper& shaper, text_view text,
+                     const shape_options& how, const layout_options& options, glyph_run& run) noexcept
+    {
+        run.clear();
+        if (!is_finite(options.line_spacing)) return error::bad_option;
+        if (static_cast<std::uint64_t>(text.size()) > 0xFFFF'FFFFu) return error::too_large;
+        const std::size_t count = workers.workers();
+        if (error e = find_lines(text, 8 * count)) return e;
+
+        run.units_per_em = shaper.units_per_em();
+        const line_places places{shaper.metrics(how.direction), run.units_per_em, how.direction, options};
+        for (std::size_t w = 0; w < count; ++w) {
+            run_of(w).clear();
+            run_of(w).units_per_em = run.units_per_em;
+        }
+        workers.run(blocks_.size(), [&, this](std::size_t b, std::size_t worker) noexcept {
+            glyph_run& own = run_of(worker);
+            own.missing = own.invalid_units = 0;  // a shaper may take the first that it meets for the first of all
+            own.first_missing = own.first_invalid_unit = no_cluster;
+            for (line& l : lines_of(b)) {
+                l.worker = static_cast<std::uint32_t>(worker);
+                l.first = own.glyphs.size();
+                if (l.begin == l.end) continue;
+                const auto way = shaper_of(worker).shape(text, l.begin, l.end, how, own);
+                if (!way) {
+                    l.trouble = way.error();
+                    return;  // of this block no later line matters
+                }
+                l.count = own.glyphs.size() - l.first;
+                l.advance = places.advance(*way);
+            }
+            block& of_it = blocks_[b];
+            of_it.missing = own.missing;
+            of_it.first_missing = own.first_missing;
+            of_it.invalid_units = own.invalid_units;
+            of_it.first_invalid_unit = own.first_invalid_unit;
+        });
+        for (const line& l : lines_)
+            if (l.trouble) return l.trouble;
+
+        if (error e = place_lines(places, run)) return e;
+        workers.run(blocks_.size(), [&, this](std::size_t b, std::size_t) noexcept {
+            for (const line& l : lines_of(b)) copy(l, run_of(l.worker), run);
+        });
+        for (const block& b : blocks_) {
+            run.missing += b.missing;
+            run.invalid_units += b.invalid_units;
+            if (b.first_missing < run.first_missing) run.first_missing = b.first_missing;
+            if (b.first_invalid_unit < run.first_invalid_unit) run.first_invalid_unit = b.first_invalid_unit;
+        }
+        return {};
+    }
+
+private:
+    struct line {
+        std::size_t begin, end;     // in the text
+        std::size_t number;         // among the lines
+        std::size_t first, count;   // its glyphs in the worker's run
+        std::uint32_t worker;
+        double advance;
+        error trouble;
+    };
+
+    /// Lines that one worker shapes, one after the other, and what it met.
+    struct block {
+        std::size_t first_line;
+        std::uint32_t missing, invalid_units;
+        cluster_id first_missing, first_invalid_unit;
+    };
+
+    /// Finds the lines, and gathers them into about so many blocks of equal length, none too short to be worth it.
+    error find_lines(text_view text, std::size_t wanted) noexcept
+    {
+        lines_.clear();
+        blocks_.clear();
+        const std::size_t most = text.size() / wanted > 256 ? text.size() / wanted : 256;
+        std::size_t begin = 0, block_begin = 0;
+        for (bool more = true; more;) {
+            std::size_t end = begin, broken = 0;
+            while (end < text.size() && (broken = line_break_at(text, end)) == 0) ++end;
+            more = end < text.size();
+            const std::size_t number = lines_.size();
+            if (number == 0 || begin - block_begin >= most) {
+                if (!blocks_.push_back({number, 0, 0, no_cluster, no_cluster})) return error::out_of_memory;
+                block_begin = begin;
+            }
+            if (!lines_.push_back({begin, end, number, 0, 0, 0, 0.0, {}})) return error::out_of_memory;
+            begin = end + broken;
+        }
+        return {};
+    }
+
+    [[nodiscard]] std::span<line> lines_of(std::size_t b) noexcept
+    {
+        const std::size_t last = b + 1 < blocks_.size() ? blocks_[b + 1].first_line : lines_.size();
+        return lines_.view().subspan(blocks_[b].first_line, last - blocks_[b].first_line);
+    }
+
+    /// Gives each line its place, and the run room for all glyphs.
+    error place_lines(const line_places& places, glyph_run& run) const noexcept
+    {
+        const auto fail = [&run](error e) noexcept {
+            run.clear();
+            return e;
+        };
+        std::uint64_t glyphs = 0;
+        text_line* out = run.lines.append(lines_.size());
+        if (out == nullptr) return fail(error::out_of_memory);
+        for (const line& l : lines_) {
+            out[l.number] = {static_cast<std::uint32_t>(glyphs), static_cast<std::uint32_t>(l.count),
+                             places.origin(l.number, l.advance), l.advance};
+            glyphs += l.count;
+            if (glyphs > 0xFFFF'FFFFu) return fail(error::too_large);
+        }
+        if (run.glyphs.append(static_cast<std::size_t>(glyphs)) == nullptr && glyphs != 0)
+            return fail(error::out_of_memory);
+        return {};
+    }
+
+    static void copy(const line& from, const glyph_run& own, glyph_run& run) noexcept
+    {
+        const text_line& to = run.lines[from.number];
+        const bool moved = !(to.origin == point{});
+        for (std::size_t i = 0; i < from.count; ++i) {
+            placed_glyph g = own.glyphs[from.first + i];
+            if (moved) g.origin = g.origin + to.origin;
+            run.glyphs[to.first_glyph + i] = g;
+        }
+    }
+
+    buffer<line> lines_;
+    buffer<block> blocks_;
+};
+
+}  // namespace typemesh

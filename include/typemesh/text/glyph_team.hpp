@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/assert.hpp>
+#include <typemesh/core/executor.hpp>
+#include <typemesh/core/result.hpp>
+#include <typemesh/layout/layout.hpp>
+#include <typemesh/layout/shared_layout.hpp>
+#include <typemesh/outline/outline_source.hpp>
+#include <typemesh/text/glyph_builder.hpp>
+#include <typemesh/text/shape_store.hpp>
+#include <typemesh/text/stage.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <type_traits>
+#include <utility>
+
+namespace typemesh {
+
+/// Makes the outline source of one worker: clone(worker) gives a result<Source>, for each worker once.
+///
+/// All must draw and shape alike, and none may share with another, or with the mesher's font, what either changes:
+///
+///     HarfBuzz    [&](std::size_t) noexcept { return harfbuzz_font::wrap(font.handle()); }       shares all that is large
+///     FreeType    [&](std::size_t) noexcept { return freetype_font::open(path, options); }       a face, and a library, each:
+///                 neither may be used by two threads at a time
+///     your own    if reading it changes nothing, transformed_outlines<const My_source> over the one that all share
+template <class C>
+concept source_maker = requires(C& clone, std::size_t worker) {
+    { clone(worker) } noexcept;
+    requires outline_source<std::remove_cvref_t<decltype(*clone(worker))>>;
+    { clone(worker).error() } noexcept -> std::same_as<error>;
+};
+
+/// The workers that shape a text's lines and build its glyphs side by side: an executor, and for each of its workers an outline source,
+/// scratch memory, and room for the shapes that it makes. See team_of().
+///
+/// Move-only. It refers to its executor. One plan at a time lies in it: the next plan() that is given the team ends the
+/// one before, whichever mesher made it, unless a glyph_cache holds the shapes.
+///
+/// Memory   from `source`, by several workers at a time: it must be made for that, as heap() is. It stays for the next
+///          text. Who builds which glyph is open, so a worker may need more than the last time until each has built
+///          most of what there is.
+template <executor Executor, outline_source Source>
+class glyph_team {
+    struct alignas(64) member {  // a cache line: what one worker changes is not in another's way
+        Source font;
+        glyph_builder builder;
+        shape_store store;
+        glyph_run lines;
+        error trouble;
+        std::size_t trouble_at;
+    };
+    struct block {
+        std::uint64_t plans = 0;  // how many have begun
+        std::size_t count = 0;
+        shared_layout lines;
+
+        explicit block(memory source) noexcept : lines{source} {}
+    };
+    static constexpr std::size_t header = (sizeof(block) + alignof(member) - 1) / alignof(member) * alignof(member);
+
+public:
+    /// Fails  with the first error of clone(); error::out_of_memory
+    template <source_maker Clone>
+    [[nodiscard]] static result<glyph_team> make(Executor& workers, Clone&& clone, memory source = heap()) noexcept
+    {
+        const std::size_t count = workers.workers();
+        TYPEMESH_ASSERT(count != 0, "an executor without workers was given");
+        const std::size_t bytes = header + count * sizeof(member);
+        void* raw = source.allocate(source.user, bytes, alignof(member));
+        if (raw == nullptr) return error::out_of_memory;
+        glyph_team team{workers, source, new (raw) block{source}, bytes};
+        for (; team.block_->count < count; ++team.block_->count) {
+            const std::size_t worker = team.block_->count;
+            auto made = clone(worker);
+            if (!made) return made.error();
+            new (team.members() + worker) member{std::move(*made), glyph_builder{source}, shape_store{source}, glyph_run{source}, {}, 0};
+        }
+        return result<glyph_team>{std::move(team)};
+    }
+
+    glyph_team(glyph_team&& other) noexcept
+        : executor_{other.executor_},
+          source_{other.source_},
+          block_{std::exchange(other.block_, nullptr)},
+          bytes_{other.bytes_}
+    {
+    }
+    glyph_team& operator=(glyph_team&& other) noexcept
+    {
+        std::swap(executor_, other.executor_);
+        std::swap(source_, other.source_);
+        std::swap(block_, other.block_);
+        std::swap(bytes_, other.bytes_);
+        return *this;
+    }
+    ~glyph_team()
+    {
+        if (block_ == nullptr) return;
+        for (std::size_t i = block_->count; i-- > 0;) members()[i].~member();
+        block_->~block();
+        source_.deallocate(source_.user, block_, bytes_, alignof(member));
+    }
+
+    /// Who carries out the tasks, for writing the plan with the same workers.
+    [[nodiscard]] Executor& workers() noexcept { return *executor_; }
+
+    /// The font units to an em of its sources.
+    [[nodiscard]] double units_per_em() noexcept { return members()[0].font.units_per_em(); }
+
+    /// What typemesh::layout() does, to the same result: lines are shaped by all workers where the sources are shapers of
+    /// the mesher's own kind, else by its font.
+    template <shaper Shaper>
+    error layout(Shaper& font, text_view text, const shape_options& how, const layout_options& options,
+                 glyph_run& run) noexcept
+    {
+        if constexpr (std::is_same_v<Shaper, Source>) {
+            member* all = members();
+            if (block_->count > 1)
+                return block_->lines(
+                    *executor_, [all](std::size_t worker) noexcept -> Source& { return all[worker].font; },
+                    [all](std::size_t worker) noexcept -> glyph_run& { return all[worker].lines; }, font, text, how,
+                    options, run);
+        }
+        return typemesh::layout(font, text, how, options, run);
+    }
+
+    /// Ends the shapes of the plan before, and gives the number by which the new one is known. It stays where it is
+    /// when the team moves.
+    const std::uint64_t* begin_plan() noexcept
+    {
+        for (std::size_t i = 0; i < block_->count; ++i) members()[i].store.clear();
+        ++block_->plans;
+        return &block_->plans;
+    }
+
+    /// Calls task(k, font, builder, store, observer) for each k < n, each with the belongings of its worker. Gives the
+    /// error of the lowest k that met one; above it not all may have been called. The observer looks away.
+    template <class Task>
+    error each(std::size_t n, const Task& task) noexcept
+    {
+        member* all = members();
+        for (std::size_t i = 0; i < block_->count; ++i) all[i].trouble = {};
+        executor_->run(n, [all, &task](std::size_t k, std::size_t worker) noexcept {
+            member& own = all[worker];
+            if (own.trouble && own.trouble_at < k) return;
+            no_observer nobody;
+            if (error e = task(k, own.font, own.builder, own.store, nobody)) {
+                own.trouble = e;
+                own.trouble_at = k;
+            }
+        });
+        const member* first = nullptr;
+        for (std::size_t i = 0; i < block_->count; ++i)
+            if (all[i].trouble && (first == nullptr || all[i].trouble_at < first->trouble_at)) first = all + i;
+        return first == nullptr ? error{} : first->trouble;
+    }
+
+private:
+    glyph_team(Executor& workers, memory source, block* b, std::size_t bytes) noexcept
+        : executor_{&workers}, source_{source}, block_{b}, bytes_{bytes}
+    {
+    }
+
+    [[nodiscard]] member* members() const noexcept
+    {
+        return std::launder(reinterpret_cast<member*>(reinterpret_cast<std::byte*>(block_) + header));
+    }
+
+    Executor* executor_;
+    memory source_;
+    block* block_;  // and the members behind it
+    std::size_t bytes_;
+};
+
+/// A team of an executor's workers, each with a source of its own:
+///
+///     thread_pool pool;                                                                // adapt/threads.hpp
+///     auto team = team_of(pool, [&](std::size_t) noexcept { return harfbuzz_font::wrap(font.handle()); });
+///     if (!team) return puts(team.error().message());
+///     auto plan = mesher.plan(text, options, *team);
+///     if (plan) plan->write(into(vertices, indices), pool);
+///
+/// Fails  as glyph_team::make() does
+template <executor Executor, source_maker Clone>
+[[nodiscard]] auto team_of(Executor& workers, Clone&& clone, memory source = heap()) noexcept
+{
+    using source_type = std::remove_cvref_t<decltype(*clone(std::size_t{0}))>;
+    return glyph_team<Executor, source_type>::make(workers, clone, source);
+}
+
+}  // namespace typemesh

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/assert.hpp>
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/triangle.hpp>
+#include <typemesh/extrude/extrude.hpp>
+#include <typemesh/text/glyph_shape.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace typemesh {
+
+/// Shapes with more vertices than a mesh may have, split into pieces that fit: for each piece the numbers of the vertices
+/// that it uses, ascending, and its triangles over these. What lies in several pieces is repeated.
+///
+/// Pieces take the extruder's triangles in its own order (front, back, side), each as many as fit. Vertices that no
+/// triangle uses are left out.
+class split_shapes {
+public:
+    explicit split_shapes(memory source) noexcept : used_{source}, triangles_{source}, pieces_{source}, place_{source} {}
+
+    void clear() noexcept
+    {
+        used_.clear();
+        triangles_.clear();
+        pieces_.clear();
+    }
+
+    /// How many pieces there are, of all shapes; and how much of each part one of them holds.
+    [[nodiscard]] std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(pieces_.size()); }
+    [[nodiscard]] const part_sizes& sizes(std::size_t number) const noexcept { return pieces_[number].sizes; }
+
+    /// Splits a shape into pieces of at most `most` vertices, most >= 3, behind those that are there already.
+    ///
+    /// Fails  error::out_of_memory, error::too_large; what this holds then means nothing until clear()
+    /// Cost   O(n + t) for n vertices and t triangles, and for each piece the numbers between its least vertex and its
+    ///        greatest, in each part
+    template <extruder Extruder>
+    error split(const glyph_shape& shape, const Extruder& how, bool turned, std::uint32_t most) noexcept
+    {
+        first_vertices first;
+        std::uint64_t vertices = 0, triangles = 0;
+        for (const part p : all_parts) {
+            first[p] = static_cast<std::uint32_t>(vertices);
+            vertices += shape.sizes().vertices[p];
+            triangles += shape.sizes().triangles[p];
+        }
+        if (vertices > 0xFFFF'FFFEu || triangles_.size() + triangles > 0xFFFF'FFFFu) return error::too_large;
+        place_.clear();
+        std::uint32_t* place = place_.append(static_cast<std::size_t>(vertices));
+        if (place == nullptr || !triangles_.reserve(triangles_.size() + static_cast<std::size_t>(triangles)))
+            return error::out_of_memory;
+        for (std::size_t i = 0; i < vertices; ++i) place[i] = unused;
+
+        collector to{*this, first, most};
+        for (const part p : all_parts) {
+            to.now = p;
+            write_triangles(p, shape.form(), how, first, turned, to);
+        }
+        to.close();
+        return to.trouble;
+    }
+
+    /// Writes one piece of the shape that it was split from: all vertices, then all triangles. The numbers that the
+    /// triangles get count from 0.
+    template <extruder Extruder, mesh_sink Sink>
+    void write(std::size_t number, const glyph_shape& shape, const Extruder& how, const placement& at,
+               Sink& sink) const noexcept
+    {
+        const piece& one = pieces_[number];
+        picker<Sink> to{sink, used_.view().subspan(one.first_used, one.used_count)};
+        for (const part p : all_parts) {
+            if (one.sizes.vertices[p] != 0) write_vertices(p, shape.form(), how, at, to);
+            else to.number += shape.sizes().vertices[p];
+        }
+        for (const triangle t : triangles_.view().subspan(one.first_triangle, one.triangle_count))
+            sink.triangle(t.a, t.b, t.c);
+    }
+
+private:
+    static constexpr std::uint32_t unused = 0xFFFF'FFFFu;
+
+    struct piece {
+        part_sizes sizes;
+        std::uint32_t used_count = 0, triangle_count = 0;
+        std::size_t first_used = 0, first_triangle = 0;
+    };
+
+    /// The sink that triangles of a whole shape are given, with the shape's own numbers.
+    struct collector {
+        static constexpr attribute wants = attribute::none;
+
+        split_shapes& to;
+        first_vertices first;
+        std::uint32_t most;
+        part now = part::front;
+        piece open = {{}, 0, 0, to.used_.size(), to.triangles_.size()};
+        std::uint32_t lowest[3] = {unused, unused, unused};   // of the vertices that the open piece uses, in each part
+        std::uint32_t highest[3] = {};
+        error trouble = {};
+
+        error begin(mesh_size) noexcept { return {}; }
+        void vertex(const surface_point<wants>&) noexcept {}
+        void end() noexcept {}
+
+        void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept
+        {
+            if (trouble) return;
+            const std::uint32_t* place = to.place_.data();
+            const auto fresh = static_cast<std::uint32_t>((place[a] == unused) + (place[b] == unused && b != a) +
+                                                          (place[c] == unused && c != a && c != b));
+            if (fresh > most - open.used_count) close();
+            if (trouble) return;
+            for (const std::uint32_t v : {a, b, c}) use(v);
+            to.triangles_.push_back_unchecked({a, b, c});
+            ++open.triangle_count;
+            ++open.sizes.triangles[now];
+        }
+
+        void use(std::uint32_t v) noexcept
+        {
+            if (to.place_[v] != unused) return;
+            to.place_[v] = 0;
+            ++open.used_count;
+            const part p = v >= first[part::side] ? part::side : v >= first[part::back] ? part::back : part::front;
+            ++open.sizes.vertices[p];
+            const auto k = static_cast<std::size_t>(p);
+            if (v < lowest[k]) lowest[k] = v;
+            if (v > highest[k]) highest[k] = v;
+        }
+
+        /// Numbers the vertices of the open piece, and begins another.
+        void close() noexcept
+        {
+            if (trouble || open.triangle_count == 0) return;
+            std::uint32_t* used = to.used_.append(open.used_count);
+            if (used == nullptr) {
+                trouble = error::out_of_memory;
+                return;
+            }
+            std::uint32_t* place = to.place_.data();
+            std::uint32_t number = 0;
+            for (std::size_t k = 0; k < 3; ++k) {
+                for (std::uint32_t v = lowest[k]; v != unused && v <= highest[k]; ++v) {
+                    if (place[v] == unused) continue;
+                    used[number] = v;
+                    place[v] = number++;
+                }
+                lowest[k] = unused;
+                highest[k] = 0;
+            }
+            for (typemesh::triangle& t : to.triangles_.view().subspan(open.first_triangle))
+                t = {place[t.a], place[t.b], place[t.c]};
+            for (std::uint32_t i = 0; i < number; ++i) place[used[i]] = unused;
+            if (!to.pieces_.push_back(open)) trouble = error::out_of_memory;
+            open = {{}, 0, 0, to.used_.size(), to.triangles_.size()};
+        }
+    };
+
+    /// Passes on the vertices of one piece, among all of a shape.
+    template <mesh_sink Sink>
+    struct picker {
+        static constexpr attribute wants = Sink::wants;
+
+        Sink& sink;
+        std::span<const std::uint32_t> left;
+        std::uint32_t number = 0;
+
+        error begin(mesh_size) noexcept { return {}; }
+        void vertex(const surface_point<wants>& v) noexcept
+        {
+            if (!left.empty() && left.front() == number) {
+                sink.vertex(v);
+                left = left.subspan(1);
+            }
+            ++number;
+        }
+        void triangle(std::uint32_t, std::uint32_t, std::uint32_t) noexcept {}
+        void end() noexcept {}
+    };
+
+    buffer<std::uint32_t> used_;
+    triangle_list triangles_;
+    buffer<piece> pieces_;
+    buffer<std::uint32_t> place_;  // scratch of split(): for each of the shape's vertices, its number in the piece
+};
+
+}  // namespace typemesh

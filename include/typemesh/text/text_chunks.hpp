@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/executor.hpp>
+#include <typemesh/text/split_shapes.hpp>
+#include <typemesh/text/text_plan.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+namespace typemesh {
+
+/// One chunk of a text: where it lies in the output, and what of the text it holds.
+struct text_chunk {
+    std::uint32_t first_vertex = 0;
+    std::uint32_t first_index = 0;
+    part_sizes sizes;
+    std::uint32_t first_glyph = 0;  ///< in plan.glyphs()
+    std::uint32_t glyph_count = 0;
+    std::uint32_t piece = whole_glyphs;  ///< which piece of its one glyph, where the glyph had to be split
+
+    static constexpr std::uint32_t whole_glyphs = 0xFFFF'FFFFu;
+
+    [[nodiscard]] mesh_size size() const noexcept
+    {
+        mesh_size sum;
+        for (const part p : all_parts) {
+            sum.vertices += sizes.vertices[p];
+            sum.triangles += sizes.triangles[p];
+        }
+        return sum;
+    }
+
+    /// Where a part of the chunk lies in the output. Its indices count from first_vertex.
+    [[nodiscard]] mesh_range range(part p) const noexcept
+    {
+        mesh_range r{first_vertex, sizes.vertices[p], first_index, 3 * sizes.triangles[p]};
+        for (const part q : all_parts) {
+            if (q >= p) break;
+            r.first_vertex += sizes.vertices[q];
+            r.first_index += 3 * sizes.triangles[q];
+        }
+        return r;
+    }
+    /// Where all of it lies.
+    [[nodiscard]] mesh_range range() const noexcept
+    {
+        return {first_vertex, static_cast<std::uint32_t>(size().vertices), first_index,
+                static_cast<std::uint32_t>(size().indices())};
+    }
+};
+
+/// A planned text cut into chunks that small indices can number, each a mesh of its own with indices from 0 on.
+///
+///     vertices   [ chunk 0: front | back | side ][ chunk 1: front | back | side ] ...
+///     indices    [ chunk 0: front | back | side ][ chunk 1: front | back | side ] ...      each from 0 on
+///
+///     text_chunks chunks;                                              // keeps its memory for the next text
+///     if (error e = chunks.cut(*plan)) ...                             // 65,535 vertices: 16-bit indices up to 65,534
+///     auto size = chunks.size();                                       // exact, repeated vertices included
+///     if (error e = chunks.write(*plan, into(vertices, short_indices))) ...
+///     for (const text_chunk& c : chunks.view()) draw(c.range(), ...);  // base vertex c.first_vertex
+///
+/// or one by one, each into buffers of its own: chunks.write(*plan, k, sink).
+///
+/// Chunks hold whole glyphs in drawing order, as many as fit. A glyph that is too large for a chunk is split: its
+/// triangles in the order in which they come, each piece with the vertices that it uses, so those along the cuts are
+/// repeated. The pieces have chunks of their own.
+///
+/// It knows the plan only while the plan lasts; after that, cut() again.
+class text_chunks {
+public:
+    static constexpr std::uint32_t most_for_16_bits = 0xFFFF;  ///< 0xFFFF itself stays free: it means "restart"
+
+    explicit text_chunks(memory source = heap()) noexcept : chunks_{source}, pieces_{source} {}
+
+    /// Cuts a text into chunks of at most `most` vertices, replacing what was cut before.
+    ///
+    /// Fails  error::bad_option: most < 3; error::too_large: more than 2^32 - 1 vertices or indices;
+    ///        error::out_of_memory; there are no chunks then
+    template <extruder Extruder>
+    error cut(const text_plan<Extruder>& plan, std::uint32_t most = most_for_16_bits) noexcept
+    {
+        clear();
+        if (most < 3) return error::bad_option;
+        const error e = cut_all(plan.fresh(), plan.extruder_, most);
+        if (e) clear();
+        from_ = plan.shapes_;
+        generation_ = plan.generation_;
+        return e;
+    }
+
+    void clear() noexcept
+    {
+        chunks_.clear();
+        pieces_.clear();
+        total_ = {};
+        largest_ = 0;
+    }
+
+    /// The chunks, in the order of the output.
+    [[nodiscard]] std::span<const text_chunk> view() const noexcept { return chunks_.view(); }
+
+    /// What all chunks hold together.
+    [[nodiscard]] mesh_size size() const noexcept { return total_; }
+
+    /// Writes all chunks: every vertex and every index once, ascending. Only the sink's begin_chunks() can fail; nothing
+    /// is allocated. `plan` is the one that was cut.
+    template <extruder Extruder, class Sink>
+        requires chunked_sink<std::remove_reference_t<Sink>>
+    error write(const text_plan<Extruder>& plan, Sink&& sink) const noexcept
+    {
+        one_worker alone;
+        return write(plan, std::forward<Sink>(sink), alone);
+    }
+
+    /// The same by several workers, chunk by chunk. The output is the same to the bit.
+    template <extruder Extruder, class Sink, executor Executor>
+        requires chunked_sink<std::remove_reference_t<Sink>>
+    error write(const text_plan<Extruder>& plan, Sink&& sink, Executor& workers) const noexcept
+    {
+        if (error e = sink.begin_chunks(size(), largest_)) return e;
+        const text_shapes& all = fresh(plan);
+        workers.run(chunks_.size(), [&, this](std::size_t k, std::size_t) noexcept {
+            auto part_of_it = std::as_const(sink).stretch(chunks_[k].range());
+            emit(all, chunks_[k], plan.extruder_, part_of_it);
+        });
+        sink.end();
+        return {};
+    }
+
+    /// Writes chunk k alone, as a whole mesh.
+    template <extruder Extruder, class Sink>
+        requires mesh_sink<std::remove_reference_t<Sink>>
+    error write(const text_plan<Extruder>& plan, std::size_t k, Sink&& sink) const noexcept
+    {
+        const text_chunk& chunk = chunks_[k];
+        if (error e = sink.begin(chunk.size())) return e;
+        emit(fresh(plan), chunk, plan.extruder_, sink);
+        sink.end();
+        return {};
+    }
+
+private:
+    template <class Plan>
+    const text_shapes& fresh(const Plan& plan) const noexcept
+    {
+        TYPEMESH_ASSERT(chunks_.empty() || (plan.shapes_ == from_ && plan.generation_ == generation_),
+                        "these text_chunks were cut from another plan");
+        return plan.fresh();
+    }
+
+    template <extruder Extruder>
+    error cut_all(const text_shapes& all, const Extruder& how, std::uint32_t most) noexcept
+    {
+        const std::size_t count = all.records.size();
+        for (std::size_t first = 0; first < count;) {
+            std::size_t last = first;
+            std::uint64_t held = 0;
+            while (last < count) {
+                const std::uint64_t more = vertices_of(all.records[last].shape->sizes());
+                if (held + more > most) break;
+                held += more;
+                ++last;
+            }
+            if (last == first) {
+                if (error e = split(all, first, how, most)) return e;
+                ++first;
+                continue;
+            }
+            const mesh_layout whole{all, first, last};
+            part_sizes sizes;
+            for (const part p : all_parts) {
+                const mesh_range r = whole.range(p);
+                sizes.vertices[p] = r.vertex_count;
+                sizes.triangles[p] = r.index_count / 3;
+            }
+            if (error e = add(sizes, first, last, text_chunk::whole_glyphs)) return e;
+            first = last;
+        }
+        return {};
+    }
+
+    template <extruder Extruder>
+    error split(const text_shapes& all, std::size_t glyph, const Extruder& how, std::uint32_t most) noexcept
+    {
+        std::uint32_t piece = pieces_.size();
+        const bool turned = all.placed.frame.turns_triangles();
+        if (error e = pieces_.split(*all.records[glyph].shape, how, turned, most)) return e;
+        for (; piece < pieces_.size(); ++piece)
+            if (error e = add(pieces_.sizes(piece), glyph, glyph + 1, piece)) return e;
+        return {};
+    }
+
+    error add(const part_sizes& sizes, std::size_t first, std::size_t last, std::uint32_t piece) noexcept
+    {
+        text_chunk c{static_cast<std::uint32_t>(total_.vertices), static_cast<std::uint32_t>(total_.indices()), sizes,
+                     static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last - first), piece};
+        const mesh_size own = c.size();
+        total_.vertices += own.vertices;
+        total_.triangles += own.triangles;
+        if (own.vertices > largest_) largest_ = static_cast<std::uint32_t>(own.vertices);
+        if (total_.vertices > 0xFFFF'FFFFu || total_.indices() > 0xFFFF'FFFFu) return error::too_large;
+        return chunks_.push_back(c) ? error{} : error{error::out_of_memory};
+    }
+
+    template <extruder Extruder, mesh_sink Sink>
+    void emit(const text_shapes& all, const text_chunk& c, const Extruder& how, Sink& sink) const noexcept
+    {
+        if (c.piece == text_chunk::whole_glyphs) {
+            mesh_layout{all, c.first_glyph, std::size_t{c.first_glyph} + c.glyph_count}.everything(how, sink);
+            return;
+        }
+        const shape_record& s = all.records[c.first_glyph];
+        pieces_.write(c.piece, *s.shape, how, all.place(s), sink);
+    }
+
+    static std::uint64_t vertices_of(const part_sizes& sizes) noexcept
+    {
+        std::uint64_t sum = 0;
+        for (const part p : all_parts) sum += sizes.vertices[p];
+        return sum;
+    }
+
+    buffer<text_chunk> chunks_;
+    split_shapes pieces_;
+    mesh_size total_;
+    std::uint32_t largest_ = 0;
+    const text_shapes* from_ = nullptr;
+    std::uint64_t generation_ = 0;
+};
+
+}  // namespace typemesh

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "support/catch.hpp"
+
+#include <typemesh/core/executor.hpp>
+
+#include <vector>
+
+using namespace typemesh;
+
+namespace {
+
+struct no_count {
+    template <class Task>
+    void run(std::size_t, const Task&) noexcept;
+};
+struct may_throw {
+    std::size_t workers() const noexcept;
+    template <class Task>
+    void run(std::size_t, const Task&);
+};
+
+}  // namespace
+
+static_assert(executor<one_worker> && executor<const one_worker>);
+static_assert(!executor<no_count> && !executor<may_throw> && !executor<int>);
+
+TEST_CASE("one worker does every task once, in order, as worker 0", "[executor]")
+{
+    for (const std::size_t n : {0u, 1u, 7u}) {
+        std::vector<std::size_t> done;
+        one_worker{}.run(n, [&](std::size_t i, std::size_t worker) noexcept {
+            CHECK(worker == 0);
+            done.push_back(i);
+        });
+        REQUIRE(done.size() == n);
+        for (std::size_t i = 0; i < n; ++i) CHECK(done[i] == i);
+    }
+}
