@@ -55,17 +55,17 @@ struct adaptive_subdivision {
     template <class Emit>
     void operator()(const cubic& q, double, Emit&& emit) const noexcept
     {
-        struct part {
+        struct stretch {
             cubic q;
             std::uint32_t level;  // halvings that made it
         };
         const std::uint32_t deepest = levels < 1 ? 1 : levels > most_levels ? most_levels : levels;
-        part waiting[most_levels + 1];  // right halves, the next one last
+        stretch waiting[most_levels + 1];  // right halves, the next one last
         std::uint32_t count = 0;
         waiting[count++] = {q, 0};
         double t = 0.0;
         while (count != 0) {
-            const part p = waiting[--count];
+            const stretch p = waiting[--count];
             if (p.level != 0 && (p.level == deepest || is_line(p.q))) {
                 t += 1.0 / static_cast<double>(1u << p.level);
                 emit(p.q.p3, t);
