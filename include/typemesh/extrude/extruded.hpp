@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 namespace typemesh {
 
@@ -52,9 +53,23 @@ struct extruded {
     texture_mapping texture = texture_mapping::box;
     [[no_unique_address]] Normals normals = {};
 
+    /// See option_bits. Depth matters only to writing, but one that plan() refuses must not find what another kept. The
+    /// normals have three of the numbers.
+    [[nodiscard]] option_bits cache_key() const noexcept
+        requires std::is_empty_v<Normals> || requires(const Normals& n) { { n.cache_key() } noexcept; }
+    {
+        option_bits bits;
+        if constexpr (requires { normals.cache_key(); }) bits = normals.cache_key();
+        TYPEMESH_ASSERT(bits.words[3] == 0, "the normals of an extruded{} may use three of the four option_bits");
+        const bool deep = is_finite(static_cast<double>(depth)) && depth > 0.0f;
+        const bool flags[] = {front, back, side, texture == texture_mapping::em, deep};
+        for (int i = 0; i < 5; ++i) bits.words[3] |= std::uint64_t{flags[i]} << i;
+        return bits;
+    }
+
     [[nodiscard]] result<part_sizes> plan(const region& shape, buffer<side_point>& sides) const noexcept
     {
-        if (!is_finite(static_cast<double>(depth)) || !(depth > 0.0f)) return error::bad_option;
+        if (!is_finite(static_cast<double>(depth)) || !(depth > 0.0f)) return error::bad("depth");
         const std::size_t n = shape.points().size();
         if (n > 0x3FFF'FFFFu) return error::too_large;
         if (!side || n == 0) {

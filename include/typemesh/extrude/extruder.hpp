@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/buffer.hpp>
+#include <typemesh/core/option_bits.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/extrude/placement.hpp>
