@@ -80,9 +80,11 @@ TEST_CASE("a sink that is too small is left as it was, to the byte", "[text][mem
         std::memset(static_cast<void*>(vertices.data()), 0x5A, vertices.size() * sizeof(test::full_vertex));
         std::memset(indices.data(), 0x5A, indices.size() * 4);
         CHECK(plan->write(into(std::span{vertices}, std::span{indices})) == error::buffer_too_small);
-        std::vector<unsigned char> bytes(vertices.size() * sizeof(test::full_vertex) + indices.size() * 4, 0x5A), now = bytes;
-        std::memcpy(now.data(), vertices.data(), vertices.size() * sizeof(test::full_vertex));
-        std::memcpy(now.data() + vertices.size() * sizeof(test::full_vertex), indices.data(), indices.size() * 4);
-        CHECK(now == bytes);
+        const std::size_t vertex_bytes = vertices.size() * sizeof(test::full_vertex);
+        const std::vector<unsigned char> before(vertex_bytes + indices.size() * 4, 0x5A);
+        std::vector<unsigned char> now = before;
+        std::memcpy(now.data(), vertices.data(), vertex_bytes);
+        std::memcpy(now.data() + vertex_bytes, indices.data(), indices.size() * 4);
+        CHECK(now == before);
     }
 }
