@@ -10,10 +10,10 @@
 #include <cstring>
 
 #include "recipe_laws.hpp"
-#include "support/guarded_memory.hpp"
+#include "support/guarded_bytes.hpp"
 
 using namespace recipes;
-using test::guarded_memory;
+using test::guarded_bytes;
 
 namespace d9 = engines::direct3d9;
 namespace d11 = engines::direct3d11;
@@ -79,7 +79,7 @@ TEST_CASE("Direct3D 11 gets the vertex of 32 bytes and the packed one, up to the
     REQUIRE(plan);
     const std::size_t n = plan->size().vertices, m = plan->size().indices();
     {
-        const guarded_memory vertices{n * sizeof(d11::vertex)}, indices{m * 2};
+        const guarded_bytes vertices{n * sizeof(d11::vertex)}, indices{m * 2};
         REQUIRE_FALSE(d11::fill<d11::vertex>(*plan, vertices.bytes().data(), n * sizeof(d11::vertex), indices.bytes().data(), m * 2,
                                              DXGI_FORMAT_R16_UINT));
         seen mesh;
@@ -92,7 +92,7 @@ TEST_CASE("Direct3D 11 gets the vertex of 32 bytes and the packed one, up to the
         obeys(mesh, *plan, direct3d);
     }
     {
-        const guarded_memory vertices{n * sizeof(d11::packed_vertex)}, indices{m * 4};
+        const guarded_bytes vertices{n * sizeof(d11::packed_vertex)}, indices{m * 4};
         REQUIRE_FALSE(d11::fill<d11::packed_vertex>(*plan, vertices.bytes().data(), n * sizeof(d11::packed_vertex),
                                                     indices.bytes().data(), m * 4, DXGI_FORMAT_R32_UINT));
         seen mesh;

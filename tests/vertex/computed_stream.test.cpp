@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "support/catch.hpp"
-#include "support/guarded_memory.hpp"
+#include "support/guarded_bytes.hpp"
 
 using namespace typemesh;
 
@@ -48,7 +48,7 @@ TEST_CASE("a computed stream holds what its function makes of each vertex, and w
 
 TEST_CASE("a computed stream in bytes leaves the bytes between its elements alone", "[vertex]")
 {
-    const test::guarded_memory memory{8 + 12 * 2 + 4};
+    const test::guarded_bytes memory{8 + 12 * 2 + 4};
     std::vector<std::uint32_t> indices;
     stream_sink sink{std::span{indices},
                      computed_stream<attribute::cluster, std::uint32_t>(

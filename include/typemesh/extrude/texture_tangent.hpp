@@ -25,6 +25,7 @@ namespace typemesh {
 /// Godot) want -w.
 class texture_tangent {
 public:
+    texture_tangent() noexcept = default;
     explicit texture_tangent(const frame& f) noexcept : sign_{f.mirrors() == (f.uv == uv_origin::top_left) ? 1.0f : -1.0f}
     {
     }
@@ -58,7 +59,7 @@ public:
 private:
     [[nodiscard]] vec4 joined(vec3 t, float facing) const noexcept { return {t.x, t.y, t.z, sign_ * facing}; }
 
-    float sign_;
+    float sign_ = 1.0f;
 };
 
 }  // namespace typemesh

@@ -50,7 +50,7 @@ private:
         constexpr float least = std::is_signed_v<Integer> ? -1.0f : 0.0f;
         const float inside = value > least ? (value < 1.0f ? value : 1.0f) : least;
         const double steps = static_cast<double>(inside) * most;  // 24 bits by 16: exact, and so is the half added
-        return static_cast<Integer>(static_cast<int>(steps < 0.0 ? steps - 0.5 : steps + 0.5));
+        return static_cast<Integer>(static_cast<int>(steps + 0.5 - static_cast<double>(steps < 0.0)));
     }
 };
 

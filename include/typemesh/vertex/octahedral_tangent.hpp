@@ -5,6 +5,7 @@
 #include <typemesh/vertex/octahedral.hpp>
 
 #include <cstdint>
+#include <type_traits>
 
 namespace typemesh {
 
@@ -22,7 +23,7 @@ struct octahedral_tangent : private octahedral<Step> {
 
     octahedral_tangent() = default;
     octahedral_tangent(float tx, float ty, float tz, float sign) noexcept
-        : octahedral<Step>{tx, ty, tz, 2, sign < 0.0f ? 1 : 0}
+        : octahedral<Step>{tx, ty, tz, std::integral_constant<int, 2>{}, sign < 0.0f ? 1 : 0}
     {
     }
 
