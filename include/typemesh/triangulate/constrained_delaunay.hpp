@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/option_bits.hpp>
 #include <typemesh/triangulate/chain_cutter.hpp>
 #include <typemesh/triangulate/coarse_loops.hpp>
 #include <typemesh/triangulate/delaunay_flips.hpp>
@@ -39,6 +40,9 @@ struct constrained_delaunay {
     /// So many exchanges a triangle may be spent before slabs take over, 1 to 3 being usual and 0 leaving everything to
     /// the slabs. It decides about time, never about triangles.
     std::uint32_t most_flips = 4;
+
+    /// See option_bits: the triangles are the same whatever the option says.
+    [[nodiscard]] static option_bits cache_key() noexcept { return {}; }
 
     /// Relies on the region's promise. Fails with error::out_of_memory, `out` being as it was.
     [[nodiscard]] error operator()(const region& r, workspace& space, triangle_list& out) const noexcept
