@@ -232,4 +232,85 @@ inline polygon circle_with_holes(int n)
     return p;
 }
 
+/// Every other point of a parabola moved, so that nothing is smooth.
+inline polygon rough_parabola(int n, bool upwards)
+{
+    polygon p = parabola(n, true);
+    const std::int32_t step = 250'000'000 / n;
+    for (std::size_t i = 2; i + 2 < p[0].size(); i += 2) p[0][i].y += step;
+    if (!upwards)
+        for (grid_point& q : p[0]) q = {-q.y, q.x};
+    return p;
+}
+
+/// Two parabolas that bend towards each other: every joint between them is one of two convex chains.
+inline polygon facing_parabolas(int n)
+{
+    polygon p(1);
+    const auto bow = [&](int i) {
+        const double x = 4.0 * i / n - 1.0;
+        return static_cast<std::int32_t>(std::lround(1e8 * x * x));
+    };
+    const std::int32_t step = 500'000'000 / n;
+    for (int i = 0; i < n / 2; ++i) p[0].push_back({step * i, -bow(i)});
+    for (int i = n / 2; i-- != 0;) p[0].push_back({step * i + step / 2, 50'000'000 + bow(i)});
+    return p;
+}
+
+/// Two chains from left to right whose points jump up and down.
+inline polygon random_monotone(int n)
+{
+    polygon p(1);
+    std::uint64_t seed = 2;
+    const auto height = [&] { return 1 + static_cast<std::int32_t>(next_random(seed) >> 38); };
+    const std::int32_t step = 500'000'000 / n;
+    for (int i = 0; i < n / 2; ++i) p[0].push_back({step * i, -height()});
+    for (int i = n / 2; i-- != 0;) p[0].push_back({step * i + step / 2, height()});
+    return p;
+}
+
+/// Teeth as high as the whole is long, on an edge that is cut as often as there are teeth.
+inline polygon sawtooth(int n)
+{
+    polygon p(1);
+    const int teeth = n / 3;
+    for (int i = 0; i < teeth; ++i) p[0].push_back({100 * i + i % 7, -50});
+    p[0].push_back({100 * teeth, -50});
+    for (int i = teeth; i-- != 0;) {
+        p[0].push_back({100 * i + 50, 100 * teeth});
+        p[0].push_back({100 * i, i % 3});
+    }
+    return p;
+}
+
+inline polygon nested_squares(int n)
+{
+    polygon p;
+    const int depth = (std::max)(1, n / 4);
+    for (int i = 0; i < depth; ++i) {
+        const std::int32_t low = 10 * i, high = 10 * (2 * depth - i);
+        p.push_back({{low, low}, {high, low}, {high, high}, {low, high}});
+        if (i % 2 == 1) std::reverse(p.back().begin(), p.back().end());
+    }
+    return p;
+}
+
+/// All shapes, of about n points each.
+inline std::vector<std::pair<std::string, polygon>> shapes_of(int n)
+{
+    return {{"spiral", spiral(n)},
+            {"comb", comb(n)},
+            {"star", star(n)},
+            {"parabola", parabola(n, true)},
+            {"parabola on its side", parabola(n, false)},
+            {"circle with holes", circle_with_holes(n)},
+            {"square with holes", square_with_holes(n)},
+            {"rough parabola", rough_parabola(n, true)},
+            {"rough parabola on its side", rough_parabola(n, false)},
+            {"facing parabolas", facing_parabolas(n)},
+            {"random monotone chains", random_monotone(n)},
+            {"sawtooth", sawtooth(n)},
+            {"nested squares", nested_squares(n)}};
+}
+
 }  // namespace bench

@@ -175,7 +175,7 @@ int main(int argc, char** argv)
         {"M+ 1p, 0.1 units", "truetype/mplus/mplus-1p-regular.ttf", 0.1, 3000},
     };
     std::vector<set> sets;
-    sets.reserve(100);
+    sets.reserve(200);
     workspace space;
     triangle_list out;
     for (const font_set& f : fonts) {
@@ -189,15 +189,8 @@ int main(int argc, char** argv)
         add(sets.back(), 5);
     }
     for (int n = 100; n <= 1'000'000; n *= 10) {
-        const std::pair<const char*, polygon> shapes[] = {{"circle", circle(n)},
-                                                          {"comb", comb(n)},
-                                                          {"spiral", spiral(n)},
-                                                          {"star", star(n)},
-                                                          {"square with holes", square_with_holes(n)},
-                                                          {"parabola", parabola(n, true)},
-                                                          {"parabola on its side", parabola(n, false)}};
-        for (const auto& [name, p] : shapes) {
-            set s{std::string{name} + " of " + std::to_string(n), {}, {}, 0, 0};
+        for (const auto& [name, p] : bench::shapes_of(n)) {
+            set s{name + " of " + std::to_string(n), {}, {}, 0, 0};
             s.take(p, space, out);
             if (s.simple.empty()) {
                 std::fprintf(stderr, "left out, not simple on the grid: %s\n", s.name.c_str());

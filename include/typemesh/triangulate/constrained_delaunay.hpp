@@ -10,6 +10,10 @@
 #include <typemesh/triangulate/monotone_sweep.hpp>
 #include <typemesh/triangulate/triangulator.hpp>
 
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
 namespace typemesh {
 
 /// The triangulator for good triangles: the constrained Delaunay triangulation of the region, exact and unique.
@@ -25,9 +29,9 @@ namespace typemesh {
 /// on its boundary, each between its neighbours and from coarse to fine, staying Delaunay: no searching, two exchanges
 /// a point. Whether the coarse outline crosses itself does not matter: it is proven like any other. Nor does it matter
 /// whether outlines cross on the way from coarse to fine: all triangles turn counter-clockwise throughout, and
-/// triangles that do so and have a simple boundary cover what is inside once. Where the coarse outline is no region,
-/// or too many exchanges are needed, all points are divided into slabs and conquered (delaunay_slabs) instead: the
-/// same triangles, in another order.
+/// triangles that do so and have a simple boundary cover what is inside once. A short outline that is not smooth is
+/// swept whole. Where there are too many points for that, or too many exchanges are needed, or outlines touch
+/// themselves, all points are divided into slabs and conquered (delaunay_slabs): the same triangles in another order.
 ///
 /// Cost   O(n log n)
 /// Space  about 220 bytes a point and 128 a loop from `space`, nothing else after `out` has room
@@ -35,7 +39,7 @@ namespace typemesh {
 struct constrained_delaunay {
     /// So many exchanges a triangle may be spent before slabs take over, 1 to 3 being usual and 0 leaving everything to
     /// the slabs. It decides about time, never about triangles.
-    std::uint32_t most_flips = 6;
+    std::uint32_t most_flips = 4;
 
     /// See option_bits: the triangles are the same whatever the option says.
     [[nodiscard]] static option_bits cache_key() noexcept { return {}; }
@@ -49,10 +53,12 @@ struct constrained_delaunay {
         if (write == nullptr) return error::out_of_memory;
         error e = error::crossing_contours;
         double kept = 0;  // share of the points that the last attempt kept
-        for (const std::int64_t straightness : {2, 8}) {  // within 27 degrees, within 7
-            if (e != error::crossing_contours || most_flips == 0 || r.is_touching() || kept > worth_it) break;
-            e = from_coarse_loops(r, space, write, straightness, kept);
-        }
+        std::uint64_t budget = r.is_touching() ? 0 : std::uint64_t{most_flips} * r.triangle_count();
+        for (const std::int64_t straightness : {2, 8})  // within 27 degrees, within 7
+            if (e == error::crossing_contours && budget != 0 && kept <= worth_it)
+                e = by_flips<true>(r, space, write, straightness, kept, budget);
+        if (e == error::crossing_contours && budget != 0 && r.points().size() < slabs_from)
+            e = by_flips<false>(r, space, write, detail::coarse_loops::keep_all, kept, budget);
         if (e == error::crossing_contours) e = detail::delaunay_slabs{}.run(r, space, write);
         if (e) out.truncate(before);
         return e;
@@ -73,34 +79,38 @@ private:
 
     /// Regular patterns of many holes put whole columns of points on one vertical line, where a sweep makes needles.
     static constexpr std::size_t sheared_from = 1000;
-
+    static constexpr std::size_t slabs_from = 400;  ///< flips from a sweep of all points beat slabs below this
     static constexpr double worth_it = 0.875;  ///< leaving out fewer points than this leaves costs more than it saves
 
-    /// error::crossing_contours: not this way.
-    [[nodiscard]] error from_coarse_loops(const region& r, workspace& space, triangle* write, std::int64_t straightness,
-                                          double& kept) const noexcept
+    /// error::crossing_contours: not this way; and once flips have begun no other budget is left. All points need no
+    /// proof.
+    template <bool Proving>
+    [[nodiscard]] static error by_flips(const region& r, workspace& space, triangle* write, std::int64_t straightness,
+                                        double& kept, std::uint64_t& budget) noexcept
     {
         const std::size_t n = r.points().size();
         workspace::scope scratch{space};
         detail::coarse_loops coarse;
         if (!coarse.take(scratch, r.points(), r.starts(), straightness, n >= sheared_from)) return error::out_of_memory;
         kept = static_cast<double>(coarse.points().size()) / static_cast<double>(n);
-        if (kept > worth_it) return error::crossing_contours;
+        if (Proving && kept > worth_it) return error::crossing_contours;
         detail::half_edges mesh{r.points()};
         if (!mesh.open(scratch, n + 2 * std::size_t{r.loop_count()}))
             return error::out_of_memory;  // as many as a sweep can ask for
-        detail::monotone_sweep<true, false, cutter> sweep{
+        detail::monotone_sweep<Proving, false, cutter> sweep{
             coarse.points(), coarse.starts(), cutter{detail::half_edges::output{mesh, coarse.names()}}};
         if (const error e = sweep.run(space)) return e;
-        if (sweep.holes() != r.holes() || sweep.outers() != r.outers()) return error::crossing_contours;
+        if (Proving && (sweep.holes() != r.holes() || sweep.outers() != r.outers())) return error::crossing_contours;
         mesh.finish(sweep.cutter().output());
 
-        detail::delaunay_flips flips{mesh, r.points(), std::uint64_t{most_flips} * r.triangle_count()};
+        detail::delaunay_flips flips{mesh, r.points(), std::exchange(budget, 0)};
         if (!flips.open(scratch, r.triangle_count())) return error::out_of_memory;
         if (!flips.everywhere()) return error::crossing_contours;
-        if (!coarse.bring_back(
-                [&](std::uint32_t previous, std::uint32_t p) noexcept { return flips.insert(previous, p); }))
-            return error::crossing_contours;
+        if constexpr (Proving) {
+            if (!coarse.bring_back(
+                    [&](std::uint32_t previous, std::uint32_t p) noexcept { return flips.insert(previous, p); }))
+                return error::crossing_contours;
+        }
         mesh.write(write);
         return error::none;
     }

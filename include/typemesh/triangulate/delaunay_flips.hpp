@@ -56,16 +56,18 @@ public:
     {
         const std::uint32_t h = mesh_.boundary_from(before), h1 = half_edges::next(h), h2 = half_edges::previous(h);
         const grid_point a = mesh_.place(h), b = mesh_.place(h1), c = mesh_.place(h2), at = points_[p];
+        bool is_simple = true;
         if (orientation(a, at, b) > 0) {
-            stack_[0] = mesh_.add_ear(h, p);
-            return towards_apex(1);
+            if (!prefers_other_diagonal(a, b, c, at)) {
+                mesh_.add_ear(h, p);
+                return true;
+            }  // else an ear and a flip, which is a dent
+        } else {
+            is_simple = orientation(b, c, at) > 0 && orientation(c, a, at) > 0;
         }
-        const bool inside = orientation(b, c, at) > 0 && orientation(c, a, at) > 0;
         stack_[0] = mesh_.dent(h, p);
         stack_[1] = h2;
-        if (inside) [[likely]]
-            return towards_apex(2);
-        return pull_to_apex(2, p);
+        return is_simple ? towards_apex(at) : pull_to_apex(p);
     }
 
 private:
@@ -100,21 +102,22 @@ private:
         }
     }
 
-    /// The same where the first `size` on the stack are edges seen from one new point: what a flip joins to it stays,
-    /// so the stack never holds more than the triangles round that point.
-    [[nodiscard]] bool towards_apex(std::size_t size) noexcept
+    /// The same where the two on the stack are edges seen from a new point: what a flip joins to it stays, so the stack
+    /// never holds more than the triangles round that point.
+    [[nodiscard]] bool towards_apex(grid_point apex) noexcept
     {
         std::uint32_t* const stack = stack_;
         half_edges mesh = mesh_;
+        std::size_t size = 2;
         std::int64_t flipped = 0;
         do {
             const std::uint32_t h = stack[--size];
             if (mesh.is_boundary(h)) continue;
-            const std::uint32_t g = mesh.twin(h);
-            if (!wants_flip(mesh, h, g)) continue;
+            const std::uint32_t g = mesh.twin(h), g2 = half_edges::previous(g);
+            if (!prefers_other_diagonal(mesh.place(h), mesh.place(g), apex, mesh.place(g2))) continue;
             mesh.flip(h);
             ++flipped;
-            stack[size++] = half_edges::previous(g);
+            stack[size++] = g2;
             stack[size++] = h;
         } while (size != 0);
         left_ -= flipped;
@@ -123,8 +126,9 @@ private:
 
     /// The same where p lies beyond its triangle, so that some triangle at p turns clockwise: the edge opposite p in
     /// it has to go whatever the circles say, until all that is between p and its boundary edge has been joined to p.
-    [[nodiscard]] bool pull_to_apex(std::size_t size, std::uint32_t p) noexcept
+    [[nodiscard]] bool pull_to_apex(std::uint32_t p) noexcept
     {
+        std::size_t size = 2;
         while (size != 0) {
             const std::uint32_t h = stack_[--size];
             const bool is_behind = orientation(mesh_.place(half_edges::previous(h)), mesh_.place(h),

@@ -153,9 +153,8 @@ public:
         edges_[g1] = {edges_[h2].origin, h1, edges_[h2].place};
     }
 
-    /// Hangs the triangle b, a, p on the boundary edge h from a to b: p comes between them on the boundary. Returns the
-    /// half-edge from b to a in it.
-    std::uint32_t add_ear(std::uint32_t h, std::uint32_t p) noexcept
+    /// Hangs the triangle b, a, p on the boundary edge h from a to b: p comes between them on the boundary.
+    void add_ear(std::uint32_t h, std::uint32_t p) noexcept
     {
         const std::uint32_t a = edges_[h].origin, b = edges_[next(h)].origin, t = count_;
         count_ += 4;
@@ -165,11 +164,10 @@ public:
         edges_[h].twin = t;
         edges_[rim_ + a].twin = t + 1;
         edges_[rim_ + p].twin = t + 2;
-        return t;
     }
 
     /// Dents the boundary edge h from a to b: p, which lies in the triangle a, b, c of h or on h, comes between them.
-    /// Of the triangle remain  a, p, c  with h from a to p  and, new,  p, b, c.  Returns the half-edge from b to c.
+    /// (Where p lies outside, this is the ear and the flip of h after it.) Of the triangle remain  a, p, c  with h from a to p  and, new,  p, b, c.  Returns the half-edge from b to c.
     ///
     ///          c                c
     ///        /   \            / | \      |
