@@ -19,9 +19,9 @@ namespace typemesh::detail {
 ///
 ///      .   .   .   .   .      The cell round a grid point is hot when a stretch ends or two cross in it. Every
 ///        +---+   _.-''.       stretch is led through the middle of every hot cell that it comes through. Nothing
-///      . | x-+-''  .   .      moves by more than half a cell's diagonal, no two of the new stretches cross, and none
-///     .-'+---+ `-.            comes near a point without ending in it: this is proven in the second paper. More cells
-///      .   .   .   `.  .      may be hot; each only adds a point.
+///      . | x-+-''  .   .      moves by more than half a cell in x and y, and no two of the new stretches cross: this
+///     .-'+---+ `-.            is proven in the second paper. More cells may be hot; each only adds a point. Points may
+///      .   .   .   `.  .      come near stretches, or on them; the walk behind it cuts the latter, bending nothing.
 ///
 /// The sweep needs less for what real outlines hold, and may need many rounds for long edges that run together at a
 /// distance below a cell; those are for this way. Crossings are found by crossing_sweep, in O((n + k) log n); where it
