@@ -96,7 +96,8 @@ TEST_CASE("What a walk believes is an arrangement of closed contours, with the r
     CHECK(bent > 2000);  // of those that one walk sufficed for: the shortcut is taken
 }
 
-TEST_CASE("Contours of ordinary size nearly always need one walk although every crossing is bent", "[fill][resolving_sweep]")
+TEST_CASE("Contours of ordinary size nearly always need one walk although every crossing is bent",
+          "[fill][resolving_sweep]")
 {
     test::dice d{92};
     int once = 0;

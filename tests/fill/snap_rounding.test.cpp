@@ -70,8 +70,7 @@ test::shape random_shape(test::dice& d)
 
 }  // namespace
 
-TEST_CASE("Snap rounding leaves no two pieces that cross, moves none by more than half a cell, and the walk after it is "
-          "believed",
+TEST_CASE("Snap rounding leaves no two pieces that cross, moves none by more than half a cell, and is believed at once",
           "[fill][snap_rounding]")
 {
     test::dice d{81};
