@@ -13,6 +13,9 @@
 //     all          orient, refuse, resolve, triangulate: the whole way of an outline that crosses
 //     refuse, resolve, triangulate     its parts
 //
+// ns_per_log (resolve): nanoseconds by N log2 N, where N counts the pieces that the edges are cut into, n + k: flat
+// from 100 to 100,000 points where resolving takes O((n + k) log n).
+//
 // Fonts are looked for under $TYPEMESH_FONT_DIR (default /usr/share/fonts); packages fonts-inter-variable,
 // fonts-hosny-amiri, fonts-wqy-microhei, fonts-liberation.
 
@@ -98,6 +101,17 @@ void run(benchmark::State& state, set& s, way w, int passes)
     }
     if (w == way::simple) s.simple_ns = best;
     state.counters["ns_per_point"] = best;
+    if (w == way::resolve) {
+        double work = 0, points = 0;
+        for (const polygon& p : s.crossing) {
+            p.give(loops);
+            resolve_effort effort;
+            benchmark::DoNotOptimize(resolve(loops, fill_rule::non_zero, space, &effort));
+            work += effort.pieces * std::log2(effort.pieces + 1.0);
+            points += static_cast<double>(p.points.size());
+        }
+        state.counters["ns_per_log"] = best * points / work;
+    }
     if (s.simple_ns > 0) state.counters["of_simple"] = best / s.simple_ns;
 }
 
@@ -227,6 +241,28 @@ std::vector<std::pair<const char*, polygon>> shapes(int n)
             chain.back().push_back(shifted({on_circle(1000, k / 16.0)}, {1500 * (i % 100), 1500 * (i / 100)})[0]);
     }
     all.emplace_back("overlapping discs", from(chain));
+
+    // Long edges that run together. A knot on a tiny grid beside some of them asks for snap rounding of the whole.
+    std::vector<grid_point> knot;
+    std::uint64_t seed = 7;
+    const auto roll = [&seed](int count) { return static_cast<std::int32_t>(next_random(seed) % unsigned(count)); };
+    for (int i = 0; i < 40; ++i) knot.push_back({-3000 + (i % 2) * 2900 + roll(3), -3000 + (i % 2) * 1000 + roll(3)});
+    std::vector<grid_point> slanted;
+    for (int i = 0; i < n / 3; ++i)
+        slanted.insert(slanted.end(), {{4 * i, 0}, {4 * i + 2, 0}, {100'000'000 + 4 * i, 100'000'000}});
+    slanted.push_back({4 * n, 200'000'000});
+    slanted.push_back({4 * n, -1});
+    all.emplace_back("slanted comb and a knot", from({slanted, knot}));
+    for (const int apart : {1, 4}) {
+        std::vector<grid_point> strip;
+        for (int i = 0; i < n / 2; ++i)
+            strip.insert(strip.end(), {{roll(4), apart * i + roll(3)}, {200'000'000 + roll(4), apart * i + roll(3)}});
+        all.emplace_back(apart == 1 ? "strip of long edges, 1 cell apart" : "strip of long edges, 4 cells apart",
+                         from({strip}));
+    }
+    std::vector<grid_point> chords;  // each leaps by a few corners, so that k grows with n
+    for (int i = 0; i < n; ++i) chords.push_back(on_circle(2e8, (double(i) + double(roll(8))) / n));
+    all.emplace_back("chords of a circle", from({chords}));
     return all;
 }
 

@@ -40,7 +40,7 @@ std::string mistake_on(const test::shape& s, fill_rule rule, int samples = 12)
     resolve_effort effort;
     const result<region> made = resolve(loops, rule, space, &effort);
     most_walks = (std::max)(most_walks, effort.walks);
-    rounded += effort.rounded;
+    rounded += effort.rounds != 0;
     ++all_shapes;
     if (!made) return made.error().message();
     const auto given = test::loops_of(s), kept = test::oracle::loops_of(*made);

@@ -53,7 +53,7 @@ struct stretch {
         turn = -turn;
     }
 
-    /// The curve's parameter where the stretch is cut in p.
+    /// The curve's parameter where the stretch is cut in p. Rounded; nothing is decided by it.
     [[nodiscard]] float t_at(grid_point p) const noexcept
     {
         const double dx = static_cast<double>(to.x) - from.x, dy = static_cast<double>(to.y) - from.y;
@@ -96,6 +96,7 @@ struct arrangement {
     }
 
     /// Whether p lies within about one cell of the line of a stretch's contour edge: bending may not lead farther away.
+    /// Exact: |orientation| < 2^61 against |dx| + |dy| <= 2^30. O(log contours)
     [[nodiscard]] bool is_at_home(const stretch& s, grid_point p) const noexcept
     {
         const auto [a, b] = home(s);

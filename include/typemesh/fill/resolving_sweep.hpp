@@ -45,7 +45,7 @@ namespace typemesh::detail {
 ///     3  no two edges that ended next to each other had begun together.
 ///
 /// Let X be the first place where final stretches meet otherwise than in common ends; left of X the status is in order.
-/// If X is no end of a stretch, two neighbours e below f cross there (they do not begin together in one direction: until
+/// If X is no end of a stretch, two neighbours e below f cross there (they do not begin together in one direction: till
 /// one of them ends nothing can come between them, and ending in the same place breaks 3, in different places 2).
 /// Behind X nothing can be put between them, for what is above e is above f; so the one that ends first does so on the
 /// wrong side of the other, its neighbour, against 2. If X is an end p, an edge that goes through it lies next to those

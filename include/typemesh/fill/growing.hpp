@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/workspace.hpp>
+
+#include <cstddef>
+#include <cstring>
+
+namespace typemesh::detail {
+
+/// An array of plain values in scratch memory that grows by doubling; what it grew out of stays taken until the scope
+/// ends.
+template <class T>
+struct growing {
+    workspace::scope& scratch;
+    T* values = nullptr;
+    std::size_t count = 0;
+    std::size_t room = 0;
+
+    explicit growing(workspace::scope& from) noexcept : scratch{from} {}
+
+    /// False when there is no memory; then it is as it was.
+    [[nodiscard]] bool add(const T& value) noexcept
+    {
+        if (count == room) {
+            const std::size_t more = room == 0 ? 256 : 2 * room;
+            T* const larger = scratch.take<T>(more);
+            if (larger == nullptr) return false;
+            if (count != 0) std::memcpy(static_cast<void*>(larger), values, count * sizeof(T));
+            values = larger;
+            room = more;
+        }
+        values[count++] = value;
+        return true;
+    }
+};
+
+}  // namespace typemesh::detail

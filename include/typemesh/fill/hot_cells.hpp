@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/orientation.hpp>
+#include <typemesh/core/sweep_order.hpp>
+#include <typemesh/core/workspace.hpp>
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace typemesh::detail {
+
+/// Grid points in a tree of boxes, to find those whose cells a segment comes through.
+///
+///      +-------------------+       The points lie in the order of their interleaved bits (Z order), four to a leaf;
+///      | 1  .  | .  2      |       every node holds the box of a run of leaves. A box that a segment passes at more
+///      |   .   |      . -..|--     than a cell is left out with all that is in it.
+///      |-------.---.-'-----|
+///      |  __.-'|    4    . |       The cell of a point p is half open, [-1/2, 1/2)² round p. A segment comes through
+///      | 3 .   |  .        |       it when |2 s| < |dx| + |dy| for s = orientation(from, to, p), or when it touches it
+///      +-------------------+       in the one corner that belongs to it.
+///
+/// Build  O(m log m) for m points, 30 bytes a point. Query: O(sqrt m) boxes for points that are spread, fewer for
+///        points in a line; O(m) at worst, and O(hits log hits) to put them in order.
+/// Exact  |coordinate| <= 2^28: s < 2^61, its double < 2^62.
+/// From   Morton, A computer oriented geodetic data base (1966)
+class hot_cells {
+    struct box {
+        std::int32_t left, right, bottom, top;
+    };
+    static constexpr std::uint32_t leaf = 4;
+
+public:
+    /// False when there is no memory. Points may be given more than once.
+    [[nodiscard]] bool open(std::span<const grid_point> points, workspace::scope& scratch) noexcept
+    {
+        count_ = points.size();
+        if (count_ == 0) return true;
+        leaves_ = std::bit_ceil((count_ + leaf - 1) / leaf);
+        points_ = scratch.take<grid_point>(count_);
+        boxes_ = scratch.take<box>(2 * leaves_);
+        hits_ = scratch.take<packed_sweep_key>(count_);
+        auto* const keys = scratch.take<wide_sweep_key>(count_);
+        auto* const spare = scratch.take<wide_sweep_key>(count_);
+        if (points_ == nullptr || boxes_ == nullptr || hits_ == nullptr || keys == nullptr || spare == nullptr)
+            return false;
+        constexpr std::int32_t lowest = -(1 << 28) - 1;
+        for (std::size_t i = 0; i < count_; ++i)
+            keys[i] = {spread(points[i].x - lowest) << 1 | spread(points[i].y - lowest), static_cast<std::uint32_t>(i)};
+        const wide_sweep_key* const sorted = sort_sweep_keys(keys, spare, count_, 0, 60);
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < count_; ++i)
+            if (const grid_point p = points[sorted[i].index]; kept == 0 || !(points_[kept - 1] == p))
+                points_[kept++] = p;
+        count_ = kept;
+        for (std::size_t node = 2 * leaves_; --node != 0;) boxes_[node] = node >= leaves_ ? of(node) : both(node);
+        return true;
+    }
+
+    /// Calls met(p) for every point whose cell the segment comes through, its ends too if they are points, in the order
+    /// in which it does; met() returns false to end that. False when it did. `from` comes before `to` in the sweep.
+    template <class Met>
+    [[nodiscard]] bool along(grid_point from, grid_point to, Met&& met) noexcept
+    {
+        if (count_ == 0) return true;
+        const std::int64_t dx = std::int64_t{to.x} - from.x, dy = std::int64_t{to.y} - from.y;
+        const box around{from.x, to.x, dy < 0 ? to.y : from.y, dy < 0 ? from.y : to.y};
+        const std::int64_t reach = dx + (dy < 0 ? -dy : dy);
+        std::size_t hit_count = 0;
+        for (std::size_t node = 1;;) {
+            const box& b = boxes_[node];
+            const bool far_off = b.left > around.right || b.right < around.left || b.bottom > around.top ||
+                                 b.top < around.bottom ||
+                                 orientation(from, to, {dy < 0 ? b.right : b.left, b.top}) < -reach ||
+                                 orientation(from, to, {dy < 0 ? b.left : b.right, b.bottom}) > reach;
+            if (!far_off && node < leaves_) {
+                node *= 2;
+                continue;
+            }
+            if (!far_off) {
+                const std::size_t begin = (node - leaves_) * leaf, end = begin + leaf < count_ ? begin + leaf : count_;
+                for (std::size_t i = begin; i < end; ++i)
+                    if (holds(around, points_[i]) && comes_through(from, to, points_[i]))
+                        hits_[hit_count++] = {key(points_[i], dy < 0)};
+            }
+            while (node % 2 == 1) node /= 2;  // the last of its parent: so far all of that one
+            if (node == 0) break;
+            ++node;
+        }
+        if (hit_count > 1) {
+            if (hit_count <= 16)
+                insertion_sort(hits_, hit_count);
+            else
+                heap_sort(hits_, hit_count);
+        }
+        for (std::size_t i = 0; i < hit_count; ++i)
+            if (!met(point_of(hits_[i].word, dy < 0))) return false;
+        return true;
+    }
+
+    [[nodiscard]] static bool comes_through(grid_point from, grid_point to, grid_point p) noexcept
+    {
+        const std::int64_t dx = std::int64_t{to.x} - from.x, dy = std::int64_t{to.y} - from.y;
+        const std::int64_t side = 2 * orientation(from, to, p), reach = (dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy);
+        if (side >= reach || side <= -reach) return side == dx - dy && (side == reach || side == -reach);
+        return true;
+    }
+
+private:
+    /// 30 bits to every other bit of 60.
+    [[nodiscard]] static std::uint64_t spread(std::int32_t value) noexcept
+    {
+        auto v = static_cast<std::uint64_t>(static_cast<std::uint32_t>(value));
+        v = (v | v << 16) & 0x0000'FFFF'0000'FFFFu;
+        v = (v | v << 8) & 0x00FF'00FF'00FF'00FFu;
+        v = (v | v << 4) & 0x0F0F'0F0F'0F0F'0F0Fu;
+        v = (v | v << 2) & 0x3333'3333'3333'3333u;
+        return (v | v << 1) & 0x5555'5555'5555'5555u;
+    }
+    [[nodiscard]] static bool holds(const box& b, grid_point p) noexcept
+    {
+        return p.x >= b.left && p.x <= b.right && p.y >= b.bottom && p.y <= b.top;
+    }
+    /// By x, then in the direction of y in which the segment runs.
+    [[nodiscard]] static std::uint64_t key(grid_point p, bool falling) noexcept
+    {
+        const auto y = static_cast<std::uint32_t>(p.y) ^ 0x8000'0000u;
+        return std::uint64_t{static_cast<std::uint32_t>(p.x) ^ 0x8000'0000u} << 32 | (falling ? ~y : y);
+    }
+    [[nodiscard]] static grid_point point_of(std::uint64_t key, bool falling) noexcept
+    {
+        const auto y = static_cast<std::uint32_t>(key);
+        return {static_cast<std::int32_t>(static_cast<std::uint32_t>(key >> 32) ^ 0x8000'0000u),
+                static_cast<std::int32_t>((falling ? ~y : y) ^ 0x8000'0000u)};
+    }
+    [[nodiscard]] box of(std::size_t node) const noexcept
+    {
+        constexpr std::int32_t beyond = 1 << 29;
+        box b{beyond, -beyond, beyond, -beyond};
+        const std::size_t begin = (node - leaves_) * leaf;
+        for (std::size_t i = begin; i < begin + leaf && i < count_; ++i) {
+            const grid_point p = points_[i];
+            b = {p.x < b.left ? p.x : b.left, p.x > b.right ? p.x : b.right, p.y < b.bottom ? p.y : b.bottom,
+                 p.y > b.top ? p.y : b.top};
+        }
+        return b;
+    }
+    [[nodiscard]] box both(std::size_t node) const noexcept
+    {
+        const box &a = boxes_[2 * node], &b = boxes_[2 * node + 1];
+        return {a.left < b.left ? a.left : b.left, a.right > b.right ? a.right : b.right,
+                a.bottom < b.bottom ? a.bottom : b.bottom, a.top > b.top ? a.top : b.top};
+    }
+
+    grid_point* points_ = nullptr;
+    box* boxes_ = nullptr;  // 1: the root; 2 i and 2 i + 1 below i
+    packed_sweep_key* hits_ = nullptr;
+    std::size_t count_ = 0;
+    std::size_t leaves_ = 0;
+};
+
+}  // namespace typemesh::detail

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+
+#include <typemesh/fill/arrangement.hpp>
+
+#include "support/catch.hpp"
+#include "support/regions.hpp"
+
+#include <map>
+
+using namespace typemesh;
+
+namespace {
+
+test::shape random_shape(test::dice& d)
+{
+    test::shape s{"polylines", {}};
+    for (int c = 1 + d.roll(3); c > 0; --c) {
+        test::polyline l;
+        for (int n = 1 + d.roll(9); n > 0; --n) l.push_back({d.roll(7) - 3, d.roll(7) - 3});
+        s.loops.push_back(l);
+    }
+    return s;
+}
+
+/// Turns in less turns out, of every point: zero everywhere for closed contours.
+bool is_closed(const detail::arrangement& a)
+{
+    std::map<std::uint64_t, int> sum;
+    for (std::uint32_t i = 0; i < a.count; ++i) {
+        sum[detail::sweep_place(a.stretches[i].from)] += a.stretches[i].turn;
+        sum[detail::sweep_place(a.stretches[i].to)] -= a.stretches[i].turn;
+    }
+    for (const auto& [place, turns] : sum)
+        if (turns != 0) return false;
+    return true;
+}
+
+bool is_in_order(const detail::arrangement& a)
+{
+    for (std::uint32_t i = 1; i < a.point_count; ++i)
+        if (!lexicographic_less(a.points[i - 1], a.points[i])) return false;
+    std::vector<int> listed(a.count, 0);
+    for (std::uint32_t v = 0; v < a.point_count; ++v) {
+        for (std::uint32_t i = a.first[v]; i != detail::no_number; i = a.stretches[i].next) {
+            const detail::stretch& s = a.stretches[i];
+            if (s.start != v || !(s.from == a.points[v]) || !(s.to == a.points[s.end])) return false;
+            if (!lexicographic_less(s.from, s.to)) return false;
+            ++listed[i];
+        }
+    }
+    return std::count(listed.begin(), listed.end(), 1) == static_cast<std::ptrdiff_t>(listed.size());
+}
+
+}  // namespace
+
+TEST_CASE("Contours taken apart are one stretch an edge with length, in order, and closed", "[fill][arrangement]")
+{
+    test::dice d{61};
+    for (int i = 0; i < 2000; ++i) {
+        const test::shape s = random_shape(d);
+        const contours loops = test::contours_of(s);
+        workspace space;
+        workspace::scope scratch{space};
+        detail::arrangement a;
+        REQUIRE(a.reserve(scratch, 64));
+        REQUIRE(a.take_apart(loops, space));
+        std::uint32_t edges = 0;
+        for (const auto& l : s.loops)
+            for (std::size_t k = 0; k < l.size(); ++k) edges += !(l[k] == l[(k + 1) % l.size()]);
+        INFO(s);
+        REQUIRE(a.count == edges);
+        REQUIRE(is_in_order(a));
+        CHECK(is_closed(a));
+        for (std::uint32_t k = 0; k < a.count; ++k) {
+            const detail::stretch& stretch = a.stretches[k];
+            const auto [from, to] = a.home(stretch);
+            CHECK((stretch.turn == 1 ? from : to) == stretch.from);
+            CHECK((stretch.turn == 1 ? to : from) == stretch.to);
+            CHECK(stretch.source.t0 == (stretch.turn == 1 ? 0.25f : 0.75f));
+            CHECK(a.is_at_home(stretch, stretch.from));
+            CHECK(a.is_at_home(stretch, {stretch.to.x + 1, stretch.to.y}));
+        }
+    }
+}
+
+TEST_CASE("Stretches flipped and cut at random are in order again afterwards, those without a turn gone",
+          "[fill][arrangement]")
+{
+    test::dice d{62};
+    for (int i = 0; i < 1000; ++i) {
+        const contours loops = test::contours_of(random_shape(d));
+        workspace space;
+        workspace::scope scratch{space};
+        detail::arrangement a;
+        REQUIRE(a.reserve(scratch, 64));
+        REQUIRE(a.take_apart(loops, space));
+        std::uint32_t cancelled = 0;
+        if (a.count != 0 && d.roll(2) == 0) {  // an edge and its reverse
+            a.stretches[a.count] = a.stretches[0];
+            a.stretches[0].turn = 0;
+            a.stretches[a.count].turn = 0;
+            ++a.count;
+            cancelled = 2;
+        }
+        const std::uint32_t before = a.count;
+        for (std::uint32_t k = 0; k < a.count; ++k)
+            if (d.roll(2) == 0) a.stretches[k].flip();
+        REQUIRE(a.reserve(scratch, 100));  // keeps what is there
+        REQUIRE(a.put_in_order(space));
+        CHECK(a.count == before - cancelled);
+        CHECK(is_in_order(a));
+    }
+}
+
+TEST_CASE("t_at() goes linearly along the longer side, place and point_at() undo each other", "[fill][arrangement]")
+{
+    detail::stretch s{{-4, 8}, {4, -8}, 0, 1, 1, 0, {5, 0.0f, 1.0f}, 0, 0, 0};
+    CHECK(s.t_at({-4, 8}) == 0.0f);
+    CHECK(s.t_at({0, 0}) == 0.5f);
+    CHECK(s.t_at({4, -8}) == 1.0f);
+    s.flip();
+    CHECK(s.from == grid_point{4, -8});
+    CHECK(s.t_at({2, -4}) == 0.75f);
+    CHECK(s.turn == -1);
+    test::dice d{63};
+    for (int i = 0; i < 1000; ++i) {
+        const grid_point p{d.roll(1 << 29) - (1 << 28), d.roll(1 << 29) - (1 << 28)};
+        const grid_point q{p.x + d.roll(3) - 1, p.y + d.roll(3) - 1};
+        CHECK(detail::point_at(detail::sweep_place(p)) == p);
+        CHECK((detail::sweep_place(p) < detail::sweep_place(q)) == lexicographic_less(p, q));
+    }
+}

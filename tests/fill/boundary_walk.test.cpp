@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+
+#include <typemesh/fill/boundary_walk.hpp>
+#include <typemesh/fill/resolving_sweep.hpp>
+
+#include "support/catch.hpp"
+#include "support/regions.hpp"
+
+using namespace typemesh;
+
+namespace {
+
+struct walked {
+    std::vector<test::polyline> loops;
+    std::uint32_t holes = 0, outers = 0;
+};
+
+/// One walk of the sweep, which suffices where every crossing is a grid point, and the boundary's.
+walked walk(const std::vector<test::polyline>& given, fill_rule rule)
+{
+    contours loops = test::contours_of(given);
+    workspace space;
+    workspace::scope scratch{space};
+    detail::arrangement a;
+    REQUIRE(a.reserve(scratch, 400));
+    REQUIRE(a.take_apart(loops, space));
+    detail::resolving_sweep sweep{a, rule};
+    REQUIRE(sweep.run(space));
+    REQUIRE_FALSE(sweep.again);
+    detail::boundary_walk boundary;
+    REQUIRE_FALSE(boundary.run(a, rule, loops));
+    walked w{{}, boundary.holes, boundary.outers};
+    for (const auto l : test::oracle::loops_of(loops)) w.loops.emplace_back(l.begin(), l.end());
+    return w;
+}
+
+std::vector<test::oracle::loop> views(const walked& w) { return {w.loops.begin(), w.loops.end()}; }
+
+}  // namespace
+
+TEST_CASE("A walk stays in its wedge: outer loops that touch stay apart, holes that touch are one",
+          "[fill][boundary_walk]")
+{
+    const test::polyline around{{0, 0}, {8, 0}, {8, 8}, {0, 8}};
+    const walked two = walk({test::square(0, 0, 4), test::square(4, 4, 4)}, fill_rule::non_zero);
+    CHECK(two.outers == 2);
+    CHECK(two.holes == 0);
+    CHECK(test::oracle::broken_walk(views(two)).empty());
+
+    const walked holes = walk({around, {{2, 2}, {2, 4}, {4, 4}}, {{4, 4}, {4, 6}, {6, 6}}}, fill_rule::non_zero);
+    CHECK(holes.outers == 1);
+    CHECK(holes.holes == 1);
+    CHECK(test::oracle::broken_walk(views(holes)).empty());
+
+    const walked joined = walk({around, {{0, 0}, {2, 4}, {4, 2}}}, fill_rule::even_odd);
+    CHECK(joined.outers == 1);
+    CHECK(joined.holes == 0);
+    REQUIRE(joined.loops.size() == 1);
+    CHECK(joined.loops[0].size() == 7);
+}
+
+TEST_CASE("Any number of wedges round one point are told apart", "[fill][boundary_walk]")
+{
+    // A windmill of n triangles round (0, 0), which alternate with holes of a square round them.
+    const test::polyline rim{{9, 0}, {9, 4}, {9, 9}, {4, 9}, {0, 9}, {-4, 9}, {-9, 9}, {-9, 4},
+                             {-9, 0}, {-9, -4}, {-9, -9}, {-4, -9}, {0, -9}, {4, -9}, {9, -9}, {9, -4}};
+    for (std::size_t wings = 1; wings <= 8; ++wings) {
+        std::vector<test::polyline> loops;
+        for (std::size_t i = 0; i < wings; ++i) loops.push_back({{0, 0}, rim[2 * i], rim[2 * i + 1]});
+        const walked outers = walk(loops, fill_rule::non_zero);
+        INFO(wings);
+        CHECK(outers.outers == wings);
+        CHECK(outers.holes == 0);
+        CHECK(test::oracle::broken_walk(views(outers)).empty());
+
+        loops.push_back({{-20, -20}, {20, -20}, {20, 20}, {-20, 20}});
+        const walked holes = walk(loops, fill_rule::even_odd);
+        CHECK(holes.outers == 1);
+        CHECK(holes.holes == 1);  // they touch in one point: one
+        CHECK(test::oracle::broken_walk(views(holes)).empty());
+    }
+}
+
+TEST_CASE("The boundary encloses what is filled and nothing else, where all crossings are grid points",
+          "[fill][boundary_walk]")
+{
+    test::dice d{71};
+    for (int i = 0; i < 3000; ++i) {
+        // Upright and slanted edges of even coordinates cross in grid points.
+        std::vector<test::polyline> given;
+        for (int c = 1 + d.roll(5); c > 0; --c) {
+            const int x = 2 * d.roll(8), y = 2 * d.roll(8), r = 2 * (1 + d.roll(4));
+            if (d.roll(2) == 0)
+                given.push_back({{x, y}, {x + r, y}, {x + r, y + r}, {x, y + r}});
+            else
+                given.push_back({{x - r, y}, {x, y - r}, {x + r, y}, {x, y + r}});
+            if (d.roll(3) == 0) given.back() = test::reversed(given.back());
+        }
+        const std::vector<test::oracle::loop> in(given.begin(), given.end());
+        for (const fill_rule rule : {fill_rule::non_zero, fill_rule::even_odd}) {
+            const walked w = walk(given, rule);
+            const auto out = views(w);
+            REQUIRE(test::oracle::broken_walk(out).empty());
+            REQUIRE(static_cast<double>(test::oracle::doubled_area(out)) ==
+                    Approx(test::oracle::doubled_filled_area(in, rule)));
+            std::uint32_t holes = 0;
+            for (const auto l : out) holes += test::oracle::doubled_area(l) < 0;
+            CHECK(holes == w.holes);
+            CHECK(out.size() == w.holes + w.outers);
+        }
+    }
+}

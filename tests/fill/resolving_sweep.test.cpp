@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+
+#include <typemesh/fill/resolving_sweep.hpp>
+
+#include "support/catch.hpp"
+#include "support/regions.hpp"
+
+#include <map>
+
+using namespace typemesh;
+
+namespace {
+
+/// What is wrong with an arrangement that a walk believes in; empty when nothing is.
+///
+/// No two stretches may have more than an end in common, the turns must be those of closed contours, and the winding
+/// number below each must be what counting along a ray gives, just below its middle.
+std::string mistake_in(const detail::arrangement& a)
+{
+    std::vector<detail::stretch> all;
+    for (std::uint32_t i = 0; i < a.count; ++i)
+        if (a.stretches[i].turn != 0) all.push_back(a.stretches[i]);
+    std::map<std::uint64_t, int> closed;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const detail::stretch& s = all[i];
+        if (!lexicographic_less(s.from, s.to)) return "a stretch runs to the left";
+        closed[detail::sweep_place(s.from)] += s.turn;
+        closed[detail::sweep_place(s.to)] -= s.turn;
+        for (std::size_t k = i + 1; k < all.size(); ++k) {
+            const detail::stretch& o = all[k];
+            if (!test::oracle::meet(s.from, s.to, o.from, o.to)) continue;
+            const bool aa = s.from == o.from, ab = s.from == o.to, ba = s.to == o.from, bb = s.to == o.to;
+            if (aa + ab + ba + bb != 1) return "two stretches meet";
+            const grid_point p = aa || ab ? s.from : s.to, q = aa || ab ? s.to : s.from, r = aa || ba ? o.to : o.from;
+            if (test::oracle::lies_on(q, p, r) || test::oracle::lies_on(r, p, q)) return "two stretches overlap";
+        }
+        if (s.from.x == s.to.x) continue;  // below an upright one is right of it
+        // Straight down from its middle (doubled coordinates): every stretch below it counts.
+        const grid_point middle{s.from.x + s.to.x, s.from.y + s.to.y};
+        std::int32_t winding = 0;
+        for (std::size_t k = 0; k < all.size(); ++k) {
+            const grid_point from{2 * all[k].from.x, 2 * all[k].from.y}, to{2 * all[k].to.x, 2 * all[k].to.y};
+            if (k != i && from.x <= middle.x && middle.x < to.x && test::oracle::side(from, to, middle) > 0)
+                winding += all[k].turn;
+        }
+        if (winding != s.below) return "a winding number is wrong";
+    }
+    for (const auto& [place, turns] : closed)
+        if (turns != 0) return "contours are open";
+    return {};
+}
+
+}  // namespace
+
+TEST_CASE("What a walk believes is an arrangement of closed contours, with the right winding numbers",
+          "[fill][resolving_sweep]")
+{
+    test::dice d{91};
+    int believed = 0, bent = 0;
+    for (int i = 0; i < 30'000; ++i) {
+        test::shape s{"shape " + std::to_string(i), {}};
+        const int kind = d.roll(4), width = 4 + d.roll(60), length = 20 + d.roll(2000);
+        for (int c = 1 + d.roll(2); c > 0; --c) {
+            test::polyline l;
+            for (int n = 3 + d.roll(5); n > 0; --n) {
+                if (kind < 2)
+                    l.push_back({d.roll(width), d.roll(width)});
+                else if (kind == 2)
+                    l.push_back({(n % 2) * length + d.roll(4), d.roll(9)});
+                else
+                    l.push_back({d.roll(3), d.roll(length)});
+            }
+            s.loops.push_back(l);
+        }
+        const contours loops = test::contours_of(s);
+        workspace space;
+        workspace::scope scratch{space};
+        detail::arrangement a;
+        REQUIRE(a.reserve(scratch, 500));
+        REQUIRE(a.take_apart(loops, space));
+        for (int walk = 0; walk < 4; ++walk) {
+            detail::resolving_sweep sweep{a, d.roll(2) == 0 ? fill_rule::non_zero : fill_rule::even_odd};
+            REQUIRE(sweep.run(space));
+            if (sweep.again) continue;
+            ++believed;
+            for (std::uint32_t k = 0; k < a.count; ++k) bent += a.stretches[k].bent != 0 && walk == 0;
+            const std::string mistake = mistake_in(a);
+            if (!mistake.empty()) {
+                INFO(s);
+                CHECK(mistake == "");
+            }
+            break;
+        }
+    }
+    CHECK(believed > 10'000);
+    CHECK(bent > 2000);  // of those that one walk sufficed for: the shortcut is taken
+}
+
+TEST_CASE("Contours of ordinary size nearly always need one walk although every crossing is bent",
+          "[fill][resolving_sweep]")
+{
+    test::dice d{92};
+    int once = 0;
+    for (int i = 0; i < 500; ++i) {
+        std::vector<test::polyline> given;
+        for (int c = 0; c < 4; ++c)
+            given.push_back(test::circle(20 + d.roll(40), 100'000 + d.roll(200'000), d.roll(300'000), d.roll(300'000)));
+        const contours loops = test::contours_of(given);
+        workspace space;
+        workspace::scope scratch{space};
+        detail::arrangement a;
+        REQUIRE(a.reserve(scratch, 2000));
+        REQUIRE(a.take_apart(loops, space));
+        detail::resolving_sweep sweep{a, fill_rule::non_zero};
+        REQUIRE(sweep.run(space));
+        once += !sweep.again;
+    }
+    CHECK(once >= 450);
+}
+
+TEST_CASE("A walk without room says so and leaves closed contours", "[fill][resolving_sweep]")
+{
+    test::polyline star;
+    for (int i = 0; i < 31; ++i) star.push_back(test::on_circle(0, 0, 10'000, test::turn_once * i * 13 / 31));
+    const contours loops = test::contours_of({star});
+    for (std::uint32_t room = 31; room < 200; room += 13) {
+        workspace space;
+        workspace::scope scratch{space};
+        detail::arrangement a;
+        REQUIRE(a.reserve(scratch, room));
+        REQUIRE(a.take_apart(loops, space));
+        detail::resolving_sweep sweep{a, fill_rule::non_zero};
+        REQUIRE(sweep.run(space));
+        CHECK(sweep.full);
+        CHECK(sweep.again);
+        CHECK(a.count <= room);
+        std::map<std::uint64_t, int> closed;
+        for (std::uint32_t i = 0; i < a.count; ++i) {
+            closed[detail::sweep_place(a.stretches[i].from)] += a.stretches[i].turn;
+            closed[detail::sweep_place(a.stretches[i].to)] -= a.stretches[i].turn;
+        }
+        for (const auto& [place, turns] : closed) CHECK(turns == 0);
+    }
+}
