@@ -7,11 +7,10 @@
 #include <typemesh/core/outline.hpp>
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/discretise/certified.hpp>
-#include <typemesh/discretise/discretise.hpp>
 #include <typemesh/extrude/extruded.hpp>
 #include <typemesh/layout/layout.hpp>
 #include <typemesh/outline/outline_recorder.hpp>
-#include <typemesh/text/cap.hpp>
+#include <typemesh/text/cap_outline.hpp>
 #include <typemesh/text/text_options.hpp>
 #include <typemesh/text/text_plan.hpp>
 #include <typemesh/text/text_shapes.hpp>
@@ -198,11 +197,8 @@ private:
         if (error e = record(*font_, glyph.id, outline_)) return e;
         if (outline_.curves.empty()) return blank();
 
-        observer_(stage::discretise);
         const auto fitting = grid::fitting(units_per_em, outline_.bounds);
         if (!fitting) return fitting.error();
-        if (error e = discretise(outline_, discretiser_, options.tolerance * units_per_em, *fitting, loops_)) return e;
-        if (loops_.points.empty()) return blank();
 
         const auto triangles_before = shapes_.triangles.size(), sides_before = shapes_.sides.size();
         const auto undo = [&](error e) noexcept {
@@ -211,7 +207,8 @@ private:
             return e;
         };
         const auto filled =
-            cap(loops_, options.fill.value_or(outline_.rule), triangulator_, space_, shapes_.triangles, observer_);
+            cap_outline(outline_, options.fill.value_or(outline_.rule), discretiser_, options.tolerance * units_per_em,
+                        *fitting, triangulator_, space_, loops_, shapes_.triangles, observer_);
         if (!filled) return undo(filled.error());
         if (filled->points().empty()) return blank();
 
