@@ -92,7 +92,10 @@ struct glyph_findings {
     bool touching = false;  ///< and so do its region's
     std::size_t points = 0;
     std::size_t crowded = 0;  ///< vertical edges with more than two faces
-    double moved = 0.0;       ///< by how much the area differs from what the polygons fill, over their length, in cells
+    bool refined = false;     ///< the guard made curves finer
+    std::uint32_t unsettled = 0;  ///< meetings that the guard let stand only because their curves cannot be finer
+    bool bent_more = false;   ///< the area is not exactly that of the contours led through their rounded crossings
+    double moved = 0.0;       ///< then: by how much it differs, over the bound that holds (see examine)
     std::string wrong;        ///< the first law that is broken; empty: none
 };
 
@@ -108,22 +111,19 @@ public:
         if (outline_.curves.empty()) return f.blank = true, f;
         const auto cells = grid::fitting(font.units_per_em(), outline_.bounds);
         if (!cells) return f.wrong = cells.error().message(), f;
-        if (const error e = discretise(outline_, certified{}, tolerance_em * font.units_per_em(), *cells, loops_))
-            return f.wrong = e.message(), f;
-        if (loops_.points.empty()) return f.blank = true, f;
-        const std::vector<grid_point> points{loops_.points.begin(), loops_.points.end()};
-        const std::vector<std::uint32_t> starts{loops_.starts.begin(), loops_.starts.end()};
-        const auto given = oracle::loops_of(points, starts);
-
+        const double tolerance = tolerance_em * font.units_per_em();
+        seen given_last;
+        guard_effort effort;
+        no_observer nobody;
         triangles_.clear();
-        {
-            contours_copy(points, starts);
-            orient(copy_);
-            f.resolved = !monotone{}.prove(copy_, space_, triangles_);
-            triangles_.clear();
-        }
-        const auto made = cap(loops_, outline_.rule, monotone{}, space_, triangles_);
+        const auto made = cap_outline(outline_, outline_.rule, certified{}, tolerance, *cells, watched_monotone{{}, &given_last},
+                                      space_, loops_, triangles_, nobody, &effort);
         if (!made) return f.wrong = std::string{"refused: "} + made.error().message(), f;
+        if (loops_.points.empty() && given_last.points.empty()) return f.blank = true, f;
+        f.refined = effort.rounds != 0;
+        f.unsettled = effort.unsettled;
+        f.resolved = given_last.refused;
+        const auto given = oracle::loops_of(given_last.points, given_last.starts);
         f.touching = made->is_touching();
         f.points = made->points().size();
         const auto kept = oracle::loops_of(*made);
@@ -132,11 +132,23 @@ public:
         if (f.wrong = oracle::broken_law(*made, triangles_.view()); !f.wrong.empty()) return f;
         if (f.resolved)
             if (f.wrong = oracle::broken_walk(kept); !f.wrong.empty()) return f;
-        const double area = static_cast<double>(oracle::doubled_area(kept)),
-                     filled = oracle::doubled_filled_area(given, outline_.rule);
-        const double off = std::fabs(area - filled) - 1e-11 * filled;
-        f.moved = off > 0 ? off / (2 * oracle::length(given)) : 0;
-        if (f.resolved ? f.moved > 0.71 : off > 0) return f.wrong = "the area is not what the contours fill", f;
+        const double area = static_cast<double>(oracle::doubled_area(kept));
+        if (!f.resolved) {
+            const double filled = oracle::doubled_filled_area(given, outline_.rule);
+            if (std::fabs(area - filled) > 1e-11 * filled) return f.wrong = "the area is not what the contours fill", f;
+        } else {
+            // Equal to what the contours fill once they are led through their crossings, rounded. Where that makes new
+            // crossings, which are rounded in their turn, no edge is moved by more than 1.5 cells.
+            const auto bent = oracle::led_through_crossings(given);
+            const double filled = oracle::doubled_filled_area(bent.loops(), outline_.rule);
+            const double off = std::fabs(area - filled);
+            if (off > 1e-11 * filled) {
+                f.bent_more = true;
+                f.moved = off / (2 * 1.5 * bent.bent_length + 1e-11 * filled);
+                if (f.moved > 1) return f.wrong = "the area is not what the contours fill", f;
+            }
+        }
+        if (f.wrong = stray_boundary(*made, tolerance * cells->cells); !f.wrong.empty()) return f;
 
         for (const triangle t : triangles_) {
             const auto at = [&](std::uint32_t i) {
@@ -148,7 +160,7 @@ public:
             if (!(turn > 0)) return f.wrong = "a triangle is flipped or flat in 32-bit floats", f;
         }
 
-        sample(font, id, tolerance_em * font.units_per_em() * cells->cells, cells->cells, kept, f);
+        sample(id, tolerance * cells->cells, cells->cells, kept, f);
         if (!f.wrong.empty()) return f;
 
         glyph_run alone;
@@ -169,27 +181,81 @@ public:
     }
 
 private:
-    void contours_copy(const std::vector<typemesh::grid_point>& points, const std::vector<std::uint32_t>& starts)
+    /// What a triangulator is shown last: the contours that the guard is content with.
+    struct seen {
+        std::vector<typemesh::grid_point> points;
+        std::vector<std::uint32_t> starts;
+        bool refused = false;
+    };
+    struct watched_monotone : typemesh::monotone {
+        seen* last;
+        typemesh::result<typemesh::region> prove(const typemesh::contours& loops, typemesh::workspace& space,
+                                                 typemesh::triangle_list& out) const noexcept
+        {
+            last->points.assign(loops.points.begin(), loops.points.end());
+            last->starts.assign(loops.starts.begin(), loops.starts.end());
+            auto made = monotone::prove(loops, space, out);
+            last->refused = !made;
+            return made;
+        }
+    };
+
+    /// The boundary stays within the tolerance of the curve that it is said to come from.
+    std::string stray_boundary(const typemesh::region& made, double tolerance)
     {
-        copy_.clear();
-        copy_.grid = loops_.grid;
-        (void)copy_.points.append(points);
-        (void)copy_.edges.append(loops_.edges.view());
-        (void)copy_.starts.append(starts);
+        using namespace typemesh;
+        const auto points = made.points();
+        for (std::size_t l = 0; l + 1 < made.starts().size(); ++l) {
+            const std::uint32_t begin = made.starts()[l], end = made.starts()[l + 1];
+            for (std::uint32_t i = begin; i < end; ++i) {
+                const grid_point p = points[i], q = points[i + 1 < end ? i + 1 : begin];
+                const contour_edge e = made.edges()[i];
+                const curve& c = outline_.curves[e.curve];
+                const point middle{0.5 * (double(p.x) + q.x), 0.5 * (double(p.y) + q.y)};
+                const int steps = c.degree == 1 ? 1 : 16;
+                double nearest = 1e300;
+                point s = made.grid().cells * at(c, double(e.t0));
+                for (int k = 1; k <= steps; ++k) {
+                    const point t = made.grid().cells * at(c, double(e.t0) + (double(e.t1) - double(e.t0)) * k / steps);
+                    nearest = (std::min)(nearest, squared_distance(middle, s, t));
+                    s = t;
+                }
+                // 1.5 cells for bends; 1 % for these chords (1/256 of the edge's error) and for t, which is a float
+                if (std::sqrt(nearest) > 1.01 * tolerance + 1.5 + 1e-6 * std::hypot(double(p.x) - q.x, double(p.y) - q.y))
+                    return "the boundary strays from its curve";
+            }
+        }
+        return {};
+    }
+
+    static double squared_distance(typemesh::point q, typemesh::point s, typemesh::point e)
+    {
+        const typemesh::point along = e - s, to = q - s;
+        const double square = dot(along, along);
+        const double t = square == 0 ? 0.0 : (std::max)(0.0, (std::min)(1.0, dot(to, along) / square));
+        const typemesh::point gap = to - t * along;
+        return dot(gap, gap);
     }
 
     /// Places farther than the tolerance from all curves are filled exactly where the curves' winding number says so.
-    template <class Font>
-    void sample(Font&, typemesh::glyph_id id, double tolerance, double cells, const std::vector<oracle::loop>& kept,
+    /// Curves are taken as chords that are off by 1/100 of the tolerance at most (Wang's bound).
+    void sample(typemesh::glyph_id id, double tolerance, double cells, const std::vector<oracle::loop>& kept,
                 glyph_findings& f)
     {
         using namespace typemesh;
-        constexpr int steps = 24;
         dense_.clear();
         for (const curve& c : outline_.curves) {
-            const int n = c.degree == 1 ? 1 : steps;
-            for (int i = 0; i < n; ++i)
-                dense_.push_back({cells * at(c, double(i) / n), cells * at(c, double(i + 1) / n)});
+            double bend = 0.0;
+            for (std::uint32_t k = 0; k + 2 <= c.degree; ++k)
+                bend = (std::max)(bend, length(c.p[k] + c.p[k + 2] - 2.0 * c.p[k + 1]));
+            const double wang = std::sqrt(c.degree * (c.degree - 1) * cells * bend / (8.0 * 0.01 * tolerance));
+            const int n = (std::max)(1, static_cast<int>(std::ceil(wang)));
+            point start = cells * c.p[0];
+            for (int i = 1; i <= n; ++i) {
+                const point end = cells * (i == n ? c.end() : at(c, double(i) / n));
+                dense_.push_back({start, end});
+                start = end;
+            }
         }
         const box& b = outline_.bounds;
         std::uint64_t state = id * 0x9E37'79B9'7F4A'7C15u + 1;
@@ -205,14 +271,11 @@ private:
             std::int32_t w = 0;
             for (const auto& [s, e] : dense_) {
                 const point along = e - s, to = q - s;
-                const double square = dot(along, along);
-                const double t = square == 0 ? 0.0 : (std::max)(0.0, (std::min)(1.0, dot(to, along) / square));
-                const point gap = to - t * along;
-                nearest = (std::min)(nearest, dot(gap, gap));
+                nearest = (std::min)(nearest, squared_distance(q, s, e));
                 if (s.y <= q.y && e.y > q.y && cross(along, to) > 0) ++w;
                 if (e.y <= q.y && s.y > q.y && cross(along, to) < 0) --w;
             }
-            if (std::sqrt(nearest) <= 1.02 * tolerance + 2.0) continue;
+            if (std::sqrt(nearest) <= 1.01 * tolerance + 1.5) continue;
             if (oracle::winding(kept, p) != (is_filled(outline_.rule, w) ? 1 : 0)) {
                 f.wrong = "a place is filled wrongly";
                 return;
@@ -234,7 +297,7 @@ private:
     };
     typemesh::workspace space_;
     typemesh::outline outline_;
-    typemesh::contours loops_, copy_;
+    typemesh::contours loops_;
     typemesh::triangle_list triangles_;
     std::vector<chord> dense_;
     full_mesh mesh_;
