@@ -148,6 +148,7 @@ public:
                 if (f.moved > 1) return f.wrong = "the area is not what the contours fill", f;
             }
         }
+        take_curves(tolerance * cells->cells, cells->cells);
         if (f.wrong = stray_boundary(*made, tolerance * cells->cells); !f.wrong.empty()) return f;
 
         for (const triangle t : triangles_) {
@@ -200,29 +201,27 @@ private:
         }
     };
 
-    /// The boundary stays within the tolerance of the curve that it is said to come from.
+    /// The boundary stays within the tolerance of some curve: nearly always of the one that it is said to come from.
     std::string stray_boundary(const typemesh::region& made, double tolerance)
     {
         using namespace typemesh;
         const auto points = made.points();
+        const double allowed = 1.01 * tolerance + 1.5;  // 1 % for the chords, 1.5 cells for bends
+        const auto away = [&](point q, std::size_t first, std::size_t last) {
+            for (; first < last; ++first)
+                if (squared_distance(q, dense_[first].start, dense_[first].end) <= allowed * allowed) return false;
+            return true;
+        };
         for (std::size_t l = 0; l + 1 < made.starts().size(); ++l) {
             const std::uint32_t begin = made.starts()[l], end = made.starts()[l + 1];
             for (std::uint32_t i = begin; i < end; ++i) {
                 const grid_point p = points[i], q = points[i + 1 < end ? i + 1 : begin];
-                const contour_edge e = made.edges()[i];
-                const curve& c = outline_.curves[e.curve];
-                const point middle{0.5 * (double(p.x) + q.x), 0.5 * (double(p.y) + q.y)};
-                const int steps = c.degree == 1 ? 1 : 16;
-                double nearest = 1e300;
-                point s = made.grid().cells * at(c, double(e.t0));
-                for (int k = 1; k <= steps; ++k) {
-                    const point t = made.grid().cells * at(c, double(e.t0) + (double(e.t1) - double(e.t0)) * k / steps);
-                    nearest = (std::min)(nearest, squared_distance(middle, s, t));
-                    s = t;
+                const std::uint32_t k = made.edges()[i].curve;
+                for (const double share : {0.0, 0.5}) {
+                    const point at{p.x + share * (double(q.x) - p.x), p.y + share * (double(q.y) - p.y)};
+                    if (away(at, first_[k], first_[k + 1]) && away(at, 0, dense_.size()))
+                        return "the boundary strays from all curves";
                 }
-                // 1.5 cells for bends; 1 % for these chords (1/256 of the edge's error) and for t, which is a float
-                if (std::sqrt(nearest) > 1.01 * tolerance + 1.5 + 1e-6 * std::hypot(double(p.x) - q.x, double(p.y) - q.y))
-                    return "the boundary strays from its curve";
             }
         }
         return {};
@@ -237,13 +236,12 @@ private:
         return dot(gap, gap);
     }
 
-    /// Places farther than the tolerance from all curves are filled exactly where the curves' winding number says so.
-    /// Curves are taken as chords that are off by 1/100 of the tolerance at most (Wang's bound).
-    void sample(typemesh::glyph_id id, double tolerance, double cells, const std::vector<oracle::loop>& kept,
-                glyph_findings& f)
+    /// The curves themselves, in cells: as chords that are off by 1/100 of the tolerance at most (Wang's bound).
+    void take_curves(double tolerance, double cells)
     {
         using namespace typemesh;
         dense_.clear();
+        first_.assign(1, 0);
         for (const curve& c : outline_.curves) {
             double bend = 0.0;
             for (std::uint32_t k = 0; k + 2 <= c.degree; ++k)
@@ -256,7 +254,15 @@ private:
                 dense_.push_back({start, end});
                 start = end;
             }
+            first_.push_back(dense_.size());
         }
+    }
+
+    /// Places farther than the tolerance from all curves are filled exactly where the curves' winding number says so.
+    void sample(typemesh::glyph_id id, double tolerance, double cells, const std::vector<oracle::loop>& kept,
+                glyph_findings& f)
+    {
+        using namespace typemesh;
         const box& b = outline_.bounds;
         std::uint64_t state = id * 0x9E37'79B9'7F4A'7C15u + 1;
         for (int i = 0; i < 20; ++i) {
@@ -300,6 +306,7 @@ private:
     typemesh::contours loops_;
     typemesh::triangle_list triangles_;
     std::vector<chord> dense_;
+    std::vector<std::size_t> first_;  // of each curve
     full_mesh mesh_;
 };
 
