@@ -55,51 +55,47 @@ template <meeting_judge Judge>
 [[nodiscard]] bool judge_meetings(const arrangement& a, workspace& space, Judge& judge, bool& all_stand) noexcept
 {
     constexpr std::uint32_t most = 16;
+    struct visit {
+        std::uint32_t place, origin, before;
+    };
     workspace::scope scratch{space};
-    auto* const ends = scratch.take<std::uint32_t>(a.point_count);  // how many; then where the next is listed
-    if (ends == nullptr) return false;
+    auto* const ends = scratch.take<std::uint32_t>(a.point_count);  // how many; beyond 2: 3 and the last visit's number
+    auto* const two = scratch.take<std::uint32_t>(2 * std::size_t{a.point_count});  // who comes first and second
+    auto* const more = scratch.take<visit>(2 * std::size_t{a.count});               // and who else
+    if (ends == nullptr || two == nullptr || more == nullptr) return false;
     for (std::uint32_t i = 0; i < a.point_count; ++i) ends[i] = 0;
+    std::uint32_t count = 0;
+    const auto visited = [&](std::uint32_t place, std::uint32_t origin) noexcept {
+        const std::uint32_t n = ends[place];
+        if (n < 2) {
+            two[2 * std::size_t{place} + n] = origin;
+            ends[place] = n + 1;
+        } else {
+            more[count] = {place, origin, n};
+            ends[place] = 3 + count++;
+        }
+    };
     for (std::uint32_t i = 0; i < a.count; ++i) {
         const stretch& s = a.stretches[i];
         if (s.turn == 0) continue;
-        ++ends[s.start];
-        ++ends[s.end];
-    }
-    std::uint32_t places = 0, total = 0;
-    for (std::uint32_t i = 0; i < a.point_count; ++i) {
-        if (ends[i] <= 2) continue;
-        ++places;
-        total += ends[i];
-    }
-    if (places == 0) return true;
-    auto* const place = scratch.take<std::uint32_t>(places);
-    auto* const origin = scratch.take<std::uint32_t>(total);
-    if (place == nullptr || origin == nullptr) return false;
-    places = total = 0;
-    for (std::uint32_t i = 0; i < a.point_count; ++i) {
-        const std::uint32_t count = ends[i];
-        ends[i] = count > 2 ? total : no_number;
-        if (count <= 2) continue;
-        place[places++] = i;
-        total += count;
-    }
-    for (std::uint32_t i = 0; i < a.count; ++i) {
-        const stretch& s = a.stretches[i];
-        if (s.turn == 0) continue;
-        if (ends[s.start] != no_number) origin[ends[s.start]++] = s.origin;
-        if (ends[s.end] != no_number) origin[ends[s.end]++] = s.origin;
+        visited(s.start, s.origin);
+        visited(s.end, s.origin);
     }
 
-    for (std::uint32_t k = 0, begin = 0; k < places; ++k) {
-        const grid_point at = a.points[place[k]];
-        std::uint32_t edges[most + 1], count = 0;
-        for (; begin < ends[place[k]]; ++begin) {
+    for (std::uint32_t v = 0; v < count; ++v) {
+        const std::uint32_t place = more[v].place;
+        if (ends[place] != 3 + v) continue;  // a later visit will tell of all
+        std::uint32_t edges[most + 1] = {two[2 * std::size_t{place}]}, size = 1;
+        const auto add = [&](std::uint32_t origin) noexcept {
             std::uint32_t i = 0;
-            while (i < count && edges[i] != origin[begin]) ++i;
-            if (i == count && count <= most) edges[count++] = origin[begin];
-        }
-        if (count > most) continue;
-        for (std::uint32_t i = 1; i < count; ++i) {
+            while (i < size && edges[i] != origin) ++i;
+            if (i == size && size <= most) edges[size++] = origin;
+        };
+        add(two[2 * std::size_t{place} + 1]);
+        for (std::uint32_t k = 3 + v; k > 2; k = more[k - 3].before) add(more[k - 3].origin);
+        if (size > most) continue;
+        const grid_point at = a.points[place];
+        for (std::uint32_t i = 1; i < size; ++i) {
             const meeting::edge e = edge_of(a, edges[i]);
             for (std::uint32_t j = 0; j < i; ++j) {
                 const meeting m{e, edge_of(a, edges[j]), at};
