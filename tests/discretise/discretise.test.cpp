@@ -197,10 +197,9 @@ TEST_CASE("the discretiser gets the tolerance less the snap, but no less than th
 
 TEST_CASE("the tolerance is halved for a curve as often as its halvings say, and for no other", "[discretise]")
 {
-    const auto circle = [](double x) {
-        return curve::from(quadratic{{x, 0}, {x + 300, 600}, {x + 600, 0}});
-    };
-    const outline o = outline_of({{circle(0), curve::from({600, 0}, {0, 0})}, {circle(700), curve::from({1300, 0}, {700, 0})}});
+    const auto bow = [](double x) { return curve::from(quadratic{{x, 0}, {x + 300, 600}, {x + 600, 0}}); };
+    const outline o = outline_of(
+        {{bow(0), curve::from({600, 0}, {0, 0})}, {bow(700), curve::from({1300, 0}, {700, 0})}});
     contours plain, finer;
     REQUIRE_FALSE(discretise(o, certified{}, 4.0, grid{}, plain));
     for (std::uint8_t times = 0; times <= 6; ++times) {
@@ -213,9 +212,11 @@ TEST_CASE("the tolerance is halved for a curve as often as its halvings say, and
     }
 }
 
-TEST_CASE("a contour that would be flat is drawn finer if its curves have an area, and no other contour is", "[discretise]")
+TEST_CASE("a contour that would be flat is drawn finer if its curves have an area, and no other contour is",
+          "[discretise]")
 {
-    const curve up = curve::from(quadratic{{0, 0}, {5, 4}, {10, 0}}), down = curve::from(quadratic{{10, 0}, {5, -4}, {0, 0}});
+    const curve up = curve::from(quadratic{{0, 0}, {5, 4}, {10, 0}});
+    const curve down = curve::from(quadratic{{10, 0}, {5, -4}, {0, 0}});
     const curve back = curve::from(quadratic{{10, 0}, {5, 4}, {0, 0}});
     const curve wide = curve::from(quadratic{{50, 0}, {80, 60}, {110, 0}}), base = curve::from({110, 0}, {50, 0});
     contours out, alone;

@@ -202,9 +202,9 @@ int main(int argc, char** argv)
     }
     print(sum);
     std::printf(
-        "over %zu qualities. resolved: contours meet; refined: curves made finer where only chords met; unsettled: meetings "
-        "that stand though they could not be told; crowded: vertical edges with more than two faces; bent: rounded "
-        "crossings made new ones; moved: the worst area of those, over its bound\n",
+        "over %zu qualities. resolved: contours meet; refined: curves made finer where only chords met; unsettled: "
+        "meetings that stand though they could not be told; crowded: vertical edges with more than two faces; bent: "
+        "rounded crossings made new ones; moved: the worst area of those, over its bound\n",
         wanted.size());
     std::printf("%.0f s\n", seconds());
     return sum.broken == 0 ? 0 : 1;

@@ -130,7 +130,8 @@ void build(capped& c, const outline& o, double tolerance, fill_rule rule, const 
     const auto fitting = grid::fitting(1000, o.bounds);
     REQUIRE(fitting);
     c.cells = fitting->cells;
-    const auto made = cap_outline(o, rule, how, tolerance, *fitting, cut, space, c.loops, c.triangles, nobody, &c.effort);
+    const auto made =
+        cap_outline(o, rule, how, tolerance, *fitting, cut, space, c.loops, c.triangles, nobody, &c.effort);
     REQUIRE(made);
     c.made = *made;
 }
@@ -218,11 +219,13 @@ TEST_CASE("a circle just inside another never crosses it, from 1/10 tolerance of
     for (const double room : {0.1, 0.2, 0.35, 0.5, 0.8, 1.0, 1.4, 2.0, 3.0}) {
         for (const double angle : angles) {
             for (const int pieces : {3, 4, 7}) {
-                const outline o = outline_of({circle({0, 0}, 400), circle({0, 0}, 400 - room * tolerance, pieces, angle)});
+                const path inner = circle({0, 0}, 400 - room * tolerance, pieces, angle);
+                const outline o = outline_of({circle({0, 0}, 400), inner});
                 capped c;
                 build(c, o, tolerance, fill_rule::even_odd);
                 INFO(room << " tolerances, turned by " << angle << ", " << pieces << " pieces");
-                // Beziers are off a circle by up to 400 units * 0.0014 (3 pieces) or 0.00028 (4): not all pairs are nested
+                // Cubics are off a circle by up to 400 * 0.0014 units (3 pieces) or 400 * 0.00028 (4): not all pairs
+                // are nested.
                 if (pieces != 3 || room >= 0.35) {
                     CHECK(c.made.outers() == 1);
                     CHECK(c.made.holes() == 1);
@@ -245,7 +248,8 @@ TEST_CASE("arcs that pass each other at less than the tolerance stay apart, and 
                 for (const double angle : angles) {
                     const quadratic below{{500, 0}, {250, 2 * height}, {0, 0}};
                     const double top = height + gap * tolerance;
-                    const quadratic above{{shift, top + height}, {250 + shift, top - height}, {500 + shift, top + height}};
+                    const quadratic above{
+                        {shift, top + height}, {250 + shift, top - height}, {500 + shift, top + height}};
                     const outline o = outline_of({turned(bow(below, -100), angle, false),
                                                   turned(bow(above, top + 2 * height + 100), angle, false)});
                     capped c;
@@ -323,7 +327,7 @@ TEST_CASE("tangent circles, kissing quadratics and a line on a circle obey the l
                     for (const fill_rule rule : {fill_rule::non_zero, fill_rule::even_odd}) {
                         capped c;
                         build(c, o, tolerance, rule);
-                        INFO("shape " << k << " at " << d << " tolerances, angle " << angle << ", mirrored " << mirrored);
+                        INFO("shape " << k << " at " << d << " tolerances, " << angle << ", mirrored " << mirrored);
                         CHECK(broken_law(c, o, tolerance, rule) == "");
                         if (d >= 0.1 && k != 1 && k != 5) CHECK(c.made.outers() == 2);
                     }
@@ -382,7 +386,8 @@ TEST_CASE("steep crossings and crossing lines cost no finer curve, wherever on t
 {
     for (int i = 0; i < 200; ++i) {
         const double x = 200 + 0.9 * i;
-        const outline o = outline_of({circle({0, 0}, 300, 4, 0.01 * i), circle({x, 40}, 300), box_path(-350, -20, 700, 20)});
+        const outline o =
+            outline_of({circle({0, 0}, 300, 4, 0.01 * i), circle({x, 40}, 300), box_path(-350, -20, 700, 20)});
         capped c;
         build(c, o, tolerance, fill_rule::non_zero);
         CHECK(c.effort.rounds == 0);
@@ -415,7 +420,7 @@ TEST_CASE("a contour whose curves have an area is never lost, however coarse the
     CHECK(c.made.points().empty());
 }
 
-TEST_CASE("discretisers that keep no tolerance are not asked twice, and triangulators that do not prove get the same region",
+TEST_CASE("discretisers that keep no tolerance are not asked twice; triangulators that prove nothing get the same region",
           "[cap_outline]")
 {
     const outline o = outline_of({circle({0, 0}, 400), circle({0, 0}, 399, 5, 0.3)});
@@ -443,7 +448,8 @@ TEST_CASE("memory that fails while curves are made finer gives an error and leav
         contours loops{heap.source()};
         triangle_list out;
         no_observer nobody;
-        const auto made = cap_outline(o, fill_rule::even_odd, certified{}, tolerance, grid{}, monotone{}, space, loops, out, nobody);
+        const auto made = cap_outline(o, fill_rule::even_odd, certified{}, tolerance, grid{}, monotone{}, space, loops,
+                                      out, nobody);
         if (made) break;
         ++failures;
         CHECK(made.error().code == error::out_of_memory);

@@ -178,7 +178,8 @@ template <discretiser D>
 error discretise(const outline& curves, const D& how, double tolerance, const grid& g, contours& out,
                  std::span<const std::uint8_t> halvings = {}) noexcept
 {
-    TYPEMESH_ASSERT(halvings.empty() || halvings.size() == curves.curves.size(), "halvings come one a curve or not at all");
+    TYPEMESH_ASSERT(halvings.empty() || halvings.size() == curves.curves.size(),
+                    "halvings come one a curve or not at all");
     out.clear();
     out.grid = g;
     if (!is_finite(tolerance) || !(tolerance > 0.0)) return error::bad_tolerance;
@@ -220,7 +221,8 @@ error discretise(const outline& curves, const D& how, double tolerance, const gr
         const std::uint32_t first = curves.starts[c], end = curves.starts[c + 1];
         if (first == end) continue;
         bool left = walk(first, end, 0);
-        if (writer.is_flat() && detail::has_curved_area(curves.curves.view().subspan(first, end - first), g)) [[unlikely]] {
+        const auto contour = curves.curves.view().subspan(first, end - first);
+        if (writer.is_flat() && detail::has_curved_area(contour, g)) [[unlikely]] {
             for (std::uint32_t finer = 1; finer < 31 && !writer.failed(); ++finer) {
                 const bool last = !(halved(finer) > snap);
                 writer.drop_contour();

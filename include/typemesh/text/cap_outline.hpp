@@ -63,7 +63,8 @@ template <discretiser Discretiser, triangulator Triangulator, stage_observer Obs
         if (!guard.open(scratch, shape, tolerance, cells)) return error::out_of_memory;
         for (;;) {
             observe(stage::fill);
-            made = guard.effort().rounds < most_rounds ? resolve(loops, rule, space, guard) : resolve(loops, rule, space);
+            const bool last = guard.effort().rounds == most_rounds;
+            made = last ? resolve(loops, rule, space) : resolve(loops, rule, space, guard);
             const bool content = guard.is_content();
             if (effort != nullptr) *effort = guard.effort();
             if (!made) return made;
