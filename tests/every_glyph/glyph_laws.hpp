@@ -153,6 +153,8 @@ public:
         }
         take_curves(tolerance * cells->cells, cells->cells);
         if (f.wrong = stray_boundary(*made, tolerance * cells->cells); !f.wrong.empty()) return f;
+        if (f.resolved && f.unsettled == 0)
+            if (f.wrong = false_meeting(*made, tolerance * cells->cells); !f.wrong.empty()) return f;
 
         for (const triangle t : triangles_) {
             const auto at = [&](std::uint32_t i) {
@@ -225,6 +227,55 @@ private:
                     if (away(at, first_[k], first_[k + 1]) && away(at, 0, dense_.size()))
                         return "the boundary strays from all curves";
                 }
+            }
+        }
+        return {};
+    }
+
+    /// Where the boundary changes from one curve to another that is not its neighbour, the curves (or their neighbours)
+    /// have a point in common within four tolerances, to 3 % of one.
+    std::string false_meeting(const typemesh::region& made, double tolerance)
+    {
+        using namespace typemesh;
+        const auto points = made.points();
+        const double reach = 4.0 * tolerance + 3.0, little = 0.03 * tolerance + 2.0;
+        const auto round = [&](std::uint32_t k) {  // a curve and its neighbours
+            std::uint32_t c = 0;
+            while (outline_.starts[c + 1] <= k) ++c;
+            const std::uint32_t first = outline_.starts[c], n = outline_.starts[c + 1] - first;
+            return std::vector<std::uint32_t>{first + (k - first + n - 1) % n, k, first + (k - first + 1) % n};
+        };
+        for (std::size_t l = 0; l + 1 < made.starts().size(); ++l) {
+            const std::uint32_t begin = made.starts()[l], end = made.starts()[l + 1];
+            for (std::uint32_t i = begin; i < end; ++i) {
+                const std::uint32_t a = made.edges()[i == begin ? end - 1 : i - 1].curve, b = made.edges()[i].curve;
+                if (a == b || (outline_.curves[a].degree == 1 && outline_.curves[b].degree == 1)) continue;
+                const auto of_a = round(a), of_b = round(b);
+                if (std::find_first_of(of_a.begin(), of_a.end(), of_b.begin(), of_b.end()) != of_a.end()) continue;
+                const point x{double(points[i].x), double(points[i].y)};
+                const auto chords_of = [&](const std::vector<std::uint32_t>& curves) {
+                    std::vector<chord> all;
+                    for (const std::uint32_t k : curves)
+                        for (std::size_t c = first_[k]; c < first_[k + 1]; ++c)
+                            if (squared_distance(x, dense_[c].start, dense_[c].end) <= reach * reach)
+                                all.push_back(dense_[c]);
+                    return all;
+                };
+                bool met = false;
+                const auto all_a = chords_of(of_a), all_b = chords_of(of_b);
+                for (const chord& p : all_a) {
+                    for (const chord& q : all_b) {
+                        const point u = p.end - p.start, v = q.end - q.start;
+                        met = met || (cross(u, q.start - p.start) * cross(u, q.end - p.start) <= 0 &&
+                                      cross(v, p.start - q.start) * cross(v, p.end - q.start) <= 0);
+                        for (const double nearest :
+                             {squared_distance(p.start, q.start, q.end), squared_distance(p.end, q.start, q.end),
+                              squared_distance(q.start, p.start, p.end), squared_distance(q.end, p.start, p.end)})
+                            met = met || nearest <= little * little;
+                    }
+                    if (met) break;
+                }
+                if (!met) return "chords meet where the curves do not";
             }
         }
         return {};
