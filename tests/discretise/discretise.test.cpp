@@ -181,7 +181,9 @@ TEST_CASE("an outline of nothing becomes contours of nothing, and forgets what w
 
 TEST_CASE("the discretiser gets the tolerance less the snap, but no less than the snap", "[discretise]")
 {
-    const outline o = outline_of({{curve::from(quadratic{{0, 0}, {10, 20}, {20, 0}}), curve::from({20, 0}, {0, 0})}});
+    // the corner at (10, -5) keeps the contour from being flat, which would call for finer chords
+    const outline o = outline_of({{curve::from(quadratic{{0, 0}, {10, 20}, {20, 0}}), curve::from({20, 0}, {10, -5}),
+                                   curve::from({10, -5}, {0, 0})}});
     const scripted how;
     contours out;
     const double snap = grid{}.snap_error();
@@ -191,6 +193,41 @@ TEST_CASE("the discretiser gets the tolerance less the snap, but no less than th
         REQUIRE_FALSE(discretise(o, how, tolerance, grid{}, out));
         CHECK(how.given == snap);
     }
+}
+
+TEST_CASE("the tolerance is halved for a curve as often as its halvings say, and for no other", "[discretise]")
+{
+    const auto bow = [](double x) { return curve::from(quadratic{{x, 0}, {x + 300, 600}, {x + 600, 0}}); };
+    const outline o = outline_of(
+        {{bow(0), curve::from({600, 0}, {0, 0})}, {bow(700), curve::from({1300, 0}, {700, 0})}});
+    contours plain, finer;
+    REQUIRE_FALSE(discretise(o, certified{}, 4.0, grid{}, plain));
+    for (std::uint8_t times = 0; times <= 6; ++times) {
+        const std::uint8_t halvings[] = {0, 0, times, times};
+        REQUIRE_FALSE(discretise(o, certified{}, 4.0, grid{}, finer, halvings));
+        contours same;
+        REQUIRE_FALSE(discretise(o, certified{}, 4.0 / (1 << times), grid{}, same));
+        CHECK(finer.starts[1] == plain.starts[1]);
+        CHECK(finer.points.size() - finer.starts[1] == same.points.size() - same.starts[1]);
+    }
+}
+
+TEST_CASE("a contour that would be flat is drawn finer if its curves have an area, and no other contour is",
+          "[discretise]")
+{
+    const curve up = curve::from(quadratic{{0, 0}, {5, 4}, {10, 0}});
+    const curve down = curve::from(quadratic{{10, 0}, {5, -4}, {0, 0}});
+    const curve back = curve::from(quadratic{{10, 0}, {5, 4}, {0, 0}});
+    const curve wide = curve::from(quadratic{{50, 0}, {80, 60}, {110, 0}}), base = curve::from({110, 0}, {50, 0});
+    contours out, alone;
+    REQUIRE_FALSE(discretise(outline_of({{wide, base}}), certified{}, 8.0, grid{}, alone));
+    REQUIRE(alone.points.size() >= 3);
+    REQUIRE_FALSE(discretise(outline_of({{up, down}, {wide, base}}), certified{}, 8.0, grid{}, out));
+    REQUIRE(out.contour_count() == 2);
+    CHECK(out.starts[1] >= 3);
+    CHECK(out.points.size() - out.starts[1] == alone.points.size());
+    REQUIRE_FALSE(discretise(outline_of({{up, back}}), certified{}, 8.0, grid{}, out));
+    CHECK(out.contour_count() == 0);  // there and back
 }
 
 TEST_CASE("a tolerance that is not positive and finite is refused", "[discretise]")

@@ -28,7 +28,8 @@ struct job {
 
 struct total {
     std::string name;
-    std::size_t faces = 0, glyphs = 0, blank = 0, resolved = 0, touching = 0, crowded = 0, broken = 0, points = 0;
+    std::size_t faces = 0, glyphs = 0, blank = 0, resolved = 0, touching = 0, crowded = 0, broken = 0, points = 0, refined = 0,
+                unsettled = 0, bent_more = 0;
     double moved = 0;
 };
 
@@ -105,7 +106,7 @@ int main(int argc, char** argv)
             std::fprintf(stderr, "there is no %s\n", file.c_str());
             return 1;
         }
-        totals.push_back({path, 0, 0, 0, 0, 0, 0, 0, 0, 0});
+        totals.push_back({.name = path});
         for (const std::string& f : files) {
             for (const auto& face : test::instances_of(f)) {
                 if (only_glyph != ~0u) {
@@ -145,6 +146,9 @@ int main(int argc, char** argv)
                     sum.touching += f.touching;
                     sum.crowded += f.crowded;
                     sum.points += f.points;
+                    sum.refined += f.refined;
+                    sum.unsettled += f.unsettled;
+                    sum.bent_more += f.bent_more;
                     sum.moved = (std::max)(sum.moved, f.moved);
                     if (f.wrong.empty()) continue;
                     ++sum.broken;
@@ -165,6 +169,9 @@ int main(int argc, char** argv)
             t.crowded += sum.crowded;
             t.broken += sum.broken;
             t.points += sum.points;
+            t.refined += sum.refined;
+            t.unsettled += sum.unsettled;
+            t.bent_more += sum.bent_more;
             t.moved = (std::max)(t.moved, sum.moved);
             std::fprintf(stderr, "\r%zu of %zu glyphs, %.0f s, %zu broken laws ", done.load(), all, seconds(),
                          broken.load());
@@ -176,25 +183,28 @@ int main(int argc, char** argv)
     for (std::thread& w : workers) w.join();
 
     std::fprintf(stderr, "\n");
-    std::printf("%-52s %6s %8s %9s %9s %9s %9s %11s %6s %7s\n", "", "faces", "glyphs", "blank", "resolved", "touching",
-                "crowded", "points", "moved", "broken");
-    total sum{"all", 0, 0, 0, 0, 0, 0, 0, 0, 0};
+    std::printf("%-52s %6s %8s %9s %9s %8s %9s %9s %9s %11s %6s %6s %7s\n", "", "faces", "glyphs", "blank", "resolved",
+                "refined", "unsettled", "touching", "crowded", "points", "bent", "moved", "broken");
+    total sum{.name = "all"};
     const auto print = [](const total& t) {
         const std::string name = t.name.size() > 52 ? "..." + t.name.substr(t.name.size() - 49) : t.name;
-        std::printf("%-52s %6zu %8zu %9zu %9zu %9zu %9zu %11zu %6.3f %7zu\n", name.c_str(), t.faces, t.glyphs, t.blank,
-                    t.resolved, t.touching, t.crowded, t.points, t.moved, t.broken);
+        std::printf("%-52s %6zu %8zu %9zu %9zu %8zu %9zu %9zu %9zu %11zu %6zu %6.3f %7zu\n", name.c_str(), t.faces, t.glyphs,
+                    t.blank, t.resolved, t.refined, t.unsettled, t.touching, t.crowded, t.points, t.bent_more, t.moved,
+                    t.broken);
     };
     for (const total& t : totals) {
         print(t);
         sum.faces += t.faces, sum.glyphs += t.glyphs, sum.blank += t.blank, sum.resolved += t.resolved,
             sum.touching += t.touching;
+        sum.refined += t.refined, sum.unsettled += t.unsettled, sum.bent_more += t.bent_more;
         sum.crowded += t.crowded, sum.points += t.points, sum.broken += t.broken,
             sum.moved = (std::max)(sum.moved, t.moved);
     }
     print(sum);
     std::printf(
-        "blank, resolved, touching, crowded (vertical edges with more than two faces), points: over %zu qualities; "
-        "moved: in cells\n",
+        "over %zu qualities. resolved: contours meet; refined: curves made finer where only chords met; unsettled: "
+        "meetings that stand though they could not be told; crowded: vertical edges with more than two faces; bent: "
+        "rounded crossings made new ones; moved: the worst area of those, over its bound\n",
         wanted.size());
     std::printf("%.0f s\n", seconds());
     return sum.broken == 0 ? 0 : 1;

@@ -94,7 +94,10 @@ struct glyph_findings {
     bool touching = false;  ///< and so do its region's
     std::size_t points = 0;
     std::size_t crowded = 0;  ///< vertical edges with more than two faces
-    double moved = 0.0;       ///< by how much the area differs from what the polygons fill, over their length, in cells
+    bool refined = false;     ///< the guard made curves finer
+    std::uint32_t unsettled = 0;  ///< meetings that the guard let stand only because their curves cannot be finer
+    bool bent_more = false;   ///< the area is not exactly that of the contours led through their rounded crossings
+    double moved = 0.0;       ///< then: by how much it differs, over the bound that holds (see examine)
     std::string wrong;        ///< the first law that is broken; empty: none
 };
 
@@ -110,22 +113,19 @@ public:
         if (outline_.curves.empty()) return f.blank = true, f;
         const auto cells = grid::fitting(font.units_per_em(), outline_.bounds);
         if (!cells) return f.wrong = cells.error().message(), f;
-        if (const error e = discretise(outline_, certified{}, tolerance_em * font.units_per_em(), *cells, loops_))
-            return f.wrong = e.message(), f;
-        if (loops_.points.empty()) return f.blank = true, f;
-        const std::vector<grid_point> points{loops_.points.begin(), loops_.points.end()};
-        const std::vector<std::uint32_t> starts{loops_.starts.begin(), loops_.starts.end()};
-        const auto given = oracle::loops_of(points, starts);
-
+        const double tolerance = tolerance_em * font.units_per_em();
+        seen given_last;
+        guard_effort effort;
+        no_observer nobody;
         triangles_.clear();
-        {
-            contours_copy(points, starts);
-            orient(copy_);
-            f.resolved = !monotone{}.prove(copy_, space_, triangles_);
-            triangles_.clear();
-        }
-        const auto made = cap(loops_, outline_.rule, monotone{}, space_, triangles_);
+        const auto made = cap_outline(outline_, outline_.rule, certified{}, tolerance, *cells,
+                                      watched_monotone{{}, &given_last}, space_, loops_, triangles_, nobody, &effort);
         if (!made) return f.wrong = std::string{"refused: "} + made.error().message(), f;
+        if (loops_.points.empty() && given_last.points.empty()) return f.blank = true, f;
+        f.refined = effort.rounds != 0;
+        f.unsettled = effort.unsettled;
+        f.resolved = given_last.refused;
+        const auto given = oracle::loops_of(given_last.points, given_last.starts);
         f.touching = made->is_touching();
         f.points = made->points().size();
         const auto kept = oracle::loops_of(*made);
@@ -135,11 +135,26 @@ public:
         if (f.wrong = broken_delaunay(*made); !f.wrong.empty()) return f;
         if (f.resolved)
             if (f.wrong = oracle::broken_walk(kept); !f.wrong.empty()) return f;
-        const double area = static_cast<double>(oracle::doubled_area(kept)),
-                     filled = oracle::doubled_filled_area(given, outline_.rule);
-        const double off = std::fabs(area - filled) - 1e-11 * filled;
-        f.moved = off > 0 ? off / (2 * oracle::length(given)) : 0;
-        if (f.resolved ? f.moved > 0.71 : off > 0) return f.wrong = "the area is not what the contours fill", f;
+        const double area = static_cast<double>(oracle::doubled_area(kept));
+        if (!f.resolved) {
+            const double filled = oracle::doubled_filled_area(given, outline_.rule);
+            if (std::fabs(area - filled) > 1e-11 * filled) return f.wrong = "the area is not what the contours fill", f;
+        } else {
+            // Equal to what the contours fill once they are led through their crossings, rounded. Where that makes new
+            // crossings, which are rounded in their turn, no edge is moved by more than 1.5 cells.
+            const auto bent = oracle::led_through_crossings(given);
+            const double filled = oracle::doubled_filled_area(bent.loops(), outline_.rule);
+            const double off = std::fabs(area - filled);
+            if (off > 1e-11 * filled) {
+                f.bent_more = true;
+                f.moved = off / (2 * 1.5 * bent.bent_length + 1e-11 * filled);
+                if (f.moved > 1) return f.wrong = "the area is not what the contours fill", f;
+            }
+        }
+        take_curves(tolerance * cells->cells, cells->cells);
+        if (f.wrong = stray_boundary(*made, tolerance * cells->cells); !f.wrong.empty()) return f;
+        if (f.resolved && f.unsettled == 0)
+            if (f.wrong = false_meeting(*made, tolerance * cells->cells); !f.wrong.empty()) return f;
 
         for (const triangle t : triangles_) {
             const auto at = [&](std::uint32_t i) {
@@ -151,7 +166,7 @@ public:
             if (!(turn > 0)) return f.wrong = "a triangle is flipped or flat in 32-bit floats", f;
         }
 
-        sample(font, id, tolerance_em * font.units_per_em() * cells->cells, cells->cells, kept, f);
+        sample(id, tolerance * cells->cells, cells->cells, kept, f);
         if (!f.wrong.empty()) return f;
 
         glyph_run alone;
@@ -172,13 +187,129 @@ public:
     }
 
 private:
-    void contours_copy(const std::vector<typemesh::grid_point>& points, const std::vector<std::uint32_t>& starts)
+    /// What a triangulator is shown last: the contours that the guard is content with.
+    struct seen {
+        std::vector<typemesh::grid_point> points;
+        std::vector<std::uint32_t> starts;
+        bool refused = false;
+    };
+    struct watched_monotone : typemesh::monotone {
+        seen* last;
+        typemesh::result<typemesh::region> prove(const typemesh::contours& loops, typemesh::workspace& space,
+                                                 typemesh::triangle_list& out) const noexcept
+        {
+            last->points.assign(loops.points.begin(), loops.points.end());
+            last->starts.assign(loops.starts.begin(), loops.starts.end());
+            auto made = monotone::prove(loops, space, out);
+            last->refused = !made;
+            return made;
+        }
+    };
+
+    /// The boundary stays within the tolerance of some curve: nearly always of the one that it is said to come from.
+    std::string stray_boundary(const typemesh::region& made, double tolerance)
     {
-        copy_.clear();
-        copy_.grid = loops_.grid;
-        (void)copy_.points.append(points);
-        (void)copy_.edges.append(loops_.edges.view());
-        (void)copy_.starts.append(starts);
+        using namespace typemesh;
+        const auto points = made.points();
+        const double allowed = 1.01 * tolerance + 1.5;  // 1 % for the chords, 1.5 cells for bends
+        const auto away = [&](point q, std::size_t first, std::size_t last) {
+            for (; first < last; ++first)
+                if (squared_distance(q, dense_[first].start, dense_[first].end) <= allowed * allowed) return false;
+            return true;
+        };
+        for (std::size_t l = 0; l + 1 < made.starts().size(); ++l) {
+            const std::uint32_t begin = made.starts()[l], end = made.starts()[l + 1];
+            for (std::uint32_t i = begin; i < end; ++i) {
+                const grid_point p = points[i], q = points[i + 1 < end ? i + 1 : begin];
+                const std::uint32_t k = made.edges()[i].curve;
+                for (const double share : {0.0, 0.5}) {
+                    const point at{p.x + share * (double(q.x) - p.x), p.y + share * (double(q.y) - p.y)};
+                    if (away(at, first_[k], first_[k + 1]) && away(at, 0, dense_.size()))
+                        return "the boundary strays from all curves";
+                }
+            }
+        }
+        return {};
+    }
+
+    /// Where the boundary changes from one curve to another that is not its neighbour, the curves (or their neighbours)
+    /// have a point in common within four tolerances, to 3 % of one.
+    std::string false_meeting(const typemesh::region& made, double tolerance)
+    {
+        using namespace typemesh;
+        const auto points = made.points();
+        const double reach = 4.0 * tolerance + 3.0, little = 0.03 * tolerance + 2.0;
+        const auto round = [&](std::uint32_t k) {  // a curve and its neighbours
+            std::uint32_t c = 0;
+            while (outline_.starts[c + 1] <= k) ++c;
+            const std::uint32_t first = outline_.starts[c], n = outline_.starts[c + 1] - first;
+            return std::vector<std::uint32_t>{first + (k - first + n - 1) % n, k, first + (k - first + 1) % n};
+        };
+        for (std::size_t l = 0; l + 1 < made.starts().size(); ++l) {
+            const std::uint32_t begin = made.starts()[l], end = made.starts()[l + 1];
+            for (std::uint32_t i = begin; i < end; ++i) {
+                const std::uint32_t a = made.edges()[i == begin ? end - 1 : i - 1].curve, b = made.edges()[i].curve;
+                if (a == b || (outline_.curves[a].degree == 1 && outline_.curves[b].degree == 1)) continue;
+                const auto of_a = round(a), of_b = round(b);
+                if (std::find_first_of(of_a.begin(), of_a.end(), of_b.begin(), of_b.end()) != of_a.end()) continue;
+                const point x{double(points[i].x), double(points[i].y)};
+                const auto chords_of = [&](const std::vector<std::uint32_t>& curves) {
+                    std::vector<chord> all;
+                    for (const std::uint32_t k : curves)
+                        for (std::size_t c = first_[k]; c < first_[k + 1]; ++c)
+                            if (squared_distance(x, dense_[c].start, dense_[c].end) <= reach * reach)
+                                all.push_back(dense_[c]);
+                    return all;
+                };
+                bool met = false;
+                const auto all_a = chords_of(of_a), all_b = chords_of(of_b);
+                for (const chord& p : all_a) {
+                    for (const chord& q : all_b) {
+                        const point u = p.end - p.start, v = q.end - q.start;
+                        met = met || (cross(u, q.start - p.start) * cross(u, q.end - p.start) <= 0 &&
+                                      cross(v, p.start - q.start) * cross(v, p.end - q.start) <= 0);
+                        for (const double nearest :
+                             {squared_distance(p.start, q.start, q.end), squared_distance(p.end, q.start, q.end),
+                              squared_distance(q.start, p.start, p.end), squared_distance(q.end, p.start, p.end)})
+                            met = met || nearest <= little * little;
+                    }
+                    if (met) break;
+                }
+                if (!met) return "chords meet where the curves do not";
+            }
+        }
+        return {};
+    }
+
+    static double squared_distance(typemesh::point q, typemesh::point s, typemesh::point e)
+    {
+        const typemesh::point along = e - s, to = q - s;
+        const double square = dot(along, along);
+        const double t = square == 0 ? 0.0 : (std::max)(0.0, (std::min)(1.0, dot(to, along) / square));
+        const typemesh::point gap = to - t * along;
+        return dot(gap, gap);
+    }
+
+    /// The curves themselves, in cells: as chords that are off by 1/100 of the tolerance at most (Wang's bound).
+    void take_curves(double tolerance, double cells)
+    {
+        using namespace typemesh;
+        dense_.clear();
+        first_.assign(1, 0);
+        for (const curve& c : outline_.curves) {
+            double bend = 0.0;
+            for (std::uint32_t k = 0; k + 2 <= c.degree; ++k)
+                bend = (std::max)(bend, length(c.p[k] + c.p[k + 2] - 2.0 * c.p[k + 1]));
+            const double wang = std::sqrt(c.degree * (c.degree - 1) * cells * bend / (8.0 * 0.01 * tolerance));
+            const int n = (std::max)(1, static_cast<int>(std::ceil(wang)));
+            point start = cells * c.p[0];
+            for (int i = 1; i <= n; ++i) {
+                const point end = cells * (i == n ? c.end() : at(c, double(i) / n));
+                dense_.push_back({start, end});
+                start = end;
+            }
+            first_.push_back(dense_.size());
+        }
     }
 
     /// The Delaunay triangles obey the laws of all triangles, and their own; and both ways to make them agree.
@@ -198,18 +329,10 @@ private:
     }
 
     /// Places farther than the tolerance from all curves are filled exactly where the curves' winding number says so.
-    template <class Font>
-    void sample(Font&, typemesh::glyph_id id, double tolerance, double cells, const std::vector<oracle::loop>& kept,
+    void sample(typemesh::glyph_id id, double tolerance, double cells, const std::vector<oracle::loop>& kept,
                 glyph_findings& f)
     {
         using namespace typemesh;
-        constexpr int steps = 24;
-        dense_.clear();
-        for (const curve& c : outline_.curves) {
-            const int n = c.degree == 1 ? 1 : steps;
-            for (int i = 0; i < n; ++i)
-                dense_.push_back({cells * at(c, double(i) / n), cells * at(c, double(i + 1) / n)});
-        }
         const box& b = outline_.bounds;
         std::uint64_t state = id * 0x9E37'79B9'7F4A'7C15u + 1;
         for (int i = 0; i < 20; ++i) {
@@ -224,14 +347,11 @@ private:
             std::int32_t w = 0;
             for (const auto& [s, e] : dense_) {
                 const point along = e - s, to = q - s;
-                const double square = dot(along, along);
-                const double t = square == 0 ? 0.0 : (std::max)(0.0, (std::min)(1.0, dot(to, along) / square));
-                const point gap = to - t * along;
-                nearest = (std::min)(nearest, dot(gap, gap));
+                nearest = (std::min)(nearest, squared_distance(q, s, e));
                 if (s.y <= q.y && e.y > q.y && cross(along, to) > 0) ++w;
                 if (e.y <= q.y && s.y > q.y && cross(along, to) < 0) --w;
             }
-            if (std::sqrt(nearest) <= 1.02 * tolerance + 2.0) continue;
+            if (std::sqrt(nearest) <= 1.01 * tolerance + 1.5) continue;
             if (oracle::winding(kept, p) != (is_filled(outline_.rule, w) ? 1 : 0)) {
                 f.wrong = "a place is filled wrongly";
                 return;
@@ -253,9 +373,10 @@ private:
     };
     typemesh::workspace space_;
     typemesh::outline outline_;
-    typemesh::contours loops_, copy_;
+    typemesh::contours loops_;
     typemesh::triangle_list triangles_, delaunay_, by_slabs_;
     std::vector<chord> dense_;
+    std::vector<std::size_t> first_;  // of each curve
     full_mesh mesh_;
 };
 

@@ -203,6 +203,64 @@ inline double doubled_filled_area(const std::vector<loop>& loops, typemesh::fill
     return static_cast<double>(2 * area);
 }
 
+/// Loops of which every edge is led through the grid points nearest to where others cross it.
+struct led_loops {
+    std::vector<std::vector<grid_point>> all;
+    double bent_length = 0.0;  ///< of the edges that are crossed elsewhere than in a grid point
+    [[nodiscard]] std::vector<loop> loops() const { return {all.begin(), all.end()}; }
+};
+inline led_loops led_through_crossings(const std::vector<loop>& loops)
+{
+    struct edge {
+        grid_point a, b;
+        std::int32_t left, right, bottom, top;
+        std::size_t number;
+    };
+    std::vector<edge> edges;
+    for (const loop l : loops)
+        for (std::size_t i = 0; i < l.size(); ++i) {
+            const grid_point a = l[i], b = l[(i + 1) % l.size()];
+            edges.push_back({a, b, (std::min)(a.x, b.x), (std::max)(a.x, b.x), (std::min)(a.y, b.y),
+                             (std::max)(a.y, b.y), edges.size()});
+        }
+    std::vector<std::vector<std::pair<long double, grid_point>>> on(edges.size());
+    std::vector<bool> bends(edges.size(), false);
+    std::sort(edges.begin(), edges.end(), [](const edge& p, const edge& q) { return p.left < q.left; });
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        const edge& p = edges[i];
+        for (std::size_t j = i + 1; j < edges.size() && edges[j].left <= p.right; ++j) {
+            const edge& q = edges[j];
+            if (q.bottom > p.top || q.top < p.bottom) continue;
+            if (side(p.a, p.b, q.a) * side(p.a, p.b, q.b) >= 0 || side(q.a, q.b, p.a) * side(q.a, q.b, p.b) >= 0)
+                continue;
+            using real = long double;
+            const real px = real(p.b.x) - p.a.x, py = real(p.b.y) - p.a.y, qx = real(q.b.x) - q.a.x,
+                       qy = real(q.b.y) - q.a.y, gx = real(q.a.x) - p.a.x, gy = real(q.a.y) - p.a.y;
+            const real turn = px * qy - py * qx, u = (gx * qy - gy * qx) / turn, v = (gx * py - gy * px) / turn;
+            const grid_point x{static_cast<std::int32_t>(std::floor(p.a.x + px * u + 0.5L)),
+                               static_cast<std::int32_t>(std::floor(p.a.y + py * u + 0.5L))};
+            on[p.number].emplace_back(u, x);
+            on[q.number].emplace_back(v, x);
+            if (side(p.a, p.b, x) != 0) bends[p.number] = true;
+            if (side(q.a, q.b, x) != 0) bends[q.number] = true;
+        }
+    }
+    led_loops led;
+    std::size_t number = 0;
+    for (const loop l : loops) {
+        auto& out = led.all.emplace_back();
+        for (std::size_t i = 0; i < l.size(); ++i, ++number) {
+            out.push_back(l[i]);
+            auto& mine = on[number];
+            std::sort(mine.begin(), mine.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+            for (const auto& [u, x] : mine) out.push_back(x);
+            const grid_point b = l[(i + 1) % l.size()];
+            if (bends[number]) led.bent_length += std::hypot(double(b.x) - l[i].x, double(b.y) - l[i].y);
+        }
+    }
+    return led;
+}
+
 /// How often loops run round p.
 inline std::int32_t winding(const std::vector<loop>& loops, grid_point p)
 {

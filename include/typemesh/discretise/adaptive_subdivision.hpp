@@ -27,6 +27,7 @@ namespace typemesh {
 ///
 /// From "Study of mesh generation and optimization techniques applied to parametric forms", J. Vandenbergh, 2020.
 struct adaptive_subdivision {
+    static constexpr bool keeps_no_tolerance = true;
     static constexpr std::uint32_t most_levels = 20;  ///< what more `levels` are taken as
 
     std::uint32_t levels = 5;  ///< r in the thesis; 0 is taken as 1

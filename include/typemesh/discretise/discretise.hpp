@@ -5,12 +5,14 @@
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/finite.hpp>
+#include <typemesh/core/orientation.hpp>
 #include <typemesh/core/outline.hpp>
 #include <typemesh/discretise/discretiser.hpp>
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace typemesh {
 
@@ -64,6 +66,17 @@ public:
         return false;
     }
 
+    /// Whether all points since begin_contour() are in line, or none are left.
+    [[nodiscard]] bool is_flat() const noexcept
+    {
+        for (std::size_t i = first_ + 2; i < size_; ++i)
+            if (orientation(points_[first_], points_[i - 1], points_[i]) != 0) return false;
+        return true;
+    }
+
+    /// Forgets the points since begin_contour().
+    void drop_contour() noexcept { size_ = first_; }
+
     /// Gives back what was claimed too much.
     void end() noexcept
     {
@@ -109,6 +122,33 @@ private:
     error failed_;
 };
 
+/// Twice the area that a contour's curves enclose, positive counter-clockwise: Green's formula, of the control points.
+[[nodiscard]] inline double doubled_area(std::span<const curve> contour) noexcept
+{
+    double sum = 0.0;
+    for (const curve& c : contour) {
+        point p[4];  // as seen from the contour's start, which keeps the terms short
+        for (std::uint32_t i = 0; i <= c.degree; ++i) p[i] = c.p[i] - contour[0].p[0];
+        if (c.degree == 1)
+            sum += cross(p[0], p[1]);
+        else if (c.degree == 2)
+            sum += (2.0 * cross(p[0], p[1]) + cross(p[0], p[2]) + 2.0 * cross(p[1], p[2])) / 3.0;
+        else
+            sum += 0.1 * (6.0 * (cross(p[0], p[1]) + cross(p[2], p[3])) + cross(p[0], p[3]) +
+                          3.0 * (cross(p[0], p[2]) + cross(p[1], p[2]) + cross(p[1], p[3])));
+    }
+    return sum;
+}
+
+/// Whether finer chords can give a contour an area: one of its curves is no line, and together they enclose some cells.
+[[nodiscard]] inline bool has_curved_area(std::span<const curve> contour, const grid& g) noexcept
+{
+    bool curved = false;
+    for (const curve& c : contour) curved |= c.degree > 1;
+    const double area = curved ? doubled_area(contour) * g.cells * g.cells : 0.0;
+    return area > 4.0 || area < -4.0;
+}
+
 }  // namespace detail
 
 /// Turns an outline's curves into closed polylines on the grid. What `out` held before is forgotten; its storage is
@@ -118,10 +158,15 @@ private:
 ///     how         the discretiser
 ///     tolerance   how far a polyline may be from its curve, in font units, rounding to the grid included
 ///     out         its `curves` refer to the outline: keep that as long as `out` is read
+///     halvings    for every curve, how often the tolerance is halved for it, 31 times at most; empty: for none
 ///
 /// Points that fall on one grid point with the one before them are merged: the edge before keeps the t at which it
-/// first got there, the edge after starts at the t (or the curve) with which the boundary leaves. Contours of which
-/// fewer than 3 points are left enclose nothing and are dropped.
+/// first got there, the edge after starts at the t (or the curve) with which the boundary leaves.
+///
+/// A contour whose curves have an area keeps at least 3 points that are not in line, as a rule: where its tolerance
+/// would leave fewer (a dot of two curves that is smaller than the tolerance), the tolerance is halved for this contour
+/// until they are there or the grid ends it. Contours of which fewer than 3 points are left enclose nothing and are
+/// dropped.
 ///
 /// The discretiser is given `tolerance` less g.snap_error(), but never less than g.snap_error(): below twice that error
 /// no tolerance can be kept, and asking for more points would give the grid's steps instead of the curve.
@@ -130,8 +175,11 @@ private:
 ///        error::out_of_memory, error::too_large (2^32 - 1 points or curves and more); `out` is empty then
 /// Cost   what the discretiser costs, and a few nanoseconds a point; nothing is allocated once `out` has grown
 template <discretiser D>
-error discretise(const outline& curves, const D& how, double tolerance, const grid& g, contours& out) noexcept
+error discretise(const outline& curves, const D& how, double tolerance, const grid& g, contours& out,
+                 std::span<const std::uint8_t> halvings = {}) noexcept
 {
+    TYPEMESH_ASSERT(halvings.empty() || halvings.size() == curves.curves.size(),
+                    "halvings come one a curve or not at all");
     out.clear();
     out.grid = g;
     if (!is_finite(tolerance) || !(tolerance > 0.0)) return error::bad_tolerance;
@@ -139,6 +187,10 @@ error discretise(const outline& curves, const D& how, double tolerance, const gr
     if (curves.contour_count() == 0) return {};
 
     const double snap = g.snap_error(), rest = tolerance - snap > snap ? tolerance - snap : snap;
+    const auto halved = [=](std::uint32_t times) noexcept {
+        const double finer = tolerance / static_cast<double>(std::uint32_t{1} << times) - snap;
+        return finer > snap ? finer : snap;
+    };
     const auto snapped = [&g](point p) noexcept {
         TYPEMESH_ASSERT(std::abs(p.x) * g.cells <= grid::reach && std::abs(p.y) * g.cells <= grid::reach,
                         "a discretiser emitted a point outside the grid, or the grid does not fit the outline");
@@ -147,23 +199,38 @@ error discretise(const outline& curves, const D& how, double tolerance, const gr
 
     detail::contour_writer writer{out};
     writer.begin(2 * curves.curves.size() + 16);
-    bool listed = out.starts.push_back(0);
-    for (std::uint32_t c = 0; c < curves.contour_count() && listed && !writer.failed(); ++c) {
-        const std::uint32_t first = curves.starts[c], end = curves.starts[c + 1];
-        if (first == end) continue;
+    const auto walk = [&](std::uint32_t first, std::uint32_t end, std::uint32_t finer) noexcept {
         writer.begin_contour(snapped(curves.curves[first].start()));
         for (std::uint32_t i = first; i < end; ++i) {
             const curve& q = curves.curves[i];
             writer.begin_curve(i);
             const auto emit = [&](point p, double t) noexcept { writer.arrive(snapped(p), static_cast<float>(t)); };
+            const std::uint32_t times = finer + (halvings.empty() ? 0u : halvings[i]);
+            const double allowed = times == 0 ? rest : halved(times < 31 ? times : 31);
             if (q.degree == 1)
                 emit(q.p[1], 1.0);
             else if (q.degree == 2)
-                how(q.as_quadratic(), rest, emit);
+                how(q.as_quadratic(), allowed, emit);
             else
-                how(q.as_cubic(), rest, emit);
+                how(q.as_cubic(), allowed, emit);
         }
-        if (writer.end_contour()) listed = out.starts.push_back(static_cast<std::uint32_t>(writer.size()));
+        return writer.end_contour();
+    };
+    bool listed = out.starts.push_back(0);
+    for (std::uint32_t c = 0; c < curves.contour_count() && listed && !writer.failed(); ++c) {
+        const std::uint32_t first = curves.starts[c], end = curves.starts[c + 1];
+        if (first == end) continue;
+        bool left = walk(first, end, 0);
+        const auto contour = curves.curves.view().subspan(first, end - first);
+        if (writer.is_flat() && detail::has_curved_area(contour, g)) [[unlikely]] {
+            for (std::uint32_t finer = 1; finer < 31 && !writer.failed(); ++finer) {
+                const bool last = !(halved(finer) > snap);
+                writer.drop_contour();
+                left = walk(first, end, finer);
+                if (last || !writer.is_flat()) break;
+            }
+        }
+        if (left) listed = out.starts.push_back(static_cast<std::uint32_t>(writer.size()));
     }
     writer.end();
     if (writer.failed() || !listed) {

@@ -26,6 +26,9 @@ struct ignore_points {
 ///         }
 ///     };
 ///
+/// One that keeps no tolerance says so with `static constexpr bool keeps_no_tolerance = true;`: nothing is then asked of
+/// it twice, with a finer tolerance, where contours come to meet.
+///
 /// A point that lies where the curve stops and turns (a cusp, a reversal) becomes a hard corner of the walls by itself:
 /// the two tangents there are found from the curve and t (see core/tangent.hpp).
 template <class D>
@@ -33,5 +36,14 @@ concept discretiser = requires(const D& d, const quadratic& q, const cubic& c, d
     { d(q, tolerance, emit) } noexcept;
     { d(c, tolerance, emit) } noexcept;
 };
+
+/// Whether a finer tolerance makes it come closer to the curve.
+template <class D>
+inline constexpr bool keeps_tolerance = [] {
+    if constexpr (requires { D::keeps_no_tolerance; })
+        return !D::keeps_no_tolerance;
+    else
+        return true;
+}();
 
 }  // namespace typemesh

@@ -9,6 +9,7 @@ namespace typemesh {
 ///
 /// Keeps no tolerance, and ignores the one it is given: real fonts are off by up to 1/20 em.
 struct two_lines {
+    static constexpr bool keeps_no_tolerance = true;
     template <class Emit>
     void operator()(const quadratic& q, double, Emit&& emit) const noexcept
     {

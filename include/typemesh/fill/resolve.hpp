@@ -8,11 +8,13 @@
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/fill/arrangement.hpp>
 #include <typemesh/fill/boundary_walk.hpp>
+#include <typemesh/fill/meeting.hpp>
 #include <typemesh/fill/resolving_sweep.hpp>
 #include <typemesh/fill/snap_rounding.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 namespace typemesh {
 
@@ -45,8 +47,13 @@ struct resolve_effort {
 ///        long at a distance below a cell (snap rounding) a cut is a hot cell that an edge comes through, and to find
 ///        those takes about sqrt(n + k) steps an edge.
 /// Exact  in 64 bits; from equal grid points every compiler makes the same region (t apart, which is floating point)
-[[nodiscard]] inline result<region> resolve(contours& loops, fill_rule rule, workspace& space,
-                                            resolve_effort* effort = nullptr) noexcept
+///
+/// `judge` is told of every place where edges of the contours cross, or one ends on the other (see meeting.hpp). Where
+/// it does not let one stand, the answer is a region without points, and `loops` is as it was. About 20 instructions a
+/// point, and the judge's own.
+template <meeting_judge Judge>
+[[nodiscard]] result<region> resolve(contours& loops, fill_rule rule, workspace& space, Judge& judge,
+                                     resolve_effort* effort = nullptr) noexcept
 {
     constexpr std::uint32_t most_walks = 4, most_rounds = 3;  // in a round
     const std::size_t n = loops.points.size();
@@ -61,6 +68,11 @@ struct resolve_effort {
         if (!sweep.run(space)) return error::out_of_memory;
         if (effort != nullptr) *effort = {effort->walks + 1, rounds, a.count};
         if (!sweep.again) {
+            if constexpr (!std::is_same_v<Judge, every_meeting_stands>) {
+                bool all_stand = true;
+                if (!detail::judge_meetings(a, space, judge, all_stand)) return error::out_of_memory;
+                if (!all_stand) return region{};
+            }
             detail::boundary_walk boundary;
             if (const error e = boundary.run(a, rule, loops)) return e;
             return region::proven(loops, boundary.holes, boundary.outers, sweep.touching);
@@ -84,6 +96,13 @@ struct resolve_effort {
                 return error::out_of_memory;
         }
     }
+}
+
+[[nodiscard]] inline result<region> resolve(contours& loops, fill_rule rule, workspace& space,
+                                            resolve_effort* effort = nullptr) noexcept
+{
+    every_meeting_stands nobody;
+    return resolve(loops, rule, space, nobody, effort);
 }
 
 }  // namespace typemesh

@@ -5,10 +5,9 @@
 #include <typemesh/core/grid.hpp>
 #include <typemesh/core/outline.hpp>
 #include <typemesh/core/workspace.hpp>
-#include <typemesh/discretise/discretise.hpp>
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/outline/outline_recorder.hpp>
-#include <typemesh/text/cap.hpp>
+#include <typemesh/text/cap_outline.hpp>
 #include <typemesh/text/glyph_shape.hpp>
 
 #include <optional>
@@ -111,10 +110,7 @@ private:
                              const Discretiser& flatten, const Triangulator& cut, Observer& observe) noexcept
     {
         triangles_.clear();
-        observe(stage::discretise);
-        if (error e = discretise(curves, flatten, tolerance, g, loops_)) return e;
-        if (loops_.points.empty()) return region{};
-        return cap(loops_, rule, cut, space_, triangles_, observe);
+        return cap_outline(curves, rule, flatten, tolerance, g, cut, space_, loops_, triangles_, observe);
     }
 
     workspace space_;

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/outline.hpp>
+#include <typemesh/discretise/discretise.hpp>
+#include <typemesh/fill/nest.hpp>
+#include <typemesh/text/cap.hpp>
+#include <typemesh/text/crossing_guard.hpp>
+
+namespace typemesh {
+
+/// A glyph's curves to the region that they fill, and its triangles: discretise and cap joined, under guard.
+///
+///     shape ─ discretise ─▶ loops ─ prove ─────────────────────────────────▶ region + triangles
+///                  ▲                  └ refuses ─▶ resolve ─▶ triangulate ──▶
+///                  │                                 │
+///                  └── these curves finer ─── guard ─┘  chords meet where curves do not
+///
+/// Where the chords of two curves cross or touch and the curves do not, or do so more than 4 tolerances away, these
+/// curves are discretised finer (see crossing_guard.hpp), and all is done again: often the outline is simple then.
+/// A discretiser that keeps no tolerance is not asked again.
+///
+///     tolerance   in font units
+///     cells       the grid, see grid::fitting
+///     loops       the result refers to it, and it to `shape`
+///     out         triangles are appended; as it was after an error
+///
+/// A region without points where nothing is filled. Fails with what discretise() and cap() fail with.
+/// Cost   outlines that do not meet: that of discretise() and cap(). Each round of the guard costs as much again; there
+///        are hardly ever two, and never more than 12.
+template <discretiser Discretiser, triangulator Triangulator, stage_observer Observer>
+[[nodiscard]] result<region> cap_outline(const outline& shape, fill_rule rule, const Discretiser& how, double tolerance,
+                                         const grid& cells, const Triangulator& cut, workspace& space, contours& loops,
+                                         triangle_list& out, Observer& observe, guard_effort* effort = nullptr) noexcept
+{
+    constexpr std::uint32_t most_rounds = 12;
+    if (effort != nullptr) *effort = {};
+    observe(stage::discretise);
+    if (error e = discretise(shape, how, tolerance, cells, loops)) return e;
+    if (loops.points.empty()) return region{};
+    if constexpr (!keeps_tolerance<Discretiser>) {
+        return cap(loops, rule, cut, space, out, observe);
+    } else {
+        const auto prove = [&]() noexcept -> result<region> {
+            if constexpr (proving_triangulator<Triangulator>) {
+                observe(stage::triangulate);
+                orient(loops);
+                return cut.prove(loops, space, out);
+            } else {
+                observe(stage::fill);
+                auto nested = nest(loops, rule, space);
+                if (!nested) return nested;
+                observe(stage::triangulate);
+                if (error e = cut(*nested, space, out)) return e;
+                return nested;
+            }
+        };
+        auto made = prove();
+        if (made || made.error().code != error::crossing_contours) return made;
+
+        workspace::scope scratch{space};
+        crossing_guard guard;
+        if (!guard.open(scratch, shape, tolerance, cells)) return error::out_of_memory;
+        for (;;) {
+            observe(stage::fill);
+            const bool last = guard.effort().rounds == most_rounds;
+            made = last ? resolve(loops, rule, space) : resolve(loops, rule, space, guard);
+            const bool content = guard.is_content();
+            if (effort != nullptr) *effort = guard.effort();
+            if (!made) return made;
+            if (content) {
+                observe(stage::triangulate);
+                if (error e = cut(*made, space, out)) return e;
+                return made;
+            }
+            observe(stage::discretise);
+            if (error e = discretise(shape, how, tolerance, cells, loops, guard.halvings())) return e;
+            made = prove();
+            if (made || made.error().code != error::crossing_contours) return made;
+        }
+    }
+}
+
+}  // namespace typemesh
