@@ -46,7 +46,7 @@ IDWriteTextLayout* make_layout(const wchar_t* text, const wchar_t* family)
 int wmain(int argc, wchar_t** argv)
 {
     using namespace typemesh;
-    IDWriteTextLayout* layout = make_layout(argc > 1 ? argv[1] : L"Hello world!", argc > 2 ? argv[2] : L"Tahoma");
+    IDWriteTextLayout* layout = make_layout(argc > 1 ? argv[1] : L"Hello world!", argc > 2 ? argv[2] : L"Segoe UI");
     if (layout == nullptr) return std::puts("DirectWrite made no layout"), 1;
 
     directwrite_text text;
