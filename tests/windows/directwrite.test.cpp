@@ -110,6 +110,9 @@ TEST_CASE("a font is opened from a file, from a collection and from a face", "[w
         REQUIRE(member);
         CHECK(member->units_per_em() == (files.family(i) == L"DejaVu Sans" ? 2048 : 1000));
     }
+    auto installed = directwrite_font::open_family(L"DejaVu Sans", {.weight = DWRITE_FONT_WEIGHT_BOLD});
+    REQUIRE(installed);
+    CHECK(shaped(*installed, "bold").lines[0].advance > shaped(*file, "bold").lines[0].advance);
     auto same = directwrite_font::wrap(file->handle());
     REQUIRE(same);
     CHECK(same->glyph_count() == file->glyph_count());

@@ -198,12 +198,14 @@ private:
         return result<directwrite_font>{std::move(made)};
     }
 
-    /// Sets a variable font on its axes (Windows 10 1803 or later; earlier ones know no axis).
+    /// Sets a variable font on its axes. Needs Windows 10 1709, when the program runs and, as Microsoft's headers have
+    /// it, in the NTDDI_VERSION that it is compiled for; otherwise no font has an axis.
     static error vary(detail::com_ptr<IDWriteFontFace>& face, std::span<const variation> wanted) noexcept
     {
         if (wanted.empty()) return {};
         for (const variation& v : wanted)
             if (!is_finite(double{v.value})) return error::bad_option;
+#if defined(__MINGW32__) || (defined(NTDDI_WIN10_RS3) && NTDDI_VERSION >= NTDDI_WIN10_RS3)
         const auto fixed = face.as<IDWriteFontFace5>();
         if (!fixed || fixed->HasVariations() == FALSE) return error::unknown_variation;
         detail::com_ptr<IDWriteFontResource> resource;
@@ -219,8 +221,9 @@ private:
             UINT32 i = 0;
             const auto tag = static_cast<DWRITE_FONT_AXIS_TAG>(detail::directwrite_tag(v.tag));
             while (i < axes && ranges[i].axisTag != tag) ++i;
-            // An axis of a single value is one that DirectWrite adds for the family's sake.
-            if (i == axes || !(ranges[i].minValue < ranges[i].maxValue)) return error::unknown_variation;
+            // Other axes are such as DirectWrite adds for the family's sake.
+            if (i == axes || (resource->GetFontAxisAttributes(i) & DWRITE_FONT_AXIS_ATTRIBUTES_VARIABLE) == 0)
+                return error::unknown_variation;
             const float low = ranges[i].minValue, high = ranges[i].maxValue;
             const float inside = v.value < low ? low : v.value > high ? high : v.value;
             if (!values.push_back({ranges[i].axisTag, inside})) return error::out_of_memory;
@@ -231,6 +234,9 @@ private:
             return e;
         face = detail::com_ptr<IDWriteFontFace>::share(varied.get());
         return {};
+#else
+        return error::unknown_variation;
+#endif
     }
 
     detail::com_ptr<IDWriteFontFace> face_;

@@ -6,6 +6,7 @@
 #include <typemesh/adapt/directwrite_outline.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/finite.hpp>
+#include <typemesh/core/result.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/outline/outline_source.hpp>
 

@@ -33,7 +33,8 @@ struct line_metrics {
 ///                                         start of `text`, in its units. Flags missing glyphs, adds to run.missing
 ///                                         and run.invalid_units and keeps the first place of each.
 ///
-/// Fails  error::mixed_direction: the line holds text of both directions (never drawn in the wrong order)
+/// Fails  error::mixed_direction: the line holds text of both directions and the shaper has no
+///                              bidirectional algorithm (never drawn in the wrong order)
 ///        error::needs_shaping: the shaper is not made for this script
 ///        error::out_of_memory; the run may then hold some of the line's glyphs
 template <class S>
