@@ -99,14 +99,15 @@ void register_sample(const sample& s)
         glyph_run run;
         for (auto _ : state) floor_of(font, s.text, run);
     });
-    benchmark::RegisterBenchmark((std::string{"extruded/"} + s.name).c_str(), [&font, s](benchmark::State& state) {
+    for (const bool reuse : {false, true})
+    benchmark::RegisterBenchmark((std::string{reuse ? "reuse/" : "extruded/"} + s.name).c_str(), [&font, s, reuse](benchmark::State& state) {
         glyph_run run;
         const double floor = nanoseconds_each([&] { floor_of(font, s.text, run); });
         text_mesher mesher{font};
         std::vector<vertex> vertices;
         std::vector<std::uint32_t> indices;
         const auto work = [&] {
-            const auto made = mesher.build(s.text, into(vertices, indices));
+            const auto made = mesher.build(s.text, into(vertices, indices), {.reuse = reuse});
             if (!made) std::abort();
         };
         const double all = nanoseconds_each(work);

@@ -3,7 +3,7 @@
 # How each adapter's library is found: by its CMake package first, by pkg-config second. Used by the source tree and,
 # installed beside typemesh-config.cmake, by find_package(typemesh COMPONENTS ...).
 
-set(typemesh_adapters harfbuzz freetype glm)
+set(typemesh_adapters harfbuzz freetype directwrite glm)
 
 # Sets `result` to the target of the library that the adapter `name` needs, or leaves it empty and says in `reason` why.
 function(typemesh_find_adapter name result reason)
@@ -20,6 +20,12 @@ function(typemesh_find_adapter name result reason)
     elseif(name STREQUAL "freetype")
         typemesh_find_library(Freetype Freetype::Freetype freetype2 library)
         set(why "FreeType was not found, neither as the CMake package 'Freetype' nor as the pkg-config module 'freetype2'")
+    elseif(name STREQUAL "directwrite")
+        set(library "")
+        if(WIN32)
+            set(library dwrite)
+        endif()
+        set(why "DirectWrite is a part of Windows")
     elseif(name STREQUAL "glm")
         typemesh_find_library(glm glm::glm glm library)
         set(why "GLM was not found, neither as the CMake package 'glm' nor as the pkg-config module 'glm'")

@@ -11,6 +11,7 @@ usage: tests/run.sh [--with TIER[,TIER...]] [--all]
 Installs what is missing, builds and runs the tests of the core and its adapters with g++. Further tiers:
   clang      the same tests with clang++
   sanitize   the same tests with g++ under the address and undefined behaviour sanitizers
+  windows    the tests of the core and of DirectWrite as Windows programs (mingw-w64), run under Wine
   external   other people's tools (admesh, gltf-validator) read what text_to_mesh writes; the benchmarks are built
 --all takes every tier.
 END
@@ -19,13 +20,13 @@ END
 tiers=gcc
 while [ $# -gt 0 ]; do
     case $1 in
-        --all) tiers="gcc clang sanitize external" ;;
+        --all) tiers="gcc clang sanitize windows external" ;;
         --with | --with=*)
             [ "$1" != --with ] || shift
             [ $# -gt 0 ] || { usage >&2 && exit 2; }
             for tier in $(say "${1#--with=}" | tr , ' '); do
                 case $tier in
-                    clang | sanitize | external) tiers="$tiers $tier" ;;
+                    clang | sanitize | windows | external) tiers="$tiers $tier" ;;
                     *) usage >&2 && exit 2 ;;
                 esac
             done
@@ -76,6 +77,19 @@ tier_clang() {
     test_preset clang
 }
 tier_sanitize() { test_preset sanitize typemesh_tests; }
+
+# Windows programs are built here and run under Wine, with a prefix of their own and without a display. What they draw is
+# compared with outlines that HarfBuzz and FreeType have drawn natively.
+tier_windows() {
+    install_missing mingw wine
+    local reference=$typemesh_root/build/windows/reference
+    mkdir -p "$reference"
+    if ! build_preset gcc typemesh_reference_outlines ||
+        ! "$typemesh_root/build/gcc/tests/typemesh_reference_outlines" "$reference"; then
+        count 0 1
+    fi
+    test_preset windows
+}
 
 # Scripts in tests/external, each run in a scratch folder: 0 passed, 77 skipped with the reason on the last line, anything
 # else failed. They find the tool in TYPEMESH_TEXT_TO_MESH, tests/ in TYPEMESH_TEST_DATA, npm's packages by NODE_PATH.

@@ -30,3 +30,8 @@ inter=/usr/share/fonts/truetype/inter-vf/Inter.var.ttf
 "$program" "A&f4" --font $inter --depth 0 --quality normal --show contours,triangles --picture "$scratch/before.png"
 "$program" "A&f4" --font $inter --depth 0 --quality normal --triangulator delaunay --show triangles --picture "$scratch/after.png"
 convert "$scratch/before.png" "$scratch/after.png" -resize 900x -append overlaps.png
+
+vibes=/usr/share/fonts/truetype/GreatVibes-Regular.ttf
+"$program" "eat" --font $vibes --depth 0 --quality normal --show triangles --picture "$scratch/apart.png"
+"$program" "eat" --font $vibes --depth 0 --quality normal --show triangles --merge --picture "$scratch/merged.png"
+convert "$scratch/apart.png" "$scratch/merged.png" -resize 600x +append merged.png

@@ -156,6 +156,7 @@ int run(const options& o)
     how.layout = {.align = o.align};
     how.tolerance = o.tolerance;
     how.fill = o.fill;
+    how.merge = o.merge;
     auto plan = mesher.plan(o.text, how);
     if (!plan) return fail(in_words(plan.error()));
 

@@ -119,6 +119,7 @@ std::optional<int> parse(int argc, char** argv, options& out)
     app.add_option("--crease", out.crease, "edges that turn by more are hard (default 15, for creased 30)")->type_name("DEGREES")->check(CLI::Range(0.0, 180.0));
     app.add_option("--fill", fill, "instead of the font's own rule")->check(CLI::IsMember({"nonzero", "evenodd"}));
     app.add_option("--uv", uv, "texture coordinates: over the text's box (default), or in em")->check(CLI::IsMember({"box", "em"}));
+    app.add_flag("--merge", out.merge, "letters that meet become one solid without inner walls");
     app.add_flag("--strict", out.strict, "a refused or missing glyph is an error");
 
     app.add_option("--output", out.output, "the mesh: .glb, .obj, .stl or .ply")->type_name("FILE");

@@ -37,6 +37,7 @@ struct options {
     std::optional<typemesh::fill_rule> fill;
     typemesh::texture_mapping uv = typemesh::texture_mapping::box;
     bool strict = false;
+    bool merge = false;
 
     std::string output;
     std::string picture;

@@ -37,5 +37,7 @@
 #include <typemesh/extrude/flat.hpp>
 #include <typemesh/extrude/shared_normals.hpp>
 
+#include <typemesh/text/glyph_cache.hpp>
+#include <typemesh/text/rounding.hpp>
 #include <typemesh/text/shaped_by.hpp>
 #include <typemesh/text/text_mesher.hpp>

@@ -42,7 +42,7 @@ TEST_CASE("an error keeps what is said of its place", "[core][error]")
     CHECK(e.count == 7);
 }
 
-TEST_CASE("a description names glyph, cluster and count where they are known", "[core][error]")
+TEST_CASE("a description names glyph, cluster, count and option where they are known", "[core][error]")
 {
     char room[300];
     CHECK(std::string{describe(error{error::crossing_contours}.at(37, 4), room)} ==
@@ -51,6 +51,8 @@ TEST_CASE("a description names glyph, cluster and count where they are known", "
     CHECK(std::string{describe(error{error::mixed_direction}.at(no_glyph, 9), room)}.rfind("cluster 9: ", 0) == 0);
     CHECK(std::string{describe(error{error::no_such_face, 2}, room)} ==
           "The font file has no face of that number. (2)");
+    CHECK(std::string{describe(error::bad("depth"), room)} == "An option is outside its range. (depth)");
+    CHECK(error::bad("depth") == error::bad_option);
     CHECK(std::string{describe(error{}, room)} == "No error.");
 }
 

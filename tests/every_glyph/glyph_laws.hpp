@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What must be true of the cap and the solid of one glyph, whatever its contours do; and the fonts to try it on.
+// What must be true of the caps and the solid of one glyph, whatever its contours do and whichever triangulator cuts
+// them; and the fonts to try it on.
 
+#include "support/delaunay.hpp"
 #include "support/mesh_laws.hpp"
 #include "support/oracle.hpp"
 
@@ -130,6 +132,7 @@ public:
         if (made->points().empty()) return f.blank = true, f;
 
         if (f.wrong = oracle::broken_law(*made, triangles_.view()); !f.wrong.empty()) return f;
+        if (f.wrong = broken_delaunay(*made); !f.wrong.empty()) return f;
         if (f.resolved)
             if (f.wrong = oracle::broken_walk(kept); !f.wrong.empty()) return f;
         const double area = static_cast<double>(oracle::doubled_area(kept)),
@@ -176,6 +179,22 @@ private:
         (void)copy_.points.append(points);
         (void)copy_.edges.append(loops_.edges.view());
         (void)copy_.starts.append(starts);
+    }
+
+    /// The Delaunay triangles obey the laws of all triangles, and their own; and both ways to make them agree.
+    std::string broken_delaunay(const typemesh::region& r)
+    {
+        using namespace typemesh;
+        delaunay_.clear();
+        by_slabs_.clear();
+        if (const error e = constrained_delaunay{}(r, space_, delaunay_)) return std::string{"Delaunay: "} + e.message();
+        if (const error e = constrained_delaunay{.most_flips = 0}(r, space_, by_slabs_))
+            return std::string{"Delaunay by slabs: "} + e.message();
+        std::string wrong = oracle::broken_law(r, delaunay_.view());
+        if (wrong.empty()) wrong = oracle::broken_delaunay(r, delaunay_.view());
+        if (wrong.empty() && oracle::as_set(delaunay_.view()) != oracle::as_set(by_slabs_.view()))
+            wrong = "flips and slabs do not make the same triangles";
+        return wrong.empty() ? wrong : "Delaunay: " + wrong;
     }
 
     /// Places farther than the tolerance from all curves are filled exactly where the curves' winding number says so.
@@ -235,7 +254,7 @@ private:
     typemesh::workspace space_;
     typemesh::outline outline_;
     typemesh::contours loops_, copy_;
-    typemesh::triangle_list triangles_;
+    typemesh::triangle_list triangles_, delaunay_, by_slabs_;
     std::vector<chord> dense_;
     full_mesh mesh_;
 };

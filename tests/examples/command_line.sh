@@ -53,6 +53,8 @@ for option in "--quality low" "--quality best" "--tolerance 0.01" "--discretiser
     expect 0 "" "Ego" --font $sans $option --output option.glb
 done
 expect 0 "" "مرحبا" --font $arabic --direction rtl --output arabic.glb
+expect 0 "" "مرحبا" --font $arabic --merge --output merged.glb
+that "merged letters have fewer vertices" [ "$(wc -c <merged.glb)" -lt "$(wc -c <arabic.glb)" ]
 expect 0 "" "你好" --font /usr/share/fonts/truetype/wqy/wqy-microhei.ttc --face 1 --output face.glb
 expect 0 "" "Bold" --font /usr/share/fonts/truetype/inter-vf/Inter.var.ttf --variation wght=900 --output bold.glb
 expect 0 "" "Bold" --font /usr/share/fonts/truetype/inter-vf/Inter.var.ttf --variation wght=100 --output thin.glb

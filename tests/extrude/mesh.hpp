@@ -20,7 +20,8 @@ namespace meshes {
 
 using namespace typemesh;
 
-inline constexpr attribute everything = attribute::position | attribute::normal | attribute::uv;
+inline constexpr attribute everything = attribute::position | attribute::normal | attribute::uv | attribute::tangent |
+                                        attribute::glyph | attribute::cluster | attribute::part;
 
 /// 1000 font units to the em, 512 cells to the unit; positions in em.
 inline placement in_em(const frame& f = right_handed_y_up)

@@ -13,6 +13,7 @@ struct counting_memory {
     std::size_t bytes_held = 0;
     std::size_t fail_at = 0;   ///< from this request on (counted from 1) nothing is given; 0: never fails
     bool fail_once = false;    ///< only that one request fails
+    std::size_t peak = 0;      ///< the most bytes that were held at a time
 
     [[nodiscard]] typemesh::memory source() noexcept
     {
@@ -24,6 +25,7 @@ struct counting_memory {
                         (self.fail_once ? self.requests == self.fail_at : self.requests >= self.fail_at))
                         return nullptr;
                     self.bytes_held += bytes;
+                    if (self.bytes_held > self.peak) self.peak = self.bytes_held;
                     const typemesh::memory heap = typemesh::heap();
                     return heap.allocate(heap.user, bytes, alignment);
                 },

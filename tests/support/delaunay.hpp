@@ -5,6 +5,7 @@
 
 #include "support/regions.hpp"
 
+#include <typemesh/core/orientation.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/triangle.hpp>
 
@@ -13,7 +14,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace test::oracle {
@@ -39,19 +40,23 @@ inline bool comes_first(grid_point a, grid_point b) { return a.x != b.x ? a.x < 
 inline std::string broken_delaunay(const typemesh::region& r, std::span<const typemesh::triangle> triangles)
 {
     const auto points = r.points();
-    std::unordered_map<std::uint64_t, std::uint32_t> opposite;
-    opposite.reserve(triangles.size() * 4);
-    const auto key = [](std::uint64_t from, std::uint64_t to) { return from << 32 | to; };
-    for (const typemesh::triangle t : triangles) {
-        opposite[key(t.a, t.b)] = t.c;
-        opposite[key(t.b, t.c)] = t.a;
-        opposite[key(t.c, t.a)] = t.b;
-    }
-    for (const auto& [edge, apex] : opposite) {
-        const auto other = opposite.find(edge << 32 | edge >> 32);
-        if (other == opposite.end()) continue;
-        const grid_point a = points[edge >> 32], b = points[edge & 0xFFFF'FFFF], c = points[apex],
-                         d = points[other->second];
+    struct side_of_edge {
+        std::uint64_t edge;  // both ends, the smaller one first
+        std::uint32_t apex;
+    };
+    std::vector<side_of_edge> sides;
+    sides.reserve(3 * triangles.size());
+    const auto add = [&](std::uint64_t p, std::uint64_t q, std::uint32_t apex) {
+        sides.push_back({(std::min)(p, q) << 32 | (std::max)(p, q), apex});
+    };
+    for (const typemesh::triangle t : triangles) add(t.a, t.b, t.c), add(t.b, t.c, t.a), add(t.c, t.a, t.b);
+    std::sort(sides.begin(), sides.end(),
+              [](const side_of_edge& s, const side_of_edge& t) { return s.edge < t.edge; });
+    for (std::size_t i = 1; i < sides.size(); ++i) {
+        if (sides[i].edge != sides[i - 1].edge) continue;
+        grid_point a = points[sides[i].edge >> 32], b = points[sides[i].edge & 0xFFFF'FFFF];
+        const grid_point c = points[sides[i].apex], d = points[sides[i - 1].apex];
+        if (typemesh::orientation(a, b, c) < 0) std::swap(a, b);
         const int side = circle_side(a, b, c, d);
         if (side > 0) return "an edge is not Delaunay";
         if (side < 0) continue;
@@ -60,6 +65,23 @@ inline std::string broken_delaunay(const typemesh::region& r, std::span<const ty
             return "a diagonal among points on one circle does not leave the smallest";
     }
     return {};
+}
+
+/// The triangles by their points' numbers, each from its smallest on, sorted: equal when the sets are equal.
+inline std::vector<std::array<std::uint32_t, 3>> as_set(std::span<const typemesh::triangle> triangles)
+{
+    std::vector<std::array<std::uint32_t, 3>> set;
+    set.reserve(triangles.size());
+    for (const typemesh::triangle t : triangles) {
+        if (t.a < t.b && t.a < t.c)
+            set.push_back({t.a, t.b, t.c});
+        else if (t.b < t.c)
+            set.push_back({t.b, t.c, t.a});
+        else
+            set.push_back({t.c, t.a, t.b});
+    }
+    std::sort(set.begin(), set.end());
+    return set;
 }
 
 using placed_triangle = std::array<grid_point, 3>;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "support/catch.hpp"
+#include "support/guarded_memory.hpp"
 
 using namespace typemesh;
 
@@ -47,11 +48,18 @@ struct tinting_writer {
     corner operator()(const surface_point<wants>& s) const noexcept { return {s.position.x, s.position.y, tint}; }
 };
 
+surface_point<attribute::position> at(vec3 position)
+{
+    surface_point<attribute::position> s;
+    s.position = position;
+    return s;
+}
+
 template <class Sink>
 void write(Sink& sink, std::uint32_t vertices, std::uint32_t triangles)
 {
     for (std::uint32_t i = 0; i < vertices; ++i)
-        sink.vertex({.position = {static_cast<float>(i), 2.0f * static_cast<float>(i), 0.5f}});
+        sink.vertex(at({static_cast<float>(i), 2.0f * static_cast<float>(i), 0.5f}));
     for (std::uint32_t i = 0; i < triangles; ++i) sink.triangle(i, i + 1, i + 2);
     sink.end();
 }
@@ -164,10 +172,25 @@ TEST_CASE("arrays of a fixed size are written as spans of any size are", "[verte
     std::array<std::uint16_t, 3> indices{};
     auto sink = into(std::span{vertices}, std::span{indices}, corner_writer{});
     REQUIRE_FALSE(sink.begin({3, 1}));
-    for (int i = 0; i < 3; ++i) sink.vertex({{static_cast<float>(i), 0.0f, 0.0f}, {}, {}});
+    for (int i = 0; i < 3; ++i) sink.vertex(at({static_cast<float>(i), 0.0f, 0.0f}));
     sink.triangle(0, 1, 2);
     sink.end();
     CHECK(vertices[2] == corner{2, 0, 0});
     CHECK(indices == std::array<std::uint16_t, 3>{0, 1, 2});
     CHECK(into(std::span{vertices}, std::span{indices}, corner_writer{}).begin({4, 1}) == error::buffer_too_small);
+}
+
+TEST_CASE("array_sink fills memory to its last byte and writes no byte farther, and none at all when it refuses", "[vertex]")
+{
+    const test::guarded_memory vertices{5 * sizeof(corner)}, indices{6 * sizeof(std::uint16_t)};
+    auto sink = into(vertices.as<corner>(), indices.as<std::uint16_t>(), 7);
+    CHECK(sink.begin({6, 2}) == error::buffer_too_small);
+    CHECK(sink.begin({5, 3}) == error::buffer_too_small);
+    CHECK(sink.begin({65530, 2}) == error::index_overflow);
+    CHECK(vertices.untouched());
+    CHECK(indices.untouched());
+    REQUIRE_FALSE(sink.begin({5, 2}));
+    write(sink, 5, 2);
+    CHECK(vertices.as<corner>()[4] == corner{4.0f, 8.0f, 0.5f});
+    CHECK(indices.as<std::uint16_t>()[5] == 10);
 }

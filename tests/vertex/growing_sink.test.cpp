@@ -120,3 +120,18 @@ TEST_CASE("a container that throws becomes error::out_of_memory", "[vertex]")
     CHECK(into(without, indices_without).begin({5, 1}) == error::out_of_memory);
     CHECK_FALSE(into(without, indices_without).begin({4, 1}));
 }
+
+TEST_CASE("growing_sink adds the base vertex to every index, and counts it among what the index must number", "[vertex]")
+{
+    std::vector<corner> vertices;
+    std::vector<std::uint16_t> indices;
+    auto sink = into(vertices, indices, 500);
+    REQUIRE_FALSE(sink.begin({3, 1}));
+    write(sink, 3, 1);
+    CHECK(indices == std::vector<std::uint16_t>{500, 500, 501});
+    CHECK_FALSE(into(vertices, indices, 65000).begin({535, 1}));
+    const error e = into(vertices, indices, 65000).begin({536, 1});
+    CHECK(e == error::index_overflow);
+    CHECK(e.count == 65536);
+    CHECK(vertices.size() == 535);
+}

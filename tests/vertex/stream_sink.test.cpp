@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 
+#include <typemesh/vertex/half.hpp>
+#include <typemesh/vertex/octahedral.hpp>
 #include <typemesh/vertex/stream_sink.hpp>
+#include <typemesh/vertex/ten_bit.hpp>
 
 #include <array>
 #include <cstring>
 #include <vector>
 
 #include "support/catch.hpp"
+#include "support/guarded_memory.hpp"
 
 using namespace typemesh;
 
@@ -37,7 +41,11 @@ struct packed_normals {
 surface_point<attribute::position | attribute::normal | attribute::uv> numbered(std::uint32_t i)
 {
     const auto f = static_cast<float>(i);
-    return {.position = {f, f + 0.25f, f + 0.5f}, .normal = {0.0f, 0.0f, 1.0f}, .uv = {-f, f}};
+    surface_point<attribute::position | attribute::normal | attribute::uv> s;
+    s.position = {f, f + 0.25f, f + 0.5f};
+    s.normal = {0.0f, 0.0f, 1.0f};
+    s.uv = {-f, f};
+    return s;
 }
 
 }  // namespace
@@ -127,4 +135,111 @@ TEST_CASE("stream_sink says what does not fit before it writes anything", "[vert
     CHECK(many.count == 65536);
     CHECK(positions == std::vector<float3>(4, float3{9, 9, 9}));
     CHECK(indices == std::vector<std::uint16_t>(3, 77));
+}
+
+TEST_CASE("stream_sink adds the base vertex to every index, and counts it among what the index must number", "[vertex]")
+{
+    std::vector<float2> uvs(3);
+    std::vector<std::uint16_t> indices(3);
+    stream_sink sink{std::span{indices}, 65000, stream<attribute::uv, float2>{uvs}};
+    REQUIRE_FALSE(sink.begin({3, 1}));
+    for (std::uint32_t i = 0; i < 3; ++i) sink.vertex(only<attribute::uv>(numbered(i)));
+    sink.triangle(0, 1, 2);
+    sink.end();
+    CHECK(indices == std::vector<std::uint16_t>{65000, 65001, 65002});
+    std::vector<float2> many(600);
+    stream_sink last{std::span{indices}, 65000, stream<attribute::uv, float2>{many}};
+    CHECK_FALSE(last.begin({535, 1}));
+    const error e = last.begin({536, 1});
+    CHECK(e == error::index_overflow);
+    CHECK(e.count == 65536);
+}
+
+TEST_CASE("every attribute has a stream", "[vertex]")
+{
+    struct float4 {
+        float x, y, z, w;
+    };
+    std::vector<float4> tangents(2);
+    std::vector<std::uint16_t> glyphs(2);
+    std::vector<std::uint32_t> clusters(2);
+    std::vector<float> parts(2);
+    std::vector<std::uint32_t> indices;
+    stream_sink sink{std::span{indices}, stream<attribute::tangent, float4>{tangents},
+                     stream<attribute::glyph, std::uint16_t>{glyphs}, stream<attribute::cluster, std::uint32_t>{clusters},
+                     stream<attribute::part, float>{parts}};
+    static_assert(mesh_sink<decltype(sink)>);
+    REQUIRE_FALSE(sink.begin({2, 0}));
+    surface_point<sink.wants> s;
+    s.tangent = {1, 2, 3, -1};
+    s.glyph = 37;
+    s.cluster = 4;
+    s.part = part::side;
+    sink.vertex(s);
+    s.part = part::back;
+    sink.vertex(s);
+    sink.end();
+    CHECK(tangents[1].z == 3.0f);
+    CHECK(tangents[1].w == -1.0f);
+    CHECK(glyphs == std::vector<std::uint16_t>{37, 37});
+    CHECK(clusters == std::vector<std::uint32_t>{4, 4});
+    CHECK(parts == std::vector<float>{2.0f, 1.0f});
+}
+
+TEST_CASE("streams in bytes hold as many elements as fit, and write up to the last byte and no farther", "[vertex]")
+{
+    CHECK(elements_in(0, 12, 20) == 0);
+    CHECK(elements_in(11, 12, 20) == 0);
+    CHECK(elements_in(12, 12, 20) == 1);
+    CHECK(elements_in(31, 12, 20) == 1);
+    CHECK(elements_in(32, 12, 20) == 2);
+    CHECK(elements_in(100, 20, 20) == 5);
+
+    // Interleaved: position at 0, uv at 12, and the last vertex's padding is not there.
+    const test::guarded_memory memory{24 * 6 + 20}, indices{2 * 3};
+    stream_sink sink{indices.as<std::uint16_t>(), stream<attribute::position, float3>::in(memory.bytes(), 0, 24),
+                     stream<attribute::uv, float2>::in(memory.bytes(), 12, 24)};
+    const error e = sink.begin({8, 1});
+    CHECK(e == error::buffer_too_small);
+    CHECK(e.count == 8);
+    CHECK(sink.begin({7, 2}) == error::buffer_too_small);
+    CHECK(memory.untouched());
+    CHECK(indices.untouched());
+    REQUIRE_FALSE(sink.begin({7, 1}));
+    for (std::uint32_t i = 0; i < 7; ++i) sink.vertex(only<attribute::position | attribute::uv>(numbered(i)));
+    sink.triangle(4, 5, 6);
+    sink.end();
+    for (std::size_t i = 0; i < 7; ++i) {
+        float f[5];
+        std::memcpy(f, memory.bytes().data() + 24 * i, sizeof f);
+        CHECK(f[1] == static_cast<float>(i) + 0.25f);
+        CHECK(f[4] == static_cast<float>(i));
+        for (std::size_t k = 20; k < 24 && i < 6; ++k) CHECK(memory.bytes()[24 * i + k] == std::byte{0xEE});
+    }
+    CHECK(indices.as<std::uint16_t>()[2] == 6);
+    CHECK(stream<attribute::uv, float2>::in(memory.bytes(), 1000, 24).capacity == 0);
+}
+
+TEST_CASE("streams of packed formats are told like all others", "[vertex]")
+{
+    struct half2 {
+        half u, v;
+    };
+    struct snorm8x4 {
+        snorm8 x, y, z, w = 0.0f;
+    };
+    std::vector<half2> uvs(3);
+    std::vector<snorm8x4> bytes(3);
+    std::vector<octahedral32> normals(3);
+    std::vector<snorm10> ten(3);
+    std::vector<std::uint32_t> indices;
+    stream_sink sink{std::span{indices}, stream<attribute::uv, half2>{uvs}, stream<attribute::normal, snorm8x4>{bytes},
+                     stream<attribute::normal, octahedral32>{normals}, stream<attribute::normal, snorm10>{ten}};
+    REQUIRE_FALSE(sink.begin({3, 0}));
+    for (std::uint32_t i = 0; i < 3; ++i) sink.vertex(only<attribute::normal | attribute::uv>(numbered(i)));
+    sink.end();
+    CHECK(static_cast<float>(uvs[2].u) == -2.0f);
+    CHECK(bytes[1].z.bits == 127);
+    CHECK(normals[2].decoded() == vec3{0, 0, 1});
+    CHECK(ten[0].decoded() == vec4{0, 0, 1, 0});
 }

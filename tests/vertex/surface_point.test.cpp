@@ -2,6 +2,10 @@
 
 #include <typemesh/vertex/surface_point.hpp>
 
+#include <cstdint>
+#include <type_traits>
+#include <utility>
+
 #include "support/catch.hpp"
 
 using namespace typemesh;
@@ -26,7 +30,23 @@ static_assert(tells_uv<attribute::uv>);
 static_assert(tells_uv<attribute::position | attribute::uv>);
 static_assert(!tells_uv<attribute::position | attribute::normal>);
 static_assert(!tells_position<attribute::none>);
-static_assert(sizeof(surface_point<attribute::position | attribute::normal | attribute::uv>) == 32);
+// A point is as large as what it holds, for every set of attributes: 12 + 12 + 8 + 16 + 4 + 4 + 1 bytes, the last filled up
+// to 4.
+template <std::uint32_t Set>
+constexpr bool takes_no_more_room_than_wanted()
+{
+    constexpr auto wants = static_cast<attribute>(Set);
+    constexpr std::size_t bytes = (has(wants, attribute::position) ? 12u : 0u) + (has(wants, attribute::normal) ? 12u : 0u) +
+                                  (has(wants, attribute::uv) ? 8u : 0u) + (has(wants, attribute::tangent) ? 16u : 0u) +
+                                  (has(wants, attribute::glyph) ? 4u : 0u) + (has(wants, attribute::cluster) ? 4u : 0u) +
+                                  (has(wants, attribute::part) ? 4u : 0u);
+    constexpr bool lonely_part = wants == attribute::part;
+    static_assert(std::is_trivially_copyable_v<surface_point<wants>>);
+    return sizeof(surface_point<wants>) == (bytes == 0 || lonely_part ? 1 : bytes);
+}
+static_assert([]<std::uint32_t... Sets>(std::integer_sequence<std::uint32_t, Sets...>) {
+    return (takes_no_more_room_than_wanted<Sets>() && ...);
+}(std::make_integer_sequence<std::uint32_t, 128>{}));
 
 TEST_CASE("a set of attributes holds what was put into it", "[vertex]")
 {
@@ -39,10 +59,29 @@ TEST_CASE("a set of attributes holds what was put into it", "[vertex]")
 
 TEST_CASE("a point with fewer attributes keeps those it has", "[vertex]")
 {
-    const surface_point<attribute::position | attribute::normal | attribute::uv> full{{1, 2, 3}, {0, 1, 0}, {4, 5}};
+    surface_point<static_cast<attribute>(127)> full;
+    full.position = {1, 2, 3};
+    full.normal = {0, 1, 0};
+    full.uv = {4, 5};
+    full.tangent = {1, 0, 0, -1};
+    full.glyph = 6;
+    full.cluster = 7;
+    full.part = part::side;
     CHECK(only<attribute::position>(full).position == vec3{1, 2, 3});
     CHECK(only<attribute::uv>(full).uv == vec2{4, 5});
     const auto both = only<attribute::normal | attribute::uv>(full);
     CHECK(both.normal == vec3{0, 1, 0});
     CHECK(both.uv == vec2{4, 5});
+    const auto four = only<attribute::tangent | attribute::glyph | attribute::cluster | attribute::part>(full);
+    CHECK(four.tangent == vec4{1, 0, 0, -1});
+    CHECK(four.glyph == 6);
+    CHECK(four.cluster == 7);
+    CHECK(four.part == part::side);
+}
+
+TEST_CASE("a point that nobody has named belongs to no glyph and no cluster", "[vertex]")
+{
+    const surface_point<attribute::glyph | attribute::cluster> unnamed;
+    CHECK(unnamed.glyph == no_glyph);
+    CHECK(unnamed.cluster == no_cluster);
 }

@@ -7,6 +7,7 @@
 #include <typemesh/layout/utf.hpp>
 #include <typemesh/outline/font_options.hpp>
 #include <typemesh/outline/outline_source.hpp>
+#include <typemesh/outline/variation_key.hpp>
 
 #include <ft2build.h>
 #include FT_FREETYPE_H
@@ -104,6 +105,16 @@ public:
 
     /// How many glyphs the face has; their ids count from 0.
     [[nodiscard]] std::uint32_t glyph_count() const noexcept { return static_cast<std::uint32_t>(face_->num_glyphs); }
+
+    /// See variation_key.hpp. Of the face's number and its axes.
+    [[nodiscard]] std::uint64_t variation_key() const noexcept
+    {
+        auto key = static_cast<std::uint64_t>(face_->face_index);
+        FT_Fixed axes[64] = {};
+        if (!FT_HAS_MULTIPLE_MASTERS(face_) || FT_Get_Var_Blend_Coordinates(face_, 64, axes)) return key;
+        for (const FT_Fixed axis : axes) key = mixed_key(key, static_cast<std::uint64_t>(axis));
+        return key;
+    }
 
     /// See outline_source. Curves keep their degree: quadratics from TrueType, cubics from CFF and Type 1. Never
     /// hinted.
@@ -306,7 +317,7 @@ private:
     {
         if (wanted.empty()) return {};
         for (const variation& v : wanted)
-            if (!is_finite(double{v.value})) return error::bad_option;
+            if (!is_finite(double{v.value})) return error::bad("variations");
         FT_MM_Var* axes = nullptr;
         if (!FT_HAS_MULTIPLE_MASTERS(face_) || FT_Get_MM_Var(face_, &axes)) return error::unknown_variation;
 

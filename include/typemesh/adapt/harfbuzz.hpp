@@ -7,6 +7,7 @@
 #include <typemesh/layout/shaper.hpp>
 #include <typemesh/outline/font_options.hpp>
 #include <typemesh/outline/outline_source.hpp>
+#include <typemesh/outline/variation_key.hpp>
 
 #include <hb-ot.h>
 #include <hb.h>
@@ -66,7 +67,7 @@ public:
         TYPEMESH_ASSERT(font != nullptr, "a null hb_font_t* was wrapped");
         int x = 0, y = 0;
         hb_font_get_scale(font, &x, &y);
-        if (x == 0 || y == 0) return error::bad_option;
+        if (x == 0 || y == 0) return error::bad("scale");
         return finished(harfbuzz_font{hb_font_reference(font)});
     }
 
@@ -91,6 +92,17 @@ public:
 
     /// How many glyphs the face has; their ids count from 0.
     [[nodiscard]] std::uint32_t glyph_count() const noexcept { return glyph_count_; }
+
+    /// See variation_key.hpp. Of the face's number and the axes; not of what else the caller may change in a font that
+    /// he wrapped, such as its slant.
+    [[nodiscard]] std::uint64_t variation_key() const noexcept
+    {
+        unsigned count = 0;
+        const int* axes = hb_font_get_var_coords_normalized(font_, &count);
+        std::uint64_t key = hb_face_get_index(hb_font_get_face(font_));
+        for (unsigned i = 0; i < count; ++i) key = mixed_key(key, static_cast<std::uint32_t>(axes[i]));
+        return key;
+    }
 
     /// See outline_source. Curves keep their degree: quadratics from TrueType, cubics from CFF.
     template <outline_sink Sink>
@@ -143,7 +155,7 @@ public:
         hb_script_t script = HB_SCRIPT_INVALID;
         if (!options.script.empty()) {
             script = hb_script_from_string(options.script.data(), options.script.size() == 4 ? 4 : 0);
-            if (script == HB_SCRIPT_INVALID || script == HB_SCRIPT_UNKNOWN) return error::bad_option;
+            if (script == HB_SCRIPT_INVALID || script == HB_SCRIPT_UNKNOWN) return error::bad("script");
         }
         const auto direction = direction_of(found, options.direction, script);
         if (!direction) return direction.error();
@@ -327,7 +339,7 @@ private:
         if (wanted.empty()) return {};
         buffer<hb_variation_t> values;
         for (const variation& v : wanted) {
-            if (!is_finite(double{v.value})) return error::bad_option;
+            if (!is_finite(double{v.value})) return error::bad("variations");
             const hb_variation_t value{hb_tag_from_string(v.tag, 4), v.value};
             hb_ot_var_axis_info_t axis;
             if (!hb_ot_var_find_axis_info(hb_font_get_face(font_), value.tag, &axis)) return error::unknown_variation;

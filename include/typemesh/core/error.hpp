@@ -23,6 +23,7 @@ struct [[nodiscard]] error {
         unreadable_file,      ///< the file cannot be opened or read
         not_a_font,           ///< the bytes are no font that the font library understands
         no_such_face,         ///< the file has no face of that number; count = how many it has
+        no_such_family,       ///< no font of that family is installed, or in the collection given
         no_outlines,          ///< a font of bitmaps only, or not scalable
         unknown_glyph,        ///< the font has no such glyph, or its outline cannot be loaded
         unknown_variation,    ///< the font has no such axis
@@ -32,10 +33,10 @@ struct [[nodiscard]] error {
         outline_beyond_grid,  ///< an outline is too large for the integer grid
         crossing_contours,    ///< contours cross, touch or overlap, where they must not: nest(), a proving triangulator
         bad_tolerance,        ///< a tolerance is not a positive finite number
-        bad_option,           ///< an option is outside its range
+        bad_option,           ///< an option is outside its range; `option` names it
         mixed_direction,      ///< one line holds left-to-right and right-to-left text
         needs_shaping,        ///< the plain shaper was given a script that it would set wrongly
-        font_library_failed,  ///< FreeType or HarfBuzz refused; count = its own error number, if it has one
+        font_library_failed,  ///< FreeType, HarfBuzz or DirectWrite refused; count = its own error number, if it has one
         refused_by_user,      ///< for policies of the caller's own
     };
 
@@ -43,9 +44,18 @@ struct [[nodiscard]] error {
     glyph_id glyph = no_glyph;        ///< the glyph concerned, or no_glyph
     cluster_id cluster = no_cluster;  ///< its place in the caller's text, or no_cluster
     std::uint64_t count = 0;          ///< meaning beside each code
+    const char* option = nullptr;     ///< for bad_option: what it is called in the code; else null
 
     constexpr error() noexcept = default;
     constexpr error(kind k, std::uint64_t how_many = 0) noexcept : code{k}, count{how_many} {}
+
+    /// error::bad_option, by name; the text lives as long as the program.
+    [[nodiscard]] static constexpr error bad(const char* option) noexcept
+    {
+        error e = bad_option;
+        e.option = option;
+        return e;
+    }
 
     /// True when something is wrong.
     [[nodiscard]] explicit constexpr operator bool() const noexcept { return code != none; }
@@ -72,6 +82,7 @@ struct [[nodiscard]] error {
         case unreadable_file: return "The font file cannot be opened or read.";
         case not_a_font: return "The data is not a font, or is damaged.";
         case no_such_face: return "The font file has no face of that number.";
+        case no_such_family: return "No font of this family is installed, or in the collection given.";
         case no_outlines: return "The font has no outlines (it holds bitmaps only).";
         case unknown_glyph: return "The font has no such glyph, or its outline cannot be loaded.";
         case unknown_variation: return "The font has no such variation axis.";
@@ -110,6 +121,7 @@ inline const char* describe(const error& e, std::span<char> out) noexcept
         std::snprintf(where, sizeof where, "cluster %lu: ", static_cast<unsigned long>(e.cluster));
     char how_many[48] = "";
     if (e.count != 0) std::snprintf(how_many, sizeof how_many, " (%llu)", static_cast<unsigned long long>(e.count));
+    if (e.option != nullptr) std::snprintf(how_many, sizeof how_many, " (%s)", e.option);
     std::size_t size = 0;
     for (const char* part : {static_cast<const char*>(where), e.message(), static_cast<const char*>(how_many)})
         while (*part != '\0' && size + 1 < out.size()) out[size++] = *part++;

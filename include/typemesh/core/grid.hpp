@@ -37,7 +37,8 @@ struct grid {
     ///        error::outline_beyond_grid: not even 2^-40 cells a unit would fit
     [[nodiscard]] static result<grid> fitting(double units_per_em, const box& around) noexcept
     {
-        if (!is_finite(units_per_em) || !(units_per_em > 0x1p-40) || !(units_per_em < 0x1p40)) return error::bad_option;
+        const bool sensible = is_finite(units_per_em) && units_per_em > 0x1p-40 && units_per_em < 0x1p40;
+        if (!sensible) return error::bad("units_per_em");
         grid g;
         if (units_per_em < 64.0 || units_per_em > 65536.0) {
             while (g.cells * units_per_em < 0x1p20) g.cells *= 2.0;

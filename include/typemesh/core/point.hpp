@@ -33,7 +33,7 @@ struct grid_point {
     friend constexpr bool operator==(grid_point, grid_point) noexcept = default;
 };
 
-/// Two and three 32-bit floats: what leaves the library.
+/// Two, three and four 32-bit floats: what leaves the library.
 struct vec2 {
     float x = 0.0f;
     float y = 0.0f;
@@ -47,6 +47,15 @@ struct vec3 {
     float z = 0.0f;
 
     friend constexpr bool operator==(vec3, vec3) noexcept = default;
+};
+
+struct vec4 {
+    float x = 0.0f;
+    float y = 0.0f;
+    float z = 0.0f;
+    float w = 0.0f;
+
+    friend constexpr bool operator==(const vec4&, const vec4&) noexcept = default;
 };
 
 }  // namespace typemesh

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/assert.hpp>
+#include <typemesh/core/option_bits.hpp>
 #include <typemesh/discretise/discretiser.hpp>
 
 #include <cmath>
@@ -46,6 +47,9 @@ struct adaptive_subdivision {
         return {15, 0.005 / 64.0 * units_per_em, 0.01};
     }
 
+    /// See option_bits.
+    [[nodiscard]] option_bits cache_key() const noexcept { return {levels, distance, angle}; }
+
     template <class Emit>
     void operator()(const quadratic& q, double tolerance, Emit&& emit) const noexcept
     {
@@ -55,17 +59,17 @@ struct adaptive_subdivision {
     template <class Emit>
     void operator()(const cubic& q, double, Emit&& emit) const noexcept
     {
-        struct part {
+        struct piece {
             cubic q;
             std::uint32_t level;  // halvings that made it
         };
         const std::uint32_t deepest = levels < 1 ? 1 : levels > most_levels ? most_levels : levels;
-        part waiting[most_levels + 1];  // right halves, the next one last
+        piece waiting[most_levels + 1];  // right halves, the next one last
         std::uint32_t count = 0;
         waiting[count++] = {q, 0};
         double t = 0.0;
         while (count != 0) {
-            const part p = waiting[--count];
+            const piece p = waiting[--count];
             if (p.level != 0 && (p.level == deepest || is_line(p.q))) {
                 t += 1.0 / static_cast<double>(1u << p.level);
                 emit(p.q.p3, t);

@@ -17,9 +17,12 @@ struct creased_normals {
 
     float crease_degrees = 30.0f;  ///< 0 to 180
 
+    /// See option_bits.
+    [[nodiscard]] option_bits cache_key() const noexcept { return {crease_degrees}; }
+
     error operator()(const region& shape, std::span<side_point> sides) const noexcept
     {
-        if (!is_crease_angle(crease_degrees)) return error::bad_option;
+        if (!is_crease_angle(crease_degrees)) return error::bad("crease_degrees");
         const double crease = crease_cosine(crease_degrees);
         const auto points = shape.points();
         for (std::uint32_t loop = 0; loop < shape.loop_count(); ++loop) {

@@ -7,11 +7,13 @@
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/extrude/side_normals.hpp>
 #include <typemesh/extrude/texture.hpp>
+#include <typemesh/extrude/texture_tangent.hpp>
 #include <typemesh/extrude/wall_normal.hpp>
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 namespace typemesh {
 
@@ -51,9 +53,23 @@ struct extruded {
     texture_mapping texture = texture_mapping::box;
     [[no_unique_address]] Normals normals = {};
 
+    /// See option_bits. Depth matters only to writing, but one that plan() refuses must not find what another kept. The
+    /// normals have three of the numbers.
+    [[nodiscard]] option_bits cache_key() const noexcept
+        requires std::is_empty_v<Normals> || requires(const Normals& n) { { n.cache_key() } noexcept; }
+    {
+        option_bits bits;
+        if constexpr (requires { normals.cache_key(); }) bits = normals.cache_key();
+        TYPEMESH_ASSERT(bits.words[3] == 0, "the normals of an extruded{} may use three of the four option_bits");
+        const bool deep = is_finite(static_cast<double>(depth)) && depth > 0.0f;
+        const bool flags[] = {front, back, side, texture == texture_mapping::em, deep};
+        for (int i = 0; i < 5; ++i) bits.words[3] |= std::uint64_t{flags[i]} << i;
+        return bits;
+    }
+
     [[nodiscard]] result<part_sizes> plan(const region& shape, buffer<side_point>& sides) const noexcept
     {
-        if (!is_finite(static_cast<double>(depth)) || !(depth > 0.0f)) return error::bad_option;
+        if (!is_finite(static_cast<double>(depth)) || !(depth > 0.0f)) return error::bad("depth");
         const std::size_t n = shape.points().size();
         if (n > 0x3FFF'FFFFu) return error::too_large;
         if (!side || n == 0) {
@@ -88,11 +104,12 @@ struct extruded {
         const double high = centred ? 0.5 * depth : 0.0;
         const float top = at.height(high), bottom = at.height(high - depth);
         const planar_texture planar{texture, at};
+        const texture_tangent tangents{at.frame};
         with_axes(at, [&](const auto& axes) noexcept {
-            if (p == part::front && has_front()) cap<Wants>(s, axes, top, 1.0f, front, planar, emit);
-            if (p == part::back && has_back()) cap<Wants>(s, axes, bottom, -1.0f, back, planar, emit);
+            if (p == part::front && has_front()) cap<Wants>(s, axes, top, 1.0f, front, planar, tangents, emit);
+            if (p == part::back && has_back()) cap<Wants>(s, axes, bottom, -1.0f, back, planar, tangents, emit);
             if constexpr (!Normals::shares_caps) {
-                if (p == part::side && side) walls<Wants>(s, axes, top, bottom, at.em_per_cell, planar, emit);
+                if (p == part::side && side) walls<Wants>(s, axes, top, bottom, at.em_per_cell, planar, tangents, emit);
             }
         });
     }
@@ -156,9 +173,10 @@ private:
 
     template <attribute Wants, class Axes, class Emit>
     void cap(const solid& s, const Axes& axes, float z, float facing, bool lit_by_cap, planar_texture uv,
-             Emit& emit) const noexcept
+             texture_tangent tangents, Emit& emit) const noexcept
     {
         const vec3 flat_normal = axes.direction(0.0f, 0.0f, facing);
+        const vec4 flat_tangent = tangents.on_cap(axes, facing);
         const side_point* sides = s.sides.data();
         for (std::size_t i = 0; i < s.points.size(); ++i) {
             const grid_point g = s.points[i];
@@ -167,17 +185,25 @@ private:
             if constexpr (has(Wants, attribute::normal)) {
                 v.normal = flat_normal;
                 if constexpr (Normals::shares_caps) {
-                    if (side) v.normal = shared(sides[i], axes, lit_by_cap ? facing : 0.0f);
+                    if (side) {
+                        const vec3 n = shared(sides[i], lit_by_cap ? facing : 0.0f);
+                        v.normal = axes.direction(n.x, n.y, n.z);
+                    }
                 }
             }
             if constexpr (has(Wants, attribute::uv)) v.uv = uv(g);
+            if constexpr (has(Wants, attribute::tangent)) {
+                v.tangent = flat_tangent;
+                if constexpr (Normals::shares_caps) {
+                    if (side) v.tangent = tangents.on_rim(axes, shared(sides[i], lit_by_cap ? facing : 0.0f), facing);
+                }
+            }
             emit(v);
         }
     }
 
-    /// The normalised sum of two walls' normals and of a cap's: its z, or 0 for none.
-    template <class Axes>
-    static vec3 shared(const side_point& s, const Axes& axes, float cap) noexcept
+    /// The normalised sum of two walls' normals and of a cap's, in the text's own axes; cap is its z, or 0 for none.
+    static vec3 shared(const side_point& s, float cap) noexcept
     {
         const point before{s.before.x, s.before.y}, after{s.after.x, s.after.y};
         point sum = before + after;
@@ -187,15 +213,14 @@ private:
             if (cross(before, after) < 0.0) sum = -1.0 * sum;
         }
         const double scale = 1.0 / std::sqrt(dot(sum, sum) + static_cast<double>(cap) * cap);
-        return axes.direction(static_cast<float>(scale * sum.x), static_cast<float>(scale * sum.y),
-                              static_cast<float>(scale) * cap);
+        return {static_cast<float>(scale * sum.x), static_cast<float>(scale * sum.y), static_cast<float>(scale) * cap};
     }
 
     /// Pairs (front, back) along each contour; a doubled point has one for the wall before it and one for the wall
     /// after.
     template <attribute Wants, class Axes, class Emit>
     void walls(const solid& s, const Axes& axes, float top, float bottom, double em_per_cell, planar_texture planar,
-               Emit& emit) const noexcept
+               texture_tangent tangents, Emit& emit) const noexcept
     {
         const bool by_length = texture == texture_mapping::em;
         const float v_top = planar.turned(1.0f), v_bottom = planar.turned(1.0f - depth);
@@ -216,6 +241,9 @@ private:
                     by_length ? vec2{static_cast<float>(here.along * em_per_cell), v_top} : planar(g);
                 if (by_length) back_point.uv.y = v_bottom;
             }
+            if constexpr (has(Wants, attribute::tangent)) {
+                front_point.tangent = back_point.tangent = tangents.on_wall(axes, here.before);
+            }
             emit(front_point);
             emit(back_point);
             if (!here.doubled) continue;
@@ -224,6 +252,9 @@ private:
             }
             if constexpr (has(Wants, attribute::uv)) {
                 if (here.seam) front_point.uv.x = back_point.uv.x = 0.0f;
+            }
+            if constexpr (has(Wants, attribute::tangent)) {
+                front_point.tangent = back_point.tangent = tangents.on_wall(axes, here.after);
             }
             emit(front_point);
             emit(back_point);

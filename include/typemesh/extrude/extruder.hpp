@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/buffer.hpp>
+#include <typemesh/core/option_bits.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/extrude/placement.hpp>
@@ -33,7 +34,9 @@ struct ignore_surface {
 ///     e.plan(region, sides)            counts exactly what the shape will need of each part; appends to `sides` what
 ///                                      writing will want to know (usually one side_point a contour point, or nothing)
 ///     e.heights()                      between which heights everything will lie
-///     e.vertices<Wants>(part, s, at, emit)     emit(surface_point<Wants>) as often as plan() said for that part
+///     e.vertices<Wants>(part, s, at, emit)     emit(surface_point<Wants>) as often as plan() said for that part; its
+///                                      glyph, cluster and part are not the extruder's business: write_vertices()
+///                                      (extrude.hpp) fills them in
 ///     e.triangles(part, s, first, emit)        emit(a, b, c) as often as plan() said: vertex numbers, of any part,
 ///                                      each being first[part] + the place in which vertices() emitted it.
 ///                                      Counter-clockwise seen from outside in a right-handed frame; mirroring is not

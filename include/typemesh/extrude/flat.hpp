@@ -4,12 +4,16 @@
 #include <typemesh/extrude/axes.hpp>
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/extrude/texture.hpp>
+#include <typemesh/extrude/texture_tangent.hpp>
 
 namespace typemesh {
 
 /// The front alone, at z = 0: N vertices and n + 2h - 2c triangles (region.hpp).
 struct flat {
     texture_mapping texture = texture_mapping::box;
+
+    /// See option_bits. Where texture coordinates come from matters only to writing.
+    [[nodiscard]] option_bits cache_key() const noexcept { return {}; }
 
     [[nodiscard]] result<part_sizes> plan(const region& shape, buffer<side_point>&) const noexcept
     {
@@ -29,11 +33,13 @@ struct flat {
         const planar_texture uv{texture, at};
         with_axes(at, [&](const auto& axes) noexcept {
             const vec3 normal = axes.direction(0.0f, 0.0f, 1.0f);
+            const vec4 tangent = texture_tangent{at.frame}.on_cap(axes, 1.0f);
             for (const grid_point g : s.points) {
                 surface_point<Wants> v;
                 if constexpr (has(Wants, attribute::position)) v.position = axes.position(axes.foot(g), 0.0f);
                 if constexpr (has(Wants, attribute::normal)) v.normal = normal;
                 if constexpr (has(Wants, attribute::uv)) v.uv = uv(g);
+                if constexpr (has(Wants, attribute::tangent)) v.tangent = tangent;
                 emit(v);
             }
         });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/glyph_id.hpp>
 #include <typemesh/core/point.hpp>
 #include <typemesh/vertex/frame.hpp>
 
@@ -32,6 +33,8 @@ struct placement {
     point texture_pen = {};       ///< box mapping: the glyph's origin, in cells, seen from the box's lower left corner
     point texture_per_cell = {};  ///< box mapping: how much u and v grow with a cell; 0 where the box has no extent
     typemesh::frame frame = {};
+    glyph_id glyph = no_glyph;        ///< whose shape it is: what vertices that want `glyph` carry
+    cluster_id cluster = no_cluster;  ///< its place in the caller's text, likewise
 
     /// Where a grid point stands: the part of position() that is the same for all heights.
     [[nodiscard]] footprint foot(grid_point p) const noexcept

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/error.hpp>
+#include <typemesh/core/option_bits.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/extrude/side_point.hpp>
 

@@ -36,8 +36,8 @@ struct stretch {
     std::int32_t below;        // the winding number right below, once the sweep has met it
     contour_edge source;       // t0 belongs to `from`, t1 to `to`
     std::uint32_t origin;      // the contour point whose edge it was cut from
-    std::uint32_t
-        next;  // before the sweep: the next stretch that starts in the same point; behind it: see boundary_walk
+    std::uint32_t next;    // before the sweep: the next that starts in the same point; behind it: see boundary_walk
+    std::uint32_t bent;    // 1: it may lie beside that contour edge, by a cell or so
 
     void flip() noexcept
     {
@@ -147,9 +147,9 @@ struct arrangement {
                 if (i == k) continue;
                 const contour_edge e = edges[v];
                 if (i < k)
-                    stretches[count] = {place[v], place[w], i, k, 1, 0, e, v, first[i]};
+                    stretches[count] = {place[v], place[w], i, k, 1, 0, e, v, first[i], 0};
                 else
-                    stretches[count] = {place[w], place[v], k, i, -1, 0, {e.curve, e.t1, e.t0}, v, first[k]};
+                    stretches[count] = {place[w], place[v], k, i, -1, 0, {e.curve, e.t1, e.t0}, v, first[k], 0};
                 first[i < k ? i : k] = count++;
             }
         }

@@ -3,12 +3,12 @@
 
 #include <typemesh/core/fill_rule.hpp>
 #include <typemesh/core/orientation.hpp>
-#include <typemesh/core/sweep_order.hpp>
 #include <typemesh/core/sweep_status.hpp>
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/fill/arrangement.hpp>
 #include <typemesh/fill/crossing.hpp>
 #include <typemesh/fill/event_queue.hpp>
+#include <typemesh/fill/ray.hpp>
 #include <typemesh/fill/swept_edge.hpp>
 
 #include <cstddef>
@@ -31,15 +31,29 @@ namespace typemesh::detail {
 /// In a point the edges that end there lie next to each other. Those that start there are put in order by their angle;
 /// those that lie upon each other are joined, the longer one cut at the end of the shorter one.
 ///
-/// A walk that bends nothing is exact in every step: in the end no two stretches have more than an end in common, the
-/// winding numbers below them are right, and `next` joins those that bound the filled area, as boundary_walk tells.
+/// Afterwards no two stretches have more than an end in common, the winding numbers below them are right, and `next`
+/// joins those that bound the filled area, as boundary_walk tells; or `again` asks for one more walk over what there is
+/// now. In a walk that ends so any step may have been wrong: it cut in wrong places, missed some, and nothing worse,
+/// for whatever is cut, the stretches stay closed contours.
 ///
-/// Bending moves an edge by less than a cell, and what the sweep has passed already may then lie on its other side. So
-/// a walk that bends an edge, or finds that anything does not add up, is only a step: `again` asks for one more over
-/// what there is now. In such a walk a step may be wrong: it cuts in wrong places, misses some, and nothing worse, for
-/// whatever is cut, the stretches stay closed contours. (Marking the edges that a point comes near to, and walking
-/// again only when one of those is bent, saves the second walk nearly always and is wrong once in 10^5 random
-/// polylines on tiny grids.)
+/// Why what a walk believes is true. Bending moves an edge by less than a cell, and what the sweep has passed already
+/// may then lie on its other side. So every point p is held against the edges right below and right above it when the
+/// sweep is there (pass_by), and the walk is believed when
+///
+///     1  the points came in ascending order, each once, and every edge ended where the sweep took it out;
+///     2  p lay strictly between those two edges, and does so still when they have been bent;
+///     3  no two edges that ended next to each other had begun together.
+///
+/// Let X be the first place where final stretches meet otherwise than in common ends; left of X the status is in order.
+/// If X is no end of a stretch, two neighbours e below f cross there (they do not begin together in one direction: until
+/// one of them ends nothing can come between them, and ending in the same place breaks 3, in different places 2).
+/// Behind X nothing can be put between them, for what is above e is above f; so the one that ends first does so on the
+/// wrong side of the other, its neighbour, against 2. If X is an end p, an edge that goes through it lies next to those
+/// that end there, or where others start, against 2. Where nothing meets, the winding numbers add up.
+///
+/// To see 2 without walking again: an edge ab is bent through x only if x is within one cell of its line, that is
+/// |orientation(a, b, x)| <= |dx| + |dy|, so all of ax is; and only if every point it was held against was farther
+/// away than that (else it is `fixed`), and once. So none of them changes sides.
 ///
 /// Why walks would end even without snap rounding: cutting an edge in a grid point of its box leaves two whose widths
 /// and heights add up to its own. So the sum of the widths and heights of all stretches never grows, every stretch has
@@ -48,22 +62,8 @@ namespace typemesh::detail {
 /// From  Bentley & Ottmann, Algorithms for reporting and counting geometric intersections (1979); Hobby, Practical
 ///       segment intersection with finite precision output (1999)
 class resolving_sweep {
-    struct ray {
-        std::int32_t x, y;  // direction
-        std::uint32_t stretch;
-        [[nodiscard]] std::int64_t cross(ray other) const noexcept
-        {
-            return std::int64_t{x} * other.y - std::int64_t{y} * other.x;
-        }
-        [[nodiscard]] bool before(ray other) const noexcept
-        {
-            const std::int64_t turn = cross(other);
-            return turn > 0 || (turn == 0 && stretch < other.stretch);
-        }
-    };
-
 public:
-    bool again = false;     ///< something was bent or did not add up: one more walk is needed
+    bool again = false;     ///< something may not add up: one more walk is needed
     bool astray = false;    ///< something was bent away from where it belongs: only snap rounding helps
     bool full = false;      ///< ended early, for there was no room for more stretches
     bool touching = false;  ///< the boundary comes through some point more than once
@@ -91,13 +91,9 @@ public:
         sweep();
         const bool out_of_order = full || late_ || status_.above(0) != 0;
         again = unsure_ || out_of_order || astray;
-        if (again) {
-            if (out_of_order) return a_.put_in_order(space);
-            take_points();
-            a_.list();
-        } else {
-            take_points();
-        }
+        if (out_of_order) return a_.put_in_order(space);
+        take_points();
+        if (again) a_.list();
         return true;
     }
 
@@ -169,6 +165,8 @@ private:
         swept_edge& e = edges_[slot];
         const std::uint32_t ending = e.stretch;
         stretch& s = a_.stretches[starting];
+        const std::uint32_t under = status_.below(slot), over = status_.above(slot);
+        pass_by(under, over, p);
         s.below = a_.stretches[ending].below;
         unsure_ |= s.turn != a_.stretches[ending].turn;
         finish(ending);
@@ -176,8 +174,19 @@ private:
         const bool up = is_filled(rule_, e.above), down = is_filled(rule_, s.below);
         if (up && !down) a_.stretches[ending].next = starting;
         if (down && !up) s.next = ending;
-        test(status_.below(slot), slot);
-        test(slot, status_.above(slot));
+        test(under, slot);
+        test(slot, over);
+    }
+
+    /// Holds p against the edges right below and right above it.
+    void pass_by(std::uint32_t under, std::uint32_t over, grid_point p) noexcept
+    {
+        const auto hold = [&](swept_edge& e, std::int64_t side) noexcept {
+            unsure_ |= side <= 0;
+            e.fixed |= side <= e.reach();
+        };
+        if (under != 0) hold(edges_[under], orientation(edges_[under].from, edges_[under].to, p));
+        if (over != 0) hold(edges_[over], -orientation(edges_[over].from, edges_[over].to, p));
     }
 
     /// Any number of edges ends, any number starts.
@@ -185,6 +194,8 @@ private:
     {
         // Those that end lie next to each other. One that goes through p is cut; in a point that comes once more, those
         // that started there the first time start again.
+        unsure_ |= repeated;
+        grid_point began = p;  // the edge that ended last
         bool searched = false;
         std::uint32_t under = 0, low = 0;
         const auto is_here = [&](std::uint32_t s) noexcept {
@@ -208,11 +219,15 @@ private:
                     a_.stretches[e.stretch].next = starting;
                     starting = e.stretch;
                 } else {
+                    unsure_ |= e.from == began;
+                    began = e.from;
                     ends_[ending_count++] = e.stretch;
                 }
             } else if (slot == 0 && orientation(e.from, e.to, p) == 0 && is_between(e.from, p, e.to)) {
                 const std::uint32_t rest = a_.count;
                 if (!split(s, p)) return;
+                unsure_ |= e.from == began;
+                began = e.from;
                 a_.stretches[rest].next = starting;
                 starting = rest;
                 ends_[ending_count++] = e.stretch;
@@ -246,6 +261,7 @@ private:
             last = fresh;
         }
         const std::uint32_t over = status_.above(last);
+        pass_by(under, over, p);
         if (winding != (over != 0 ? a_.stretches[edges_[over].stretch].below : 0)) unsure_ = true;
         join(starting_count, ending_count);
         test(under, status_.above(under));
@@ -298,10 +314,7 @@ private:
             rays_[count++] = {to.x - p.x, to.y - p.y, i};
         }
         if (count < 2) return count;
-        if (count <= 16)
-            insertion_sort(rays_, count);
-        else
-            heap_sort(rays_, count);
+        sort_rays(rays_, count);
         std::uint32_t kept = 0;
         for (std::uint32_t i = 1; i < count && !full; ++i) {
             if (rays_[kept].cross(rays_[i]) != 0)
@@ -377,34 +390,34 @@ private:
         if (low == 0 || high == 0) return;
         const swept_edge& l = edges_[low];
         const swept_edge& h = edges_[high];
+        const bool low_first = lexicographic_less(l.to, h.to);
+        const swept_edge& longer = low_first ? h : l;
+        const std::int64_t turn = orientation(longer.from, longer.to, low_first ? l.to : h.to);
+        const std::int64_t side = low_first ? -turn : turn;
+        if (side <= 0) part(low, high, low_first, side == 0);
+    }
+
+    /// Two neighbours, one of which ends on the wrong side of the other, or on it.
+    void part(std::uint32_t low, std::uint32_t high, bool low_first, bool on_it) noexcept
+    {
+        const swept_edge& l = edges_[low];
+        const swept_edge& h = edges_[high];
         if (l.to == h.to) return;
-        if (lexicographic_less(l.to, h.to)) {
-            const std::int64_t side = orientation(h.from, h.to, l.to);
-            if (side < 0) return;
-            if (side == 0) {
-                if (is_between(h.from, l.to, h.to))
-                    (void)cut(high, l.to);
-                else
-                    unsure_ = true;
-                return;
-            }
-        } else {
-            const std::int64_t side = orientation(l.from, l.to, h.to);
-            if (side > 0) return;
-            if (side == 0) {
-                if (is_between(l.from, h.to, l.to))
-                    (void)cut(low, h.to);
-                else
-                    unsure_ = true;
-                return;
-            }
+        if (on_it) {
+            const swept_edge& longer = low_first ? h : l;
+            const grid_point end = low_first ? l.to : h.to;
+            if (is_between(longer.from, end, longer.to))
+                (void)cut(low_first ? high : low, end);
+            else
+                unsure_ = true;
+            return;
         }
         grid_point x;
         if (!crossing_of(l.from, l.to, h.from, h.to, x)) {
             unsure_ = true;
             return;
         }
-        lead_home(low, high, x);
+        if (a_.stretches[l.stretch].bent || a_.stretches[h.stretch].bent) lead_home(low, high, x);
         if (cut(low, x)) (void)cut(high, x);
     }
 
@@ -416,6 +429,7 @@ private:
     [[nodiscard]] bool cut(std::uint32_t slot, grid_point x) noexcept
     {
         if (edges_[slot].to == x || edges_[slot].from == x) {
+            unsure_ |= edges_[slot].from == x;
             if (queue_.room() == 0)
                 full = true;
             else
@@ -427,6 +441,7 @@ private:
         stretch& r = a_.stretches[rest];
         if (sweep_place(r.to) < sweep_place(x)) {
             r.flip();
+            unsure_ = true;
             queue_.push({sweep_place(r.from), rest, 0});
             queue_.push({sweep_place(x), no_number, slot});
         } else {
@@ -444,14 +459,17 @@ private:
             return false;
         }
         swept_edge& e = edges_[slot];
-        if (orientation(e.from, e.to, x) != 0) {
-            unsure_ = true;
-            astray |= !a_.is_at_home(a_.stretches[e.stretch], x);
-        }
         stretch& s = a_.stretches[e.stretch];
+        if (const std::int64_t side = orientation(e.from, e.to, x); side != 0) {
+            const bool within = (side < 0 ? -side : side) <= e.reach();
+            unsure_ |= e.fixed || !within;
+            astray |= s.bent ? !a_.is_at_home(s, x) : !within;
+            e.fixed = true;
+            s.bent = 1;
+        }
         const float t = s.t_at(x);
-        a_.stretches[a_.count++] = {x,        s.to,     no_number, s.end, s.turn, 0, {s.source.curve, t, s.source.t1},
-                                    s.origin, no_number};
+        a_.stretches[a_.count++] = {x,        s.to,      no_number, s.end, s.turn, 0, {s.source.curve, t, s.source.t1},
+                                    s.origin, no_number, s.bent};
         s.to = x;
         s.end = no_number;
         s.source.t1 = t;

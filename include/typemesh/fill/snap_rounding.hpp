@@ -131,6 +131,7 @@ private:
             stretch part = rest;
             part.to = p;
             part.source.t1 = s.t_at(p);
+            part.bent = rest.bent = 1;
             rest.from = p;
             rest.source.t0 = part.source.t1;
             return out.add(part);

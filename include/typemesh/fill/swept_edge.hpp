@@ -9,15 +9,24 @@
 namespace typemesh::detail {
 
 /// An edge while the sweep line crosses it.
-struct swept_edge {
+struct alignas(32) swept_edge {
     grid_point from, to;
     std::uint32_t stretch = no_number;  ///< no_number: the slot is free
     std::int32_t above = 0;             ///< the winding number right above it
+
+    bool fixed = false;                 ///< a point came near, or it was bent: bending it takes another walk
 
     swept_edge() noexcept = default;
     swept_edge(grid_point a, grid_point b, std::uint32_t s, std::int32_t winding) noexcept
         : from{a}, to{b}, stretch{s}, above{winding}
     {
+    }
+
+    /// |orientation(from, to, p)| of a point one cell away in x and y. Below 2^31; from is left of to.
+    [[nodiscard]] std::int64_t reach() const noexcept
+    {
+        const std::int64_t dy = std::int64_t{to.y} - from.y;
+        return std::int64_t{to.x} - from.x + (dy < 0 ? -dy : dy);
     }
 
     /// Whether p lies in its box.

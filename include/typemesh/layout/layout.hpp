@@ -37,7 +37,7 @@ error layout(Shaper& shaper, text_view text, const shape_options& how, const lay
              glyph_run& run) noexcept
 {
     run.clear();
-    if (!is_finite(options.line_spacing)) return error::bad_option;
+    if (!is_finite(options.line_spacing)) return error::bad("line_spacing");
     if (static_cast<std::uint64_t>(text.size()) > 0xFFFF'FFFFu) return error::too_large;
 
     const auto fail = [&run](error e) noexcept {

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <typemesh/outline/outline_source.hpp>
+#include <typemesh/outline/variation_key.hpp>
+
+#include <cstring>
 
 namespace typemesh {
 
@@ -25,6 +28,18 @@ public:
 
     [[nodiscard]] double units_per_em() const noexcept { return source_->units_per_em(); }
     [[nodiscard]] fill_rule fill() const noexcept { return source_->fill(); }
+
+    /// See variation_key.hpp.
+    [[nodiscard]] std::uint64_t variation_key() const noexcept
+    {
+        std::uint64_t key = variation_of(*source_);
+        for (const double number : {map_.xx, map_.xy, map_.dx, map_.yx, map_.yy, map_.dy}) {
+            std::uint64_t bits = 0;
+            std::memcpy(&bits, &number, sizeof bits);
+            key = mixed_key(key, bits);
+        }
+        return key;
+    }
 
     template <outline_sink Sink>
     error outline(glyph_id id, Sink& sink) noexcept

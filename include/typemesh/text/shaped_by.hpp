@@ -3,6 +3,7 @@
 
 #include <typemesh/layout/shaper.hpp>
 #include <typemesh/outline/outline_source.hpp>
+#include <typemesh/outline/variation_key.hpp>
 
 namespace typemesh {
 
@@ -15,6 +16,7 @@ public:
 
     [[nodiscard]] double units_per_em() noexcept { return draws_->units_per_em(); }
     [[nodiscard]] fill_rule fill() noexcept { return draws_->fill(); }
+    [[nodiscard]] std::uint64_t variation_key() const noexcept { return variation_of(*draws_); }
     [[nodiscard]] line_metrics metrics(direction d) noexcept { return shapes_->metrics(d); }
 
     [[nodiscard]] result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& options,

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/core/contours.hpp>
 #include <typemesh/core/finite.hpp>
-#include <typemesh/core/grid.hpp>
-#include <typemesh/core/outline.hpp>
-#include <typemesh/core/workspace.hpp>
 #include <typemesh/discretise/certified.hpp>
-#include <typemesh/discretise/discretise.hpp>
 #include <typemesh/extrude/extruded.hpp>
 #include <typemesh/layout/layout.hpp>
-#include <typemesh/outline/outline_recorder.hpp>
-#include <typemesh/text/cap.hpp>
+#include <typemesh/text/arrange.hpp>
+#include <typemesh/text/glyph_builder.hpp>
+#include <typemesh/text/merge_glyphs.hpp>
+#include <typemesh/text/glyph_cache.hpp>
 #include <typemesh/text/text_options.hpp>
 #include <typemesh/text/text_plan.hpp>
 #include <typemesh/text/text_shapes.hpp>
@@ -20,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -35,39 +33,44 @@ namespace typemesh {
 ///
 ///     auto flat_text = text_mesher{font}.with(flat{});
 ///     auto deep_text = text_mesher{font}.with(extruded<>{.depth = 0.5f}).with(two_lines{});
+///     auto quick_text = text_mesher{font}.with(cached_in{cache, 1});            // see glyph_cache.hpp
 ///
 /// `font` is an outline source and, for plan(text), a shaper as well; it is referred to and must outlive the mesher.
-/// Memory grows to what the largest text needs and stays: after warm-up a text of the same size allocates nothing here.
+/// A glyph that occurs more than once in a text is built once. Memory grows to what the largest text needs and stays:
+/// after warm-up a text of the same size allocates nothing here.
 /// One mesher a thread.
 template <outline_source Font, discretiser Discretiser = certified, triangulator Triangulator = monotone,
-          extruder Extruder = extruded<>, stage_observer Observer = no_observer>
+          extruder Extruder = extruded<>, stage_observer Observer = no_observer, class Cache = no_cache>
 class text_mesher {
 public:
     using plan_type = text_plan<Extruder>;
 
     explicit text_mesher(Font& font, memory source = heap()) noexcept
-        : font_{&font}, space_{source}, outline_{source}, loops_{source}, run_{source}, shapes_{source}
+        : font_{&font}, builder_{source}, merger_{source}, run_{source}, shapes_{source}
     {
     }
 
     text_mesher(const Font&&, memory = heap()) = delete;  // the mesher refers to its font: a temporary will not do
 
-    /// The same mesher with one policy exchanged: a discretiser, a triangulator, an extruder or a stage_observer.
+    /// The same mesher with one policy exchanged: a discretiser, a triangulator, an extruder or a stage_observer; or
+    /// with the cache that its glyphs shall be kept in, as cached_in (no_cache{}: in none).
     template <class Policy>
     [[nodiscard]] auto with(Policy policy) && noexcept
     {
-        if constexpr (discretiser<Policy>)
-            return changed(std::move(policy), triangulator_, extruder_, observer_);
+        if constexpr (detail::is_cache<Policy>)
+            return changed(discretiser_, triangulator_, extruder_, observer_, policy);
+        else if constexpr (discretiser<Policy>)
+            return changed(std::move(policy), triangulator_, extruder_, observer_, cache_);
         else if constexpr (triangulator<Policy>)
-            return changed(discretiser_, std::move(policy), extruder_, observer_);
+            return changed(discretiser_, std::move(policy), extruder_, observer_, cache_);
         else if constexpr (extruder<Policy>)
-            return changed(discretiser_, triangulator_, std::move(policy), observer_);
+            return changed(discretiser_, triangulator_, std::move(policy), observer_, cache_);
         else {
             static_assert(stage_observer<Policy>,
-                          "typemesh: with() takes a discretiser, a triangulator, an extruder or a stage_observer, and "
-                          "this type is none of them; static_assert the concept that it should model to see what it "
-                          "lacks.");
-            return changed(discretiser_, triangulator_, extruder_, std::move(policy));
+                          "typemesh: with() takes a discretiser, a triangulator, an extruder, a stage_observer or "
+                          "cached_in, and this type is none of them; static_assert the concept that it should model "
+                          "to see what it lacks.");
+            return changed(discretiser_, triangulator_, extruder_, std::move(policy), cache_);
         }
     }
 
@@ -120,31 +123,30 @@ public:
     }
 
 private:
-    template <outline_source, discretiser, triangulator, extruder, stage_observer>
+    template <outline_source, discretiser, triangulator, extruder, stage_observer, class>
     friend class text_mesher;
 
-    text_mesher(Font* font, workspace&& space, outline&& o, contours&& c, glyph_run&& run, text_shapes&& shapes,
-                Discretiser d, Triangulator t, Extruder e, Observer w) noexcept
+    text_mesher(Font* font, glyph_builder&& builder, glyph_merger&& merger, glyph_run&& run, text_shapes&& shapes,
+                Discretiser d, Triangulator t, Extruder e, Observer w, Cache cache) noexcept
         : font_{font},
-          space_{std::move(space)},
-          outline_{std::move(o)},
-          loops_{std::move(c)},
+          builder_{std::move(builder)},
+          merger_{std::move(merger)},
           run_{std::move(run)},
           shapes_{std::move(shapes)},
           discretiser_{std::move(d)},
           triangulator_{std::move(t)},
           extruder_{std::move(e)},
-          observer_{std::move(w)}
+          observer_{std::move(w)},
+          cache_{cache}
     {
     }
 
-    template <class D, class T, class E, class W>
-    auto changed(D d, T t, E e, W w) noexcept
+    template <class D, class T, class E, class W, class C>
+    auto changed(D d, T t, E e, W w, C cache) noexcept
     {
-        return text_mesher<Font, D, T, E, W>{
-            font_,           std::move(space_),  std::move(outline_), std::move(loops_),
-            std::move(run_), std::move(shapes_), std::move(d),        std::move(t),
-            std::move(e),    std::move(w)};
+        return text_mesher<Font, D, T, E, W, C>{
+            font_,        std::move(builder_), std::move(merger_), std::move(run_), std::move(shapes_),
+            std::move(d), std::move(t),        std::move(e),       std::move(w),    cache};
     }
 
     error stop(error e) noexcept
@@ -157,8 +159,8 @@ private:
     {
         if (!is_finite(options.tolerance) || !(options.tolerance > 0.0)) return stop(error::bad_tolerance);
         if (!is_finite(options.pixels_per_em) || !(options.pixels_per_em > 0.0) || options.pixels_per_em > 0x1p30)
-            return stop(error::bad_option);
-        if (!is_finite(run.units_per_em) || !(run.units_per_em > 0.0)) return stop(error::bad_option);
+            return stop(error::bad("pixels_per_em"));
+        if (!is_finite(run.units_per_em) || !(run.units_per_em > 0.0)) return stop(error::bad("units_per_em"));
 
         TYPEMESH_ASSERT(run.units_per_em == font_->units_per_em(),
                         "the glyph_run was made for a font of other units per em");
@@ -170,150 +172,142 @@ private:
         report.invalid_units = run.invalid_units;
         report.first_invalid_unit = run.first_invalid_unit;
 
-        std::size_t line = 0;
-        for (std::size_t i = 0; i < run.glyphs.size(); ++i) {
-            while (line + 1 < run.lines.size() && i >= run.lines[line + 1].first_glyph) ++line;
-            const placed_glyph& glyph = run.glyphs[i];
-            ++report.glyphs;
-            if (glyph.missing && !options.draw_missing) continue;
-            if (error e = add(glyph, static_cast<std::uint32_t>(line), options)) {
-                if (!concerns_the_glyph_alone(e)) return stop(e);
-                if (report.refused++ == 0) report.first_refusal = e.at(glyph.id, glyph.cluster);
-            }
+        error e = collect(run, options);
+        if (!e) e = build_shapes(options);
+        if (!e && options.merge) e = merge(run, options);
+        if (!e) e = place_shapes(run);
+        if (!e) e = arrange(shapes_, run, options, font_->units_per_em(), extruder_.heights());
+        if (e) {
+            shapes_.shapes.release();
+            return stop(e);
         }
-        if (error e = arrange(run, options)) return stop(e);
         observer_(stage::idle);
         return plan_type{shapes_, run, extruder_};
     }
 
-    /// Everything for one glyph. After an error the shapes are as they were.
-    error add(const placed_glyph& glyph, std::uint32_t line, const text_options& options) noexcept
+    static constexpr std::uint32_t not_drawn = glyph_set::no_room;
+
+    /// Numbers the run's different glyphs.
+    error collect(const glyph_run& run, const text_options& options) noexcept
     {
-        const double units_per_em = font_->units_per_em();
-        if (!is_finite(glyph.origin.x) || !is_finite(glyph.origin.y)) return error::outline_not_finite;
-        constexpr double farthest = 0x1p80;  // font units; 32-bit floats do not reach much farther in any unit
-        if (std::fabs(glyph.origin.x) > farthest || std::fabs(glyph.origin.y) > farthest)
-            return error::outline_beyond_grid;
-        observer_(stage::outline);
-        if (error e = record(*font_, glyph.id, outline_)) return e;
-        if (outline_.curves.empty()) return blank();
-
-        observer_(stage::discretise);
-        const auto fitting = grid::fitting(units_per_em, outline_.bounds);
-        if (!fitting) return fitting.error();
-        if (error e = discretise(outline_, discretiser_, options.tolerance * units_per_em, *fitting, loops_)) return e;
-        if (loops_.points.empty()) return blank();
-
-        const auto triangles_before = shapes_.triangles.size(), sides_before = shapes_.sides.size();
-        const auto undo = [&](error e) noexcept {
-            shapes_.triangles.truncate(triangles_before);
-            shapes_.sides.truncate(sides_before);
-            return e;
-        };
-        const auto filled =
-            cap(loops_, options.fill.value_or(outline_.rule), triangulator_, space_, shapes_.triangles, observer_);
-        if (!filled) return undo(filled.error());
-        if (filled->points().empty()) return blank();
-
-        observer_(stage::extrude);
-        const auto sizes = extruder_.plan(*filled, shapes_.sides);
-        if (!sizes) return undo(sizes.error());
-        shape_record s;
-        s.id = glyph.id;
-        s.cluster = glyph.cluster;
-        s.line = line;
-        s.origin = glyph.origin;
-        s.first_triangle = static_cast<std::uint32_t>(triangles_before);
-        s.first_side = static_cast<std::uint32_t>(sides_before);
-        if (error e = shapes_.keep(s, *filled, *sizes)) return undo(e);
+        const std::size_t count = run.glyphs.size();
+        if (count >= not_drawn) return error::too_large;
+        std::uint32_t* numbers = shapes_.numbers.append(count);
+        if (numbers == nullptr && count != 0) return error::out_of_memory;
+        for (std::size_t i = 0; i < count; ++i) {
+            const placed_glyph& glyph = run.glyphs[i];
+            numbers[i] = not_drawn;
+            if (glyph.missing && !options.draw_missing) continue;
+            numbers[i] = options.reuse ? shapes_.different.number_of(glyph.id) : shapes_.different.append(glyph.id);
+            if (numbers[i] == glyph_set::no_room) return error::out_of_memory;
+        }
         return {};
     }
 
-    error blank() noexcept
+    /// Finds or builds each different glyph.
+    error build_shapes(const text_options& options) noexcept
     {
-        ++shapes_.report.blank;
-        return {};
-    }
-
-    /// What is known only when all glyphs are: boxes, unit, bounds.
-    error arrange(const glyph_run& run, const text_options& options) noexcept
-    {
-        text_shapes& all = shapes_;
-        const bool by_line = options.texture_over == texture_box::line;
-        if (by_line) {
-            const std::size_t lines = run.lines.empty() ? 1 : run.lines.size();
-            box* boxes = all.line_boxes.append(lines);
-            if (boxes == nullptr) return error::out_of_memory;
-            for (std::size_t i = 0; i < lines; ++i) boxes[i] = {};
-        }
-        for (const shape_record& s : all.records) {
-            const box ink = text_shapes::ink_of(s);
-            all.ink.merge(ink);
-            if (by_line) all.line_boxes[s.line].merge(ink);
-        }
-
-        text_placement& placed = all.placed;
-        placed = {};
-        placed.units_per_em = font_->units_per_em();
-        placed.texture_over = options.texture_over;
-        placed.frame = options.frame;
-        switch (options.unit) {
-        case output_unit::em: placed.unit_per_font_unit = 1.0 / placed.units_per_em; break;
-        case output_unit::font_units: placed.unit_per_font_unit = 1.0; break;
-        case output_unit::pixels: placed.unit_per_font_unit = options.pixels_per_em / placed.units_per_em; break;
-        case output_unit::unit_box:
-            const double longer = all.ink.width() > all.ink.height() ? all.ink.width() : all.ink.height();
-            placed.unit_per_font_unit = longer > 0.0 ? 2.0 / longer : 1.0;
-            if (!all.ink.empty()) placed.centre = lerp(all.ink.low, all.ink.high, 0.5);
-            break;
-        }
-        measure();
-        return {};
-    }
-
-    void measure() noexcept
-    {
-        bool first = true;
-        const height_range heights = extruder_.heights();
-        for (const shape_record& s : shapes_.records) {
-            const placement at = shapes_.place(s);
-            for (const grid_point corner :
-                 {s.low, s.high, grid_point{s.low.x, s.high.y}, grid_point{s.high.x, s.low.y}}) {
-                for (const double height : {heights.low, heights.high}) {
-                    const vec3 p = at.position(corner, static_cast<float>(height * at.unit_per_em));
-                    if (first) shapes_.bounds = {p, p};
-                    first = false;
-                    shapes_.bounds.add(p);
-                }
+        const auto ids = shapes_.different.ids();
+        const glyph_settings how{options.tolerance, options.fill};
+        if constexpr (!std::is_same_v<Cache, no_cache>) {
+            if (options.reuse) {
+                auto& cache = *cache_.cache;
+                if (!shapes_.shapes.expect(ids.size(), &cache)) return error::out_of_memory;
+                const shape_context context =
+                    context_of(cache_.font, *font_, how, discretiser_, triangulator_, extruder_);
+                const std::uint64_t hash = context.hash();
+                return each_shape(
+                    ids, how, [&](glyph_id id) noexcept { return cache.find(context, hash, id); },
+                    [&](glyph_id id, const glyph_parts& parts) noexcept { return cache.keep(context, hash, id, parts); });
             }
         }
+        if (!shapes_.shapes.expect(ids.size())) return error::out_of_memory;
+        return each_shape(
+            ids, how, [](glyph_id) noexcept { return static_cast<const glyph_shape*>(nullptr); },
+            [&](glyph_id, const glyph_parts& parts) noexcept { return shapes_.store.keep(parts); });
     }
 
-    /// Whether a text may go on without this glyph.
-    [[nodiscard]] static constexpr bool concerns_the_glyph_alone(const error& e) noexcept
+    template <class Find, class Keep>
+    error each_shape(std::span<const glyph_id> ids, const glyph_settings& how, Find&& find, Keep&& keep) noexcept
     {
-        switch (e.code) {
-        case error::unknown_glyph:
-        case error::bad_outline:
-        case error::outline_not_finite:
-        case error::outline_beyond_grid:
-        case error::crossing_contours:
-        case error::font_library_failed:
-        case error::refused_by_user: return true;
-        default: return false;
+        for (std::size_t k = 0; k < ids.size(); ++k) {
+            const glyph_shape* shape = find(ids[k]);
+            if (shape == nullptr) {
+                const auto parts =
+                    builder_.build(*font_, ids[k], how, discretiser_, triangulator_, extruder_, observer_);
+                if (!parts) return parts.error();
+                shape = keep(ids[k], *parts);
+                if (shape == nullptr) return error::out_of_memory;
+            }
+            shapes_.shapes.set(k, shape);
         }
+        return {};
+    }
+
+    error merge(const glyph_run& run, const text_options& options) noexcept
+    {
+        const glyph_settings how{options.tolerance, options.fill};
+        return merger_(shapes_, run, builder_, *font_, how, discretiser_, triangulator_, extruder_, observer_);
+    }
+
+    /// Puts each glyph of the run at its place, a cluster of merged ones at that of the first.
+    error place_shapes(const glyph_run& run) noexcept
+    {
+        text_report& report = shapes_.report;
+        const merged_glyphs& merged = shapes_.merged;
+        report.glyphs = static_cast<std::uint32_t>(run.glyphs.size());
+        if (!shapes_.expect_records(run.glyphs.size())) return error::out_of_memory;
+        std::uint32_t line = 0, cluster = 0;
+        for (std::uint32_t i = 0; i < run.glyphs.size(); ++i) {
+            while (line + 1 < run.lines.size() && i >= run.lines[line + 1].first_glyph) ++line;
+            const std::uint32_t number = shapes_.numbers[i];
+            if (number == not_drawn || (!merged.groups.empty() && merged.groups[i] != i)) continue;
+            const placed_glyph& glyph = run.glyphs[i];
+            shape_record s;
+            s.shape = shapes_.shapes[number];
+            s.origin = glyph.origin;
+            s.id = glyph.id;
+            s.cluster = glyph.cluster;
+            s.line = line;
+            s.glyph = i;
+            if (cluster < merged.clusters.size() && merged.members_of(merged.clusters[cluster]).front() == i) {
+                s.shape = merged.clusters[cluster].shape;
+                s.origin = merged.clusters[cluster].origin;
+                s.merged = cluster++;
+            }
+            error refusal = misplaced(s.origin);
+            if (!refusal) refusal = s.shape->refusal();
+            if (refusal) {
+                if (report.refused++ == 0) report.first_refusal = refusal.at(glyph.id, glyph.cluster);
+            } else if (s.shape->is_blank()) {
+                ++report.blank;
+            } else if (error e = shapes_.place_shape(s, number)) {
+                return e;
+            }
+        }
+        shapes_.number_meshes();
+        return {};
+    }
+
+    /// Why nothing can stand there, or none.
+    static error misplaced(point origin) noexcept
+    {
+        if (!is_finite(origin.x) || !is_finite(origin.y)) return error::outline_not_finite;
+        constexpr double farthest = 0x1p80;  // font units; 32-bit floats do not reach much farther in any unit
+        if (std::fabs(origin.x) > farthest || std::fabs(origin.y) > farthest) return error::outline_beyond_grid;
+        return {};
     }
 
     Font* font_;
-    workspace space_;
-    outline outline_;
-    contours loops_;
+    glyph_builder builder_;
+    glyph_merger merger_;
     glyph_run run_;
     text_shapes shapes_;
     [[no_unique_address]] Discretiser discretiser_{};
     [[no_unique_address]] Triangulator triangulator_{};
     [[no_unique_address]] Extruder extruder_{};
     [[no_unique_address]] Observer observer_{};
+    [[no_unique_address]] Cache cache_{};
 };
 
 template <class Font>

@@ -35,6 +35,14 @@ struct text_options {
     texture_box texture_over = texture_box::text;
     typemesh::frame frame = right_handed_y_up;
 
+    /// Join glyphs whose outlines meet (kerned, cursive or accented ones) to one solid without inner walls: see
+    /// merge_glyphs.hpp.
+    bool merge = false;
+
+    /// Build a glyph that occurs again only once. Without, every occurrence is built anew, to the same mesh: for
+    /// measuring.
+    bool reuse = true;
+
     /// Draw the font's .notdef (a box, mostly) for glyphs that it lacks; they are reported either way.
     bool draw_missing = false;
 };

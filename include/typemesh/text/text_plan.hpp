@@ -7,9 +7,14 @@
 #include <typemesh/text/text_shapes.hpp>
 #include <typemesh/vertex/mesh_sink.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <type_traits>
+#include <utility>
 
 namespace typemesh {
 
@@ -19,6 +24,14 @@ struct mesh_range {
     std::uint32_t vertex_count = 0;
     std::uint32_t first_index = 0;
     std::uint32_t index_count = 0;
+
+    friend constexpr bool operator==(const mesh_range&, const mesh_range&) noexcept = default;
+};
+
+/// Neighbouring glyphs of a plan: glyphs [first, last).
+struct glyph_span {
+    std::size_t first = 0;
+    std::size_t last = 0;
 };
 
 /// A text, meshed and measured but not yet written: exact sizes first, then write() as often as you like.
@@ -27,16 +40,34 @@ struct mesh_range {
 ///     indices    [ front: glyph 0, glyph 1, ... | back: ... | side: ... ]       be drawn with a material of its own
 ///
 /// Move-only. It refers to its mesher, which must outlive it; a move of the mesher ends it, and so does the mesher's
-/// next plan() (using it then is asserted). Only glyphs that have triangles are counted among glyphs().
+/// next plan() (using it then is asserted). Until its end the shapes that it took from a glyph_cache stay where they
+/// are, whoever throws out others. Only glyphs that have triangles are counted among glyphs().
 template <extruder Extruder>
 class text_plan {
 public:
-    text_plan(const text_shapes& shapes, const glyph_run& run, const Extruder& extruder) noexcept
+    text_plan(text_shapes& shapes, const glyph_run& run, const Extruder& extruder) noexcept
         : shapes_{&shapes}, run_{&run}, extruder_{extruder}, generation_{shapes.generation.number}
     {
     }
-    text_plan(text_plan&&) noexcept = default;
-    text_plan& operator=(text_plan&&) noexcept = default;
+    text_plan(text_plan&& other) noexcept
+        : shapes_{std::exchange(other.shapes_, nullptr)},
+          run_{other.run_},
+          extruder_{std::move(other.extruder_)},
+          generation_{other.generation_}
+    {
+    }
+    text_plan& operator=(text_plan&& other) noexcept
+    {
+        std::swap(shapes_, other.shapes_);
+        std::swap(run_, other.run_);
+        std::swap(extruder_, other.extruder_);
+        std::swap(generation_, other.generation_);
+        return *this;
+    }
+    ~text_plan()
+    {
+        if (shapes_ != nullptr && shapes_->generation.number == generation_) shapes_->shapes.release();
+    }
 
     /// Exactly how many vertices and triangles write() will emit.
     [[nodiscard]] mesh_size size() const noexcept
@@ -56,12 +87,56 @@ public:
     /// Where one glyph's share of a part lies. glyph < glyphs().size().
     [[nodiscard]] mesh_range range(std::size_t glyph, part p) const noexcept
     {
-        const shape_record& s = fresh().records[glyph];
-        return range_between(p, s.before, s.sizes);
+        return range(glyph_span{glyph, glyph + 1}, p);
+    }
+
+    /// Where the share of neighbouring glyphs lies; it is in one piece.
+    [[nodiscard]] mesh_range range(glyph_span some, part p) const noexcept
+    {
+        const part_sizes first = before(some.first), last = before(some.last);
+        part_sizes own;
+        own.vertices[p] = last.vertices[p] - first.vertices[p];
+        own.triangles[p] = last.triangles[p] - first.triangles[p];
+        return range_between(p, first, own);
+    }
+
+    /// The glyphs that come from a place of the caller's text; none (first == last) where it left no glyph in the mesh.
+    /// The glyphs of a cluster are neighbours, whichever way the script runs. Cost: O(glyphs).
+    [[nodiscard]] glyph_span glyphs_of(cluster_id cluster) const noexcept
+    {
+        const auto records = glyphs();
+        std::size_t first = 0;
+        while (first < records.size() && records[first].cluster != cluster) ++first;
+        std::size_t last = first;
+        while (last < records.size() && records[last].cluster == cluster) ++last;
+        return {first, last};
     }
 
     /// The glyphs in the mesh, in drawing order.
     [[nodiscard]] std::span<const shape_record> glyphs() const noexcept { return fresh().records.view(); }
+
+    /// Which glyphs of the run one of glyphs() stands for: itself alone, or all that text_options::merge joined to it,
+    /// ascending. glyph < glyphs().size().
+    [[nodiscard]] std::span<const std::uint32_t> members(std::size_t glyph) const noexcept
+    {
+        const shape_record& s = fresh().records[glyph];
+        if (s.merged == shape_record::not_merged) return {&s.glyph, 1};
+        return shapes_->merged.members_of(shapes_->merged.clusters[s.merged]);
+    }
+
+    /// Whose a triangle is: the place in the run of the one glyph whose outline all contour edges at its corners follow
+    /// (a wall's: whose outline it stands on), or shared_glyph where merged glyphs run together. For extruders that
+    /// write caps in the order of the region's triangles and walls two triangles an edge, as flat and extruded do.
+    ///
+    ///     triangle    the place in range(glyph, p), below index_count / 3
+    [[nodiscard]] std::uint32_t owner(std::size_t glyph, part p, std::uint32_t triangle) const noexcept
+    {
+        const shape_record& s = fresh().records[glyph];
+        if (s.merged == shape_record::not_merged) return s.glyph;
+        const merged_cluster& c = shapes_->merged.clusters[s.merged];
+        if (p == part::side) return shapes_->merged.owners_of(c)[triangle / 2];
+        return shapes_->merged.owner_of(c, s.shape->form().triangles[triangle]);
+    }
 
     /// What is not in the mesh, and why.
     [[nodiscard]] const text_report& report() const noexcept { return fresh().report; }
@@ -76,13 +151,35 @@ public:
     /// The box around all vertices; exact for frames whose axes lie along the coordinate axes, else it may be larger.
     [[nodiscard]] bounds3 bounds() const noexcept { return fresh().bounds; }
 
+    /// The distance between neighbouring 32-bit floats at the mesh's farthest coordinate, in em: no position is rounded
+    /// by more than half of it. What is thinner than two such steps may fall together; see rounding.hpp.
+    [[nodiscard]] double position_step() const noexcept
+    {
+        const text_shapes& all = fresh();
+        float farthest = 0.0f;
+        for (const vec3 corner : {all.bounds.low, all.bounds.high})
+            for (const float v : {corner.x, corner.y, corner.z}) farthest = (std::max)(farthest, std::fabs(v));
+        const double next = std::nextafter(farthest, (std::numeric_limits<float>::max)());
+        return (next - farthest) / (all.placed.unit_per_font_unit * all.placed.units_per_em);
+    }
+
+    /// Where one glyph stands, as its extruder is told.
+    [[nodiscard]] placement place(std::size_t glyph) const noexcept { return fresh().place(fresh().records[glyph]); }
+
     /// N and H of the four vertex counts 2N, 4N and 4N + 2H: contour points, and those among them with doubled side
-    /// vertices.
-    [[nodiscard]] std::uint64_t contour_points() const noexcept { return fresh().points.size(); }
+    /// vertices. Cost: O(glyphs), and O(points) for H.
+    [[nodiscard]] std::uint64_t contour_points() const noexcept
+    {
+        std::uint64_t points = 0;
+        for (const shape_record& s : fresh().records) points += s.shape->form().points.size();
+        return points;
+    }
     [[nodiscard]] std::uint64_t hard_edges() const noexcept
     {
         std::uint64_t hard = 0;
-        for (const side_point& s : fresh().sides) hard += s.doubled && !(s.seam && s.before == s.after) ? 1u : 0u;
+        for (const shape_record& r : fresh().records)
+            for (const side_point& s : r.shape->form().sides)
+                hard += s.doubled && !(s.seam && s.before == s.after) ? 1u : 0u;
         return hard;
     }
 
@@ -94,31 +191,142 @@ public:
     {
         const text_shapes& all = fresh();
         if (error e = sink.begin(size())) return e;
+        for (const part p : all_parts) write_vertices_of(all.records.view(), p, sink);
+        for (const part p : all_parts) write_triangles_of(all.records.view(), p, sink);
+        sink.end();
+        return {};
+    }
 
-        for (const part p : all_parts)
-            for (const shape_record& s : all.records) write_vertices(p, all.solid_of(s), extruder_, all.place(s), sink);
-
-        part_counts start;
-        start[part::back] = all.totals.vertices[part::front];
-        start[part::side] = start[part::back] + all.totals.vertices[part::back];
-        const bool turned = all.placed.frame.turns_triangles();
+    /// Writes only some neighbouring glyphs, each part to where it lies in the whole mesh: for a text of which little
+    /// has changed since it was written. Vertices ascend, then indices, in each part; all else is left alone.
+    ///
+    ///     keep of the text before     size(), and range(glyph, part) of each glyph that will change
+    ///     if size() is the same now and these ranges are, nothing else has moved: write these glyphs
+    ///     else                        write the whole
+    ///
+    /// Besides, the others' vertices must be what they were: pen positions (the advance of what changed), and with
+    /// texture_box::text or ::line or output_unit::unit_box the box that they are measured by.
+    /// Fails as write() does. For sinks over the whole mesh's memory that can begin anywhere: array_sink, stream_sink.
+    template <class Sink>
+        requires patching_sink<std::remove_reference_t<Sink>>
+    error write(glyph_span some, Sink&& sink) const noexcept
+    {
+        const auto records = fresh().records.view().subspan(some.first, some.last - some.first);
+        const mesh_size whole = size();
         for (const part p : all_parts) {
-            for (const shape_record& s : all.records) {
-                first_vertices first;
-                for (const part q : all_parts) first[q] = start[q] + s.before.vertices[q];
-                write_triangles(p, all.solid_of(s), extruder_, first, turned, sink);
+            const mesh_range r = range(some, p);
+            if (error e = sink.begin_at(whole, r.first_vertex, r.first_index)) return e;
+            write_vertices_of(records, p, sink);
+            write_triangles_of(records, p, sink);
+            sink.end();
+        }
+        return {};
+    }
+
+    /// The text's different glyphs, each of which write_meshes() writes once.
+    [[nodiscard]] std::span<const glyph_mesh> meshes() const noexcept { return fresh().meshes.view(); }
+
+    /// Exactly what write_meshes() emits. There are glyphs().size() instances.
+    [[nodiscard]] mesh_size meshes_size() const noexcept
+    {
+        mesh_size all;
+        for (const glyph_mesh& m : meshes()) {
+            for (const part p : all_parts) {
+                all.vertices += m.shape->sizes().vertices[p];
+                all.triangles += m.shape->sizes().triangles[p];
             }
+        }
+        return all;
+    }
+
+    /// Where one part of a mesh lies in what write_meshes() writes. mesh < meshes().size().
+    [[nodiscard]] mesh_range mesh_part(std::size_t mesh, part p) const noexcept
+    {
+        const glyph_mesh& m = fresh().meshes[mesh];
+        const part_sizes& own = m.shape->sizes();
+        mesh_range r{m.first_vertex, own.vertices[p], m.first_index, 3 * own.triangles[p]};
+        for (const part q : all_parts) {
+            if (q >= p) break;
+            r.first_vertex += own.vertices[q];
+            r.first_index += 3 * own.triangles[q];
+        }
+        return r;
+    }
+
+    /// For instanced drawing: every different glyph once, standing at the output's origin.
+    ///
+    ///     vertices   [ mesh 0: front, back, side | mesh 1: front, back, side | ... ]      indices likewise
+    ///
+    /// Textures spread over each glyph's own box, or, in em mapping, begin at its own origin. Fails as write() does.
+    template <class Sink>
+        requires mesh_sink<std::remove_reference_t<Sink>>
+    error write_meshes(Sink&& sink) const noexcept
+    {
+        const text_shapes& all = fresh();
+        if (error e = sink.begin(meshes_size())) return e;
+        for (const glyph_mesh& m : all.meshes)
+            for (const part p : all_parts) write_vertices(p, m.shape->form(), extruder_, all.place(m), sink);
+        const bool turned = all.placed.frame.turns_triangles();
+        for (std::size_t i = 0; i < all.meshes.size(); ++i) {
+            first_vertices first;
+            for (const part p : all_parts) first[p] = mesh_part(i, p).first_vertex;
+            for (const part p : all_parts)
+                write_triangles(p, all.meshes[i].shape->form(), extruder_, first, turned, sink);
         }
         sink.end();
         return {};
     }
 
+    /// The other half: emit(const glyph_instance&) for every glyph, those of mesh 0 first (glyph_mesh::glyph_count of
+    /// them), then those of mesh 1, and so on. A mesh moved by the translation is the placed glyph, up to the rounding
+    /// of the sum and to textures that spread over more than the glyph.
+    template <class Emit>
+    void write_instances(Emit&& emit) const noexcept
+    {
+        const text_shapes& all = fresh();
+        for (std::uint32_t mesh = 0; mesh < all.meshes.size(); ++mesh) {
+            for (std::uint32_t i = all.meshes[mesh].first_glyph; i != no_glyph; i = all.records[i].next_alike) {
+                const shape_record& s = all.records[i];
+                emit(glyph_instance{all.translation_of(s), mesh, i, s.id, s.cluster});
+            }
+        }
+    }
+
 private:
     const text_shapes& fresh() const noexcept
     {
+        TYPEMESH_ASSERT(shapes_ != nullptr, "a text_plan was used that has been moved away");
         TYPEMESH_ASSERT(shapes_->generation.number == generation_,
                         "this text_plan is stale: its mesher has made another plan or was moved since");
         return *shapes_;
+    }
+
+    /// The counts of all glyphs before this one; glyph == glyphs().size() is allowed.
+    [[nodiscard]] part_sizes before(std::size_t glyph) const noexcept
+    {
+        return glyph == fresh().records.size() ? fresh().totals : fresh().records[glyph].before;
+    }
+
+    template <class Sink>
+    void write_vertices_of(std::span<const shape_record> records, part p, Sink& sink) const noexcept
+    {
+        for (const shape_record& s : records)
+            write_vertices(p, s.shape->form(), extruder_, shapes_->place(s), sink);
+    }
+
+    template <class Sink>
+    void write_triangles_of(std::span<const shape_record> records, part p, Sink& sink) const noexcept
+    {
+        const text_shapes& all = *shapes_;
+        part_counts start;
+        start[part::back] = all.totals.vertices[part::front];
+        start[part::side] = start[part::back] + all.totals.vertices[part::back];
+        const bool turned = all.placed.frame.turns_triangles();
+        for (const shape_record& s : records) {
+            first_vertices first;
+            for (const part q : all_parts) first[q] = start[q] + s.before.vertices[q];
+            write_triangles(p, s.shape->form(), extruder_, first, turned, sink);
+        }
     }
 
     [[nodiscard]] mesh_range range_between(part p, const part_sizes& before, const part_sizes& sizes) const noexcept
@@ -132,7 +340,7 @@ private:
         return r;
     }
 
-    const text_shapes* shapes_;
+    text_shapes* shapes_;
     const glyph_run* run_;
     Extruder extruder_;
     std::uint64_t generation_;

@@ -2,13 +2,17 @@
 #pragma once
 
 #include <typemesh/core/buffer.hpp>
-#include <typemesh/core/grid.hpp>
-#include <typemesh/core/region.hpp>
 #include <typemesh/extrude/placement.hpp>
-#include <typemesh/extrude/solid.hpp>
+#include <typemesh/text/glyph_set.hpp>
+#include <typemesh/text/glyph_shape.hpp>
+#include <typemesh/text/instances.hpp>
+#include <typemesh/text/merged_glyphs.hpp>
+#include <typemesh/text/pinned_shapes.hpp>
+#include <typemesh/text/shape_store.hpp>
 #include <typemesh/text/text_options.hpp>
 #include <typemesh/text/text_report.hpp>
 
+#include <cstddef>
 #include <cstdint>
 
 namespace typemesh {
@@ -25,20 +29,21 @@ struct bounds3 {
     }
 };
 
-/// One glyph of the mesh: who it is, where it stands, and which stretches of text_shapes are its own.
+/// One glyph of the mesh: who it is, what it looks like and where it stands. Or several that are merged to one shape:
+/// then the first of them.
 struct shape_record {
+    const glyph_shape* shape = nullptr;
+    point origin;  ///< font units
     glyph_id id = no_glyph;
     cluster_id cluster = no_cluster;
     std::uint32_t line = 0;
-    point origin;                  ///< font units
-    double cells = 512.0;          ///< its grid's cells a font unit
-    grid_point low, high;          ///< the box around its points, in cells
-    std::uint32_t first_point = 0, point_count = 0;
-    std::uint32_t first_start = 0, start_count = 0;
-    std::uint32_t first_triangle = 0, triangle_count = 0;
-    std::uint32_t first_side = 0, side_count = 0;
-    part_sizes sizes;              ///< its own counts
-    part_sizes before;             ///< the counts of all glyphs before it
+    std::uint32_t glyph = 0;              ///< its place in the run
+    std::uint32_t merged = not_merged;    ///< its place in text_shapes::merged.clusters
+    std::uint32_t mesh = 0;               ///< which of the text's meshes it is an instance of
+    std::uint32_t next_alike = no_glyph;  ///< the next record of that mesh, or no_glyph
+    part_sizes before = {};               ///< the counts of all glyphs before it
+
+    static constexpr std::uint32_t not_merged = 0xFFFF'FFFFu;
 };
 
 /// How placements are made: the same for all glyphs of a text.
@@ -64,15 +69,19 @@ struct shapes_generation {
     }
 };
 
-/// All shapes of one text in a few growing arrays: what a plan measured and write() reads.
+/// All of one text: its different glyphs, each meshed once, and its glyphs, each at its place. What a plan measured and
+/// write() reads.
 struct text_shapes {
-    buffer<grid_point> points;
-    buffer<std::uint32_t> starts;
-    triangle_list triangles;
-    buffer<side_point> sides;
-    buffer<shape_record> records;
-    buffer<box> line_boxes;  ///< in font units; filled for texture_box::line alone
-    box ink;                 ///< around all shapes, font units
+    glyph_set different;                 ///< the glyphs that the text asks for
+    pinned_shapes shapes;                ///< theirs, blank and refused ones included
+    buffer<std::uint32_t> numbers;       ///< for each glyph of the run, which of them it is
+    shape_store store;                   ///< where shapes lie that no cache keeps
+    merged_glyphs merged;                ///< and glyphs that are drawn together
+    buffer<std::uint32_t> mesh_of;       ///< for each of the different glyphs, which mesh it is; no_glyph before it has one
+    buffer<glyph_mesh> meshes;           ///< those of the different glyphs that are drawn
+    buffer<shape_record> records;        ///< what is drawn
+    buffer<box> line_boxes;              ///< in font units; filled for texture_box::line alone
+    box ink;                             ///< around all records, font units
     part_sizes totals;
     text_placement placed;
     text_report report;
@@ -80,16 +89,27 @@ struct text_shapes {
     shapes_generation generation;
 
     explicit text_shapes(memory source) noexcept
-        : points{source}, starts{source}, triangles{source}, sides{source}, records{source}, line_boxes{source}
+        : different{source},
+          shapes{source},
+          numbers{source},
+          store{source},
+          merged{source},
+          mesh_of{source},
+          meshes{source},
+          records{source},
+          line_boxes{source}
     {
     }
 
     void clear() noexcept
     {
-        points.clear();
-        starts.clear();
-        triangles.clear();
-        sides.clear();
+        different.clear();
+        shapes.clear();
+        numbers.clear();
+        store.clear();
+        merged.clear();
+        mesh_of.clear();
+        meshes.clear();
         records.clear();
         line_boxes.clear();
         ink = {};
@@ -99,56 +119,70 @@ struct text_shapes {
         ++generation.number;
     }
 
-    /// Keeps a region whose triangles and sides have been appended already, from s.first_triangle and s.first_side on.
-    /// Fails with error::too_large where 32 bits do not suffice, or error::out_of_memory; then all else is as it was.
-    error keep(shape_record s, const region& r, const part_sizes& sizes) noexcept
+    /// Room for so many glyphs of the run to be placed. False when the memory gives none.
+    [[nodiscard]] bool expect_records(std::size_t count) noexcept
     {
-        s.first_point = static_cast<std::uint32_t>(points.size());
-        s.first_start = static_cast<std::uint32_t>(starts.size());
-        s.point_count = static_cast<std::uint32_t>(r.points().size());
-        s.start_count = static_cast<std::uint32_t>(r.starts().size());
-        s.triangle_count = static_cast<std::uint32_t>(triangles.size() - s.first_triangle);
-        s.side_count = static_cast<std::uint32_t>(sides.size() - s.first_side);
-        s.cells = r.grid().cells;
-        s.low = s.high = r.points().front();
-        for (const grid_point p : r.points()) {
-            s.low = {p.x < s.low.x ? p.x : s.low.x, p.y < s.low.y ? p.y : s.low.y};
-            s.high = {p.x > s.high.x ? p.x : s.high.x, p.y > s.high.y ? p.y : s.high.y};
-        }
-        s.sizes = sizes;
+        const std::size_t kinds = different.ids().size();
+        if (!records.reserve(count) || !meshes.reserve(kinds + merged.clusters.size()) || !mesh_of.reserve(kinds))
+            return false;
+        for (std::size_t i = 0; i < kinds; ++i) mesh_of.push_back_unchecked(no_glyph);
+        return true;
+    }
+
+    /// Puts a shape that is neither blank nor refused at its place, after expect_records(); `number` says which of the
+    /// different glyphs it is; merged ones make a mesh of their own. What hangs on other records (mesh, next_alike, before) is found here.
+    /// Fails with error::too_large where 32 bits do not suffice; then all is as it was.
+    error place_shape(shape_record s, std::uint32_t number) noexcept
+    {
+        const part_sizes& sizes = s.shape->sizes();
         s.before = totals;
-        std::uint64_t vertices = 0, triangle_sum = 0;
+        part_sizes sum = totals;
+        std::uint64_t vertices = 0, triangles = 0;
         for (const part p : all_parts) {
             vertices += std::uint64_t{totals.vertices[p]} + sizes.vertices[p];
-            triangle_sum += std::uint64_t{totals.triangles[p]} + sizes.triangles[p];
+            triangles += std::uint64_t{totals.triangles[p]} + sizes.triangles[p];
+            sum.vertices[p] += sizes.vertices[p];
+            sum.triangles[p] += sizes.triangles[p];
         }
         constexpr std::uint64_t most = 0xFFFF'FFFFu;
-        if (vertices > most || 3 * triangle_sum > most || points.size() + s.point_count > most) return error::too_large;
-        if (!points.append(r.points()) || !starts.append(r.starts()) || !records.push_back(s)) {
-            points.truncate(s.first_point);
-            starts.truncate(s.first_start);
-            return error::out_of_memory;
+        if (vertices > most || 3 * triangles > most) return error::too_large;
+        const auto self = static_cast<std::uint32_t>(records.size());
+        const bool alone = s.merged != shape_record::not_merged;
+        s.mesh = alone ? no_glyph : mesh_of[number];
+        if (s.mesh == no_glyph) {
+            s.mesh = static_cast<std::uint32_t>(meshes.size());
+            const glyph_id id = alone ? no_glyph : s.id;
+            meshes.push_back_unchecked({.shape = s.shape, .id = id, .first_glyph = self, .last_glyph = self});
+            if (!alone) mesh_of[number] = s.mesh;
         }
-        for (const part p : all_parts) {
-            totals.vertices[p] += sizes.vertices[p];
-            totals.triangles[p] += sizes.triangles[p];
-        }
+        glyph_mesh& mesh = meshes[s.mesh];
+        if (mesh.glyph_count++ != 0) records[mesh.last_glyph].next_alike = self;
+        mesh.last_glyph = self;
+        records.push_back_unchecked(s);
+        totals = sum;
         return {};
     }
 
-    [[nodiscard]] solid solid_of(const shape_record& s) const noexcept
+    /// Once all are placed: where each mesh begins, and its instances.
+    void number_meshes() noexcept
     {
-        return {points.view().subspan(s.first_point, s.point_count),
-                starts.view().subspan(s.first_start, s.start_count),
-                triangles.view().subspan(s.first_triangle, s.triangle_count),
-                sides.view().subspan(s.first_side, s.side_count)};
+        std::uint32_t vertex = 0, index = 0, instance = 0;  // no larger than the text's own
+        for (glyph_mesh& m : meshes) {
+            m.first_vertex = vertex;
+            m.first_index = index;
+            m.first_instance = instance;
+            for (const part p : all_parts) {
+                vertex += m.shape->sizes().vertices[p];
+                index += 3 * m.shape->sizes().triangles[p];
+            }
+            instance += m.glyph_count;
+        }
     }
 
-    /// A shape's own box, in font units, seen from the text's origin.
+    /// A glyph's own box, in font units, seen from the text's origin.
     [[nodiscard]] static box ink_of(const shape_record& s) noexcept
     {
-        const grid g{s.cells};
-        return {s.origin + g.place(s.low), s.origin + g.place(s.high)};
+        return {s.origin + s.shape->ink().low, s.origin + s.shape->ink().high};
     }
 
     [[nodiscard]] placement place(const shape_record& s) const noexcept
@@ -156,15 +190,43 @@ struct text_shapes {
         const box over = placed.texture_over == texture_box::text   ? ink
                          : placed.texture_over == texture_box::line ? line_boxes[s.line]
                                                                     : ink_of(s);
+        placement at = place(*s.shape, s.origin, placed.centre, over);
+        at.glyph = s.merged == shape_record::not_merged ? s.id : no_glyph;
+        at.cluster = s.cluster;
+        return at;
+    }
+
+    /// A mesh for itself, at the output's origin: textures spread over its own box.
+    [[nodiscard]] placement place(const glyph_mesh& m) const noexcept
+    {
+        placement at = place(*m.shape, {}, {}, m.shape->ink());
+        at.glyph = m.id;
+        return at;
+    }
+
+    /// How a record's glyph is moved from where its mesh stands alone.
+    [[nodiscard]] vec3 translation_of(const shape_record& s) const noexcept
+    {
         placement at;
-        at.pen = s.cells * (s.origin - placed.centre);
-        at.unit_per_cell = placed.unit_per_font_unit / s.cells;
+        at.unit_per_cell = placed.unit_per_font_unit;
+        at.pen = s.origin - placed.centre;
+        at.frame = placed.frame;
+        return at.position(grid_point{}, 0.0f);
+    }
+
+private:
+    [[nodiscard]] placement place(const glyph_shape& shape, point origin, point centre, const box& over) const noexcept
+    {
+        const double cells = shape.cells();
+        placement at;
+        at.pen = cells * (origin - centre);
+        at.unit_per_cell = placed.unit_per_font_unit / cells;
         at.unit_per_em = placed.unit_per_font_unit * placed.units_per_em;
-        at.em_per_cell = 1.0 / (s.cells * placed.units_per_em);
-        at.em_pen = s.cells * s.origin;
-        at.texture_pen = s.cells * (s.origin - over.low);
-        at.texture_per_cell = {over.width() > 0.0 ? 1.0 / (s.cells * over.width()) : 0.0,
-                               over.height() > 0.0 ? 1.0 / (s.cells * over.height()) : 0.0};
+        at.em_per_cell = 1.0 / (cells * placed.units_per_em);
+        at.em_pen = cells * origin;
+        at.texture_pen = cells * (origin - over.low);
+        at.texture_per_cell = {over.width() > 0.0 ? 1.0 / (cells * over.width()) : 0.0,
+                               over.height() > 0.0 ? 1.0 / (cells * over.height()) : 0.0};
         at.frame = placed.frame;
         return at;
     }

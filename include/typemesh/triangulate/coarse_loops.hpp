@@ -22,11 +22,9 @@ namespace typemesh::detail {
 /// A loop that would keep fewer than three points keeps all. 20 bytes a point.
 class coarse_loops {
 public:
-    static constexpr std::int64_t keep_all = -1;
-
-    /// No edge turns away from the first of its stretch by 1 / `straightness` or more (as a tangent); with keep_all,
-    /// no point is left out. Sheared places are x -> 5x + 2y: the same loops to a sweep, which then meets few points
-    /// on one vertical line. False when there is no memory.
+    /// No edge turns away from the first of its stretch by 1 / `straightness` or more (as a tangent). Sheared places are
+    /// x -> 5x + 2y: the same loops to a sweep, which then meets few points on one vertical line. False when there is
+    /// no memory.
     [[nodiscard]] bool take(workspace::scope& scratch, std::span<const grid_point> points,
                             std::span<const std::uint32_t> starts, std::int64_t straightness, bool sheared) noexcept
     {
@@ -82,8 +80,7 @@ private:
             const grid_point q = points[v + 1 == end ? begin : v + 1];
             const std::int64_t ex = std::int64_t{q.x} - p.x, ey = std::int64_t{q.y} - p.y;
             const std::int64_t cross = dx * ey - dy * ex, dot = dx * ex + dy * ey;
-            const bool keep = (straightness * cross >= dot) | (-straightness * cross >= dot) |
-                              (straightness == keep_all);  // up to 2^62
+            const bool keep = (straightness * cross >= dot) | (-straightness * cross >= dot);  // up to 2^62
             names_[size_] = v;
             places_[size_] = p;
             size_ += keep;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/option_bits.hpp>
 #include <typemesh/triangulate/chain_cutter.hpp>
 #include <typemesh/triangulate/coarse_loops.hpp>
 #include <typemesh/triangulate/delaunay_flips.hpp>
+#include <typemesh/triangulate/delaunay_slabs.hpp>
 #include <typemesh/triangulate/half_edges.hpp>
 #include <typemesh/triangulate/monotone_sweep.hpp>
 #include <typemesh/triangulate/triangulator.hpp>
@@ -21,16 +23,23 @@ namespace typemesh {
 /// How: points that only smooth the outline are left out at first (coarse_loops); what remains is swept
 /// (monotone_sweep), made Delaunay by exchanging diagonals (delaunay_flips), and then takes the points left out back
 /// on its boundary, each between its neighbours and from coarse to fine, staying Delaunay: no searching, two exchanges
-/// a point. Whether the coarse outline crosses itself does not matter: it is proven like any other, and where it does,
-/// no point is left out. Nor does it matter whether outlines cross on the way from coarse to fine: all triangles turn
-/// counter-clockwise throughout, and triangles that do so and have a simple boundary cover what is inside once.
+/// a point. Whether the coarse outline crosses itself does not matter: it is proven like any other. Nor does it matter
+/// whether outlines cross on the way from coarse to fine: all triangles turn counter-clockwise throughout, and
+/// triangles that do so and have a simple boundary cover what is inside once. Where the coarse outline is no region,
+/// or too many exchanges are needed, all points are divided into slabs and conquered (delaunay_slabs) instead: the
+/// same triangles, in another order.
 ///
-/// Cost   O(n log n) wherever it was measured (docs/triangulation.md). Exchanging diagonals is quadratic at worst, so
-///        it has a budget; where that is spent, coarse loops of another kind are tried before it may take what it
-///        needs.
+/// Cost   O(n log n)
 /// Space  about 220 bytes a point and 128 a loop from `space`, nothing else after `out` has room
 /// Exact  orientation in 64 bits, in-circle in 128 (core/in_circle.hpp)
 struct constrained_delaunay {
+    /// So many exchanges a triangle may be spent before slabs take over, 1 to 3 being usual and 0 leaving everything to
+    /// the slabs. It decides about time, never about triangles.
+    std::uint32_t most_flips = 6;
+
+    /// See option_bits: the triangles are the same whatever the option says.
+    [[nodiscard]] static option_bits cache_key() noexcept { return {}; }
+
     /// Relies on the region's promise. Fails with error::out_of_memory, `out` being as it was.
     [[nodiscard]] error operator()(const region& r, workspace& space, triangle_list& out) const noexcept
     {
@@ -38,23 +47,13 @@ struct constrained_delaunay {
         const std::size_t before = out.size();
         triangle* const write = out.append(r.triangle_count());
         if (write == nullptr) return error::out_of_memory;
-        constexpr attempt attempts[] = {{2, true, true},  // within 27 degrees
-                                        {8, true, true},  // within 7 degrees
-                                        {detail::coarse_loops::keep_all, false, true},
-                                        {0, true, true},  // within 90 degrees
-                                        {detail::coarse_loops::keep_all, false, false}};
         error e = error::crossing_contours;
-        double tried = 0;  // how much of the points the last attempt kept
-        for (const attempt& a : attempts) {
-            if (e != error::crossing_contours) break;
-            if (a.straightness == 8 && tried > worth_it) continue;
-            if (r.is_touching()) {  // points that coincide are not proven anew: all of them are swept, none is left out
-                if (!a.proving) e = from_loops<false, true>(r, space, write, a, tried);
-                continue;
-            }
-            e = a.proving ? from_loops<true, false>(r, space, write, a, tried)
-                          : from_loops<false, false>(r, space, write, a, tried);
+        double kept = 0;  // share of the points that the last attempt kept
+        for (const std::int64_t straightness : {2, 8}) {  // within 27 degrees, within 7
+            if (e != error::crossing_contours || most_flips == 0 || r.is_touching() || kept > worth_it) break;
+            e = from_coarse_loops(r, space, write, straightness, kept);
         }
+        if (e == error::crossing_contours) e = detail::delaunay_slabs{}.run(r, space, write);
         if (e) out.truncate(before);
         return e;
     }
@@ -75,39 +74,30 @@ private:
     /// Regular patterns of many holes put whole columns of points on one vertical line, where a sweep makes needles.
     static constexpr std::size_t sheared_from = 1000;
 
-    struct attempt {
-        std::int64_t straightness;
-        bool proving;  // that what is kept is a region; trusting is for all points
-        bool limited;  // in flips, to `most_flips` a triangle
-    };
-    static constexpr std::uint64_t most_flips = 16;
     static constexpr double worth_it = 0.875;  ///< leaving out fewer points than this leaves costs more than it saves
 
     /// error::crossing_contours: not this way.
-    template <bool Proving, bool Touching>
-    [[nodiscard]] static error from_loops(const region& r, workspace& space, triangle* write, const attempt& how,
-                                          double& kept) noexcept
+    [[nodiscard]] error from_coarse_loops(const region& r, workspace& space, triangle* write, std::int64_t straightness,
+                                          double& kept) const noexcept
     {
         const std::size_t n = r.points().size();
         workspace::scope scratch{space};
         detail::coarse_loops coarse;
-        if (!coarse.take(scratch, r.points(), r.starts(), how.straightness, n >= sheared_from))
-            return error::out_of_memory;
+        if (!coarse.take(scratch, r.points(), r.starts(), straightness, n >= sheared_from)) return error::out_of_memory;
         kept = static_cast<double>(coarse.points().size()) / static_cast<double>(n);
-        if (Proving && kept > worth_it) return error::crossing_contours;
+        if (kept > worth_it) return error::crossing_contours;
         detail::half_edges mesh{r.points()};
         if (!mesh.open(scratch, n + 2 * std::size_t{r.loop_count()}))
             return error::out_of_memory;  // as many as a sweep can ask for
-        detail::monotone_sweep<Proving, Touching, cutter> sweep{
+        detail::monotone_sweep<true, false, cutter> sweep{
             coarse.points(), coarse.starts(), cutter{detail::half_edges::output{mesh, coarse.names()}}};
         if (const error e = sweep.run(space)) return e;
-        if (Proving && (sweep.holes() != r.holes() || sweep.outers() != r.outers())) return error::crossing_contours;
+        if (sweep.holes() != r.holes() || sweep.outers() != r.outers()) return error::crossing_contours;
         mesh.finish(sweep.cutter().output());
 
-        detail::delaunay_flips flips{mesh, r.points()};
+        detail::delaunay_flips flips{mesh, r.points(), std::uint64_t{most_flips} * r.triangle_count()};
         if (!flips.open(scratch, r.triangle_count())) return error::out_of_memory;
-        if (!flips.everywhere(how.limited ? most_flips * r.triangle_count() : ~std::uint64_t{0}))
-            return error::crossing_contours;
+        if (!flips.everywhere()) return error::crossing_contours;
         if (!coarse.bring_back(
                 [&](std::uint32_t previous, std::uint32_t p) noexcept { return flips.insert(previous, p); }))
             return error::crossing_contours;

@@ -10,12 +10,15 @@ namespace typemesh::detail {
 
 /// Keeps a triangulation Delaunay: exchanges diagonals until no edge wants it, from edges that are on a stack.
 ///
+/// Flips can be quadratic at worst, so they have a budget. It is looked at once a flip, or once a point inserted, for
+/// which as many flips may be needed as triangles meet in it.
+///
 /// From  C. Lawson, Software for C1 surface interpolation (1977); S. Sloan, A fast algorithm for generating
 ///       constrained Delaunay triangulations (1993)
 class delaunay_flips {
 public:
-    explicit delaunay_flips(half_edges& mesh, std::span<const grid_point> points) noexcept
-        : mesh_{mesh}, points_{points}
+    delaunay_flips(half_edges& mesh, std::span<const grid_point> points, std::uint64_t budget) noexcept
+        : mesh_{mesh}, points_{points}, left_{static_cast<std::int64_t>(budget)}
     {
     }
 
@@ -27,10 +30,9 @@ public:
         return stack_ != nullptr;
     }
 
-    /// Makes the whole mesh Delaunay, with at most `budget` flips; false when they did not suffice.
-    [[nodiscard]] bool everywhere(std::uint64_t budget) noexcept
+    /// Makes the whole mesh Delaunay; false when the budget does not suffice.
+    [[nodiscard]] bool everywhere() noexcept
     {
-        left_ = budget;
         do {
             overflow_ = false;
             size_ = 0;
@@ -41,30 +43,28 @@ public:
                 }
             }
             around();
-        } while (overflow_ && left_ != 0);
-        return left_ != 0;
+        } while (overflow_ && left_ > 0);
+        return left_ > 0;
     }
 
     /// Makes p a point of the boundary between `before` and the point after it, in a mesh that is Delaunay and stays
     /// so.
     ///
-    /// False when that cannot be done: p is hidden from the boundary edge. Then the mesh is of no use any more.
+    /// False when that cannot be done: p is hidden from the boundary edge, or the budget is spent. Then the mesh is of
+    /// no use any more.
     [[nodiscard]] bool insert(std::uint32_t before, std::uint32_t p) noexcept
     {
         const std::uint32_t h = mesh_.boundary_from(before), h1 = half_edges::next(h), h2 = half_edges::previous(h);
         const grid_point a = mesh_.place(h), b = mesh_.place(h1), c = mesh_.place(h2), at = points_[p];
         if (orientation(a, at, b) > 0) {
             stack_[0] = mesh_.add_ear(h, p);
-            towards_apex(1);
-            return true;
+            return towards_apex(1);
         }
         const bool inside = orientation(b, c, at) > 0 && orientation(c, a, at) > 0;
         stack_[0] = mesh_.dent(h, p);
         stack_[1] = h2;
-        if (inside) [[likely]] {
-            towards_apex(2);
-            return true;
-        }
+        if (inside) [[likely]]
+            return towards_apex(2);
         return pull_to_apex(2, p);
     }
 
@@ -86,7 +86,7 @@ private:
     /// Until the stack is empty or the budget is spent; a flip puts all four edges round it there.
     void around() noexcept
     {
-        while (size_ != 0 && left_ != 0) {
+        while (size_ != 0 && left_ > 0) {
             const std::uint32_t h = stack_[--size_];
             if (mesh_.is_boundary(h)) continue;
             const std::uint32_t g = mesh_.twin(h);
@@ -102,19 +102,23 @@ private:
 
     /// The same where the first `size` on the stack are edges seen from one new point: what a flip joins to it stays,
     /// so the stack never holds more than the triangles round that point.
-    void towards_apex(std::size_t size) noexcept
+    [[nodiscard]] bool towards_apex(std::size_t size) noexcept
     {
         std::uint32_t* const stack = stack_;
         half_edges mesh = mesh_;
+        std::int64_t flipped = 0;
         do {
             const std::uint32_t h = stack[--size];
             if (mesh.is_boundary(h)) continue;
             const std::uint32_t g = mesh.twin(h);
             if (!wants_flip(mesh, h, g)) continue;
             mesh.flip(h);
+            ++flipped;
             stack[size++] = half_edges::previous(g);
             stack[size++] = h;
         } while (size != 0);
+        left_ -= flipped;
+        return left_ > 0;
     }
 
     /// The same where p lies beyond its triangle, so that some triangle at p turns clockwise: the edge opposite p in
@@ -132,6 +136,7 @@ private:
             const std::uint32_t g = mesh_.twin(h);
             if (!is_behind && !wants_flip(mesh_, h, g)) continue;
             mesh_.flip(h);
+            --left_;
             stack_[size++] = half_edges::previous(g);
             stack_[size++] = h;
         }
@@ -143,9 +148,8 @@ private:
             push(h);
             h = mesh_.twin(h);
         }
-        left_ = ~std::uint64_t{0};
         around();
-        return !overflow_;
+        return !overflow_ && left_ > 0;
     }
 
     half_edges& mesh_;
@@ -153,7 +157,7 @@ private:
     std::uint32_t* stack_ = nullptr;
     std::size_t room_ = 0;
     std::size_t size_ = 0;
-    std::uint64_t left_ = 0;  // flips
+    std::int64_t left_;  // flips
     bool overflow_ = false;
 };
 

@@ -48,6 +48,14 @@ public:
         next_index_ = indices_.data();
         return {};
     }
+    /// See patching_sink. Fails as begin() does.
+    error begin_at(mesh_size whole, std::uint32_t first_vertex, std::uint32_t first_index) noexcept
+    {
+        if (error e = begin(whole)) return e;
+        next_vertex_ += first_vertex;
+        next_index_ += first_index;
+        return {};
+    }
     void vertex(const surface_point<wants>& s) noexcept { *next_vertex_++ = writer_(s); }
     void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept
     {

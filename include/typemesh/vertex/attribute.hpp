@@ -11,6 +11,10 @@ enum class attribute : std::uint32_t {
     position = 1u << 0,
     normal = 1u << 1,
     uv = 1u << 2,
+    tangent = 1u << 3,
+    glyph = 1u << 4,
+    cluster = 1u << 5,
+    part = 1u << 6,
 };
 
 [[nodiscard]] constexpr attribute operator|(attribute a, attribute b) noexcept
@@ -18,6 +22,7 @@ enum class attribute : std::uint32_t {
     return static_cast<attribute>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
 }
 
+/// Whether a set holds an attribute; of several, any.
 [[nodiscard]] constexpr bool has(attribute set, attribute one) noexcept
 {
     return (static_cast<std::uint32_t>(set) & static_cast<std::uint32_t>(one)) != 0;

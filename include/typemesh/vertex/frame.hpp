@@ -26,15 +26,18 @@ struct frame {
     std::int8_t winding = 1;
     uv_origin uv = uv_origin::top_left;
 
-    /// Whether two corners of each triangle must be exchanged: the mapping mirrors, or the winding asked for is
-    /// negative.
-    [[nodiscard]] constexpr bool turns_triangles() const noexcept
+    /// Whether the three are left-handed among themselves, in the order right, up, toward: a negative determinant.
+    [[nodiscard]] constexpr bool mirrors() const noexcept
     {
         const float determinant = right.x * (up.y * toward.z - up.z * toward.y) -
                                   right.y * (up.x * toward.z - up.z * toward.x) +
                                   right.z * (up.x * toward.y - up.y * toward.x);
-        return (determinant < 0.0f) != (winding < 0);
+        return determinant < 0.0f;
     }
+
+    /// Whether two corners of each triangle must be exchanged: the mapping mirrors, or the winding asked for is
+    /// negative.
+    [[nodiscard]] constexpr bool turns_triangles() const noexcept { return mirrors() != (winding < 0); }
 
     /// Whether the three are unit vectors at right angles, but for rounding.
     [[nodiscard]] constexpr bool is_orthonormal() const noexcept

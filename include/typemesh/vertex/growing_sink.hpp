@@ -5,6 +5,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 namespace typemesh {
@@ -18,7 +19,7 @@ concept sizable_array = requires(C& c, std::size_t n) {
 };
 
 /// Sizes two containers of the caller's to fit, then writes as array_sink does. What they held before is replaced. They
-/// are referred to until end().
+/// are referred to until end(). base_vertex is added to every index.
 ///
 /// A container that throws when memory fails gives error::out_of_memory (where exceptions are on), both then being as
 /// they were if they have reserve().
@@ -31,14 +32,15 @@ class growing_sink {
 public:
     static constexpr attribute wants = Writer::wants;
 
-    growing_sink(Vertices& vertices, Indices& indices, Writer writer) noexcept
-        : vertices_{&vertices}, indices_{&indices}, writer_{std::move(writer)}
+    growing_sink(Vertices& vertices, Indices& indices, Writer writer, std::uint32_t base_vertex = 0) noexcept
+        : vertices_{&vertices}, indices_{&indices}, writer_{std::move(writer)}, base_{base_vertex}
     {
     }
 
     error begin(mesh_size exact) noexcept
     {
-        if (!index_can_number<index_type>(exact.vertices)) return {error::index_overflow, exact.vertices};
+        if (!index_can_number<index_type>(base_ + exact.vertices))
+            return {error::index_overflow, base_ + exact.vertices};
         const auto vertices = static_cast<std::size_t>(exact.vertices);
         const auto indices = static_cast<std::size_t>(exact.indices());
         if (!resize(vertices, indices)) return error::out_of_memory;
@@ -49,9 +51,9 @@ public:
     void vertex(const surface_point<wants>& s) noexcept { *next_vertex_++ = writer_(s); }
     void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept
     {
-        next_index_[0] = static_cast<index_type>(a);
-        next_index_[1] = static_cast<index_type>(b);
-        next_index_[2] = static_cast<index_type>(c);
+        next_index_[0] = static_cast<index_type>(base_ + a);
+        next_index_[1] = static_cast<index_type>(base_ + b);
+        next_index_[2] = static_cast<index_type>(base_ + c);
         next_index_ += 3;
     }
     void end() noexcept {}
@@ -81,20 +83,22 @@ private:
     vertex_type* next_vertex_ = nullptr;
     index_type* next_index_ = nullptr;
     [[no_unique_address]] Writer writer_;
+    std::uint32_t base_;
 };
 
 /// A sink that sizes two containers: `std::vector<my_vertex>` and `std::vector<std::uint32_t>`, or the like.
 template <sizable_array Vertices, sizable_array Indices>
-[[nodiscard]] auto into(Vertices& vertices, Indices& indices) noexcept
+[[nodiscard]] auto into(Vertices& vertices, Indices& indices, std::uint32_t base_vertex = 0) noexcept
 {
     require_vertex_traits<typename Vertices::value_type>();
-    return growing_sink<Vertices, Indices, vertex_traits<typename Vertices::value_type>>{vertices, indices, {}};
+    return growing_sink<Vertices, Indices, vertex_traits<typename Vertices::value_type>>{
+        vertices, indices, {}, base_vertex};
 }
 
 template <sizable_array Vertices, sizable_array Indices, vertex_writer Writer>
-[[nodiscard]] auto into(Vertices& vertices, Indices& indices, Writer writer) noexcept
+[[nodiscard]] auto into(Vertices& vertices, Indices& indices, Writer writer, std::uint32_t base_vertex = 0) noexcept
 {
-    return growing_sink<Vertices, Indices, Writer>{vertices, indices, std::move(writer)};
+    return growing_sink<Vertices, Indices, Writer>{vertices, indices, std::move(writer), base_vertex};
 }
 
 }  // namespace typemesh

@@ -34,4 +34,14 @@ concept mesh_sink = requires(S& s, mesh_size exact, const surface_point<S::wants
     { s.end() } noexcept;
 };
 
+/// A sink over memory that already holds a mesh, and that can write a stretch of it anew: begin_at() in place of begin().
+///
+///     s.begin_at(whole, first_vertex, first_index)   what follows goes to these places of a mesh of that size, for which
+///                                                    the memory must have room; vertices, then triangles, then end(), as
+///                                                    many as the caller knows there are
+template <class S>
+concept patching_sink = mesh_sink<S> && requires(S& s, mesh_size whole, std::uint32_t first) {
+    { s.begin_at(whole, first, first) } noexcept -> std::same_as<error>;
+};
+
 }  // namespace typemesh

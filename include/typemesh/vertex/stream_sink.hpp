@@ -9,15 +9,29 @@
 #include <span>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 
 namespace typemesh {
 
+/// How many elements of so many bytes fit into memory, `stride` bytes apart; the last needs no room behind it.
+[[nodiscard]] constexpr std::size_t elements_in(std::size_t bytes, std::size_t element, std::size_t stride) noexcept
+{
+    return bytes < element ? 0 : (bytes - element) / (stride != 0 ? stride : 1) + 1;
+}
+
 /// One attribute in an array of its own: element i of type T lies `stride` bytes behind element i - 1.
 ///
-/// T is made from the attribute's floats: T{x, y, z} for positions and normals, T{u, v} for texture coordinates.
+/// T is made from what the attribute holds: T{x, y, z} for positions and normals, T{u, v} for texture coordinates,
+/// T{x, y, z, sign} for tangents, T(number) for glyph, cluster and part (0 front, 1 back, 2 side). Packed formats are
+/// such types: snorm10, octahedral32, or structures of half, snorm16 and so on. Elements are written whole, once, in
+/// ascending order, and never read: the memory may be mapped.
 template <attribute A, class T>
 struct stream {
     static constexpr attribute wants = A;
+    static_assert(A == attribute::position || A == attribute::normal || A == attribute::uv ||
+                      A == attribute::tangent || A == attribute::glyph || A == attribute::cluster ||
+                      A == attribute::part,
+                  "typemesh: a stream holds one attribute; computed_stream takes several");
 
     void* data = nullptr;        ///< the first element; aligned for T
     std::size_t capacity = 0;    ///< elements
@@ -29,17 +43,30 @@ struct stream {
     }
     constexpr stream(std::span<T> elements) noexcept : data{elements.data()}, capacity{elements.size()} {}
 
+    /// As many elements as fit into some bytes, the first `offset` bytes behind their begin: one attribute of an
+    /// interleaved vertex of `bytes_apart` bytes.
+    [[nodiscard]] static stream in(std::span<std::byte> bytes, std::size_t offset,
+                                   std::size_t bytes_apart = sizeof(T)) noexcept
+    {
+        if (offset > bytes.size()) return {nullptr, 0, bytes_apart};
+        return {bytes.data() + offset, elements_in(bytes.size() - offset, sizeof(T), bytes_apart), bytes_apart};
+    }
+
     void put(std::size_t i, const surface_point<wants>& s) const noexcept
     {
         T* place = reinterpret_cast<T*>(static_cast<std::byte*>(data) + i * stride);
         if constexpr (A == attribute::position) *place = T{s.position.x, s.position.y, s.position.z};
         else if constexpr (A == attribute::normal) *place = T{s.normal.x, s.normal.y, s.normal.z};
-        else *place = T{s.uv.x, s.uv.y};
+        else if constexpr (A == attribute::uv) *place = T{s.uv.x, s.uv.y};
+        else if constexpr (A == attribute::tangent) *place = T{s.tangent.x, s.tangent.y, s.tangent.z, s.tangent.w};
+        else if constexpr (A == attribute::glyph) *place = static_cast<T>(s.glyph);
+        else if constexpr (A == attribute::cluster) *place = static_cast<T>(s.cluster);
+        else *place = static_cast<T>(s.part);
     }
 };
 
 /// What stream_sink asks of a stream: `wants`, `capacity` in elements, and put(i, point), called once for each i,
-/// ascending. Write your own for packed formats.
+/// ascending. computed_stream (computed_stream.hpp) makes one of any function.
 template <class S>
 concept vertex_stream = requires(const S& s, std::size_t i, const surface_point<S::wants>& p) {
     { S::wants } -> std::convertible_to<attribute>;
@@ -52,26 +79,40 @@ concept vertex_stream = requires(const S& s, std::size_t i, const surface_point<
 ///     stream_sink sink{std::span{indices}, stream<attribute::position, float3>{positions},
 ///                      stream<attribute::uv, float2>{uvs}};
 ///
-/// Fails in begin(), before anything is written, as array_sink does; there is no base vertex.
+///     stream_sink sink{std::span{indices}, base_vertex, ...};      // base_vertex is added to every index
+///
+/// Fails in begin(), before anything is written, as array_sink does.
 template <std::unsigned_integral Index, vertex_stream... Streams>
 class stream_sink {
 public:
     static constexpr attribute wants = (attribute::none | ... | Streams::wants);
 
     explicit stream_sink(std::span<Index> indices, Streams... streams) noexcept
-        : indices_{indices}, streams_{streams...}
+        : stream_sink{indices, 0u, std::move(streams)...}
+    {
+    }
+    stream_sink(std::span<Index> indices, std::uint32_t base_vertex, Streams... streams) noexcept
+        : indices_{indices}, streams_{std::move(streams)...}, base_{base_vertex}
     {
     }
 
     error begin(mesh_size exact) noexcept
     {
-        if (!index_can_number<Index>(exact.vertices)) return {error::index_overflow, exact.vertices};
+        if (!index_can_number<Index>(base_ + exact.vertices)) return {error::index_overflow, base_ + exact.vertices};
         if (exact.indices() > indices_.size()) return {error::buffer_too_small, exact.indices()};
         const bool fits =
             std::apply([&](const auto&... s) { return ((exact.vertices <= s.capacity) && ...); }, streams_);
         if (!fits) return {error::buffer_too_small, exact.vertices};
         next_vertex_ = 0;
         next_index_ = indices_.data();
+        return {};
+    }
+    /// See patching_sink. Fails as begin() does.
+    error begin_at(mesh_size whole, std::uint32_t first_vertex, std::uint32_t first_index) noexcept
+    {
+        if (error e = begin(whole)) return e;
+        next_vertex_ = first_vertex;
+        next_index_ += first_index;
         return {};
     }
     void vertex(const surface_point<wants>& p) noexcept
@@ -83,9 +124,9 @@ public:
     }
     void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept
     {
-        next_index_[0] = static_cast<Index>(a);
-        next_index_[1] = static_cast<Index>(b);
-        next_index_[2] = static_cast<Index>(c);
+        next_index_[0] = static_cast<Index>(base_ + a);
+        next_index_[1] = static_cast<Index>(base_ + b);
+        next_index_[2] = static_cast<Index>(base_ + c);
         next_index_ += 3;
     }
     void end() noexcept {}
@@ -95,9 +136,12 @@ private:
     std::tuple<Streams...> streams_;
     std::size_t next_vertex_ = 0;
     Index* next_index_ = nullptr;
+    std::uint32_t base_;
 };
 
 template <class Index, std::size_t I, class... Streams>
 stream_sink(std::span<Index, I>, Streams...) -> stream_sink<Index, Streams...>;
+template <class Index, std::size_t I, std::integral Base, class... Streams>
+stream_sink(std::span<Index, I>, Base, Streams...) -> stream_sink<Index, Streams...>;
 
 }  // namespace typemesh

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/glyph_id.hpp>
 #include <typemesh/core/point.hpp>
 #include <typemesh/vertex/attribute.hpp>
-
-#include <type_traits>
+#include <typemesh/vertex/part.hpp>
 
 namespace typemesh {
 
@@ -13,19 +13,90 @@ template <attribute A>
 struct not_in_wants {
 };
 
+namespace detail {
+
+// One layer an attribute, each on top of the one before: a member where it is wanted, else a static one, which takes no
+// room. A chain, not a list of bases: every ABI lays out empty bases without padding when there is one of them.
+
+template <attribute Wants, bool = has(Wants, attribute::position)>
+struct with_position {
+    vec3 position{};
+};
+template <attribute Wants>
+struct with_position<Wants, false> {
+    static constexpr not_in_wants<attribute::position> position{};
+};
+
+template <attribute Wants, bool = has(Wants, attribute::normal)>
+struct with_normal : with_position<Wants> {
+    vec3 normal{};
+};
+template <attribute Wants>
+struct with_normal<Wants, false> : with_position<Wants> {
+    static constexpr not_in_wants<attribute::normal> normal{};
+};
+
+template <attribute Wants, bool = has(Wants, attribute::uv)>
+struct with_uv : with_normal<Wants> {
+    vec2 uv{};
+};
+template <attribute Wants>
+struct with_uv<Wants, false> : with_normal<Wants> {
+    static constexpr not_in_wants<attribute::uv> uv{};
+};
+
+template <attribute Wants, bool = has(Wants, attribute::tangent)>
+struct with_tangent : with_uv<Wants> {
+    vec4 tangent{};
+};
+template <attribute Wants>
+struct with_tangent<Wants, false> : with_uv<Wants> {
+    static constexpr not_in_wants<attribute::tangent> tangent{};
+};
+
+template <attribute Wants, bool = has(Wants, attribute::glyph)>
+struct with_glyph : with_tangent<Wants> {
+    glyph_id glyph = no_glyph;
+};
+template <attribute Wants>
+struct with_glyph<Wants, false> : with_tangent<Wants> {
+    static constexpr not_in_wants<attribute::glyph> glyph{};
+};
+
+template <attribute Wants, bool = has(Wants, attribute::cluster)>
+struct with_cluster : with_glyph<Wants> {
+    cluster_id cluster = no_cluster;
+};
+template <attribute Wants>
+struct with_cluster<Wants, false> : with_glyph<Wants> {
+    static constexpr not_in_wants<attribute::cluster> cluster{};
+};
+
+template <attribute Wants, bool = has(Wants, attribute::part)>
+struct with_part : with_cluster<Wants> {
+    typemesh::part part{};
+};
+template <attribute Wants>
+struct with_part<Wants, false> : with_cluster<Wants> {
+    static constexpr not_in_wants<attribute::part> part{};
+};
+
+}  // namespace detail
+
 /// One point of the mesh's surface, with the attributes in `Wants` and no others.
 ///
-///     position   in the output's unit and frame (text_options)
-///     normal     unit length, outward, in the same frame
-///     uv         texture coordinates (see extrude/texture.hpp)
+///     position   vec3   in the output's unit and frame (text_options)
+///     normal     vec3   unit length, outward, in the same frame
+///     uv         vec2   texture coordinates (see extrude/texture.hpp)
+///     tangent    vec4   x, y, z: unit length, at right angles to the normal, where u grows; w: +1 or -1, so that
+///                       w * cross(normal, tangent) is where v grows (see extrude/texture_tangent.hpp)
+///     glyph      glyph_id     whose glyph it is, in its font; no_glyph where nobody knows
+///     cluster    cluster_id   where in the caller's text it comes from; no_cluster where nobody knows
+///     part       part         front, back or side
+///
+/// What is not in `Wants` takes no room and is never computed.
 template <attribute Wants>
-struct surface_point {
-    template <attribute A, class T>
-    using wanted = std::conditional_t<has(Wants, A), T, not_in_wants<A>>;
-
-    [[no_unique_address]] wanted<attribute::position, vec3> position{};
-    [[no_unique_address]] wanted<attribute::normal, vec3> normal{};
-    [[no_unique_address]] wanted<attribute::uv, vec2> uv{};
+struct surface_point : detail::with_part<Wants> {
 };
 
 /// The same point with fewer attributes; Fewer must be among those it has.
@@ -38,6 +109,10 @@ template <attribute Fewer, attribute Wants>
     if constexpr (has(Fewer, attribute::position)) fewer.position = s.position;
     if constexpr (has(Fewer, attribute::normal)) fewer.normal = s.normal;
     if constexpr (has(Fewer, attribute::uv)) fewer.uv = s.uv;
+    if constexpr (has(Fewer, attribute::tangent)) fewer.tangent = s.tangent;
+    if constexpr (has(Fewer, attribute::glyph)) fewer.glyph = s.glyph;
+    if constexpr (has(Fewer, attribute::cluster)) fewer.cluster = s.cluster;
+    if constexpr (has(Fewer, attribute::part)) fewer.part = s.part;
     return fewer;
 }
 

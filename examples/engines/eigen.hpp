@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Eigen, as libigl and its like hold a mesh: a matrix of vertices and a matrix of triangles, a row each (row-major, so
+// that a row lies in one piece), or a column each (Eigen's own order). Right-handed, z up, text on the x axis looking
+// along -y, as CAD has it; Eigen itself asks for nothing.
+//
+// Include <Eigen/Core> first.
+//
+//     Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> v, n;      // or Eigen::Matrix3Xf
+//     Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor> f;           // or Eigen::Matrix3Xi
+//     if (typemesh::error e = engines::eigen::write(*plan, v, n, f)) return e;
+
+#include <typemesh/text/text_options.hpp>
+#include <typemesh/vertex/stream_sink.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+
+namespace engines::eigen {
+
+[[nodiscard]] inline typemesh::text_options options() noexcept
+{
+    typemesh::text_options o;
+    o.frame = typemesh::right_handed_z_up;
+    return o;
+}
+
+template <class Matrix>
+inline constexpr bool holds_triples_in_one_piece =
+    (Matrix::ColsAtCompileTime == 3 && bool(Matrix::IsRowMajor)) || (Matrix::RowsAtCompileTime == 3 && !bool(Matrix::IsRowMajor));
+
+/// Sizes the three matrices and fills them: places, normals, triangles. float, and an integer of 32 or 16 bits.
+template <class Plan, class Places, class Normals, class Triangles>
+[[nodiscard]] typemesh::error write(const Plan& plan, Places& places, Normals& normals, Triangles& triangles)
+{
+    using namespace typemesh;
+    static_assert(holds_triples_in_one_piece<Places> && holds_triples_in_one_piece<Normals> && holds_triples_in_one_piece<Triangles>,
+                  "typemesh: matrices with 3 columns must be row-major, matrices with 3 rows column-major");
+    static_assert(std::is_same_v<typename Places::Scalar, float> && std::is_same_v<typename Normals::Scalar, float>);
+    struct float3 {
+        float x, y, z;
+    };
+    using index = std::make_unsigned_t<typename Triangles::Scalar>;  // the same bits
+    const mesh_size size = plan.size();
+    if (std::is_signed_v<typename Triangles::Scalar> && size.vertices > static_cast<index>(-1) / 2)
+        return {error::index_overflow, size.vertices};
+    const auto fit = [](auto& m, std::size_t n) {
+        using extent = decltype(m.rows());
+        if constexpr (std::remove_reference_t<decltype(m)>::RowsAtCompileTime == 3) m.resize(3, static_cast<extent>(n));
+        else m.resize(static_cast<extent>(n), 3);
+    };
+    fit(places, size.vertices), fit(normals, size.vertices), fit(triangles, size.triangles);
+    return plan.write(stream_sink{std::span{reinterpret_cast<index*>(triangles.data()), size.indices()},
+                                  stream<attribute::position, float3>{places.data(), size.vertices},
+                                  stream<attribute::normal, float3>{normals.data(), size.vertices}});
+}
+
+}  // namespace engines::eigen

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// glTF 2.0, as one binary file in memory (GLB): one mesh, one primitive a part, one buffer. Right-handed, y up, front
+// faces counter-clockwise, looking along +z; v downwards, normal maps with green up: a tangent's w is turned.
+//
+//     plain        48 bytes a vertex: floats
+//     quantised    20 bytes a vertex, by KHR_mesh_quantization (required by the file):
+//                    POSITION   unsigned short x 3, normalised, at 0     the node's translation and scale undo it: one
+//                    NORMAL     byte x 3, normalised, at 8               scale for all axes, so normals stay as they are
+//                    TANGENT    byte x 4, normalised, at 12
+//                    TEXCOORD_0 unsigned short x 2, normalised, at 16    for texture_mapping::box, whose u and v lie in [0, 1]
+//
+// Indices are unsigned short up to 65,535 vertices (65,535 itself is left out by the format), else unsigned int.
+//
+//     std::vector<std::byte> glb;
+//     if (typemesh::error e = engines::gltf::write(*plan, engines::gltf::layout::quantised, glb)) return e;
+
+#include <typemesh/extrude/part.hpp>
+#include <typemesh/text/text_options.hpp>
+#include <typemesh/vertex/computed_stream.hpp>
+#include <typemesh/vertex/normalised.hpp>
+#include <typemesh/vertex/position_box.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <span>
+#include <string>
+
+namespace engines::gltf {
+
+enum class layout { plain, quantised };
+
+[[nodiscard]] inline typemesh::text_options options() noexcept
+{
+    typemesh::text_options o;
+    o.frame = typemesh::right_handed_y_up;
+    return o;
+}
+
+struct float2 {
+    float u, v;
+};
+struct float3 {
+    float x, y, z;
+};
+struct float4 {
+    float x, y, z, w;
+};
+struct snorm8x3 {
+    typemesh::snorm8 x, y, z;
+};
+struct snorm8x4 {
+    typemesh::snorm8 x, y, z, w;
+};
+struct unorm16x2 {
+    typemesh::unorm16 u, v;
+};
+
+/// Numbers into text, JSON's way.
+inline void say(std::string& out, const char* format, auto... values)
+{
+    char text[512];
+    const int n = std::snprintf(text, sizeof text, format, values...);
+    out.append(text, n > 0 ? static_cast<std::size_t>(n) : 0);
+}
+
+/// Where the vertices and indices go, whatever the layout.
+template <class Index, class Plan>
+[[nodiscard]] typemesh::error write_buffer(const Plan& plan, layout how, const typemesh::position_box& box,
+                                           std::span<std::byte> vertices, std::span<Index> indices) noexcept
+{
+    using namespace typemesh;
+    const auto turned = []<class T>(T) noexcept {
+        return [](const surface_point<attribute::tangent>& s) noexcept {
+            return T{s.tangent.x, s.tangent.y, s.tangent.z, -s.tangent.w};
+        };
+    };
+    if (how == layout::plain) {
+        return plan.write(stream_sink{indices, stream<attribute::position, float3>::in(vertices, 0, 48),
+                                      stream<attribute::normal, float3>::in(vertices, 12, 48),
+                                      computed_stream<attribute::tangent, float4>(vertices, 24, 48, turned(float4{})),
+                                      stream<attribute::uv, float2>::in(vertices, 40, 48)});
+    }
+    return plan.write(stream_sink{
+        indices,
+        computed_stream<attribute::position, box_position>(
+            vertices, 0, 20, [box](const surface_point<attribute::position>& s) noexcept { return box(s.position); }),
+        stream<attribute::normal, snorm8x3>::in(vertices, 8, 20),
+        computed_stream<attribute::tangent, snorm8x4>(vertices, 12, 20, turned(snorm8x4{})),
+        stream<attribute::uv, unorm16x2>::in(vertices, 16, 20)});
+}
+
+/// Replaces `out`, a container of bytes, by the file; an empty text gives a scene without nodes.
+template <class Plan, class Bytes>
+[[nodiscard]] typemesh::error write(const Plan& plan, layout how, Bytes& out)
+{
+    using namespace typemesh;
+    const mesh_size size = plan.size();
+    const bool wide = !index_can_number<std::uint16_t>(size.vertices), packed = how == layout::quantised;
+    const std::size_t stride = packed ? 20 : 48, vertex_bytes = stride * size.vertices,
+                      index_bytes = (wide ? 4 : 2) * size.indices(), bytes = (vertex_bytes + index_bytes + 3) / 4 * 4;
+    const auto low = plan.bounds().low, high = plan.bounds().high;
+    const position_box box = position_box::cube_around(low, high);
+
+    std::string json = R"({"asset":{"version":"2.0","generator":"typemesh"},"scene":0,)";
+    if (size.triangles == 0) {
+        json += R"("scenes":[{}]})";
+    } else {
+        json += R"("scenes":[{"nodes":[0]}],)";
+        if (packed) json += R"("extensionsUsed":["KHR_mesh_quantization"],"extensionsRequired":["KHR_mesh_quantization"],)";
+        json += R"("nodes":[{"mesh":0)";
+        if (packed)
+            say(json, R"(,"translation":[%.9g,%.9g,%.9g],"scale":[%.9g,%.9g,%.9g])", box.offset.x, box.offset.y, box.offset.z,
+                box.scale.x, box.scale.y, box.scale.z);
+        json += R"(}],"meshes":[{"primitives":[)";
+        int accessor = 4;
+        for (const part p : all_parts) {
+            if (plan.range(p).index_count == 0) continue;
+            say(json, R"(%s{"attributes":{"POSITION":0,"NORMAL":1,"TANGENT":2,"TEXCOORD_0":3},"indices":%d})",
+                accessor > 4 ? "," : "", accessor);
+            ++accessor;
+        }
+        say(json, R"(]}],"buffers":[{"byteLength":%zu}],"bufferViews":[{"buffer":0,"byteLength":%zu,"byteStride":%zu,"target":34962},)", bytes,
+            vertex_bytes, stride);
+        say(json, R"({"buffer":0,"byteOffset":%zu,"byteLength":%zu,"target":34963}],"accessors":[)", vertex_bytes, index_bytes);
+        const auto n = static_cast<unsigned>(size.vertices);
+        if (packed) {
+            const box_position last = box(high);
+            say(json, R"({"bufferView":0,"componentType":5123,"normalized":true,"count":%u,"type":"VEC3","min":[0,0,0],"max":[%d,%d,%d]},)", n,
+                int{last.x.bits}, int{last.y.bits}, int{last.z.bits});
+            say(json, R"({"bufferView":0,"byteOffset":8,"componentType":5120,"normalized":true,"count":%u,"type":"VEC3"},)", n);
+            say(json, R"({"bufferView":0,"byteOffset":12,"componentType":5120,"normalized":true,"count":%u,"type":"VEC4"},)", n);
+            say(json, R"({"bufferView":0,"byteOffset":16,"componentType":5123,"normalized":true,"count":%u,"type":"VEC2"})", n);
+        } else {
+            say(json, R"({"bufferView":0,"componentType":5126,"count":%u,"type":"VEC3","min":[%.9g,%.9g,%.9g],"max":[%.9g,%.9g,%.9g]},)", n,
+                low.x, low.y, low.z, high.x, high.y, high.z);
+            say(json, R"({"bufferView":0,"byteOffset":12,"componentType":5126,"count":%u,"type":"VEC3"},)", n);
+            say(json, R"({"bufferView":0,"byteOffset":24,"componentType":5126,"count":%u,"type":"VEC4"},)", n);
+            say(json, R"({"bufferView":0,"byteOffset":40,"componentType":5126,"count":%u,"type":"VEC2"})", n);
+        }
+        for (const part p : all_parts) {
+            const auto range = plan.range(p);
+            if (range.index_count == 0) continue;
+            say(json, R"(,{"bufferView":1,"byteOffset":%zu,"componentType":%d,"count":%u,"type":"SCALAR"})",
+                std::size_t{range.first_index} * (wide ? 4u : 2u), wide ? 5125 : 5123, range.index_count);
+        }
+        json += "]}";
+    }
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+
+    const bool filled = size.triangles != 0;
+    const std::size_t file = 20 + json.size() + (filled ? 8 + bytes : 0);
+    if (file > 0xFFFF'FFFFu) return error::too_large;
+    out.resize(file);
+    std::byte* at = out.data();
+    const auto word = [&at](std::size_t value) {  // little endian
+        for (int i = 0; i < 4; ++i) *at++ = static_cast<std::byte>(value >> (8 * i) & 0xFF);
+    };
+    word(0x4654'6C67), word(2), word(file);
+    word(json.size()), word(0x4E4F'534A);
+    std::memcpy(at, json.data(), json.size());
+    if (!filled) return {};
+    at += json.size();
+    word(bytes), word(0x004E'4942);
+    std::memset(at, 0, bytes);  // the gaps between attributes, and the end
+    const std::span vertices{at, vertex_bytes};
+    if (wide)
+        return write_buffer(plan, how, box, vertices,
+                            std::span{reinterpret_cast<std::uint32_t*>(at + vertex_bytes), index_bytes / 4});
+    return write_buffer(plan, how, box, vertices,
+                        std::span{reinterpret_cast<std::uint16_t*>(at + vertex_bytes), index_bytes / 2});
+}
+
+}  // namespace engines::gltf

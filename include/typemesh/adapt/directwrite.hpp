@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/adapt/directwrite_com.hpp>
+#include <typemesh/adapt/directwrite_outline.hpp>
+#include <typemesh/adapt/directwrite_shaping.hpp>
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/finite.hpp>
+#include <typemesh/layout/shaper.hpp>
+#include <typemesh/outline/font_options.hpp>
+#include <typemesh/outline/outline_source.hpp>
+
+#include <dwrite_3.h>
+
+#include <cstddef>
+#include <utility>
+
+namespace typemesh {
+
+/// Which member of a family: its weight (100 to 900), its width, its slant.
+struct directwrite_style {
+    DWRITE_FONT_WEIGHT weight = DWRITE_FONT_WEIGHT_NORMAL;
+    DWRITE_FONT_STRETCH stretch = DWRITE_FONT_STRETCH_NORMAL;
+    DWRITE_FONT_STYLE style = DWRITE_FONT_STYLE_NORMAL;
+};
+
+/// A font through DirectWrite (Windows 7 or later): shapes text of every script, both directions in one line included,
+/// and draws its outlines. Nothing but Windows is needed; link dwrite.lib.
+///
+///     auto font = directwrite_font::open(L"C:\\Windows\\Fonts\\segoeui.ttf");      // a file
+///     auto font = directwrite_font::open_family(L"Segoe UI");                      // an installed font
+///     if (!font) return puts(font.error().message());
+///
+/// Its shaper is IDWriteTextAnalyzer, not IDWriteTextLayout: the analyser takes this very face, so no other font can
+/// step in for a missing glyph, and the face needs no family name or collection; it is told script, language and
+/// features outright; and Wine has it as well. For a whole IDWriteTextLayout see directwrite_text.
+///
+/// What `fill()` says is the rule of the outline drawn last (DirectWrite tells it glyph by glyph); non_zero in every
+/// font known. Outlines are asked for at one unit per font unit and turned y up.
+///
+/// COM need not be initialised. Move-only. Used from one thread at a time; for another thread make a second one,
+/// wrap(font.handle()).
+class directwrite_font {
+public:
+    /// Opens a font file. Without a `factory` the process' shared one is used.
+    ///
+    /// Fails  error::unreadable_file, not_a_font, no_such_face (count = how many faces there are), no_outlines,
+    ///        unknown_variation, bad_option (a variation is NaN or infinite), out_of_memory,
+    ///        font_library_failed (count = the HRESULT)
+    static result<directwrite_font> open(const wchar_t* path, const font_options& options = {},
+                                         IDWriteFactory* factory = nullptr) noexcept
+    {
+        TYPEMESH_ASSERT(path != nullptr, "a font was opened without a path");
+        auto held = factory_or_shared(factory);
+        if (!held) return held.error();
+        detail::com_ptr<IDWriteFontFile> file;
+        if (error e = directwrite_error((*held)->CreateFontFileReference(path, nullptr, file.put()))) return e;
+
+        BOOL supported = FALSE;
+        DWRITE_FONT_FILE_TYPE file_type = DWRITE_FONT_FILE_TYPE_UNKNOWN;
+        DWRITE_FONT_FACE_TYPE face_type = DWRITE_FONT_FACE_TYPE_UNKNOWN;
+        UINT32 faces = 0;
+        if (error e = directwrite_error(file->Analyze(&supported, &file_type, &face_type, &faces))) {
+            // Wine says no more than that it failed.
+            const DWORD kind = GetFileAttributesW(path);
+            const bool is_file = kind != INVALID_FILE_ATTRIBUTES && (kind & FILE_ATTRIBUTE_DIRECTORY) == 0;
+            return is_file ? e : error{error::unreadable_file};
+        }
+        if (supported == FALSE || faces == 0) return error::not_a_font;
+        if (options.face >= faces) return error{error::no_such_face, faces};
+        detail::com_ptr<IDWriteFontFace> face;
+        IDWriteFontFile* const files[] = {file.get()};
+        if (error e = directwrite_error((*held)->CreateFontFace(face_type, 1, files, options.face,
+                                                                DWRITE_FONT_SIMULATIONS_NONE, face.put())))
+            return e;
+        if (error e = vary(face, options.variations)) return e;
+        return finished(std::move(face), *held);
+    }
+
+    /// Opens the member of a family that suits a style best, from the fonts installed or from a collection of the
+    /// caller's. A weight or slant that the family lacks is drawn as DirectWrite simulates it.
+    ///
+    /// Fails  error::no_such_family, no_outlines, out_of_memory, font_library_failed (count = the HRESULT)
+    static result<directwrite_font> open_family(const wchar_t* family, const directwrite_style& style = {},
+                                                IDWriteFontCollection* collection = nullptr,
+                                                IDWriteFactory* factory = nullptr) noexcept
+    {
+        TYPEMESH_ASSERT(family != nullptr, "a font was opened without the name of its family");
+        auto held = factory_or_shared(factory);
+        if (!held) return held.error();
+        auto fonts = detail::com_ptr<IDWriteFontCollection>::share(collection);
+        if (!fonts)
+            if (error e = directwrite_error((*held)->GetSystemFontCollection(fonts.put(), FALSE))) return e;
+
+        UINT32 index = 0;
+        BOOL exists = FALSE;
+        if (error e = directwrite_error(fonts->FindFamilyName(family, &index, &exists))) return e;
+        if (exists == FALSE) return error::no_such_family;
+        detail::com_ptr<IDWriteFontFamily> members;
+        detail::com_ptr<IDWriteFont> member;
+        detail::com_ptr<IDWriteFontFace> face;
+        if (error e = directwrite_error(fonts->GetFontFamily(index, members.put()))) return e;
+        if (error e = directwrite_error(
+                members->GetFirstMatchingFont(style.weight, style.stretch, style.style, member.put())))
+            return e;
+        if (error e = directwrite_error(member->CreateFontFace(face.put()))) return e;
+        return finished(std::move(face), *held);
+    }
+
+    /// Takes a face that the caller has made, with its variations and simulations. Holds a reference of its own.
+    ///
+    /// Fails  error::not_a_font (without glyphs or units), no_outlines, out_of_memory, font_library_failed
+    static result<directwrite_font> wrap(IDWriteFontFace* face, IDWriteFactory* factory = nullptr) noexcept
+    {
+        TYPEMESH_ASSERT(face != nullptr, "a null IDWriteFontFace* was wrapped");
+        auto held = factory_or_shared(factory);
+        if (!held) return held.error();
+        return finished(detail::com_ptr<IDWriteFontFace>::share(face), *held);
+    }
+
+    /// DirectWrite's own object, still owned by this one; AddRef() keeps it longer.
+    [[nodiscard]] IDWriteFontFace* handle() const noexcept { return face_.get(); }
+
+    [[nodiscard]] double units_per_em() const noexcept { return units_per_em_; }
+    [[nodiscard]] fill_rule fill() const noexcept { return rule_; }
+
+    /// How many glyphs the face has; their ids count from 0.
+    [[nodiscard]] std::uint32_t glyph_count() const noexcept { return glyph_count_; }
+
+    /// See outline_source. TrueType's quadratics, which DirectWrite gives as cubics, are quadratics again wherever a
+    /// cubic is one to 1/64 unit; CFF's cubics stay.
+    template <outline_sink Sink>
+    error outline(glyph_id id, Sink& sink) noexcept
+    {
+        if (id >= glyph_count_) return error{error::unknown_glyph}.at(id, no_cluster);
+        return detail::draw_glyph(face_.get(), units_per_em_, 1.0, lowers_, false, id, sink, rule_);
+    }
+
+    /// See shaper. Half an em to each side of a column.
+    [[nodiscard]] line_metrics metrics(direction d) const noexcept
+    {
+        if (d == direction::top_to_bottom) return {units_per_em_ / 2, -units_per_em_ / 2, 0.0};
+        DWRITE_FONT_METRICS m = {};
+        face_->GetMetrics(&m);
+        const double ascent = m.ascent, descent = m.descent;
+        return {ascent, -descent, static_cast<double>(m.lineGap)};
+    }
+
+    /// See shaper. Scripts and bidirectional levels are DirectWrite's own (UAX #9), so a line may hold text of both
+    /// directions: its pieces come out in visual order and error::mixed_direction never comes. `direction` is the
+    /// line's own, by which its pieces are ordered; a letter keeps its reading whatever is asked. direction::automatic
+    /// takes that of the first letter.
+    ///
+    /// In columns glyphs stand upright, in the vertical forms that the font has ("vert"), one below the other by their
+    /// vertical metrics.
+    ///
+    /// Fails besides  error::bad_option: options.script is no script that DirectWrite knows, or options.language is
+    ///                longer than Windows allows
+    ///                error::bad_feature: a tag is not four printable ASCII characters
+    ///                error::too_large: more than 2^28 units in a line; error::font_library_failed (count = HRESULT)
+    result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& options,
+                        glyph_run& run) noexcept
+    {
+        TYPEMESH_ASSERT(first <= last && last <= text.size(), "a shaper was given a place outside its text");
+        return shaping_.shape(face_.get(), units_per_em_, text, first, last, options, run);
+    }
+
+private:
+    directwrite_font() noexcept = default;
+
+    static result<detail::com_ptr<IDWriteFactory>> factory_or_shared(IDWriteFactory* callers) noexcept
+    {
+        if (callers != nullptr) return detail::com_ptr<IDWriteFactory>::share(callers);
+        detail::com_ptr<IDWriteFactory> made;
+        IUnknown* unknown = nullptr;
+        if (error e = directwrite_error(
+                DWriteCreateFactory(DWRITE_FACTORY_TYPE_SHARED, __uuidof(IDWriteFactory), &unknown)))
+            return e;
+        *made.put() = static_cast<IDWriteFactory*>(unknown);
+        return result<detail::com_ptr<IDWriteFactory>>{std::move(made)};
+    }
+
+    static result<directwrite_font> finished(detail::com_ptr<IDWriteFontFace> face,
+                                             const detail::com_ptr<IDWriteFactory>& factory) noexcept
+    {
+        directwrite_font made;
+        if (error e = made.shaping_.open(factory.get())) return e;
+        DWRITE_FONT_METRICS m = {};
+        face->GetMetrics(&m);
+        made.units_per_em_ = m.designUnitsPerEm;
+        made.glyph_count_ = face->GetGlyphCount();
+        if (made.glyph_count_ == 0 || m.designUnitsPerEm == 0) return error::not_a_font;
+        made.lowers_ = detail::has_table(face.get(), "glyf");
+        if (!made.lowers_ && face->GetType() != DWRITE_FONT_FACE_TYPE_TYPE1 && !detail::has_table(face.get(), "CFF ") &&
+            !detail::has_table(face.get(), "CFF2"))
+            return error::no_outlines;
+        made.face_ = std::move(face);
+        return result<directwrite_font>{std::move(made)};
+    }
+
+    /// Sets a variable font on its axes (Windows 10 1803 or later; earlier ones know no axis).
+    static error vary(detail::com_ptr<IDWriteFontFace>& face, std::span<const variation> wanted) noexcept
+    {
+        if (wanted.empty()) return {};
+        for (const variation& v : wanted)
+            if (!is_finite(double{v.value})) return error::bad_option;
+        const auto fixed = face.as<IDWriteFontFace5>();
+        if (!fixed || fixed->HasVariations() == FALSE) return error::unknown_variation;
+        detail::com_ptr<IDWriteFontResource> resource;
+        if (error e = directwrite_error(fixed->GetFontResource(resource.put()))) return e;
+
+        const UINT32 axes = resource->GetFontAxisCount();
+        buffer<DWRITE_FONT_AXIS_RANGE> ranges;
+        buffer<DWRITE_FONT_AXIS_VALUE> values;
+        if (axes == 0) return error::unknown_variation;
+        if (ranges.append(axes) == nullptr) return error::out_of_memory;
+        if (error e = directwrite_error(resource->GetFontAxisRanges(ranges.data(), axes))) return e;
+        for (const variation& v : wanted) {
+            UINT32 i = 0;
+            const auto tag = static_cast<DWRITE_FONT_AXIS_TAG>(detail::directwrite_tag(v.tag));
+            while (i < axes && ranges[i].axisTag != tag) ++i;
+            // An axis of a single value is one that DirectWrite adds for the family's sake.
+            if (i == axes || !(ranges[i].minValue < ranges[i].maxValue)) return error::unknown_variation;
+            const float low = ranges[i].minValue, high = ranges[i].maxValue;
+            const float inside = v.value < low ? low : v.value > high ? high : v.value;
+            if (!values.push_back({ranges[i].axisTag, inside})) return error::out_of_memory;
+        }
+        detail::com_ptr<IDWriteFontFace5> varied;
+        if (error e = directwrite_error(resource->CreateFontFace(DWRITE_FONT_SIMULATIONS_NONE, values.data(),
+                                                                 static_cast<UINT32>(values.size()), varied.put())))
+            return e;
+        face = detail::com_ptr<IDWriteFontFace>::share(varied.get());
+        return {};
+    }
+
+    detail::com_ptr<IDWriteFontFace> face_;
+    detail::directwrite_shaping shaping_;
+    double units_per_em_ = 1000.0;
+    std::uint32_t glyph_count_ = 0;
+    fill_rule rule_ = fill_rule::non_zero;
+    bool lowers_ = false;
+
+};
+
+static_assert(outline_source<directwrite_font> && shaper<directwrite_font>);
+
+}  // namespace typemesh

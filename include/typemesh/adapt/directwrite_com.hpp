@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/assert.hpp>
+#include <typemesh/core/error.hpp>
+
+#include <dwrite.h>
+
+#include <cstdint>
+#include <utility>
+
+namespace typemesh {
+
+/// What an HRESULT of DirectWrite means here: none for success, error::out_of_memory, unreadable_file, not_a_font, else
+/// font_library_failed with the HRESULT as an unsigned number in `count`.
+[[nodiscard]] inline error directwrite_error(HRESULT code) noexcept
+{
+    if (SUCCEEDED(code)) return {};
+    const auto number = static_cast<std::uint32_t>(code);
+    switch (number) {
+    case 0x8007'000Eu: return error::out_of_memory;    // E_OUTOFMEMORY
+    case 0x8898'5000u: return error::not_a_font;       // DWRITE_E_FILEFORMAT
+    case 0x8007'0002u:                                 // HRESULT_FROM_WIN32(ERROR_FILE_NOT_FOUND), ..._PATH_NOT_FOUND,
+    case 0x8007'0003u:                                 // ERROR_ACCESS_DENIED
+    case 0x8007'0005u:
+    case 0x8898'5003u:                                 // DWRITE_E_FILENOTFOUND
+    case 0x8898'5004u: return error::unreadable_file;  // DWRITE_E_FILEACCESS
+    default: return error{error::font_library_failed, number};
+    }
+}
+
+namespace detail {
+
+/// Owns one reference to a COM object, or none.
+template <class T>
+class com_ptr {
+public:
+    com_ptr() noexcept = default;
+    com_ptr(com_ptr&& other) noexcept : object_{std::exchange(other.object_, nullptr)} {}
+    com_ptr& operator=(com_ptr&& other) noexcept
+    {
+        std::swap(object_, other.object_);
+        return *this;
+    }
+    ~com_ptr()
+    {
+        if (object_ != nullptr) object_->Release();
+    }
+
+    /// Holds a reference of its own besides the caller's.
+    [[nodiscard]] static com_ptr share(T* object) noexcept
+    {
+        com_ptr made;
+        made.object_ = object;
+        if (object != nullptr) object->AddRef();
+        return made;
+    }
+
+    [[nodiscard]] T* get() const noexcept { return object_; }
+    [[nodiscard]] T* operator->() const noexcept { return object_; }
+    [[nodiscard]] explicit operator bool() const noexcept { return object_ != nullptr; }
+
+    /// Where a function puts a reference that it hands over. Only for one that holds nothing.
+    [[nodiscard]] T** put() noexcept
+    {
+        TYPEMESH_ASSERT(object_ == nullptr, "a com_ptr that holds an object was filled anew");
+        return &object_;
+    }
+
+    /// The object's interface of another type; empty where it has none.
+    template <class U>
+    [[nodiscard]] com_ptr<U> as() const noexcept
+    {
+        com_ptr<U> made;
+        void* found = nullptr;
+        if (object_ != nullptr && SUCCEEDED(object_->QueryInterface(__uuidof(U), &found)))
+            *made.put() = static_cast<U*>(found);
+        return made;
+    }
+
+private:
+    T* object_ = nullptr;
+};
+
+/// What all COM objects of ours have in common: they live on the stack, in one call of DirectWrite's, and are counted
+/// only to see that nobody keeps them longer.
+template <class Interface>
+class stack_object : public Interface {
+public:
+    stack_object() noexcept = default;
+    stack_object(const stack_object&) = delete;
+    stack_object& operator=(const stack_object&) = delete;
+
+    ULONG STDMETHODCALLTYPE AddRef() noexcept override { return ++references_; }
+    ULONG STDMETHODCALLTYPE Release() noexcept override { return --references_; }
+    HRESULT STDMETHODCALLTYPE QueryInterface(REFIID wanted, void** out) noexcept override
+    {
+        if (out == nullptr) return E_POINTER;
+        *out = nullptr;
+        if (!IsEqualGUID(wanted, __uuidof(IUnknown)) && !IsEqualGUID(wanted, __uuidof(Interface)) && !is_also(wanted))
+            return E_NOINTERFACE;
+        *out = static_cast<Interface*>(this);
+        AddRef();
+        return S_OK;
+    }
+
+protected:
+    ~stack_object() { TYPEMESH_ASSERT(references_ == 1, "a COM object was kept beyond the call that lent it"); }
+
+    /// Whether `wanted` is another interface that Interface derives from.
+    [[nodiscard]] virtual bool is_also(REFIID) const noexcept { return false; }
+
+private:
+    ULONG references_ = 1;
+};
+
+}  // namespace detail
+
+}  // namespace typemesh

@@ -1,0 +1,477 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/adapt/directwrite_clusters.hpp>
+#include <typemesh/adapt/directwrite_com.hpp>
+#include <typemesh/adapt/directwrite_outline.hpp>
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/finite.hpp>
+#include <typemesh/layout/glyph_run.hpp>
+#include <typemesh/outline/outline_source.hpp>
+
+#include <dwrite.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace typemesh {
+
+/// An inline object of a layout: where it stands, y up. Borrowed from the directwrite_text, like its glyphs.
+struct directwrite_object {
+    IDWriteInlineObject* object = nullptr;
+    point low, high;             ///< its box, in the text's font units
+    std::uint32_t line = 0;
+};
+
+/// Who a glyph id of a directwrite_text is.
+struct directwrite_glyph {
+    IDWriteFontFace* face = nullptr;  ///< null for an underline or a strike-through
+    std::uint16_t index = 0;          ///< the face's own number
+    double em_size = 0.0;             ///< in device-independent pixels
+    bool sideways = false;            ///< lying on its side
+};
+
+/// A whole IDWriteTextLayout as shaped text with its own outlines: everything that the layout does (fonts and sizes that
+/// change, fallback fonts, bidirectional text, wrapping, alignment, trimming, underlines) comes along.
+///
+///     directwrite_text text;
+///     if (error e = text.read(layout)) return puts(e.message());
+///     text_mesher mesher{text};
+///     mesher.build(text.run(), into(vertices, indices));
+///
+/// One run holds all faces. A glyph's id is the face's own number plus 65536 times the place of face and size in the
+/// order of first use, so the ids of a layout with one font are the font's own; glyph() takes an id apart. Underlines
+/// and strike-throughs are glyphs too, rectangles without a place in the text (`cluster` is no_cluster): solids of their
+/// own, which overlap the letters that they cross.
+///
+/// The unit is the font unit of the first face drawn, with one em the layout's own font size; outlines of other faces
+/// and sizes are scaled. The origin is the layout's top left corner, y up: lines lie below it. Multiply by dips_per_unit()
+/// to get device-independent pixels back.
+///
+/// Clusters count the layout's 16-bit units, so what an application attached to a range, such as its drawing effect, is
+/// found with layout->GetDrawingEffect(cluster, ...).
+///
+/// Holds references to the faces and inline objects of the last layout read, none to the layout. Memory stays for the
+/// next one. Move-only; used from one thread at a time.
+class directwrite_text {
+public:
+    explicit directwrite_text(memory source = heap()) noexcept
+        : run_{source}, looks_{source}, bars_{source}, objects_{source}, pieces_{source}, glyphs_{source},
+          lines_{source}, line_metrics_{source}, units_{source}
+    {
+    }
+    directwrite_text(directwrite_text&&) noexcept = default;
+    directwrite_text& operator=(directwrite_text&&) noexcept = default;
+    ~directwrite_text() { release(); }
+
+    /// Draws a layout into this. Inline objects are reported, and asked to draw themselves: text that they draw (the
+    /// ellipsis of a trimmed line) is taken over, without a place in the text. A `context` is handed on to them.
+    ///
+    /// Fails  error::bad_option: the layout runs in columns
+    ///        error::outline_not_finite: it places something at NaN or infinity
+    ///        error::too_large: more than 65535 pairs of face and size, or lines under or through text
+    ///        error::out_of_memory, font_library_failed (count = the HRESULT); nothing is held then
+    error read(IDWriteTextLayout* layout, void* context = nullptr) noexcept
+    {
+        TYPEMESH_ASSERT(layout != nullptr, "a null IDWriteTextLayout* was read");
+        release();
+        error e = take_lines(layout);
+        if (!e) {
+            renderer draws{*this};
+            const HRESULT code = layout->Draw(context, &draws, 0.0f, 0.0f);
+            e = trouble_ ? trouble_ : directwrite_error(code);
+        }
+        if (!e) e = put_in_order();
+        if (e) release();
+        return e;
+    }
+
+    /// The text, glyph by glyph and line by line, in the order of drawing; a line's underlines come after its letters.
+    [[nodiscard]] const glyph_run& run() const noexcept { return run_; }
+
+    /// The inline objects, in the order in which the layout drew them.
+    [[nodiscard]] std::span<const directwrite_object> objects() const noexcept { return objects_.view(); }
+
+    /// Device-independent pixels to one unit of run() and objects().
+    [[nodiscard]] double dips_per_unit() const noexcept { return em_size_ / run_.units_per_em; }
+
+    [[nodiscard]] double units_per_em() const noexcept { return run_.units_per_em; }
+    [[nodiscard]] fill_rule fill() const noexcept { return rule_; }
+
+    /// Which face and which of its glyphs an id of run() stands for. Any other id gives a null face.
+    [[nodiscard]] directwrite_glyph glyph(glyph_id id) const noexcept
+    {
+        const std::size_t slot = id >> 16;
+        if (slot >= looks_.size()) return {};
+        const look& l = looks_[slot];
+        return {l.face, static_cast<std::uint16_t>(id & 0xFFFF), l.em_size, l.sideways};
+    }
+
+    /// See outline_source; curves as directwrite_font draws them.
+    template <outline_sink Sink>
+    error outline(glyph_id id, Sink& sink) noexcept
+    {
+        const std::size_t slot = id >> 16, index = id & 0xFFFF;
+        rule_ = fill_rule::non_zero;
+        if (slot == bar_slot && index < bars_.size()) {
+            const point size = bars_[index];
+            sink.move({0.0, 0.0});
+            sink.line({size.x, 0.0});
+            sink.line(size);
+            sink.line({0.0, size.y});
+            sink.close();
+            return {};
+        }
+        if (slot >= looks_.size()) return error{error::unknown_glyph}.at(id, no_cluster);
+        const look& l = looks_[slot];
+        if (index >= l.face->GetGlyphCount()) return error{error::unknown_glyph}.at(id, no_cluster);
+        const error e = detail::draw_glyph(l.face, l.units_per_em, l.scale, l.lowers, l.sideways,
+                                           static_cast<glyph_id>(index), sink, rule_);
+        return e ? e.at(id, no_cluster) : e;
+    }
+
+private:
+    static constexpr std::size_t bar_slot = 0xFFFF;
+
+    /// A face at a size.
+    struct look {
+        IDWriteFontFace* face;
+        double em_size;
+        double units_per_em;
+        double scale;  // of its outlines
+        bool lowers;
+        bool sideways;
+    };
+
+    /// A stretch of glyphs_ as DirectWrite drew it.
+    struct piece {
+        std::uint32_t first, count;
+        std::uint32_t line;
+        bool bar;
+        double left, right;
+    };
+
+    /// A line as the layout says.
+    struct layout_line {
+        std::uint32_t end;  // unit of the text
+        double baseline;    // y up
+    };
+
+    /// What DirectWrite draws into.
+    class renderer final : public detail::stack_object<IDWriteTextRenderer> {
+    public:
+        explicit renderer(directwrite_text& to) noexcept : to_{to} {}
+
+        HRESULT STDMETHODCALLTYPE IsPixelSnappingDisabled(void*, BOOL* disabled) noexcept override
+        {
+            *disabled = TRUE;
+            return S_OK;
+        }
+        HRESULT STDMETHODCALLTYPE GetCurrentTransform(void*, DWRITE_MATRIX* identity) noexcept override
+        {
+            *identity = {1.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f};
+            return S_OK;
+        }
+        HRESULT STDMETHODCALLTYPE GetPixelsPerDip(void*, FLOAT* one) noexcept override
+        {
+            *one = 1.0f;
+            return S_OK;
+        }
+        HRESULT STDMETHODCALLTYPE DrawGlyphRun(void*, FLOAT x, FLOAT y, DWRITE_MEASURING_MODE,
+                                               const DWRITE_GLYPH_RUN* run, const DWRITE_GLYPH_RUN_DESCRIPTION* of,
+                                               IUnknown*) noexcept override
+        {
+            return said(to_.add_glyphs(x, y, *run, depth_ == 0 ? of : nullptr));
+        }
+        HRESULT STDMETHODCALLTYPE DrawUnderline(void*, FLOAT x, FLOAT y, const DWRITE_UNDERLINE* u,
+                                                IUnknown*) noexcept override
+        {
+            return said(to_.add_bar(x, y, u->width, u->thickness, u->offset));
+        }
+        HRESULT STDMETHODCALLTYPE DrawStrikethrough(void*, FLOAT x, FLOAT y, const DWRITE_STRIKETHROUGH* s,
+                                                    IUnknown*) noexcept override
+        {
+            return said(to_.add_bar(x, y, s->width, s->thickness, s->offset));
+        }
+        HRESULT STDMETHODCALLTYPE DrawInlineObject(void* context, FLOAT x, FLOAT y, IDWriteInlineObject* object,
+                                                   BOOL sideways, BOOL to_the_left, IUnknown* effect) noexcept override
+        {
+            if (object == nullptr) return S_OK;
+            if (error e = to_.add_object(x, y, object)) return said(e);
+            if (depth_ >= deepest) return S_OK;  // an object that draws itself
+            ++depth_;
+            const HRESULT code = object->Draw(context, this, x, y, sideways, to_the_left, effect);
+            --depth_;
+            return code == E_NOTIMPL ? S_OK : said(directwrite_error(code));
+        }
+
+    private:
+        static constexpr int deepest = 8;
+
+        [[nodiscard]] bool is_also(REFIID wanted) const noexcept override
+        {
+            return IsEqualGUID(wanted, __uuidof(IDWritePixelSnapping)) != 0;
+        }
+        HRESULT said(error e) noexcept
+        {
+            if (!e) return S_OK;
+            if (!to_.trouble_) to_.trouble_ = e;
+            return e == error::out_of_memory ? E_OUTOFMEMORY : E_FAIL;  // Wine goes on all the same
+        }
+
+        directwrite_text& to_;
+        int depth_ = 0;  // of inline objects that draw
+    };
+
+    void release() noexcept
+    {
+        for (look& l : looks_.view()) l.face->Release();
+        for (directwrite_object& o : objects_.view()) o.object->Release();
+        run_.clear();
+        looks_.clear();
+        bars_.clear();
+        objects_.clear();
+        pieces_.clear();
+        glyphs_.clear();
+        lines_.clear();
+        trouble_ = {};
+    }
+
+    [[nodiscard]] double to_units(double dips) const noexcept { return dips * run_.units_per_em / em_size_; }
+
+    /// Where each line ends and where its baseline lies.
+    error take_lines(IDWriteTextLayout* layout) noexcept
+    {
+        const DWRITE_READING_DIRECTION reading = layout->GetReadingDirection();
+        if (reading != DWRITE_READING_DIRECTION_LEFT_TO_RIGHT && reading != DWRITE_READING_DIRECTION_RIGHT_TO_LEFT)
+            return error::bad_option;
+        if (layout->GetFlowDirection() != DWRITE_FLOW_DIRECTION_TOP_TO_BOTTOM) return error::bad_option;
+        em_size_ = double{static_cast<IDWriteTextFormat*>(layout)->GetFontSize()};
+        run_.units_per_em = 1000.0;
+        if (!is_finite(em_size_) || !(em_size_ > 0.0)) return error::bad_option;
+
+        UINT32 count = 0;
+        constexpr auto too_little_room = static_cast<HRESULT>(0x8007'007Au);  // ERROR_INSUFFICIENT_BUFFER
+        HRESULT code = layout->GetLineMetrics(nullptr, 0, &count);
+        if (code != too_little_room)
+            if (error e = directwrite_error(code)) return e;
+        buffer<DWRITE_LINE_METRICS>& metrics = line_metrics_;
+        metrics.clear();
+        if (count != 0 && metrics.append(count) == nullptr) return error::out_of_memory;
+        if (count != 0) {
+            code = layout->GetLineMetrics(metrics.data(), count, &count);
+            if (error e = directwrite_error(code)) return e;
+        }
+        DWRITE_TEXT_METRICS all = {};
+        if (error e = directwrite_error(layout->GetMetrics(&all))) return e;
+        double top = double{all.top};
+        std::uint32_t end = 0;
+        for (const DWRITE_LINE_METRICS& m : metrics.view()) {
+            end += m.length;
+            if (!lines_.push_back({end, 0.0 - (top + double{m.baseline})})) return error::out_of_memory;
+            top += double{m.height};
+        }
+        return {};
+    }
+
+    /// The line of a unit of the text; without one, the line whose baseline is nearest (y up, pixels).
+    [[nodiscard]] std::uint32_t line_of(const DWRITE_GLYPH_RUN_DESCRIPTION* of, double y) const noexcept
+    {
+        std::uint32_t found = 0;
+        if (of != nullptr) {
+            while (found + 1 < lines_.size() && of->textPosition >= lines_[found].end) ++found;
+            return found;
+        }
+        for (std::uint32_t i = 1; i < lines_.size(); ++i)
+            if (std::fabs(lines_[i].baseline - y) < std::fabs(lines_[found].baseline - y)) found = i;
+        return found;
+    }
+
+    /// The number of a face at a size; holds a reference to the face from its first use on.
+    result<std::uint32_t> look_of(const DWRITE_GLYPH_RUN& run) noexcept
+    {
+        const double em_size = double{run.fontEmSize};
+        const bool sideways = run.isSideways != FALSE;
+        for (std::size_t i = looks_.size(); i-- > 0;) {
+            const look& l = looks_[i];
+            if (l.face == run.fontFace && l.em_size == em_size && l.sideways == sideways)
+                return static_cast<std::uint32_t>(i);
+        }
+        if (looks_.size() == bar_slot) return error::too_large;
+        DWRITE_FONT_METRICS m = {};
+        run.fontFace->GetMetrics(&m);
+        if (m.designUnitsPerEm == 0) return error::not_a_font;
+        const double units = m.designUnitsPerEm;
+        if (looks_.empty()) run_.units_per_em = units;
+        const double scale = (em_size / em_size_) * (run_.units_per_em / units);
+        if (!looks_.push_back({run.fontFace, em_size, units, scale, detail::has_table(run.fontFace, "glyf"), sideways}))
+            return error::out_of_memory;
+        run.fontFace->AddRef();
+        return static_cast<std::uint32_t>(looks_.size() - 1);
+    }
+
+    /// Keeps a run of glyphs, in pixels still. `of` tells its place in the text; null where it has none.
+    error add_glyphs(FLOAT x, FLOAT y, const DWRITE_GLYPH_RUN& run, const DWRITE_GLYPH_RUN_DESCRIPTION* of) noexcept
+    {
+        const UINT32 count = run.glyphCount;
+        if (count == 0 || run.fontFace == nullptr) return {};
+        if (!is_finite(double{run.fontEmSize}) || !(run.fontEmSize > 0.0f)) return error::outline_not_finite;
+        const auto slot = look_of(run);
+        if (!slot) return slot.error();
+        if (units_.size() < count && units_.append(count - units_.size()) == nullptr) return error::out_of_memory;
+        const bool placed = of != nullptr && of->clusterMap != nullptr && of->string != nullptr;
+        if (placed) detail::invert_cluster_map({of->clusterMap, of->stringLength}, {units_.data(), count});
+
+        const bool to_the_left = (run.bidiLevel & 1) != 0;
+        const auto first = static_cast<std::uint32_t>(glyphs_.size());
+        placed_glyph* out = glyphs_.append(count);
+        if (out == nullptr) return error::out_of_memory;
+        double pen = double{x};
+        for (UINT32 i = 0; i < count; ++i) {
+            double advance = 0.0;
+            if (run.glyphAdvances != nullptr) advance = double{run.glyphAdvances[i]};
+            else if (error e = own_advance(run, i, advance)) return e;
+            const DWRITE_GLYPH_OFFSET offset = run.glyphOffsets != nullptr ? run.glyphOffsets[i] : DWRITE_GLYPH_OFFSET{};
+            if (to_the_left) pen -= advance;
+            const double along = double{offset.advanceOffset};
+            placed_glyph& g = out[to_the_left ? count - 1 - i : i];  // in the order of drawing
+            g = {};
+            g.id = *slot << 16 | run.glyphIndices[i];
+            g.cluster = placed ? of->textPosition + units_[i] : no_cluster;
+            g.origin = {to_the_left ? pen - along : pen + along, double{offset.ascenderOffset} - double{y}};
+            g.missing = run.glyphIndices[i] == 0 && !(placed && detail::draws_nothing(of->string[units_[i]]));
+            if (!to_the_left) pen += advance;
+            if (!is_finite(g.origin.x) || !is_finite(g.origin.y) || !is_finite(pen)) return error::outline_not_finite;
+        }
+        if (placed) find_invalid_units(*of);
+        const double begin = double{x};
+        const piece whole{first, count, line_of(of, 0.0 - double{y}), false, (std::min)(begin, pen), (std::max)(begin, pen)};
+        return pieces_.push_back(whole) ? error{} : error{error::out_of_memory};
+    }
+
+    /// The advance that a face has for a glyph, where the run says none.
+    static error own_advance(const DWRITE_GLYPH_RUN& run, UINT32 i, double& advance) noexcept
+    {
+        DWRITE_FONT_METRICS face = {};
+        DWRITE_GLYPH_METRICS glyph = {};
+        run.fontFace->GetMetrics(&face);
+        if (error e = directwrite_error(
+                run.fontFace->GetDesignGlyphMetrics(&run.glyphIndices[i], 1, &glyph, run.isSideways)))
+            return e;
+        const UINT32 units = run.isSideways != FALSE ? glyph.advanceHeight : glyph.advanceWidth;
+        advance = static_cast<double>(units) * double{run.fontEmSize} / static_cast<double>(face.designUnitsPerEm);
+        return {};
+    }
+
+    /// Counts halves of surrogate pairs that stand alone.
+    void find_invalid_units(const DWRITE_GLYPH_RUN_DESCRIPTION& of) noexcept
+    {
+        const auto at = [&](UINT32 i) noexcept { return static_cast<std::uint32_t>(of.string[i]) & 0xFC00u; };
+        for (UINT32 i = 0; i < of.stringLength; ++i) {
+            if (at(i) != 0xD800 && at(i) != 0xDC00) continue;
+            if (at(i) == 0xD800 && i + 1 < of.stringLength && at(i + 1) == 0xDC00) {
+                ++i;
+                continue;
+            }
+            ++run_.invalid_units;
+            run_.first_invalid_unit = (std::min)(run_.first_invalid_unit, cluster_id{of.textPosition + i});
+        }
+    }
+
+    /// Keeps an underline or strike-through whose upper edge lies `offset` below the baseline.
+    error add_bar(FLOAT x, FLOAT y, FLOAT width, FLOAT thickness, FLOAT offset) noexcept
+    {
+        const point low{double{x}, 0.0 - (double{y} + double{offset} + double{thickness})},
+            size{double{width}, double{thickness}};
+        if (!is_finite(low.x) || !is_finite(low.y) || !is_finite(size.x) || !is_finite(size.y))
+            return error::outline_not_finite;
+        if (bars_.size() > 0xFFFF) return error::too_large;
+        placed_glyph g;
+        g.id = static_cast<glyph_id>(bar_slot << 16 | bars_.size());
+        g.cluster = no_cluster;
+        g.origin = low;
+        const piece whole{static_cast<std::uint32_t>(glyphs_.size()), 1, line_of(nullptr, 0.0 - double{y}), true, low.x,
+                          low.x + size.x};
+        if (!bars_.push_back(size) || !glyphs_.push_back(g) || !pieces_.push_back(whole)) return error::out_of_memory;
+        return {};
+    }
+
+    error add_object(FLOAT x, FLOAT y, IDWriteInlineObject* object) noexcept
+    {
+        DWRITE_INLINE_OBJECT_METRICS m = {};
+        if (error e = directwrite_error(object->GetMetrics(&m))) return e;
+        directwrite_object o;
+        o.object = object;
+        o.low = {double{x}, 0.0 - (double{y} + double{m.height})};
+        o.high = {double{x} + double{m.width}, 0.0 - double{y}};
+        o.line = line_of(nullptr, 0.0 - (double{y} + double{m.baseline}));
+        if (!objects_.push_back(o)) return error::out_of_memory;
+        object->AddRef();
+        return {};
+    }
+
+    /// Sorts the pieces by line and place, letters first, and turns pixels into font units.
+    error put_in_order() noexcept
+    {
+        std::sort(pieces_.begin(), pieces_.end(), [](const piece& a, const piece& b) noexcept {
+            if (a.line != b.line) return a.line < b.line;
+            if (a.bar != b.bar) return b.bar;
+            return a.left != b.left ? a.left < b.left : a.first < b.first;
+        });
+        for (point& size : bars_.view()) size = {to_units(size.x), to_units(size.y)};
+        for (directwrite_object& o : objects_.view())
+            for (point* p : {&o.low, &o.high}) *p = {to_units(p->x), to_units(p->y)};
+        if (!run_.glyphs.reserve(glyphs_.size()) || !run_.lines.reserve(lines_.size() + 1)) return error::out_of_memory;
+
+        std::size_t next = 0;
+        for (std::uint32_t k = 0; k < lines_.size() || next < pieces_.size(); ++k) {
+            text_line line;
+            line.first_glyph = static_cast<std::uint32_t>(run_.glyphs.size());
+            const double baseline = k < lines_.size() ? lines_[k].baseline : 0.0;
+            bool empty = true;
+            double left = 0.0, right = 0.0;
+            for (; next < pieces_.size() && pieces_[next].line <= k; ++next) {
+                const piece& p = pieces_[next];
+                if (!p.bar) {
+                    left = empty ? p.left : (std::min)(left, p.left);
+                    right = empty ? p.right : (std::max)(right, p.right);
+                    empty = false;
+                }
+                for (placed_glyph g : glyphs_.view().subspan(p.first, p.count)) {
+                    if ((g.id & 0xFFFF) == 0 && !g.missing && !p.bar) continue;  // a line break, or the like
+                    g.origin = {to_units(g.origin.x), to_units(g.origin.y)};
+                    if (g.missing) {
+                        ++run_.missing;
+                        run_.first_missing = (std::min)(run_.first_missing, g.cluster);
+                    }
+                    run_.glyphs.push_back_unchecked(g);
+                }
+            }
+            line.glyph_count = static_cast<std::uint32_t>(run_.glyphs.size()) - line.first_glyph;
+            line.origin = {to_units(left), to_units(baseline)};
+            line.advance = to_units(right - left);
+            if (!run_.lines.push_back(line)) return error::out_of_memory;
+        }
+        return {};
+    }
+
+    glyph_run run_;
+    double em_size_ = 1.0;
+    fill_rule rule_ = fill_rule::non_zero;
+    error trouble_;
+    buffer<look> looks_;
+    buffer<point> bars_;  // their sizes
+    buffer<directwrite_object> objects_;
+    buffer<piece> pieces_;
+    buffer<placed_glyph> glyphs_;  // in pixels, y up
+    buffer<layout_line> lines_;
+    buffer<DWRITE_LINE_METRICS> line_metrics_;
+    buffer<std::uint32_t> units_;
+};
+
+static_assert(outline_source<directwrite_text>);
+
+}  // namespace typemesh

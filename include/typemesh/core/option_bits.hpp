@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+
+namespace typemesh {
+
+/// The options of a policy as bits, by which results that were kept are told apart: up to four numbers.
+///
+///     struct my_discretiser {
+///         double distance;
+///         int levels;
+///         option_bits cache_key() const noexcept { return {distance, levels}; }
+///
+/// Two policies of one type that can give different results must have different bits; options that do not matter
+/// for what is kept are best left out. A policy with more state than fits may count its changes.
+struct option_bits {
+    std::uint64_t words[4] = {};
+
+    constexpr option_bits() noexcept = default;
+
+    template <class... Numbers>
+        requires(sizeof...(Numbers) >= 1 && sizeof...(Numbers) <= 4)
+    option_bits(Numbers... numbers) noexcept
+    {
+        std::uint64_t* next = words;
+        (put(*next++, numbers), ...);
+    }
+
+    friend constexpr bool operator==(const option_bits& a, const option_bits& b) noexcept
+    {
+        return a.words[0] == b.words[0] && a.words[1] == b.words[1] && a.words[2] == b.words[2] &&
+               a.words[3] == b.words[3];
+    }
+
+private:
+    template <class Number>
+    static void put(std::uint64_t& word, Number n) noexcept
+    {
+        static_assert(sizeof(Number) <= sizeof word, "an option of more than 64 bits");
+        std::memcpy(&word, &n, sizeof n);
+    }
+};
+
+}  // namespace typemesh

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/extrude/texture.hpp>
+
+#include <cmath>
+
+namespace typemesh {
+
+/// Tangents of the texture mappings, in closed form: no triangle is looked at, and nothing is averaged.
+///
+///     x, y, z   unit length, at right angles to the vertex' normal: the way in which u grows
+///     w         +1 or -1: w * cross(normal, tangent), computed in the caller's own coordinates, is the way in which v
+///               grows, as v is written. So it turns with uv_origin, and with a frame that mirrors
+///
+///          caps       u grows along the text, in both mappings, and so it does on the back, where the text is seen from
+///                     behind. shared_normals lean: their tangent is the text's direction without its share of the
+///                     normal
+///          walls      u grows along the contour, in its own direction (the interior on the left): a quarter turn from
+///                     the normal, exact wherever the normal is. In box mapping u and v are the same at both ends of a
+///                     wall's height and no tangent follows from them; that of em mapping stands in
+///
+/// The convention is that of MikkTSpace (M. S. Mikkelsen, "Simulation of Wrinkled Surfaces Revisited", 2008), where
+/// bitangent = sign * cross(normal, tangent). Engines whose normal maps have "green up" while v grows downwards (glTF,
+/// Godot) want -w.
+class texture_tangent {
+public:
+    explicit texture_tangent(const frame& f) noexcept : sign_{f.mirrors() == (f.uv == uv_origin::top_left) ? 1.0f : -1.0f}
+    {
+    }
+
+    /// On a cap with a straight normal; facing is 1 for the front and -1 for the back.
+    template <class Axes>
+    [[nodiscard]] vec4 on_cap(const Axes& axes, float facing) const noexcept
+    {
+        return joined(axes.direction(1.0f, 0.0f, 0.0f), facing);
+    }
+
+    /// On a cap's rim whose unit normal n, in the text's own axes, leans outwards.
+    template <class Axes>
+    [[nodiscard]] vec4 on_rim(const Axes& axes, vec3 n, float facing) const noexcept
+    {
+        const double x = n.x, rest = static_cast<double>(n.y) * n.y + static_cast<double>(n.z) * n.z;
+        if (!(rest > 0x1p-40)) return joined(axes.direction(-n.y, n.x, 0.0f), facing);
+        const double scale = 1.0 / std::sqrt(rest * (rest + x * x)), share = scale * x;
+        return joined(axes.direction(static_cast<float>(scale * rest), static_cast<float>(-share * n.y),
+                                     static_cast<float>(-share * n.z)),
+                      facing);
+    }
+
+    /// On a wall, from its unit normal in the plane.
+    template <class Axes>
+    [[nodiscard]] vec4 on_wall(const Axes& axes, vec2 n) const noexcept
+    {
+        return joined(axes.direction(-n.y, n.x, 0.0f), 1.0f);
+    }
+
+private:
+    [[nodiscard]] vec4 joined(vec3 t, float facing) const noexcept { return {t.x, t.y, t.z, sign_ * facing}; }
+
+    float sign_;
+};
+
+}  // namespace typemesh

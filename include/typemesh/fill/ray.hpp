@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/point.hpp>
+#include <typemesh/core/sweep_order.hpp>
+
+#include <cstdint>
+
+namespace typemesh::detail {
+
+/// A stretch as it leaves a point to the right: sorted, from below to above.
+struct ray {
+    std::int32_t x, y;  // to its other end: x > 0, or x = 0 and y > 0, both below 2^29 + 1 in size
+    std::uint32_t stretch;
+
+    /// Positive when `other` lies above, zero when both have one direction. Exact: products below 2^59, their
+    /// difference below 2^60.
+    [[nodiscard]] std::int64_t cross(ray other) const noexcept
+    {
+        return std::int64_t{x} * other.y - std::int64_t{y} * other.x;
+    }
+    [[nodiscard]] bool before(ray other) const noexcept
+    {
+        const std::int64_t turn = cross(other);
+        return turn > 0 || (turn == 0 && stretch < other.stretch);
+    }
+};
+
+/// O(count log count); few are the rule.
+inline void sort_rays(ray* rays, std::uint32_t count) noexcept
+{
+    if (count <= 16)
+        insertion_sort(rays, count);
+    else
+        heap_sort(rays, count);
+}
+
+}  // namespace typemesh::detail

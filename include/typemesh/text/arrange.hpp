@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/extrude/extruder.hpp>
+#include <typemesh/layout/glyph_run.hpp>
+#include <typemesh/text/text_shapes.hpp>
+
+namespace typemesh {
+
+/// What is known of a text only when all its glyphs are: the box of its ink and those of its lines, its unit, and the
+/// bounds of its vertices between two heights, given in em.
+///
+/// Fails  error::out_of_memory
+inline error arrange(text_shapes& all, const glyph_run& run, const text_options& options, double units_per_em,
+                     height_range heights) noexcept
+{
+    const bool by_line = options.texture_over == texture_box::line;
+    if (by_line) {
+        const std::size_t lines = run.lines.empty() ? 1 : run.lines.size();
+        box* boxes = all.line_boxes.append(lines);
+        if (boxes == nullptr) return error::out_of_memory;
+        for (std::size_t i = 0; i < lines; ++i) boxes[i] = {};
+    }
+    for (const shape_record& s : all.records) {
+        const box ink = text_shapes::ink_of(s);
+        all.ink.merge(ink);
+        if (by_line) all.line_boxes[s.line].merge(ink);
+    }
+
+    text_placement& placed = all.placed;
+    placed = {};
+    placed.units_per_em = units_per_em;
+    placed.texture_over = options.texture_over;
+    placed.frame = options.frame;
+    switch (options.unit) {
+    case output_unit::em: placed.unit_per_font_unit = 1.0 / units_per_em; break;
+    case output_unit::font_units: placed.unit_per_font_unit = 1.0; break;
+    case output_unit::pixels: placed.unit_per_font_unit = options.pixels_per_em / units_per_em; break;
+    case output_unit::unit_box:
+        const double longer = all.ink.width() > all.ink.height() ? all.ink.width() : all.ink.height();
+        placed.unit_per_font_unit = longer > 0.0 ? 2.0 / longer : 1.0;
+        if (!all.ink.empty()) placed.centre = lerp(all.ink.low, all.ink.high, 0.5);
+        break;
+    }
+
+    bool first = true;
+    for (const shape_record& s : all.records) {
+        const placement at = all.place(s);
+        const grid_point low = s.shape->low(), high = s.shape->high();
+        for (const grid_point corner : {low, high, grid_point{low.x, high.y}, grid_point{high.x, low.y}}) {
+            for (const double height : {heights.low, heights.high}) {
+                const vec3 p = at.position(corner, at.height(height));
+                if (first) all.bounds = {p, p};
+                first = false;
+                all.bounds.add(p);
+            }
+        }
+    }
+    return {};
+}
+
+}  // namespace typemesh

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/contours.hpp>
+#include <typemesh/core/grid.hpp>
+#include <typemesh/core/outline.hpp>
+#include <typemesh/core/workspace.hpp>
+#include <typemesh/discretise/discretise.hpp>
+#include <typemesh/extrude/extruder.hpp>
+#include <typemesh/outline/outline_recorder.hpp>
+#include <typemesh/text/cap.hpp>
+#include <typemesh/text/glyph_shape.hpp>
+
+#include <optional>
+#include <utility>
+
+namespace typemesh {
+
+/// What a glyph is asked for with, beside the policies.
+struct glyph_settings {
+    double tolerance = 0.0;              ///< the largest distance between curve and mesh, in em
+    std::optional<fill_rule> fill = {};  ///< instead of the outline source's own
+};
+
+/// Makes one glyph from its outline: record, discretise, fill, triangulate, and the extruder's count. Holds the scratch
+/// memory that this takes, which stays for the next glyph. One builder a thread.
+///
+///     glyph_builder builder;
+///     auto parts = builder.build(font, id, {.tolerance = quality::high}, certified{}, monotone{}, extruded<>{}, nobody);
+class glyph_builder {
+public:
+    explicit glyph_builder(memory source = heap()) noexcept
+        : space_{source}, outline_{source}, loops_{source}, triangles_{source}, sides_{source}
+    {
+    }
+
+    /// The glyph's parts, which lie in this builder until its next call. A glyph that cannot be built is no failure
+    /// here: its parts are empty and carry the reason.
+    ///
+    /// Fails  with what concerns more than the glyph: error::out_of_memory, bad_option, bad_tolerance, too_large
+    template <outline_source Font, discretiser Discretiser, triangulator Triangulator, extruder Extruder,
+              stage_observer Observer>
+    [[nodiscard]] result<glyph_parts> build(Font& font, glyph_id id, const glyph_settings& how,
+                                            const Discretiser& flatten, const Triangulator& cut, const Extruder& raise,
+                                            Observer& observe) noexcept
+    {
+        glyph_parts made;
+        error e = try_to_build(font, id, how, flatten, cut, raise, observe, made);
+        if (e && !concerns_the_glyph_alone(e)) return e;
+        if (e) made = {};
+        made.refusal = e;
+        return made;
+    }
+
+    /// The region that the glyph fills, in this builder until its next call; an empty one for a blank glyph.
+    ///
+    /// Fails  with whatever the glyph met
+    template <outline_source Font, discretiser Discretiser, triangulator Triangulator, stage_observer Observer>
+    [[nodiscard]] result<region> build_region(Font& font, glyph_id id, const glyph_settings& how,
+                                              const Discretiser& flatten, const Triangulator& cut,
+                                              Observer& observe) noexcept
+    {
+        observe(stage::outline);
+        if (error e = record(font, id, outline_)) return e;
+        if (outline_.curves.empty()) return region{};
+        const double units_per_em = font.units_per_em();
+        const auto fitting = grid::fitting(units_per_em, outline_.bounds);
+        if (!fitting) return fitting.error();
+        return region_of(outline_, how.fill.value_or(outline_.rule), how.tolerance * units_per_em, *fitting, flatten,
+                         cut, observe);
+    }
+
+    /// Whether a text may go on without the glyph that met this error.
+    [[nodiscard]] static constexpr bool concerns_the_glyph_alone(const error& e) noexcept
+    {
+        switch (e.code) {
+        case error::unknown_glyph:
+        case error::bad_outline:
+        case error::outline_not_finite:
+        case error::outline_beyond_grid:
+        case error::crossing_contours:
+        case error::font_library_failed:
+        case error::refused_by_user: return true;
+        default: return false;
+        }
+    }
+
+private:
+    template <class Font, class Discretiser, class Triangulator, class Extruder, class Observer>
+    error try_to_build(Font& font, glyph_id id, const glyph_settings& how, const Discretiser& flatten,
+                       const Triangulator& cut, const Extruder& raise, Observer& observe, glyph_parts& made) noexcept
+    {
+        const auto filled = build_region(font, id, how, flatten, cut, observe);
+        if (!filled) return filled.error();
+        if (filled->points().empty()) return {};
+
+        observe(stage::extrude);
+        sides_.clear();
+        const auto sizes = raise.plan(*filled, sides_);
+        if (!sizes) return sizes.error();
+        made.form = {filled->points(), filled->starts(), triangles_.view(), sides_.view()};
+        made.sizes = *sizes;
+        made.cells = filled->grid().cells;
+        return {};
+    }
+
+    /// From an outline to the region that it fills and its triangles, `tolerance` in font units. An empty region where
+    /// it encloses nothing.
+    template <class Discretiser, class Triangulator, class Observer>
+    result<region> region_of(const outline& curves, fill_rule rule, double tolerance, const grid& g,
+                             const Discretiser& flatten, const Triangulator& cut, Observer& observe) noexcept
+    {
+        triangles_.clear();
+        observe(stage::discretise);
+        if (error e = discretise(curves, flatten, tolerance, g, loops_)) return e;
+        if (loops_.points.empty()) return region{};
+        return cap(loops_, rule, cut, space_, triangles_, observe);
+    }
+
+    workspace space_;
+    outline outline_;
+    contours loops_;
+    triangle_list triangles_;
+    buffer<side_point> sides_;
+};
+
+}  // namespace typemesh

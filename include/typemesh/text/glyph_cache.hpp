@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/assert.hpp>
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/text/glyph_shape.hpp>
+#include <typemesh/text/shape_context.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <span>
+
+namespace typemesh {
+
+/// How a cache is kept from being used by two threads at a time.
+template <class L>
+concept cache_lock = requires(L& l) {
+    { l.lock() } noexcept;
+    { l.unlock() } noexcept;
+};
+
+/// The lock of a cache that one thread uses alone. One on std::mutex is in adapt/threads.hpp.
+struct no_lock {
+    constexpr void lock() noexcept {}
+    constexpr void unlock() noexcept {}
+};
+
+struct cache_statistics {
+    std::uint64_t hits = 0;       ///< how often find() found
+    std::uint64_t misses = 0;     ///< how often it did not
+    std::uint64_t evictions = 0;  ///< shapes thrown out to keep the bound
+    std::size_t entries = 0;      ///< shapes held, blank and refused ones included
+    std::size_t bytes = 0;        ///< of their blocks, all in all
+    std::size_t pinned = 0;       ///< entries that are pinned
+    std::size_t pinned_bytes = 0;
+};
+
+/// Keeps the shapes of glyphs for the next text that needs them.
+///
+///     glyph_cache cache;                                             // 64 MiB, for one thread
+///     auto mesher = text_mesher{font}.with(cached_in{cache, 1});     // 1: your number for this font
+///
+/// Shapes are told apart by glyph and shape_context: font, variation, tolerance, fill rule, policies with their options.
+/// Blank glyphs and refusals are kept as well, so nothing is tried twice.
+///
+/// What find() and keep() give is pinned: it stays, unchanged and where it is, until release(), whatever others do. The
+/// bound holds for all that is not pinned; what was released longest ago goes first. Any number of threads may use it
+/// when Lock is a real one, each call being one short stretch under the lock; reading a pinned shape takes none.
+///
+/// Memory   one block a shape, and the table; used under the lock only. clear() and the destructor give it back.
+/// Cost     O(1) a call
+template <cache_lock Lock = no_lock>
+class glyph_cache {
+    struct entry {
+        shape_context context;
+        std::uint64_t hash;
+        glyph_id id;
+        std::uint32_t pins;
+        std::size_t bytes;
+        entry* next_in_bucket;
+        entry* newer;  // while not pinned
+        entry* older;
+    };
+    static constexpr std::size_t alignment = alignof(entry) > alignof(glyph_shape) ? alignof(entry) : alignof(glyph_shape);
+    static constexpr std::size_t header = (sizeof(entry) + alignment - 1) / alignment * alignment;
+
+    class locked {
+    public:
+        explicit locked(Lock& l) noexcept : lock_{l} { lock_.lock(); }
+        locked(const locked&) = delete;
+        locked& operator=(const locked&) = delete;
+        ~locked() { lock_.unlock(); }
+
+    private:
+        Lock& lock_;
+    };
+
+public:
+    explicit glyph_cache(std::size_t bound = std::size_t{64} << 20, memory source = heap()) noexcept
+        : source_{source}, bound_{bound}, buckets_{source}
+    {
+    }
+    glyph_cache(const glyph_cache&) = delete;
+    glyph_cache& operator=(const glyph_cache&) = delete;
+    ~glyph_cache()
+    {
+        clear();
+        TYPEMESH_ASSERT(numbers_.entries == 0, "a glyph_cache ended while plans still read its shapes");
+    }
+
+    /// A glyph's shape, pinned; null when it is not here.
+    [[nodiscard]] const glyph_shape* find(const shape_context& context, glyph_id id) noexcept
+    {
+        return find(context, context.hash(), id);
+    }
+
+    /// The same for many glyphs of one context: `hash` is context.hash().
+    [[nodiscard]] const glyph_shape* find(const shape_context& context, std::uint64_t hash, glyph_id id) noexcept
+    {
+        const locked until_end{lock_};
+        entry* e = look_up(context, mixed_key(hash, id), id);
+        ++(e != nullptr ? numbers_.hits : numbers_.misses);
+        if (e == nullptr) return nullptr;
+        pin(*e);
+        return shape_of(e);
+    }
+
+    /// Keeps a copy of the parts and gives it, pinned. Where another thread was quicker, its shape is given and nothing
+    /// kept. Null when the memory gives none; then all is as it was.
+    [[nodiscard]] const glyph_shape* keep(const shape_context& context, glyph_id id, const glyph_parts& parts) noexcept
+    {
+        return keep(context, context.hash(), id, parts);
+    }
+    [[nodiscard]] const glyph_shape* keep(const shape_context& context, std::uint64_t hash, glyph_id id,
+                                          const glyph_parts& parts) noexcept
+    {
+        const locked until_end{lock_};
+        hash = mixed_key(hash, id);
+        if (entry* e = look_up(context, hash, id)) {
+            pin(*e);
+            return shape_of(e);
+        }
+        if (numbers_.entries >= buckets_.size() && !grow() && buckets_.empty()) return nullptr;
+        const std::size_t bytes = header + glyph_shape::bytes_for(parts);
+        void* block = source_.allocate(source_.user, bytes, alignment);
+        if (block == nullptr) return nullptr;
+        entry*& bucket = bucket_of(hash);
+        entry* e = new (block) entry{context, hash, id, 1, bytes, bucket, nullptr, nullptr};
+        bucket = e;
+        ++numbers_.entries;
+        ++numbers_.pinned;
+        numbers_.bytes += bytes;
+        numbers_.pinned_bytes += bytes;
+        return glyph_shape::make(static_cast<std::byte*>(block) + header, parts);
+    }
+
+    /// Takes one pin from each of these, which find() or keep() gave; nulls are passed over. They count as used just
+    /// now, the last one last.
+    void release(std::span<const glyph_shape* const> shapes) noexcept
+    {
+        const locked until_end{lock_};
+        for (const glyph_shape* shape : shapes) {
+            if (shape == nullptr) continue;
+            entry* e = entry_of(shape);
+            TYPEMESH_ASSERT(e->pins != 0, "a shape was released more often than pinned");
+            if (--e->pins != 0) continue;
+            --numbers_.pinned;
+            numbers_.pinned_bytes -= e->bytes;
+            e->older = newest_;
+            e->newer = nullptr;
+            (newest_ != nullptr ? newest_->newer : oldest_) = e;
+            newest_ = e;
+        }
+        keep_bound();
+    }
+
+    /// How many bytes may be held that are not pinned. A smaller bound takes effect at once.
+    void set_bound(std::size_t bytes) noexcept
+    {
+        const locked until_end{lock_};
+        bound_ = bytes;
+        keep_bound();
+    }
+
+    /// Gives back all that is not pinned.
+    void clear() noexcept
+    {
+        const locked until_end{lock_};
+        while (oldest_ != nullptr) drop(oldest_);
+        if (numbers_.entries == 0) buckets_ = buffer<entry*>{source_};
+    }
+
+    [[nodiscard]] cache_statistics statistics() const noexcept
+    {
+        const locked until_end{lock_};
+        return numbers_;
+    }
+
+private:
+    static const glyph_shape* shape_of(entry* e) noexcept
+    {
+        return std::launder(reinterpret_cast<const glyph_shape*>(reinterpret_cast<std::byte*>(e) + header));
+    }
+    static entry* entry_of(const glyph_shape* shape) noexcept
+    {
+        auto* block = reinterpret_cast<std::byte*>(const_cast<glyph_shape*>(shape)) - header;
+        return std::launder(reinterpret_cast<entry*>(block));
+    }
+    entry*& bucket_of(std::uint64_t hash) noexcept { return buckets_[hash & (buckets_.size() - 1)]; }
+
+    entry* look_up(const shape_context& context, std::uint64_t hash, glyph_id id) noexcept
+    {
+        if (buckets_.empty()) return nullptr;
+        entry* e = bucket_of(hash);
+        while (e != nullptr && !(e->hash == hash && e->id == id && e->context == context)) e = e->next_in_bucket;
+        return e;
+    }
+
+    void pin(entry& e) noexcept
+    {
+        if (e.pins++ != 0) return;
+        take_out(e);
+        ++numbers_.pinned;
+        numbers_.pinned_bytes += e.bytes;
+    }
+
+    /// Out of the row of those that are not pinned.
+    void take_out(entry& e) noexcept
+    {
+        (e.older != nullptr ? e.older->newer : oldest_) = e.newer;
+        (e.newer != nullptr ? e.newer->older : newest_) = e.older;
+        e.older = e.newer = nullptr;
+    }
+
+    void keep_bound() noexcept
+    {
+        for (; numbers_.bytes - numbers_.pinned_bytes > bound_; ++numbers_.evictions) drop(oldest_);
+    }
+
+    void drop(entry* e) noexcept
+    {
+        take_out(*e);
+        entry** link = &bucket_of(e->hash);
+        while (*link != e) link = &(*link)->next_in_bucket;
+        *link = e->next_in_bucket;
+        --numbers_.entries;
+        numbers_.bytes -= e->bytes;
+        source_.deallocate(source_.user, e, e->bytes, alignment);
+    }
+
+    /// Twice as many buckets. Without memory for them chains only grow longer.
+    bool grow() noexcept
+    {
+        const std::size_t wanted = buckets_.empty() ? 256 : 2 * buckets_.size();
+        buffer<entry*> more{source_};
+        if (!more.reserve(wanted)) return false;
+        entry** fresh = more.append(wanted);
+        for (std::size_t i = 0; i < wanted; ++i) fresh[i] = nullptr;
+        for (entry* e : buckets_) {
+            while (e != nullptr) {
+                entry* next = e->next_in_bucket;
+                e->next_in_bucket = fresh[e->hash & (wanted - 1)];
+                fresh[e->hash & (wanted - 1)] = e;
+                e = next;
+            }
+        }
+        buckets_ = std::move(more);
+        return true;
+    }
+
+    memory source_;
+    std::size_t bound_;
+    buffer<entry*> buckets_;
+    entry* newest_ = nullptr;
+    entry* oldest_ = nullptr;
+    cache_statistics numbers_;
+    mutable Lock lock_;
+};
+
+/// What text_mesher's with() takes to use a cache: which, and the caller's number for the font. Fonts that share a cache
+/// need different numbers; the axes of a variable font are told apart by themselves where it has variation_key().
+/// The cache must outlive the mesher.
+template <cache_lock Lock>
+struct cached_in {
+    glyph_cache<Lock>* cache;
+    std::uint64_t font;
+
+    cached_in(glyph_cache<Lock>& c, std::uint64_t font_number) noexcept : cache{&c}, font{font_number} {}
+};
+
+/// Stands for the missing cache of a mesher.
+struct no_cache {
+};
+
+namespace detail {
+template <class T>
+inline constexpr bool is_cache = false;
+template <>
+inline constexpr bool is_cache<no_cache> = true;
+template <cache_lock Lock>
+inline constexpr bool is_cache<cached_in<Lock>> = true;
+}  // namespace detail
+
+}  // namespace typemesh

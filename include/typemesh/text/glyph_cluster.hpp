@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/contours.hpp>
+#include <typemesh/core/region.hpp>
+#include <typemesh/core/result.hpp>
+#include <typemesh/core/workspace.hpp>
+#include <typemesh/fill/resolve.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace typemesh {
+
+/// Regions of several glyphs, set down on one grid and joined to one region.
+///
+///      ┌────┐  ┌────┐             ┌─────────────┐       begin(grid)          the grid that all are set down on
+///      │ a ┌┼──┼┐ c │     ->      │             │       add(region, ...)      once for each member
+///      │   └┼──┼┘   │             │             │       join(space)           what any of them fills
+///      └────┘b └────┘             └─────────────┘       member_of(curve)      whose curve an edge comes from
+///
+/// The members' curves are copied and numbered on; edges of the joined region name them. A place that several members'
+/// boundaries share belongs to the first of these. Crossings between members count as real however shallow they are.
+/// Memory stays for the next cluster.
+class glyph_cluster {
+public:
+    explicit glyph_cluster(memory source = heap()) noexcept : loops_{source}, curves_{source}, first_curves_{source} {}
+
+    /// Forgets all members.
+    void begin(const grid& onto) noexcept
+    {
+        loops_.clear();
+        loops_.grid = onto;
+        curves_.clear();
+        first_curves_.clear();
+    }
+
+    /// Adds a region, each of whose points p goes to scale * p + (x, y), rounded to the grid.
+    ///
+    ///     scale    cells of this grid to a cell of the region's own. A power of two where both come from fonts of equal
+    ///              units per em; with 1 nothing is rounded
+    ///
+    /// Fails  error::outline_beyond_grid: a point would lie farther than grid::reach from 0
+    ///        error::too_large: 2^32 - 1 points or curves and more
+    ///        error::out_of_memory; the cluster is as it was then
+    [[nodiscard]] error add(const region& r, double scale, std::int64_t x, std::int64_t y) noexcept
+    {
+        const std::size_t points = loops_.points.size(), edges = loops_.edges.size(), starts = loops_.starts.size(),
+                          curves = curves_.size();
+        const error e = append(r, scale, x, y);
+        if (e) {
+            loops_.points.truncate(points);
+            loops_.edges.truncate(edges);
+            loops_.starts.truncate(starts);
+            curves_.truncate(curves);
+        }
+        return e;
+    }
+
+    /// The region that the members fill together, on this cluster's memory: it ends with the next begin().
+    ///
+    /// Fails  as resolve() does
+    [[nodiscard]] result<region> join(workspace& space) noexcept
+    {
+        loops_.curves = curves_.view();
+        return resolve(loops_, fill_rule::non_zero, space);
+    }
+
+    /// The member that a curve of the joined region comes from: 0 for the first that was added.
+    [[nodiscard]] std::uint32_t member_of(std::uint32_t curve) const noexcept
+    {
+        std::size_t low = 0, high = first_curves_.size();
+        while (high - low > 1) {
+            const std::size_t middle = (low + high) / 2;
+            (first_curves_[middle] <= curve ? low : high) = middle;
+        }
+        return static_cast<std::uint32_t>(low);
+    }
+
+private:
+    error append(const region& r, double scale, std::int64_t x, std::int64_t y) noexcept
+    {
+        constexpr std::size_t most = 0xFFFF'FFFEu;
+        const std::size_t first = loops_.points.size(), count = r.points().size();
+        const auto first_curve = static_cast<std::uint32_t>(curves_.size());
+        if (count > most - first || r.curves().size() > most - curves_.size()) return error::too_large;
+
+        grid_point* points = loops_.points.append(count);
+        contour_edge* edges = loops_.edges.append(count);
+        if (count != 0 && (points == nullptr || edges == nullptr)) return error::out_of_memory;
+        for (std::size_t i = 0; i < count; ++i) {
+            const double px = std::nearbyint(scale * r.points()[i].x) + static_cast<double>(x);
+            const double py = std::nearbyint(scale * r.points()[i].y) + static_cast<double>(y);
+            if (std::fabs(px) > grid::reach || std::fabs(py) > grid::reach) return error::outline_beyond_grid;
+            points[i] = {static_cast<std::int32_t>(px), static_cast<std::int32_t>(py)};
+            edges[i] = r.edges()[i];
+            edges[i].curve += first_curve;
+        }
+        if (loops_.starts.empty() && !loops_.starts.push_back(0)) return error::out_of_memory;
+        for (std::size_t loop = 1; loop < r.starts().size(); ++loop)
+            if (!loops_.starts.push_back(static_cast<std::uint32_t>(first + r.starts()[loop])))
+                return error::out_of_memory;
+        if (!curves_.append(r.curves()) || !first_curves_.push_back(first_curve)) return error::out_of_memory;
+        return {};
+    }
+
+    contours loops_;
+    buffer<curve> curves_;
+    buffer<std::uint32_t> first_curves_;  // of each member
+};
+
+}  // namespace typemesh

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/glyph_id.hpp>
+#include <typemesh/core/point.hpp>
+#include <typemesh/extrude/part.hpp>
+#include <typemesh/text/glyph_shape.hpp>
+
+#include <cstdint>
+
+namespace typemesh {
+
+/// One of a text's different glyphs, drawn glyph_count times: for instanced drawing.
+struct glyph_mesh {
+    const glyph_shape* shape = nullptr;
+    glyph_id id = no_glyph;
+    std::uint32_t first_vertex = 0;    ///< where it begins in what write_meshes() writes
+    std::uint32_t first_index = 0;
+    std::uint32_t first_instance = 0;  ///< its place among what write_instances() emits
+    std::uint32_t glyph_count = 0;     ///< how many instances there are
+    std::uint32_t first_glyph = 0;     ///< the first and the last of them among the text's glyphs; the others hang
+    std::uint32_t last_glyph = 0;      ///< together by shape_record::next_alike
+};
+
+/// One occurrence of a glyph_mesh: every position of the mesh is moved by `translation`, and nothing else changes.
+struct glyph_instance {
+    vec3 translation;         ///< in the output's unit and frame
+    std::uint32_t mesh = 0;   ///< which of the plan's meshes()
+    std::uint32_t glyph = 0;  ///< which of the plan's glyphs()
+    glyph_id id = no_glyph;
+    cluster_id cluster = no_cluster;
+};
+
+}  // namespace typemesh

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/fill/group_meeting.hpp>
+#include <typemesh/text/glyph_builder.hpp>
+#include <typemesh/text/glyph_cluster.hpp>
+#include <typemesh/text/text_shapes.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace typemesh {
+
+/// Joins the glyphs of a text whose outlines meet, cluster by cluster, to shapes of their own:
+///
+///      ╭──╮╭─╮     ╭──╮                    ╭─────╮     ╭──╮        A cluster is a chain of glyphs of which each
+///      │a ││b│ ╭╮  │d │        ->          │     │ ╭╮  │d │        shares a point with the next; all others are
+///      ╰──┼╯ │ ││  ╰──╯                    ╰───╮ │ ││  ╰──╯        left as they are. "c" here stands alone.
+///         ╰──╯ ╰╯c                             ╰─╯ ╰╯
+///
+/// Pens are rounded to the finest grid of the text's glyphs, half a cell at most (1/1024 font unit in ordinary fonts),
+/// and a cluster that does not fit onto it takes the finest that it fits onto. A glyph so large that its own grid is
+/// coarser than others' (more than 2^19 font units in ordinary fonts) is left alone, and so is what stands farther than
+/// 2^48 cells from the text's origin.
+class glyph_merger {
+public:
+    explicit glyph_merger(memory source = heap()) noexcept
+        : space_{source}, cluster_{source}, triangles_{source}, sides_{source}
+    {
+    }
+
+    /// Fills all.merged; all.shapes and numbers are given.
+    ///
+    /// Fails  error::too_large, error::out_of_memory, error::outline_beyond_grid with the cluster's first glyph
+    template <outline_source Font, discretiser Discretiser, triangulator Triangulator, extruder Extruder,
+              stage_observer Observer>
+    error operator()(text_shapes& all, const glyph_run& run, glyph_builder& builder, Font& font,
+                     const glyph_settings& how, const Discretiser& flatten, const Triangulator& cut,
+                     const Extruder& raise, Observer& observe) noexcept
+    {
+        observe(stage::fill);
+        const std::size_t count = run.glyphs.size();
+        workspace::scope scratch{space_};
+        auto* next = scratch.take<std::uint32_t>(count);  // the next glyph of the same group; at its last one: count
+        auto* last = scratch.take<std::uint32_t>(count);  // the last so far of the group that begins here
+        std::uint32_t* groups = all.merged.groups.append(count);
+        if (count != 0 && (next == nullptr || last == nullptr || groups == nullptr)) return error::out_of_memory;
+        if (error e = group(all, run, {groups, count})) return e;
+
+        const auto none = static_cast<std::uint32_t>(count);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            next[i] = none;
+            if (groups[i] != i) next[last[groups[i]]] = i;
+            last[groups[i]] = i;
+        }
+        for (std::uint32_t i = 0; i < count; ++i) {
+            if (groups[i] != i || next[i] == none) continue;
+            const auto first_member = static_cast<std::uint32_t>(all.merged.members.size());
+            for (std::uint32_t k = i; k != none; k = next[k])
+                if (!all.merged.members.push_back(k)) return error::out_of_memory;
+            const std::span<const std::uint32_t> members = all.merged.members.view().subspan(first_member);
+            merged_cluster made;
+            made.first_member = first_member;
+            made.member_count = static_cast<std::uint32_t>(members.size());
+            if (error e = join(made, all, run, members, builder, font, how, flatten, cut, raise, observe))
+                return e.at(run.glyphs[i].id, run.glyphs[i].cluster);
+            if (!all.merged.clusters.push_back(made)) return error::out_of_memory;
+        }
+        return {};
+    }
+
+private:
+    struct pen {
+        std::int64_t x = 0;
+        std::int64_t y = 0;
+    };
+
+    static pen snapped(point origin, double cells) noexcept
+    {
+        return {static_cast<std::int64_t>(std::nearbyint(origin.x * cells)),
+                static_cast<std::int64_t>(std::nearbyint(origin.y * cells))};
+    }
+
+    /// The grid of nearly all glyphs.
+    static double finest(const text_shapes& all) noexcept
+    {
+        double cells = 0.0;
+        for (std::size_t k = 0; k < all.different.ids().size(); ++k) {
+            const glyph_shape* s = all.shapes[k];
+            if (!s->form().points.empty() && s->cells() > cells) cells = s->cells();
+        }
+        return cells;
+    }
+
+    error group(const text_shapes& all, const glyph_run& run, std::span<std::uint32_t> groups) noexcept
+    {
+        workspace::scope scratch{space_};
+        auto* loops = scratch.take<placed_loops>(groups.size());
+        if (loops == nullptr && !groups.empty()) return error::out_of_memory;
+        const double cells = finest(all);
+        for (std::size_t i = 0; i < groups.size(); ++i) {
+            loops[i] = {};
+            if (all.numbers[i] == glyph_set::no_room) continue;
+            const glyph_shape& s = *all.shapes[all.numbers[i]];
+            const point origin = run.glyphs[i].origin;
+            constexpr double farthest = 0x1p48;
+            const bool stands = std::fabs(origin.x) * cells <= farthest && std::fabs(origin.y) * cells <= farthest;
+            if (!is_finite(origin.x) || !is_finite(origin.y) || !stands || s.cells() != cells) continue;
+            const pen at = snapped(origin, cells);
+            loops[i] = {s.form().points, s.form().starts, at.x, at.y};
+        }
+        return group_meeting({loops, groups.size()}, groups, space_);
+    }
+
+    /// The finest grid onto which all members fit, seen from the first one's pen.
+    static result<grid> grid_for(const text_shapes& all, const glyph_run& run,
+                                 std::span<const std::uint32_t> members) noexcept
+    {
+        const point first = run.glyphs[members[0]].origin;
+        box around;
+        grid g;
+        g.cells = 0.0;
+        for (const std::uint32_t m : members) {
+            const glyph_shape& s = *all.shapes[all.numbers[m]];
+            const point way = run.glyphs[m].origin - first;
+            around.merge({way + s.ink().low, way + s.ink().high});
+            g.cells = s.cells() > g.cells ? s.cells() : g.cells;
+        }
+        double farthest = 0.0;
+        for (const double v : {around.low.x, around.low.y, around.high.x, around.high.y})
+            farthest = std::fabs(v) > farthest ? std::fabs(v) : farthest;
+        while (farthest * g.cells > grid::reach - 2.0) {
+            g.cells *= 0.5;
+            if (g.cells < 0x1p-40) return error::outline_beyond_grid;
+        }
+        return g;
+    }
+
+    template <class Font, class Discretiser, class Triangulator, class Extruder, class Observer>
+    error join(merged_cluster& made, text_shapes& all, const glyph_run& run, std::span<const std::uint32_t> members,
+               glyph_builder& builder, Font& font, const glyph_settings& how, const Discretiser& flatten,
+               const Triangulator& cut, const Extruder& raise, Observer& observe) noexcept
+    {
+        const auto onto = grid_for(all, run, members);
+        if (!onto) return onto.error();
+        cluster_.begin(*onto);
+        const pen first = snapped(run.glyphs[members[0]].origin, onto->cells);
+        for (const std::uint32_t m : members) {
+            const auto shape = builder.build_region(font, run.glyphs[m].id, how, flatten, cut, observe);
+            if (!shape) return shape.error();
+            const pen at = snapped(run.glyphs[m].origin, onto->cells);
+            if (error e = cluster_.add(*shape, onto->cells / shape->grid().cells, at.x - first.x, at.y - first.y))
+                return e;
+        }
+        observe(stage::fill);
+        const auto joined = cluster_.join(space_);
+        if (!joined) return joined.error();
+        observe(stage::triangulate);
+        triangles_.clear();
+        if (error e = cut(*joined, space_, triangles_)) return e;
+        observe(stage::extrude);
+        sides_.clear();
+        const auto sizes = raise.plan(*joined, sides_);
+        if (!sizes) return sizes.error();
+
+        made.shape = all.store.keep({{joined->points(), joined->starts(), triangles_.view(), sides_.view()},
+                                     *sizes,
+                                     onto->cells,
+                                     {}});
+        made.origin = {static_cast<double>(first.x) / onto->cells, static_cast<double>(first.y) / onto->cells};
+        made.first_owner = static_cast<std::uint32_t>(all.merged.owners.size());
+        const auto edges = joined->edges();
+        std::uint32_t* owners = all.merged.owners.append(edges.size());
+        if (made.shape == nullptr || (owners == nullptr && !edges.empty())) return error::out_of_memory;
+        for (std::size_t i = 0; i < edges.size(); ++i) owners[i] = members[cluster_.member_of(edges[i].curve)];
+        return {};
+    }
+
+    workspace space_;
+    glyph_cluster cluster_;
+    triangle_list triangles_;
+    buffer<side_point> sides_;
+};
+
+}  // namespace typemesh

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/text/text_plan.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace typemesh {
+
+/// How many triangles of the caps the rounding of placed positions to 32-bit floats turns over or flattens: none where
+/// every triangle's height is more than two of the plan's position_step(). Each part that is drawn has as many. Walls
+/// over such a cap's rim may be flattened with it.
+///
+/// On the grid no triangle is turned or flat; far from the origin floats are coarser than the grid. Glyphs that stand
+/// each at an origin of their own (see text_plan::write_meshes) do not suffer from it.
+///
+/// Cost   O(triangles), computed in double precision from the positions as they are written
+template <extruder Extruder>
+[[nodiscard]] std::uint64_t flipped_triangles(const text_plan<Extruder>& plan) noexcept
+{
+    struct vector {
+        double x, y, z;
+    };
+    const auto cross = [](vector a, vector b) noexcept {
+        return vector{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    };
+    const auto way = [](vec3 a, vec3 b) noexcept {
+        return vector{static_cast<double>(b.x) - a.x, static_cast<double>(b.y) - a.y, static_cast<double>(b.z) - a.z};
+    };
+    std::uint64_t flipped = 0;
+    for (std::size_t i = 0; i < plan.glyphs().size(); ++i) {
+        const placement at = plan.place(i);
+        const frame& f = at.frame;
+        const vector facing = cross({f.right.x, f.right.y, f.right.z}, {f.up.x, f.up.y, f.up.z});
+        const solid& shape = plan.glyphs()[i].shape->form();
+        for (const triangle t : shape.triangles) {
+            const vec3 a = at.position(shape.points[t.a], 0.0f), b = at.position(shape.points[t.b], 0.0f),
+                       c = at.position(shape.points[t.c], 0.0f);
+            const vector normal = cross(way(a, b), way(a, c));
+            const bool upright = normal.x * facing.x + normal.y * facing.y + normal.z * facing.z > 0.0;
+            flipped += upright ? 0u : 1u;
+        }
+    }
+    return flipped;
+}
+
+}  // namespace typemesh

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/fill_rule.hpp>
+#include <typemesh/core/option_bits.hpp>
+#include <typemesh/outline/variation_key.hpp>
+#include <typemesh/text/glyph_builder.hpp>
+
+#include <concepts>
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+
+namespace typemesh {
+
+namespace detail {
+/// A place in memory for each type, whose address tells it from all others. Not const: linkers may merge constants.
+template <class T>
+inline char place_of_type = 0;
+}  // namespace detail
+
+/// What tells one policy from another: its type, and those of its options that matter.
+struct policy_key {
+    const void* type = nullptr;
+    option_bits options;
+
+    friend bool operator==(const policy_key&, const policy_key&) noexcept = default;
+};
+
+/// A policy that says its options itself: `option_bits cache_key() const noexcept`.
+template <class P>
+concept says_cache_key = requires(const P& p) {
+    { p.cache_key() } noexcept -> std::convertible_to<option_bits>;
+};
+
+/// A policy's key. One without members needs to say nothing: its type is all.
+template <class Policy>
+[[nodiscard]] policy_key key_of(const Policy& p) noexcept
+{
+    static_assert(says_cache_key<Policy> || std::is_empty_v<Policy>,
+                  "typemesh: a policy with data members needs `typemesh::option_bits cache_key() const noexcept` before "
+                  "its glyphs can be kept in a glyph_cache, which otherwise could not tell those of different options "
+                  "apart; see typemesh/core/option_bits.hpp.");
+    policy_key key{&detail::place_of_type<Policy>, {}};
+    if constexpr (says_cache_key<Policy>) key.options = p.cache_key();
+    return key;
+}
+
+/// Everything that a shape depends on but its glyph: two texts may share shapes exactly when theirs are equal.
+struct shape_context {
+    std::uint64_t font = 0;       ///< the caller's number for the font
+    std::uint64_t variation = 0;  ///< what the font itself tells of its variation and face; see variation_of()
+    std::uint64_t tolerance = 0;  ///< the bits of the double
+    std::uint64_t fill = 0;       ///< 0: the outline source's own rule; else one more than the rule
+    policy_key discretiser, triangulator, extruder;
+
+    friend bool operator==(const shape_context&, const shape_context&) noexcept = default;
+
+    /// A number that is mostly another for another context.
+    [[nodiscard]] std::uint64_t hash() const noexcept
+    {
+        std::uint64_t h = 0;
+        const auto mix = [&h](std::uint64_t v) noexcept { h = mixed_key(h, v); };
+        mix(font);
+        mix(variation);
+        mix(tolerance);
+        mix(fill);
+        for (const policy_key* p : {&discretiser, &triangulator, &extruder}) {
+            mix(reinterpret_cast<std::uintptr_t>(p->type));
+            for (const std::uint64_t word : p->options.words) mix(word);
+        }
+        return h;
+    }
+};
+
+/// The context of shapes that glyph_builder makes with these policies.
+template <class Font, class Discretiser, class Triangulator, class Extruder>
+[[nodiscard]] shape_context context_of(std::uint64_t font_number, const Font& font, const glyph_settings& how,
+                                       const Discretiser& flatten, const Triangulator& cut,
+                                       const Extruder& raise) noexcept
+{
+    shape_context c;
+    c.font = font_number;
+    c.variation = variation_of(font);
+    c.tolerance = option_bits{how.tolerance}.words[0];
+    c.fill = how.fill ? 1 + static_cast<std::uint64_t>(*how.fill) : 0;
+    c.discretiser = key_of(flatten);
+    c.triangulator = key_of(cut);
+    c.extruder = key_of(raise);
+    return c;
+}
+
+}  // namespace typemesh

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/memory.hpp>
+#include <typemesh/text/glyph_shape.hpp>
+
+#include <cstddef>
+#include <new>
+#include <utility>
+
+namespace typemesh {
+
+/// Where the shapes of one text lie that no cache keeps: blocks that never move, given up all at once and used again
+/// for the next text. When several blocks were needed, they are replaced by one of their joint size: after warm-up
+/// nothing is allocated.
+class shape_store {
+    struct block {
+        block* next;
+        std::size_t bytes;  // behind the header
+        [[nodiscard]] std::byte* data() noexcept { return reinterpret_cast<std::byte*>(this) + header; }
+    };
+    static constexpr std::size_t alignment = alignof(glyph_shape) > alignof(block) ? alignof(glyph_shape) : alignof(block);
+    static constexpr std::size_t header = (sizeof(block) + alignment - 1) / alignment * alignment;
+
+public:
+    explicit shape_store(memory source) noexcept : source_{source} {}
+    shape_store(shape_store&& other) noexcept
+        : source_{other.source_},
+          newest_{std::exchange(other.newest_, nullptr)},
+          used_{std::exchange(other.used_, 0)},
+          total_{std::exchange(other.total_, 0)}
+    {
+    }
+    shape_store& operator=(shape_store&& other) noexcept
+    {
+        std::swap(source_, other.source_);
+        std::swap(newest_, other.newest_);
+        std::swap(used_, other.used_);
+        std::swap(total_, other.total_);
+        return *this;
+    }
+    ~shape_store() { release(); }
+
+    /// A shape of these parts, or null when the memory gives none.
+    [[nodiscard]] const glyph_shape* keep(const glyph_parts& parts) noexcept
+    {
+        const std::size_t bytes = (glyph_shape::bytes_for(parts) + alignment - 1) / alignment * alignment;
+        if (newest_ == nullptr || bytes > newest_->bytes - used_) {
+            const std::size_t more = total_ / 4 > 16 * 1024 ? total_ / 4 : 16 * 1024;  // never much more than is needed
+            if (!add_block(bytes > more ? bytes : more)) return nullptr;
+        }
+        void* place = newest_->data() + used_;
+        used_ += bytes;
+        return glyph_shape::make(place, parts);
+    }
+
+    /// Ends all shapes.
+    void clear() noexcept
+    {
+        used_ = 0;
+        if (newest_ == nullptr || newest_->next == nullptr) return;
+        const std::size_t joint = total_;
+        release();
+        (void)add_block(joint);  // without success the next keep() tries again
+    }
+
+private:
+    bool add_block(std::size_t bytes) noexcept
+    {
+        void* raw = source_.allocate(source_.user, header + bytes, alignment);
+        if (raw == nullptr) return false;
+        newest_ = new (raw) block{newest_, bytes};
+        used_ = 0;
+        total_ += bytes;
+        return true;
+    }
+
+    void release() noexcept
+    {
+        while (newest_ != nullptr) {
+            block* next = newest_->next;
+            source_.deallocate(source_.user, newest_, header + newest_->bytes, alignment);
+            newest_ = next;
+        }
+        used_ = total_ = 0;
+    }
+
+    memory source_;
+    block* newest_ = nullptr;  // the others are full
+    std::size_t used_ = 0;     // of the newest
+    std::size_t total_ = 0;    // of all
+};
+
+}  // namespace typemesh

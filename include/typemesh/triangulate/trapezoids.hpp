@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/orientation.hpp>
+#include <typemesh/core/workspace.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace typemesh::detail {
+
+/// What lies in a span of interior between two points that follow each other in it.
+///
+///       .------- - - -'-.         No other point is in it or on its vertical sides, as points lie that see it; so
+///      /:::::::::::::::::\        `left` and `right` see each other, along an edge of the region at worst.
+///     left:::::::::::::::right
+///        \::::::::::::::/
+///         '--> - - - --'          `below` is the point where the region's edge along its lower side begins.
+struct trapezoid {
+    std::uint32_t left;
+    std::uint32_t right;
+    std::uint32_t below;
+    std::uint32_t next;  // for lists of them
+};
+
+/// For monotone_sweep.hpp, in the place of a cutter: numbers the points as the sweep meets them and writes down all
+/// trapezoids, n + h - c of them.
+class trapezoid_output {
+public:
+    /// Of a span: the point last met in it, and where its lower side begins.
+    struct chains {
+        std::uint32_t last;
+        std::uint32_t below;
+    };
+
+    trapezoid_output(trapezoid* write, std::uint32_t* rank) noexcept : write_{write}, rank_{rank} {}
+
+    /// One past the last.
+    [[nodiscard]] trapezoid* end() const noexcept { return write_; }
+
+    [[nodiscard]] static bool open(workspace::scope&, std::size_t) noexcept { return true; }
+    void start(chains& c, std::uint32_t v, grid_point) noexcept
+    {
+        number(v);
+        c = {v, v};
+    }
+    template <std::uint32_t on>
+    void extend(chains& c, std::uint32_t v, grid_point) noexcept
+    {
+        number(v);
+        write(c, v);
+        c.last = v;
+        if (on == 0) c.below = v;
+    }
+    void split(chains& below, chains& above, std::uint32_t v, grid_point) noexcept
+    {
+        number(v);
+        write(below, v);
+        below.last = v;
+        above = {v, v};
+    }
+    void merge(chains& lower, const chains& upper, std::uint32_t v, grid_point) noexcept
+    {
+        number(v);
+        write(lower, v);
+        write(upper, v);
+        lower.last = v;
+    }
+    void finish(const chains& c, std::uint32_t v, grid_point) noexcept
+    {
+        number(v);
+        write(c, v);
+    }
+
+private:
+    void number(std::uint32_t v) noexcept { rank_[v] = count_++; }
+    void write(const chains& c, std::uint32_t v) noexcept { *write_++ = {c.last, v, c.below, 0}; }
+
+    trapezoid* write_;
+    std::uint32_t* rank_;
+    std::uint32_t count_ = 0;
+};
+
+}  // namespace typemesh::detail

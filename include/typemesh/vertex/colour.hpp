@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/vertex/normalised.hpp>
+#include <typemesh/vertex/part.hpp>
+
+#include <cstdint>
+
+namespace typemesh {
+
+/// A colour of four bytes, red first in memory (R8G8B8A8, GL_RGBA). Made from numbers between 0 and 1.
+struct rgba8 {
+    unorm8 r;
+    unorm8 g;
+    unorm8 b;
+    unorm8 a = 1.0f;
+
+    friend constexpr bool operator==(const rgba8&, const rgba8&) noexcept = default;
+};
+
+/// The same with blue first (B8G8R8A8, D3DCOLOR, FColor).
+struct bgra8 {
+    unorm8 b;
+    unorm8 g;
+    unorm8 r;
+    unorm8 a;
+
+    bgra8() = default;
+    constexpr bgra8(rgba8 c) noexcept : b{c.b}, g{c.g}, r{c.r}, a{c.a} {}
+    friend constexpr bool operator==(const bgra8&, const bgra8&) noexcept = default;
+};
+
+/// One colour (or whatever a T is) for each part: hand it to a writer that wants attribute::part, and call it with
+/// s.part. A constant needs no such thing: keep it in the writer.
+template <class T = rgba8>
+struct part_colours {
+    T front;
+    T back;
+    T side;
+
+    [[nodiscard]] constexpr T operator()(part p) const noexcept
+    {
+        return p == part::front ? front : p == part::back ? back : side;
+    }
+};
+
+}  // namespace typemesh

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+namespace typemesh {
+
+/// A number between -1 and 1 (signed Integer) or 0 and 1 (unsigned) as a whole number: what graphics interfaces call
+/// snorm and unorm.
+///
+///     value = bits / most        most = 127, 255, 32,767 or 65,535; of snorm, one more step below -1 also means -1
+///
+/// A float beyond the range becomes its nearer end (NaN one of the ends); all others the nearest step, and of two
+/// equally near that farther from 0, as Direct3D says. The rounding is exact: the product with `most` is computed where
+/// it has room.
+///
+///     struct my_vertex { float position[3]; snorm8 normal[4]; };    // {..., {s.normal.x, s.normal.y, s.normal.z, 0.0f}}
+template <std::integral Integer>
+    requires(sizeof(Integer) <= 2)
+struct normalised {
+    static constexpr int most = (std::numeric_limits<Integer>::max)();
+
+    Integer bits;
+
+    normalised() = default;
+    constexpr normalised(float value) noexcept : bits{rounded(value)} {}
+
+    [[nodiscard]] static constexpr normalised from_bits(Integer bits) noexcept
+    {
+        normalised n{0.0f};
+        n.bits = bits;
+        return n;
+    }
+
+    /// The nearest float to bits / most, at least -1.
+    [[nodiscard]] explicit constexpr operator float() const noexcept
+    {
+        const float value = static_cast<float>(bits) / static_cast<float>(most);
+        return value < -1.0f ? -1.0f : value;
+    }
+
+    friend constexpr bool operator==(normalised, normalised) noexcept = default;
+
+private:
+    [[nodiscard]] static constexpr Integer rounded(float value) noexcept
+    {
+        constexpr float least = std::is_signed_v<Integer> ? -1.0f : 0.0f;
+        const float inside = value > least ? (value < 1.0f ? value : 1.0f) : least;
+        const double steps = static_cast<double>(inside) * most;  // 24 bits by 16: exact, and so is the half added
+        return static_cast<Integer>(static_cast<int>(steps < 0.0 ? steps - 0.5 : steps + 0.5));
+    }
+};
+
+using snorm8 = normalised<std::int8_t>;
+using snorm16 = normalised<std::int16_t>;
+using unorm8 = normalised<std::uint8_t>;
+using unorm16 = normalised<std::uint16_t>;
+static_assert(sizeof(snorm8) == 1 && sizeof(unorm16) == 2);
+
+}  // namespace typemesh

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/point.hpp>
+#include <typemesh/vertex/octahedral.hpp>
+
+#include <cstdint>
+
+namespace typemesh {
+
+/// A tangent and its sign in the room of an octahedral vector: the sign is y's lowest bit, 1 for -1, and of the steps
+/// of y those are used that have it.
+///
+///     octahedral_tangent<snorm8>    2 bytes, within 1.1 degrees    octahedral_tangent<snorm16>    4 bytes, within 0.0043
+///
+/// A shader decodes the direction as if nothing were in it: the bounds are those of just that. Tangents of 8, 10 or 16
+/// bits a component have room for a sign by themselves: {x, y, z, w} of snorm8 or snorm16, snorm10{x, y, z, w}.
+template <class Step>
+struct octahedral_tangent : private octahedral<Step> {
+    using octahedral<Step>::x;
+    using octahedral<Step>::y;
+
+    octahedral_tangent() = default;
+    octahedral_tangent(float tx, float ty, float tz, float sign) noexcept
+        : octahedral<Step>{tx, ty, tz, 2, sign < 0.0f ? 1 : 0}
+    {
+    }
+
+    /// The unit vector and its sign.
+    [[nodiscard]] vec4 decoded() const noexcept
+    {
+        const vec3 t = octahedral<Step>::decoded();
+        return {t.x, t.y, t.z, (static_cast<unsigned>(static_cast<int>(y.bits)) & 1u) != 0 ? -1.0f : 1.0f};
+    }
+};
+
+using octahedral_tangent16 = octahedral_tangent<snorm8>;
+using octahedral_tangent32 = octahedral_tangent<snorm16>;
+static_assert(sizeof(octahedral_tangent32) == 4);
+
+}  // namespace typemesh

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+
+#include "engines/stand_in/d3d9.hpp"
+
+#include "engines/direct3d9.hpp"
+#include "engines/stand_in/d3d11.hpp"
+
+#include "engines/direct3d11.hpp"
+
+#include <cstring>
+
+#include "recipe_laws.hpp"
+#include "support/guarded_memory.hpp"
+
+using namespace recipes;
+using test::guarded_memory;
+
+namespace d9 = engines::direct3d9;
+namespace d11 = engines::direct3d11;
+
+namespace {
+
+template <class Index>
+std::vector<std::uint32_t> numbers(const void* at, std::size_t n)
+{
+    std::vector<Index> read(n);
+    std::memcpy(read.data(), at, n * sizeof(Index));
+    return {read.begin(), read.end()};
+}
+
+}  // namespace
+
+TEST_CASE("Direct3D 9 gets 32-byte vertices in a left-handed frame, clockwise to the viewer, with either index format",
+          "[engines]")
+{
+    bench b;
+    auto plan = b.mesher.plan(word, d9::options());
+    REQUIRE(plan);
+    for (const D3DFORMAT format : {D3DFMT_INDEX16, D3DFMT_INDEX32}) {
+        const std::size_t width = format == D3DFMT_INDEX16 ? 2 : 4;
+        IDirect3DVertexBuffer9 vertices{std::vector<std::uint8_t>(32 * plan->size().vertices)};
+        IDirect3DIndexBuffer9 indices{format, std::vector<std::uint8_t>(width * plan->size().indices())};
+        REQUIRE_FALSE(d9::fill(*plan, vertices, indices));
+        CHECK(vertices.locks == 0);
+        CHECK(indices.locks == 0);
+        seen mesh;
+        for (std::size_t i = 0; i < plan->size().vertices; ++i) {
+            float f[8];
+            std::memcpy(f, vertices.bytes.data() + 32 * i, sizeof f);
+            mesh.position.push_back({f[0], f[1], f[2]});
+            mesh.normal.push_back({f[3], f[4], f[5]});
+            mesh.uv.push_back({f[6], f[7]});
+        }
+        mesh.index = width == 2 ? numbers<std::uint16_t>(indices.bytes.data(), plan->size().indices())
+                                : numbers<std::uint32_t>(indices.bytes.data(), plan->size().indices());
+        obeys(mesh, *plan, direct3d);
+    }
+}
+
+TEST_CASE("Direct3D 9 buffers that are too small are refused and left as they were", "[engines]")
+{
+    bench b;
+    auto plan = b.mesher.plan(word, d9::options());
+    REQUIRE(plan);
+    IDirect3DVertexBuffer9 vertices{std::vector<std::uint8_t>(32 * plan->size().vertices - 1, 0xEE)};
+    IDirect3DIndexBuffer9 indices{D3DFMT_INDEX16, std::vector<std::uint8_t>(2 * plan->size().indices(), 0xEE)};
+    const error e = d9::fill(*plan, vertices, indices);
+    CHECK(e == error::buffer_too_small);
+    CHECK(e.count == plan->size().vertices);
+    CHECK(vertices.bytes == std::vector<std::uint8_t>(vertices.bytes.size(), 0xEE));
+    CHECK(indices.bytes == std::vector<std::uint8_t>(indices.bytes.size(), 0xEE));
+    CHECK(vertices.locks == 0);
+}
+
+TEST_CASE("Direct3D 11 gets the vertex of 32 bytes and the packed one, up to the last byte of mapped memory", "[engines]")
+{
+    bench b;
+    auto plan = b.mesher.plan(word, d11::options());
+    REQUIRE(plan);
+    const std::size_t n = plan->size().vertices, m = plan->size().indices();
+    {
+        const guarded_memory vertices{n * sizeof(d11::vertex)}, indices{m * 2};
+        REQUIRE_FALSE(d11::fill<d11::vertex>(*plan, vertices.bytes().data(), n * sizeof(d11::vertex), indices.bytes().data(), m * 2,
+                                             DXGI_FORMAT_R16_UINT));
+        seen mesh;
+        for (const d11::vertex& v : vertices.as<d11::vertex>()) {
+            mesh.position.push_back({v.position[0], v.position[1], v.position[2]});
+            mesh.normal.push_back({v.normal[0], v.normal[1], v.normal[2]});
+            mesh.uv.push_back({v.uv[0], v.uv[1]});
+        }
+        mesh.index = numbers<std::uint16_t>(indices.bytes().data(), m);
+        obeys(mesh, *plan, direct3d);
+    }
+    {
+        const guarded_memory vertices{n * sizeof(d11::packed_vertex)}, indices{m * 4};
+        REQUIRE_FALSE(d11::fill<d11::packed_vertex>(*plan, vertices.bytes().data(), n * sizeof(d11::packed_vertex),
+                                                    indices.bytes().data(), m * 4, DXGI_FORMAT_R32_UINT));
+        seen mesh;
+        std::size_t of_second = 0;
+        for (const d11::packed_vertex& v : vertices.as<d11::packed_vertex>()) {
+            const auto f = [](auto packed) { return static_cast<float>(packed); };
+            mesh.position.push_back({v.position[0], v.position[1], v.position[2]});
+            mesh.normal.push_back({f(v.normal[0]), f(v.normal[1]), f(v.normal[2])});
+            mesh.tangent.push_back({f(v.tangent[0]), f(v.tangent[1]), f(v.tangent[2]), f(v.tangent[3])});
+            mesh.uv.push_back({f(v.uv[0]), f(v.uv[1])});
+            CHECK((v.cluster == 0 || v.cluster == 1 || v.cluster == 3 || v.cluster == 4));  // bytes of UTF-8
+            of_second += v.cluster == 1;
+        }
+        CHECK(of_second == plan->range(1, part::front).vertex_count + plan->range(1, part::back).vertex_count +
+                               plan->range(1, part::side).vertex_count);
+        mesh.index = numbers<std::uint32_t>(indices.bytes().data(), m);
+        engine packed = direct3d;
+        packed.off_direction = 0.01;
+        packed.off_uv = 0.001;
+        obeys(mesh, *plan, packed);
+    }
+}
+
+TEST_CASE("input layouts and vertex declarations name the bytes where the vertices have them", "[engines]")
+{
+    CHECK(d9::declaration[1].Offset == offsetof(d9::vertex, nx));
+    CHECK(d9::declaration[2].Offset == offsetof(d9::vertex, tu));
+    CHECK(d11::layout[1].AlignedByteOffset == offsetof(d11::vertex, normal));
+    CHECK(d11::layout[2].AlignedByteOffset == offsetof(d11::vertex, uv));
+    CHECK(d11::packed_layout[1].AlignedByteOffset == offsetof(d11::packed_vertex, normal));
+    CHECK(d11::packed_layout[2].AlignedByteOffset == offsetof(d11::packed_vertex, tangent));
+    CHECK(d11::packed_layout[3].AlignedByteOffset == offsetof(d11::packed_vertex, uv));
+    CHECK(d11::packed_layout[4].AlignedByteOffset == offsetof(d11::packed_vertex, cluster));
+}

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+
+#include "engines/stand_in/eigen.hpp"
+
+#include "engines/eigen.hpp"
+
+#if __has_include(<glm/vec3.hpp>)
+#include "engines/glm.hpp"
+#endif
+
+#include "recipe_laws.hpp"
+
+using namespace recipes;
+
+#if __has_include(<glm/vec3.hpp>)
+TEST_CASE("GLM's vectors hold a right-handed mesh, counter-clockwise, v upwards", "[engines]")
+{
+    bench b;
+    std::vector<engines::glm_vertex> vertices;
+    std::vector<std::uint32_t> indices;
+    auto plan = b.mesher.plan(word, engines::glm_options());
+    REQUIRE(plan);
+    REQUIRE_FALSE(plan->write(into(vertices, indices)));
+    seen mesh;
+    for (const auto& v : vertices) {
+        mesh.position.push_back(from_glm(v.position));
+        mesh.normal.push_back(from_glm(v.normal));
+        mesh.tangent.push_back({v.tangent.x, v.tangent.y, v.tangent.z, v.tangent.w});
+        mesh.uv.push_back(from_glm(v.uv));
+    }
+    mesh.index = indices;
+    obeys(mesh, *plan, opengl);
+}
+#endif
+
+TEMPLATE_TEST_CASE("Eigen's matrices hold a mesh with z up, a row or a column for each vertex and triangle", "[engines]",
+                   std::true_type, std::false_type)
+{
+    using places_type = std::conditional_t<TestType::value, Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>, Eigen::Matrix3Xf>;
+    using triangles_type = std::conditional_t<TestType::value, Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>, Eigen::Matrix3Xi>;
+    bench b;
+    auto plan = b.mesher.plan(word, engines::eigen::options());
+    REQUIRE(plan);
+    places_type places, normals;
+    triangles_type triangles;
+    REQUIRE_FALSE(engines::eigen::write(*plan, places, normals, triangles));
+    const auto at = [](auto& m, std::size_t i, int k) {
+        if constexpr (TestType::value) return m(static_cast<decltype(m.rows())>(i), k);
+        else return m(k, static_cast<decltype(m.rows())>(i));
+    };
+    seen mesh;
+    for (std::size_t i = 0; i < plan->size().vertices; ++i) {
+        mesh.position.push_back({at(places, i, 0), at(places, i, 1), at(places, i, 2)});
+        mesh.normal.push_back({at(normals, i, 0), at(normals, i, 1), at(normals, i, 2)});
+    }
+    for (std::size_t i = 0; i < plan->size().triangles; ++i)
+        for (int k = 0; k < 3; ++k) mesh.index.push_back(static_cast<std::uint32_t>(at(triangles, i, k)));
+    obeys(mesh, *plan, cad);
+}

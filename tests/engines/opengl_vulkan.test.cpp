@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+
+#include "engines/stand_in/gl.hpp"
+
+#include "engines/opengl.hpp"
+#include "engines/stand_in/vulkan.hpp"
+
+#include "engines/vulkan.hpp"
+
+#include <cstring>
+
+#include "recipe_laws.hpp"
+#include "support/guarded_memory.hpp"
+
+using namespace recipes;
+using test::guarded_memory;
+
+namespace {
+
+template <class Vertex>
+seen read(std::span<const Vertex> vertices)
+{
+    seen mesh;
+    for (const Vertex& v : vertices) {
+        const vec4 n = v.normal.decoded();
+        mesh.position.push_back({v.position[0], v.position[1], v.position[2]});
+        mesh.normal.push_back({n.x, n.y, n.z});
+        mesh.tangent.push_back(v.tangent.decoded());
+        mesh.uv.push_back({static_cast<float>(v.uv[0]), static_cast<float>(v.uv[1])});
+    }
+    return mesh;
+}
+
+engine packed(engine is)
+{
+    is.off_direction = 0.0025;
+    is.off_uv = 0.0005;
+    return is;
+}
+
+}  // namespace
+
+TEST_CASE("OpenGL gets one interleaved vertex of 24 bytes, counter-clockwise, v upwards", "[engines]")
+{
+    bench b;
+    auto plan = b.mesher.plan(word, engines::opengl::options());
+    REQUIRE(plan);
+    const guarded_memory vertices{plan->size().vertices * sizeof(engines::opengl::vertex)}, indices{plan->size().indices() * 2};
+    REQUIRE_FALSE(plan->write(into(vertices.as<engines::opengl::vertex>(), indices.as<std::uint16_t>())));
+    seen mesh = read<engines::opengl::vertex>(vertices.as<engines::opengl::vertex>());
+    for (const std::uint16_t i : indices.as<std::uint16_t>()) mesh.index.push_back(i);
+    obeys(mesh, *plan, packed(opengl));
+}
+
+TEST_CASE("OpenGL is told of four attributes, each where the vertex has it, the first vertex' place added", "[engines]")
+{
+    std::vector<std::size_t> offsets;
+    engines::opengl::describe(
+        [&](GLuint location, GLint size, GLenum type, GLboolean normalised, GLsizei stride, const void* at) {
+            CHECK(location == offsets.size());
+            CHECK(stride == 24);
+            CHECK((normalised == GL_TRUE) == (type == GL_INT_2_10_10_10_REV));
+            CHECK((type != GL_INT_2_10_10_10_REV || size == 4));  // the specification asks for 4 there
+            offsets.push_back(reinterpret_cast<std::size_t>(at));
+        },
+        1000);
+    CHECK(offsets == std::vector<std::size_t>{1000, 1012, 1016, 1020});
+}
+
+TEST_CASE("two texts share Vulkan buffers, the second's indices counting on from the first's vertices", "[engines]")
+{
+    bench b;
+    guarded_memory vertices{24 * 60'000}, indices{4 * 200'000};
+    engines::vulkan::room room{vertices.bytes(), indices.bytes()};
+    auto first = b.mesher.plan("first", engines::vulkan::options());
+    REQUIRE(first);
+    const auto at = room.add(*first);
+    REQUIRE(at);
+    CHECK(at->first_index == 0);
+    const auto before = static_cast<std::uint32_t>(first->size().vertices);
+
+    auto plan = b.mesher.plan(word, engines::vulkan::options());
+    REQUIRE(plan);
+    const auto here = room.add(*plan);
+    REQUIRE(here);
+    CHECK(here->first_index == at->index_count);
+    CHECK(room.vertex_count == before + plan->size().vertices);
+    using vertex = engines::vulkan::vertex;
+    seen mesh = read<vertex>(vertices.as<vertex>().subspan(before, plan->size().vertices));
+    for (const std::uint32_t i : indices.as<std::uint32_t>().subspan(here->first_index, here->index_count)) {
+        REQUIRE(i >= before);
+        mesh.index.push_back(i - before);
+    }
+    engine is = packed(gltf);
+    is.green_up = false;
+    obeys(mesh, *plan, is);
+    for (const std::byte rest : vertices.bytes().subspan(24 * room.vertex_count)) REQUIRE(rest == std::byte{0xEE});
+
+    engines::vulkan::room full = room;
+    full.vertices = full.vertices.first(24 * room.vertex_count);
+    CHECK(full.add(*plan).error() == error::buffer_too_small);
+    CHECK(full.vertex_count == room.vertex_count);
+}
+
+TEST_CASE("Vulkan's descriptions name the bytes where the vertex has them", "[engines]")
+{
+    using engines::vulkan::attributes;
+    using engines::vulkan::vertex;
+    CHECK(engines::vulkan::binding.stride == sizeof(vertex));
+    CHECK(attributes[1].offset == offsetof(vertex, normal));
+    CHECK(attributes[2].offset == offsetof(vertex, tangent));
+    CHECK(attributes[3].offset == offsetof(vertex, uv));
+}

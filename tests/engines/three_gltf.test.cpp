@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+
+#include "engines/gltf.hpp"
+#include "engines/three.hpp"
+
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <string>
+
+#include "recipe_laws.hpp"
+
+using namespace recipes;
+
+namespace {
+
+std::uint32_t word_at(const std::vector<std::byte>& file, std::size_t at)
+{
+    std::uint32_t v = 0;
+    for (std::size_t k = 0; k < 4; ++k) v |= std::to_integer<std::uint32_t>(file.at(at + k)) << (8 * k);
+    return v;
+}
+
+/// The numbers after a name in a GLB's JSON: "min":[1,2,3].
+std::vector<double> numbers_after(const std::string& json, const std::string& name)
+{
+    const std::size_t at = json.find("\"" + name + "\":");
+    REQUIRE(at != std::string::npos);
+    const char* p = json.c_str() + at + name.size() + 3;
+    std::vector<double> out;
+    const bool list = *p == '[';
+    if (list) ++p;
+    for (;;) {
+        char* end = nullptr;
+        out.push_back(std::strtod(p, &end));
+        REQUIRE(end != p);
+        if (!list || *end != ',') break;
+        p = end + 1;
+    }
+    return out;
+}
+
+struct glb {
+    std::string json;
+    std::vector<std::byte> bin;
+};
+
+glb open(const std::vector<std::byte>& file)
+{
+    REQUIRE(word_at(file, 0) == 0x46546C67);
+    REQUIRE(word_at(file, 4) == 2);
+    REQUIRE(word_at(file, 8) == file.size());
+    const std::size_t json = word_at(file, 12);
+    REQUIRE(json % 4 == 0);
+    REQUIRE(word_at(file, 16) == 0x4E4F534A);
+    glb g;
+    g.json.assign(reinterpret_cast<const char*>(file.data()) + 20, json);
+    if (20 + json == file.size()) return g;
+    REQUIRE(word_at(file, 20 + json) % 4 == 0);
+    REQUIRE(word_at(file, 24 + json) == 0x004E4942);
+    g.bin.assign(file.begin() + static_cast<std::ptrdiff_t>(28 + json), file.end());
+    REQUIRE(g.bin.size() == word_at(file, 20 + json));
+    return g;
+}
+
+}  // namespace
+
+TEST_CASE("three.js gets one typed array an attribute, counter-clockwise, v upwards", "[engines]")
+{
+    bench b;
+    auto plan = b.mesher.plan(word, engines::three::options());
+    REQUIRE(plan);
+    const std::size_t n = plan->size().vertices;
+    std::vector<float> position(3 * n), normal(3 * n), tangent(4 * n), uv(2 * n);
+    std::vector<std::uint32_t> index(plan->size().indices());
+    REQUIRE_FALSE(engines::three::write(*plan, engines::three::buffer_geometry<>{position, normal, tangent, uv, index}));
+    seen mesh;
+    for (std::size_t i = 0; i < n; ++i) {
+        mesh.position.push_back({position[3 * i], position[3 * i + 1], position[3 * i + 2]});
+        mesh.normal.push_back({normal[3 * i], normal[3 * i + 1], normal[3 * i + 2]});
+        mesh.tangent.push_back({tangent[4 * i], tangent[4 * i + 1], tangent[4 * i + 2], tangent[4 * i + 3]});
+        mesh.uv.push_back({uv[2 * i], uv[2 * i + 1]});
+    }
+    mesh.index = index;
+    obeys(mesh, *plan, opengl);
+
+    std::vector<std::uint16_t> narrow(index.size());
+    REQUIRE_FALSE(
+        engines::three::write(*plan, engines::three::buffer_geometry<std::uint16_t>{position, normal, tangent, uv, narrow}));
+    CHECK(std::vector<std::uint32_t>(narrow.begin(), narrow.end()) == index);
+    std::vector<float> short_uv(2 * n - 1, -7.0f);
+    const error e = engines::three::write(*plan, engines::three::buffer_geometry<>{position, normal, tangent, short_uv, index});
+    CHECK(e == error::buffer_too_small);
+    CHECK(e.count == n);
+    CHECK(short_uv == std::vector<float>(2 * n - 1, -7.0f));
+}
+
+TEST_CASE("a plain glTF file holds floats, right-handed, counter-clockwise, v downwards", "[engines]")
+{
+    bench b;
+    auto plan = b.mesher.plan(word, engines::gltf::options());
+    REQUIRE(plan);
+    std::vector<std::byte> file;
+    REQUIRE_FALSE(engines::gltf::write(*plan, engines::gltf::layout::plain, file));
+    const glb g = open(file);
+    seen mesh;
+    for (std::size_t i = 0; i < plan->size().vertices; ++i) {
+        float f[12];
+        std::memcpy(f, g.bin.data() + 48 * i, sizeof f);
+        mesh.position.push_back({f[0], f[1], f[2]});
+        mesh.normal.push_back({f[3], f[4], f[5]});
+        mesh.tangent.push_back({f[6], f[7], f[8], f[9]});
+        mesh.uv.push_back({f[10], f[11]});
+    }
+    for (std::size_t i = 0; i < plan->size().indices(); ++i) {
+        std::uint16_t n;
+        std::memcpy(&n, g.bin.data() + 48 * plan->size().vertices + 2 * i, 2);
+        mesh.index.push_back(n);
+    }
+    obeys(mesh, *plan, gltf);
+    double low[3] = {1e9, 1e9, 1e9}, high[3] = {-1e9, -1e9, -1e9};
+    for (const vec3 p : mesh.position) {
+        const double at[3] = {p.x, p.y, p.z};
+        for (std::size_t k = 0; k < 3; ++k) low[k] = (std::min)(low[k], at[k]), high[k] = (std::max)(high[k], at[k]);
+    }
+    const auto said_low = numbers_after(g.json, "min"), said_high = numbers_after(g.json, "max");
+    for (std::size_t k = 0; k < 3; ++k) {  // the same floats
+        CHECK(static_cast<float>(said_low.at(k)) == static_cast<float>(low[k]));
+        CHECK(static_cast<float>(said_high.at(k)) == static_cast<float>(high[k]));
+    }
+    CHECK(numbers_after(g.json, "byteStride")[0] == 48);
+}
+
+TEST_CASE("a quantised glTF file gives the same mesh back through its node's transform, in 20 bytes a vertex", "[engines]")
+{
+    bench b;
+    auto plan = b.mesher.plan(word, engines::gltf::options());
+    REQUIRE(plan);
+    std::vector<std::byte> file;
+    REQUIRE_FALSE(engines::gltf::write(*plan, engines::gltf::layout::quantised, file));
+    const glb g = open(file);
+    CHECK(g.json.find("extensionsRequired\":[\"KHR_mesh_quantization\"]") != std::string::npos);
+    const auto offset = numbers_after(g.json, "translation"), scale = numbers_after(g.json, "scale");
+    REQUIRE(scale[0] == scale[1]);
+    REQUIRE(scale[0] == scale[2]);
+    seen mesh;
+    double low[3] = {1e9, 1e9, 1e9}, high[3] = {-1, -1, -1};
+    for (std::size_t i = 0; i < plan->size().vertices; ++i) {
+        struct {
+            std::uint16_t position[4];
+            std::int8_t normal[4], tangent[4];
+            std::uint16_t uv[2];
+        } v;
+        static_assert(sizeof v == 20);
+        std::memcpy(&v, g.bin.data() + 20 * i, 20);
+        float p[3];
+        for (std::size_t k = 0; k < 3; ++k) {
+            low[k] = (std::min)(low[k], double(v.position[k])), high[k] = (std::max)(high[k], double(v.position[k]));
+            p[k] = static_cast<float>(v.position[k] / 65535.0 * scale[k] + offset[k]);
+        }
+        const auto d = [](std::int8_t n) { return static_cast<float>(n) / 127.0f; };
+        mesh.position.push_back({p[0], p[1], p[2]});
+        mesh.normal.push_back({d(v.normal[0]), d(v.normal[1]), d(v.normal[2])});
+        mesh.tangent.push_back({d(v.tangent[0]), d(v.tangent[1]), d(v.tangent[2]), d(v.tangent[3])});
+        mesh.uv.push_back({static_cast<float>(v.uv[0]) / 65535.0f, static_cast<float>(v.uv[1]) / 65535.0f});
+        CHECK(v.position[3] == 0);
+        CHECK(v.normal[3] == 0);
+    }
+    for (std::size_t i = 0; i < plan->size().indices(); ++i) {
+        std::uint16_t n;
+        std::memcpy(&n, g.bin.data() + 20 * plan->size().vertices + 2 * i, 2);
+        mesh.index.push_back(n);
+    }
+    CHECK(numbers_after(g.json, "min") == std::vector<double>(low, low + 3));
+    CHECK(numbers_after(g.json, "max") == std::vector<double>(high, high + 3));
+    engine is = gltf;
+    is.off_position = 3e-5;  // half a step of the longest side, 2.6 em
+    is.off_direction = 0.01;
+    is.off_uv = 1e-5;
+    obeys(mesh, *plan, is);
+    if (const char* folder = std::getenv("TYPEMESH_KEEP_GLB")) {  // for gltf-validator
+        for (const auto how : {engines::gltf::layout::plain, engines::gltf::layout::quantised}) {
+            REQUIRE_FALSE(engines::gltf::write(*plan, how, file));
+            std::ofstream{std::string{folder} + (how == engines::gltf::layout::plain ? "/plain.glb" : "/quantised.glb"), std::ios::binary}
+                .write(reinterpret_cast<const char*>(file.data()), static_cast<std::streamsize>(file.size()));
+        }
+    }
+}
+
+TEST_CASE("a long text has wide indices in its glTF file, and an empty one no mesh", "[engines]")
+{
+    bench b;
+    std::string lines;
+    for (int i = 0; i < 600; ++i) lines += "@&g";
+    auto plan = b.mesher.plan(std::string_view{lines}, engines::gltf::options());
+    REQUIRE(plan);
+    std::vector<std::byte> file;
+    REQUIRE_FALSE(engines::gltf::write(*plan, engines::gltf::layout::quantised, file));
+    const glb g = open(file);
+    CHECK(g.json.find("\"componentType\":5125") != std::string::npos);
+    std::uint32_t most = 0;
+    for (std::size_t i = 0; i < plan->size().indices(); ++i) {
+        std::uint32_t n;
+        std::memcpy(&n, g.bin.data() + 20 * plan->size().vertices + 4 * i, 4);
+        most = (std::max)(most, n);
+    }
+    CHECK(most == plan->size().vertices - 1);
+
+    auto nothing = b.mesher.plan("", engines::gltf::options());
+    REQUIRE(nothing);
+    REQUIRE_FALSE(engines::gltf::write(*nothing, engines::gltf::layout::plain, file));
+    CHECK(open(file).json.find("meshes") == std::string::npos);
+}

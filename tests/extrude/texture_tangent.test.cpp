@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+
+#include <typemesh/extrude/texture_tangent.hpp>
+
+#include <typemesh/extrude/flat.hpp>
+
+#include "mesh.hpp"
+#include "support/catch.hpp"
+
+using namespace typemesh;
+using namespace meshes;
+using Catch::Approx;
+
+namespace {
+
+using wide_vec = std::array<double, 3>;
+
+wide_vec wide(vec4 v) { return {v.x, v.y, v.z}; }
+wide_vec cross(wide_vec a, wide_vec b)
+{
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+wide_vec minus(wide_vec a, wide_vec b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+wide_vec scaled(double s, wide_vec a) { return {s * a[0], s * a[1], s * a[2]}; }
+wide_vec unit(wide_vec a) { return scaled(1.0 / std::sqrt(dot(a, a)), a); }
+
+/// Where u and v grow on a triangle, from its places and texture coordinates alone; `known` unless these lie on a line.
+struct gradient {
+    wide_vec u, v;
+    bool known;
+};
+
+gradient gradient_of(const built& b, const std::array<std::uint32_t, 3>& t)
+{
+    const auto &p = b.vertices[t[0]], &q = b.vertices[t[1]], &r = b.vertices[t[2]];
+    const wide_vec e = minus(meshes::wide(q.position), meshes::wide(p.position)),
+                   f = minus(meshes::wide(r.position), meshes::wide(p.position));
+    const double eu = double(q.uv.x) - p.uv.x, ev = double(q.uv.y) - p.uv.y, fu = double(r.uv.x) - p.uv.x,
+                 fv = double(r.uv.y) - p.uv.y;
+    const double area = eu * fv - ev * fu;
+    if (std::abs(area) < 1e-7) return {{}, {}, false};
+    return {unit(scaled(1.0 / area, minus(scaled(fv, e), scaled(ev, f)))),
+            unit(scaled(1.0 / area, minus(scaled(eu, f), scaled(fu, e)))), true};
+}
+
+/// Every frame, with v upwards and downwards, box mapping over the shape's box.
+std::vector<placement> placements(const shapes::shape& s)
+{
+    box around;
+    for (const grid_point g : s.loops.points) around.add(point{static_cast<double>(g.x), static_cast<double>(g.y)});
+    std::vector<placement> all;
+    for (frame f : frames()) {
+        for (const auto origin : {uv_origin::top_left, uv_origin::bottom_left}) {
+            f.uv = origin;
+            placement at = in_em(f);
+            at.texture_pen = -1.0 * around.low;
+            at.texture_per_cell = {1.0 / around.width(), 0.5 / around.height()};
+            all.push_back(at);
+        }
+    }
+    return all;
+}
+
+/// Unit length, at right angles to the normal, a sign for w.
+void obeys_the_laws_of_one_vertex(const surface_point<everything>& v)
+{
+    CHECK(length(vec3{v.tangent.x, v.tangent.y, v.tangent.z}) == Approx(1.0).margin(1e-6));
+    CHECK(std::abs(dot(wide(v.tangent), meshes::wide(v.normal))) < 1e-6);
+    CHECK((v.tangent.w == 1.0f || v.tangent.w == -1.0f));
+}
+
+wide_vec bitangent(const surface_point<everything>& v)
+{
+    return scaled(v.tangent.w, cross(meshes::wide(v.normal), wide(v.tangent)));
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("tangents lie where u grows and bitangents where v grows, on every triangle that tells, in every frame",
+                   "[extrude]", shared_normals, averaged_normals, creased_normals, curve_normals)
+{
+    for (const auto& s : shapes::all()) {
+        INFO(s.name);
+        for (const placement& at : placements(s)) {
+            for (const auto mapping : {texture_mapping::box, texture_mapping::em}) {
+                const built b = build(s, extruded<TestType>{.depth = 0.25f, .texture = mapping}, at);
+                for (const auto& v : b.vertices) obeys_the_laws_of_one_vertex(v);
+                std::size_t told = 0;
+                const bool shared = TestType::shares_caps;
+                for (std::uint32_t t = 0; t < b.triangles.size(); ++t) {
+                    const bool wall = t >= b.first_triangle(part::side);
+                    if (wall && shared) continue;  // planar coordinates on walls: their tangents are the caps'
+                    const gradient grows = gradient_of(b, b.triangles[t]);
+                    if (!grows.known) continue;
+                    ++told;
+                    const wide_vec flat = face_normal(b, b.triangles[t]);
+                    for (const std::uint32_t i : b.triangles[t]) {
+                        const auto& v = b.vertices[i];
+                        CHECK(dot(wide(v.tangent), grows.u) > 0.0);
+                        CHECK(dot(bitangent(v), grows.v) > 0.0);
+                        if (shared) continue;
+                        // As far from the triangle's own as the normal is from the triangle's.
+                        const double lean = std::abs(dot(meshes::wide(v.normal), flat));
+                        CHECK(dot(wide(v.tangent), grows.u) == Approx(lean).margin(2e-3));
+                        CHECK(dot(bitangent(v), grows.v) == Approx(1.0).margin(2e-3));
+                    }
+                }
+                CHECK(told > 0);
+                if (mapping == texture_mapping::em && !shared) CHECK(told == b.triangles.size());
+            }
+        }
+    }
+}
+
+TEST_CASE("box mapping gives walls the tangents of em mapping, since u and v do not change along their height",
+          "[extrude]")
+{
+    for (const auto& s : shapes::all()) {
+        INFO(s.name);
+        const built b = build(s, extruded<averaged_normals>{}), e =
+                                                                build(s, extruded<averaged_normals>{.texture = texture_mapping::em});
+        std::size_t k = 2 * s.points();  // em mapping may double one point more a contour: its seam
+        for (std::size_t i = k; i < b.vertices.size(); ++i, ++k) {
+            while (!(e.vertices[k].position == b.vertices[i].position)) ++k;
+            CHECK(e.vertices[k].tangent == b.vertices[i].tangent);
+        }
+    }
+}
+
+TEST_CASE("flat text has one tangent: along the text", "[extrude]")
+{
+    for (const frame& f : frames()) {
+        const built b = build(shapes::letter_d(), flat{}, in_em(f));
+        const bool down = f.uv == uv_origin::top_left;
+        for (const auto& v : b.vertices) {
+            obeys_the_laws_of_one_vertex(v);
+            CHECK(vec3{v.tangent.x, v.tangent.y, v.tangent.z} == f.right);
+            CHECK(dot(bitangent(v), meshes::wide(f.up)) == Approx(down ? -1.0 : 1.0));
+        }
+    }
+}
+
+TEST_CASE("a rim that leans all the way along the text has a tangent all the same", "[extrude]")
+{
+    const texture_tangent tangents{right_handed_y_up};
+    const free_axes axes{in_em()};
+    for (const float x : {1.0f, -1.0f, 0.99999994f}) {
+        const vec4 t = tangents.on_rim(axes, {x, 0.0f, 0.0f}, 1.0f);
+        CHECK(std::abs(t.x * x) < 1e-6f);
+        CHECK(length(vec3{t.x, t.y, t.z}) == Approx(1.0));
+    }
+    CHECK(tangents.on_rim(axes, {0.0f, 0.0f, -1.0f}, -1.0f) == vec4{1.0f, 0.0f, 0.0f, 1.0f});
+}
+
+TEST_CASE("every vertex knows its part, and its glyph and cluster from its placement", "[extrude]")
+{
+    placement at = in_em();
+    CHECK(build(shapes::letter_d(), flat{}, at).vertices[0].glyph == no_glyph);
+    at.glyph = 37;
+    at.cluster = 4;
+    const built b = build(shapes::letter_d(), extruded<>{}, at);
+    for (std::uint32_t i = 0; i < b.vertices.size(); ++i) {
+        const auto& v = b.vertices[i];
+        CHECK(v.glyph == 37);
+        CHECK(v.cluster == 4);
+        const part p = i < b.first_vertex(part::back)   ? part::front
+                       : i < b.first_vertex(part::side) ? part::back
+                                                        : part::side;
+        CHECK(v.part == p);
+    }
+}

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+#include "support/catch.hpp"
+#include "support/counting_memory.hpp"
+#include "support/mesh_laws.hpp"
+#include "support/oracle.hpp"
+#include "support/toy_font.hpp"
+
+#include <typemesh/typemesh.hpp>
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+using namespace typemesh;
+using test::full_mesh;
+
+namespace {
+
+/// The toy font's glyphs at pens of our own, in thousandths of an em.
+glyph_run run_of(std::vector<placed_glyph> glyphs)
+{
+    glyph_run run;
+    run.units_per_em = 1000.0;
+    for (std::size_t i = 0; i < glyphs.size(); ++i) {
+        glyphs[i].cluster = static_cast<cluster_id>(i);
+        REQUIRE(run.glyphs.push_back(glyphs[i]));
+    }
+    return run;
+}
+
+constexpr glyph_id o = 1, e = 2, x = 3, space = 4, i = 5, broken = 6;
+
+std::vector<std::uint32_t> indices_of(const full_mesh& m, const auto& plan, std::size_t glyph)
+{
+    std::vector<std::uint32_t> own;
+    for (const part p : all_parts) {
+        const mesh_range r = plan.range(glyph, p);
+        own.insert(own.end(), m.indices.begin() + r.first_index, m.indices.begin() + r.first_index + r.index_count);
+    }
+    return own;
+}
+
+double volume_of(text_mesher<test::toy_font>& mesher, const glyph_run& run, bool merge)
+{
+    auto plan = mesher.plan(run, {.unit = output_unit::font_units, .merge = merge});
+    REQUIRE(plan);
+    full_mesh m;
+    REQUIRE_FALSE(plan->write(into(m.vertices, m.indices)));
+    for (std::size_t g = 0; g < plan->glyphs().size(); ++g) {
+        const auto own = indices_of(m, *plan, g);
+        const auto c = test::examine(m.vertices, own);
+        CHECK(c.unmatched_edges == 0);
+        CHECK(c.crowded_slanted == 0);
+        CHECK(c.zero_area == 0);
+    }
+    return test::volume(m.vertices, m.indices);
+}
+
+template <class T>
+std::vector<T> list(std::span<const T> s)
+{
+    return {s.begin(), s.end()};
+}
+
+}  // namespace
+
+TEST_CASE("glyphs that overlap become one solid whose volume is that of their union", "[text][merge]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    // i is a box of 100 x 500; these three overlap by 50 x 500 and 100 x 400
+    const glyph_run run = run_of({{i, 0, {0, 0}}, {i, 0, {50, 0}}, {i, 0, {50, 100}}, {i, 0, {1000, 0}}});
+    const double depth = 200.0, box = 100.0 * 500.0;
+    CHECK(volume_of(mesher, run, false) == Catch::Approx(4 * box * depth));
+    CHECK(volume_of(mesher, run, true) == Catch::Approx((2 * box + 150.0 * 500.0 + 100.0 * 100.0 - box) * depth));
+}
+
+TEST_CASE("merging lists every glyph that is drawn once, and clusters are chains of meeting outlines", "[text][merge]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    const glyph_run run = run_of({{i, 0, {0, 0}},       // 0: touches 3 along an edge
+                                  {o, 0, {1000, 0}},    // 1: holds 4 in its hole
+                                  {space, 0, {0, 0}},   // 2: blank
+                                  {i, 0, {100, 0}},     // 3
+                                  {i, 0, {1100, -0}},   // 4: crosses the ring of 1
+                                  {broken, 0, {0, 0}},  // 5: refused
+                                  {e, 0, {3000, 0}},    // 6: alone
+                                  {x, 0, {3100, 150}}}  // 7: inside the bays of 6 and over its stem
+    );
+    auto plan = mesher.plan(run, {.merge = true});
+    REQUIRE(plan);
+    REQUIRE(plan->glyphs().size() == 3);
+    using numbers = std::vector<std::uint32_t>;
+    CHECK(list(plan->members(0)) == numbers{0, 3});
+    CHECK(list(plan->members(1)) == numbers{1, 4});
+    CHECK(list(plan->members(2)) == numbers{6, 7});
+    CHECK(plan->report().blank == 1);
+    CHECK(plan->report().refused == 1);
+    CHECK(plan->glyphs()[1].id == o);
+}
+
+TEST_CASE("a glyph in another's hole, and one in its bay, stay alone while they do not touch it", "[text][merge]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    const glyph_run run = run_of({{0, 0, {0, 0}}, {i, 0, {100, 100}}, {e, 0, {1000, 0}}, {i, 0, {1100, 150}}});
+    auto plan = mesher.plan(run, {.merge = true, .draw_missing = true});
+    REQUIRE(plan);
+    CHECK(plan->glyphs().size() == 3);  // the last i crosses the E's middle bar; the first stands in the box of .notdef
+    CHECK(list(plan->members(2)) == std::vector<std::uint32_t>{2, 3});
+}
+
+TEST_CASE("a text whose outlines do not meet is the same with and without merging, bit by bit", "[text][merge]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    full_mesh apart, merged;
+    REQUIRE(mesher.build("oEi oxE\nEio", into(apart.vertices, apart.indices)));
+    REQUIRE(mesher.build("oEi oxE\nEio", into(merged.vertices, merged.indices), {.merge = true}));
+    CHECK(apart.indices == merged.indices);
+    REQUIRE(apart.vertices.size() == merged.vertices.size());
+    const std::size_t bytes = apart.vertices.size() * sizeof(test::full_vertex);
+    CHECK(std::memcmp(apart.vertices.data(), merged.vertices.data(), bytes) == 0);
+}
+
+TEST_CASE("a triangle's owner has its corners on its outline, and what two share is nobody's", "[text][merge]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    const glyph_run run = run_of({{o, 0, {0, 0}}, {o, 0, {400, 30}}, {e, 0, {700, 20}}});
+    auto plan = mesher.plan(run, {.unit = output_unit::font_units, .merge = true});
+    REQUIRE(plan);
+    REQUIRE(plan->glyphs().size() == 1);
+    full_mesh m;
+    REQUIRE_FALSE(plan->write(into(m.vertices, m.indices)));
+
+    std::vector<std::vector<typemesh::point>> outlines;  // each glyph's own points, placed
+    for (const placed_glyph& g : run.glyphs) {
+        glyph_run alone = run_of({g});
+        text_mesher other{font};
+        full_mesh own;
+        REQUIRE(other.build(alone, into(own.vertices, own.indices), {.unit = output_unit::font_units}));
+        outlines.emplace_back();
+        for (const auto& v : own.vertices) outlines.back().push_back({v.position.x, v.position.y});
+    }
+    std::uint32_t shared = 0, owned = 0;
+    for (const part p : all_parts) {
+        const mesh_range r = plan->range(0, p);
+        for (std::uint32_t t = 0; t < r.index_count / 3; ++t) {
+            const std::uint32_t whose = plan->owner(0, p, t);
+            if (whose == shared_glyph) {
+                ++shared;
+                CHECK(p != part::side);
+                continue;
+            }
+            ++owned;
+            REQUIRE(whose < 3);
+            if (p == part::side) continue;
+            int on_outline = 0;
+            for (int c = 0; c < 3; ++c) {
+                const auto at = m.vertices[m.indices[r.first_index + 3 * t + std::uint32_t(c)]].position;
+                on_outline += std::any_of(outlines[whose].begin(), outlines[whose].end(), [&](typemesh::point q) {
+                    return std::fabs(q.x - at.x) < 0.01 && std::fabs(q.y - at.y) < 0.01;
+                });
+            }
+            CHECK(on_outline == 3);
+        }
+    }
+    CHECK(shared > 0);
+    CHECK(owned > shared);
+}
+
+TEST_CASE("merging far from the origin gives the same solid, moved", "[text][merge]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    const auto plan_at = [&](double far_off) {
+        const glyph_run run = run_of({{o, 0, {far_off, 0}}, {o, 0, {far_off + 400, 30}}});
+        auto plan = mesher.plan(run, {.merge = true});
+        REQUIRE(plan);
+        REQUIRE(plan->glyphs().size() == 1);
+        return plan->size();
+    };
+    CHECK(plan_at(0).vertices == plan_at(0x1p30).vertices);
+    CHECK(plan_at(0).triangles == plan_at(-0x1p36).triangles);
+}
+
+TEST_CASE("a cluster too wide for the fine grid is merged on a coarser one", "[text][merge]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    std::vector<placed_glyph> glyphs;
+    for (int k = 0; k < 14'000; ++k) glyphs.push_back({i, 0, {k * 75.0, 0}});  // 1,050,000 units: 2^29 cells of 1/512
+    const glyph_run run = run_of(glyphs);
+    auto plan = mesher.plan(run, {.merge = true});
+    REQUIRE(plan);
+    REQUIRE(plan->glyphs().size() == 1);
+    CHECK(plan->glyphs()[0].shape->cells() < 512.0);
+    CHECK(plan->members(0).size() == glyphs.size());
+    full_mesh m;
+    REQUIRE_FALSE(plan->write(into(m.vertices, m.indices)));
+    CHECK(test::examine(m.vertices, m.indices).unmatched_edges == 0);
+}
+
+TEST_CASE("merging reports that memory ran out at whichever request, and the mesher works afterwards", "[text][merge]")
+{
+    test::toy_font font;
+    const glyph_run run = run_of({{o, 0, {0, 0}}, {o, 0, {400, 30}}, {e, 0, {700, 20}}, {i, 0, {5000, 0}}});
+    std::size_t failures = 0;
+    for (std::size_t fail_at = 1;; ++fail_at) {
+        test::counting_memory counted;
+        counted.fail_at = fail_at;
+        counted.fail_once = true;
+        text_mesher mesher{font, counted.source()};
+        auto plan = mesher.plan(run, {.merge = true});
+        if (plan && counted.requests < fail_at) break;
+        if (!plan) {
+            CHECK(plan.error().code == error::out_of_memory);
+            ++failures;
+        }
+        auto again = mesher.plan(run, {.merge = true});
+        REQUIRE(again);
+        CHECK(again->glyphs().size() == 2);
+    }
+    CHECK(failures > 10);
+}
+
+TEST_CASE("merging allocates nothing once it has seen a text of that size", "[text][merge]")
+{
+    test::toy_font font;
+    test::counting_memory counted;
+    text_mesher mesher{font, counted.source()};
+    const glyph_run run = run_of({{o, 0, {0, 0}}, {o, 0, {400, 30}}, {e, 0, {700, 20}}, {i, 0, {5000, 0}}});
+    for (int warm = 0; warm < 3; ++warm) REQUIRE(mesher.plan(run, {.merge = true}));
+    const auto before = counted.requests;
+    REQUIRE(mesher.plan(run, {.merge = true}));
+    CHECK(counted.requests == before);
+}
+
+TEST_CASE("regions of fonts of different units per em are joined on the finer grid", "[text][merge]")
+{
+    const auto square_region = [](contours& loops, workspace& space, std::int32_t size) {
+        loops.points.clear(), loops.edges.clear(), loops.starts.clear();
+        REQUIRE((loops.starts.push_back(0) && loops.starts.push_back(4)));
+        for (const grid_point p : {grid_point{0, 0}, {size, 0}, {size, size}, {0, size}})
+            REQUIRE((loops.points.push_back(p) && loops.edges.push_back({})));
+        static const curve line[1] = {};
+        loops.curves = line;
+        auto r = fill(loops, fill_rule::non_zero, space);
+        REQUIRE(r);
+        return *r;
+    };
+    workspace space;
+    contours of_1000, of_2048;
+    glyph_cluster cluster;
+    cluster.begin(grid{512.0});  // of 2048 units per em; a thousandth of an em is 2.048 of these
+    REQUIRE_FALSE(cluster.add(square_region(of_2048, space, 1024 * 512), 1.0, 0, 0));
+    REQUIRE_FALSE(cluster.add(square_region(of_1000, space, 500 * 512), 2.048, 1024 * 256, 1024 * 256));
+    const auto joined = cluster.join(space);
+    REQUIRE(joined);
+    CHECK(joined->points().size() == 8);
+    CHECK(joined->outers() == 1);
+    grid_point high{0, 0};
+    for (const grid_point p : joined->points()) high = {(std::max)(high.x, p.x), (std::max)(high.y, p.y)};
+    CHECK(high == grid_point{1024 * 768, 1024 * 768});  // half an em and a quarter, exactly
+
+    CHECK(cluster.add(square_region(of_1000, space, 1 << 20), 1024.0, 0, 0).code == error::outline_beyond_grid);
+}

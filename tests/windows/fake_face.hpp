@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <d2d1.h>
+#include <dwrite.h>
+
+#include <functional>
+
+namespace test {
+
+/// A font face that draws what a test tells it to, and counts its references. 1000 units to the em, 10 glyphs.
+class fake_face final : public IDWriteFontFace {
+public:
+    std::function<HRESULT(ID2D1SimplifiedGeometrySink&)> draws = [](ID2D1SimplifiedGeometrySink&) { return S_OK; };
+    ULONG references = 1;
+    FLOAT asked_em_size = 0.0f;
+    bool has_glyf = true;
+    UINT16 glyphs = 10;
+
+    ULONG STDMETHODCALLTYPE AddRef() noexcept override { return ++references; }
+    ULONG STDMETHODCALLTYPE Release() noexcept override { return --references; }
+    HRESULT STDMETHODCALLTYPE QueryInterface(REFIID, void** out) noexcept override
+    {
+        *out = nullptr;
+        return E_NOINTERFACE;
+    }
+    DWRITE_FONT_FACE_TYPE STDMETHODCALLTYPE GetType() noexcept override { return DWRITE_FONT_FACE_TYPE_TRUETYPE; }
+    HRESULT STDMETHODCALLTYPE GetFiles(UINT32*, IDWriteFontFile**) noexcept override { return E_NOTIMPL; }
+    UINT32 STDMETHODCALLTYPE GetIndex() noexcept override { return 0; }
+    DWRITE_FONT_SIMULATIONS STDMETHODCALLTYPE GetSimulations() noexcept override { return DWRITE_FONT_SIMULATIONS_NONE; }
+    BOOL STDMETHODCALLTYPE IsSymbolFont() noexcept override { return FALSE; }
+    void STDMETHODCALLTYPE GetMetrics(DWRITE_FONT_METRICS* m) noexcept override
+    {
+        *m = {};
+        m->designUnitsPerEm = 1000;
+        m->ascent = 800;
+        m->descent = 200;
+        m->lineGap = -10;
+    }
+    UINT16 STDMETHODCALLTYPE GetGlyphCount() noexcept override { return glyphs; }
+    HRESULT STDMETHODCALLTYPE GetDesignGlyphMetrics(const UINT16*, UINT32, DWRITE_GLYPH_METRICS*, BOOL) noexcept override
+    {
+        return E_NOTIMPL;
+    }
+    HRESULT STDMETHODCALLTYPE GetGlyphIndices(const UINT32*, UINT32, UINT16*) noexcept override { return E_NOTIMPL; }
+    HRESULT STDMETHODCALLTYPE TryGetFontTable(UINT32, const void** data, UINT32* size, void** context,
+                                              BOOL* exists) noexcept override
+    {
+        *data = this;
+        *size = has_glyf ? 4 : 0;
+        *context = nullptr;
+        *exists = has_glyf ? TRUE : FALSE;
+        return S_OK;
+    }
+    void STDMETHODCALLTYPE ReleaseFontTable(void*) noexcept override {}
+    HRESULT STDMETHODCALLTYPE GetGlyphRunOutline(FLOAT em_size, const UINT16*, const FLOAT*, const DWRITE_GLYPH_OFFSET*,
+                                                 UINT32, BOOL, BOOL, IDWriteGeometrySink* sink) noexcept override
+    {
+        asked_em_size = em_size;
+        return draws(*sink);
+    }
+    HRESULT STDMETHODCALLTYPE GetRecommendedRenderingMode(FLOAT, FLOAT, DWRITE_MEASURING_MODE, IDWriteRenderingParams*,
+                                                          DWRITE_RENDERING_MODE*) noexcept override
+    {
+        return E_NOTIMPL;
+    }
+    HRESULT STDMETHODCALLTYPE GetGdiCompatibleMetrics(FLOAT, FLOAT, const DWRITE_MATRIX*,
+                                                      DWRITE_FONT_METRICS*) noexcept override
+    {
+        return E_NOTIMPL;
+    }
+    HRESULT STDMETHODCALLTYPE GetGdiCompatibleGlyphMetrics(FLOAT, FLOAT, const DWRITE_MATRIX*, BOOL, const UINT16*, UINT32,
+                                                           DWRITE_GLYPH_METRICS*, BOOL) noexcept override
+    {
+        return E_NOTIMPL;
+    }
+};
+
+}  // namespace test
