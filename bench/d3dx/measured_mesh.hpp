@@ -79,8 +79,8 @@ run_times time_of(int runs, Work&& work)
 /// The four qualities of the thesis, from coarse to fine.
 inline constexpr double deviations[] = {0.1, 0.01, 0.005, 0.001};
 
-/// Those, and others between and around them, at which single letters are made. 0 means one font unit.
-inline constexpr double letter_deviations[] = {1.0, 0.3, 0.1, 0.05, 0.03, 0.02, 0.01, 0.007, 0.005, 0.003, 0.002, 0.001, 0.0};
+/// Those, and others between and around them, at which single letters are made.
+inline constexpr double letter_deviations[] = {0.3, 0.1, 0.03, 0.01, 0.005, 0.002, 0.001};
 
 /// The text that is timed, and the letters of which each is meshed alone, to be measured against its outline.
 inline const std::u16string hello = u"Hello world!";

@@ -9,10 +9,12 @@
 #include <typemesh/core/memory.hpp>
 #include <typemesh/extrude/extruded.hpp>
 #include <typemesh/layout/shaper.hpp>
+#include <typemesh/text/glyph_cache.hpp>
 #include <typemesh/text/text_mesher.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 
 namespace typemesh {
@@ -60,18 +62,27 @@ struct d3dx_text_options {
 /// nothing). An empty or blank text is an empty mesh, no error.
 ///
 /// `font` is shaper and outline source in one, and is referred to. One d3dx_text a thread; after warm-up nothing is
-/// allocated.
-template <class Font, side_normals Normals = curve_normals>
+/// allocated. With a glyph_cache a letter is meshed once for all texts of its deviation:
+///
+///     glyph_cache cache;
+///     d3dx_text maker{font, cached_in{cache, 1}};
+template <class Font, side_normals Normals = curve_normals, class Cache = no_cache>
     requires shaper<Font> && outline_source<Font>
 class d3dx_text {
-    using mesher_type = text_mesher<Font, certified, monotone, extruded<Normals>>;
+    using extruder_type = extruded<Normals>;
+    using mesher_type = text_mesher<Font, certified, monotone, extruder_type, no_observer, Cache>;
 
 public:
-    using plan_type = d3dx_text_plan<extruded<Normals>>;
+    using plan_type = d3dx_text_plan<extruder_type>;
 
     explicit d3dx_text(Font& font, memory source = heap()) noexcept
+        requires std::is_same_v<Cache, no_cache>
+        : d3dx_text{font, no_cache{}, source}
+    {
+    }
+    d3dx_text(Font& font, Cache cache, memory source = heap()) noexcept
         : font_{&font},
-          mesher_{text_mesher{font, source}.with(extruded<Normals>{.texture = texture_mapping::box})},
+          mesher_{text_mesher{font, source}.with(extruder_type{}).with(cache)},
           features_{source}
     {
     }
@@ -86,7 +97,7 @@ public:
     [[nodiscard]] result<plan_type> plan(text_view text, const d3dx_text_options& options = {}) & noexcept
     {
         const double em_size = em_size_of(options);
-        if (!is_finite(options.extrusion) || !(options.extrusion > 0.0)) return error::bad_option;
+        if (!is_finite(options.extrusion) || !(options.extrusion > 0.0)) return error::bad("extrusion");
         if (!is_finite(options.deviation) || options.deviation < 0.0) return error::bad_tolerance;
         mesher_.extruder_policy().depth = static_cast<float>(options.extrusion / em_size);
 
@@ -132,5 +143,9 @@ template <class Font>
 d3dx_text(Font&) -> d3dx_text<Font>;
 template <class Font>
 d3dx_text(Font&, memory) -> d3dx_text<Font>;
+template <class Font, cache_lock Lock>
+d3dx_text(Font&, cached_in<Lock>) -> d3dx_text<Font, curve_normals, cached_in<Lock>>;
+template <class Font, cache_lock Lock>
+d3dx_text(Font&, cached_in<Lock>, memory) -> d3dx_text<Font, curve_normals, cached_in<Lock>>;
 
 }  // namespace typemesh

@@ -93,17 +93,14 @@ public:
         const glyph_run& run = plan_.run();
         const auto drawn = plan_.glyphs();
         std::size_t next_drawn = 0;
-        for (std::uint32_t number = 0; number < run.lines.size(); ++number) {
-            const text_line& line = run.lines[number];
+        for (const text_line& line : run.lines) {
             const auto glyphs = run.glyphs.view().subspan(line.first_glyph, line.glyph_count);
             for (std::size_t i = 0, next = 0; i < glyphs.size(); i = next) {
                 const cluster_id cluster = glyphs[i].cluster;
                 const point pen = glyphs[i].origin;
                 while (next < glyphs.size() && glyphs[next].cluster == cluster) ++next;
                 box ink;
-                for (; next_drawn < drawn.size() && drawn[next_drawn].line == number &&
-                       drawn[next_drawn].cluster == cluster;
-                     ++next_drawn)
+                for (; next_drawn < drawn.size() && drawn[next_drawn].glyph < line.first_glyph + next; ++next_drawn)
                     ink.merge(text_shapes::ink_of(drawn[next_drawn]));
 
                 d3dx_glyph_metrics m;
