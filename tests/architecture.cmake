@@ -10,6 +10,7 @@ endforeach()
 set(sees_extrude offset vertex core)
 set(sees_adapt outline layout vertex core)
 set(sees_text extrude outline layout discretise fill triangulate offset vertex core)
+set(sees_compat text extrude outline layout discretise fill triangulate offset vertex core)
 
 get_filename_component(root ${CMAKE_CURRENT_LIST_DIR}/../include/typemesh ABSOLUTE)
 file(GLOB_RECURSE headers RELATIVE ${root} ${root}/*.hpp)

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/compat/d3dx_deviation.hpp>
+#include <typemesh/compat/d3dx_text_plan.hpp>
+#include <typemesh/compat/d3dx_vertex.hpp>
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/finite.hpp>
+#include <typemesh/core/memory.hpp>
+#include <typemesh/extrude/extruded.hpp>
+#include <typemesh/layout/shaper.hpp>
+#include <typemesh/text/glyph_cache.hpp>
+#include <typemesh/text/text_mesher.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <utility>
+
+namespace typemesh {
+
+/// What measures 1 in the output.
+enum class d3dx_size : std::uint8_t {
+    cell_height,  ///< the font's ascender less its descender, as D3DXCreateText has it: about 1.1 to 1.2 em
+    em,           ///< the em, as everywhere else in this library
+};
+
+/// The arguments of D3DXCreateText, and what it never had.
+struct d3dx_text_options {
+    double deviation = 0.01;  ///< as Direct3D means it (d3dx_deviation.hpp), in output units; 0: one font unit
+    double extrusion = 0.4;   ///< positive, in output units: the text lies between z = 0 and z = -extrusion
+    d3dx_size size = d3dx_size::cell_height;
+
+    bool kerning = false;    ///< move pairs of letters together, as the font asks; Direct3D never does
+    bool ligatures = false;  ///< join letters (fi) where the font does so by default; Direct3D never does
+    shape_options shape = {};     ///< direction, language, script, further features
+    layout_options layout = {};   ///< alignment, line spacing
+
+    texture_box texture_over = texture_box::text;  ///< over what texture coordinates spread, if the vertex has them
+    bool draw_missing = true;  ///< the font's box for characters that it lacks, as GDI draws them
+};
+
+/// Text as D3DXCreateText makes it, without Direct3D, GDI or windows.h: a stand-in with the same meaning that fills the
+/// caller's arrays.
+///
+///     d3dx_text maker{font};                                   // HarfBuzz, FreeType, DirectWrite, one's own
+///     auto plan = maker.plan(u"Hello world!", {.deviation = 0.01, .extrusion = 0.3});
+///     if (!plan) return plan.error();
+///     vertices.resize(plan->size().vertices);                  // d3dx_vertex, or any vertex with vertex_traits
+///     indices.resize(plan->size().indices());                  // std::uint16_t as in Direct3D, or std::uint32_t
+///     if (error e = plan->write(std::span{vertices}, std::span{indices})) return e;
+///
+/// The space is Direct3D's:
+///
+///      y                   left-handed: x to the right, y up, z away from the viewer, who looks along +z
+///      |   z               z = -extrusion: the cap that the viewer sees, normal (0, 0, -1), where x runs to the right
+///      |  /                z = 0:          the cap behind it, normal (0, 0, 1)
+///      | /                 front faces are clockwise for who sees them (D3DCULL_CCW draws them), which in these
+///      +------- x          numbers is dot(cross(b - a, c - a), normal) > 0
+///
+/// The first baseline is y = 0, the first pen position x = 0. A line break begins a line (Direct3D draws a box or
+/// nothing). An empty or blank text is an empty mesh, no error.
+///
+/// `font` is shaper and outline source in one, and is referred to. One d3dx_text a thread; after warm-up nothing is
+/// allocated. With a glyph_cache a letter is meshed once for all texts of its deviation:
+///
+///     glyph_cache cache;
+///     d3dx_text maker{font, cached_in{cache, 1}};
+template <class Font, side_normals Normals = curve_normals, class Cache = no_cache>
+    requires shaper<Font> && outline_source<Font>
+class d3dx_text {
+    using extruder_type = extruded<Normals>;
+    using mesher_type = text_mesher<Font, certified, monotone, extruder_type, no_observer, Cache>;
+
+public:
+    using plan_type = d3dx_text_plan<extruder_type>;
+
+    explicit d3dx_text(Font& font, memory source = heap()) noexcept
+        requires std::is_same_v<Cache, no_cache>
+        : d3dx_text{font, no_cache{}, source}
+    {
+    }
+    d3dx_text(Font& font, Cache cache, memory source = heap()) noexcept
+        : font_{&font},
+          mesher_{text_mesher{font, source}.with(extruder_type{}).with(cache)},
+          features_{source}
+    {
+    }
+
+    d3dx_text(const Font&&, memory = heap()) = delete;  // the font is referred to: a temporary will not do
+
+    /// Everything but the writing. Ends the plan before it.
+    ///
+    /// Fails  error::bad_tolerance: the deviation is negative, NaN or infinite
+    ///        error::bad_option: the extrusion is not positive and finite (for none see extrude/flat.hpp)
+    ///        what text_mesher::plan() fails with
+    [[nodiscard]] result<plan_type> plan(text_view text, const d3dx_text_options& options = {}) & noexcept
+    {
+        const double em_size = em_size_of(options);
+        if (!is_finite(options.extrusion) || !(options.extrusion > 0.0)) return error::bad("extrusion");
+        if (!is_finite(options.deviation) || options.deviation < 0.0) return error::bad_tolerance;
+        mesher_.extruder_policy().depth = static_cast<float>(options.extrusion / em_size);
+
+        features_.clear();
+        bool room = options.kerning || features_.push_back({"kern", 0});
+        room = room && (options.ligatures || (features_.push_back({"liga", 0}) && features_.push_back({"clig", 0})));
+        if (!room || !features_.append(options.shape.features)) return error::out_of_memory;
+
+        text_options how;
+        how.shape = options.shape;
+        how.shape.features = features_.view();
+        how.layout = options.layout;
+        how.tolerance = options.deviation > 0.0 ? d3dx_tolerance(options.deviation / em_size)
+                                                : d3dx_tolerance(1.0 / font_->units_per_em());
+        how.unit = output_unit::pixels;
+        how.pixels_per_em = em_size;
+        how.texture_over = options.texture_over;
+        how.draw_missing = options.draw_missing;
+        auto made = mesher_.plan(text, how);
+        if (!made) return made.error();
+        return plan_type{std::move(*made), em_size / font_->units_per_em(), text.size(),
+                         options.shape.direction == direction::top_to_bottom};
+    }
+
+    result<plan_type> plan(text_view text, const d3dx_text_options& options = {}) && = delete;
+
+    /// What an em measures in the output.
+    [[nodiscard]] double em_size_of(const d3dx_text_options& options) noexcept
+    {
+        if (options.size == d3dx_size::em) return 1.0;
+        const line_metrics m = font_->metrics(direction::left_to_right);
+        const double cell = m.ascender - m.descender;
+        return is_finite(cell) && cell > 0.0 ? font_->units_per_em() / cell : 1.0;
+    }
+
+private:
+    Font* font_;
+    mesher_type mesher_;
+    buffer<feature> features_;
+};
+
+template <class Font>
+d3dx_text(Font&) -> d3dx_text<Font>;
+template <class Font>
+d3dx_text(Font&, memory) -> d3dx_text<Font>;
+template <class Font, cache_lock Lock>
+d3dx_text(Font&, cached_in<Lock>) -> d3dx_text<Font, curve_normals, cached_in<Lock>>;
+template <class Font, cache_lock Lock>
+d3dx_text(Font&, cached_in<Lock>, memory) -> d3dx_text<Font, curve_normals, cached_in<Lock>>;
+
+}  // namespace typemesh

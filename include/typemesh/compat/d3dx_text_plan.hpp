@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/box.hpp>
+#include <typemesh/core/error.hpp>
+#include <typemesh/text/text_plan.hpp>
+#include <typemesh/vertex/array_sink.hpp>
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+namespace typemesh {
+
+/// The fields of Windows' GLYPHMETRICSFLOAT in its order: 24 bytes that may be copied into one. In output units.
+///
+///         origin ->+--------+                 origin        the box's upper left corner, seen from the pen
+///                  | #    # |  box_height     box_*         the box around the glyph, 0 for a blank one
+///                  | ##  ## |                 advance_x, y  how far the pen stands from here for the next character
+///     pen ---->o   +--------+      o <- the next character's
+///              |<-- advance_x ---->|
+struct d3dx_glyph_metrics {
+    float box_width = 0.0f;   ///< gmfBlackBoxX
+    float box_height = 0.0f;  ///< gmfBlackBoxY
+    vec2 origin = {};         ///< gmfptGlyphOrigin
+    float advance_x = 0.0f;   ///< gmfCellIncX
+    float advance_y = 0.0f;   ///< gmfCellIncY
+};
+static_assert(sizeof(d3dx_glyph_metrics) == 24);
+
+/// A text planned by d3dx_text: its sizes, then its vertices, indices and metrics, as often as wanted.
+///
+/// Move-only; refers to its d3dx_text as a text_plan does to its mesher.
+template <extruder Extruder>
+class d3dx_text_plan {
+public:
+    d3dx_text_plan(text_plan<Extruder>&& made, double unit_per_font_unit, std::size_t text_size,
+                   bool vertical) noexcept
+        : plan_{std::move(made)}, unit_{unit_per_font_unit}, text_size_{text_size}, vertical_{vertical}
+    {
+    }
+
+    /// Exactly how many vertices and triangles write() will write.
+    [[nodiscard]] mesh_size size() const noexcept { return plan_.size(); }
+
+    /// How many metrics there are: one a unit of the text (16 bits of UTF-16), as Direct3D has it.
+    [[nodiscard]] std::size_t metrics_size() const noexcept { return text_size_; }
+
+    /// Where the cap at z = -extrusion lies, which the viewer sees.
+    [[nodiscard]] mesh_range front() const noexcept { return plan_.range(part::back); }
+    /// Where the cap at z = 0 lies.
+    [[nodiscard]] mesh_range back() const noexcept { return plan_.range(part::front); }
+    [[nodiscard]] mesh_range sides() const noexcept { return plan_.range(part::side); }
+
+    /// The text_mesher's own plan: ranges of glyphs, bounds, the shaped text. Its part::front is the cap at z = 0.
+    [[nodiscard]] const text_plan<Extruder>& text() const noexcept { return plan_; }
+
+    /// What is not in the mesh, and why.
+    [[nodiscard]] const text_report& report() const noexcept { return plan_.report(); }
+
+    /// Fills two arrays of the caller's: the first size().vertices and size().indices() elements.
+    ///
+    /// Fails  error::buffer_too_small (count = how many elements that array needs)
+    ///        error::index_overflow: 16-bit indices number 65,535 vertices; take 32-bit ones for more. Nothing is
+    ///        written then.
+    template <class Vertex, std::size_t V, std::unsigned_integral Index, std::size_t I>
+    error write(std::span<Vertex, V> vertices, std::span<Index, I> indices) const noexcept
+    {
+        return plan_.write(into(vertices, indices));
+    }
+
+    /// The same into any sink.
+    template <class Sink>
+        requires mesh_sink<std::remove_reference_t<Sink>>
+    error write(Sink&& sink) const noexcept
+    {
+        return plan_.write(sink);
+    }
+
+    /// One for every unit of the text. A character's metrics stand at its first unit; what has no glyph of its own
+    /// (the other units of a character, later letters of a ligature, line breaks) gets zeros. A glyph's advance is the
+    /// way to the glyph after it, so kerning is in it.
+    ///
+    /// Fails  error::buffer_too_small: fewer than metrics_size(), which is `count`; nothing is written then
+    error metrics(std::span<d3dx_glyph_metrics> out) const noexcept
+    {
+        if (out.size() < text_size_) return {error::buffer_too_small, text_size_};
+        for (std::size_t i = 0; i < text_size_; ++i) out[i] = {};
+
+        const glyph_run& run = plan_.run();
+        const auto drawn = plan_.glyphs();
+        std::size_t next_drawn = 0;
+        for (const text_line& line : run.lines) {
+            const auto glyphs = run.glyphs.view().subspan(line.first_glyph, line.glyph_count);
+            for (std::size_t i = 0, next = 0; i < glyphs.size(); i = next) {
+                const cluster_id cluster = glyphs[i].cluster;
+                const point pen = glyphs[i].origin;
+                while (next < glyphs.size() && glyphs[next].cluster == cluster) ++next;
+                box ink;
+                for (; next_drawn < drawn.size() && drawn[next_drawn].glyph < line.first_glyph + next; ++next_drawn)
+                    ink.merge(text_shapes::ink_of(drawn[next_drawn]));
+
+                d3dx_glyph_metrics m;
+                const point way = next < glyphs.size() ? glyphs[next].origin - pen
+                                                       : rest_of(line, pen - glyphs.front().origin);
+                if (!ink.empty()) {
+                    m.box_width = in_output(ink.width());
+                    m.box_height = in_output(ink.height());
+                    m.origin = {in_output(ink.low.x - pen.x), in_output(ink.high.y - pen.y)};
+                }
+                (vertical_ ? m.advance_y : m.advance_x) = in_output(vertical_ ? way.y : way.x);
+                if (cluster < text_size_) out[cluster] = m;
+            }
+        }
+        return {};
+    }
+
+private:
+    [[nodiscard]] float in_output(double font_units) const noexcept { return static_cast<float>(font_units * unit_); }
+
+    /// From the last pen position of a line, which lies `gone` behind its first, to the line's end.
+    [[nodiscard]] point rest_of(const text_line& line, point gone) const noexcept
+    {
+        return vertical_ ? point{0.0, -line.advance - gone.y} : point{line.advance - gone.x, 0.0};
+    }
+
+    text_plan<Extruder> plan_;
+    double unit_;
+    std::size_t text_size_;
+    bool vertical_;
+};
+
+}  // namespace typemesh

@@ -1,0 +1,390 @@
+// SPDX-License-Identifier: MIT
+#include "support/catch.hpp"
+#include "support/counting_memory.hpp"
+#include "support/mesh_laws.hpp"
+#include "support/toy_font.hpp"
+
+#include <typemesh/compat/d3dx_text.hpp>
+#include <typemesh/vertex/growing_sink.hpp>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <vector>
+
+using namespace typemesh;
+using test::full_mesh;
+
+namespace {
+
+/// A toy font with lines of another height, which keeps the features that it was last shaped with.
+struct tall_font : test::toy_font {
+    std::vector<std::string> features;
+
+    [[nodiscard]] line_metrics metrics(direction) const noexcept { return {900.0, -350.0, 77.0}; }
+    result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& o, glyph_run& run)
+    noexcept
+    {
+        features.clear();
+        for (const feature& f : o.features) features.push_back(f.tag + std::string{"="} + std::to_string(f.value));
+        return toy_font::shape(text, first, last, o, run);
+    }
+};
+
+template <class Plan>
+full_mesh write(const Plan& plan)
+{
+    full_mesh m;
+    m.vertices.resize(plan.size().vertices);
+    m.indices.resize(plan.size().indices());
+    REQUIRE_FALSE(plan.write(std::span{m.vertices}, std::span{m.indices}));
+    return m;
+}
+
+template <class Font>
+full_mesh made(Font& font, const std::u16string& text, const d3dx_text_options& options = {})
+{
+    d3dx_text maker{font};
+    const auto plan = maker.plan(text, options);
+    REQUIRE(plan);
+    return write(*plan);
+}
+
+bool same(const full_mesh& a, const full_mesh& b)
+{
+    return a.indices == b.indices && a.vertices.size() == b.vertices.size() &&
+           std::memcmp(a.vertices.data(), b.vertices.data(), a.vertices.size() * sizeof a.vertices[0]) == 0;
+}
+
+const std::u16string all_glyphs = u"oEx i?\u4E2D";
+
+}  // namespace
+
+TEST_CASE("the viewer, who looks along +z, sees the cap at z = -extrusion, and the other one lies at z = 0", "[compat]")
+{
+    test::toy_font font;
+    d3dx_text maker{font};
+    const double extrusion = GENERATE(0.01, 0.3, 5.0);
+    const auto plan = maker.plan(all_glyphs, {.extrusion = extrusion});
+    REQUIRE(plan);
+    const full_mesh m = write(*plan);
+
+    const auto cap = [&](mesh_range r, float z, float facing) {
+        REQUIRE(r.vertex_count > 0);
+        for (std::uint32_t i = r.first_vertex; i < r.first_vertex + r.vertex_count; ++i) {
+            REQUIRE(m.vertices[i].position.z == z);
+            REQUIRE(m.vertices[i].normal == vec3{0.0f, 0.0f, facing});
+        }
+    };
+    cap(plan->front(), -static_cast<float>(extrusion), -1.0f);
+    cap(plan->back(), 0.0f, 1.0f);
+    for (const auto& v : m.vertices) {
+        REQUIRE(v.position.z <= 0.0f);
+        REQUIRE(v.position.z >= -static_cast<float>(extrusion));
+    }
+    CHECK(plan->front().index_count == plan->back().index_count);
+    CHECK(plan->front().index_count + plan->back().index_count + plan->sides().index_count == m.indices.size());
+}
+
+TEST_CASE("the viewer reads from left to right: x runs to the right and y up", "[compat]")
+{
+    test::toy_font font;
+    d3dx_text maker{font};
+    const auto plan = maker.plan(u"iE");
+    REQUIRE(plan);
+    const full_mesh m = write(*plan);
+    REQUIRE(plan->text().glyphs().size() == 2);
+
+    const mesh_range e = plan->text().range(1, part::back);
+    float arms = 0.0f;
+    for (std::uint32_t i = e.first_vertex; i < e.first_vertex + e.vertex_count; ++i) {
+        CHECK(m.vertices[i].position.x >= 0.65f);  // the second letter, one advance of 0.6 further on
+        CHECK(m.vertices[i].position.y >= 0.0f);
+        arms = std::fmax(arms, m.vertices[i].position.x);
+    }
+    CHECK(arms == Approx(1.05f));  // its arms point to the right
+}
+
+TEST_CASE("front faces are clockwise for who sees them, and every normal points out", "[compat]")
+{
+    test::toy_font font;
+    d3dx_text maker{font};
+    const auto plan = maker.plan(all_glyphs);
+    REQUIRE(plan);
+    const full_mesh m = write(*plan);
+    const auto corner = [&](std::uint32_t i) { return m.vertices[m.indices[i]]; };
+    for (std::uint32_t i = 0; i < m.indices.size(); i += 3) {
+        const test::cross_product turn{test::subtract(corner(i + 1).position, corner(i).position),
+                                       test::subtract(corner(i + 2).position, corner(i).position)};
+        REQUIRE(turn.along(corner(i).normal) > 0.0);
+    }
+    // As drawn on the viewer's screen, where x is to the right and y up: clockwise is a negative area.
+    const mesh_range front = plan->front();
+    for (std::uint32_t i = front.first_index; i < front.first_index + front.index_count; i += 3) {
+        const vec3 a = corner(i).position, b = corner(i + 1).position, c = corner(i + 2).position;
+        REQUIRE((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) < 0.0f);
+    }
+}
+
+TEST_CASE("the mesh is closed and encloses its outline's area times the extrusion", "[compat]")
+{
+    test::toy_font font;
+    for (const double deviation : {0.1, 0.01, 0.005, 0.001, 0.0}) {
+        const full_mesh m = made(font, u"E", {.deviation = deviation, .extrusion = 0.25});
+        CHECK(test::volume(m.vertices, m.indices) == Approx(0.155 * 0.25));
+        const auto closed = test::examine(made(font, all_glyphs, {.deviation = deviation}));
+        CHECK(closed.unmatched_edges == 0);
+        CHECK(closed.zero_area == 0);
+    }
+}
+
+TEST_CASE("the mesh is text_mesher's own", "[compat]")
+{
+    test::toy_font font;
+    text_mesher mesher = text_mesher{font}.with(extruded<>{.depth = 0.4f});
+    full_mesh own;
+    REQUIRE(mesher.build(all_glyphs, into(own.vertices, own.indices),
+                         {.tolerance = d3dx_tolerance(0.005), .draw_missing = true}));
+    CHECK(same(made(font, all_glyphs, {.deviation = 0.005, .size = d3dx_size::em}), own));
+}
+
+TEST_CASE("the size is that of the cell, as in Direct3D, or of the em", "[compat]")
+{
+    tall_font font;
+    const full_mesh cell = made(font, u"Eo", {.deviation = 0.004, .extrusion = 0.5}),
+                    em = made(font, u"Eo", {.deviation = 0.005, .extrusion = 0.5, .size = d3dx_size::em});
+    REQUIRE(cell.vertices.size() == em.vertices.size());  // the deviation is in the output's unit: 0.005 em is 0.004 cells
+    for (std::size_t i = 0; i < cell.vertices.size(); ++i) {
+        CHECK(cell.vertices[i].position.x * 1.25f == Approx(em.vertices[i].position.x).margin(1e-6));
+        CHECK(cell.vertices[i].position.y * 1.25f == Approx(em.vertices[i].position.y).margin(1e-6));
+        CHECK(cell.vertices[i].position.z == Approx(em.vertices[i].position.z));  // and so is the extrusion
+    }
+}
+
+TEST_CASE("each character has its metrics", "[compat]")
+{
+    test::toy_font font;
+    d3dx_text maker{font};
+    const auto plan = maker.plan(u"E i\no?", {.draw_missing = false});
+    REQUIRE(plan);
+    REQUIRE(plan->metrics_size() == 6);
+    std::vector<d3dx_glyph_metrics> m(6, {9, 9, {9, 9}, 9, 9});
+    REQUIRE_FALSE(plan->metrics(m));
+    const auto is = [&](std::size_t i, float w, float h, float x, float y, float advance) {
+        INFO("character " << i);
+        CHECK(m[i].box_width == Approx(w));
+        CHECK(m[i].box_height == Approx(h));
+        CHECK(m[i].origin.x == Approx(x));
+        CHECK(m[i].origin.y == Approx(y));
+        CHECK(m[i].advance_x == Approx(advance));
+        CHECK(m[i].advance_y == 0.0f);
+    };
+    is(0, 0.4f, 0.7f, 0.05f, 0.7f, 0.6f);
+    is(1, 0.0f, 0.0f, 0.0f, 0.0f, 0.6f);
+    is(2, 0.1f, 0.5f, 0.1f, 0.5f, 0.6f);
+    is(3, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f);   // a line break
+    is(4, 0.5f, 0.5f, 0.0f, 0.5f, 0.6f);   // from its own line's baseline
+    is(5, 0.0f, 0.0f, 0.0f, 0.0f, 0.6f);   // missing, and not drawn
+}
+
+TEST_CASE("arrays that are too small are left as they are, and the error says how much is needed", "[compat]")
+{
+    test::toy_font font;
+    d3dx_text maker{font};
+    const auto plan = maker.plan(u"oE");
+    REQUIRE(plan);
+    const auto size = plan->size();
+    std::vector<d3dx_vertex> vertices(size.vertices, {{7, 7, 7}, {7, 7, 7}});
+    std::vector<std::uint16_t> indices(size.indices(), 7);
+    std::vector<d3dx_glyph_metrics> metrics(2, {7, 7, {7, 7}, 7, 7});
+
+    const error few_vertices = plan->write(std::span{vertices}.first(size.vertices - 1), std::span{indices});
+    CHECK(few_vertices == error::buffer_too_small);
+    CHECK(few_vertices.count == size.vertices);
+    const error few_indices = plan->write(std::span{vertices}, std::span{indices}.first(size.indices() - 1));
+    CHECK(few_indices == error::buffer_too_small);
+    CHECK(few_indices.count == size.indices());
+    const error few_metrics = plan->metrics(std::span{metrics}.first(1));
+    CHECK(few_metrics == error::buffer_too_small);
+    CHECK(few_metrics.count == 2);
+    for (const auto& v : vertices) REQUIRE(v.position == vec3{7, 7, 7});
+    for (const auto i : indices) REQUIRE(i == 7);
+    CHECK(metrics[0].box_width == 7.0f);
+    CHECK_FALSE(plan->write(std::span{vertices}, std::span{indices}));
+    CHECK_FALSE(plan->metrics(metrics));
+}
+
+TEST_CASE("16-bit indices are refused where they do not reach, and 32-bit ones say the same where they do", "[compat]")
+{
+    test::toy_font font;
+    d3dx_text maker{font};
+    std::u16string text = u"o";
+    const auto few = maker.plan(text);
+    REQUIRE(few);
+    std::vector<d3dx_vertex> vertices(few->size().vertices);
+    std::vector<std::uint16_t> narrow(few->size().indices());
+    std::vector<std::uint32_t> wide(few->size().indices());
+    REQUIRE_FALSE(few->write(std::span{vertices}, std::span{narrow}));
+    REQUIRE_FALSE(few->write(std::span{vertices}, std::span{wide}));
+    CHECK(std::equal(narrow.begin(), narrow.end(), wide.begin(), wide.end()));
+
+    text.assign(65536 / vertices.size() + 1, u'o');
+    const auto many = maker.plan(text);
+    REQUIRE(many);
+    REQUIRE(many->size().vertices > 65535);
+    vertices.assign(many->size().vertices, {{7, 7, 7}, {7, 7, 7}});
+    narrow.resize(many->size().indices());
+    wide.resize(many->size().indices());
+    const error refused = many->write(std::span{vertices}, std::span{narrow});
+    CHECK(refused == error::index_overflow);
+    CHECK(refused.count == many->size().vertices);
+    CHECK(vertices[0].position == vec3{7, 7, 7});
+    CHECK_FALSE(many->write(std::span{vertices}, std::span{wide}));
+}
+
+TEST_CASE("an empty and a blank text are empty meshes", "[compat]")
+{
+    test::toy_font font;
+    d3dx_text maker{font};
+    const std::u16string text = GENERATE(std::u16string{}, std::u16string{u"  "}, std::u16string{u"\n"});
+    const auto plan = maker.plan(text);
+    REQUIRE(plan);
+    CHECK(plan->size() == mesh_size{});
+    std::vector<d3dx_glyph_metrics> metrics(text.size());
+    CHECK_FALSE(plan->metrics(metrics));
+    std::vector<d3dx_vertex> vertices;
+    std::vector<std::uint16_t> indices;
+    CHECK_FALSE(plan->write(std::span{vertices}, std::span{indices}));
+}
+
+TEST_CASE("characters that the font lacks are drawn as its box and reported", "[compat]")
+{
+    test::toy_font font;
+    d3dx_text maker{font};
+    const auto boxed = maker.plan(u"o?");
+    REQUIRE(boxed);
+    CHECK(boxed->report().missing == 1);
+    CHECK(boxed->report().first_missing == 1);
+    CHECK(boxed->text().glyphs().size() == 2);
+    const auto left_out = maker.plan(u"o?", {.draw_missing = false});
+    REQUIRE(left_out);
+    CHECK(left_out->report().missing == 1);
+    CHECK(left_out->text().glyphs().size() == 1);
+}
+
+TEST_CASE("kerning and ligatures are off unless asked for, and further features are passed on", "[compat]")
+{
+    tall_font font;
+    d3dx_text maker{font};
+    REQUIRE(maker.plan(u"o"));
+    CHECK(font.features == std::vector<std::string>{"kern=0", "liga=0", "clig=0"});
+    REQUIRE(maker.plan(u"o", {.kerning = true}));
+    CHECK(font.features == std::vector<std::string>{"liga=0", "clig=0"});
+    REQUIRE(maker.plan(u"o", {.ligatures = true}));
+    CHECK(font.features == std::vector<std::string>{"kern=0"});
+    const feature more[] = {{"ss01", 2}};
+    REQUIRE(maker.plan(u"o", {.kerning = true, .ligatures = true, .shape = {.features = more}}));
+    CHECK(font.features == std::vector<std::string>{"ss01=2"});
+}
+
+TEST_CASE("arguments out of range are refused by name", "[compat]")
+{
+    test::toy_font font;
+    d3dx_text maker{font};
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+    for (const double bad : {-1.0, -1e-9, nan, inf}) {
+        CHECK(maker.plan(u"o", {.deviation = bad}).error() == error::bad_tolerance);
+        const error e = maker.plan(u"o", {.extrusion = bad}).error();
+        CHECK(e == error::bad_option);
+        CHECK(std::string{e.option} == "extrusion");
+    }
+    CHECK(maker.plan(u"o", {.extrusion = 0.0}).error() == error::bad_option);
+    CHECK(maker.plan(u"o"));
+}
+
+TEST_CASE("a deviation of 0 is one font unit, as in Direct3D", "[compat]")
+{
+    test::toy_font font;
+    CHECK(same(made(font, u"o", {.deviation = 0.0}), made(font, u"o", {.deviation = 0.001})));
+}
+
+TEST_CASE("texture coordinates span the text", "[compat]")
+{
+    test::toy_font font;
+    d3dx_text maker{font};
+    const auto plan = maker.plan(u"Eo");
+    REQUIRE(plan);
+    std::vector<d3dx_textured_vertex> vertices(plan->size().vertices);
+    std::vector<std::uint16_t> indices(plan->size().indices());
+    REQUIRE_FALSE(plan->write(std::span{vertices}, std::span{indices}));
+    vec2 low{1, 1}, high{0, 0};
+    for (const auto& v : vertices) {
+        low = {std::fmin(low.x, v.uv.x), std::fmin(low.y, v.uv.y)};
+        high = {std::fmax(high.x, v.uv.x), std::fmax(high.y, v.uv.y)};
+    }
+    CHECK(low.x == Approx(0.0f).margin(1e-6));
+    CHECK(low.y == Approx(0.0f).margin(1e-6));
+    CHECK(high.x == Approx(1.0f));
+    CHECK(high.y == Approx(1.0f));
+}
+
+TEST_CASE("a cache changes nothing but the time", "[compat]")
+{
+    test::toy_font font;
+    glyph_cache cache;
+    d3dx_text maker{font, cached_in{cache, 1}};
+    for (int round = 0; round < 2; ++round) {
+        const auto plan = maker.plan(all_glyphs);
+        REQUIRE(plan);
+        CHECK(same(write(*plan), made(font, all_glyphs)));
+    }
+    CHECK(cache.statistics().hits > 0);
+}
+
+TEST_CASE("after warm-up nothing is allocated, and failing memory is an error that passes", "[compat]")
+{
+    test::toy_font font;
+    test::counting_memory counted;
+    std::vector<d3dx_vertex> vertices(65536);
+    std::vector<std::uint32_t> indices(3 * 65536);
+    std::vector<d3dx_glyph_metrics> metrics(all_glyphs.size());
+    {
+        d3dx_text maker{font, counted.source()};
+        const auto work = [&] {
+            const auto plan = maker.plan(all_glyphs);
+            if (!plan) return plan.error();
+            if (error e = plan->write(std::span{vertices}, std::span{indices})) return e;
+            return plan->metrics(metrics);
+        };
+        REQUIRE_FALSE(work());
+        REQUIRE_FALSE(work());
+        const std::size_t warm = counted.requests;
+        for (int i = 0; i < 3; ++i) REQUIRE_FALSE(work());
+        CHECK(counted.requests == warm);
+    }
+    CHECK(counted.bytes_held == 0);
+    const std::size_t all = counted.requests;
+    for (std::size_t n = 1; n <= all; ++n) {
+        test::counting_memory failing;
+        failing.fail_at = n;
+        failing.fail_once = true;
+        d3dx_text maker{font, failing.source()};
+        const auto first = maker.plan(all_glyphs);
+        if (!first) CHECK(first.error() == error::out_of_memory);
+        CHECK(maker.plan(all_glyphs));
+    }
+}
+
+namespace {
+template <class Font>
+concept takes_a_temporary = requires { d3dx_text<Font>{Font{}}; };
+template <class Font>
+concept plans_without_a_name = requires(Font& f) { d3dx_text<Font>{f}.plan(u"o"); };
+}  // namespace
+
+TEST_CASE("a temporary font and a temporary maker do not compile", "[compat]")
+{
+    STATIC_REQUIRE_FALSE(takes_a_temporary<test::toy_font>);
+    STATIC_REQUIRE_FALSE(plans_without_a_name<test::toy_font>);
+}
