@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: MIT
+#
+# cmake -DREADME=README.md -DSNIPPETS=readme_snippets.cpp -P readme_lines.cmake
+#
+# Fails unless every line between ```cpp and ``` of the one file stands, but for its indentation, in the other.
+
+cmake_minimum_required(VERSION 3.20)
+
+function(lines_of file result)
+    file(READ ${file} text)
+    string(REPLACE ";" "@semicolon@" text "${text}")
+    string(REPLACE "[" "@open@" text "${text}")
+    string(REPLACE "]" "@close@" text "${text}")
+    string(REGEX REPLACE "\n" ";" lines "${text}")
+    set(${result} "${lines}" PARENT_SCOPE)
+endfunction()
+
+lines_of(${README} readme)
+lines_of(${SNIPPETS} snippets)
+set(known)
+foreach(line IN LISTS snippets)
+    string(STRIP "${line}" line)
+    list(APPEND known "${line}")
+endforeach()
+set(inside OFF)
+set(count 0)
+set(missing)
+foreach(line IN LISTS readme)
+    if(line MATCHES "^```cpp")
+        set(inside ON)
+    elseif(line MATCHES "^```")
+        set(inside OFF)
+    elseif(inside)
+        string(STRIP "${line}" stripped)
+        if(NOT stripped STREQUAL "")
+            math(EXPR count "${count} + 1")
+            if(NOT stripped IN_LIST known)
+                string(APPEND missing "\n    ${stripped}")
+            endif()
+        endif()
+    endif()
+endforeach()
+if(count LESS 30)
+    message(FATAL_ERROR "${README} holds only ${count} lines of C++: is it read rightly?")
+elseif(missing)
+    message(FATAL_ERROR "These lines of ${README} are not compiled in ${SNIPPETS}:${missing}")
+endif()
+message("${count} lines of ${README} are compiled")

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+//
+// Every line of C++ in README.md, so that it compiles: readme_lines.cmake looks for them here. Nothing is run.
+
+#include <typemesh/adapt/harfbuzz.hpp>
+#include <typemesh/adapt/threads.hpp>
+#include <typemesh/typemesh.hpp>
+#include <cstdio>
+#include <vector>
+
+struct vertex { typemesh::vec3 position, normal; typemesh::vec2 uv; };          // yours, whatever it looks like
+
+template <>
+struct typemesh::vertex_traits<vertex> {                                        // once for each vertex type
+    static constexpr auto wants = attribute::position | attribute::normal | attribute::uv;
+    vertex operator()(const surface_point<wants>& s) const noexcept { return {s.position, s.normal, s.uv}; }
+};
+
+namespace readme {
+
+int main()
+{
+    auto font = typemesh::harfbuzz_font::open("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf");
+    if (!font) return std::puts(font.error().message()), 1;
+
+    typemesh::text_mesher mesher{*font};
+    std::vector<vertex> vertices;
+    std::vector<std::uint32_t> indices;
+    auto made = mesher.build("Hello world!", typemesh::into(vertices, indices));
+    if (!made) return std::puts(made.error().message()), 1;
+    return 0;
+}
+
+void draw(std::uint32_t, typemesh::vec3) noexcept {}
+
+template <class... T>
+void use(const T&...)
+{
+}
+
+int more(typemesh::result<typemesh::harfbuzz_font>& font, std::span<vertex> mapped_vertices,
+         std::span<std::uint32_t> mapped_indices, std::string_view long_text)
+{
+    typemesh::text_mesher mesher{*font};
+    std::vector<vertex> vertices;
+    std::vector<std::uint32_t> indices;
+    std::vector<std::uint16_t> short_indices;
+    {
+auto plan = mesher.plan(u8"مرحبا بالعالم!", {.tolerance = typemesh::quality::best, .frame = typemesh::left_handed_y_up});
+if (!plan) return std::puts(plan.error().message()), 1;     // the plan refers to its mesher: keep both
+auto size = plan->size();                                   // exact: map buffers of size.vertices and size.indices()
+auto error = plan->write(typemesh::into(mapped_vertices, mapped_indices));      // two spans
+auto front = plan->range(typemesh::part::front);            // first_index, index_count, first_vertex, vertex_count
+use(size, error, front);
+    }
+auto flat_text = typemesh::text_mesher{*font}.with(typemesh::flat{});
+auto blocky    = typemesh::text_mesher{*font}.with(typemesh::extruded<typemesh::creased_normals>{.depth = 0.5f}).with(typemesh::two_lines{});
+    use(flat_text, blocky);
+
+auto lines = mesher.plan("one\nanother", {.layout = {.align = typemesh::alignment::centre}});
+const typemesh::variation bold[] = {{"wght", 700}};
+auto inter = typemesh::harfbuzz_font::open("Inter.var.ttf", {.face = 0, .variations = bold});
+
+auto word = mesher.plan("مرحبا", {.merge = true});
+    use(lines, inter, word);
+
+typemesh::glyph_cache<> cache{8u << 20};                     // bytes; the letters not used for longest go first
+auto score = typemesh::text_mesher{*font}.with(typemesh::cached_in{cache, 1});  // 1: your number for this font
+auto frame = score.plan("Score 1270");
+auto unique = frame->write_meshes(typemesh::into(vertices, indices));
+frame->write_instances([&](const typemesh::glyph_instance& i) noexcept { draw(i.mesh, i.translation); });
+    use(unique);
+
+typemesh::thread_pool pool{4};
+auto team = typemesh::team_of(pool, [&](std::size_t) noexcept { return typemesh::harfbuzz_font::wrap(font->handle()); });
+if (!team) return std::puts(team.error().message()), 1;
+auto book = mesher.plan(long_text, {}, *team);               // the same, to the bit, as by one thread
+auto written = book->write(typemesh::into(vertices, indices), pool);
+typemesh::text_chunks chunks;                                // of 65,535 vertices at most, indices from 0 in each
+if (auto e = chunks.cut(*book)) return std::puts(e.message()), 1;
+auto short_one = chunks.write(*book, typemesh::into(vertices, short_indices));
+    use(written, short_one);
+    return 0;
+}
+
+}  // namespace readme
+
+int main() { return readme::main() + 0 * sizeof(&readme::more); }
