@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Vertex layouts and packed formats: one planned text of 1,000 letters, written again and again. "of_32" is the time by
-// that of the 32-byte vertex (position, normal, texture coordinates) in the same run, indices included; "ns" is that of one
-// vertex. First what attributes cost, and that those not taken cost nothing; then each packed format in place of its floats;
-// then one stream an attribute. Liberation Sans, extruded, curve normals, 1/800 em, 32-bit indices.
+// that of the 32-byte vertex (position, normal, texture coordinates) in the same run, indices included; "ns" is that of
+// one vertex. First what attributes cost, and that those not taken cost nothing; then each packed format in place of
+// its floats; then one stream an attribute. Liberation Sans, extruded, curve normals, 1/800 em, 32-bit indices.
 //
 //     bench_vertex                     fonts are looked for under $TYPEMESH_FONT_DIR (default /usr/share/fonts)
 
@@ -60,8 +60,8 @@ text& sample()
 {
     static text* t = [] {
         const char* folder = std::getenv("TYPEMESH_FONT_DIR");
-        const std::string path =
-            std::string{folder != nullptr ? folder : "/usr/share/fonts"} + "/truetype/liberation/LiberationSans-Regular.ttf";
+        const std::string path = std::string{folder != nullptr ? folder : "/usr/share/fonts"} +
+                                 "/truetype/liberation/LiberationSans-Regular.ttf";
         auto font = harfbuzz_font::open(path.c_str());
         if (!font) {
             std::fprintf(stderr, "%s: %s (Debian package fonts-liberation)\n", path.c_str(), font.error().message());
@@ -81,7 +81,8 @@ double best_of(F&& f)
     for (int i = 0; i < 25; ++i) {
         const auto start = std::chrono::steady_clock::now();
         f();
-        least = std::min(least, std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count());
+        least =
+            std::min(least, std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count());
     }
     return least;
 }
@@ -90,7 +91,8 @@ template <class Writer>
 auto array_of(text& t, Writer w)
 {
     using vertex = decltype(w(surface_point<Writer::wants>{}));
-    return into(std::span{reinterpret_cast<vertex*>(t.vertices.data()), t.vertices.size() / sizeof(vertex)}, std::span{t.indices}, w);
+    return into(std::span{reinterpret_cast<vertex*>(t.vertices.data()), t.vertices.size() / sizeof(vertex)},
+                std::span{t.indices}, w);
 }
 
 /// sink_of(text) makes the sink anew for each writing.
@@ -141,18 +143,24 @@ const int registered = [] {
         std::uint32_t glyph, cluster, part;
     };
     vertex_of("attributes/position", makes<places>([](const auto& s) noexcept { return three{s.position}; }));
-    vertex_of("attributes/position_normal", makes<lit>([](const auto& s) noexcept { return lit_vertex{s.position, s.normal}; }));
-    vertex_of("attributes/position_normal_uv",
-              makes<full>([](const auto& s) noexcept { return bench::full_vertex{s.position, s.normal, s.uv}; }));
+    vertex_of("attributes/position_normal", makes<lit>([](const auto& s) noexcept {
+                  return lit_vertex{s.position, s.normal};
+              }));
+    vertex_of("attributes/position_normal_uv", makes<full>([](const auto& s) noexcept {
+                  return bench::full_vertex{s.position, s.normal, s.uv};
+              }));
     // The same 32 bytes, from a point that has everything: what the compiler drops when the vertex does not take it.
     vertex_of("attributes/all_wanted_three_taken",
-              makes<framed | attribute::glyph | attribute::cluster | attribute::part>(
-                  [](const auto& s) noexcept { return bench::full_vertex{s.position, s.normal, s.uv}; }));
-    vertex_of("attributes/and_tangent",
-              makes<framed>([](const auto& s) noexcept { return framed_vertex{s.position, s.normal, s.uv, s.tangent}; }));
+              makes<framed | attribute::glyph | attribute::cluster | attribute::part>([](const auto& s) noexcept {
+                  return bench::full_vertex{s.position, s.normal, s.uv};
+              }));
+    vertex_of("attributes/and_tangent", makes<framed>([](const auto& s) noexcept {
+                  return framed_vertex{s.position, s.normal, s.uv, s.tangent};
+              }));
     vertex_of("attributes/and_glyph_cluster_part",
               makes<full | attribute::glyph | attribute::cluster | attribute::part>([](const auto& s) noexcept {
-                  return named_vertex{s.position, s.normal, s.uv, s.glyph, s.cluster, static_cast<std::uint32_t>(s.part)};
+                  return named_vertex{s.position, s.normal,  s.uv,
+                                      s.glyph,    s.cluster, static_cast<std::uint32_t>(s.part)};
               }));
 
     struct half_uv {
@@ -204,7 +212,9 @@ const int registered = [] {
         octahedral16 n;
         half u, v;
     };
-    vertex_of("packed/half_uv", makes<full>([](const auto& s) noexcept { return half_uv{s.position, s.normal, s.uv.x, s.uv.y}; }));
+    vertex_of("packed/half_uv", makes<full>([](const auto& s) noexcept {
+                  return half_uv{s.position, s.normal, s.uv.x, s.uv.y};
+              }));
     vertex_of("packed/snorm8_normal", makes<full>([](const auto& s) noexcept {
                   return byte_normal{s.position, {s.normal.x, s.normal.y, s.normal.z, 0.0f}, s.uv};
               }));
@@ -221,8 +231,9 @@ const int registered = [] {
                   return oct32_normal{s.position, {s.normal.x, s.normal.y, s.normal.z}, s.uv};
               }));
     const auto box = position_box::around({0, -1, -1}, {800, 1, 0});
-    vertex_of("packed/unorm16_position",
-              makes<full>([box](const auto& s) noexcept { return boxed{box(s.position), s.normal, s.uv}; }));
+    vertex_of("packed/unorm16_position", makes<full>([box](const auto& s) noexcept {
+                  return boxed{box(s.position), s.normal, s.uv};
+              }));
     vertex_of("packed/snorm8_tangent", makes<framed>([](const auto& s) noexcept {
                   return byte_tangent{s.position, s.normal, s.uv, {s.tangent.x, s.tangent.y, s.tangent.z, s.tangent.w}};
               }));
@@ -243,7 +254,8 @@ const int registered = [] {
     layout_of("streams/interleaved", [](text& t) {
         const std::span<std::byte> bytes{t.vertices};
         return stream_sink{std::span{t.indices}, stream<attribute::position, vec3>::in(bytes, 0, 32),
-                           stream<attribute::normal, vec3>::in(bytes, 12, 32), stream<attribute::uv, vec2>::in(bytes, 24, 32)};
+                           stream<attribute::normal, vec3>::in(bytes, 12, 32),
+                           stream<attribute::uv, vec2>::in(bytes, 24, 32)};
     });
     return 0;
 }();

@@ -72,7 +72,8 @@ TEST_CASE("Direct3D 9 buffers that are too small are refused and left as they we
     CHECK(vertices.locks == 0);
 }
 
-TEST_CASE("Direct3D 11 gets the vertex of 32 bytes and the packed one, up to the last byte of mapped memory", "[engines]")
+TEST_CASE("Direct3D 11 gets the vertex of 32 bytes and the packed one, up to the last byte of mapped memory",
+          "[engines]")
 {
     bench b;
     auto plan = b.mesher.plan(word, d11::options());
@@ -80,8 +81,8 @@ TEST_CASE("Direct3D 11 gets the vertex of 32 bytes and the packed one, up to the
     const std::size_t n = plan->size().vertices, m = plan->size().indices();
     {
         const guarded_bytes vertices{n * sizeof(d11::vertex)}, indices{m * 2};
-        REQUIRE_FALSE(d11::fill<d11::vertex>(*plan, vertices.bytes().data(), n * sizeof(d11::vertex), indices.bytes().data(), m * 2,
-                                             DXGI_FORMAT_R16_UINT));
+        REQUIRE_FALSE(d11::fill<d11::vertex>(*plan, vertices.bytes().data(), n * sizeof(d11::vertex),
+                                             indices.bytes().data(), m * 2, DXGI_FORMAT_R16_UINT));
         seen mesh;
         for (const d11::vertex& v : vertices.as<d11::vertex>()) {
             mesh.position.push_back({v.position[0], v.position[1], v.position[2]});

@@ -45,7 +45,8 @@ TEST_CASE("OpenGL gets one interleaved vertex of 24 bytes, counter-clockwise, v 
     bench b;
     auto plan = b.mesher.plan(word, engines::opengl::options());
     REQUIRE(plan);
-    const guarded_bytes vertices{plan->size().vertices * sizeof(engines::opengl::vertex)}, indices{plan->size().indices() * 2};
+    const guarded_bytes vertices{plan->size().vertices * sizeof(engines::opengl::vertex)},
+        indices{plan->size().indices() * 2};
     REQUIRE_FALSE(plan->write(into(vertices.as<engines::opengl::vertex>(), indices.as<std::uint16_t>())));
     seen mesh = read<engines::opengl::vertex>(vertices.as<engines::opengl::vertex>());
     for (const std::uint16_t i : indices.as<std::uint16_t>()) mesh.index.push_back(i);

@@ -17,7 +17,7 @@ namespace typemesh {
 /// equally near that farther from 0, as Direct3D says. The rounding is exact: the product with `most` is computed where
 /// it has room.
 ///
-///     struct my_vertex { float position[3]; snorm8 normal[4]; };    // {..., {s.normal.x, s.normal.y, s.normal.z, 0.0f}}
+///     struct my_vertex { float position[3]; snorm8 normal[4]; };  // {..., {s.normal.x, s.normal.y, s.normal.z, 0.0f}}
 template <std::integral Integer>
     requires(sizeof(Integer) <= 2)
 struct normalised {

@@ -24,8 +24,8 @@ namespace typemesh {
 ///
 /// A shader decodes with z = 1 - |x| - |y|, t = max(-z, 0), x -= sign(x) * t, y -= sign(y) * t, and normalises.
 ///
-/// From  Z. Cigolle, S. Donow, D. Evangelakos, M. Mara, M. McGuire, Q. Meyer, "A Survey of Efficient Representations for
-///       Independent Unit Vectors", Journal of Computer Graphics Techniques 3(2), 2014, oct16P and oct32P
+/// From  Z. Cigolle, S. Donow, D. Evangelakos, M. Mara, M. McGuire, Q. Meyer, "A Survey of Efficient Representations
+///       for Independent Unit Vectors", Journal of Computer Graphics Techniques 3(2), 2014, oct16P and oct32P
 template <class Step>
     requires std::same_as<Step, snorm8> || std::same_as<Step, snorm16>
 struct octahedral {

@@ -61,7 +61,11 @@ public:
 
 private:
     constexpr position_box(vec3 from, vec3 lengths) noexcept
-        : offset{from}, scale{lengths}, steps_x_{steps(lengths.x)}, steps_y_{steps(lengths.y)}, steps_z_{steps(lengths.z)}
+        : offset{from},
+          scale{lengths},
+          steps_x_{steps(lengths.x)},
+          steps_y_{steps(lengths.y)},
+          steps_z_{steps(lengths.z)}
     {
     }
 
