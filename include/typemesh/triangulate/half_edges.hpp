@@ -167,7 +167,8 @@ public:
     }
 
     /// Dents the boundary edge h from a to b: p, which lies in the triangle a, b, c of h or on h, comes between them.
-    /// (Where p lies outside, this is the ear and the flip of h after it.) Of the triangle remain  a, p, c  with h from a to p  and, new,  p, b, c.  Returns the half-edge from b to c.
+    /// Of the triangle remain  a, p, c  with h from a to p  and, new,  p, b, c.  Returns the half-edge from b to c.
+    /// Where p lies outside, but inside the circle through a, b, c, this is an ear and the flip of h after it.
     ///
     ///          c                c
     ///        /   \            / | \      |
