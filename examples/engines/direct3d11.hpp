@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Direct3D 11 (and 12, whose input elements are the same): the vertex of 32 bytes, and one of 28 with a tangent as well,
-// written into mapped buffers. Left-handed, y up; front faces clockwise as the viewer sees them (FrontCounterClockwise
-// = FALSE, the default); v downwards, normal maps with green down: bitangent = w * cross(normal, tangent).
+// Direct3D 11 (and 12, whose input elements are the same): the vertex of 32 bytes, and one of 28 with a tangent as
+// well, written into mapped buffers. Left-handed, y up; front faces clockwise as the viewer sees them
+// (FrontCounterClockwise = FALSE, the default); v downwards, normal maps with green down: bitangent = w * cross(normal,
+// tangent).
 //
 // Include <d3d11.h> first.
 //
@@ -89,8 +90,8 @@ namespace engines::direct3d11 {
 
 /// Writes a plan into mapped memory of so many bytes; format is DXGI_FORMAT_R16_UINT or DXGI_FORMAT_R32_UINT.
 template <class Vertex, class Plan>
-[[nodiscard]] typemesh::error fill(const Plan& plan, void* vertices, std::size_t vertex_bytes, void* indices, std::size_t index_bytes,
-                                   DXGI_FORMAT format) noexcept
+[[nodiscard]] typemesh::error fill(const Plan& plan, void* vertices, std::size_t vertex_bytes, void* indices,
+                                   std::size_t index_bytes, DXGI_FORMAT format) noexcept
 {
     const std::span where{static_cast<Vertex*>(vertices), vertex_bytes / sizeof(Vertex)};
     if (format == DXGI_FORMAT_R16_UINT) {

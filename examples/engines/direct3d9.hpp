@@ -61,11 +61,13 @@ namespace engines::direct3d9 {
 ///
 /// Fails  what array_sink fails with; error::refused_by_user where a buffer cannot be locked. Nothing is written then.
 template <class Plan>
-[[nodiscard]] typemesh::error fill(const Plan& plan, IDirect3DVertexBuffer9& vertices, IDirect3DIndexBuffer9& indices) noexcept
+[[nodiscard]] typemesh::error fill(const Plan& plan, IDirect3DVertexBuffer9& vertices,
+                                   IDirect3DIndexBuffer9& indices) noexcept
 {
     D3DVERTEXBUFFER_DESC vertices_are{};
     D3DINDEXBUFFER_DESC indices_are{};
-    if (vertices.GetDesc(&vertices_are) < 0 || indices.GetDesc(&indices_are) < 0) return typemesh::error::refused_by_user;
+    if (vertices.GetDesc(&vertices_are) < 0 || indices.GetDesc(&indices_are) < 0)
+        return typemesh::error::refused_by_user;
     void *vertices_at = nullptr, *indices_at = nullptr;
     if (vertices.Lock(0, 0, &vertices_at, 0) < 0) return typemesh::error::refused_by_user;
     if (indices.Lock(0, 0, &indices_at, 0) < 0) {

@@ -29,15 +29,16 @@ namespace engines::eigen {
 }
 
 template <class Matrix>
-inline constexpr bool holds_triples_in_one_piece =
-    (Matrix::ColsAtCompileTime == 3 && bool(Matrix::IsRowMajor)) || (Matrix::RowsAtCompileTime == 3 && !bool(Matrix::IsRowMajor));
+inline constexpr bool holds_triples_in_one_piece = (Matrix::ColsAtCompileTime == 3 && bool(Matrix::IsRowMajor)) ||
+                                                   (Matrix::RowsAtCompileTime == 3 && !bool(Matrix::IsRowMajor));
 
 /// Sizes the three matrices and fills them: places, normals, triangles. float, and an integer of 32 or 16 bits.
 template <class Plan, class Places, class Normals, class Triangles>
 [[nodiscard]] typemesh::error write(const Plan& plan, Places& places, Normals& normals, Triangles& triangles)
 {
     using namespace typemesh;
-    static_assert(holds_triples_in_one_piece<Places> && holds_triples_in_one_piece<Normals> && holds_triples_in_one_piece<Triangles>,
+    static_assert(holds_triples_in_one_piece<Places> && holds_triples_in_one_piece<Normals> &&
+                      holds_triples_in_one_piece<Triangles>,
                   "typemesh: matrices with 3 columns must be row-major, matrices with 3 rows column-major");
     static_assert(std::is_same_v<typename Places::Scalar, float> && std::is_same_v<typename Normals::Scalar, float>);
     struct float3 {
@@ -49,8 +50,10 @@ template <class Plan, class Places, class Normals, class Triangles>
         return {error::index_overflow, size.vertices};
     const auto fit = [](auto& m, std::size_t n) {
         using extent = decltype(m.rows());
-        if constexpr (std::remove_reference_t<decltype(m)>::RowsAtCompileTime == 3) m.resize(3, static_cast<extent>(n));
-        else m.resize(static_cast<extent>(n), 3);
+        if constexpr (std::remove_reference_t<decltype(m)>::RowsAtCompileTime == 3)
+            m.resize(3, static_cast<extent>(n));
+        else
+            m.resize(static_cast<extent>(n), 3);
     };
     fit(places, size.vertices), fit(normals, size.vertices), fit(triangles, size.triangles);
     return plan.write(stream_sink{std::span{reinterpret_cast<index*>(triangles.data()), size.indices()},

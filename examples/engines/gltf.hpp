@@ -110,11 +110,12 @@ template <class Plan, class Bytes>
         json += R"("scenes":[{}]})";
     } else {
         json += R"("scenes":[{"nodes":[0]}],)";
-        if (packed) json += R"("extensionsUsed":["KHR_mesh_quantization"],"extensionsRequired":["KHR_mesh_quantization"],)";
+        if (packed)
+            json += R"("extensionsUsed":["KHR_mesh_quantization"],"extensionsRequired":["KHR_mesh_quantization"],)";
         json += R"("nodes":[{"mesh":0)";
         if (packed)
-            say(json, R"(,"translation":[%.9g,%.9g,%.9g],"scale":[%.9g,%.9g,%.9g])", box.offset.x, box.offset.y, box.offset.z,
-                box.scale.x, box.scale.y, box.scale.z);
+            say(json, R"(,"translation":[%.9g,%.9g,%.9g],"scale":[%.9g,%.9g,%.9g])", box.offset.x, box.offset.y,
+                box.offset.z, box.scale.x, box.scale.y, box.scale.z);
         json += R"(}],"meshes":[{"primitives":[)";
         int accessor = 4;
         for (const part p : all_parts) {
@@ -123,20 +124,30 @@ template <class Plan, class Bytes>
                 accessor > 4 ? "," : "", accessor);
             ++accessor;
         }
-        say(json, R"(]}],"buffers":[{"byteLength":%zu}],"bufferViews":[{"buffer":0,"byteLength":%zu,"byteStride":%zu,"target":34962},)", bytes,
-            vertex_bytes, stride);
-        say(json, R"({"buffer":0,"byteOffset":%zu,"byteLength":%zu,"target":34963}],"accessors":[)", vertex_bytes, index_bytes);
+        say(json,
+            R"(]}],"buffers":[{"byteLength":%zu}],"bufferViews":[{"buffer":0,"byteLength":%zu,"byteStride":%zu,"target":34962},)",
+            bytes, vertex_bytes, stride);
+        say(json, R"({"buffer":0,"byteOffset":%zu,"byteLength":%zu,"target":34963}],"accessors":[)", vertex_bytes,
+            index_bytes);
         const auto n = static_cast<unsigned>(size.vertices);
         if (packed) {
             const box_position last = box(high);
-            say(json, R"({"bufferView":0,"componentType":5123,"normalized":true,"count":%u,"type":"VEC3","min":[0,0,0],"max":[%d,%d,%d]},)", n,
-                int{last.x.bits}, int{last.y.bits}, int{last.z.bits});
-            say(json, R"({"bufferView":0,"byteOffset":8,"componentType":5120,"normalized":true,"count":%u,"type":"VEC3"},)", n);
-            say(json, R"({"bufferView":0,"byteOffset":12,"componentType":5120,"normalized":true,"count":%u,"type":"VEC4"},)", n);
-            say(json, R"({"bufferView":0,"byteOffset":16,"componentType":5123,"normalized":true,"count":%u,"type":"VEC2"})", n);
+            say(json,
+                R"({"bufferView":0,"componentType":5123,"normalized":true,"count":%u,"type":"VEC3","min":[0,0,0],"max":[%d,%d,%d]},)",
+                n, int{last.x.bits}, int{last.y.bits}, int{last.z.bits});
+            say(json,
+                R"({"bufferView":0,"byteOffset":8,"componentType":5120,"normalized":true,"count":%u,"type":"VEC3"},)",
+                n);
+            say(json,
+                R"({"bufferView":0,"byteOffset":12,"componentType":5120,"normalized":true,"count":%u,"type":"VEC4"},)",
+                n);
+            say(json,
+                R"({"bufferView":0,"byteOffset":16,"componentType":5123,"normalized":true,"count":%u,"type":"VEC2"})",
+                n);
         } else {
-            say(json, R"({"bufferView":0,"componentType":5126,"count":%u,"type":"VEC3","min":[%.9g,%.9g,%.9g],"max":[%.9g,%.9g,%.9g]},)", n,
-                low.x, low.y, low.z, high.x, high.y, high.z);
+            say(json,
+                R"({"bufferView":0,"componentType":5126,"count":%u,"type":"VEC3","min":[%.9g,%.9g,%.9g],"max":[%.9g,%.9g,%.9g]},)",
+                n, low.x, low.y, low.z, high.x, high.y, high.z);
             say(json, R"({"bufferView":0,"byteOffset":12,"componentType":5126,"count":%u,"type":"VEC3"},)", n);
             say(json, R"({"bufferView":0,"byteOffset":24,"componentType":5126,"count":%u,"type":"VEC4"},)", n);
             say(json, R"({"bufferView":0,"byteOffset":40,"componentType":5126,"count":%u,"type":"VEC2"})", n);

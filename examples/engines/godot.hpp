@@ -53,11 +53,10 @@ template <class Plan>
     if (error e = plan.write(stream_sink{
             indices, stream<attribute::position, godot::Vector3>{places.ptrw(), size.vertices},
             stream<attribute::normal, godot::Vector3>{normals.ptrw(), size.vertices},
-            computed_stream<attribute::tangent>(
-                all_tangents,
-                [](const surface_point<attribute::tangent>& s) noexcept {
-                    return float4{s.tangent.x, s.tangent.y, s.tangent.z, -s.tangent.w};
-                }),
+            computed_stream<attribute::tangent>(all_tangents,
+                                                [](const surface_point<attribute::tangent>& s) noexcept {
+                                                    return float4{s.tangent.x, s.tangent.y, s.tangent.z, -s.tangent.w};
+                                                }),
             stream<attribute::uv, godot::Vector2>{uvs.ptrw(), size.vertices}}))
         return e;
 

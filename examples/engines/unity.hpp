@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Unity: a native plugin writes into the arrays of Mesh.MeshData. Left-handed, y up, front faces clockwise as the viewer
-// sees them; v upwards; bitangent = w * cross(normal, tangent).
+// Unity: a native plugin writes into the arrays of Mesh.MeshData. Left-handed, y up, front faces clockwise as the
+// viewer sees them; v upwards; bitangent = w * cross(normal, tangent).
 //
 // The byte size of every attribute is a multiple of 4, the attributes come in the order of UnityEngine's enumeration:
 //
@@ -66,23 +66,25 @@ static_assert(sizeof(snorm16x4) == 8 && sizeof(half2) == 4);
 /// Writes a plan; the colour tells the parts apart.
 template <class Plan>
 [[nodiscard]] typemesh::error write(const Plan& plan, const mesh_data& to,
-                                    const typemesh::part_colours<>& colours = {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}) noexcept
+                                    const typemesh::part_colours<>& colours = {
+                                        {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}) noexcept
 {
     using namespace typemesh;
     struct float3 {
         float x, y, z;
     };
     const auto into_indices = [&]<class Index>(std::span<Index> indices) noexcept {
-        return plan.write(stream_sink{
-            indices, stream<attribute::position, float3>::in(to.stream0, 0, stream0_bytes),
-            stream<attribute::normal, snorm16x4>::in(to.stream1, 0, stream1_bytes),
-            stream<attribute::tangent, snorm16x4>::in(to.stream1, 8, stream1_bytes),
-            computed_stream<attribute::part, rgba8>(
-                to.stream1, 16, stream1_bytes,
-                [colours](const surface_point<attribute::part>& s) noexcept { return colours(s.part); }),
-            stream<attribute::uv, half2>::in(to.stream1, 20, stream1_bytes)});
+        return plan.write(
+            stream_sink{indices, stream<attribute::position, float3>::in(to.stream0, 0, stream0_bytes),
+                        stream<attribute::normal, snorm16x4>::in(to.stream1, 0, stream1_bytes),
+                        stream<attribute::tangent, snorm16x4>::in(to.stream1, 8, stream1_bytes),
+                        computed_stream<attribute::part, rgba8>(
+                            to.stream1, 16, stream1_bytes,
+                            [colours](const surface_point<attribute::part>& s) noexcept { return colours(s.part); }),
+                        stream<attribute::uv, half2>::in(to.stream1, 20, stream1_bytes)});
     };
-    if (to.wide) return into_indices(std::span{reinterpret_cast<std::uint32_t*>(to.indices.data()), to.indices.size() / 4});
+    if (to.wide)
+        return into_indices(std::span{reinterpret_cast<std::uint32_t*>(to.indices.data()), to.indices.size() / 4});
     return into_indices(std::span{reinterpret_cast<std::uint16_t*>(to.indices.data()), to.indices.size() / 2});
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Every layout, twice warmed up, then counted: what the library takes from its memory source, and what anybody takes from
-// operator new while a plan is written.
+// Every layout, twice warmed up, then counted: what the library takes from its memory source, and what anybody takes
+// from operator new while a plan is written.
 
 #include "engines/stand_in/d3d11.hpp"
 #include "engines/stand_in/d3d9.hpp"
@@ -92,7 +92,8 @@ TEST_CASE("no layout in memory of the caller's takes any other memory", "[engine
                   [&](const auto& plan) { return engines::direct3d9::fill(plan, vertices9, indices9); });
     takes_nothing(b, engines::direct3d11::options(), [&](const auto& plan) {
         using namespace engines::direct3d11;
-        if (error e = fill<vertex>(plan, r.a.data(), r.a.size(), r.b.data(), r.b.size(), DXGI_FORMAT_R16_UINT)) return e;
+        if (error e = fill<vertex>(plan, r.a.data(), r.a.size(), r.b.data(), r.b.size(), DXGI_FORMAT_R16_UINT))
+            return e;
         return fill<packed_vertex>(plan, r.a.data(), r.a.size(), r.b.data(), r.b.size(), DXGI_FORMAT_R32_UINT);
     });
     takes_nothing(b, engines::opengl::options(), [&](const auto& plan) {
@@ -107,15 +108,19 @@ TEST_CASE("no layout in memory of the caller's takes any other memory", "[engine
         return engines::unity::write(plan, {r.a, r.c, r.b, false});
     });
     takes_nothing(b, engines::three::options(), [&](const auto& plan) {
-        return engines::three::write(plan, engines::three::buffer_geometry<>{r.floats(0, 100'000), r.floats(100'000, 100'000),
-                                                                              r.floats(200'000, 200'000), r.floats(400'000, 100'000),
-                                                                              r.indices<std::uint32_t>()});
+        return engines::three::write(
+            plan, engines::three::buffer_geometry<>{r.floats(0, 100'000), r.floats(100'000, 100'000),
+                                                    r.floats(200'000, 200'000), r.floats(400'000, 100'000),
+                                                    r.indices<std::uint32_t>()});
     });
     takes_nothing(b, engines::gltf::options(), [&](const auto& plan) {
         using namespace engines::gltf;
         const auto box = position_box::cube_around(plan.bounds().low, plan.bounds().high);
-        if (error e = write_buffer(plan, engines::gltf::layout::plain, box, std::span<std::byte>{r.a}, r.indices<std::uint16_t>())) return e;
-        return write_buffer(plan, engines::gltf::layout::quantised, box, std::span<std::byte>{r.a}, r.indices<std::uint32_t>());
+        if (error e = write_buffer(plan, engines::gltf::layout::plain, box, std::span<std::byte>{r.a},
+                                   r.indices<std::uint16_t>()))
+            return e;
+        return write_buffer(plan, engines::gltf::layout::quantised, box, std::span<std::byte>{r.a},
+                            r.indices<std::uint32_t>());
     });
 }
 
@@ -127,11 +132,16 @@ TEST_CASE("every attribute and every packed format is written without taking mem
         const std::span<std::byte> bytes{r.a};
         return plan.write(stream_sink{
             r.indices<std::uint32_t>(), 7, stream<attribute::position, vec3>::in(bytes, 0, 80),
-            stream<attribute::normal, octahedral32>::in(bytes, 12, 80), stream<attribute::normal, octahedral16>::in(bytes, 16, 80),
-            stream<attribute::tangent, octahedral_tangent32>::in(bytes, 20, 80), stream<attribute::normal, snorm10>::in(bytes, 24, 80),
-            stream<attribute::uv, vec2>::in(bytes, 28, 80), stream<attribute::glyph, std::uint32_t>::in(bytes, 36, 80),
-            stream<attribute::cluster, std::uint32_t>::in(bytes, 40, 80), stream<attribute::part, std::uint32_t>::in(bytes, 44, 80),
-            computed_stream<attribute::none, rgba8>(bytes, 48, 80, [](const auto&) noexcept { return rgba8{1, 0, 0}; })});
+            stream<attribute::normal, octahedral32>::in(bytes, 12, 80),
+            stream<attribute::normal, octahedral16>::in(bytes, 16, 80),
+            stream<attribute::tangent, octahedral_tangent32>::in(bytes, 20, 80),
+            stream<attribute::normal, snorm10>::in(bytes, 24, 80), stream<attribute::uv, vec2>::in(bytes, 28, 80),
+            stream<attribute::glyph, std::uint32_t>::in(bytes, 36, 80),
+            stream<attribute::cluster, std::uint32_t>::in(bytes, 40, 80),
+            stream<attribute::part, std::uint32_t>::in(bytes, 44, 80),
+            computed_stream<attribute::none, rgba8>(bytes, 48, 80, [](const auto&) noexcept {
+                return rgba8{1, 0, 0};
+            })});
     });
 }
 
@@ -156,6 +166,7 @@ TEST_CASE("engines' own containers are all that is allocated where a recipe fill
         return engines::godot_mesh::write(plan, arrays);
     });
     std::vector<std::byte> file;
-    needs_no_memory_again(b, engines::gltf::options(),
-                          [&](const auto& plan) { return engines::gltf::write(plan, engines::gltf::layout::quantised, file); });
+    needs_no_memory_again(b, engines::gltf::options(), [&](const auto& plan) {
+        return engines::gltf::write(plan, engines::gltf::layout::quantised, file);
+    });
 }

@@ -10,10 +10,10 @@
 #include <cstring>
 
 #include "recipe_laws.hpp"
-#include "support/guarded_memory.hpp"
+#include "support/guarded_bytes.hpp"
 
 using namespace recipes;
-using test::guarded_memory;
+using test::guarded_bytes;
 
 namespace d9 = engines::direct3d9;
 namespace d11 = engines::direct3d11;
@@ -72,16 +72,17 @@ TEST_CASE("Direct3D 9 buffers that are too small are refused and left as they we
     CHECK(vertices.locks == 0);
 }
 
-TEST_CASE("Direct3D 11 gets the vertex of 32 bytes and the packed one, up to the last byte of mapped memory", "[engines]")
+TEST_CASE("Direct3D 11 gets the vertex of 32 bytes and the packed one, up to the last byte of mapped memory",
+          "[engines]")
 {
     bench b;
     auto plan = b.mesher.plan(word, d11::options());
     REQUIRE(plan);
     const std::size_t n = plan->size().vertices, m = plan->size().indices();
     {
-        const guarded_memory vertices{n * sizeof(d11::vertex)}, indices{m * 2};
-        REQUIRE_FALSE(d11::fill<d11::vertex>(*plan, vertices.bytes().data(), n * sizeof(d11::vertex), indices.bytes().data(), m * 2,
-                                             DXGI_FORMAT_R16_UINT));
+        const guarded_bytes vertices{n * sizeof(d11::vertex)}, indices{m * 2};
+        REQUIRE_FALSE(d11::fill<d11::vertex>(*plan, vertices.bytes().data(), n * sizeof(d11::vertex),
+                                             indices.bytes().data(), m * 2, DXGI_FORMAT_R16_UINT));
         seen mesh;
         for (const d11::vertex& v : vertices.as<d11::vertex>()) {
             mesh.position.push_back({v.position[0], v.position[1], v.position[2]});
@@ -92,7 +93,7 @@ TEST_CASE("Direct3D 11 gets the vertex of 32 bytes and the packed one, up to the
         obeys(mesh, *plan, direct3d);
     }
     {
-        const guarded_memory vertices{n * sizeof(d11::packed_vertex)}, indices{m * 4};
+        const guarded_bytes vertices{n * sizeof(d11::packed_vertex)}, indices{m * 4};
         REQUIRE_FALSE(d11::fill<d11::packed_vertex>(*plan, vertices.bytes().data(), n * sizeof(d11::packed_vertex),
                                                     indices.bytes().data(), m * 4, DXGI_FORMAT_R32_UINT));
         seen mesh;

@@ -33,11 +33,13 @@ TEST_CASE("GLM's vectors hold a right-handed mesh, counter-clockwise, v upwards"
 }
 #endif
 
-TEMPLATE_TEST_CASE("Eigen's matrices hold a mesh with z up, a row or a column for each vertex and triangle", "[engines]",
-                   std::true_type, std::false_type)
+TEMPLATE_TEST_CASE("Eigen's matrices hold a mesh with z up, a row or a column for each vertex and triangle",
+                   "[engines]", std::true_type, std::false_type)
 {
-    using places_type = std::conditional_t<TestType::value, Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>, Eigen::Matrix3Xf>;
-    using triangles_type = std::conditional_t<TestType::value, Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>, Eigen::Matrix3Xi>;
+    using places_type =
+        std::conditional_t<TestType::value, Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>, Eigen::Matrix3Xf>;
+    using triangles_type =
+        std::conditional_t<TestType::value, Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>, Eigen::Matrix3Xi>;
     bench b;
     auto plan = b.mesher.plan(word, engines::eigen::options());
     REQUIRE(plan);
@@ -45,8 +47,10 @@ TEMPLATE_TEST_CASE("Eigen's matrices hold a mesh with z up, a row or a column fo
     triangles_type triangles;
     REQUIRE_FALSE(engines::eigen::write(*plan, places, normals, triangles));
     const auto at = [](auto& m, std::size_t i, int k) {
-        if constexpr (TestType::value) return m(static_cast<decltype(m.rows())>(i), k);
-        else return m(k, static_cast<decltype(m.rows())>(i));
+        if constexpr (TestType::value)
+            return m(static_cast<decltype(m.rows())>(i), k);
+        else
+            return m(k, static_cast<decltype(m.rows())>(i));
     };
     seen mesh;
     for (std::size_t i = 0; i < plan->size().vertices; ++i) {

@@ -10,10 +10,10 @@
 #include <cstring>
 
 #include "recipe_laws.hpp"
-#include "support/guarded_memory.hpp"
+#include "support/guarded_bytes.hpp"
 
 using namespace recipes;
-using test::guarded_memory;
+using test::guarded_bytes;
 
 namespace {
 
@@ -45,7 +45,8 @@ TEST_CASE("OpenGL gets one interleaved vertex of 24 bytes, counter-clockwise, v 
     bench b;
     auto plan = b.mesher.plan(word, engines::opengl::options());
     REQUIRE(plan);
-    const guarded_memory vertices{plan->size().vertices * sizeof(engines::opengl::vertex)}, indices{plan->size().indices() * 2};
+    const guarded_bytes vertices{plan->size().vertices * sizeof(engines::opengl::vertex)},
+        indices{plan->size().indices() * 2};
     REQUIRE_FALSE(plan->write(into(vertices.as<engines::opengl::vertex>(), indices.as<std::uint16_t>())));
     seen mesh = read<engines::opengl::vertex>(vertices.as<engines::opengl::vertex>());
     for (const std::uint16_t i : indices.as<std::uint16_t>()) mesh.index.push_back(i);
@@ -70,7 +71,7 @@ TEST_CASE("OpenGL is told of four attributes, each where the vertex has it, the 
 TEST_CASE("two texts share Vulkan buffers, the second's indices counting on from the first's vertices", "[engines]")
 {
     bench b;
-    guarded_memory vertices{24 * 60'000}, indices{4 * 200'000};
+    guarded_bytes vertices{24 * 60'000}, indices{4 * 200'000};
     engines::vulkan::room room{vertices.bytes(), indices.bytes()};
     auto first = b.mesher.plan("first", engines::vulkan::options());
     REQUIRE(first);

@@ -53,12 +53,12 @@ struct seen {
 
 /// What the engine's documentation says.
 struct engine {
-    vec3 right, up, toward;          ///< where the text runs, stands and looks, in the engine's axes
-    int winding;                     ///< the sign of dot(cross(b - a, c - a), n)
-    bool v_down;                     ///< v = 0 at the top
-    bool green_up = true;            ///< w * cross(normal, tangent) points up the image, else down
-    double em = 1.0;                 ///< units an em
-    double off_position = 1e-6;      ///< errors of packing: in ems, as a sine, in [0, 1]
+    vec3 right, up, toward;      ///< where the text runs, stands and looks, in the engine's axes
+    int winding;                 ///< the sign of dot(cross(b - a, c - a), n)
+    bool v_down;                 ///< v = 0 at the top
+    bool green_up = true;        ///< w * cross(normal, tangent) points up the image, else down
+    double em = 1.0;             ///< units an em
+    double off_position = 1e-6;  ///< errors of packing: in ems, as a sine, in [0, 1]
     double off_direction = 1e-6;
     double off_uv = 1e-6;
 };
@@ -95,8 +95,10 @@ void obeys(const seen& mesh, const Plan& plan, const engine& is)
         }
         const test::cross_product face{test::subtract(p[1], p[0]), test::subtract(p[2], p[0])};
         const double sign = face.along(n) / (is.em * is.em);
-        if (std::abs(sign) < (is.off_position > 1e-5 ? 1e-5 : 0.0)) ++flat;  // slivers that packing bends
-        else turned += sign * is.winding > 0.0 ? 0u : 1u;
+        if (std::abs(sign) < (is.off_position > 1e-5 ? 1e-5 : 0.0))
+            ++flat;  // slivers that packing bends
+        else
+            turned += sign * is.winding > 0.0 ? 0u : 1u;
     }
     CHECK(turned == 0);
     CHECK(flat < size.triangles / 4);
@@ -114,7 +116,9 @@ void obeys(const seen& mesh, const Plan& plan, const engine& is)
             const double depth = along(mesh.position[i], is.toward) / is.em, facing = along(mesh.normal[i], is.toward);
             if (where == part::front) CHECK(std::abs(depth) <= is.off_position);
             if (where == part::back) CHECK(std::abs(depth + 0.2) <= is.off_position);
-            CHECK(std::abs(facing - (where == part::front ? 1.0 : where == part::back ? -1.0 : 0.0)) <= is.off_direction);
+            CHECK(std::abs(facing - (where == part::front  ? 1.0
+                                     : where == part::back ? -1.0
+                                                           : 0.0)) <= is.off_direction);
             CHECK(std::abs(test::dot(mesh.normal[i], mesh.normal[i]) - 1.0) <= 3.0 * is.off_direction + 1e-6);
         }
     }
@@ -142,7 +146,8 @@ void obeys(const seen& mesh, const Plan& plan, const engine& is)
         for (std::size_t i = 0; i < mesh.uv.size(); ++i) {
             const double u = share(mesh.position[i], is.right), v = share(mesh.position[i], is.up);
             if (std::abs(mesh.uv[i].x - u) > off || std::abs(mesh.uv[i].y - (is.v_down ? 1.0 - v : v)) > off)
-                FAIL("vertex " << i << " has u " << mesh.uv[i].x << ", v " << mesh.uv[i].y << " for " << u << ", " << v);
+                FAIL("vertex " << i << " has u " << mesh.uv[i].x << ", v " << mesh.uv[i].y << " for " << u << ", "
+                               << v);
         }
     }
 
@@ -152,7 +157,8 @@ void obeys(const seen& mesh, const Plan& plan, const engine& is)
         for (std::size_t i = 0; i < mesh.tangent.size(); ++i) {
             const vec4 t = mesh.tangent[i];
             const vec3 n = mesh.normal[i];
-            if (std::abs(n.x * t.x + n.y * t.y + n.z * t.z) > 3.0f * static_cast<float>(is.off_direction)) FAIL("leans");
+            if (std::abs(n.x * t.x + n.y * t.y + n.z * t.z) > 3.0f * static_cast<float>(is.off_direction))
+                FAIL("leans");
             if (std::abs(std::abs(t.w) - 1.0f) > 0.0f) FAIL("a sign is no sign");
         }
         for (const part where : {part::front, part::back}) {

@@ -73,7 +73,8 @@ TEST_CASE("three.js gets one typed array an attribute, counter-clockwise, v upwa
     const std::size_t n = plan->size().vertices;
     std::vector<float> position(3 * n), normal(3 * n), tangent(4 * n), uv(2 * n);
     std::vector<std::uint32_t> index(plan->size().indices());
-    REQUIRE_FALSE(engines::three::write(*plan, engines::three::buffer_geometry<>{position, normal, tangent, uv, index}));
+    REQUIRE_FALSE(
+        engines::three::write(*plan, engines::three::buffer_geometry<>{position, normal, tangent, uv, index}));
     seen mesh;
     for (std::size_t i = 0; i < n; ++i) {
         mesh.position.push_back({position[3 * i], position[3 * i + 1], position[3 * i + 2]});
@@ -85,11 +86,12 @@ TEST_CASE("three.js gets one typed array an attribute, counter-clockwise, v upwa
     obeys(mesh, *plan, opengl);
 
     std::vector<std::uint16_t> narrow(index.size());
-    REQUIRE_FALSE(
-        engines::three::write(*plan, engines::three::buffer_geometry<std::uint16_t>{position, normal, tangent, uv, narrow}));
+    REQUIRE_FALSE(engines::three::write(
+        *plan, engines::three::buffer_geometry<std::uint16_t>{position, normal, tangent, uv, narrow}));
     CHECK(std::vector<std::uint32_t>(narrow.begin(), narrow.end()) == index);
     std::vector<float> short_uv(2 * n - 1, -7.0f);
-    const error e = engines::three::write(*plan, engines::three::buffer_geometry<>{position, normal, tangent, short_uv, index});
+    const error e =
+        engines::three::write(*plan, engines::three::buffer_geometry<>{position, normal, tangent, short_uv, index});
     CHECK(e == error::buffer_too_small);
     CHECK(e.count == n);
     CHECK(short_uv == std::vector<float>(2 * n - 1, -7.0f));
@@ -131,7 +133,8 @@ TEST_CASE("a plain glTF file holds floats, right-handed, counter-clockwise, v do
     CHECK(numbers_after(g.json, "byteStride")[0] == 48);
 }
 
-TEST_CASE("a quantised glTF file gives the same mesh back through its node's transform, in 20 bytes a vertex", "[engines]")
+TEST_CASE("a quantised glTF file gives the same mesh back through its node's transform, in 20 bytes a vertex",
+          "[engines]")
 {
     bench b;
     auto plan = b.mesher.plan(word, engines::gltf::options());
@@ -181,7 +184,8 @@ TEST_CASE("a quantised glTF file gives the same mesh back through its node's tra
     if (const char* folder = std::getenv("TYPEMESH_KEEP_GLB")) {  // for gltf-validator
         for (const auto how : {engines::gltf::layout::plain, engines::gltf::layout::quantised}) {
             REQUIRE_FALSE(engines::gltf::write(*plan, how, file));
-            std::ofstream{std::string{folder} + (how == engines::gltf::layout::plain ? "/plain.glb" : "/quantised.glb"), std::ios::binary}
+            std::ofstream{std::string{folder} + (how == engines::gltf::layout::plain ? "/plain.glb" : "/quantised.glb"),
+                          std::ios::binary}
                 .write(reinterpret_cast<const char*>(file.data()), static_cast<std::streamsize>(file.size()));
         }
     }

@@ -32,8 +32,10 @@ engines::unity::mesh_data pointers(MeshData& data, bool wide)
 
 }  // namespace
 
-TEST_CASE("Unity's two streams hold a left-handed mesh, clockwise to the viewer, v upwards, every attribute a multiple of 4 bytes",
-          "[engines]")
+TEST_CASE(
+    "Unity's two streams hold a left-handed mesh, clockwise to the viewer, v upwards, every attribute a multiple of 4 "
+    "bytes",
+    "[engines]")
 {
     bench b;
     auto plan = b.mesher.plan(word, engines::unity::options());
@@ -41,7 +43,8 @@ TEST_CASE("Unity's two streams hold a left-handed mesh, clockwise to the viewer,
     for (const bool wide : {false, true}) {
         MeshData data;
         REQUIRE(data.SetVertexBufferParams(static_cast<int>(plan->size().vertices), descriptors));
-        data.SetIndexBufferParams(static_cast<int>(plan->size().indices()), wide ? IndexFormat::UInt32 : IndexFormat::UInt16);
+        data.SetIndexBufferParams(static_cast<int>(plan->size().indices()),
+                                  wide ? IndexFormat::UInt32 : IndexFormat::UInt16);
         REQUIRE(data.GetVertexData(1).size() == engines::unity::stream1_bytes * plan->size().vertices);
         const part_colours<> colours{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
         REQUIRE_FALSE(engines::unity::write(*plan, pointers(data, wide), colours));
@@ -62,7 +65,9 @@ TEST_CASE("Unity's two streams hold a left-handed mesh, clockwise to the viewer,
             mesh.normal.push_back({f(v.normal[0]), f(v.normal[1]), f(v.normal[2])});
             mesh.tangent.push_back({f(v.tangent[0]), f(v.tangent[1]), f(v.tangent[2]), f(v.tangent[3])});
             mesh.uv.push_back({f(v.uv[0]), f(v.uv[1])});
-            const std::size_t where = i < plan->range(part::back).first_vertex ? 0 : i < plan->range(part::side).first_vertex ? 1 : 2;
+            const std::size_t where = i < plan->range(part::back).first_vertex   ? 0
+                                      : i < plan->range(part::side).first_vertex ? 1
+                                                                                 : 2;
             CHECK(v.colour[where].bits == 255);
             CHECK(v.colour[(where + 1) % 3].bits == 0);
             CHECK(v.colour[3].bits == 255);
@@ -126,7 +131,8 @@ TEST_CASE("Unreal's buffers hold a mesh in centimetres, z up, its triangles woun
     seen mesh;
     for (std::uint32_t i = 0; i < plan->size().vertices; ++i) {
         const FVector3f p = buffers.PositionVertexBuffer.VertexPosition(i);
-        const FVector4f x = buffers.StaticMeshVertexBuffer.VertexTangentX(i), z = buffers.StaticMeshVertexBuffer.VertexTangentZ(i);
+        const FVector4f x = buffers.StaticMeshVertexBuffer.VertexTangentX(i),
+                        z = buffers.StaticMeshVertexBuffer.VertexTangentZ(i);
         const FVector2f uv = buffers.StaticMeshVertexBuffer.GetVertexUV(i, 0);
         mesh.position.push_back({p.X, p.Y, p.Z});
         mesh.normal.push_back({z.X, z.Y, z.Z});

@@ -76,8 +76,9 @@ wide_vec bitangent(const surface_point<everything>& v)
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("tangents lie where u grows and bitangents where v grows, on every triangle that tells, in every frame",
-                   "[extrude]", shared_normals, averaged_normals, creased_normals, curve_normals)
+TEMPLATE_TEST_CASE(
+    "tangents lie where u grows and bitangents where v grows, on every triangle that tells, in every frame",
+    "[extrude]", shared_normals, averaged_normals, creased_normals, curve_normals)
 {
     for (const auto& s : shapes::all()) {
         INFO(s.name);
@@ -117,8 +118,8 @@ TEST_CASE("box mapping gives walls the tangents of em mapping, since u and v do 
 {
     for (const auto& s : shapes::all()) {
         INFO(s.name);
-        const built b = build(s, extruded<averaged_normals>{}), e =
-                                                                build(s, extruded<averaged_normals>{.texture = texture_mapping::em});
+        const built b = build(s, extruded<averaged_normals>{}),
+                    e = build(s, extruded<averaged_normals>{.texture = texture_mapping::em});
         std::size_t k = 2 * s.points();  // em mapping may double one point more a contour: its seam
         for (std::size_t i = k; i < b.vertices.size(); ++i, ++k) {
             while (!(e.vertices[k].position == b.vertices[i].position)) ++k;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "support/catch.hpp"
-#include "support/guarded_memory.hpp"
+#include "support/guarded_bytes.hpp"
 
 using namespace typemesh;
 
@@ -182,7 +182,7 @@ TEST_CASE("arrays of a fixed size are written as spans of any size are", "[verte
 
 TEST_CASE("array_sink fills memory to its last byte and writes no byte farther, and none at all when it refuses", "[vertex]")
 {
-    const test::guarded_memory vertices{5 * sizeof(corner)}, indices{6 * sizeof(std::uint16_t)};
+    const test::guarded_bytes vertices{5 * sizeof(corner)}, indices{6 * sizeof(std::uint16_t)};
     auto sink = into(vertices.as<corner>(), indices.as<std::uint16_t>(), 7);
     CHECK(sink.begin({6, 2}) == error::buffer_too_small);
     CHECK(sink.begin({5, 3}) == error::buffer_too_small);

@@ -26,6 +26,7 @@ TEST_CASE("colours lie in memory in the order of their names", "[vertex]")
 TEST_CASE("each part has its colour", "[vertex]")
 {
     constexpr part_colours<> colours{{1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 1.0f}};
-    static_assert(colours(part::front).r.bits == 255 && colours(part::back).g.bits == 255 && colours(part::side).b.bits == 255);
+    static_assert(colours(part::front).r.bits == 255 && colours(part::back).g.bits == 255 &&
+                  colours(part::side).b.bits == 255);
     CHECK(part_colours<int>{1, 2, 3}(part::back) == 2);
 }

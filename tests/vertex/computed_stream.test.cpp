@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "support/catch.hpp"
-#include "support/guarded_memory.hpp"
+#include "support/guarded_bytes.hpp"
 
 using namespace typemesh;
 
@@ -21,13 +21,14 @@ TEST_CASE("a computed stream holds what its function makes of each vertex, and w
     std::vector<std::uint32_t> indices;
     const auto box = position_box::around({0, 0, 0}, {2, 2, 0});
     const part_colours<> by_part{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    stream_sink sink{std::span{indices},
-                     computed_stream<attribute::position>(
-                         std::span{places}, [box](const surface_point<attribute::position>& s) noexcept { return box(s.position); }),
-                     computed_stream<attribute::part>(
-                         std::span{colours},
-                         [by_part](const surface_point<attribute::part>& s) noexcept { return by_part(s.part); }),
-                     constant_stream(std::span{tints}, rgba8{0.5f, 0.5f, 0.5f})};
+    stream_sink sink{
+        std::span{indices},
+        computed_stream<attribute::position>(
+            std::span{places}, [box](const surface_point<attribute::position>& s) noexcept { return box(s.position); }),
+        computed_stream<attribute::part>(
+            std::span{colours},
+            [by_part](const surface_point<attribute::part>& s) noexcept { return by_part(s.part); }),
+        constant_stream(std::span{tints}, rgba8{0.5f, 0.5f, 0.5f})};
     static_assert(mesh_sink<decltype(sink)>);
     static_assert(sink.wants == (attribute::position | attribute::part));
     CHECK(sink.begin({4, 0}) == error::buffer_too_small);
@@ -48,11 +49,12 @@ TEST_CASE("a computed stream holds what its function makes of each vertex, and w
 
 TEST_CASE("a computed stream in bytes leaves the bytes between its elements alone", "[vertex]")
 {
-    const test::guarded_memory memory{8 + 12 * 2 + 4};
+    const test::guarded_bytes memory{8 + 12 * 2 + 4};
     std::vector<std::uint32_t> indices;
-    stream_sink sink{std::span{indices},
-                     computed_stream<attribute::cluster, std::uint32_t>(
-                         memory.bytes(), 8, 12, [](const surface_point<attribute::cluster>& s) noexcept { return s.cluster + 1; })};
+    stream_sink sink{
+        std::span{indices},
+        computed_stream<attribute::cluster, std::uint32_t>(
+            memory.bytes(), 8, 12, [](const surface_point<attribute::cluster>& s) noexcept { return s.cluster + 1; })};
     CHECK(sink.begin({4, 0}) == error::buffer_too_small);
     REQUIRE_FALSE(sink.begin({3, 0}));
     for (cluster_id c = 0; c < 3; ++c) {

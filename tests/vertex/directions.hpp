@@ -16,7 +16,8 @@ inline std::vector<vec3> directions(int n)
     std::vector<vec3> all;
     for (int i = 0; i < n; ++i) {
         const double z = 1.0 - (2.0 * i + 1.0) / n, r = std::sqrt(1.0 - z * z), a = 2.399963229728653 * i;
-        all.push_back({static_cast<float>(r * std::cos(a)), static_cast<float>(r * std::sin(a)), static_cast<float>(z)});
+        all.push_back(
+            {static_cast<float>(r * std::cos(a)), static_cast<float>(r * std::sin(a)), static_cast<float>(z)});
     }
     for (const float x : {-1.0f, -1e-7f, -0.0f, 0.0f, 1e-7f, 1.0f})
         for (const float y : {-1.0f, -1e-7f, -0.0f, 0.0f, 1e-7f, 1.0f})

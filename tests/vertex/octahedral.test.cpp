@@ -22,7 +22,8 @@ double worst(int n)
     for (const vec3 v : directions(n)) {
         const vec3 d = Packed{v.x, v.y, v.z}.decoded();
         most = (std::max)(most, degrees_between(v, d));
-        if (std::abs(degrees_between(d, d)) > 0.0 || std::abs(std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z) - 1.0f) > 1e-6f)
+        if (std::abs(degrees_between(d, d)) > 0.0 ||
+            std::abs(std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z) - 1.0f) > 1e-6f)
             FAIL("not of unit length");
     }
     return most;

@@ -31,7 +31,8 @@ TEST_CASE("a position in the box comes back within half a step", "[vertex]")
     for (int i = 0; i < 100'000; ++i) {
         float f[3];
         for (float& v : f) v = static_cast<float>((random = random * 1664525u + 1013904223u) >> 8) * 0x1p-24f;
-        const vec3 p{box.offset.x + f[0] * box.scale.x, box.offset.y + f[1] * box.scale.y, box.offset.z + f[2] * box.scale.z};
+        const vec3 p{box.offset.x + f[0] * box.scale.x, box.offset.y + f[1] * box.scale.y,
+                     box.offset.z + f[2] * box.scale.z};
         const vec3 q = box.decoded(box(p));
         const double half = 0.5000001 / 65535.0, rounding = 0x1p-24 * 20.0;
         if (std::abs(double(q.x) - p.x) > half * box.scale.x + rounding ||

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "support/catch.hpp"
-#include "support/guarded_memory.hpp"
+#include "support/guarded_bytes.hpp"
 
 using namespace typemesh;
 
@@ -196,7 +196,7 @@ TEST_CASE("streams in bytes hold as many elements as fit, and write up to the la
     CHECK(elements_in(100, 20, 20) == 5);
 
     // Interleaved: position at 0, uv at 12, and the last vertex's padding is not there.
-    const test::guarded_memory memory{24 * 6 + 20}, indices{2 * 3};
+    const test::guarded_bytes memory{24 * 6 + 20}, indices{2 * 3};
     stream_sink sink{indices.as<std::uint16_t>(), stream<attribute::position, float3>::in(memory.bytes(), 0, 24),
                      stream<attribute::uv, float2>::in(memory.bytes(), 12, 24)};
     const error e = sink.begin({8, 1});

@@ -30,16 +30,17 @@ static_assert(tells_uv<attribute::uv>);
 static_assert(tells_uv<attribute::position | attribute::uv>);
 static_assert(!tells_uv<attribute::position | attribute::normal>);
 static_assert(!tells_position<attribute::none>);
-// A point is as large as what it holds, for every set of attributes: 12 + 12 + 8 + 16 + 4 + 4 + 1 bytes, the last filled up
-// to 4.
+// A point is as large as what it holds, for every set of attributes: 12 + 12 + 8 + 16 + 4 + 4 + 1 bytes, the last
+// filled up to 4.
 template <std::uint32_t Set>
 constexpr bool takes_no_more_room_than_wanted()
 {
     constexpr auto wants = static_cast<attribute>(Set);
-    constexpr std::size_t bytes = (has(wants, attribute::position) ? 12u : 0u) + (has(wants, attribute::normal) ? 12u : 0u) +
-                                  (has(wants, attribute::uv) ? 8u : 0u) + (has(wants, attribute::tangent) ? 16u : 0u) +
-                                  (has(wants, attribute::glyph) ? 4u : 0u) + (has(wants, attribute::cluster) ? 4u : 0u) +
-                                  (has(wants, attribute::part) ? 4u : 0u);
+    constexpr std::size_t bytes = (has(wants, attribute::position) ? 12u : 0u) +
+                                  (has(wants, attribute::normal) ? 12u : 0u) + (has(wants, attribute::uv) ? 8u : 0u) +
+                                  (has(wants, attribute::tangent) ? 16u : 0u) +
+                                  (has(wants, attribute::glyph) ? 4u : 0u) +
+                                  (has(wants, attribute::cluster) ? 4u : 0u) + (has(wants, attribute::part) ? 4u : 0u);
     constexpr bool lonely_part = wants == attribute::part;
     static_assert(std::is_trivially_copyable_v<surface_point<wants>>);
     return sizeof(surface_point<wants>) == (bytes == 0 || lonely_part ? 1 : bytes);

@@ -37,7 +37,8 @@ using PackedVector2Array = packed_array<Vector2>;
 using PackedFloat32Array = packed_array<float>;
 using PackedInt32Array = packed_array<std::int32_t>;
 
-using Variant = std::variant<std::monostate, PackedVector3Array, PackedVector2Array, PackedFloat32Array, PackedInt32Array>;
+using Variant =
+    std::variant<std::monostate, PackedVector3Array, PackedVector2Array, PackedFloat32Array, PackedInt32Array>;
 class Array {
 public:
     std::int64_t resize(std::int64_t n)
@@ -52,7 +53,16 @@ private:
 };
 
 struct Mesh {
-    enum ArrayType { ARRAY_VERTEX, ARRAY_NORMAL, ARRAY_TANGENT, ARRAY_COLOR, ARRAY_TEX_UV, ARRAY_TEX_UV2, ARRAY_INDEX = 12, ARRAY_MAX };
+    enum ArrayType {
+        ARRAY_VERTEX,
+        ARRAY_NORMAL,
+        ARRAY_TANGENT,
+        ARRAY_COLOR,
+        ARRAY_TEX_UV,
+        ARRAY_TEX_UV2,
+        ARRAY_INDEX = 12,
+        ARRAY_MAX
+    };
 };
 
 }  // namespace godot

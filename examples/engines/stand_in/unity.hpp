@@ -21,9 +21,10 @@ struct VertexAttributeDescriptor {
 
     [[nodiscard]] std::size_t bytes() const
     {
-        const std::size_t one = format == VertexAttributeFormat::Float32                                                ? 4
-                                : format == VertexAttributeFormat::UNorm8 || format == VertexAttributeFormat::SNorm8 ? 1
-                                                                                                                        : 2;
+        const std::size_t one = format == VertexAttributeFormat::Float32 ? 4
+                                : format == VertexAttributeFormat::UNorm8 || format == VertexAttributeFormat::SNorm8
+                                    ? 1
+                                    : 2;
         return one * static_cast<std::size_t>(dimension);
     }
 };
@@ -39,7 +40,8 @@ public:
             if (i > 0 && attributes[i].attribute <= attributes[i - 1].attribute) return false;
             stride[attributes[i].stream] += attributes[i].bytes();
         }
-        for (std::size_t s = 0; s < 4; ++s) streams_[s].assign(stride[s] * static_cast<std::size_t>(count), std::byte{0xEE});
+        for (std::size_t s = 0; s < 4; ++s)
+            streams_[s].assign(stride[s] * static_cast<std::size_t>(count), std::byte{0xEE});
         return true;
     }
     void SetIndexBufferParams(int count, IndexFormat format)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the recipe takes from Unreal Engine, by the names of its API reference. The tangent basis is packed into 8 bits a
-// component, as the engine does by default: TangentX, and TangentZ with the sign of the basis in w.
+// What the recipe takes from Unreal Engine, by the names of its API reference. The tangent basis is packed into 8 bits
+// a component, as the engine does by default: TangentX, and TangentZ with the sign of the basis in w.
 
 #include <cmath>
 #include <cstdint>
@@ -46,7 +46,8 @@ public:
     void Init(std::uint32_t n, std::uint32_t, bool = true) { held_.resize(n); }
     void SetVertexTangents(std::uint32_t i, FVector3f X, FVector3f Y, FVector3f Z)
     {
-        const float determinant = X.X * (Y.Y * Z.Z - Y.Z * Z.Y) - X.Y * (Y.X * Z.Z - Y.Z * Z.X) + X.Z * (Y.X * Z.Y - Y.Y * Z.X);
+        const float determinant =
+            X.X * (Y.Y * Z.Z - Y.Z * Z.Y) - X.Y * (Y.X * Z.Z - Y.Z * Z.X) + X.Z * (Y.X * Z.Y - Y.Y * Z.X);
         const auto pack = [](float f) { return static_cast<std::int8_t>(std::lround(f * 127.0f)); };
         const std::int8_t x[] = {pack(X.X), pack(X.Y), pack(X.Z)}, z[] = {pack(Z.X), pack(Z.Y), pack(Z.Z)};
         for (int k = 0; k < 3; ++k) held_[i].x[k] = x[k], held_[i].z[k] = z[k];

@@ -12,17 +12,17 @@ template <extruder Extruder, mesh_sink Sink>
 void write_vertices(part p, const solid& s, const Extruder& how, const placement& at, Sink& sink) noexcept
 {
     constexpr attribute wants = Sink::wants;
-    how.template vertices<wants>(p, s, at, [&](const surface_point<wants>& v) noexcept {
-        if constexpr (has(wants, attribute::glyph | attribute::cluster | attribute::part)) {
+    if constexpr (has(wants, attribute::glyph | attribute::cluster | attribute::part)) {
+        how.template vertices<wants>(p, s, at, [&](const surface_point<wants>& v) noexcept {
             surface_point<wants> named = v;
             if constexpr (has(wants, attribute::glyph)) named.glyph = at.glyph;
             if constexpr (has(wants, attribute::cluster)) named.cluster = at.cluster;
             if constexpr (has(wants, attribute::part)) named.part = p;
             sink.vertex(named);
-        } else {
-            sink.vertex(v);
-        }
-    });
+        });
+    } else {
+        how.template vertices<wants>(p, s, at, [&sink](const surface_point<wants>& v) noexcept { sink.vertex(v); });
+    }
 }
 
 /// Emits a solid's triangles of one part into a sink, turned as the frame asks (see frame::turns_triangles()).

@@ -104,7 +104,8 @@ struct extruded {
         const double high = centred ? 0.5 * depth : 0.0;
         const float top = at.height(high), bottom = at.height(high - depth);
         const planar_texture planar{texture, at};
-        const texture_tangent tangents{at.frame};
+        texture_tangent tangents;
+        if constexpr (has(Wants, attribute::tangent)) tangents = texture_tangent{at.frame};
         with_axes(at, [&](const auto& axes) noexcept {
             if (p == part::front && has_front()) cap<Wants>(s, axes, top, 1.0f, front, planar, tangents, emit);
             if (p == part::back && has_back()) cap<Wants>(s, axes, bottom, -1.0f, back, planar, tangents, emit);
@@ -176,7 +177,8 @@ private:
              texture_tangent tangents, Emit& emit) const noexcept
     {
         const vec3 flat_normal = axes.direction(0.0f, 0.0f, facing);
-        const vec4 flat_tangent = tangents.on_cap(axes, facing);
+        vec4 flat_tangent;
+        if constexpr (has(Wants, attribute::tangent)) flat_tangent = tangents.on_cap(axes, facing);
         const side_point* sides = s.sides.data();
         for (std::size_t i = 0; i < s.points.size(); ++i) {
             const grid_point g = s.points[i];

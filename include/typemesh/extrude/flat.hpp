@@ -33,7 +33,8 @@ struct flat {
         const planar_texture uv{texture, at};
         with_axes(at, [&](const auto& axes) noexcept {
             const vec3 normal = axes.direction(0.0f, 0.0f, 1.0f);
-            const vec4 tangent = texture_tangent{at.frame}.on_cap(axes, 1.0f);
+            vec4 tangent;
+            if constexpr (has(Wants, attribute::tangent)) tangent = texture_tangent{at.frame}.on_cap(axes, 1.0f);
             for (const grid_point g : s.points) {
                 surface_point<Wants> v;
                 if constexpr (has(Wants, attribute::position)) v.position = axes.position(axes.foot(g), 0.0f);

@@ -13,7 +13,7 @@ namespace typemesh {
 ///     w         +1 or -1: w * cross(normal, tangent), computed in the caller's own coordinates, is the way in which v
 ///               grows, as v is written. So it turns with uv_origin, and with a frame that mirrors
 ///
-///          caps       u grows along the text, in both mappings, and so it does on the back, where the text is seen from
+///          caps       u grows along the text, in both mappings; so it does on the back, where the text is seen from
 ///                     behind. shared_normals lean: their tangent is the text's direction without its share of the
 ///                     normal
 ///          walls      u grows along the contour, in its own direction (the interior on the left): a quarter turn from
@@ -25,7 +25,9 @@ namespace typemesh {
 /// Godot) want -w.
 class texture_tangent {
 public:
-    explicit texture_tangent(const frame& f) noexcept : sign_{f.mirrors() == (f.uv == uv_origin::top_left) ? 1.0f : -1.0f}
+    texture_tangent() noexcept = default;
+    explicit texture_tangent(const frame& f) noexcept
+        : sign_{f.mirrors() == (f.uv == uv_origin::top_left) ? 1.0f : -1.0f}
     {
     }
 
@@ -58,7 +60,7 @@ public:
 private:
     [[nodiscard]] vec4 joined(vec3 t, float facing) const noexcept { return {t.x, t.y, t.z, sign_ * facing}; }
 
-    float sign_;
+    float sign_ = 1.0f;
 };
 
 }  // namespace typemesh

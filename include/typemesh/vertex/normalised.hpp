@@ -17,7 +17,7 @@ namespace typemesh {
 /// equally near that farther from 0, as Direct3D says. The rounding is exact: the product with `most` is computed where
 /// it has room.
 ///
-///     struct my_vertex { float position[3]; snorm8 normal[4]; };    // {..., {s.normal.x, s.normal.y, s.normal.z, 0.0f}}
+///     struct my_vertex { float position[3]; snorm8 normal[4]; };  // {..., {s.normal.x, s.normal.y, s.normal.z, 0.0f}}
 template <std::integral Integer>
     requires(sizeof(Integer) <= 2)
 struct normalised {
@@ -50,7 +50,7 @@ private:
         constexpr float least = std::is_signed_v<Integer> ? -1.0f : 0.0f;
         const float inside = value > least ? (value < 1.0f ? value : 1.0f) : least;
         const double steps = static_cast<double>(inside) * most;  // 24 bits by 16: exact, and so is the half added
-        return static_cast<Integer>(static_cast<int>(steps < 0.0 ? steps - 0.5 : steps + 0.5));
+        return static_cast<Integer>(static_cast<int>(steps + 0.5 - static_cast<double>(steps < 0.0)));
     }
 };
 

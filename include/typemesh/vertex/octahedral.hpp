@@ -7,6 +7,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstdint>
+#include <type_traits>
 
 namespace typemesh {
 
@@ -23,8 +24,8 @@ namespace typemesh {
 ///
 /// A shader decodes with z = 1 - |x| - |y|, t = max(-z, 0), x -= sign(x) * t, y -= sign(y) * t, and normalises.
 ///
-/// From  Z. Cigolle, S. Donow, D. Evangelakos, M. Mara, M. McGuire, Q. Meyer, "A Survey of Efficient Representations for
-///       Independent Unit Vectors", Journal of Computer Graphics Techniques 3(2), 2014, oct16P and oct32P
+/// From  Z. Cigolle, S. Donow, D. Evangelakos, M. Mara, M. McGuire, Q. Meyer, "A Survey of Efficient Representations
+///       for Independent Unit Vectors", Journal of Computer Graphics Techniques 3(2), 2014, oct16P and oct32P
 template <class Step>
     requires std::same_as<Step, snorm8> || std::same_as<Step, snorm16>
 struct octahedral {
@@ -34,7 +35,7 @@ struct octahedral {
     octahedral() = default;
 
     /// Of a vector that is not zero; its length does not matter.
-    octahedral(float nx, float ny, float nz) noexcept : octahedral{nx, ny, nz, 1, 0} {}
+    octahedral(float nx, float ny, float nz) noexcept : octahedral{nx, ny, nz, every<1>{}, 0} {}
 
     /// The unit vector that it stands for.
     [[nodiscard]] vec3 decoded() const noexcept
@@ -46,30 +47,42 @@ struct octahedral {
     }
 
 protected:
-    /// The same with only every y_apart-th step of y allowed: those whose bits are y_first, and so on.
-    octahedral(float nx, float ny, float nz, int y_apart, int y_first) noexcept
+    template <int Apart>
+    using every = std::integral_constant<int, Apart>;
+
+    /// The same with only some steps of y allowed: those whose bits are y_first, y_first + y_apart and so on.
+    template <int Apart>
+    octahedral(float nx, float ny, float nz, every<Apart> y_apart, int y_first) noexcept
     {
         const double whole = std::fabs(static_cast<double>(nx)) + std::fabs(static_cast<double>(ny)) +
                              std::fabs(static_cast<double>(nz));
         double u = nx / whole, v = ny / whole;
         if (nz < 0.0f) {
-            const double folded = (1.0 - std::fabs(v)) * sign(u);
-            v = (1.0 - std::fabs(u)) * sign(v);
+            const double folded = std::copysign(1.0 - std::fabs(v), u);
+            v = std::copysign(1.0 - std::fabs(u), v);
             u = folded;
         }
-        const double low_u = std::floor(u * Step::most),
-                     low_v = y_apart * std::floor((v * Step::most - y_first) / y_apart) + y_first;
-        double closest = -2.0;
+        // Whole numbers below, without a call: shifted up, so that cutting off is rounding down.
+        constexpr double step = 1.0 / Step::most;
+        const int low_u = static_cast<int>(u * Step::most + Step::most) - Step::most,
+                  low_v = (static_cast<int>(v * Step::most + 2 * Step::most + y_apart - y_first) / y_apart) * y_apart -
+                          2 * Step::most - y_apart + y_first;
+        // The cosine's square is along^2 / length^2; both are compared crosswise, without roots and quotients.
+        double best_along = 0.0, best_length = 1.0;
+        int best_x = 0, best_y = 0;
         for (int i = 0; i < 4; ++i) {
-            const double a = low_u + (i & 1), b = low_v + (i >> 1) * y_apart;
-            if (a > Step::most || b > Step::most || b < -Step::most) continue;
-            const direction d = unfolded(a / Step::most, b / Step::most);
-            const double along = (d.x * nx + d.y * ny + d.z * nz) / std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
-            if (along <= closest) continue;
-            closest = along;
-            x = Step::from_bits(static_cast<decltype(Step::bits)>(a));
-            y = Step::from_bits(static_cast<decltype(Step::bits)>(b));
+            const int a = low_u + (i & 1), b = low_v + (i >> 1) * y_apart;
+            const direction d = unfolded(a * step, b * step);
+            const double along = d.x * nx + d.y * ny + d.z * nz, length = d.x * d.x + d.y * d.y + d.z * d.z;
+            const bool fits = (a <= Step::most) & (b <= Step::most) & (b >= -Step::most),
+                       better = fits & (along * along * best_length > best_along * best_along * length);
+            best_along = better ? along : best_along;
+            best_length = better ? length : best_length;
+            best_x = better ? a : best_x;
+            best_y = better ? b : best_y;
         }
+        x = Step::from_bits(static_cast<decltype(Step::bits)>(best_x));
+        y = Step::from_bits(static_cast<decltype(Step::bits)>(best_y));
     }
 
 private:
@@ -77,13 +90,10 @@ private:
         double x, y, z;
     };
 
-    [[nodiscard]] static double sign(double v) noexcept { return v < 0.0 ? -1.0 : 1.0; }
-
     [[nodiscard]] static direction unfolded(double u, double v) noexcept
     {
-        const double z = 1.0 - std::fabs(u) - std::fabs(v);
-        if (z >= 0.0) return {u, v, z};
-        return {(1.0 - std::fabs(v)) * sign(u), (1.0 - std::fabs(u)) * sign(v), z};
+        const double a = std::fabs(u), b = std::fabs(v), z = 1.0 - a - b, over = z < 0.0 ? -z : 0.0;
+        return {std::copysign(a - over, u), std::copysign(b - over, v), z};
     }
 };
 

@@ -5,13 +5,14 @@
 #include <typemesh/vertex/octahedral.hpp>
 
 #include <cstdint>
+#include <type_traits>
 
 namespace typemesh {
 
 /// A tangent and its sign in the room of an octahedral vector: the sign is y's lowest bit, 1 for -1, and of the steps
 /// of y those are used that have it.
 ///
-///     octahedral_tangent<snorm8>    2 bytes, within 1.1 degrees    octahedral_tangent<snorm16>    4 bytes, within 0.0043
+///     octahedral_tangent<snorm8>   2 bytes, within 1.1 degrees    octahedral_tangent<snorm16>   4 bytes, within 0.0043
 ///
 /// A shader decodes the direction as if nothing were in it: the bounds are those of just that. Tangents of 8, 10 or 16
 /// bits a component have room for a sign by themselves: {x, y, z, w} of snorm8 or snorm16, snorm10{x, y, z, w}.
@@ -22,7 +23,7 @@ struct octahedral_tangent : private octahedral<Step> {
 
     octahedral_tangent() = default;
     octahedral_tangent(float tx, float ty, float tz, float sign) noexcept
-        : octahedral<Step>{tx, ty, tz, 2, sign < 0.0f ? 1 : 0}
+        : octahedral<Step>{tx, ty, tz, std::integral_constant<int, 2>{}, sign < 0.0f ? 1 : 0}
     {
     }
 

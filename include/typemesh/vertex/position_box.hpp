@@ -27,9 +27,12 @@ struct box_position {
 ///
 ///     position_box quantise = position_box::around(plan.bounds().low, plan.bounds().high);
 ///     my_vertex operator()(const surface_point<wants>& s) const noexcept { return {quantise(s.position), ...}; }
-struct position_box {
+class position_box {
+public:
     vec3 offset;
     vec3 scale;
+
+    constexpr position_box() noexcept = default;
 
     /// The box between two corners. An axis without extent has scale 0 and comes back exactly.
     [[nodiscard]] static constexpr position_box around(vec3 low, vec3 high) noexcept
@@ -48,7 +51,7 @@ struct position_box {
 
     [[nodiscard]] constexpr box_position operator()(vec3 p) const noexcept
     {
-        return {inside(p.x, offset.x, scale.x), inside(p.y, offset.y, scale.y), inside(p.z, offset.z, scale.z)};
+        return {inside(p.x, offset.x, steps_x_), inside(p.y, offset.y, steps_y_), inside(p.z, offset.z, steps_z_)};
     }
 
     [[nodiscard]] constexpr vec3 decoded(box_position p) const noexcept
@@ -57,18 +60,34 @@ struct position_box {
     }
 
 private:
-    /// Rounded once, from the exact quotient's double: float alone would lose steps.
-    [[nodiscard]] static constexpr unorm16 inside(float p, float from, float length) noexcept
+    constexpr position_box(vec3 from, vec3 lengths) noexcept
+        : offset{from},
+          scale{lengths},
+          steps_x_{steps(lengths.x)},
+          steps_y_{steps(lengths.y)},
+          steps_z_{steps(lengths.z)}
     {
-        if (!(length > 0.0f)) return unorm16::from_bits(0);
-        const double steps = (static_cast<double>(p) - from) * unorm16::most / length + 0.5;
-        const double kept = steps > 0.0 ? (steps < 65535.0 ? steps : 65535.0) : 0.0;
-        return unorm16::from_bits(static_cast<std::uint16_t>(kept));
+    }
+
+    /// Steps a unit; none along an axis without extent.
+    [[nodiscard]] static constexpr double steps(float length) noexcept
+    {
+        return length > 0.0f ? unorm16::most / static_cast<double>(length) : 0.0;
+    }
+    [[nodiscard]] static constexpr unorm16 inside(float p, float from, double steps_a_unit) noexcept
+    {
+        const double place = (static_cast<double>(p) - from) * steps_a_unit + 0.5;
+        const double kept = place > 0.0 ? (place < 65535.0 ? place : 65535.0) : 0.0;
+        return unorm16::from_bits(static_cast<std::uint16_t>(static_cast<int>(kept)));
     }
     [[nodiscard]] static constexpr float outside(unorm16 v, float from, float length) noexcept
     {
         return static_cast<float>(from + static_cast<double>(length) * v.bits / unorm16::most);
     }
+
+    double steps_x_ = 0.0;
+    double steps_y_ = 0.0;
+    double steps_z_ = 0.0;
 };
 
 }  // namespace typemesh

@@ -38,7 +38,7 @@ private:
     {
         const float inside = value > -1.0f ? (value < 1.0f ? value : 1.0f) : -1.0f;
         const double steps = static_cast<double>(inside) * most;
-        return static_cast<std::uint32_t>(static_cast<int>(steps < 0.0 ? steps - 0.5 : steps + 0.5));
+        return static_cast<std::uint32_t>(static_cast<int>(steps + 0.5 - static_cast<double>(steps < 0.0)));
     }
     [[nodiscard]] constexpr float number(int lowest, int width, float most) const noexcept
     {
