@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// std::mutex for a glyph_cache that several threads share. In a header of its own, so that programs without threads need
-// not parse <mutex>.
+// std::mutex for a glyph_cache that several threads share. In a header of its own, so that programs without threads
+// need not parse <mutex>.
 
 #include <mutex>
 

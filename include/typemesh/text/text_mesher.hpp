@@ -218,7 +218,9 @@ private:
                 const std::uint64_t hash = context.hash();
                 return each_shape(
                     ids, how, [&](glyph_id id) noexcept { return cache.find(context, hash, id); },
-                    [&](glyph_id id, const glyph_parts& parts) noexcept { return cache.keep(context, hash, id, parts); });
+                    [&](glyph_id id, const glyph_parts& parts) noexcept {
+                        return cache.keep(context, hash, id, parts);
+                    });
             }
         }
         if (!shapes_.shapes.expect(ids.size())) return error::out_of_memory;

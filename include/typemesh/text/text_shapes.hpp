@@ -80,7 +80,7 @@ struct text_shapes {
     buffer<std::uint32_t> numbers;       ///< for each glyph of the run, which of them it is
     shape_store store;                   ///< where shapes lie that no cache keeps
     merged_glyphs merged;                ///< and glyphs that are drawn together
-    buffer<std::uint32_t> mesh_of;       ///< for each of the different glyphs, which mesh it is; no_glyph before it has one
+    buffer<std::uint32_t> mesh_of;       ///< for each of the different glyphs, which mesh it is, or no_glyph
     buffer<glyph_mesh> meshes;           ///< those of the different glyphs that are drawn
     buffer<shape_record> records;        ///< what is drawn
     buffer<box> line_boxes;              ///< in font units; filled for texture_box::line alone
