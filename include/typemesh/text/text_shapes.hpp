@@ -133,7 +133,8 @@ struct text_shapes {
     }
 
     /// Puts a shape that is neither blank nor refused at its place, after expect_records(); `number` says which of the
-    /// different glyphs it is; merged ones make a mesh of their own. What hangs on other records (mesh, next_alike, before) is found here.
+    /// different glyphs it is; merged ones make a mesh of their own. What hangs on other records (mesh, next_alike,
+    /// before) is found here.
     /// Fails with error::too_large where 32 bits do not suffice; then all is as it was.
     error place_shape(shape_record s, std::uint32_t number) noexcept
     {
