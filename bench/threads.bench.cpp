@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Several workers, and large texts: extruded, curve normals, texture coordinates, 1/800 em, 32-byte vertices, 32-bit indices, no glyph
-// cache, buffers and scratch memory warm.
+// Several workers, and large texts: extruded, curve normals, texture coordinates, 1/800 em, 32-byte vertices, 32-bit
+// indices, no glyph cache, buffers and scratch memory warm.
 //
-//     cold/N          10,000 different characters of a Chinese font, shaped, built and written by N workers
-//     large/C/N       C characters of Latin text (quality::low), each built once, written by N workers
+//     cold/10000      10,000 different characters of a Chinese font, shaped, built and written
+//     large/C         C characters of Latin text (quality::low), each different one built once, all written
 //
-// "speedup" is the time of one worker by that of N, rounds taken in turns, the best of each; "cpu" the same by processor time (1 means
-// that sharing the work costs nothing), which holds on a busy machine too; "in_order" is the part of one worker's time that
-// is not shared out. "memory" is what the mesher and its workers hold, by the size of the output; "each" is the time of one character.
+// "speedup" is the time of one worker by that of all, rounds taken in turns, the best of each; "cpu" the same by
+// processor time (1: sharing the work costs nothing), which holds on a busy machine too; "in_order" is the part of one
+// worker's time that is not shared out. "memory" is what the mesher holds, and mesher and team, by the size of the
+// output; "each" is one worker's processor time for one character.
 //
 //     bench_threads [WORKERS]          fonts are looked for under $TYPEMESH_FONT_DIR (default /usr/share/fonts)
 

@@ -66,12 +66,13 @@ void check_same(const glyph_run& a, const glyph_run& b)
 {
     CHECK(std::equal(a.glyphs.begin(), a.glyphs.end(), b.glyphs.begin(), b.glyphs.end(),
                      [](const placed_glyph& g, const placed_glyph& h) {
-                         return g.id == h.id && g.cluster == h.cluster && g.origin == h.origin && g.missing == h.missing;
+                         return g.id == h.id && g.cluster == h.cluster && g.origin == h.origin &&
+                                g.missing == h.missing;
                      }));
     CHECK(std::equal(a.lines.begin(), a.lines.end(), b.lines.begin(), b.lines.end(),
                      [](const text_line& l, const text_line& m) {
-                         return l.first_glyph == m.first_glyph && l.glyph_count == m.glyph_count && l.origin == m.origin &&
-                                l.advance == m.advance;
+                         return l.first_glyph == m.first_glyph && l.glyph_count == m.glyph_count &&
+                                l.origin == m.origin && l.advance == m.advance;
                      }));
     CHECK(a.units_per_em == b.units_per_em);
     CHECK(a.missing == b.missing);
@@ -88,7 +89,12 @@ std::string long_text(std::size_t length)
     while (text.size() < length) {
         r = r * 1664525u + 1013904223u;
         const std::uint32_t k = r >> 24;
-        text += k < 8 ? "\n" : k < 12 ? "\r\n" : k < 14 ? "\n\n\n" : k < 16 ? "?" : k < 17 ? "\xFF" : "abcdefgh" + k % 8;
+        text += k < 8    ? "\n"
+                : k < 12 ? "\r\n"
+                : k < 14 ? "\n\n\n"
+                : k < 16 ? "?"
+                : k < 17 ? "\xFF"
+                         : "abcdefgh" + k % 8;
     }
     return text;
 }

@@ -176,7 +176,8 @@ TEST_CASE("a glyph too large for 16 bits is split, and the greatest index is 65,
 {
     const auto drawing = cog(6000);
     glyph_run run;
-    for (cluster_id i = 0; i < 3; ++i) REQUIRE(run.glyphs.push_back({.id = 0, .cluster = i, .origin = {70000.0 * i, 0}}));
+    for (cluster_id i = 0; i < 3; ++i)
+        REQUIRE(run.glyphs.push_back({.id = 0, .cluster = i, .origin = {70000.0 * i, 0}}));
     text_mesher mesher{drawing};
     auto plan = mesher.plan(run);
     REQUIRE(plan);
@@ -217,8 +218,8 @@ TEST_CASE("every sink over memory takes chunks, and writes the same", "[text][ch
     std::vector<vec3> positions(size.vertices);
     std::vector<std::uint8_t> stream_indices(size.indices());
     test::scrambled_workers several{4};
-    REQUIRE_FALSE(chunks.write(*plan, stream_sink{std::span{stream_indices}, stream<attribute::position, vec3>{positions}},
-                               several));
+    REQUIRE_FALSE(chunks.write(
+        *plan, stream_sink{std::span{stream_indices}, stream<attribute::position, vec3>{positions}}, several));
     CHECK(array_indices == grown_indices);
     CHECK(stream_indices == grown_indices);
     CHECK(std::memcmp(array.data(), grown.data(), size.vertices * sizeof(full_vertex)) == 0);

@@ -48,8 +48,15 @@ struct index_log {
     bool triangles_last = true;
 
     error begin(mesh_size exact) noexcept { return expected = exact, error{}; }
-    void vertex(const surface_point<wants>&) noexcept { triangles_last = triangles_last && numbers.empty(), ++vertices; }
-    void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept { numbers.insert(numbers.end(), {a, b, c}); }
+    void vertex(const surface_point<wants>&) noexcept
+    {
+        triangles_last = triangles_last && numbers.empty();
+        ++vertices;
+    }
+    void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept
+    {
+        numbers.insert(numbers.end(), {a, b, c});
+    }
     void end() noexcept {}
 };
 

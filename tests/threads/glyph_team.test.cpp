@@ -48,10 +48,10 @@ harfbuzz_font open(const std::string& file)
 
 /// The same text by one worker and by teams of several, planned, written and cut.
 template <class Mesher, class Clone>
-void check_teams(Mesher& mesher, const std::string& text, const Clone& clone)
+void check_teams(Mesher& mesher, const std::string& text, const Clone& clone, const text_options& options = {})
 {
     full_mesh one;
-    REQUIRE(mesher.build(text, into(one.vertices, one.indices)));
+    REQUIRE(mesher.build(text, into(one.vertices, one.indices), options));
     REQUIRE(one.vertices.size() > 1000);
     test::counted_output cut_by_one;
     for (const std::size_t workers : {1u, 2u, 3u, 8u}) {
@@ -60,7 +60,7 @@ void check_teams(Mesher& mesher, const std::string& text, const Clone& clone)
         auto team = team_of(pool, clone);
         REQUIRE(team);
         for (int round = 0; round < 2; ++round) {
-            auto plan = mesher.plan(text, {}, *team);
+            auto plan = mesher.plan(text, options, *team);
             REQUIRE(plan);
             REQUIRE(plan->report().complete());
             test::counted_output out;
@@ -77,7 +77,7 @@ void check_teams(Mesher& mesher, const std::string& text, const Clone& clone)
             CHECK(same({cut_by_one.vertices, cut_by_one.indices}, {cut.vertices, cut.indices}));
         }
         full_mesh built;
-        REQUIRE(mesher.build(text, into(built.vertices, built.indices), {}, *team));
+        REQUIRE(mesher.build(text, into(built.vertices, built.indices), options, *team));
         CHECK(same(one, built));
     }
 }
@@ -132,7 +132,10 @@ TEST_CASE("HarfBuzz: and with other scripts, glyphs that overlap among them", "[
                                        std::pair{"truetype/inter-vf/Inter.var.ttf", "phrases-latin.txt"});
     auto font = open(file);
     text_mesher mesher{font};
-    check_teams(mesher, phrases(text), [&](std::size_t) noexcept { return harfbuzz_font::wrap(font.handle()); });
+    const bool merge = GENERATE(false, true);
+    check_teams(
+        mesher, phrases(text), [&](std::size_t) noexcept { return harfbuzz_font::wrap(font.handle()); },
+        {.merge = merge});
 }
 
 TEST_CASE("FreeType: a face and a library a worker", "[threads][freetype]")

@@ -20,7 +20,8 @@ const char* const texts[] = {"oEix", "xxoo", "EiEiEi", "o", "x~o E", "ii\noo"};
 
 }  // namespace
 
-TEST_CASE("threads that share a cache, small enough to be emptied all the time, build the meshes of one thread", "[adapt]")
+TEST_CASE("threads that share a cache, small enough to be emptied all the time, build the meshes of one thread",
+          "[threads][cache]")
 {
     const std::size_t bound = GENERATE(std::size_t{0}, std::size_t{4000}, std::size_t{1} << 20);
     std::vector<full_mesh> expected;

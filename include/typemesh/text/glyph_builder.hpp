@@ -25,7 +25,7 @@ struct glyph_settings {
 /// memory that this takes, which stays for the next glyph. One builder a thread.
 ///
 ///     glyph_builder builder;
-///     auto parts = builder.build(font, id, {.tolerance = quality::high}, certified{}, monotone{}, extruded<>{}, nobody);
+///     auto parts = builder.build(font, id, {.tolerance = quality::high}, certified{}, monotone{}, flat{}, nobody);
 class glyph_builder {
 public:
     explicit glyph_builder(memory source = heap()) noexcept

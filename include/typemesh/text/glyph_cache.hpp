@@ -41,8 +41,8 @@ struct cache_statistics {
 ///     glyph_cache cache;                                             // 64 MiB, for one thread
 ///     auto mesher = text_mesher{font}.with(cached_in{cache, 1});     // 1: your number for this font
 ///
-/// Shapes are told apart by glyph and shape_context: font, variation, tolerance, fill rule, policies with their options.
-/// Blank glyphs and refusals are kept as well, so nothing is tried twice.
+/// Shapes are told apart by glyph and shape_context: font, variation, tolerance, fill rule, policies with their
+/// options. Blank glyphs and refusals are kept as well, so nothing is tried twice.
 ///
 /// What find() and keep() give is pinned: it stays, unchanged and where it is, until release(), whatever others do. The
 /// bound holds for all that is not pinned; what was released longest ago goes first. Any number of threads may use it
@@ -62,7 +62,8 @@ class glyph_cache {
         entry* newer;  // while not pinned
         entry* older;
     };
-    static constexpr std::size_t alignment = alignof(entry) > alignof(glyph_shape) ? alignof(entry) : alignof(glyph_shape);
+    static constexpr std::size_t alignment =
+        alignof(entry) > alignof(glyph_shape) ? alignof(entry) : alignof(glyph_shape);
     static constexpr std::size_t header = (sizeof(entry) + alignment - 1) / alignment * alignment;
 
     class locked {
@@ -258,8 +259,8 @@ private:
     mutable Lock lock_;
 };
 
-/// What text_mesher's with() takes to use a cache: which, and the caller's number for the font. Fonts that share a cache
-/// need different numbers; the axes of a variable font are told apart by themselves where it has variation_key().
+/// What text_mesher's with() takes to use a cache: which, and the caller's number for the font. Fonts that share a
+/// cache need different numbers; the axes of a variable font are told apart by themselves where it has variation_key().
 /// The cache must outlive the mesher.
 template <cache_lock Lock>
 struct cached_in {

@@ -23,9 +23,10 @@ namespace typemesh {
 ///
 /// All must draw and shape alike, and none may share with another, or with the mesher's font, what either changes:
 ///
-///     HarfBuzz    [&](std::size_t) noexcept { return harfbuzz_font::wrap(font.handle()); }       shares all that is large
-///     FreeType    [&](std::size_t) noexcept { return freetype_font::open(path, options); }       a face, and a library, each:
-///                 neither may be used by two threads at a time
+///     HarfBuzz    [&](std::size_t) noexcept { return harfbuzz_font::wrap(font.handle()); }
+///                 all that is large is shared; only the text's own buffers are not
+///     FreeType    [&](std::size_t) noexcept { return freetype_font::open(path, options); }
+///                 a face each, and a library each: neither may be used by two threads at a time
 ///     your own    if reading it changes nothing, transformed_outlines<const My_source> over the one that all share
 template <class C>
 concept source_maker = requires(C& clone, std::size_t worker) {
@@ -34,8 +35,8 @@ concept source_maker = requires(C& clone, std::size_t worker) {
     { clone(worker).error() } noexcept -> std::same_as<error>;
 };
 
-/// The workers that shape a text's lines and build its glyphs side by side: an executor, and for each of its workers an outline source,
-/// scratch memory, and room for the shapes that it makes. See team_of().
+/// The workers that shape a text's lines and build its glyphs side by side: an executor, and for each of its workers an
+/// outline source, scratch memory, and room for the shapes that it makes. See team_of().
 ///
 /// Move-only. It refers to its executor. One plan at a time lies in it: the next plan() that is given the team ends the
 /// one before, whichever mesher made it, unless a glyph_cache holds the shapes.
@@ -77,7 +78,8 @@ public:
             const std::size_t worker = team.block_->count;
             auto made = clone(worker);
             if (!made) return made.error();
-            new (team.members() + worker) member{std::move(*made), glyph_builder{source}, shape_store{source}, glyph_run{source}, {}, 0};
+            new (team.members() + worker)
+                member{std::move(*made), glyph_builder{source}, shape_store{source}, glyph_run{source}, {}, 0};
         }
         return result<glyph_team>{std::move(team)};
     }
@@ -111,8 +113,8 @@ public:
     /// The font units to an em of its sources.
     [[nodiscard]] double units_per_em() noexcept { return members()[0].font.units_per_em(); }
 
-    /// What typemesh::layout() does, to the same result: lines are shaped by all workers where the sources are shapers of
-    /// the mesher's own kind, else by its font.
+    /// What typemesh::layout() does, to the same result: lines are shaped by all workers where the sources are shapers
+    /// of the mesher's own kind, else by its font.
     template <shaper Shaper>
     error layout(Shaper& font, text_view text, const shape_options& how, const layout_options& options,
                  glyph_run& run) noexcept

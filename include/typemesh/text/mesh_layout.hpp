@@ -79,8 +79,8 @@ public:
         for (const part p : all_parts) triangles(p, first_, last_, how, sink);
     }
 
-    /// Emits share `k` of `shares`, which are about equal in what they cost: whole glyphs of one part or of several, each
-    /// part's as a stretch of its own. All shares together are the mesh.
+    /// Emits share `k` of `shares`, which are about equal in what they cost: whole glyphs of one part or of several,
+    /// each part's as a stretch of its own. All shares together are the mesh.
     template <extruder Extruder, ranged_sink Sink>
     void share(std::size_t k, std::size_t shares, const Extruder& how, const Sink& sink) const noexcept
     {

@@ -19,7 +19,8 @@ class shape_store {
         std::size_t bytes;  // behind the header
         [[nodiscard]] std::byte* data() noexcept { return reinterpret_cast<std::byte*>(this) + header; }
     };
-    static constexpr std::size_t alignment = alignof(glyph_shape) > alignof(block) ? alignof(glyph_shape) : alignof(block);
+    static constexpr std::size_t alignment =
+        alignof(glyph_shape) > alignof(block) ? alignof(glyph_shape) : alignof(block);
     static constexpr std::size_t header = (sizeof(block) + alignment - 1) / alignment * alignment;
 
 public:

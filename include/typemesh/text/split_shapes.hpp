@@ -13,14 +13,17 @@
 
 namespace typemesh {
 
-/// Shapes with more vertices than a mesh may have, split into pieces that fit: for each piece the numbers of the vertices
-/// that it uses, ascending, and its triangles over these. What lies in several pieces is repeated.
+/// Shapes with more vertices than a mesh may have, split into pieces that fit: for each piece the numbers of the
+/// vertices that it uses, ascending, and its triangles over these. What lies in several pieces is repeated.
 ///
 /// Pieces take the extruder's triangles in its own order (front, back, side), each as many as fit. Vertices that no
 /// triangle uses are left out.
 class split_shapes {
 public:
-    explicit split_shapes(memory source) noexcept : used_{source}, triangles_{source}, pieces_{source}, place_{source} {}
+    explicit split_shapes(memory source) noexcept
+        : used_{source}, triangles_{source}, pieces_{source}, place_{source}
+    {
+    }
 
     void clear() noexcept
     {

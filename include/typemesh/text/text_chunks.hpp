@@ -107,8 +107,8 @@ public:
     /// What all chunks hold together.
     [[nodiscard]] mesh_size size() const noexcept { return total_; }
 
-    /// Writes all chunks: every vertex and every index once, ascending. Only the sink's begin_chunks() can fail; nothing
-    /// is allocated. `plan` is the one that was cut.
+    /// Writes all chunks: every vertex and every index once, ascending. Only the sink's begin_chunks() can fail;
+    /// nothing is allocated. `plan` is the one that was cut.
     template <extruder Extruder, class Sink>
         requires chunked_sink<std::remove_reference_t<Sink>>
     error write(const text_plan<Extruder>& plan, Sink&& sink) const noexcept

@@ -7,9 +7,9 @@
 #include <typemesh/layout/layout.hpp>
 #include <typemesh/text/arrange.hpp>
 #include <typemesh/text/glyph_builder.hpp>
-#include <typemesh/text/merge_glyphs.hpp>
 #include <typemesh/text/glyph_cache.hpp>
 #include <typemesh/text/glyph_team.hpp>
+#include <typemesh/text/merge_glyphs.hpp>
 #include <typemesh/text/text_options.hpp>
 #include <typemesh/text/text_plan.hpp>
 #include <typemesh/text/text_shapes.hpp>
@@ -102,11 +102,12 @@ public:
         return plan_run(run, options, alone);
     }
 
-    /// Both by a team of workers (see glyph_team.hpp), whose sources stand in for the mesher's font when lines are shaped
-    /// and glyphs built. The plan is the same, to the bit; of several errors that of the lowest glyph is told. It lies in the team,
-    /// which must outlive it. A cache needs a real lock.
+    /// Both by a team of workers (see glyph_team.hpp), whose sources stand in for the mesher's font when lines are
+    /// shaped and glyphs built. The plan is the same, to the bit; of several errors that of the lowest glyph is told. It
+    /// lies in the team, which must outlive it. A cache needs a real lock.
     ///
-    /// Policies are called by several threads at a time, as const. Of building the observer is told stage::outline alone.
+    /// Policies are called by several threads at a time, as const. Of building the observer is told stage::outline
+    /// alone. Merging (text_options::merge) is done by one worker.
     template <executor Executor, outline_source Source>
     [[nodiscard]] result<plan_type> plan(text_view text, const text_options& options,
                                          glyph_team<Executor, Source>& team) & noexcept
@@ -281,7 +282,8 @@ private:
         const auto ids = shapes_.different.ids();
         const glyph_settings how{options.tolerance, options.fill};
         if constexpr (!alone) {
-            TYPEMESH_ASSERT(team.units_per_em() == font_->units_per_em(), "the sources of a glyph_team are of another font");
+            TYPEMESH_ASSERT(team.units_per_em() == font_->units_per_em(),
+                            "the sources of a glyph_team are of another font");
             observer_(stage::outline);
         }
         if constexpr (!std::is_same_v<Cache, no_cache>) {

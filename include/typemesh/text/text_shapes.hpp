@@ -89,7 +89,7 @@ struct text_shapes {
     shape_store store;                   ///< where shapes lie that no cache keeps, and no glyph_team
     lent_shapes lent;                    ///< those that a glyph_team keeps
     merged_glyphs merged;                ///< and glyphs that are drawn together
-    buffer<std::uint32_t> mesh_of;       ///< for each of the different glyphs, which mesh it is; no_glyph before it has one
+    buffer<std::uint32_t> mesh_of;       ///< for each of the different glyphs, which mesh it is, or no_glyph
     buffer<glyph_mesh> meshes;           ///< those of the different glyphs that are drawn
     buffer<shape_record> records;        ///< what is drawn
     buffer<box> line_boxes;              ///< in font units; filled for texture_box::line alone
@@ -143,7 +143,8 @@ struct text_shapes {
     }
 
     /// Puts a shape that is neither blank nor refused at its place, after expect_records(); `number` says which of the
-    /// different glyphs it is; merged ones make a mesh of their own. What hangs on other records (mesh, next_alike, before) is found here.
+    /// different glyphs it is; merged ones make a mesh of their own. What hangs on other records (mesh, next_alike,
+    /// before) is found here.
     /// Fails with error::too_large where 32 bits do not suffice; then all is as it was.
     error place_shape(shape_record s, std::uint32_t number) noexcept
     {
