@@ -191,7 +191,8 @@ TEST_CASE("elevated quadratics are lowered, true cubics and CFF's curves are not
         return curve{o.curves[0]};
     };
     for (int k = 0; k < 200; ++k) {
-        const point p0{double(k * 37 % 2048), double(k * 91 % 1500)}, q{double(k * 53 % 1999), double(k * 17 % 1777) - 300},
+        const point p0{double(k * 37 % 2048), double(k * 91 % 1500)},
+            q{double(k * 53 % 1999), double(k * 17 % 1777) - 300},
             p3{double(k * 29 % 2000) + 0.5, double(k * 71 % 1300) + 0.5};
         const point c1 = p0 + (2.0 / 3) * (q - p0), c2 = p3 + (2.0 / 3) * (q - p3);
         const auto floored = [](point p) { return point{std::floor(p.x * 64) / 64, std::floor(p.y * 64) / 64}; };
@@ -217,7 +218,8 @@ TEST_CASE("a coordinate that is not a number, or beyond the grid, costs its glyp
                 to.BeginFigure({place == 0 ? bad : 0.0f, 0.0f}, D2D1_FIGURE_BEGIN_FILLED);
                 const D2D1_POINT_2F line{100.0f, place == 1 ? bad : 0.0f};
                 to.AddLines(&line, 1);
-                const D2D1_BEZIER_SEGMENT c{{place == 2 ? bad : 9.0f, 1.0f}, {5.0f, place == 3 ? bad : 3.0f},
+                const D2D1_BEZIER_SEGMENT c{{place == 2 ? bad : 9.0f, 1.0f},
+                                            {5.0f, place == 3 ? bad : 3.0f},
                                             {place == 4 ? bad : 2.0f, -70.0f}};
                 to.AddBeziers(&c, 1);
                 to.EndFigure(D2D1_FIGURE_END_CLOSED);
@@ -361,7 +363,8 @@ TEST_CASE("a line of both directions is put in order by its levels", "[windows]"
     auto font = opened(dejavu);
     REQUIRE(font);
     // In a left-to-right line: ab, the Arabic word from its end to its beginning with its number before it, cd.
-    CHECK(clusters(shaped(*font, u"ab\u05D0\u05D1\u05D2 12 cd")) == std::vector<cluster_id>{0, 1, 6, 7, 5, 4, 3, 2, 8, 9, 10});
+    CHECK(clusters(shaped(*font, u"ab\u05D0\u05D1\u05D2 12 cd")) ==
+          std::vector<cluster_id>{0, 1, 6, 7, 5, 4, 3, 2, 8, 9, 10});
     // The same in a right-to-left line.
     CHECK(clusters(shaped(*font, u"\u05D0\u05D1 ab \u05D2")) == std::vector<cluster_id>{6, 5, 3, 4, 2, 1, 0});
     CHECK(clusters(shaped(*font, u"ab \u05D0", {.direction = direction::right_to_left})) ==

@@ -132,7 +132,8 @@ TEST_CASE("a layout of one font keeps the font's own glyph ids, its baseline and
     meshed(text);
 }
 
-TEST_CASE("every phrase of the four scripts, laid out and meshed, is closed and inside in, with every font", "[windows]")
+TEST_CASE("every phrase of the four scripts, laid out and meshed, is closed and inside in, with every font",
+          "[windows]")
 {
     std::size_t phrases = 0;
     for (const test::workload_font& entry : test::workload_fonts()) {
@@ -145,7 +146,8 @@ TEST_CASE("every phrase of the four scripts, laid out and meshed, is closed and 
                 INFO(entry.name << ": " << phrase);
                 const bool to_the_left = script == std::string{"arabic"};
                 const auto layout = files.layout(test::wide(phrase), 32.0f);
-                if (to_the_left) REQUIRE(SUCCEEDED(layout->SetReadingDirection(DWRITE_READING_DIRECTION_RIGHT_TO_LEFT)));
+                if (to_the_left)
+                    REQUIRE(SUCCEEDED(layout->SetReadingDirection(DWRITE_READING_DIRECTION_RIGHT_TO_LEFT)));
                 directwrite_text text;
                 REQUIRE_FALSE(text.read(layout.get()));
                 CHECK(text.run().missing == 0);
@@ -387,9 +389,10 @@ TEST_CASE("columns are refused", "[windows]")
     const test::font_files files{{dejavu}};
     const auto layout = files.layout(L"ab", 20.0f);
     directwrite_text text;
-    if (SUCCEEDED(layout->SetFlowDirection(DWRITE_FLOW_DIRECTION_RIGHT_TO_LEFT)) &&
-        SUCCEEDED(layout->SetReadingDirection(DWRITE_READING_DIRECTION_TOP_TO_BOTTOM)))
-        CHECK(text.read(layout.get()) == error::bad_option);
+    REQUIRE(SUCCEEDED(layout->SetFlowDirection(DWRITE_FLOW_DIRECTION_RIGHT_TO_LEFT)));
+    CHECK(text.read(layout.get()) == error::bad_option);
+    REQUIRE(SUCCEEDED(layout->SetReadingDirection(DWRITE_READING_DIRECTION_TOP_TO_BOTTOM)));
+    CHECK(text.read(layout.get()) == error::bad_option);
     CHECK(text.run().glyphs.empty());
 }
 
@@ -406,8 +409,9 @@ TEST_CASE("an empty layout is one empty line", "[windows]")
     CHECK(plan->size().vertices == 0);
 }
 
-TEST_CASE("reading gives back every reference, whether it succeeds or runs out of memory, and allocates no more when warm",
-          "[windows]")
+TEST_CASE(
+    "reading gives back every reference, whether it succeeds or runs out of memory, and allocates no more when warm",
+    "[windows]")
 {
     const test::font_files files{{dejavu}};
     const auto layout = files.layout(L"some text, \x05D0\x05D1, and more", 20.0f, 90.0f);

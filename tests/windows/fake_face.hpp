@@ -27,7 +27,10 @@ public:
     DWRITE_FONT_FACE_TYPE STDMETHODCALLTYPE GetType() noexcept override { return DWRITE_FONT_FACE_TYPE_TRUETYPE; }
     HRESULT STDMETHODCALLTYPE GetFiles(UINT32*, IDWriteFontFile**) noexcept override { return E_NOTIMPL; }
     UINT32 STDMETHODCALLTYPE GetIndex() noexcept override { return 0; }
-    DWRITE_FONT_SIMULATIONS STDMETHODCALLTYPE GetSimulations() noexcept override { return DWRITE_FONT_SIMULATIONS_NONE; }
+    DWRITE_FONT_SIMULATIONS STDMETHODCALLTYPE GetSimulations() noexcept override
+    {
+        return DWRITE_FONT_SIMULATIONS_NONE;
+    }
     BOOL STDMETHODCALLTYPE IsSymbolFont() noexcept override { return FALSE; }
     void STDMETHODCALLTYPE GetMetrics(DWRITE_FONT_METRICS* m) noexcept override
     {
@@ -38,7 +41,8 @@ public:
         m->lineGap = -10;
     }
     UINT16 STDMETHODCALLTYPE GetGlyphCount() noexcept override { return glyphs; }
-    HRESULT STDMETHODCALLTYPE GetDesignGlyphMetrics(const UINT16*, UINT32, DWRITE_GLYPH_METRICS*, BOOL) noexcept override
+    HRESULT STDMETHODCALLTYPE GetDesignGlyphMetrics(const UINT16*, UINT32, DWRITE_GLYPH_METRICS*,
+                                                    BOOL) noexcept override
     {
         return E_NOTIMPL;
     }
@@ -69,8 +73,8 @@ public:
     {
         return E_NOTIMPL;
     }
-    HRESULT STDMETHODCALLTYPE GetGdiCompatibleGlyphMetrics(FLOAT, FLOAT, const DWRITE_MATRIX*, BOOL, const UINT16*, UINT32,
-                                                           DWRITE_GLYPH_METRICS*, BOOL) noexcept override
+    HRESULT STDMETHODCALLTYPE GetGdiCompatibleGlyphMetrics(FLOAT, FLOAT, const DWRITE_MATRIX*, BOOL, const UINT16*,
+                                                           UINT32, DWRITE_GLYPH_METRICS*, BOOL) noexcept override
     {
         return E_NOTIMPL;
     }

@@ -4,11 +4,11 @@
 //
 // Tolerated differences, each with a law of its own:
 //
-//   hints       Wine loads glyphs with the font's instructions at one pixel a unit (freetype.c: FT_LOAD_NO_BITMAP alone),
-//               Windows draws outlines without. Where instructions still act at that size, or round a component's place,
-//               Wine must agree with FreeType's hinted outline instead.
-//   thirds      Wine makes cubics of quadratics in 26.6 fixed point and rounds down twice on the way, so a control point
-//               that is no whole number (a scaled component, a hinted point) may lie up to 6/64 unit off.
+//   hints       Wine loads glyphs with the font's instructions at one pixel a unit.
+//               Where instructions still act at that size, or round a component's place, Wine must agree with
+//               FreeType's hinted outline instead.
+//   thirds      Wine makes cubics of quadratics in 26.6 fixed point and rounds down twice on the way, so a control
+//               point that is no whole number (a scaled component, a hinted point) may lie up to 6/64 unit off.
 //   fractions   FreeType rounds unhinted CFF outlines with fractions down to whole units; see tests/conformance.
 #include "support/catch.hpp"
 #include "windows/reference.hpp"
@@ -66,9 +66,10 @@ bool rounds_down(const std::string& path)
 
 }  // namespace
 
-TEST_CASE("DirectWrite draws the glyphs of the smoke fonts as HarfBuzz and FreeType do, to 1/64 unit, where Wine leaves them "
-          "unhinted",
-          "[windows]")
+TEST_CASE(
+    "DirectWrite draws the glyphs of the smoke fonts as HarfBuzz and FreeType do, to 1/64 unit, where Wine leaves them "
+    "unhinted",
+    "[windows]")
 {
     std::vector<std::filesystem::path> files;
     if (std::filesystem::is_directory(TYPEMESH_REFERENCE_OUTLINES))
@@ -97,7 +98,8 @@ TEST_CASE("DirectWrite draws the glyphs of the smoke fonts as HarfBuzz and FreeT
             CHECK(o.rule == fill_rule::non_zero);
             const auto drawn = test::contours_of(o);
             ++compared;
-            if (farthest(drawn, g.harfbuzz) <= tolerance && (rounds || farthest(drawn, g.freetype) <= tolerance)) continue;
+            if (farthest(drawn, g.harfbuzz) <= tolerance && (rounds || farthest(drawn, g.freetype) <= tolerance))
+                continue;
             ++here;
             if (farthest(drawn, g.hinted) > 6 * tolerance && wrong++ == 0) first_wrong = g.id;
         }

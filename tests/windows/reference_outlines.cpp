@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Draws glyphs of every smoke font, and of every font of the workload, with HarfBuzz and with FreeType, for tests/windows
-// to compare with.
+// Draws glyphs of every smoke font, and of every font of the workload, with HarfBuzz and with FreeType, for
+// tests/windows to compare with.
 //
 //     typemesh_reference_outlines FOLDER
 
@@ -25,11 +25,19 @@ constexpr std::uint32_t glyphs_of_a_face = 200;
 /// The outline in the face's glyph slot, in 26.6.
 void record_slot(FT_Face face, outline& out)
 {
-    const auto place = [](const FT_Vector* v) { return point{static_cast<double>(v->x) / 64, static_cast<double>(v->y) / 64}; };
+    const auto place = [](const FT_Vector* v) {
+        return point{static_cast<double>(v->x) / 64, static_cast<double>(v->y) / 64};
+    };
     static const auto at = place;
     FT_Outline_Funcs calls = {};
-    calls.move_to = [](const FT_Vector* p, void* to) { static_cast<outline_recorder*>(to)->move(at(p)); return 0; };
-    calls.line_to = [](const FT_Vector* p, void* to) { static_cast<outline_recorder*>(to)->line(at(p)); return 0; };
+    calls.move_to = [](const FT_Vector* p, void* to) {
+        static_cast<outline_recorder*>(to)->move(at(p));
+        return 0;
+    };
+    calls.line_to = [](const FT_Vector* p, void* to) {
+        static_cast<outline_recorder*>(to)->line(at(p));
+        return 0;
+    };
     calls.conic_to = [](const FT_Vector* c, const FT_Vector* p, void* to) {
         static_cast<outline_recorder*>(to)->quadratic(at(c), at(p));
         return 0;
@@ -71,10 +79,20 @@ int main(int argc, char** argv)
 {
     namespace fs = std::filesystem;
     if (argc != 2) return std::puts("usage: typemesh_reference_outlines FOLDER"), 2;
-    const char* folders[] = {"truetype/dejavu", "truetype/liberation", "../wine/fonts", "opentype/comic-neue",
-                             "opentype/fonts-hosny-amiri", "truetype/awami", "truetype/lohit-devanagari",
-                             "opentype/tlwg", "truetype/culmus", "truetype/wqy", "truetype/sawarabi-mincho",
-                             "truetype/inter-vf", "truetype/ancient-scripts", "opentype/mplus"};
+    const char* folders[] = {"truetype/dejavu",
+                             "truetype/liberation",
+                             "../wine/fonts",
+                             "opentype/comic-neue",
+                             "opentype/fonts-hosny-amiri",
+                             "truetype/awami",
+                             "truetype/lohit-devanagari",
+                             "opentype/tlwg",
+                             "truetype/culmus",
+                             "truetype/wqy",
+                             "truetype/sawarabi-mincho",
+                             "truetype/inter-vf",
+                             "truetype/ancient-scripts",
+                             "opentype/mplus"};
     std::vector<fs::path> fonts;
     for (const char* folder : folders) {
         const fs::path whole = fs::path{"/usr/share/fonts"} / folder;

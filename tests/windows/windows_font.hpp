@@ -86,10 +86,10 @@ public:
         com_ptr<IDWriteTextFormat> format;
         com_ptr<IDWriteTextLayout> made;
         REQUIRE(SUCCEEDED(factory_->CreateTextFormat(family(0).c_str(), collection_.get(), DWRITE_FONT_WEIGHT_NORMAL,
-                                                     DWRITE_FONT_STYLE_NORMAL, DWRITE_FONT_STRETCH_NORMAL, size, L"en-us",
-                                                     format.put())));
-        REQUIRE(SUCCEEDED(factory_->CreateTextLayout(text.c_str(), static_cast<UINT32>(text.size()), format.get(), width,
-                                                     height, made.put())));
+                                                     DWRITE_FONT_STYLE_NORMAL, DWRITE_FONT_STRETCH_NORMAL, size,
+                                                     L"en-us", format.put())));
+        REQUIRE(SUCCEEDED(factory_->CreateTextLayout(text.c_str(), static_cast<UINT32>(text.size()), format.get(),
+                                                     width, height, made.put())));
         return made;
     }
 

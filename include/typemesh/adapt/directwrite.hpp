@@ -70,8 +70,8 @@ public:
         if (options.face >= faces) return error{error::no_such_face, faces};
         detail::com_ptr<IDWriteFontFace> face;
         IDWriteFontFile* const files[] = {file.get()};
-        if (error e = directwrite_error((*held)->CreateFontFace(face_type, 1, files, options.face,
-                                                                DWRITE_FONT_SIMULATIONS_NONE, face.put())))
+        if (error e = directwrite_error(
+                (*held)->CreateFontFace(face_type, 1, files, options.face, DWRITE_FONT_SIMULATIONS_NONE, face.put())))
             return e;
         if (error e = vary(face, options.variations)) return e;
         return finished(std::move(face), *held);
@@ -128,7 +128,7 @@ public:
     [[nodiscard]] std::uint32_t glyph_count() const noexcept { return glyph_count_; }
 
     /// See outline_source. TrueType's quadratics, which DirectWrite gives as cubics, are quadratics again wherever a
-    /// cubic is one to 1/64 unit; CFF's cubics stay.
+    /// cubic is one but for its rounding (1/25 unit, Wine's); CFF's cubics stay.
     template <outline_sink Sink>
     error outline(glyph_id id, Sink& sink) noexcept
     {
@@ -173,8 +173,8 @@ private:
         if (callers != nullptr) return detail::com_ptr<IDWriteFactory>::share(callers);
         detail::com_ptr<IDWriteFactory> made;
         IUnknown* unknown = nullptr;
-        if (error e = directwrite_error(
-                DWriteCreateFactory(DWRITE_FACTORY_TYPE_SHARED, __uuidof(IDWriteFactory), &unknown)))
+        if (error e =
+                directwrite_error(DWriteCreateFactory(DWRITE_FACTORY_TYPE_SHARED, __uuidof(IDWriteFactory), &unknown)))
             return e;
         *made.put() = static_cast<IDWriteFactory*>(unknown);
         return result<detail::com_ptr<IDWriteFactory>>{std::move(made)};
@@ -204,7 +204,7 @@ private:
     {
         if (wanted.empty()) return {};
         for (const variation& v : wanted)
-            if (!is_finite(double{v.value})) return error::bad_option;
+            if (!is_finite(double{v.value})) return error::bad("variations");
 #if defined(__MINGW32__) || (defined(NTDDI_WIN10_RS3) && NTDDI_VERSION >= NTDDI_WIN10_RS3)
         const auto fixed = face.as<IDWriteFontFace5>();
         if (!fixed || fixed->HasVariations() == FALSE) return error::unknown_variation;
@@ -245,7 +245,6 @@ private:
     std::uint32_t glyph_count_ = 0;
     fill_rule rule_ = fill_rule::non_zero;
     bool lowers_ = false;
-
 };
 
 static_assert(outline_source<directwrite_font> && shaper<directwrite_font>);

@@ -17,9 +17,10 @@ namespace typemesh {
 namespace detail {
 
 /// Finds the quadratic that a font's own outline had, from the cubic that DirectWrite made of it: with control point q,
-/// c1 = p0 + 2/3 (q - p0) and c2 = p3 + 2/3 (q - p3). DirectWrite gives c1 and c2 in single precision, Wine rounded to
-/// 1/64 unit. A TrueType control point is a whole number nearly always: that one is taken where it explains both within
-/// 1/64 unit, else the mean of what both say, if it does.
+/// c1 = p0 + 2/3 (q - p0) and c2 = p3 + 2/3 (q - p3). DirectWrite gives c1 and c2 in single precision; Wine rounds them
+/// down to 1/64 unit, twice. So a q explains both when it misses neither by more than 2.5/64 along an axis. A TrueType
+/// control point is a whole number nearly always: that one is taken where it does, else the mean of what both say,
+/// where that does.
 ///
 ///     q   the control point; untouched where there is none
 [[nodiscard]] inline bool lower(point p0, point c1, point c2, point p3, point& q) noexcept
@@ -31,9 +32,12 @@ namespace detail {
     };
     const point mean = 0.25 * (3.0 * (c1 + c2) - p0 - p3);
     const point whole{std::floor(mean.x + 0.5), std::floor(mean.y + 0.5)};
-    if (explains(whole)) q = whole;
-    else if (explains(mean)) q = mean;
-    else return false;
+    if (explains(whole))
+        q = whole;
+    else if (explains(mean))
+        q = mean;
+    else
+        return false;
     return true;
 }
 
@@ -92,8 +96,10 @@ private:
     bool is_drawn(point p) noexcept
     {
         if (trouble_) return false;
-        if (!open_) trouble_ = error::bad_outline;
-        else if (!is_finite(p.x) || !is_finite(p.y)) trouble_ = error::outline_not_finite;
+        if (!open_)
+            trouble_ = error::bad_outline;
+        else if (!is_finite(p.x) || !is_finite(p.y))
+            trouble_ = error::outline_not_finite;
         return !trouble_ && !hollow_;
     }
 

@@ -183,7 +183,7 @@ private:
 
     error take_language(std::string_view language) noexcept
     {
-        if (language.size() >= sizeof language_ / sizeof language_[0]) return error::bad_option;
+        if (language.size() >= sizeof language_ / sizeof language_[0]) return error::bad("language");
         std::size_t n = 0;
         for (const char c : language) language_[n++] = static_cast<wchar_t>(static_cast<unsigned char>(c));
         language_[n] = L'\0';
@@ -222,7 +222,7 @@ private:
         if (options.direction != direction::top_to_bottom)
             if (error e = directwrite_error(analyser_->AnalyzeBidi(&source, 0, count, &sink))) return e;
         if (options.script.empty()) return {};
-        if (options.script.size() != 4) return error::bad_option;
+        if (options.script.size() != 4) return error::bad("script");
         const auto script = script_named(options.script);
         if (!script) return script.error();
         for (UINT32 i = 0; i < count; ++i) units[i].script.script = *script;
@@ -233,7 +233,7 @@ private:
     [[nodiscard]] result<UINT16> script_named(std::string_view name) const noexcept
     {
         const auto teller = analyser_.as<IDWriteTextAnalyzer1>();
-        if (!teller) return error::bad_option;
+        if (!teller) return error::bad("script");
         char tag[5] = {};
         for (int i = 0; i < 4; ++i) tag[i] = name[static_cast<std::size_t>(i)];
         for (UINT16 i = 0; i < 1024; ++i) {
@@ -242,7 +242,7 @@ private:
             if (FAILED(teller->GetScriptProperties(script, &said))) break;
             if (said.isoScriptCode == directwrite_tag(tag)) return i;
         }
-        return error::bad_option;
+        return error::bad("script");
     }
 
     /// Cuts the line where script or level change, and puts the pieces into the order of drawing: from the highest
@@ -299,10 +299,9 @@ private:
             glyph_properties_.clear();
             if (glyphs_.append(room) == nullptr || glyph_properties_.append(room) == nullptr)
                 return error::out_of_memory;
-            const HRESULT code = analyser_->GetGlyphs(text, length, face, FALSE, to_the_left, &p.script, language,
-                                                      nullptr, given, &length, ranges, room, map_.data(),
-                                                      text_properties_.data(), glyphs_.data(), glyph_properties_.data(),
-                                                      &count);
+            const HRESULT code = analyser_->GetGlyphs(
+                text, length, face, FALSE, to_the_left, &p.script, language, nullptr, given, &length, ranges, room,
+                map_.data(), text_properties_.data(), glyphs_.data(), glyph_properties_.data(), &count);
             constexpr auto too_little_room = static_cast<HRESULT>(0x8007'007Au);  // ERROR_INSUFFICIENT_BUFFER
             if (code == too_little_room && room < 0xFFFF) continue;
             if (error e = directwrite_error(code)) return e;
@@ -314,8 +313,8 @@ private:
         if (advances_.append(count) == nullptr || offsets_.append(count) == nullptr) return error::out_of_memory;
         if (error e = directwrite_error(analyser_->GetGlyphPlacements(
                 text, map_.data(), text_properties_.data(), length, glyphs_.data(), glyph_properties_.data(), count,
-                face, static_cast<FLOAT>(units_per_em), FALSE, to_the_left, &p.script, language, given, &length,
-                ranges, advances_.data(), offsets_.data())))
+                face, static_cast<FLOAT>(units_per_em), FALSE, to_the_left, &p.script, language, given, &length, ranges,
+                advances_.data(), offsets_.data())))
             return e;
         return take_glyphs(face, p, count, vertical, at, run);
     }

@@ -23,7 +23,7 @@ namespace typemesh {
 /// An inline object of a layout: where it stands, y up. Borrowed from the directwrite_text, like its glyphs.
 struct directwrite_object {
     IDWriteInlineObject* object = nullptr;
-    point low, high;             ///< its box, in the text's font units
+    point low, high;  ///< its box, in the text's font units
     std::uint32_t line = 0;
 };
 
@@ -35,8 +35,8 @@ struct directwrite_glyph {
     bool sideways = false;            ///< lying on its side
 };
 
-/// A whole IDWriteTextLayout as shaped text with its own outlines: everything that the layout does (fonts and sizes that
-/// change, fallback fonts, bidirectional text, wrapping, alignment, trimming, underlines) comes along.
+/// A whole IDWriteTextLayout as shaped text with its own outlines: everything that the layout does (fonts and sizes
+/// that change, fallback fonts, bidirectional text, wrapping, alignment, trimming, underlines) comes along.
 ///
 ///     directwrite_text text;
 ///     if (error e = text.read(layout)) return puts(e.message());
@@ -45,12 +45,12 @@ struct directwrite_glyph {
 ///
 /// One run holds all faces. A glyph's id is the face's own number plus 65536 times the place of face and size in the
 /// order of first use, so the ids of a layout with one font are the font's own; glyph() takes an id apart. Underlines
-/// and strike-throughs are glyphs too, rectangles without a place in the text (`cluster` is no_cluster): solids of their
-/// own, which overlap the letters that they cross.
+/// and strike-throughs are glyphs too, rectangles without a place in the text (`cluster` is no_cluster): solids of
+/// their own, which overlap the letters that they cross.
 ///
 /// The unit is the font unit of the first face drawn, with one em the layout's own font size; outlines of other faces
-/// and sizes are scaled. The origin is the layout's top left corner, y up: lines lie below it. Multiply by dips_per_unit()
-/// to get device-independent pixels back.
+/// and sizes are scaled. The origin is the layout's top left corner, y up: lines lie below it. Multiply by
+/// dips_per_unit() to get device-independent pixels back.
 ///
 /// Clusters count the layout's 16-bit units, so what an application attached to a range, such as its drawing effect, is
 /// found with layout->GetDrawingEffect(cluster, ...).
@@ -60,8 +60,15 @@ struct directwrite_glyph {
 class directwrite_text {
 public:
     explicit directwrite_text(memory source = heap()) noexcept
-        : run_{source}, looks_{source}, bars_{source}, objects_{source}, pieces_{source}, glyphs_{source},
-          lines_{source}, line_metrics_{source}, units_{source}
+        : run_{source},
+          looks_{source},
+          bars_{source},
+          objects_{source},
+          pieces_{source},
+          glyphs_{source},
+          lines_{source},
+          line_metrics_{source},
+          units_{source}
     {
     }
     directwrite_text(directwrite_text&&) noexcept = default;
@@ -248,11 +255,11 @@ private:
     {
         const DWRITE_READING_DIRECTION reading = layout->GetReadingDirection();
         if (reading != DWRITE_READING_DIRECTION_LEFT_TO_RIGHT && reading != DWRITE_READING_DIRECTION_RIGHT_TO_LEFT)
-            return error::bad_option;
-        if (layout->GetFlowDirection() != DWRITE_FLOW_DIRECTION_TOP_TO_BOTTOM) return error::bad_option;
+            return error::bad("reading direction");
+        if (layout->GetFlowDirection() != DWRITE_FLOW_DIRECTION_TOP_TO_BOTTOM) return error::bad("flow direction");
         em_size_ = double{static_cast<IDWriteTextFormat*>(layout)->GetFontSize()};
         run_.units_per_em = 1000.0;
-        if (!is_finite(em_size_) || !(em_size_ > 0.0)) return error::bad_option;
+        if (!is_finite(em_size_) || !(em_size_ > 0.0)) return error::bad("font size");
 
         UINT32 count = 0;
         constexpr auto too_little_room = static_cast<HRESULT>(0x8007'007Au);  // ERROR_INSUFFICIENT_BUFFER
@@ -333,9 +340,12 @@ private:
         double pen = double{x};
         for (UINT32 i = 0; i < count; ++i) {
             double advance = 0.0;
-            if (run.glyphAdvances != nullptr) advance = double{run.glyphAdvances[i]};
-            else if (error e = own_advance(run, i, advance)) return e;
-            const DWRITE_GLYPH_OFFSET offset = run.glyphOffsets != nullptr ? run.glyphOffsets[i] : DWRITE_GLYPH_OFFSET{};
+            if (run.glyphAdvances != nullptr)
+                advance = double{run.glyphAdvances[i]};
+            else if (error e = own_advance(run, i, advance))
+                return e;
+            const DWRITE_GLYPH_OFFSET offset =
+                run.glyphOffsets != nullptr ? run.glyphOffsets[i] : DWRITE_GLYPH_OFFSET{};
             if (to_the_left) pen -= advance;
             const double along = double{offset.advanceOffset};
             placed_glyph& g = out[to_the_left ? count - 1 - i : i];  // in the order of drawing
@@ -349,7 +359,8 @@ private:
         }
         if (placed) find_invalid_units(*of);
         const double begin = double{x};
-        const piece whole{first, count, line_of(of, 0.0 - double{y}), false, (std::min)(begin, pen), (std::max)(begin, pen)};
+        const piece whole{
+            first, count, line_of(of, 0.0 - double{y}), false, (std::min)(begin, pen), (std::max)(begin, pen)};
         return pieces_.push_back(whole) ? error{} : error{error::out_of_memory};
     }
 
@@ -359,8 +370,8 @@ private:
         DWRITE_FONT_METRICS face = {};
         DWRITE_GLYPH_METRICS glyph = {};
         run.fontFace->GetMetrics(&face);
-        if (error e = directwrite_error(
-                run.fontFace->GetDesignGlyphMetrics(&run.glyphIndices[i], 1, &glyph, run.isSideways)))
+        if (error e =
+                directwrite_error(run.fontFace->GetDesignGlyphMetrics(&run.glyphIndices[i], 1, &glyph, run.isSideways)))
             return e;
         const UINT32 units = run.isSideways != FALSE ? glyph.advanceHeight : glyph.advanceWidth;
         advance = static_cast<double>(units) * double{run.fontEmSize} / static_cast<double>(face.designUnitsPerEm);
@@ -394,7 +405,11 @@ private:
         g.id = static_cast<glyph_id>(bar_slot << 16 | bars_.size());
         g.cluster = no_cluster;
         g.origin = low;
-        const piece whole{static_cast<std::uint32_t>(glyphs_.size()), 1, line_of(nullptr, 0.0 - double{y}), true, low.x,
+        const piece whole{static_cast<std::uint32_t>(glyphs_.size()),
+                          1,
+                          line_of(nullptr, 0.0 - double{y}),
+                          true,
+                          low.x,
                           low.x + size.x};
         if (!bars_.push_back(size) || !glyphs_.push_back(g) || !pieces_.push_back(whole)) return error::out_of_memory;
         return {};
