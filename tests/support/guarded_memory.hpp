@@ -1,78 +1,73 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Memory that ends where a page ends, the next page being closed: one byte too many and the test program stops. Where
-// the system has no such pages, canaries stand in, which the destructor looks at.
-
-#include "support/catch.hpp"
-
 #include <cstddef>
 #include <cstdlib>
-#include <cstring>
 #include <span>
-#include <vector>
+#include <stdexcept>
 
-#if __has_include(<sys/mman.h>)
+#ifdef _WIN32
+#define NOMINMAX
+#include <windows.h>
+#else
 #include <sys/mman.h>
 #include <unistd.h>
 #endif
 
 namespace test {
 
+/// An array between two pages that no one may touch: a write one byte too far ends the program.
+///
+///     | no access | elements .......... rest | no access |      at_end: the rest comes first
+template <class T>
 class guarded_memory {
 public:
-#if __has_include(<sys/mman.h>)
-    explicit guarded_memory(std::size_t bytes) : size_{bytes}
+    guarded_memory(std::size_t count, bool at_end) : count_{count}
     {
-        const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-        mapped_ = (bytes + page - 1) / page * page + page;
-        base_ = mmap(nullptr, mapped_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-        if (base_ == MAP_FAILED) std::abort();
-        if (mprotect(static_cast<std::byte*>(base_) + mapped_ - page, page, PROT_NONE) != 0) std::abort();
-        first_ = static_cast<std::byte*>(base_) + mapped_ - page - bytes;
-        std::memset(first_, 0xEE, bytes);
+        const std::size_t page = page_size(), bytes = count * sizeof(T), middle = (bytes + page - 1) / page * page;
+        length_ = middle + 2 * page;
+        base_ = reserve(length_);
+        if (base_ == nullptr || !open(base_ + page, middle)) throw std::runtime_error("no memory for a guarded array");
+        first_ = reinterpret_cast<T*>(base_ + page + (at_end ? middle - bytes : 0));
     }
-    ~guarded_memory() { munmap(base_, mapped_); }
-
-    /// From now on writing is forbidden as well, to the whole pages that hold the memory.
-    void forbid_writing() { mprotect(base_, mapped_ - static_cast<std::size_t>(sysconf(_SC_PAGESIZE)), PROT_READ); }
-#else
-    explicit guarded_memory(std::size_t bytes) : size_{bytes}, held_(bytes + 128, std::byte{0xEE})
-    {
-        first_ = held_.data() + 64;
-    }
-    ~guarded_memory()
-    {
-        for (std::size_t i = 0; i < 64; ++i)
-            if (held_[i] != std::byte{0xEE} || held_[size_ + 64 + i] != std::byte{0xEE}) std::abort();
-    }
-    void forbid_writing() {}
-#endif
     guarded_memory(const guarded_memory&) = delete;
     guarded_memory& operator=(const guarded_memory&) = delete;
+    ~guarded_memory() { release(); }
 
-    [[nodiscard]] std::span<std::byte> bytes() const { return {first_, size_}; }
-    template <class T>
-    [[nodiscard]] std::span<T> as() const
-    {
-        return {reinterpret_cast<T*>(first_), size_ / sizeof(T)};
-    }
-    [[nodiscard]] bool untouched() const
-    {
-        for (std::size_t i = 0; i < size_; ++i)
-            if (first_[i] != std::byte{0xEE}) return false;
-        return true;
-    }
+    [[nodiscard]] std::span<T> elements() const { return {first_, count_}; }
 
 private:
-    std::size_t size_;
-    std::byte* first_ = nullptr;
-#if __has_include(<sys/mman.h>)
-    void* base_ = nullptr;
-    std::size_t mapped_ = 0;
+#ifdef _WIN32
+    static std::size_t page_size()
+    {
+        SYSTEM_INFO info;
+        GetSystemInfo(&info);
+        return info.dwPageSize;
+    }
+    static std::byte* reserve(std::size_t bytes)
+    {
+        return static_cast<std::byte*>(VirtualAlloc(nullptr, bytes, MEM_RESERVE, PAGE_NOACCESS));
+    }
+    static bool open(std::byte* at, std::size_t bytes)
+    {
+        return VirtualAlloc(at, bytes, MEM_COMMIT, PAGE_READWRITE) != nullptr;
+    }
+    void release() { VirtualFree(base_, 0, MEM_RELEASE); }
 #else
-    std::vector<std::byte> held_;
+    static std::size_t page_size() { return static_cast<std::size_t>(sysconf(_SC_PAGESIZE)); }
+    static std::byte* reserve(std::size_t bytes)
+    {
+        void* at = mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+        return at == MAP_FAILED ? nullptr : static_cast<std::byte*>(at);
+    }
+    static bool open(std::byte* at, std::size_t bytes) { return mprotect(at, bytes, PROT_READ | PROT_WRITE) == 0; }
+    void release() { munmap(base_, length_); }
 #endif
+
+    std::byte* base_ = nullptr;
+    std::size_t length_ = 0;
+    T* first_ = nullptr;
+    std::size_t count_ = 0;
 };
 
 }  // namespace test

@@ -7,6 +7,7 @@
 #include <typemesh/layout/utf.hpp>
 #include <typemesh/outline/recorded_outlines.hpp>
 
+#include <cstdlib>
 #include <limits>
 
 namespace test {
