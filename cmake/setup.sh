@@ -21,6 +21,7 @@ freetype     header:freetype2/ft2build.h,ft2build.h           libfreetype-dev   
 glm          header:glm/vec3.hpp                              libglm-dev         glm-devel              glm         glm               glm
 mingw        command:x86_64-w64-mingw32-g++-posix,x86_64-w64-mingw32-g++ g++-mingw-w64-x86-64-posix mingw64-gcc-c++ mingw-w64-gcc mingw-w64 -
 wine         command:wine                                     wine               wine                   wine        wine-stable       -
+xvfb         command:Xvfb                                     xvfb               xorg-x11-server-Xvfb   xorg-server-xvfb -           -
 catch2       header:catch2/catch_all.hpp,catch2/catch.hpp     catch2             catch-devel            catch2      catch2            catch2
 benchmark    header:benchmark/benchmark.h                     libbenchmark-dev   google-benchmark-devel benchmark   google-benchmark  benchmark
 cli11        header:CLI/CLI.hpp                               libcli11-dev       cli11-devel            cli11       cli11             cli11

@@ -329,6 +329,19 @@ TEST_CASE("texture coordinates span the text", "[compat]")
     CHECK(high.y == Approx(1.0f));
 }
 
+TEST_CASE("the crease angle can be that of Direct3D", "[compat]")
+{
+    test::toy_font font;
+    d3dx_text maker{font};
+    const auto corners = maker.plan(u"E");
+    REQUIRE(corners);
+    CHECK(corners->text().hard_edges() == 12);
+    maker.normals_policy().crease_degrees = 120.0f;
+    const auto none = maker.plan(u"E");
+    REQUIRE(none);
+    CHECK(none->text().hard_edges() == 0);
+}
+
 TEST_CASE("a cache changes nothing but the time", "[compat]")
 {
     test::toy_font font;

@@ -124,6 +124,10 @@ public:
 
     result<plan_type> plan(text_view text, const d3dx_text_options& options = {}) && = delete;
 
+    /// The style of side normals, to change its options between texts: curve_normals' crease angle is 15 degrees, that
+    /// of Direct3D 45.
+    [[nodiscard]] Normals& normals_policy() noexcept { return mesher_.extruder_policy().normals; }
+
     /// What an em measures in the output.
     [[nodiscard]] double em_size_of(const d3dx_text_options& options) noexcept
     {

@@ -1,0 +1,95 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# D3DXCreateTextW as Wine has it (not Microsoft's) beside typemesh, on one machine in one go: the same text, fonts, deviations and size;
+# median times, sizes, closedness, and how far the meshes are from the outlines. typemesh runs natively with HarfBuzz and, with
+# DirectWrite, as a Windows program under the same Wine. See docs/from_d3dx.md.
+#
+#     bench/d3dx/run.sh                   times and sizes, 2 minutes
+#     bench/d3dx/run.sh --letters         also every letter of the Latin set at seven deviations: errors, another 5 minutes
+#     bench/d3dx/run.sh --rounds N        so many rounds (3) of all programs in turn; the best median of each counts
+#
+# On Windows d3dx_create_text.exe measures Microsoft's implementation; D3DX9_DLL names another library than d3dx9_43.dll.
+set -eu
+typemesh_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+. "$typemesh_root/cmake/setup.sh"
+build=$typemesh_root/build/d3dx
+letters=
+rounds=3
+runs=1000
+while [ $# -gt 0 ]; do
+    case $1 in
+        --letters) letters=yes ;;
+        --rounds) rounds=$2 && shift ;;
+        --runs) runs=$2 && shift ;;
+        *) sed -n '3,13s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" && exit 2 ;;
+    esac
+    shift
+done
+
+install_missing g++ cmake ninja pkg-config harfbuzz mingw wine xvfb
+install_fonts fonts-dejavu-core fonts-liberation fonts-comic-neue
+fonts=${TYPEMESH_FONT_DIR:-/usr/share/fonts}
+table="$fonts/truetype/dejavu/DejaVuSans.ttf|DejaVu Sans
+$fonts/truetype/liberation/LiberationSans-Regular.ttf|Liberation Sans
+$fonts/opentype/comic-neue/ComicNeue-Regular.otf|Comic Neue"
+
+mkdir -p "$build"
+build_in() {  # build_in FOLDER TARGET... -- CMAKE_OPTION...
+    local folder=$build/$1 targets=
+    shift
+    while [ "$1" != -- ]; do targets="$targets $1" && shift; done
+    shift
+    # shellcheck disable=SC2086  # a list of words
+    { cmake -S "$typemesh_root" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DTYPEMESH_BUILD_TESTS=OFF \
+        -DTYPEMESH_BUILD_EXAMPLES=OFF "$@" && cmake --build "$folder" --target $targets; } >"$folder.log" 2>&1 ||
+        { cat "$folder.log" >&2 && exit 1; }
+}
+build_in native bench_d3dx_typemesh_text bench_d3dx_examine --
+build_in windows bench_d3dx_typemesh_text bench_d3dx_create_text -- \
+    -DCMAKE_TOOLCHAIN_FILE="$typemesh_root/cmake/mingw-w64.cmake"
+native=$build/native/bench/d3dx windows=$build/windows/bench/d3dx
+
+export WINEPREFIX=$build/wine WINEDEBUG=-all WINEDLLOVERRIDES=mscoree,mshtml=
+export LIBGL_ALWAYS_SOFTWARE=1
+unset DISPLAY
+rm -f "$build"/*.meshes
+display=$(mktemp)
+Xvfb -displayfd 3 -screen 0 640x480x24 -nolisten tcp 3>"$display" >/dev/null 2>&1 &
+xvfb=$!
+trap 'kill $xvfb; wineserver -k 2>/dev/null || true; rm -f "$display"' EXIT
+for _ in $(seq 50); do [ -s "$display" ] || sleep 0.1; done
+export DISPLAY=:$(cat "$display")
+wine wineboot -i >/dev/null 2>&1
+under_wine() { wine "$@" 2>/dev/null; }
+
+each_font() {  # each_font FUNCTION: called with the file, the same as Windows names it, and the family
+    local file family
+    while IFS='|' read -r file family; do
+        [ ! -e "$file" ] || "$1" "$file" "Z:$(say "$file" | tr / '\\')" "$family" </dev/null
+    done <<END
+$table
+END
+}
+time_all() {
+    "$native/bench_d3dx_typemesh_text" text "$build/native.meshes" "$runs" "$1"
+    under_wine "$windows/bench_d3dx_create_text.exe" text "Z:$build/d3dx.meshes" "$runs" "$2" "$3"
+    under_wine "$windows/bench_d3dx_typemesh_text.exe" text "Z:$build/windows.meshes" "$runs" "$2"
+}
+# Wine's D3DXCreateTextW crashes on some letters: it is started again behind them.
+mesh_letters() {
+    local first=0 crash status
+    case $1 in *.otf) return ;; esac  # its mesh of a CFF font is inside out and open: nothing to measure against
+    "$native/bench_d3dx_typemesh_text" letters "$build/native.meshes" "$1"
+    while :; do
+        status=0
+        crash=$(under_wine "$windows/bench_d3dx_create_text.exe" letters "Z:$build/d3dx.meshes" "$first" "$2" "$3") || status=$?
+        [ $status = 3 ] || break
+        say "D3DXCreateTextW crashes: $3, letter ${crash#* }"
+        first=$((${crash%% *} + 1))
+    done
+    [ $status = 0 ] || stop "bench_d3dx_create_text has failed ($status)"
+}
+for _ in $(seq "$rounds"); do each_font time_all; done
+[ -z "$letters" ] || each_font mesh_letters
+"$native/bench_d3dx_examine" "$fonts" "$build/d3dx.meshes" "$build/native.meshes" "$build/windows.meshes"
