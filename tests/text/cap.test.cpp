@@ -9,8 +9,8 @@
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
 #include "support/regions.hpp"
+#include "support/walks.hpp"
 
-#include <array>
 #include <tuple>
 
 using namespace typemesh;
@@ -43,24 +43,6 @@ bool only_touch(const std::vector<test::oracle::loop>& loops)
         }
     }
     return true;
-}
-
-/// A region's walks, each from its smallest visit on, in order: equal exactly when the walks are the same circles.
-using walk = std::vector<std::array<double, 5>>;
-std::vector<walk> walks_of(const region& r)
-{
-    std::vector<walk> all;
-    for (std::uint32_t l = 0; l < r.loop_count(); ++l) {
-        walk w;
-        for (std::uint32_t i = r.starts()[l]; i < r.starts()[l + 1]; ++i) {
-            const contour_edge e = r.edges()[i];
-            w.push_back({double(r.points()[i].x), double(r.points()[i].y), double(e.curve), e.t0, e.t1});
-        }
-        std::rotate(w.begin(), std::min_element(w.begin(), w.end()), w.end());
-        all.push_back(w);
-    }
-    std::sort(all.begin(), all.end());
-    return all;
 }
 
 int touching = 0, proven_fast = 0;
@@ -103,7 +85,7 @@ std::string mistake_on(const test::shape& s, fill_rule rule)
     }
     if (!only_touches) return "accepted, and edges meet";
     if (slow->points().size() != fast->points().size()) return "another number of points than resolved";
-    if (walks_of(*fast) != walks_of(*slow)) return "other walks than resolved";
+    if (test::walks_of(*fast) != test::walks_of(*slow)) return "other walks than resolved";
     if (fast->holes() != slow->holes() || fast->outers() != slow->outers()) return "holes and outers are miscounted";
     if (fast->is_touching() != slow->is_touching()) return "is_touching() is wrong";
     touching += fast->is_touching();

@@ -162,12 +162,12 @@ private:
         return true;
     }
 
-    /// Whether p lies outside of a side, strictly; when `Touching` it may be an end of it.
-    [[nodiscard]] static bool is_outside(const side& s, grid_point p) noexcept
+    /// Negative when p lies outside of a side; when `Touching`, also when p is an end of it.
+    [[nodiscard]] static std::int64_t inside(const side& s, grid_point p) noexcept
     {
-        const std::int64_t at = s.at(p);
-        if constexpr (Touching) return at < 0 || (at == 0 && (s.from == p || s.to == p));
-        return at < 0;
+        if constexpr (Touching)
+            if (s.from == p || s.to == p) return -1;
+        return s.at(p);
     }
 
     /// 0: an end, 1: a pass, 2: a merge or a split, 3: a start.
@@ -221,7 +221,7 @@ private:
     {
         if constexpr (Proving) {
             const std::uint32_t outside = status_.neighbour(s, on);
-            if (spans_[s].sides[1 - on].at(p) <= 0 || !is_outside(spans_[outside].sides[1 - on], p)) return false;
+            if (spans_[s].sides[1 - on].at(p) <= 0 || inside(spans_[outside].sides[1 - on], p) >= 0) return false;
         }
         cut.template extend<on>(spans_[s].seen, v, p);
         set_side<on>(s, v, p);
@@ -247,7 +247,7 @@ private:
         if constexpr (Proving) {
             if (turn == 0) return false;  // doubles back
             if (splits ? spans_[s].sides[1].at(p) <= 0
-                       : !is_outside(spans_[s].sides[1], p) || !is_outside(spans_[status_.above(s)].sides[0], p))
+                       : inside(spans_[s].sides[1], p) >= 0 || inside(spans_[status_.above(s)].sides[0], p) >= 0)
                 return false;
         }
         bound_triangles(splits ? 1 : -1);
@@ -278,8 +278,8 @@ private:
     {
         const bool ends = lower == upper;
         if constexpr (Proving) {
-            const bool clear = ends ? is_outside(spans_[status_.below(lower)].sides[1], p) &&
-                                          is_outside(spans_[status_.above(lower)].sides[0], p)
+            const bool clear = ends ? inside(spans_[status_.below(lower)].sides[1], p) < 0 &&
+                                          inside(spans_[status_.above(lower)].sides[0], p) < 0
                                     : status_.above(upper) == lower && spans_[upper].sides[0].at(p) > 0 &&
                                           spans_[lower].sides[1].at(p) > 0;
             if (!clear) return false;
