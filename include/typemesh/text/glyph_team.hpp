@@ -11,6 +11,7 @@
 #include <typemesh/text/shape_store.hpp>
 #include <typemesh/text/stage.hpp>
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <new>
