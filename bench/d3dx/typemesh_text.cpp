@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// The texts of d3dx_create_text, made by typemesh::d3dx_text: natively with HarfBuzz, as a Windows program with DirectWrite.
+// The texts of d3dx_create_text, made by typemesh::d3dx_text: natively with HarfBuzz, as a Windows program with
+// DirectWrite.
 //
-//     typemesh_text text OUT RUNS FONT_FILE           "Hello world!" at the four deviations of the thesis, RUNS runs each
-//     typemesh_text letters OUT FONT_FILE             every letter of the Latin set alone at more deviations, untimed
+//     typemesh_text text OUT RUNS FONT_FILE   "Hello world!" at the thesis' four deviations, RUNS times each
+//     typemesh_text letters OUT FONT_FILE     every letter of Latin-1 alone at more deviations, untimed
 //
-// Appends to OUT. Every run does all the work anew: layout, outlines, meshing, vertices and 16-bit indices into arrays of the
-// caller's. Layout and outlines are timed apart as well, and the whole with a glyph cache.
+// Appends to OUT. Every run does all the work anew: layout, outlines, meshing, vertices and 16-bit indices into arrays
+// of the caller's. Layout and outlines are timed apart as well, and the whole with a glyph cache.
 
 #include "measured_mesh.hpp"
 
@@ -73,7 +74,8 @@ struct text_work {
 int main(int argc, char** argv)
 {
     const bool letters = argc == 4 && std::strcmp(argv[1], "letters") == 0;
-    if (!letters && argc != 5) return std::fputs("usage: typemesh_text text OUT RUNS FONT_FILE | letters OUT FONT_FILE\n", stderr), 2;
+    if (!letters && argc != 5)
+        return std::fputs("usage: typemesh_text text OUT RUNS FONT_FILE | letters OUT FONT_FILE\n", stderr), 2;
     const char* path = argv[argc - 1];
     std::FILE* out = std::fopen(argv[2], "ab");
     auto font = open(path);
