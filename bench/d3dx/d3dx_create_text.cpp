@@ -2,8 +2,8 @@
 //
 // D3DXCreateTextW, timed and kept: a Windows program, for Wine as for Windows itself.
 //
-//     d3dx_create_text text OUT RUNS FONT_FILE FAMILY       "Hello world!" at the thesis' four deviations, RUNS times each
-//     d3dx_create_text letters OUT FIRST FONT_FILE FAMILY   every letter of Latin-1 alone at more deviations, untimed
+//     d3dx_create_text text OUT RUNS FONT_FILE FAMILY      "Hello world!" at four deviations, RUNS times each
+//     d3dx_create_text letters OUT FIRST FONT_FILE FAMILY  every letter of Latin-1 alone at more deviations, untimed
 //
 // Appends to OUT. The library is loaded by name (d3dx9_43.dll, or $D3DX9_DLL): what answers under Wine is Wine's own
 // implementation, on Windows it is Microsoft's. Direct3DCreate9 wants a display; the device is of the kind NULLREF: it

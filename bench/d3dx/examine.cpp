@@ -53,8 +53,8 @@ std::vector<segment> boundary(const bench::measured_mesh& m)
     return found;
 }
 
-/// A glyph's outline in the mesh's unit, in chords so short that they may stand for it. Empty for a glyph whose contours
-/// meet: the boundary of what they fill is not all of them.
+/// A glyph's outline in the mesh's unit, in chords so short that they may stand for it. Empty for a glyph whose
+/// contours meet: the boundary of what they fill is not all of them.
 std::vector<segment> drawn(harfbuzz_font& font, char16_t letter, double scale)
 {
     hb_codepoint_t id = 0;

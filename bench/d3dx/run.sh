@@ -24,7 +24,7 @@ while [ $# -gt 0 ]; do
         --letters) letters=yes ;;
         --rounds) rounds=$2 && shift ;;
         --runs) runs=$2 && shift ;;
-        *) sed -n '3,15s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" && exit 2 ;;
+        *) sed -n '3,14s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" && exit 2 ;;
     esac
     shift
 done
