@@ -167,9 +167,9 @@ int main(int argc, char** argv)
     }
 
     std::printf(
-        "\"Hello world!\", extrusion 0.3. Microseconds: the whole, median and shortest; of the median that layout and "
-        "outlines; the\n"
-        "rest, meshing; the whole with a glyph cache; layout and outlines the very first time\n");
+        "\"Hello world!\", extrusion 0.3. Microseconds: the whole, median and shortest; what of it is layout, "
+        "outlines, the\n"
+        "rest; the whole with a glyph cache; layout and outlines the very first time\n");
     std::printf("%-27s %-6s %-40s %7s %7s %6s %7s %7s %6s %7s %6s %6s %5s %5s %8s\n", "font", "dev.", "maker", "median",
                 "best", "layout", "outline", "meshing", "cached", "first", "vert.", "tri.", "open", "flat", "volume");
     for (const auto& [where, m] : texts) {
@@ -177,8 +177,8 @@ int main(int argc, char** argv)
         const auto closed = examine(m, volume);
         std::printf("%-27s %-6g %-40s %7.1f %7.1f %6.1f %7.1f %7.1f %6.1f %7.0f %6zu %6zu %5zu %5zu %8.4f\n",
                     m.font.c_str(), m.deviation, m.maker.c_str(), m.microseconds, m.best, m.layout, m.outlines,
-                    m.microseconds - m.layout - m.outlines, m.cached, m.first_time, m.vertices.size(),
-                    m.indices.size() / 3, closed.unmatched_edges, closed.zero_area, volume);
+                    m.meshing, m.cached, m.first_time, m.vertices.size(), m.indices.size() / 3, closed.unmatched_edges,
+                    closed.zero_area, volume);
     }
     if (found.empty()) return 0;
     std::printf(
