@@ -38,8 +38,8 @@
 #include <typemesh/extrude/flat.hpp>
 #include <typemesh/extrude/shared_normals.hpp>
 
-#include <typemesh/text/glyph_cache.hpp>
-#include <typemesh/text/rounding.hpp>
+#include <typemesh/glyph/glyph_cache.hpp>
+#include <typemesh/text/flipped_triangles.hpp>
 #include <typemesh/text/shaped_by.hpp>
 #include <typemesh/text/text_chunks.hpp>
 #include <typemesh/text/text_mesher.hpp>

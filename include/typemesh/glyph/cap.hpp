@@ -4,7 +4,7 @@
 #include <typemesh/fill/fill.hpp>
 #include <typemesh/fill/orient.hpp>
 #include <typemesh/fill/resolve.hpp>
-#include <typemesh/text/stage.hpp>
+#include <typemesh/glyph/stage.hpp>
 #include <typemesh/triangulate/triangulator.hpp>
 
 namespace typemesh {
