@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The whole core: text to triangles, nothing third-party. Fonts come in through one of the adapters:
-// <typemesh/adapt/harfbuzz.hpp>, <typemesh/adapt/freetype.hpp>, or outlines of your own.
+// The core: text to triangles, nothing third-party. Fonts come in through one of the adapters:
+// <typemesh/adapt/harfbuzz.hpp>, <typemesh/adapt/freetype.hpp>, <typemesh/adapt/directwrite.hpp>, or outlines of your own.
+//
+// Not here, to stay quick to include: the packed formats for vertices (<typemesh/vertex/half.hpp>, normalised, ten_bit,
+// octahedral, octahedral_tangent, position_box, colour), <typemesh/vertex/computed_stream.hpp>, and
+// <typemesh/compat/d3dx_text.hpp>.
 
 #include <typemesh/core/version.hpp>
 
