@@ -8,8 +8,8 @@
 //
 // "speedup" is the time of one worker by that of all, rounds taken in turns, the best of each; "cpu" the same by
 // processor time (1: sharing the work costs nothing), which holds on a busy machine too; "in_order" is the part of one
-// worker's time that is not shared out. "memory" is what the mesher holds, and mesher and team, by the size of the
-// output; "each" is one worker's processor time for one character.
+// worker's time that is not shared out. "memory" is the most that the mesher ever held, and mesher and team, by the
+// size of the output; "each" is one worker's processor time for one character.
 //
 //     bench_threads [WORKERS]          fonts are looked for under $TYPEMESH_FONT_DIR (default /usr/share/fonts)
 
@@ -54,15 +54,18 @@ timing time_of(auto&& work)
             static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC};
 }
 
-/// The heap, with the bytes that are held.
+/// The heap, with the bytes that are held, and the most that ever were.
 struct counted_heap {
-    std::atomic<std::size_t> held{0};
+    std::atomic<std::size_t> held{0}, most{0};
 
     memory source() noexcept
     {
         return {this,
                 [](void* user, std::size_t bytes, std::size_t alignment) noexcept {
-                    static_cast<counted_heap*>(user)->held += bytes;
+                    auto& self = *static_cast<counted_heap*>(user);
+                    const std::size_t now = self.held += bytes;
+                    std::size_t seen = self.most;
+                    while (now > seen && !self.most.compare_exchange_weak(seen, now)) {}
                     return heap().allocate(nullptr, bytes, alignment);
                 },
                 [](void* user, void* block, std::size_t bytes, std::size_t alignment) noexcept {
@@ -128,7 +131,7 @@ void measure(const std::string& name, harfbuzz_font& font, const auto& text, std
                 name.c_str(), pool.workers(), 1e3 * one.wall, 1e3 * one.cpu, 1e3 * many.wall, 1e3 * many.cpu,
                 one.wall / many.wall, one.cpu / many.cpu, 1.0 - watched.seconds / all,
                 1e9 * one.cpu / static_cast<double>(characters), output / 1e6,
-                static_cast<double>(memory_of_one.held) / output, static_cast<double>(memory_of_many.held) / output);
+                static_cast<double>(memory_of_one.most) / output, static_cast<double>(memory_of_many.most) / output);
     std::fflush(stdout);
 }
 

@@ -2,14 +2,15 @@
 //
 // D3DXCreateTextW, timed and kept: a Windows program, for Wine as for Windows itself.
 //
-//     d3dx_create_text text OUT RUNS FONT_FILE FAMILY       "Hello world!" at the four deviations of the thesis, RUNS runs each
-//     d3dx_create_text letters OUT FIRST FONT_FILE FAMILY   every letter of the Latin set alone at more deviations, untimed
+//     d3dx_create_text text OUT RUNS FONT_FILE FAMILY      "Hello world!" at four deviations, RUNS times each
+//     d3dx_create_text letters OUT FIRST FONT_FILE FAMILY  every letter of Latin-1 alone at more deviations, untimed
 //
-// Appends to OUT. The library is loaded by name (d3dx9_43.dll, or $D3DX9_DLL): what answers under Wine is Wine's own implementation,
-// on Windows it is Microsoft's. Direct3DCreate9 wants a display; the device is of the kind NULLREF: it draws nothing.
+// Appends to OUT. The library is loaded by name (d3dx9_43.dll, or $D3DX9_DLL): what answers under Wine is Wine's own
+// implementation, on Windows it is Microsoft's. Direct3DCreate9 wants a display; the device is of the kind NULLREF: it
+// draws nothing.
 //
-// Wine's implementation crashes on a few letters. Then the program prints the letter's number, its code and the deviation, and ends
-// with 3; started again with the number after that as FIRST, it goes on behind it.
+// Wine's implementation crashes on some letters. Then the program prints the letter's number, its code and the
+// deviation, and ends with 3; started again with the number after that as FIRST, it goes on behind it.
 
 #include "measured_mesh.hpp"
 
@@ -35,7 +36,8 @@ using create_text = HRESULT(WINAPI*)(IDirect3DDevice9*, HDC, const WCHAR*, float
 std::wstring wide(const char* text)
 {
     std::wstring out(std::strlen(text) + 1, L'\0');
-    out.resize(static_cast<std::size_t>(MultiByteToWideChar(CP_UTF8, 0, text, -1, out.data(), static_cast<int>(out.size()) * 2)));
+    out.resize(static_cast<std::size_t>(
+        MultiByteToWideChar(CP_UTF8, 0, text, -1, out.data(), static_cast<int>(out.size()) * 2)));
     out.pop_back();
     return out;
 }
@@ -49,7 +51,8 @@ IDirect3DDevice9* make_device()
     parameters.SwapEffect = D3DSWAPEFFECT_DISCARD;
     parameters.BackBufferWidth = parameters.BackBufferHeight = 16;
     parameters.BackBufferFormat = D3DFMT_X8R8G8B8;
-    parameters.hDeviceWindow = CreateWindowW(L"STATIC", L"", WS_OVERLAPPEDWINDOW, 0, 0, 64, 64, nullptr, nullptr, nullptr, nullptr);
+    parameters.hDeviceWindow =
+        CreateWindowW(L"STATIC", L"", WS_OVERLAPPEDWINDOW, 0, 0, 64, 64, nullptr, nullptr, nullptr, nullptr);
     IDirect3DDevice9* device = nullptr;
     const HRESULT made = d3d->CreateDevice(D3DADAPTER_DEFAULT, D3DDEVTYPE_NULLREF, parameters.hDeviceWindow,
                                            D3DCREATE_SOFTWARE_VERTEXPROCESSING, &parameters, &device);
@@ -60,7 +63,8 @@ IDirect3DDevice9* make_device()
 /// What the mesh holds, with 32-bit indices.
 void take(ID3DXMesh* mesh, bench::measured_mesh& to)
 {
-    const DWORD stride = mesh->GetNumBytesPerVertex(), vertices = mesh->GetNumVertices(), indices = 3 * mesh->GetNumFaces();
+    const DWORD stride = mesh->GetNumBytesPerVertex(), vertices = mesh->GetNumVertices(),
+                indices = 3 * mesh->GetNumFaces();
     void* data = nullptr;
     if (FAILED(mesh->LockVertexBuffer(D3DLOCK_READONLY, &data))) fail("LockVertexBuffer");
     to.vertices.resize(vertices);
@@ -80,7 +84,8 @@ char crash_note[64];
 LONG WINAPI note_and_end(EXCEPTION_POINTERS*)
 {
     DWORD written = 0;
-    WriteFile(GetStdHandle(STD_OUTPUT_HANDLE), crash_note, static_cast<DWORD>(std::strlen(crash_note)), &written, nullptr);
+    WriteFile(GetStdHandle(STD_OUTPUT_HANDLE), crash_note, static_cast<DWORD>(std::strlen(crash_note)), &written,
+              nullptr);
     TerminateProcess(GetCurrentProcess(), 3);
     return 0;
 }
@@ -98,15 +103,16 @@ int main(int argc, char** argv)
     const char* name = std::getenv("D3DX9_DLL");
     const HMODULE library = LoadLibraryA(name != nullptr ? name : "d3dx9_43.dll");
     if (library == nullptr) fail("LoadLibrary");
-    const auto create = reinterpret_cast<create_text>(reinterpret_cast<void*>(GetProcAddress(library, "D3DXCreateTextW")));
+    const auto create =
+        reinterpret_cast<create_text>(reinterpret_cast<void*>(GetProcAddress(library, "D3DXCreateTextW")));
     if (create == nullptr) fail("GetProcAddress");
     const bool under_wine = GetProcAddress(GetModuleHandleA("ntdll.dll"), "wine_get_version") != nullptr;
 
     IDirect3DDevice9* device = make_device();
     const HDC dc = CreateCompatibleDC(nullptr);
     (void)AddFontResourceExW(wide(argv[4]).c_str(), FR_PRIVATE, nullptr);
-    SelectObject(dc, CreateFontW(-1000, 0, 0, 0, FW_NORMAL, FALSE, FALSE, FALSE, DEFAULT_CHARSET, OUT_TT_PRECIS, CLIP_DEFAULT_PRECIS,
-                                 DEFAULT_QUALITY, DEFAULT_PITCH, wide(argv[5]).c_str()));
+    SelectObject(dc, CreateFontW(-1000, 0, 0, 0, FW_NORMAL, FALSE, FALSE, FALSE, DEFAULT_CHARSET, OUT_TT_PRECIS,
+                                 CLIP_DEFAULT_PRECIS, DEFAULT_QUALITY, DEFAULT_PITCH, wide(argv[5]).c_str()));
     WCHAR face[LF_FACESIZE] = {};
     GetTextFaceW(dc, LF_FACESIZE, face);
     if (wide(argv[5]) != face) fail("the choice of the font: GDI took another one");
@@ -115,8 +121,8 @@ int main(int argc, char** argv)
     if (out == nullptr) fail("fopen");
     const auto mesh_of = [&](const std::u16string& text, double deviation) {
         ID3DXMesh* mesh = nullptr;
-        const HRESULT made = create(device, dc, reinterpret_cast<const WCHAR*>(text.c_str()), static_cast<float>(deviation), 0.3f, &mesh,
-                                    nullptr, nullptr);
+        const HRESULT made = create(device, dc, reinterpret_cast<const WCHAR*>(text.c_str()),
+                                    static_cast<float>(deviation), 0.3f, &mesh, nullptr, nullptr);
         return SUCCEEDED(made) ? mesh : nullptr;
     };
     bench::measured_mesh m;
@@ -137,7 +143,8 @@ int main(int argc, char** argv)
         for (const double deviation : bench::letter_deviations)
             for (const char16_t letter : bench::latin_letters()) {
                 if (at++ < number) continue;
-                std::snprintf(crash_note, sizeof crash_note, "%d U+%04X %g\n", at - 1, static_cast<unsigned>(letter), deviation);
+                std::snprintf(crash_note, sizeof crash_note, "%d U+%04X %g\n", at - 1, static_cast<unsigned>(letter),
+                              deviation);
                 keep(std::u16string(1, letter), deviation);
             }
     } else {

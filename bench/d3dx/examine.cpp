@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads the meshes of d3dx_create_text and typemesh_text and prints what they are worth: times, sizes, whether they are closed,
-// and how far they are from the outlines of the font.
+// Reads the meshes of d3dx_create_text and typemesh_text and prints what they are worth: times, sizes, whether they are
+// closed, and how far they are from the outlines of the font.
 //
 //     examine FONT_FOLDER MESHES...          FONT_FOLDER is searched for the fonts that the meshes name
 
@@ -53,8 +53,8 @@ std::vector<segment> boundary(const bench::measured_mesh& m)
     return found;
 }
 
-/// A glyph's outline in the mesh's unit, in chords so short that they may stand for it. Empty for a glyph whose contours meet: the
-/// boundary of what they fill is not all of them.
+/// A glyph's outline in the mesh's unit, in chords so short that they may stand for it. Empty for a glyph whose
+/// contours meet: the boundary of what they fill is not all of them.
 std::vector<segment> drawn(harfbuzz_font& font, char16_t letter, double scale)
 {
     hb_codepoint_t id = 0;
@@ -118,11 +118,11 @@ double cell_height(const harfbuzz_font& font)
 }
 
 struct gaps {
-    double worst = 0.0;        ///< of all letters
-    double in_text = 0.0;      ///< of the letters of the text
+    double worst = 0.0;    ///< of all letters
+    double in_text = 0.0;  ///< of the letters of the text
     char16_t letter = u'?';
     std::size_t letters = 0;
-    std::size_t worse = 0;     ///< letters that are farther off than the first maker's
+    std::size_t worse = 0;  ///< letters that are farther off than the first maker's
     std::size_t vertices = 0;
 };
 
@@ -166,20 +166,28 @@ int main(int argc, char** argv)
         std::fclose(in);
     }
 
-    std::printf("\"Hello world!\", extrusion 0.3. Microseconds: the whole, median and shortest; of the median that layout and outlines; the\n"
-                "rest, meshing; the whole with a glyph cache; layout and outlines the very first time\n");
-    std::printf("%-27s %-6s %-40s %7s %7s %6s %7s %7s %6s %7s %6s %6s %5s %5s %8s\n", "font", "dev.", "maker", "median", "best", "layout",
-                "outline", "meshing", "cached", "first", "vert.", "tri.", "open", "flat", "volume");
+    std::printf(
+        "\"Hello world!\", extrusion 0.3. Microseconds: the whole, median and shortest; what of it is layout, "
+        "outlines, the\n"
+        "rest; the whole with a glyph cache; layout and outlines the very first time\n");
+    std::printf("%-27s %-6s %-40s %7s %7s %6s %7s %7s %6s %7s %6s %6s %5s %5s %8s\n", "font", "dev.", "maker", "median",
+                "best", "layout", "outline", "meshing", "cached", "first", "vert.", "tri.", "open", "flat", "volume");
     for (const auto& [where, m] : texts) {
         double volume = 0.0;
         const auto closed = examine(m, volume);
-        std::printf("%-27s %-6g %-40s %7.1f %7.1f %6.1f %7.1f %7.1f %6.1f %7.0f %6zu %6zu %5zu %5zu %8.4f\n", m.font.c_str(), m.deviation,
-                    m.maker.c_str(), m.microseconds, m.best, m.layout, m.outlines, m.microseconds - m.layout - m.outlines, m.cached,
-                    m.first_time, m.vertices.size(), m.indices.size() / 3, closed.unmatched_edges, closed.zero_area, volume);
+        std::printf("%-27s %-6g %-40s %7.1f %7.1f %6.1f %7.1f %7.1f %6.1f %7.0f %6zu %6zu %5zu %5zu %8.4f\n",
+                    m.font.c_str(), m.deviation, m.maker.c_str(), m.microseconds, m.best, m.layout, m.outlines,
+                    m.meshing, m.cached, m.first_time, m.vertices.size(), m.indices.size() / 3, closed.unmatched_edges,
+                    closed.zero_area, volume);
     }
-    if (!found.empty()) std::printf("\nThe greatest distance between mesh and outline, in cell heights: over all letters, over those of \"Hello world!\"\n");
-    if (!found.empty()) std::printf("%-27s %-6s %-40s %9s %9s %7s %7s %6s %8s\n", "font", "dev.", "maker", "letters", "hello", "worst", "letters", "worse", "vert.");
+    if (found.empty()) return 0;
+    std::printf(
+        "\nThe greatest distance between mesh and outline, in cell heights: over all letters, over those of the "
+        "text\n");
+    std::printf("%-27s %-6s %-40s %9s %9s %7s %7s %6s %8s\n", "font", "dev.", "maker", "letters", "hello", "worst",
+                "letters", "worse", "vert.");
     for (const auto& [where, g] : found)
-        std::printf("%-27s %-6g %-40s %9.6f %9.6f  U+%04X %7zu %6zu %8zu\n", std::get<0>(where).c_str(), std::get<1>(where),
-                    std::get<2>(where).c_str(), g.worst, g.in_text, static_cast<unsigned>(g.letter), g.letters, g.worse, g.vertices);
+        std::printf("%-27s %-6g %-40s %9.6f %9.6f  U+%04X %7zu %6zu %8zu\n", std::get<0>(where).c_str(),
+                    std::get<1>(where), std::get<2>(where).c_str(), g.worst, g.in_text, static_cast<unsigned>(g.letter),
+                    g.letters, g.worse, g.vertices);
 }

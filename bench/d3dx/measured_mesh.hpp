@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the programs of this folder hand to each other: meshes with the times that they took, one after the other in a file.
+// What the programs of this folder hand to each other: meshes with the times that they took, one after the other in a
+// file.
 
 #include <algorithm>
 #include <array>
@@ -15,30 +16,36 @@ namespace bench {
 
 /// A text's mesh, how it was asked for and how long it took. Only what position and normal need: 24 bytes a vertex.
 struct measured_mesh {
-    std::string maker;           ///< who made it: "Wine's D3DXCreateTextW", ...
-    std::string font;            ///< the font file's name, without its folder
+    std::string maker;  ///< who made it: "Wine's D3DXCreateTextW", ...
+    std::string font;   ///< the font file's name, without its folder
     std::u16string text;
-    double deviation = 0.0;      ///< as D3DXCreateText understands it
-    double microseconds = 0.0;   ///< for the whole, median; 0 when it was not timed
-    double best = 0.0;           ///< the same, the shortest
-    double layout = 0.0;         ///< of that, as far as it was taken apart: layout,
-    double outlines = 0.0;       ///< and outlines, as the font library gives them
-    double first_time = 0.0;     ///< layout and outlines the very first time
-    double cached = 0.0;         ///< the whole with a glyph cache that knows the letters, median
+    double deviation = 0.0;     ///< as D3DXCreateText understands it
+    double microseconds = 0.0;  ///< for the whole, median; 0 when it was not timed
+    double best = 0.0;          ///< the same, the shortest
+    double layout = 0.0;        ///< what of that is layout,
+    double outlines = 0.0;      ///< outlines, as the font library gives them,
+    double meshing = 0.0;       ///< and the rest; medians
+    double first_time = 0.0;    ///< layout and outlines the very first time
+    double cached = 0.0;        ///< the whole with a glyph cache that knows the letters, median
     std::vector<std::array<float, 6>> vertices;
     std::vector<std::uint32_t> indices;
 };
 
 inline bool write(std::FILE* to, const measured_mesh& m)
 {
-    const auto put = [to](const void* data, std::size_t bytes) { return std::fwrite(data, 1, bytes, to) == bytes || bytes == 0; };
-    const std::uint32_t sizes[5] = {static_cast<std::uint32_t>(m.maker.size()), static_cast<std::uint32_t>(m.font.size()),
-                                    static_cast<std::uint32_t>(m.text.size()), static_cast<std::uint32_t>(m.vertices.size()),
-                                    static_cast<std::uint32_t>(m.indices.size())};
-    const double numbers[7] = {m.deviation, m.microseconds, m.best, m.layout, m.outlines, m.first_time, m.cached};
+    const auto put = [to](const void* data, std::size_t bytes) {
+        return std::fwrite(data, 1, bytes, to) == bytes || bytes == 0;
+    };
+    const std::uint32_t sizes[5] = {
+        static_cast<std::uint32_t>(m.maker.size()), static_cast<std::uint32_t>(m.font.size()),
+        static_cast<std::uint32_t>(m.text.size()), static_cast<std::uint32_t>(m.vertices.size()),
+        static_cast<std::uint32_t>(m.indices.size())};
+    const double numbers[8] = {m.deviation, m.microseconds, m.best,       m.layout,
+                               m.outlines,  m.meshing,      m.first_time, m.cached};
     return put(sizes, sizeof sizes) && put(numbers, sizeof numbers) && put(m.maker.data(), m.maker.size()) &&
            put(m.font.data(), m.font.size()) && put(m.text.data(), 2 * m.text.size()) &&
-           put(m.vertices.data(), sizeof m.vertices[0] * m.vertices.size()) && put(m.indices.data(), 4 * m.indices.size());
+           put(m.vertices.data(), sizeof m.vertices[0] * m.vertices.size()) &&
+           put(m.indices.data(), 4 * m.indices.size());
 }
 
 /// False at the file's end.
@@ -46,14 +53,21 @@ inline bool read(std::FILE* from, measured_mesh& m)
 {
     const auto take = [from](void* data, std::size_t bytes) { return std::fread(data, 1, bytes, from) == bytes; };
     std::uint32_t sizes[5];
-    double numbers[7];
+    double numbers[8];
     if (!take(sizes, sizeof sizes) || !take(numbers, sizeof numbers)) return false;
     m.maker.resize(sizes[0]), m.font.resize(sizes[1]), m.text.resize(sizes[2]);
     m.vertices.resize(sizes[3]), m.indices.resize(sizes[4]);
     m.deviation = numbers[0], m.microseconds = numbers[1], m.best = numbers[2];
-    m.layout = numbers[3], m.outlines = numbers[4], m.first_time = numbers[5], m.cached = numbers[6];
+    m.layout = numbers[3], m.outlines = numbers[4], m.meshing = numbers[5], m.first_time = numbers[6],
+    m.cached = numbers[7];
     return take(m.maker.data(), sizes[0]) && take(m.font.data(), sizes[1]) && take(m.text.data(), 2 * sizes[2]) &&
            take(m.vertices.data(), sizeof m.vertices[0] * sizes[3]) && take(m.indices.data(), 4 * sizes[4]);
+}
+
+inline double median(std::vector<double>& of)
+{
+    std::nth_element(of.begin(), of.begin() + static_cast<std::ptrdiff_t>(of.size() / 2), of.end());
+    return of[of.size() / 2];
 }
 
 /// Median and shortest of so many runs, in microseconds, after a tenth as many for warming up.

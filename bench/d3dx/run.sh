@@ -1,15 +1,17 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# D3DXCreateTextW as Wine has it (not Microsoft's) beside typemesh, on one machine in one go: the same text, fonts, deviations and size;
-# median times, sizes, closedness, and how far the meshes are from the outlines. typemesh runs natively with HarfBuzz and, with
-# DirectWrite, as a Windows program under the same Wine. See docs/from_d3dx.md.
+# D3DXCreateTextW as Wine has it (not Microsoft's) beside typemesh, on one machine in one go: the same text, fonts,
+# deviations and size; times, sizes, closedness, and how far the meshes are from the outlines. typemesh runs natively
+# with HarfBuzz and, with DirectWrite, as a Windows program under the same Wine. See docs/from_d3dx.md.
 #
-#     bench/d3dx/run.sh                   times and sizes, 2 minutes
-#     bench/d3dx/run.sh --letters         also every letter of the Latin set at seven deviations: errors, another 5 minutes
-#     bench/d3dx/run.sh --rounds N        so many rounds (3) of all programs in turn; the best median of each counts
+#     bench/d3dx/run.sh                times and sizes, 2 minutes
+#     bench/d3dx/run.sh --letters      also every letter of Latin-1 at seven deviations: errors, some minutes more
+#     bench/d3dx/run.sh --rounds N     so many rounds (3) of all programs in turn; the best median of each counts
+#     bench/d3dx/run.sh --runs N       so many runs (1000) in a round
 #
-# On Windows d3dx_create_text.exe measures Microsoft's implementation; D3DX9_DLL names another library than d3dx9_43.dll.
+# On Windows bench_d3dx_create_text.exe measures Microsoft's implementation; D3DX9_DLL names another library than
+# d3dx9_43.dll.
 set -eu
 typemesh_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 . "$typemesh_root/cmake/setup.sh"
@@ -22,7 +24,7 @@ while [ $# -gt 0 ]; do
         --letters) letters=yes ;;
         --rounds) rounds=$2 && shift ;;
         --runs) runs=$2 && shift ;;
-        *) sed -n '3,13s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" && exit 2 ;;
+        *) sed -n '3,14s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" && exit 2 ;;
     esac
     shift
 done
@@ -83,7 +85,8 @@ mesh_letters() {
     "$native/bench_d3dx_typemesh_text" letters "$build/native.meshes" "$1"
     while :; do
         status=0
-        crash=$(under_wine "$windows/bench_d3dx_create_text.exe" letters "Z:$build/d3dx.meshes" "$first" "$2" "$3") || status=$?
+        crash=$(under_wine "$windows/bench_d3dx_create_text.exe" letters "Z:$build/d3dx.meshes" "$first" "$2" "$3") ||
+            status=$?
         [ $status = 3 ] || break
         say "D3DXCreateTextW crashes: $3, letter ${crash#* }"
         first=$((${crash%% *} + 1))

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// The texts of d3dx_create_text, made by typemesh::d3dx_text: natively with HarfBuzz, as a Windows program with DirectWrite.
+// The texts of d3dx_create_text, made by typemesh::d3dx_text: natively with HarfBuzz, as a Windows program with
+// DirectWrite.
 //
-//     typemesh_text text OUT RUNS FONT_FILE           "Hello world!" at the four deviations of the thesis, RUNS runs each
-//     typemesh_text letters OUT FONT_FILE             every letter of the Latin set alone at more deviations, untimed
+//     typemesh_text text OUT RUNS FONT_FILE   "Hello world!" at the thesis' four deviations, RUNS times each
+//     typemesh_text letters OUT FONT_FILE     every letter of Latin-1 alone at more deviations, untimed
 //
-// Appends to OUT. Every run does all the work anew: layout, outlines, meshing, vertices and 16-bit indices into arrays of the
-// caller's. Layout and outlines are timed apart as well, and the whole with a glyph cache.
+// Appends to OUT. Every run does all the work anew: layout, outlines, meshing, vertices and 16-bit indices into arrays
+// of the caller's. The whole is timed; in runs of their own layout, outlines and the rest, meshing; and the whole with
+// a glyph cache.
 
 #include "measured_mesh.hpp"
 
@@ -51,6 +53,34 @@ result<font_type> open(const char* path)
 #endif
 }
 
+/// A font that counts how long its two tasks take.
+struct timed_font {
+    using clock = std::chrono::steady_clock;
+    font_type* font;
+    double layout = 0.0;
+    double outlines = 0.0;
+
+    [[nodiscard]] double units_per_em() noexcept { return font->units_per_em(); }
+    [[nodiscard]] fill_rule fill() noexcept { return font->fill(); }
+    [[nodiscard]] line_metrics metrics(direction d) noexcept { return font->metrics(d); }
+    result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& o,
+                        glyph_run& run) noexcept
+    {
+        const auto start = clock::now();
+        auto shaped = font->shape(text, first, last, o, run);
+        layout += std::chrono::duration<double, std::micro>(clock::now() - start).count();
+        return shaped;
+    }
+    template <outline_sink Sink>
+    error outline(glyph_id id, Sink& sink) noexcept
+    {
+        const auto start = clock::now();
+        const error e = font->outline(id, sink);
+        outlines += std::chrono::duration<double, std::micro>(clock::now() - start).count();
+        return e;
+    }
+};
+
 /// A run of one text: plan and write, into arrays that are there already.
 template <class Maker>
 struct text_work {
@@ -73,7 +103,8 @@ struct text_work {
 int main(int argc, char** argv)
 {
     const bool letters = argc == 4 && std::strcmp(argv[1], "letters") == 0;
-    if (!letters && argc != 5) return std::fputs("usage: typemesh_text text OUT RUNS FONT_FILE | letters OUT FONT_FILE\n", stderr), 2;
+    if (!letters && argc != 5)
+        return std::fputs("usage: typemesh_text text OUT RUNS FONT_FILE | letters OUT FONT_FILE\n", stderr), 2;
     const char* path = argv[argc - 1];
     std::FILE* out = std::fopen(argv[2], "ab");
     auto font = open(path);
@@ -100,30 +131,27 @@ int main(int argc, char** argv)
             for (const char16_t letter : bench::latin_letters()) keep(std::u16string(1, letter), deviation);
     } else {
         const int runs = std::atoi(argv[3]);
-        glyph_run run;
-        const feature plain[] = {{"kern", 0}, {"liga", 0}, {"clig", 0}};
-        const auto shape = [&] {
-            if (error e = layout(*font, bench::hello, {.features = plain}, {}, run)) fail(e);
-        };
-        std::vector<glyph_id> different;  // a letter that comes again is drawn and meshed once
-        const auto draw = [&] {
-            ignore_outline sink;
-            for (const glyph_id id : different)
-                if (error e = font->outline(id, sink)) fail(e);
-        };
-        const auto start = std::chrono::steady_clock::now();
-        shape();
-        for (const placed_glyph& g : run.glyphs)
-            if (std::find(different.begin(), different.end(), g.id) == different.end()) different.push_back(g.id);
-        draw();
-        m.first_time = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+        timed_font timed{&*font};
+        d3dx_text apart{timed};
+        text_work<decltype(apart)> work_apart{apart};
+        work_apart(bench::hello, bench::deviations[0]);
+        m.first_time = timed.layout + timed.outlines;
 
         glyph_cache cache;
         d3dx_text quick{*font, cached_in{cache, 1}};
         text_work<decltype(quick)> quick_work{quick};
         for (const double deviation : bench::deviations) {
-            m.layout = bench::time_of(runs, shape).median;
-            m.outlines = bench::time_of(runs, draw).median;
+            std::vector<double> shaping, drawing, meshing;
+            for (int i = 0; i < runs; ++i) {
+                timed.layout = timed.outlines = 0.0;
+                const auto start = timed_font::clock::now();
+                work_apart(bench::hello, deviation);
+                const std::chrono::duration<double, std::micro> all = timed_font::clock::now() - start;
+                shaping.push_back(timed.layout);
+                drawing.push_back(timed.outlines);
+                meshing.push_back(all.count() - timed.layout - timed.outlines);
+            }
+            m.layout = bench::median(shaping), m.outlines = bench::median(drawing), m.meshing = bench::median(meshing);
             const auto times = bench::time_of(runs, [&] { work(bench::hello, deviation); });
             m.microseconds = times.median, m.best = times.best;
             m.cached = bench::time_of(runs, [&] { quick_work(bench::hello, deviation); }).median;

@@ -154,7 +154,7 @@ TEST_CASE("the size is that of the cell, as in Direct3D, or of the em", "[compat
     tall_font font;
     const full_mesh cell = made(font, u"Eo", {.deviation = 0.004, .extrusion = 0.5}),
                     em = made(font, u"Eo", {.deviation = 0.005, .extrusion = 0.5, .size = d3dx_size::em});
-    REQUIRE(cell.vertices.size() == em.vertices.size());  // the deviation is in the output's unit: 0.005 em is 0.004 cells
+    REQUIRE(cell.vertices.size() == em.vertices.size());  // the deviation is in the output's unit, as 0.004 cells
     for (std::size_t i = 0; i < cell.vertices.size(); ++i) {
         CHECK(cell.vertices[i].position.x * 1.25f == Approx(em.vertices[i].position.x).margin(1e-6));
         CHECK(cell.vertices[i].position.y * 1.25f == Approx(em.vertices[i].position.y).margin(1e-6));

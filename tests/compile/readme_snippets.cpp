@@ -32,6 +32,7 @@ int main()
 }
 
 void draw(std::uint32_t, typemesh::vec3) noexcept {}
+void draw(std::uint32_t, std::uint32_t, std::uint32_t) noexcept {}
 
 template <class... T>
 void use(const T&...)
@@ -39,12 +40,11 @@ void use(const T&...)
 }
 
 int more(typemesh::result<typemesh::harfbuzz_font>& font, std::span<vertex> mapped_vertices,
-         std::span<std::uint32_t> mapped_indices, std::string_view long_text)
+         std::span<std::uint32_t> mapped_indices, std::span<std::uint16_t> mapped_short_indices, std::string_view text)
 {
     typemesh::text_mesher mesher{*font};
     std::vector<vertex> vertices;
     std::vector<std::uint32_t> indices;
-    std::vector<std::uint16_t> short_indices;
     {
 auto plan = mesher.plan(u8"مرحبا بالعالم!", {.tolerance = typemesh::quality::best, .frame = typemesh::left_handed_y_up});
 if (!plan) return std::puts(plan.error().message()), 1;     // the plan refers to its mesher: keep both
@@ -71,15 +71,23 @@ auto unique = frame->write_meshes(typemesh::into(vertices, indices));
 frame->write_instances([&](const typemesh::glyph_instance& i) noexcept { draw(i.mesh, i.translation); });
     use(unique);
 
-typemesh::thread_pool pool{4};
+    {
+typemesh::thread_pool pool;                                  // as many workers as the machine has
 auto team = typemesh::team_of(pool, [&](std::size_t) noexcept { return typemesh::harfbuzz_font::wrap(font->handle()); });
-if (!team) return std::puts(team.error().message()), 1;
-auto book = mesher.plan(long_text, {}, *team);               // the same, to the bit, as by one thread
-auto written = book->write(typemesh::into(vertices, indices), pool);
-typemesh::text_chunks chunks;                                // of 65,535 vertices at most, indices from 0 in each
-if (auto e = chunks.cut(*book)) return std::puts(e.message()), 1;
-auto short_one = chunks.write(*book, typemesh::into(vertices, short_indices));
-    use(written, short_one);
+if (!team) return std::puts(team.error().message()), 1;      // FreeType: open the file again for each worker
+auto plan = mesher.plan(text, {}, *team);
+if (!plan) return std::puts(plan.error().message()), 1;
+auto error = plan->write(typemesh::into(vertices, indices), pool);
+    use(error);
+        {
+typemesh::text_chunks chunks;
+if (auto e = chunks.cut(*plan)) return std::puts(e.message()), 1;               // at most 65,535 vertices each
+auto size = chunks.size();                                                      // exact, as ever
+auto trouble = chunks.write(*plan, typemesh::into(mapped_vertices, mapped_short_indices));
+for (const auto& c : chunks.view()) draw(c.range().first_index, c.range().index_count, c.first_vertex);
+    use(size, trouble);
+        }
+    }
     return 0;
 }
 

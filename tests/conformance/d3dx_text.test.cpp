@@ -22,7 +22,8 @@ harfbuzz_font open(const std::string& name)
     return std::move(*font);
 }
 
-std::vector<d3dx_glyph_metrics> metrics_of(auto& font, const std::u16string& text, const d3dx_text_options& options = {})
+std::vector<d3dx_glyph_metrics> metrics_of(harfbuzz_font& font, const std::u16string& text,
+                                           const d3dx_text_options& options = {})
 {
     d3dx_text maker{font};
     const auto plan = maker.plan(text, options);
@@ -95,7 +96,7 @@ TEST_CASE("a letter outside the first plane has its metrics at its first unit", 
     CHECK(m[2].box_height > 0.0f);
 }
 
-TEST_CASE("fonts of both orientations make closed meshes of positive volume through either font library", "[conformance]")
+TEST_CASE("fonts of both orientations make closed, outward meshes through either font library", "[conformance]")
 {
     const std::string path = font_file(GENERATE(from_range(fonts)));
     const double deviation = GENERATE(0.1, 0.01, 0.005, 0.001);

@@ -232,8 +232,8 @@ private:
         return {};
     }
 
-    /// Where the boundary changes from one curve to another that is not its neighbour, the curves (or their neighbours)
-    /// have a point in common within four tolerances, to 3 % of one.
+    /// Where the boundary changes from one curve to another that is not its neighbour, the two contours have a point in
+    /// common within four tolerances along both, to 3 % of one.
     std::string false_meeting(const typemesh::region& made, double tolerance)
     {
         using namespace typemesh;
@@ -253,12 +253,18 @@ private:
                 const auto of_a = round(a), of_b = round(b);
                 if (std::find_first_of(of_a.begin(), of_a.end(), of_b.begin(), of_b.end()) != of_a.end()) continue;
                 const point x{double(points[i].x), double(points[i].y)};
-                const auto chords_of = [&](const std::vector<std::uint32_t>& curves) {
+                const auto chords_within = [&](std::uint32_t k, std::vector<chord>& all) {
+                    const std::size_t before = all.size();
+                    for (std::size_t c = first_[k]; c < first_[k + 1]; ++c)
+                        if (squared_distance(x, dense_[c].start, dense_[c].end) <= reach * reach)
+                            all.push_back(dense_[c]);
+                    return all.size() > before;
+                };
+                const auto chords_of = [&](const std::vector<std::uint32_t>& curves) {  // and on along the contour
                     std::vector<chord> all;
-                    for (const std::uint32_t k : curves)
-                        for (std::size_t c = first_[k]; c < first_[k + 1]; ++c)
-                            if (squared_distance(x, dense_[c].start, dense_[c].end) <= reach * reach)
-                                all.push_back(dense_[c]);
+                    for (const std::uint32_t k : curves) chords_within(k, all);
+                    for (std::uint32_t k = curves.back(), n = 0; n < 16 && chords_within(k = round(k).back(), all);) ++n;
+                    for (std::uint32_t k = curves[0], n = 0; n < 16 && chords_within(k = round(k)[0], all);) ++n;
                     return all;
                 };
                 bool met = false;

@@ -94,7 +94,7 @@ std::string long_text(std::size_t length)
                 : k < 14 ? "\n\n\n"
                 : k < 16 ? "?"
                 : k < 17 ? "\xFF"
-                         : "abcdefgh" + k % 8;
+                         : &"abcdefgh"[k % 8];
     }
     return text;
 }

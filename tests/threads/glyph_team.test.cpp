@@ -27,7 +27,8 @@ namespace {
 
 bool same(const full_mesh& a, const full_mesh& b)
 {
-    return a.indices == b.indices && a.vertices.size() == b.vertices.size() &&
+    if (a.indices != b.indices || a.vertices.size() != b.vertices.size()) return false;
+    return a.vertices.empty() ||
            std::memcmp(a.vertices.data(), b.vertices.data(), a.vertices.size() * sizeof(full_vertex)) == 0;
 }
 

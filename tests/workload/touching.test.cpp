@@ -8,7 +8,7 @@
 #include "support/walks.hpp"
 
 #include <typemesh/adapt/harfbuzz.hpp>
-#include <typemesh/text/cap.hpp>
+#include <typemesh/glyph/cap.hpp>
 #include <typemesh/typemesh.hpp>
 
 using namespace typemesh;

@@ -21,7 +21,7 @@ namespace typemesh {
 ///     0.001       0.0014     0.0005       0.0012     0.0005        0.0005      best    (the thesis' four qualities)
 ///
 /// So the error is half as large, with about as many triangles. It is a promise about the worst of a text: on single
-/// letters Direct3D can be the better one, where its halving of curves happens to come out far below what was asked for.
+/// letters Direct3D can be the better one, where its halving of curves happens to end far below what was asked for.
 ///
 /// Needs  deviation > 0; nothing is checked here
 [[nodiscard]] constexpr double d3dx_tolerance(double deviation) noexcept

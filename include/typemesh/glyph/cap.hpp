@@ -5,7 +5,7 @@
 #include <typemesh/fill/orient.hpp>
 #include <typemesh/fill/resolve.hpp>
 #include <typemesh/fill/touching_walks.hpp>
-#include <typemesh/text/stage.hpp>
+#include <typemesh/glyph/stage.hpp>
 #include <typemesh/triangulate/triangulator.hpp>
 
 namespace typemesh {
@@ -42,8 +42,8 @@ template <proving_triangulator Triangulator>
 ///     any other               loops ─────────────────────────▶ fill ─▶ triangulate ──▶
 ///
 /// So outlines that are already simple, which is nearly all, pay for one sweep only, and those that only touch in points
-/// for little more than two. `loops` is turned and compacted in
-/// place; the region refers to it. Triangles are appended to `out`, which is as it was after an error.
+/// for two at most and a sort. `loops` is turned and compacted in place; the region refers to it. Triangles are appended
+/// to `out`, which is as it was after an error.
 template <triangulator Triangulator, stage_observer Observer>
 [[nodiscard]] result<region> cap(contours& loops, fill_rule rule, const Triangulator& how, workspace& space,
                                  triangle_list& out, Observer& observe) noexcept

@@ -2,7 +2,7 @@
 
 // Contours that only touch in points: proven without being resolved, and the same region as if they were.
 
-#include <typemesh/text/cap.hpp>
+#include <typemesh/glyph/cap.hpp>
 #include <typemesh/triangulate/constrained_delaunay.hpp>
 #include <typemesh/triangulate/monotone.hpp>
 
@@ -116,7 +116,7 @@ std::string mistake_in_any_position(const test::shape& s)
 }  // namespace
 
 TEMPLATE_LIST_TEST_CASE("random polylines on tiny grids that only touch in points are the region that resolve() makes",
-                        "[text][cap]", triangulators)
+                        "[glyph][cap]", triangulators)
 {
     test::dice d{311};
     touching = proven_fast = 0;
@@ -137,7 +137,7 @@ TEMPLATE_LIST_TEST_CASE("random polylines on tiny grids that only touch in point
 }
 
 TEMPLATE_LIST_TEST_CASE("patterns of squares and rhombs that touch in corners are the region that resolve() makes",
-                        "[text][cap]", triangulators)
+                        "[glyph][cap]", triangulators)
 {
     test::dice d{312};
     touching = proven_fast = 0;
@@ -173,7 +173,7 @@ TEMPLATE_LIST_TEST_CASE("patterns of squares and rhombs that touch in corners ar
     CHECK(touching > 20'000);
 }
 
-TEMPLATE_LIST_TEST_CASE("any number of wedges round one point is proven, walked as one loop or as many", "[text][cap]",
+TEMPLATE_LIST_TEST_CASE("any number of wedges round one point is proven, walked as one loop or as many", "[glyph][cap]",
                         triangulators)
 {
     for (int wedges = 2; wedges <= 40; ++wedges) {
@@ -200,7 +200,7 @@ TEMPLATE_LIST_TEST_CASE("any number of wedges round one point is proven, walked 
     }
 }
 
-TEST_CASE("nested loops of one direction that touch are no hole", "[text][cap]")
+TEST_CASE("nested loops of one direction that touch are no hole", "[glyph][cap]")
 {
     const test::shape s{"in a corner", {{{0, 0}, {90, 0}, {90, 90}, {0, 90}}, {{0, 0}, {60, 20}, {20, 60}}}};
     for (const fill_rule rule : {fill_rule::non_zero, fill_rule::even_odd}) {
@@ -216,7 +216,7 @@ TEST_CASE("nested loops of one direction that touch are no hole", "[text][cap]")
     CHECK(mistake_in_any_position<monotone>(s) == "");
 }
 
-TEMPLATE_LIST_TEST_CASE("shapes of the corpus are proven by touching points alone, or left as they were", "[text][cap]",
+TEMPLATE_LIST_TEST_CASE("shapes of the corpus are proven by touching points alone, or left as they were", "[glyph][cap]",
                         triangulators)
 {
     for (const test::corpus_shape& c : test::corpus("regions.txt")) {
@@ -226,7 +226,7 @@ TEMPLATE_LIST_TEST_CASE("shapes of the corpus are proven by touching points alon
 }
 
 TEST_CASE("prove_loops() without memory says so and leaves the contours as they were, warm it asks for none",
-          "[text][cap]")
+          "[glyph][cap]")
 {
     test::shape s{"holes in rows", {{{-8, -8}, {808, -8}, {808, 808}, {-8, 808}}}};
     for (std::int32_t y = 0; y < 20; ++y)

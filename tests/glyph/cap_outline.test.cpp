@@ -3,7 +3,7 @@
 #include <typemesh/discretise/adaptive_subdivision.hpp>
 #include <typemesh/discretise/certified.hpp>
 #include <typemesh/discretise/two_lines.hpp>
-#include <typemesh/text/cap_outline.hpp>
+#include <typemesh/glyph/cap_outline.hpp>
 #include <typemesh/triangulate/monotone.hpp>
 
 #include "support/catch.hpp"
@@ -420,7 +420,7 @@ TEST_CASE("a contour whose curves have an area is never lost, however coarse the
     CHECK(c.made.points().empty());
 }
 
-TEST_CASE("discretisers that keep no tolerance are not asked twice; triangulators that prove nothing get the same region",
+TEST_CASE("what keeps no tolerance is not asked twice, and triangulators that prove nothing get the same region",
           "[cap_outline]")
 {
     const outline o = outline_of({circle({0, 0}, 400), circle({0, 0}, 399, 5, 0.3)});

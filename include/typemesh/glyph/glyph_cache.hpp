@@ -3,8 +3,8 @@
 
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/buffer.hpp>
-#include <typemesh/text/glyph_shape.hpp>
-#include <typemesh/text/shape_context.hpp>
+#include <typemesh/glyph/glyph_shape.hpp>
+#include <typemesh/glyph/shape_context.hpp>
 
 #include <cstddef>
 #include <cstdint>

@@ -4,8 +4,8 @@
 #include <typemesh/core/outline.hpp>
 #include <typemesh/discretise/discretise.hpp>
 #include <typemesh/fill/nest.hpp>
-#include <typemesh/text/cap.hpp>
-#include <typemesh/text/crossing_guard.hpp>
+#include <typemesh/glyph/cap.hpp>
+#include <typemesh/fill/crossing_guard.hpp>
 
 namespace typemesh {
 
