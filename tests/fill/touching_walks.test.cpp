@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+
+#include <typemesh/fill/touching_walks.hpp>
+
+#include "support/catch.hpp"
+#include "support/regions.hpp"
+
+#include <set>
+#include <tuple>
+
+using namespace typemesh;
+
+namespace {
+
+/// The directed edges with their curves, sorted.
+auto edges_of(const contours& loops)
+{
+    std::vector<std::tuple<int, int, int, int, std::uint32_t>> all;
+    for (std::uint32_t c = 0; c < loops.contour_count(); ++c)
+        for (std::uint32_t begin = loops.starts[c], end = loops.starts[c + 1], i = begin; i < end; ++i) {
+            const grid_point a = loops.points[i], b = loops.points[i + 1 < end ? i + 1 : begin];
+            all.emplace_back(a.x, a.y, b.x, b.y, loops.edges[i].curve);
+        }
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+bool equal(const contours& a, const contours& b)
+{
+    return std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end()) &&
+           std::equal(a.starts.begin(), a.starts.end(), b.starts.begin(), b.starts.end()) &&
+           std::equal(a.edges.begin(), a.edges.end(), b.edges.begin(), b.edges.end(),
+                      [](const contour_edge& e, const contour_edge& f) { return e.curve == f.curve; });
+}
+
+}  // namespace
+
+TEST_CASE("Walking anew keeps every directed edge, is done after one time, and can be undone", "[fill][touching_walks]")
+{
+    test::dice d{611};
+    int linked = 0, changed = 0;
+    for (int i = 0; i < 100'000; ++i) {
+        const int width = 3 + d.roll(6), count = 1 + d.roll(3);
+        test::shape s{"polylines " + std::to_string(i), {}};
+        for (int c = 0; c < count; ++c) {
+            test::polyline l;
+            for (int n = 1 + d.roll(8); n > 0; --n) l.push_back({d.roll(width), d.roll(width)});
+            s.loops.push_back(l);
+        }
+        const contours given = test::contours_of(s);
+        contours loops = test::contours_of(s);
+        workspace space;
+        workspace::scope scratch{space};
+        touching_walks walks, again;
+        INFO(s);
+        if (const error e = walks.link(loops, scratch, space)) {
+            REQUIRE(e == error::crossing_contours);
+            REQUIRE(equal(loops, given));
+            continue;
+        }
+        ++linked;
+        changed += !equal(loops, given);
+        REQUIRE(edges_of(loops) == edges_of(given));
+        const std::vector<grid_point> first{loops.points.begin(), loops.points.end()};
+        REQUIRE_FALSE(again.link(loops, scratch, space));
+        REQUIRE(std::equal(first.begin(), first.end(), loops.points.begin(), loops.points.end()));
+        walks.undo(loops);
+        REQUIRE(equal(loops, given));
+    }
+    CHECK(linked > 1000);
+    CHECK(changed > 100);
+}
+
+TEST_CASE("Contours without equal points are not walked anew", "[fill][touching_walks]")
+{
+    for (const test::shape& s : {test::shape{"a square", {test::square(0, 0, 9)}}, test::shape{"nothing", {}}}) {
+        contours loops = test::contours_of(s);
+        workspace space;
+        workspace::scope scratch{space};
+        touching_walks walks;
+        CHECK(walks.link(loops, scratch, space) == error::crossing_contours);
+    }
+}
