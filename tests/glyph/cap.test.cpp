@@ -216,8 +216,8 @@ TEST_CASE("nested loops of one direction that touch are no hole", "[glyph][cap]"
     CHECK(mistake_in_any_position<monotone>(s) == "");
 }
 
-TEMPLATE_LIST_TEST_CASE("shapes of the corpus are proven by touching points alone, or left as they were", "[glyph][cap]",
-                        triangulators)
+TEMPLATE_LIST_TEST_CASE("shapes of the corpus are proven by touching points alone, or left as they were",
+                        "[glyph][cap]", triangulators)
 {
     for (const test::corpus_shape& c : test::corpus("regions.txt")) {
         INFO(c);

@@ -27,7 +27,8 @@ bool is_touching_region(const std::vector<test::oracle::loop>& loops)
     const std::vector<test::oracle::loop> views{large.begin(), large.end()};
     for (const auto l : loops) {
         for (std::size_t i = 0; i < l.size(); ++i) {
-            const grid_point a = l[i], b = l[(i + 1) % l.size()], middle{(a.x + b.x) * fine / 2, (a.y + b.y) * fine / 2};
+            const grid_point a = l[i], b = l[(i + 1) % l.size()];
+            const grid_point middle{(a.x + b.x) * fine / 2, (a.y + b.y) * fine / 2};
             const grid_point aside{a.y - b.y, b.x - a.x};
             if (test::oracle::winding(views, {middle.x + aside.x, middle.y + aside.y}) != 1) return false;
             if (test::oracle::winding(views, {middle.x - aside.x, middle.y - aside.y}) != 0) return false;
@@ -71,7 +72,7 @@ TEST_CASE("prove_touching() accepts random polylines on tiny grids exactly where
     CHECK(touching > 100);
 }
 
-TEST_CASE("prove_touching() accepts what resolve() makes of random polylines, and makes the triangles that trusting makes",
+TEST_CASE("prove_touching() accepts what resolve() makes of random polylines, and cuts it as trusting does",
           "[triangulate][monotone_sweep]")
 {
     test::dice d{412};

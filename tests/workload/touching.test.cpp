@@ -19,7 +19,7 @@ TEST_CASE("glyphs that only touch in points are the region that resolve() makes 
     std::size_t touching = 0;
     for (const char* name : {"truetype/wqy/wqy-microhei.ttc", "truetype/sawarabi-mincho/sawarabi-mincho-medium.ttf",
                              "truetype/inter-vf/Inter.var.ttf"}) {
-        auto font = harfbuzz_font::open(test::font_file(name).c_str());
+        auto font = harfbuzz_font::open(font_file(name).c_str());
         REQUIRE(font);
         workspace space;
         outline shape;
