@@ -31,7 +31,7 @@ struct [[nodiscard]] error {
         bad_outline,          ///< an outline starts without move_to, or the like
         outline_not_finite,   ///< an outline holds NaN or infinity
         outline_beyond_grid,  ///< an outline is too large for the integer grid
-        crossing_contours,    ///< contours cross, touch or overlap, where they must not: nest(), a proving triangulator
+        crossing_contours,    ///< contours cross, touch or overlap where they must not; count: see triangulator.hpp
         bad_tolerance,        ///< a tolerance is not a positive finite number
         bad_option,           ///< an option is outside its range; `option` names it
         mixed_direction,      ///< one line holds left-to-right and right-to-left text

@@ -44,8 +44,7 @@ template <discretiser Discretiser, triangulator Triangulator, stage_observer Obs
         const auto prove = [&]() noexcept -> result<region> {
             if constexpr (proving_triangulator<Triangulator>) {
                 observe(stage::triangulate);
-                orient(loops);
-                return cut.prove(loops, space, out);
+                return prove_loops(loops, cut, space, out);
             } else {
                 observe(stage::fill);
                 auto nested = nest(loops, rule, space);
