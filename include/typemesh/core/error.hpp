@@ -28,7 +28,7 @@ struct [[nodiscard]] error {
         unknown_glyph,        ///< the font has no such glyph, or its outline cannot be loaded
         unknown_variation,    ///< the font has no such axis
         bad_feature,          ///< the tag of an OpenType feature is not four printable ASCII characters
-        bad_outline,          ///< an outline starts without move_to, or the like
+        bad_outline,          ///< an outline starts without move(), or the like
         outline_not_finite,   ///< an outline holds NaN or infinity
         outline_beyond_grid,  ///< an outline is too large for the integer grid
         crossing_contours,    ///< contours cross, touch or overlap where they must not; count: see triangulator.hpp
@@ -95,7 +95,7 @@ struct [[nodiscard]] error {
         case unknown_glyph: return "The font has no such glyph, or its outline cannot be loaded.";
         case unknown_variation: return "The font has no such variation axis.";
         case bad_feature: return "The tag of an OpenType feature is not four printable ASCII characters.";
-        case bad_outline: return "The outline is malformed: a contour must begin with move_to.";
+        case bad_outline: return "The outline is malformed: a contour must begin with move().";
         case outline_not_finite: return "The outline holds a coordinate that is not a finite number.";
         case outline_beyond_grid: return "The outline is too large for the integer grid.";
         case crossing_contours: return "Contours of the outline cross, touch or overlap.";
@@ -104,7 +104,8 @@ struct [[nodiscard]] error {
         case mixed_direction:
             return "A line holds both left-to-right and right-to-left text; shape its runs one by one.";
         case needs_shaping:
-            return "The text needs a real shaper (HarfBuzz): its script is not set by character map and kerning alone.";
+            return "The text needs a real shaper (HarfBuzz, DirectWrite): character map and kerning do not set its "
+                   "script.";
         case font_library_failed: return "The font library refused the request.";
         case refused_by_user: return "A policy of the caller refused.";
         }
