@@ -143,7 +143,12 @@ TEST_CASE("of several lines that are refused the first is told, and the run is e
     }
     workers_at_hand team{2, 1};
     glyph_run run;
-    CHECK(team.set("a", {}, {alignment::left, std::numeric_limits<double>::quiet_NaN()}, run) == error::bad_option);
+    const layout_options bad{alignment::left, std::numeric_limits<double>::quiet_NaN()};
+    const error e = team.set("a", {}, bad, run);
+    CHECK(e == error::bad_option);
+    CHECK(std::string{e.option} == "line_spacing");
+    counting_shaper font;
+    CHECK(std::string{layout(font, "a", {}, bad, run).option} == e.option);
 }
 
 TEST_CASE("setting a text again needs no memory, and memory that fails leaves an empty run", "[layout][threads]")

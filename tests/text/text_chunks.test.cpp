@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <string>
 #include <vector>
 
 using namespace typemesh;
@@ -234,7 +235,9 @@ TEST_CASE("what cannot be cut or does not fit is refused before anything is writ
     REQUIRE(plan);
     text_chunks chunks;
     for (const std::uint32_t most : {0u, 1u, 2u}) {
-        CHECK(chunks.cut(*plan, most) == error::bad_option);
+        const error e = chunks.cut(*plan, most);
+        CHECK(e == error::bad_option);
+        CHECK(std::string{e.option} == "most");
         CHECK(chunks.view().empty());
         CHECK(chunks.size() == mesh_size{});
     }

@@ -9,7 +9,8 @@
 namespace test {
 
 /// A font face that draws what a test tells it to, and counts its references. 1000 units to the em, 10 glyphs.
-class fake_face final : public IDWriteFontFace {
+template <class Interface>
+class fake_face_of : public Interface {
 public:
     std::function<HRESULT(ID2D1SimplifiedGeometrySink&)> draws = [](ID2D1SimplifiedGeometrySink&) { return S_OK; };
     ULONG references = 1;
@@ -79,5 +80,7 @@ public:
         return E_NOTIMPL;
     }
 };
+
+class fake_face final : public fake_face_of<IDWriteFontFace> {};
 
 }  // namespace test

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/adapt/directwrite_com.hpp>
+#include <typemesh/adapt/directwrite_key.hpp>
 #include <typemesh/adapt/directwrite_outline.hpp>
 #include <typemesh/adapt/directwrite_shaping.hpp>
 #include <typemesh/core/buffer.hpp>
@@ -13,6 +14,7 @@
 #include <dwrite_3.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 namespace typemesh {
@@ -127,6 +129,11 @@ public:
     /// How many glyphs the face has; their ids count from 0.
     [[nodiscard]] std::uint32_t glyph_count() const noexcept { return glyph_count_; }
 
+    /// See variation_key.hpp. Of the face's number in its file, its simulations and its axes. Where the axes of a
+    /// variable font are not told (the program is compiled for a Windows older than 10 1709), no other directwrite_font
+    /// has the same key.
+    [[nodiscard]] std::uint64_t variation_key() const noexcept { return key_; }
+
     /// See outline_source. TrueType's quadratics, which DirectWrite gives as cubics, are quadratics again wherever a
     /// cubic is one but for its rounding (1/25 unit, Wine's); CFF's cubics stay.
     template <outline_sink Sink>
@@ -194,6 +201,9 @@ private:
         if (!made.lowers_ && face->GetType() != DWRITE_FONT_FACE_TYPE_TYPE1 && !detail::has_table(face.get(), "CFF ") &&
             !detail::has_table(face.get(), "CFF2"))
             return error::no_outlines;
+        detail::directwrite_key key;
+        key.mix_state(face.get());
+        made.key_ = key.value(face.get(), detail::directwrite_key::now());
         made.face_ = std::move(face);
         return result<directwrite_font>{std::move(made)};
     }
@@ -242,6 +252,7 @@ private:
     detail::com_ptr<IDWriteFontFace> face_;
     detail::directwrite_shaping shaping_;
     double units_per_em_ = 1000.0;
+    std::uint64_t key_ = 0;
     std::uint32_t glyph_count_ = 0;
     fill_rule rule_ = fill_rule::non_zero;
     bool lowers_ = false;

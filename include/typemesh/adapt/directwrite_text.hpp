@@ -3,6 +3,7 @@
 
 #include <typemesh/adapt/directwrite_clusters.hpp>
 #include <typemesh/adapt/directwrite_com.hpp>
+#include <typemesh/adapt/directwrite_key.hpp>
 #include <typemesh/adapt/directwrite_outline.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/finite.hpp>
@@ -55,6 +56,8 @@ struct directwrite_glyph {
 /// Clusters count the layout's 16-bit units, so what an application attached to a range, such as its drawing effect, is
 /// found with layout->GetDrawingEffect(cluster, ...).
 ///
+/// In a glyph_cache any number serves for all layouts, `cached_in{cache, 1}`: see variation_key().
+///
 /// Holds references to the faces and inline objects of the last layout read, none to the layout. Memory stays for the
 /// next one. Move-only; used from one thread at a time.
 class directwrite_text {
@@ -86,6 +89,7 @@ public:
     {
         TYPEMESH_ASSERT(layout != nullptr, "a null IDWriteTextLayout* was read");
         release();
+        read_at_ = detail::directwrite_key::now();
         error e = take_lines(layout);
         if (!e) {
             renderer draws{*this};
@@ -108,6 +112,32 @@ public:
 
     [[nodiscard]] double units_per_em() const noexcept { return run_.units_per_em; }
     [[nodiscard]] fill_rule fill() const noexcept { return rule_; }
+
+    /// See variation_key.hpp. Of all that the ids of run() stand for, so texts share what a glyph_cache holds exactly
+    /// where their faces, told by file, number in it, simulations and axes, and their sizes relative to the layout's
+    /// own are the same, first used in the same order, and their underlines and strike-throughs are of the same sizes.
+    /// A layout with a face that does not come from a file of the system's (out of memory, from a loader of the
+    /// caller's), or whose axes are not told, shares with no other, nor with itself when it is read again.
+    ///
+    /// Cost  a few calls of DirectWrite for each face at each size; the mesher asks once a text
+    [[nodiscard]] std::uint64_t variation_key() const noexcept
+    {
+        detail::directwrite_key key;
+        key.mix(run_.units_per_em);
+        key.mix(std::uint64_t{looks_.size()});
+        for (const look& l : looks_.view()) {
+            key.mix_files(l.face);
+            key.mix_state(l.face);
+            key.mix(l.scale);
+            key.mix(std::uint64_t{l.sideways});
+        }
+        key.mix(std::uint64_t{bars_.size()});
+        for (const point& size : bars_.view()) {
+            key.mix(size.x);
+            key.mix(size.y);
+        }
+        return key.value(this, read_at_);
+    }
 
     /// Which face and which of its glyphs an id of run() stands for. Any other id gives a null face.
     [[nodiscard]] directwrite_glyph glyph(glyph_id id) const noexcept
@@ -476,6 +506,7 @@ private:
 
     glyph_run run_;
     double em_size_ = 1.0;
+    std::uint64_t read_at_ = 0;
     fill_rule rule_ = fill_rule::non_zero;
     error trouble_;
     buffer<look> looks_;

@@ -31,7 +31,7 @@ public:
                      const shape_options& how, const layout_options& options, glyph_run& run) noexcept
     {
         run.clear();
-        if (!is_finite(options.line_spacing)) return error::bad_option;
+        if (!is_finite(options.line_spacing)) return error::bad("line_spacing");
         if (static_cast<std::uint64_t>(text.size()) > 0xFFFF'FFFFu) return error::too_large;
         const std::size_t count = workers.workers();
         if (error e = find_lines(text, 8 * count)) return e;

@@ -85,7 +85,7 @@ public:
     error cut(const text_plan<Extruder>& plan, std::uint32_t most = most_for_16_bits) noexcept
     {
         clear();
-        if (most < 3) return error::bad_option;
+        if (most < 3) return error::bad("most");
         const error e = cut_all(plan.fresh(), plan.extruder_, most);
         if (e) clear();
         from_ = plan.shapes_;

@@ -242,7 +242,8 @@ private:
         report.invalid_units = run.invalid_units;
         report.first_invalid_unit = run.first_invalid_unit;
 
-        error e = collect(run, options);
+        error e = extruder_options();
+        if (!e) e = collect(run, options);
         if (!e) e = build_shapes(options, team);
         if (!e && options.merge) e = merge(run, options);
         if (!e) e = place_shapes(run);
@@ -253,6 +254,13 @@ private:
         }
         observer_(stage::idle);
         return plan_type{shapes_, run, extruder_};
+    }
+
+    /// Whether the extruder refuses its options: told for a text without letters too.
+    error extruder_options() const noexcept
+    {
+        buffer<side_point> none;
+        return extruder_.plan(region{}, none).error();
     }
 
     static constexpr std::uint32_t not_drawn = glyph_set::no_room;

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/adapt/directwrite_com.hpp>
+#include <typemesh/adapt/directwrite_outline.hpp>
+#include <typemesh/core/option_bits.hpp>
+#include <typemesh/outline/variation_key.hpp>
+
+#include <dwrite_3.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace typemesh::detail {
+
+/// What a face of DirectWrite draws, in 64 bits for a variation_key(). Where DirectWrite does not tell it, the key is
+/// one of its own, that no other has.
+class directwrite_key {
+public:
+    void mix(std::uint64_t number) noexcept { key_ = mixed_key(key_, number); }
+    void mix(double number) noexcept { mix(option_bits{number}.words[0]); }
+
+    /// How the face draws what its file holds: its number there, its simulations and its axes.
+    void mix_state(IDWriteFontFace* face) noexcept
+    {
+        mix(std::uint64_t{face->GetIndex()});
+        mix(static_cast<std::uint64_t>(face->GetSimulations()));
+#if defined(__MINGW32__) || (defined(NTDDI_WIN10_RS3) && NTDDI_VERSION >= NTDDI_WIN10_RS3)
+        const auto varied = com_ptr<IDWriteFontFace>::share(face).as<IDWriteFontFace5>();
+        if (!varied || varied->HasVariations() == FALSE) return;
+        DWRITE_FONT_AXIS_VALUE axes[most_axes] = {};
+        const UINT32 count = varied->GetFontAxisValueCount();
+        if (count > most_axes || FAILED(varied->GetFontAxisValues(axes, count))) {
+            is_told_ = false;
+            return;
+        }
+        mix(std::uint64_t{count});
+        for (UINT32 i = 0; i < count; ++i) {
+            mix(static_cast<std::uint64_t>(axes[i].axisTag));
+            mix(double{axes[i].value});
+        }
+#else
+        if (has_table(face, "fvar")) is_told_ = false;  // Windows may know axes that these headers do not
+#endif
+    }
+
+    /// Which files the face comes from, by path and time of writing. Of files that are none of the system's (in memory,
+    /// or a caller's own loader) it is not told: a loader's keys mean nothing once it has gone.
+    void mix_files(IDWriteFontFace* face) noexcept
+    {
+        IDWriteFontFile* files[most_files] = {};
+        UINT32 count = 0;
+        if (FAILED(face->GetFiles(&count, nullptr)) || count == 0 || count > most_files ||
+            FAILED(face->GetFiles(&count, files))) {
+            is_told_ = false;
+            return;
+        }
+        mix(std::uint64_t{count});
+        for (UINT32 i = 0; i < count; ++i) {
+            com_ptr<IDWriteFontFile> file;
+            *file.put() = files[i];
+            if (!mix_file(file)) is_told_ = false;
+        }
+    }
+
+    /// The key. `owner` and `time`, taken together, are nobody else's.
+    [[nodiscard]] std::uint64_t value(const void* owner, std::uint64_t time) const noexcept
+    {
+        if (is_told_) return key_;
+        return mixed_key(mixed_key(key_, reinterpret_cast<std::uintptr_t>(owner)), time);
+    }
+
+    /// A number that only grows, for value(): ticks of at most a microsecond.
+    [[nodiscard]] static std::uint64_t now() noexcept
+    {
+        LARGE_INTEGER ticks = {};
+        QueryPerformanceCounter(&ticks);
+        return static_cast<std::uint64_t>(ticks.QuadPart);
+    }
+
+private:
+    static constexpr UINT32 most_axes = 64, most_files = 8, longest_path = 1024;
+
+    bool mix_file(const com_ptr<IDWriteFontFile>& file) noexcept
+    {
+        const void* key = nullptr;
+        UINT32 size = 0, length = 0;
+        FILETIME written = {};
+        wchar_t path[longest_path] = {};
+        com_ptr<IDWriteFontFileLoader> loader;
+        if (!file || FAILED(file->GetReferenceKey(&key, &size)) || FAILED(file->GetLoader(loader.put()))) return false;
+        const auto local = loader.as<IDWriteLocalFontFileLoader>();
+        if (!local || FAILED(local->GetLastWriteTimeFromKey(key, size, &written)) ||
+            FAILED(local->GetFilePathLengthFromKey(key, size, &length)) || length >= longest_path ||
+            FAILED(local->GetFilePathFromKey(key, size, path, longest_path)))
+            return false;
+        mix(std::uint64_t{written.dwHighDateTime} << 32 | written.dwLowDateTime);
+        mix(std::uint64_t{length});
+        for (UINT32 i = 0; i < length; ++i) mix(static_cast<std::uint64_t>(path[i]));
+        return true;
+    }
+
+    std::uint64_t key_ = 0x6477'7269'7465;
+    bool is_told_ = true;
+};
+
+}  // namespace typemesh::detail

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "windows/fake_face.hpp"
+
+#include <dwrite_3.h>
+
+#include <vector>
+
+namespace test {
+
+/// A fake_face of a variable font, on the axes that a test gives it.
+class fake_varied_face final : public fake_face_of<IDWriteFontFace5> {
+public:
+    std::vector<DWRITE_FONT_AXIS_VALUE> axes;
+    HRESULT answer = S_OK;  // when it is asked for them
+
+    HRESULT STDMETHODCALLTYPE QueryInterface(REFIID wanted, void** out) noexcept override
+    {
+        *out = nullptr;
+        if (!IsEqualGUID(wanted, __uuidof(IDWriteFontFace5))) return E_NOINTERFACE;
+        *out = this;
+        AddRef();
+        return S_OK;
+    }
+    BOOL STDMETHODCALLTYPE HasVariations() noexcept override { return TRUE; }
+    UINT32 STDMETHODCALLTYPE GetFontAxisValueCount() noexcept override { return static_cast<UINT32>(axes.size()); }
+    HRESULT STDMETHODCALLTYPE GetFontAxisValues(DWRITE_FONT_AXIS_VALUE* values, UINT32 count) noexcept override
+    {
+        for (UINT32 i = 0; i < count; ++i) values[i] = axes[i];
+        return answer;
+    }
+
+    using fake_face_of::GetGdiCompatibleMetrics;
+    using fake_face_of::GetMetrics;
+    using fake_face_of::GetRecommendedRenderingMode;
+    void STDMETHODCALLTYPE GetMetrics(DWRITE_FONT_METRICS1*) noexcept override {}
+    HRESULT STDMETHODCALLTYPE GetGdiCompatibleMetrics(FLOAT, FLOAT, const DWRITE_MATRIX*,
+                                                      DWRITE_FONT_METRICS1*) noexcept override
+    {
+        return E_NOTIMPL;
+    }
+    void STDMETHODCALLTYPE GetCaretMetrics(DWRITE_CARET_METRICS*) noexcept override {}
+    HRESULT STDMETHODCALLTYPE GetUnicodeRanges(UINT32, DWRITE_UNICODE_RANGE*, UINT32*) noexcept override
+    {
+        return E_NOTIMPL;
+    }
+    BOOL STDMETHODCALLTYPE IsMonospacedFont() noexcept override { return {}; }
+    HRESULT STDMETHODCALLTYPE GetDesignGlyphAdvances(UINT32, const UINT16*, INT32*, BOOL) noexcept override
+    {
+        return E_NOTIMPL;
+    }
+    HRESULT STDMETHODCALLTYPE GetGdiCompatibleGlyphAdvances(FLOAT, FLOAT, const DWRITE_MATRIX*, BOOL, BOOL, UINT32,
+                                                            const UINT16*, INT32*) noexcept override
+    {
+        return E_NOTIMPL;
+    }
+    HRESULT STDMETHODCALLTYPE GetKerningPairAdjustments(UINT32, const UINT16*, INT32*) noexcept override
+    {
+        return E_NOTIMPL;
+    }
+    BOOL STDMETHODCALLTYPE HasKerningPairs() noexcept override { return {}; }
+    HRESULT STDMETHODCALLTYPE GetRecommendedRenderingMode(FLOAT, FLOAT, FLOAT, const DWRITE_MATRIX*, BOOL,
+                                                          DWRITE_OUTLINE_THRESHOLD, DWRITE_MEASURING_MODE,
+                                                          DWRITE_RENDERING_MODE*) noexcept override
+    {
+        return E_NOTIMPL;
+    }
+    HRESULT STDMETHODCALLTYPE GetVerticalGlyphVariants(UINT32, const UINT16*, UINT16*) noexcept override
+    {
+        return E_NOTIMPL;
+    }
+    BOOL STDMETHODCALLTYPE HasVerticalGlyphVariants() noexcept override { return {}; }
+    BOOL STDMETHODCALLTYPE IsColorFont() noexcept override { return {}; }
+    UINT32 STDMETHODCALLTYPE GetColorPaletteCount() noexcept override { return {}; }
+    UINT32 STDMETHODCALLTYPE GetPaletteEntryCount() noexcept override { return {}; }
+    HRESULT STDMETHODCALLTYPE GetPaletteEntries(UINT32, UINT32, UINT32, DWRITE_COLOR_F*) noexcept override
+    {
+        return E_NOTIMPL;
+    }
+    HRESULT STDMETHODCALLTYPE GetRecommendedRenderingMode(FLOAT, FLOAT, FLOAT, const DWRITE_MATRIX*, BOOL,
+                                                          DWRITE_OUTLINE_THRESHOLD, DWRITE_MEASURING_MODE,
+                                                          IDWriteRenderingParams*, DWRITE_RENDERING_MODE*,
+                                                          DWRITE_GRID_FIT_MODE*) noexcept override
+    {
+        return E_NOTIMPL;
+    }
+    HRESULT STDMETHODCALLTYPE GetFontFaceReference(IDWriteFontFaceReference**) noexcept override { return E_NOTIMPL; }
+    void STDMETHODCALLTYPE GetPanose(DWRITE_PANOSE*) noexcept override {}
+    DWRITE_FONT_WEIGHT STDMETHODCALLTYPE GetWeight() noexcept override { return {}; }
+    DWRITE_FONT_STRETCH STDMETHODCALLTYPE GetStretch() noexcept override { return {}; }
+    DWRITE_FONT_STYLE STDMETHODCALLTYPE GetStyle() noexcept override { return {}; }
+    HRESULT STDMETHODCALLTYPE GetFamilyNames(IDWriteLocalizedStrings**) noexcept override { return E_NOTIMPL; }
+    HRESULT STDMETHODCALLTYPE GetFaceNames(IDWriteLocalizedStrings**) noexcept override { return E_NOTIMPL; }
+    HRESULT STDMETHODCALLTYPE GetInformationalStrings(DWRITE_INFORMATIONAL_STRING_ID, IDWriteLocalizedStrings**,
+                                                      BOOL*) noexcept override
+    {
+        return E_NOTIMPL;
+    }
+    BOOL STDMETHODCALLTYPE HasCharacter(UINT32) noexcept override { return {}; }
+    HRESULT STDMETHODCALLTYPE GetRecommendedRenderingMode(FLOAT, FLOAT, FLOAT, const DWRITE_MATRIX*, BOOL,
+                                                          DWRITE_OUTLINE_THRESHOLD, DWRITE_MEASURING_MODE,
+                                                          IDWriteRenderingParams*, DWRITE_RENDERING_MODE1*,
+                                                          DWRITE_GRID_FIT_MODE*) noexcept override
+    {
+        return E_NOTIMPL;
+    }
+    BOOL STDMETHODCALLTYPE IsCharacterLocal(UINT32) noexcept override { return {}; }
+    BOOL STDMETHODCALLTYPE IsGlyphLocal(UINT16) noexcept override { return {}; }
+    HRESULT STDMETHODCALLTYPE AreCharactersLocal(const WCHAR*, UINT32, BOOL, BOOL*) noexcept override
+    {
+        return E_NOTIMPL;
+    }
+    HRESULT STDMETHODCALLTYPE AreGlyphsLocal(const UINT16*, UINT32, BOOL, BOOL*) noexcept override { return E_NOTIMPL; }
+    HRESULT STDMETHODCALLTYPE GetGlyphImageFormats_(UINT16, UINT32, UINT32,
+                                                    DWRITE_GLYPH_IMAGE_FORMATS*) noexcept override
+    {
+        return E_NOTIMPL;
+    }
+    DWRITE_GLYPH_IMAGE_FORMATS STDMETHODCALLTYPE GetGlyphImageFormats() noexcept override { return {}; }
+    HRESULT STDMETHODCALLTYPE GetGlyphImageData(UINT16, UINT32, DWRITE_GLYPH_IMAGE_FORMATS,
+                                                DWRITE_GLYPH_IMAGE_DATA*, void**) noexcept override
+    {
+        return E_NOTIMPL;
+    }
+    void STDMETHODCALLTYPE ReleaseGlyphImageData(void*) noexcept override {}
+    HRESULT STDMETHODCALLTYPE GetFontResource(IDWriteFontResource**) noexcept override { return E_NOTIMPL; }
+    BOOL STDMETHODCALLTYPE Equals(IDWriteFontFace*) noexcept override { return {}; }
+};
+
+}  // namespace test
