@@ -210,7 +210,8 @@ private:
 
     /// Sets a variable font on its axes. Needs Windows 10 1709, when the program runs and, as Microsoft's headers have
     /// it, in the NTDDI_VERSION that it is compiled for; otherwise no font has an axis.
-    static error vary(detail::com_ptr<IDWriteFontFace>& face, std::span<const variation> wanted) noexcept
+    static error vary([[maybe_unused]] detail::com_ptr<IDWriteFontFace>& face,
+                      std::span<const variation> wanted) noexcept
     {
         if (wanted.empty()) return {};
         for (const variation& v : wanted)
