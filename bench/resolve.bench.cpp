@@ -10,6 +10,7 @@
 // font in the same run: at most 5 is asked of "all", the refused first try included).
 //
 //     simple       orient, prove and triangulate: the whole way of a simple outline
+//     touching     the same of outlines that only touch in points: refused, walked anew and proven, not resolved
 //     all          orient, refuse, resolve, triangulate: the whole way of an outline that crosses
 //     refuse, resolve, triangulate     its parts
 //
@@ -17,9 +18,10 @@
 // from 100 to 100,000 points where resolving takes O((n + k) log n).
 //
 // Fonts are looked for under $TYPEMESH_FONT_DIR (default /usr/share/fonts); packages fonts-inter-variable,
-// fonts-hosny-amiri, fonts-wqy-microhei, fonts-liberation.
+// fonts-hosny-amiri, fonts-noto-cjk, fonts-noto-cjk-extra, fonts-wqy-microhei, fonts-liberation.
 
 #include <typemesh/adapt/harfbuzz.hpp>
+#include <typemesh/glyph/cap.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <benchmark/benchmark.h>
@@ -52,17 +54,22 @@ struct polygon {
     }
 };
 
-enum class way { simple, all, refuse, resolve, triangulate };
+enum class way { simple, touching, all, refuse, resolve, triangulate };
 
 struct set {
     std::string name;
-    std::vector<polygon> simple, crossing;
+    std::vector<polygon> simple, touching, crossing;
     double simple_ns = 0;  // a point
+
+    [[nodiscard]] const std::vector<polygon>& glyphs(way w) const
+    {
+        return w == way::simple ? simple : w == way::touching ? touching : crossing;
+    }
 };
 
 double run_once(const set& s, way w, contours& loops, workspace& space, triangle_list& out)
 {
-    const std::vector<polygon>& glyphs = w == way::simple ? s.simple : s.crossing;
+    const std::vector<polygon>& glyphs = s.glyphs(w);
     double spent = 0;
     std::size_t points = 0;
     using clock = std::chrono::steady_clock;
@@ -71,7 +78,7 @@ double run_once(const set& s, way w, contours& loops, workspace& space, triangle
         points += p.points.size();
         p.give(loops);
         out.clear();
-        if (w == way::simple || w == way::all) {
+        if (w == way::simple || w == way::touching || w == way::all) {
             benchmark::DoNotOptimize(cap(loops, fill_rule::non_zero, monotone{}, space, out));
         } else if (w == way::refuse) {
             orient(loops);
@@ -118,12 +125,13 @@ void run(benchmark::State& state, set& s, way w, int passes)
 void add(set& s, int passes)
 {
     const std::pair<const char*, way> all[] = {{"simple", way::simple},
+                                               {"touching", way::touching},
                                                {"all", way::all},
                                                {"refuse", way::refuse},
                                                {"resolve", way::resolve},
                                                {"triangulate", way::triangulate}};
     for (const auto& [name, w] : all) {
-        if ((w == way::simple ? s.simple : s.crossing).empty()) continue;
+        if (s.glyphs(w).empty()) continue;
         benchmark::RegisterBenchmark((s.name + " / " + name).c_str(),
                                      [&s, w = w, passes](benchmark::State& state) { run(state, s, w, passes); })
             ->Iterations(1)
@@ -152,17 +160,18 @@ bool glyphs_of(const char* file, double tolerance, std::uint32_t most, set& s)
         const polygon p{{loops.points.begin(), loops.points.end()},
                         {loops.edges.begin(), loops.edges.end()},
                         {loops.starts.begin(), loops.starts.end()}};
-        orient(loops);
         out.clear();
-        (monotone{}.prove(loops, space, out) ? s.simple : s.crossing).push_back(p);
+        const auto proven = prove_loops(loops, monotone{}, space, out);
+        (!proven ? s.crossing : proven->is_touching() ? s.touching : s.simple).push_back(p);
     }
     const auto points = [](const std::vector<polygon>& all) {
         std::size_t n = 0;
         for (const polygon& p : all) n += p.points.size();
         return all.empty() ? 0.0 : static_cast<double>(n) / static_cast<double>(all.size());
     };
-    std::printf("%s: %zu simple glyphs of %.0f points, %zu that cross or touch of %.0f\n", s.name.c_str(),
-                s.simple.size(), points(s.simple), s.crossing.size(), points(s.crossing));
+    std::printf("%s: %zu simple glyphs of %.0f points, %zu that touch in points of %.0f, %zu others of %.0f\n",
+                s.name.c_str(), s.simple.size(), points(s.simple), s.touching.size(), points(s.touching),
+                s.crossing.size(), points(s.crossing));
     return true;
 }
 
@@ -279,13 +288,15 @@ int main(int argc, char** argv)
         {"Inter variable, low", "truetype/inter-vf/Inter.var.ttf", quality::low},
         {"Inter variable, high", "truetype/inter-vf/Inter.var.ttf", quality::high},
         {"Amiri, high", "opentype/fonts-hosny-amiri/Amiri-Regular.ttf", quality::high},
+        {"Noto Sans CJK, high", "opentype/noto/NotoSansCJK-Regular.ttc", quality::high},
+        {"Noto Serif CJK Bold, high", "opentype/noto/NotoSerifCJK-Bold.ttc", quality::high},
         {"WenQuanYi Micro Hei, high", "truetype/wqy/wqy-microhei.ttc", quality::high},
         {"Liberation Sans, high", "truetype/liberation/LiberationSans-Regular.ttf", quality::high},
     };
     std::vector<set> sets;
     sets.reserve(100);
     for (const font_set& f : fonts) {
-        sets.push_back({f.name, {}, {}, 0});
+        sets.push_back({f.name, {}, {}, {}, 0});
         if (!glyphs_of(f.file, f.tolerance, 10'000, sets.back())) {
             std::fprintf(stderr, "left out, no such font: %s\n", f.file);
             sets.pop_back();
@@ -295,7 +306,7 @@ int main(int argc, char** argv)
     }
     for (int n = 100; n <= 100'000; n *= 10) {
         for (auto& [name, p] : shapes(n)) {
-            sets.push_back({std::string{name} + " of " + std::to_string(n), {}, {}, 0});
+            sets.push_back({std::string{name} + " of " + std::to_string(n), {}, {}, {}, 0});
             sets.back().crossing.push_back(std::move(p));
             add(sets.back(), n < 10'000 ? 5 : 1);
         }

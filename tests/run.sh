@@ -19,9 +19,13 @@ END
 }
 
 tiers=gcc
+everything=
 while [ $# -gt 0 ]; do
     case $1 in
-        --all) tiers="gcc clang sanitize tsan windows external" ;;
+        --all)
+            everything=yes
+            tiers="gcc clang sanitize tsan windows external"
+            ;;
         --with | --with=*)
             [ "$1" != --with ] || shift
             [ $# -gt 0 ] || { usage >&2 && exit 2; }
@@ -99,7 +103,6 @@ tier_external() {
     local script name status output modules=$typemesh_root/build/external
     install_missing benchmark
     (install_missing admesh node npm) || say "Going on without them: the tests that need them are skipped."
-    install_fonts fonts-mplus fonts-noto-cjk  # large ones of tests/workload/fonts.tsv
     export TYPEMESH_TEXT_TO_MESH=$typemesh_root/build/release/examples/text_to_mesh
     export TYPEMESH_TEST_DATA=$typemesh_root/tests
     mkdir -p "$modules"
@@ -139,6 +142,7 @@ fonts=$(awk -F '\t' 'NR > 1 && $2 < 20000000 { print $1 }' "$typemesh_root/tests
 install_missing g++ cmake ninja pkg-config harfbuzz freetype glm catch2 cli11 tinygltf stb fontconfig font
 # shellcheck disable=SC2086  # a list of words
 install_fonts $fonts
+[ -z "$everything" ] || install_fonts fonts-mplus fonts-noto-cjk  # the large ones of tests/workload/fonts.tsv
 report="set up: $(($(date +%s) - begun)) s
 "
 

@@ -16,7 +16,7 @@
 //     std::vector<std::byte> glb;
 //     if (typemesh::error e = engines::gltf::write(*plan, engines::gltf::layout::quantised, glb)) return e;
 
-#include <typemesh/extrude/part.hpp>
+#include <typemesh/extrude/part_sizes.hpp>
 #include <typemesh/text/text_options.hpp>
 #include <typemesh/vertex/computed_stream.hpp>
 #include <typemesh/vertex/normalised.hpp>

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The whole core: text to triangles, nothing third-party. Fonts come in through one of the adapters:
-// <typemesh/adapt/harfbuzz.hpp>, <typemesh/adapt/freetype.hpp>, or outlines of your own.
+// The core: text to triangles, nothing third-party. Fonts come in through one of the adapters:
+// <typemesh/adapt/harfbuzz.hpp>, <typemesh/adapt/freetype.hpp>, <typemesh/adapt/directwrite.hpp>, or outlines of your own.
+//
+// Not here, to stay quick to include: the packed formats for vertices (<typemesh/vertex/half.hpp>, normalised, ten_bit,
+// octahedral, octahedral_tangent, position_box, colour), <typemesh/vertex/computed_stream.hpp>, and
+// <typemesh/compat/d3dx_text.hpp>.
 
 #include <typemesh/core/version.hpp>
 
@@ -38,8 +42,8 @@
 #include <typemesh/extrude/flat.hpp>
 #include <typemesh/extrude/shared_normals.hpp>
 
-#include <typemesh/text/glyph_cache.hpp>
-#include <typemesh/text/rounding.hpp>
+#include <typemesh/glyph/glyph_cache.hpp>
+#include <typemesh/text/flipped_triangles.hpp>
 #include <typemesh/text/shaped_by.hpp>
 #include <typemesh/text/text_chunks.hpp>
 #include <typemesh/text/text_mesher.hpp>

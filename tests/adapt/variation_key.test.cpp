@@ -11,7 +11,7 @@
 
 using namespace typemesh;
 
-TEMPLATE_TEST_CASE("a font's variation key tells its axes and its face, and nothing else", "[adapt]", harfbuzz_font,
+TEMPLATE_TEST_CASE("a font's variation key tells its file, its face and its axes", "[adapt]", harfbuzz_font,
                    freetype_font)
 {
     const std::string inter = font_file("truetype/inter-vf/Inter.var.ttf");
@@ -29,6 +29,12 @@ TEMPLATE_TEST_CASE("a font's variation key tells its axes and its face, and noth
     }
     const std::string collection = font_file("truetype/wqy/wqy-microhei.ttc");
     CHECK(key(0, 0, collection.c_str()) != key(0, 1, collection.c_str()));
+
+    std::set<std::uint64_t> files;  // a number that the caller gives twice by mistake does no harm
+    for (const char* file : {"truetype/dejavu/DejaVuSans.ttf", "truetype/dejavu/DejaVuSans-Bold.ttf",
+                             "truetype/liberation/LiberationSans-Regular.ttf",
+                             "truetype/liberation/LiberationSans-Bold.ttf", "opentype/comic-neue/ComicNeue-Regular.otf"})
+        CHECK(files.insert(key(0, 0, font_file(file).c_str())).second);
 }
 
 TEST_CASE("weights and slants of one font share a cache without sharing a glyph", "[adapt]")

@@ -355,3 +355,13 @@ TEST_CASE("An edge that is bent by rounding does not cross another one", "[fill]
     CHECK(mistake_on(s, fill_rule::even_odd) == "");
     CHECK(mistake_on(test::shape{"one bent loop", {{{5, 30}, {30, 8}, {18, 38}, {25, 40}, {9, 4}, {16, 20}}}}) == "");
 }
+
+TEST_CASE("A crossing that waits for an edge that has ended is forgotten", "[fill][resolve][snap_rounding]")
+{
+    const test::shape s{"three knots",
+                        {{{13, 2}, {13, 4}, {7, 5}, {1, 1}, {10, 13}, {4, 3}, {10, 2}, {10, 1}},
+                         {{7, 11}, {13, 0}, {3, 8}, {12, 7}, {6, 2}, {7, 13}, {11, 4}, {1, 9}, {0, 6}, {10, 4}, {3, 7},
+                          {8, 8}},
+                         {{13, 9}, {7, 0}, {9, 13}, {7, 8}, {9, 11}, {1, 9}, {5, 1}, {6, 4}, {12, 0}, {3, 10}, {4, 8}}}};
+    CHECK(mistake_on(s) == "");
+}

@@ -10,7 +10,7 @@
 #include <typemesh/extrude/side_normals.hpp>
 #include <typemesh/layout/shaper.hpp>
 #include <typemesh/outline/outline_source.hpp>
-#include <typemesh/text/stage.hpp>
+#include <typemesh/glyph/stage.hpp>
 #include <typemesh/triangulate/triangulator.hpp>
 #include <typemesh/vertex/mesh_sink.hpp>
 #include <typemesh/vertex/stream_sink.hpp>

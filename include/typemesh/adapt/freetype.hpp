@@ -15,6 +15,7 @@
 #include FT_MULTIPLE_MASTERS_H
 #include FT_OUTLINE_H
 #include FT_SIZES_H
+#include FT_TRUETYPE_TABLES_H
 
 #include <cmath>
 #include <cstddef>
@@ -106,10 +107,14 @@ public:
     /// How many glyphs the face has; their ids count from 0.
     [[nodiscard]] std::uint32_t glyph_count() const noexcept { return static_cast<std::uint32_t>(face_->num_glyphs); }
 
-    /// See variation_key.hpp. Of the face's number and its axes.
+    /// See variation_key.hpp. Of the font (by the checksum in its 'head' table, its number of glyphs and its face's
+    /// number) and its axes.
     [[nodiscard]] std::uint64_t variation_key() const noexcept
     {
         auto key = static_cast<std::uint64_t>(face_->face_index);
+        if (const auto* head = static_cast<const TT_Header*>(FT_Get_Sfnt_Table(face_, FT_SFNT_HEAD)))
+            key = mixed_key(key, static_cast<std::uint64_t>(head->CheckSum_Adjust) & 0xFFFF'FFFFu);
+        key = mixed_key(key, glyph_count());
         FT_Fixed axes[64] = {};
         if (!FT_HAS_MULTIPLE_MASTERS(face_) || FT_Get_Var_Blend_Coordinates(face_, 64, axes)) return key;
         for (const FT_Fixed axis : axes) key = mixed_key(key, static_cast<std::uint64_t>(axis));

@@ -93,13 +93,13 @@ public:
     /// How many glyphs the face has; their ids count from 0.
     [[nodiscard]] std::uint32_t glyph_count() const noexcept { return glyph_count_; }
 
-    /// See variation_key.hpp. Of the face's number and the axes; not of what else the caller may change in a font that
-    /// he wrapped, such as its slant.
+    /// See variation_key.hpp. Of the font (by the checksum in its 'head' table, its number of glyphs and its face's
+    /// number) and its axes; not of what else the caller may change in a font that he wrapped, such as its slant.
     [[nodiscard]] std::uint64_t variation_key() const noexcept
     {
         unsigned count = 0;
         const int* axes = hb_font_get_var_coords_normalized(font_, &count);
-        std::uint64_t key = hb_face_get_index(hb_font_get_face(font_));
+        std::uint64_t key = fingerprint_;
         for (unsigned i = 0; i < count; ++i) key = mixed_key(key, static_cast<std::uint32_t>(axes[i]));
         return key;
     }
@@ -243,12 +243,26 @@ private:
     static constexpr draw_calls calls_of{&pen<Sink>::move, &pen<Sink>::line, &pen<Sink>::quadratic, &pen<Sink>::cubic,
                                          &pen<Sink>::close};
 
+    /// By what fonts are told apart: any two files, and the faces of one.
+    static std::uint64_t fingerprint_of(hb_face_t* face) noexcept
+    {
+        std::uint64_t key = mixed_key(hb_face_get_index(face), hb_face_get_glyph_count(face));
+        hb_blob_t* head = hb_face_reference_table(face, HB_TAG('h', 'e', 'a', 'd'));
+        unsigned size = 0;
+        const char* bytes = hb_blob_get_data(head, &size);
+        for (unsigned i = 8; i < 12 && i < size; ++i)  // checkSumAdjustment, over the whole file
+            key = mixed_key(key, static_cast<unsigned char>(bytes[i]));
+        hb_blob_destroy(head);
+        return key;
+    }
+
     explicit harfbuzz_font(hb_font_t* owned) noexcept
         : font_{owned}, buffer_{hb_buffer_create()}, draw_{hb_draw_funcs_create()}
     {
         hb_face_t* face = hb_font_get_face(font_);
         units_per_em_ = hb_face_get_upem(face);
         glyph_count_ = hb_face_get_glyph_count(face);
+        fingerprint_ = fingerprint_of(face);
     }
 
     void swap(harfbuzz_font& other) noexcept
@@ -259,6 +273,7 @@ private:
         std::swap(calls_, other.calls_);
         std::swap(units_per_em_, other.units_per_em_);
         std::swap(glyph_count_, other.glyph_count_);
+        std::swap(fingerprint_, other.fingerprint_);
         features_.swap(other.features_);
         pieces_.swap(other.pieces_);
     }
@@ -502,6 +517,7 @@ private:
     const draw_calls* calls_ = nullptr;
     double units_per_em_ = 1000.0;
     std::uint32_t glyph_count_ = 0;
+    std::uint64_t fingerprint_ = 0;
     std::size_t first_unit_ = 0;  // what HarfBuzz's clusters count from
     buffer<hb_feature_t> features_;
     buffer<piece> pieces_;

@@ -9,7 +9,7 @@
 #include <typemesh/core/memory.hpp>
 #include <typemesh/extrude/extruded.hpp>
 #include <typemesh/layout/shaper.hpp>
-#include <typemesh/text/glyph_cache.hpp>
+#include <typemesh/glyph/glyph_cache.hpp>
 #include <typemesh/text/text_mesher.hpp>
 
 #include <cstddef>
@@ -61,7 +61,7 @@ struct d3dx_text_options {
 /// The first baseline is y = 0, the first pen position x = 0. A line break begins a line (Direct3D draws a box or
 /// nothing). An empty or blank text is an empty mesh, no error.
 ///
-/// `font` is shaper and outline source in one, and is referred to. One d3dx_text a thread; after warm-up nothing is
+/// `font` is shaper and outline source in one, and is referred to. A d3dx_text serves one thread at a time; after warm-up nothing is
 /// allocated. With a glyph_cache a letter is meshed once for all texts of its deviation:
 ///
 ///     glyph_cache cache;

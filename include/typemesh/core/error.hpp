@@ -31,7 +31,7 @@ struct [[nodiscard]] error {
         bad_outline,          ///< an outline starts without move(), or the like
         outline_not_finite,   ///< an outline holds NaN or infinity
         outline_beyond_grid,  ///< an outline is too large for the integer grid
-        crossing_contours,    ///< contours cross, touch or overlap, where they must not: nest(), a proving triangulator
+        crossing_contours,    ///< contours cross, touch or overlap where they must not; count: see triangulator.hpp
         bad_tolerance,        ///< a tolerance is not a positive finite number
         bad_option,           ///< an option is outside its range; `option` names it
         mixed_direction,      ///< one line holds left-to-right and right-to-left text
@@ -44,7 +44,7 @@ struct [[nodiscard]] error {
     glyph_id glyph = no_glyph;        ///< the glyph concerned, or no_glyph
     cluster_id cluster = no_cluster;  ///< its place in the caller's text, or no_cluster
     std::uint64_t count = 0;          ///< meaning beside each code
-    const char* option = nullptr;     ///< for bad_option: what it is called in the code; else null
+    const char* option = nullptr;     ///< what a bad_option is called in the code, or what is buffer_too_small
 
     constexpr error() noexcept = default;
     constexpr error(kind k, std::uint64_t how_many = 0) noexcept : code{k}, count{how_many} {}
@@ -54,6 +54,14 @@ struct [[nodiscard]] error {
     {
         error e = bad_option;
         e.option = option;
+        return e;
+    }
+
+    /// error::buffer_too_small: how many elements of what are needed.
+    [[nodiscard]] static constexpr error short_of(const char* what, std::uint64_t needed) noexcept
+    {
+        error e{buffer_too_small, needed};
+        e.option = what;
         return e;
     }
 
@@ -77,7 +85,7 @@ struct [[nodiscard]] error {
         case none: return "No error.";
         case out_of_memory: return "The memory source has no more memory.";
         case buffer_too_small: return "The caller's buffer is too small for the mesh.";
-        case index_overflow: return "The index type is too small to number the mesh's vertices; use 32-bit indices.";
+        case index_overflow: return "The index type is too small to number the mesh's vertices; use 32-bit ones, or text_chunks.";
         case too_large: return "The text is too large: points, vertices and indices are numbered with 32 bits.";
         case unreadable_file: return "The font file cannot be opened or read.";
         case not_a_font: return "The data is not a font, or is damaged.";
@@ -121,8 +129,12 @@ inline const char* describe(const error& e, std::span<char> out) noexcept
     else if (e.cluster != no_cluster)
         std::snprintf(where, sizeof where, "cluster %lu: ", static_cast<unsigned long>(e.cluster));
     char how_many[48] = "";
-    if (e.count != 0) std::snprintf(how_many, sizeof how_many, " (%llu)", static_cast<unsigned long long>(e.count));
-    if (e.option != nullptr) std::snprintf(how_many, sizeof how_many, " (%s)", e.option);
+    const char* what = e.option != nullptr ? e.option : "";
+    if (e.count != 0)
+        std::snprintf(how_many, sizeof how_many, " (%llu%s%s)", static_cast<unsigned long long>(e.count),
+                      *what != '\0' ? " " : "", what);
+    else if (*what != '\0')
+        std::snprintf(how_many, sizeof how_many, " (%s)", what);
     std::size_t size = 0;
     for (const char* part : {static_cast<const char*>(where), e.message(), static_cast<const char*>(how_many)})
         while (*part != '\0' && size + 1 < out.size()) out[size++] = *part++;

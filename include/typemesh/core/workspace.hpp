@@ -17,7 +17,7 @@ namespace typemesh {
 ///     auto* rank = scratch.take<std::uint32_t>(n);    // n values, not initialised; null when there is no memory
 ///
 /// Blocks never move, so pointers hold until their scope ends. When the outermost scope ends and several blocks were
-/// needed, they are replaced by one of their joint size: after warm-up nothing is allocated. One workspace a thread.
+/// needed, they are replaced by one of their joint size: after warm-up nothing is allocated. A workspace serves one thread at a time.
 class workspace {
     static constexpr std::size_t alignment = 64;  // a cache line, and enough for any vector register
 

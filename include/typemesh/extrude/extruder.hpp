@@ -42,7 +42,8 @@ struct ignore_surface {
 ///                                      Counter-clockwise seen from outside in a right-handed frame; mirroring is not
 ///                                      its business.
 ///
-/// plan() fails with error::bad_option for options out of range, error::out_of_memory, or an error of its own, `sides`
+/// plan() is asked about an empty region first, so that a text without letters refuses the same options.
+/// It fails with error::bad_option for options out of range, error::out_of_memory, or an error of its own, `sides`
 /// then being as it was. The rest cannot fail.
 template <class E>
 concept extruder = requires(const E& e, const region& r, buffer<side_point>& sides, const solid& s, const placement& at,

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <typemesh/core/triangle.hpp>
-#include <typemesh/extrude/part.hpp>
+#include <typemesh/extrude/part_sizes.hpp>
 #include <typemesh/extrude/side_point.hpp>
 
 #include <span>

@@ -56,6 +56,7 @@ private:
         if (stretch_in_ == nullptr || slot_of_ == nullptr || ending == nullptr || next_ending == nullptr ||
             !status_.open(scratch, a_.count))
             return false;
+        stretch_in_[0] = no_number;
         for (std::uint32_t i = 0; i < a_.point_count; ++i) ending[i] = no_number;
         for (std::uint32_t i = 0; i < a_.count; ++i) {
             next_ending[i] = ending[a_.stretches[i].end];
@@ -70,6 +71,7 @@ private:
                 status_.erase(slot);
                 stretch_in_[slot] = free_slot_;
                 free_slot_ = slot;
+                slot_of_[i] = 0;  // a meeting that still waits finds nothing in there
                 if (!test(under, over)) return false;
             }
             for (std::uint32_t i = a_.first[v]; i != no_number; i = a_.stretches[i].next)
@@ -151,7 +153,7 @@ private:
     growing<meeting> queue_;
     sweep_status status_;
     std::uint32_t* stretch_in_ = nullptr;  // of every slot; the next free one of a free slot
-    std::uint32_t* slot_of_ = nullptr;
+    std::uint32_t* slot_of_ = nullptr;     // 0: ended
     std::uint32_t slot_count_ = 0;
     std::uint32_t free_slot_ = 0;
 };

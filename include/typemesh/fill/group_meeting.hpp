@@ -3,9 +3,9 @@
 
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/error.hpp>
+#include <typemesh/core/sweep_order.hpp>
 #include <typemesh/fill/meet.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -35,6 +35,12 @@ struct box_sweep {
     struct entry {
         placed_box around;
         std::uint32_t number;
+        std::int64_t first = 0, last = 0;  // along the axis
+
+        [[nodiscard]] bool before(const entry& other) const noexcept
+        {
+            return first != other.first ? first < other.first : number < other.number;
+        }
     };
     std::span<entry> entries;
 
@@ -48,18 +54,13 @@ struct box_sweep {
             left = x0 < left ? x0 : left, right = x1 > right ? x1 : right, width += x1 - x0;
             low = y0 < low ? y0 : low, high = y1 > high ? y1 : high, height += y1 - y0;
         }
-        upward = (high - low) * width > (right - left) * height;
-        std::sort(entries.begin(), entries.end(), [this](const entry& a, const entry& b) noexcept {
-            return first(a) != first(b) ? first(a) < first(b) : a.number < b.number;
-        });
+        const bool upward = (high - low) * width > (right - left) * height;
+        for (entry& e : entries) {
+            e.first = upward ? e.around.low.y : e.around.low.x;
+            e.last = upward ? e.around.high.y : e.around.high.x;
+        }
+        heap_sort(entries.data(), entries.size());
     }
-    [[nodiscard]] std::int64_t first(const entry& e) const noexcept { return upward ? e.around.low.y : e.around.low.x; }
-    [[nodiscard]] std::int64_t last(const entry& e) const noexcept
-    {
-        return upward ? e.around.high.y : e.around.high.x;
-    }
-
-    bool upward = false;
 };
 
 }  // namespace detail
@@ -90,7 +91,7 @@ struct box_sweep {
     std::size_t count = 0;
     for (std::uint32_t i = 0; i < n; ++i) {
         group[i] = i;
-        if (!all[i].points.empty()) entries[count++] = {detail::box_around(all[i]), i};
+        if (!all[i].points.empty()) entries[count++] = {detail::box_around(all[i]), i, 0, 0};
     }
     detail::box_sweep sweep{{entries, count}};
     sweep.put_in_order();
@@ -100,7 +101,7 @@ struct box_sweep {
         std::size_t kept = 0;
         for (std::size_t k = 0; k < opened; ++k) {
             const detail::box_sweep::entry &here = entries[e], &other = entries[open[k]];
-            if (sweep.last(other) < sweep.first(here)) continue;
+            if (other.last < here.first) continue;
             open[kept++] = open[k];
             if (!here.around.meets(other.around) || sets.root(here.number) == sets.root(other.number)) continue;
             const auto met = meet(all[here.number], all[other.number], space);

@@ -7,9 +7,9 @@
 #include <typemesh/layout/layout.hpp>
 #include <typemesh/layout/shared_layout.hpp>
 #include <typemesh/outline/outline_source.hpp>
-#include <typemesh/text/glyph_builder.hpp>
-#include <typemesh/text/shape_store.hpp>
-#include <typemesh/text/stage.hpp>
+#include <typemesh/glyph/glyph_builder.hpp>
+#include <typemesh/glyph/shape_store.hpp>
+#include <typemesh/glyph/stage.hpp>
 
 #include <concepts>
 #include <cstddef>

@@ -3,8 +3,8 @@
 
 #include <typemesh/core/glyph_id.hpp>
 #include <typemesh/core/point.hpp>
-#include <typemesh/extrude/part.hpp>
-#include <typemesh/text/glyph_shape.hpp>
+#include <typemesh/extrude/part_sizes.hpp>
+#include <typemesh/glyph/glyph_shape.hpp>
 
 #include <cstdint>
 

@@ -5,7 +5,7 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/extrude/extrude.hpp>
-#include <typemesh/text/glyph_shape.hpp>
+#include <typemesh/glyph/glyph_shape.hpp>
 
 #include <cstddef>
 #include <cstdint>

@@ -6,10 +6,10 @@
 #include <typemesh/extrude/extruded.hpp>
 #include <typemesh/layout/layout.hpp>
 #include <typemesh/text/arrange.hpp>
-#include <typemesh/text/glyph_builder.hpp>
-#include <typemesh/text/glyph_cache.hpp>
+#include <typemesh/glyph/glyph_builder.hpp>
+#include <typemesh/glyph/glyph_cache.hpp>
 #include <typemesh/text/glyph_team.hpp>
-#include <typemesh/text/merge_glyphs.hpp>
+#include <typemesh/text/glyph_merger.hpp>
 #include <typemesh/text/text_options.hpp>
 #include <typemesh/text/text_plan.hpp>
 #include <typemesh/text/text_shapes.hpp>
@@ -39,7 +39,7 @@ namespace typemesh {
 /// `font` is an outline source and, for plan(text), a shaper as well; it is referred to and must outlive the mesher.
 /// A glyph that occurs more than once in a text is built once. Memory grows to what the largest text needs and stays:
 /// after warm-up a text of the same size allocates nothing here.
-/// One mesher a thread.
+/// A mesher serves one thread at a time.
 template <outline_source Font, discretiser Discretiser = certified, triangulator Triangulator = monotone,
           extruder Extruder = extruded<>, stage_observer Observer = no_observer, class Cache = no_cache>
 class text_mesher {
@@ -242,7 +242,8 @@ private:
         report.invalid_units = run.invalid_units;
         report.first_invalid_unit = run.first_invalid_unit;
 
-        error e = collect(run, options);
+        error e = extruder_options();
+        if (!e) e = collect(run, options);
         if (!e) e = build_shapes(options, team);
         if (!e && options.merge) e = merge(run, options);
         if (!e) e = place_shapes(run);
@@ -253,6 +254,13 @@ private:
         }
         observer_(stage::idle);
         return plan_type{shapes_, run, extruder_};
+    }
+
+    /// Whether the extruder refuses its options: told for a text without letters too.
+    error extruder_options() const noexcept
+    {
+        buffer<side_point> none;
+        return extruder_.plan(region{}, none).error();
     }
 
     static constexpr std::uint32_t not_drawn = glyph_set::no_room;

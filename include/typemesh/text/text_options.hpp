@@ -36,7 +36,7 @@ struct text_options {
     typemesh::frame frame = right_handed_y_up;
 
     /// Join glyphs whose outlines meet (kerned, cursive or accented ones) to one solid without inner walls: see
-    /// merge_glyphs.hpp.
+    /// glyph_merger.hpp.
     bool merge = false;
 
     /// Build a glyph that occurs again only once. Without, every occurrence is built anew, to the same mesh: for

@@ -9,7 +9,6 @@
 #include <typemesh/text/text_shapes.hpp>
 #include <typemesh/vertex/ranged_sink.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -102,7 +101,7 @@ public:
     [[nodiscard]] std::span<const std::uint32_t> members(std::size_t glyph) const noexcept
     {
         const shape_record& s = fresh().records[glyph];
-        if (s.merged == shape_record::not_merged) return {&s.glyph, 1};
+        if (s.merged == shape_record::none) return {&s.glyph, 1};
         return shapes_->merged.members_of(shapes_->merged.clusters[s.merged]);
     }
 
@@ -114,7 +113,7 @@ public:
     [[nodiscard]] std::uint32_t owner(std::size_t glyph, part p, std::uint32_t triangle) const noexcept
     {
         const shape_record& s = fresh().records[glyph];
-        if (s.merged == shape_record::not_merged) return s.glyph;
+        if (s.merged == shape_record::none) return s.glyph;
         const merged_cluster& c = shapes_->merged.clusters[s.merged];
         if (p == part::side) return shapes_->merged.owners_of(c)[triangle / 2];
         return shapes_->merged.owner_of(c, s.shape->form().triangles[triangle]);
@@ -134,13 +133,13 @@ public:
     [[nodiscard]] bounds3 bounds() const noexcept { return fresh().bounds; }
 
     /// The distance between neighbouring 32-bit floats at the mesh's farthest coordinate, in em: no position is rounded
-    /// by more than half of it. What is thinner than two such steps may fall together; see rounding.hpp.
+    /// by more than half of it. What is thinner than two such steps may fall together; see flipped_triangles.hpp.
     [[nodiscard]] double position_step() const noexcept
     {
         const text_shapes& all = fresh();
         float farthest = 0.0f;
         for (const vec3 corner : {all.bounds.low, all.bounds.high})
-            for (const float v : {corner.x, corner.y, corner.z}) farthest = (std::max)(farthest, std::fabs(v));
+            for (const float v : {corner.x, corner.y, corner.z}) farthest = std::fabs(v) > farthest ? std::fabs(v) : farthest;
         const double next = std::nextafter(farthest, (std::numeric_limits<float>::max)());
         return (next - farthest) / (all.placed.unit_per_font_unit * all.placed.units_per_em);
     }
@@ -281,7 +280,7 @@ public:
     {
         const text_shapes& all = fresh();
         for (std::uint32_t mesh = 0; mesh < all.meshes.size(); ++mesh) {
-            for (std::uint32_t i = all.meshes[mesh].first_glyph; i != no_glyph; i = all.records[i].next_alike) {
+            for (std::uint32_t i = all.meshes[mesh].first_glyph; i != shape_record::none; i = all.records[i].next_alike) {
                 const shape_record& s = all.records[i];
                 emit(glyph_instance{all.translation_of(s), mesh, i, s.id, s.cluster});
             }

@@ -4,11 +4,11 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/extrude/placement.hpp>
 #include <typemesh/text/glyph_set.hpp>
-#include <typemesh/text/glyph_shape.hpp>
+#include <typemesh/glyph/glyph_shape.hpp>
 #include <typemesh/text/instances.hpp>
 #include <typemesh/text/merged_glyphs.hpp>
-#include <typemesh/text/pinned_shapes.hpp>
-#include <typemesh/text/shape_store.hpp>
+#include <typemesh/glyph/pinned_shapes.hpp>
+#include <typemesh/glyph/shape_store.hpp>
 #include <typemesh/text/text_options.hpp>
 #include <typemesh/text/text_report.hpp>
 
@@ -38,12 +38,12 @@ struct shape_record {
     cluster_id cluster = no_cluster;
     std::uint32_t line = 0;
     std::uint32_t glyph = 0;              ///< its place in the run
-    std::uint32_t merged = not_merged;    ///< its place in text_shapes::merged.clusters
+    std::uint32_t merged = none;          ///< its place in text_shapes::merged.clusters, or none
     std::uint32_t mesh = 0;               ///< which of the text's meshes it is an instance of
-    std::uint32_t next_alike = no_glyph;  ///< the next record of that mesh, or no_glyph
+    std::uint32_t next_alike = none;      ///< the next record of that mesh, or none
     part_sizes before = {};               ///< the counts of all glyphs before it
 
-    static constexpr std::uint32_t not_merged = 0xFFFF'FFFFu;
+    static constexpr std::uint32_t none = 0xFFFF'FFFFu;
 };
 
 /// How placements are made: the same for all glyphs of a text.
@@ -89,7 +89,7 @@ struct text_shapes {
     shape_store store;                   ///< where shapes lie that no cache keeps, and no glyph_team
     lent_shapes lent;                    ///< those that a glyph_team keeps
     merged_glyphs merged;                ///< and glyphs that are drawn together
-    buffer<std::uint32_t> mesh_of;       ///< for each of the different glyphs, which mesh it is, or no_glyph
+    buffer<std::uint32_t> mesh_of;       ///< for each of the different glyphs, which mesh it is, or shape_record::none
     buffer<glyph_mesh> meshes;           ///< those of the different glyphs that are drawn
     buffer<shape_record> records;        ///< what is drawn
     buffer<box> line_boxes;              ///< in font units; filled for texture_box::line alone
@@ -138,7 +138,7 @@ struct text_shapes {
         const std::size_t kinds = different.ids().size();
         if (!records.reserve(count) || !meshes.reserve(kinds + merged.clusters.size()) || !mesh_of.reserve(kinds))
             return false;
-        for (std::size_t i = 0; i < kinds; ++i) mesh_of.push_back_unchecked(no_glyph);
+        for (std::size_t i = 0; i < kinds; ++i) mesh_of.push_back_unchecked(shape_record::none);
         return true;
     }
 
@@ -161,13 +161,13 @@ struct text_shapes {
         constexpr std::uint64_t most = 0xFFFF'FFFFu;
         if (vertices > most || 3 * triangles > most) return error::too_large;
         const auto self = static_cast<std::uint32_t>(records.size());
-        const bool alone = s.merged != shape_record::not_merged;
-        s.mesh = alone ? no_glyph : mesh_of[number];
-        if (s.mesh == no_glyph) {
+        const bool merges = s.merged != shape_record::none;
+        s.mesh = merges ? shape_record::none : mesh_of[number];
+        if (s.mesh == shape_record::none) {
             s.mesh = static_cast<std::uint32_t>(meshes.size());
-            const glyph_id id = alone ? no_glyph : s.id;
+            const glyph_id id = merges ? no_glyph : s.id;
             meshes.push_back_unchecked({.shape = s.shape, .id = id, .first_glyph = self, .last_glyph = self});
-            if (!alone) mesh_of[number] = s.mesh;
+            if (!merges) mesh_of[number] = s.mesh;
         }
         glyph_mesh& mesh = meshes[s.mesh];
         if (mesh.glyph_count++ != 0) records[mesh.last_glyph].next_alike = self;
@@ -208,7 +208,7 @@ struct text_shapes {
             per_font_unit = texture_over(over);
         }
         placement at = place(*s.shape, s.origin, placed.centre, low, per_font_unit);
-        at.glyph = s.merged == shape_record::not_merged ? s.id : no_glyph;
+        at.glyph = s.merged == shape_record::none ? s.id : no_glyph;
         at.cluster = s.cluster;
         return at;
     }

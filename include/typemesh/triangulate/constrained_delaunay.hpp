@@ -67,14 +67,27 @@ struct constrained_delaunay {
     /// The region that `loops` bound, its triangles appended to `out`. Fails as monotone{}.prove() does.
     [[nodiscard]] result<region> prove(const contours& loops, workspace& space, triangle_list& out) const noexcept
     {
-        detail::monotone_sweep<true, false, detail::no_cutter> sweep{loops.points.view(), loops.starts.view(), {}};
+        return proven_by<false>(loops, space, out);
+    }
+
+    /// The same for loops that touch in points. Fails as monotone{}.prove_touching() does.
+    [[nodiscard]] result<region> prove_touching(const contours& loops, workspace& space,
+                                                triangle_list& out) const noexcept
+    {
+        return proven_by<true>(loops, space, out);
+    }
+
+private:
+    template <bool Touching>
+    [[nodiscard]] result<region> proven_by(const contours& loops, workspace& space, triangle_list& out) const noexcept
+    {
+        detail::monotone_sweep<true, Touching, detail::no_cutter> sweep{loops.points.view(), loops.starts.view(), {}};
         if (const error e = sweep.run(space)) return e;
-        const region r = region::proven(loops, sweep.holes(), sweep.outers());
+        const region r = region::proven(loops, sweep.holes(), sweep.outers(), sweep.has_equal_points());
         if (const error e = (*this)(r, space, out)) return e;
         return r;
     }
 
-private:
     using cutter = detail::chain_cutter<detail::half_edges::output>;
 
     /// Regular patterns of many holes put whole columns of points on one vertical line, where a sweep makes needles.
@@ -116,6 +129,6 @@ private:
     }
 };
 
-static_assert(proving_triangulator<constrained_delaunay>);
+static_assert(touching_triangulator<constrained_delaunay>);
 
 }  // namespace typemesh

@@ -37,13 +37,27 @@ struct monotone {
     ///        their common point and no more), or an edge does not have the interior on its left alone: a lone
     ///        clockwise loop, one loop in another of its direction
     ///        error::out_of_memory
-    /// In both cases `out` is as it was.
+    /// In both cases `out` is as it was. See triangulator.hpp for the error's count.
     [[nodiscard]] result<region> prove(const contours& loops, workspace& space, triangle_list& out) const noexcept
     {
         region r = region::proven(loops, 0, 0);
         const error e = cut<true, false>(
             loops.points.view(), loops.starts.view(), space, out,
             [&](const auto& sweep) noexcept { r = region::proven(loops, sweep.holes(), sweep.outers()); });
+        if (e) return e;
+        return r;
+    }
+
+    /// The same for loops that may come through a point more than once, each time with a wedge of interior of its own
+    /// (see fill/touching_walks.hpp).
+    [[nodiscard]] result<region> prove_touching(const contours& loops, workspace& space,
+                                                triangle_list& out) const noexcept
+    {
+        region r = region::proven(loops, 0, 0);
+        const error e = cut<true, true>(
+            loops.points.view(), loops.starts.view(), space, out, [&](const auto& sweep) noexcept {
+                r = region::proven(loops, sweep.holes(), sweep.outers(), sweep.has_equal_points());
+            });
         if (e) return e;
         return r;
     }
@@ -67,6 +81,6 @@ private:
     }
 };
 
-static_assert(proving_triangulator<monotone>);
+static_assert(touching_triangulator<monotone>);
 
 }  // namespace typemesh

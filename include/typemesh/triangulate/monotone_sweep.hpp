@@ -6,6 +6,7 @@
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/sweep_order.hpp>
 #include <typemesh/core/sweep_status.hpp>
+#include <typemesh/core/wedges.hpp>
 #include <typemesh/core/workspace.hpp>
 
 #include <cstddef>
@@ -37,6 +38,19 @@ namespace typemesh::detail {
 ///     '        left)           :::/ \:::   below)      ---'::::                 ::::'---   right)
 ///
 /// Only starts must be told where they belong between edges that begin in the point itself: by their angle.
+///
+/// `Proving` and `Touching`: first the edges round every such point are sorted by their angles. They must bound wedges,
+/// no two in one direction, and every visit must have its own. Then one test is less strict: an edge may come through p
+/// from outside its span when it begins or ends there. The argument above holds still, X being the first place where
+/// loops meet otherwise than in common ends. If X is no vertex: the two edges that cross there have no other point in
+/// common, so the one that ends first does so strictly on the wrong side, and what is put between them is tested against
+/// an edge that it is no end of. If X is a vertex, an edge passes through it without an end. Where others end in X, it
+/// or another such edge lies right beside one of them, and every visit tests the edges on both sides of those that it
+/// ends: passes and ends come first, and they only take out or replace edges that end in X. Where none ends in X, the
+/// first visit that opens there meets no edge from X yet. Left of X the order of edges that end in X is that of their
+/// angles, and behind X passes, splits and starts leave those that begin there in it, for at most two visits pass, one
+/// below and one above all that start, and at most one splits or merges; so the status is right behind X.
+/// Whether starts are outside and splits inside is tested by edges that X is no end of, or told by the wedges.
 template <bool Proving, bool Touching, class Cutter>
 class monotone_sweep {
     struct vertex {
@@ -75,9 +89,13 @@ public:
             return error::out_of_memory;
         link_up();
         if constexpr (Touching)
-            if (!order_visits(order, scratch)) return error::out_of_memory;
-        return sweep(order) ? error::none : error::crossing_contours;
+            if (const error e = order_visits(order, scratch)) return e;
+        if (sweep(order)) return error::none;
+        return error{error::crossing_contours, equal_points_ ? 1u : 0u};
     }
+
+    /// Whether two points are equal: where a sweep has refused, or anywhere that one came which is `Touching`.
+    [[nodiscard]] bool has_equal_points() const noexcept { return equal_points_; }
 
     [[nodiscard]] const Cutter& cutter() const noexcept { return cut_; }
 
@@ -109,21 +127,47 @@ private:
     }
 
     /// Puts visits of one point into the order told above.
-    [[nodiscard]] bool order_visits(std::uint32_t* order, workspace::scope& scratch) const noexcept
+    [[nodiscard]] error order_visits(std::uint32_t* order, workspace::scope& scratch) noexcept
     {
         const std::size_t n = points_.size();
         auto* const ordered = scratch.take<std::uint32_t>(n);
-        if (ordered == nullptr) return false;
+        spoke* const spokes = Proving ? scratch.take<spoke>(2 * n) : nullptr;
+        if (ordered == nullptr || (Proving && spokes == nullptr)) return error::out_of_memory;
         for (std::size_t begin = 0, end = 1; begin < n; begin = end++) {
             while (end < n && points_[order[end]] == points_[order[begin]]) ++end;
             if (end - begin == 1) continue;
+            equal_points_ = true;
+            if constexpr (Proving)
+                if (!are_wedges({order + begin, end - begin}, spokes)) return error::crossing_contours;
             std::size_t k = begin;
             for (std::uint32_t rank = 0; rank < 4; ++rank)
                 for (std::size_t i = begin; i < end; ++i)
                     if (visit_rank(order[i]) == rank) ordered[k++] = order[i];
             for (k = begin; k < end; ++k) order[k] = ordered[k];
         }
+        return error::none;
+    }
+
+    /// Whether every visit of a point has a wedge of its own, and no two meet.
+    [[nodiscard]] bool are_wedges(std::span<const std::uint32_t> visits, spoke* spokes) const noexcept
+    {
+        std::size_t count = 0;
+        for (const std::uint32_t v : visits) {
+            spokes[count++] = spoke::to(points_[vertices_[v].right[0]], points_[v], v, true);
+            spokes[count++] = spoke::to(points_[vertices_[v].right[1]], points_[v], v, false);
+        }
+        if (!sort_into_wedges(spokes, count)) return false;
+        for (std::size_t i = 0; i < count; i += 2)
+            if (spokes[i].visit != spokes[i + 1].visit) return false;
         return true;
+    }
+
+    /// Negative when p lies outside of a side; when `Touching`, also when p is an end of it.
+    [[nodiscard]] static std::int64_t inside(const side& s, grid_point p) noexcept
+    {
+        if constexpr (Touching)
+            if (s.from == p || s.to == p) return -1;
+        return s.at(p);
     }
 
     /// 0: an end, 1: a pass, 2: a merge or a split, 3: a start.
@@ -147,21 +191,24 @@ private:
         for (; i < stop_; ++i) {
             const std::uint32_t v = order[i];
             const grid_point p = points_[v];
-            if constexpr (Proving) {
-                if (p == last) return false;
+            if constexpr (Proving && !Touching) {
+                if (p == last) break;
                 last = p;
             }
             const std::uint32_t lower = vertices_[v].span[0], upper = vertices_[v].span[1];
             if ((lower == 0) != (upper == 0)) {
-                if (lower != 0 ? !pass<0>(cut, lower, v, p) : !pass<1>(cut, upper, v, p)) return false;
+                if (lower != 0 ? !pass<0>(cut, lower, v, p) : !pass<1>(cut, upper, v, p)) break;
                 continue;
             }
             cut_ = cut;
-            if (lower == 0 ? !open(v, p) : !close(lower, upper, v, p)) return false;
+            if (lower == 0 ? !open(v, p) : !close(lower, upper, v, p)) break;
             cut = cut_;
         }
         cut_ = cut;
-        return i == n;
+        if (i == n) return true;
+        const grid_point p = points_[order[i]];
+        equal_points_ = (i > 0 && points_[order[i - 1]] == p) || (i + 1 < n && points_[order[i + 1]] == p);
+        return false;
     }
 
     /// One neighbour came before, the other comes later: a side of a span goes on.
@@ -174,7 +221,7 @@ private:
     {
         if constexpr (Proving) {
             const std::uint32_t outside = status_.neighbour(s, on);
-            if (spans_[s].sides[1 - on].at(p) <= 0 || spans_[outside].sides[1 - on].at(p) >= 0) return false;
+            if (spans_[s].sides[1 - on].at(p) <= 0 || inside(spans_[outside].sides[1 - on], p) >= 0) return false;
         }
         cut.template extend<on>(spans_[s].seen, v, p);
         set_side<on>(s, v, p);
@@ -199,8 +246,9 @@ private:
         const bool splits = turn < 0;
         if constexpr (Proving) {
             if (turn == 0) return false;  // doubles back
-            const std::int64_t inside_s = spans_[s].sides[1].at(p);
-            if (splits ? inside_s <= 0 : inside_s >= 0 || spans_[status_.above(s)].sides[0].at(p) >= 0) return false;
+            if (splits ? spans_[s].sides[1].at(p) <= 0
+                       : inside(spans_[s].sides[1], p) >= 0 || inside(spans_[status_.above(s)].sides[0], p) >= 0)
+                return false;
         }
         bound_triangles(splits ? 1 : -1);
         const std::uint32_t fresh = take_span();
@@ -230,8 +278,8 @@ private:
     {
         const bool ends = lower == upper;
         if constexpr (Proving) {
-            const bool clear = ends ? spans_[status_.below(lower)].sides[1].at(p) < 0 &&
-                                          spans_[status_.above(lower)].sides[0].at(p) < 0
+            const bool clear = ends ? inside(spans_[status_.below(lower)].sides[1], p) < 0 &&
+                                          inside(spans_[status_.above(lower)].sides[0], p) < 0
                                     : status_.above(upper) == lower && spans_[upper].sides[0].at(p) > 0 &&
                                           spans_[lower].sides[1].at(p) > 0;
             if (!clear) return false;
@@ -298,6 +346,7 @@ private:
     std::uint32_t span_count_ = 0;
     std::uint32_t free_span_ = 0;
     std::uint32_t loops_met_ = 0;
+    bool equal_points_ = false;
 };
 
 }  // namespace typemesh::detail

@@ -29,13 +29,23 @@ concept triangulator = requires(const T& t, const region& r, workspace& space, t
 ///
 ///     t.prove(loops, space, out)    the region that the loops bound, its triangles appended to `out`; or
 ///                                   error::crossing_contours, `out` being as it was: "I refuse", which is no verdict:
-///                                   the loops then take the way through fill.
+///                                   the loops then take the way through fill. The error's count may be 1 to say
+///                                   that two equal points stood in the way, and nothing else so far.
 ///
 /// It may refuse what it likes, but must accept only loops that do not cross, touch or overlap and whose interior, by
 /// even-odd and by non-zero winding alike, lies on the left of every edge (see fill/orient.hpp).
 template <class T>
 concept proving_triangulator = triangulator<T> && requires(const T& t, const contours& loops, workspace& space, triangle_list& out) {
     { t.prove(loops, space, out) } noexcept -> std::same_as<result<region>>;
+};
+
+/// A proving triangulator that can also be given loops which come through a point more than once.
+///
+///     t.prove_touching(loops, space, out)    as prove(). In each such point every walk must keep to a wedge of interior
+///                                            of its own (see fill/touching_walks.hpp), which is proven too.
+template <class T>
+concept touching_triangulator = proving_triangulator<T> && requires(const T& t, const contours& loops, workspace& space, triangle_list& out) {
+    { t.prove_touching(loops, space, out) } noexcept -> std::same_as<result<region>>;
 };
 
 }  // namespace typemesh

@@ -65,8 +65,8 @@ private:
     error begin_numbering(mesh_size exact, std::uint64_t vertices) noexcept
     {
         if (!index_can_number<Index>(base_ + vertices)) return {error::index_overflow, base_ + vertices};
-        if (exact.vertices > vertices_.size()) return {error::buffer_too_small, exact.vertices};
-        if (exact.indices() > indices_.size()) return {error::buffer_too_small, exact.indices()};
+        if (exact.vertices > vertices_.size()) return error::short_of("vertices", exact.vertices);
+        if (exact.indices() > indices_.size()) return error::short_of("indices", exact.indices());
         next_vertex_ = vertices_.data();
         next_index_ = indices_.data();
         return {};

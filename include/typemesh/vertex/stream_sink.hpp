@@ -128,10 +128,10 @@ private:
     error begin_numbering(mesh_size exact, std::uint64_t vertices) noexcept
     {
         if (!index_can_number<Index>(base_ + vertices)) return {error::index_overflow, base_ + vertices};
-        if (exact.indices() > indices_.size()) return {error::buffer_too_small, exact.indices()};
+        if (exact.indices() > indices_.size()) return error::short_of("indices", exact.indices());
         const bool fits =
             std::apply([&](const auto&... s) { return ((exact.vertices <= s.capacity) && ...); }, streams_);
-        if (!fits) return {error::buffer_too_small, exact.vertices};
+        if (!fits) return error::short_of("vertices", exact.vertices);
         next_vertex_ = 0;
         next_index_ = indices_.data();
         return {};

@@ -11,6 +11,13 @@ namespace typemesh {
 /// Stands where an attribute was not asked for: using it is a compile error that carries this name.
 template <attribute A>
 struct not_in_wants {
+    template <class T, attribute Asked = A>
+    constexpr operator T() const noexcept
+    {
+        static_assert(Asked == attribute::none,
+                      "typemesh: not_in_wants: this attribute is used but not asked for; add it to your `wants`.");
+        return T{};
+    }
 };
 
 namespace detail {

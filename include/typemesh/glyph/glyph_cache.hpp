@@ -3,8 +3,8 @@
 
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/buffer.hpp>
-#include <typemesh/text/glyph_shape.hpp>
-#include <typemesh/text/shape_context.hpp>
+#include <typemesh/glyph/glyph_shape.hpp>
+#include <typemesh/glyph/shape_context.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -259,8 +259,9 @@ private:
     mutable Lock lock_;
 };
 
-/// What text_mesher's with() takes to use a cache: which, and the caller's number for the font. Fonts that share a
-/// cache need different numbers; the axes of a variable font are told apart by themselves where it has variation_key().
+/// What text_mesher's with() takes to use a cache: which, and the caller's number for the font. Fonts of your
+/// own that share a cache need different numbers; the adapters' (all that have variation_key()) are told apart by
+/// themselves, axes included.
 /// The cache must outlive the mesher.
 template <cache_lock Lock>
 struct cached_in {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <typemesh/fill/group_meeting.hpp>
-#include <typemesh/text/glyph_builder.hpp>
-#include <typemesh/text/glyph_cluster.hpp>
+#include <typemesh/glyph/glyph_builder.hpp>
+#include <typemesh/fill/region_union.hpp>
 #include <typemesh/text/text_shapes.hpp>
 
 #include <cmath>
@@ -179,7 +179,7 @@ private:
     }
 
     workspace space_;
-    glyph_cluster cluster_;
+    region_union cluster_;
     triangle_list triangles_;
     buffer<side_point> sides_;
 };

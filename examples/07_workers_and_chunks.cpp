@@ -3,7 +3,7 @@
 // A long text by all processors, cut into meshes that 16-bit indices can number. An executor of your own job system
 // serves as well as thread_pool: see typemesh/core/executor.hpp.
 //
-//     06_workers_and_chunks FONT
+//     07_workers_and_chunks FONT
 
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/adapt/threads.hpp>
@@ -28,7 +28,7 @@ struct typemesh::vertex_traits<vertex> {
 int main(int argc, char** argv)
 {
     using namespace typemesh;
-    if (argc < 2) return std::puts("usage: 06_workers_and_chunks FONT"), 2;
+    if (argc < 2) return std::puts("usage: 07_workers_and_chunks FONT"), 2;
     auto font = harfbuzz_font::open(argv[1]);
     if (!font) return std::puts(font.error().message()), 1;
 

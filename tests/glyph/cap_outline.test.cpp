@@ -3,7 +3,7 @@
 #include <typemesh/discretise/adaptive_subdivision.hpp>
 #include <typemesh/discretise/certified.hpp>
 #include <typemesh/discretise/two_lines.hpp>
-#include <typemesh/text/cap_outline.hpp>
+#include <typemesh/glyph/cap_outline.hpp>
 #include <typemesh/triangulate/monotone.hpp>
 
 #include "support/catch.hpp"

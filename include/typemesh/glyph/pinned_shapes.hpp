@@ -2,7 +2,7 @@
 #pragma once
 
 #include <typemesh/core/buffer.hpp>
-#include <typemesh/text/glyph_shape.hpp>
+#include <typemesh/glyph/glyph_shape.hpp>
 
 #include <cstddef>
 #include <span>

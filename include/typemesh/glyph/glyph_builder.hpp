@@ -7,8 +7,8 @@
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/outline/outline_recorder.hpp>
-#include <typemesh/text/cap_outline.hpp>
-#include <typemesh/text/glyph_shape.hpp>
+#include <typemesh/glyph/cap_outline.hpp>
+#include <typemesh/glyph/glyph_shape.hpp>
 
 #include <optional>
 #include <utility>
@@ -22,7 +22,7 @@ struct glyph_settings {
 };
 
 /// Makes one glyph from its outline: record, discretise, fill, triangulate, and the extruder's count. Holds the scratch
-/// memory that this takes, which stays for the next glyph. One builder a thread.
+/// memory that this takes, which stays for the next glyph. A builder serves one thread at a time.
 ///
 ///     glyph_builder builder;
 ///     auto parts = builder.build(font, id, {.tolerance = quality::high}, certified{}, monotone{}, flat{}, nobody);

@@ -253,7 +253,7 @@ TEST_CASE("regions of fonts of different units per em are joined on the finer gr
     };
     workspace space;
     contours of_1000, of_2048;
-    glyph_cluster cluster;
+    region_union cluster;
     cluster.begin(grid{512.0});  // of 2048 units per em; a thousandth of an em is 2.048 of these
     REQUIRE_FALSE(cluster.add(square_region(of_2048, space, 1024 * 512), 1.0, 0, 0));
     REQUIRE_FALSE(cluster.add(square_region(of_1000, space, 500 * 512), 2.048, 1024 * 256, 1024 * 256));

@@ -4,7 +4,7 @@
 #include <typemesh/core/fill_rule.hpp>
 #include <typemesh/core/option_bits.hpp>
 #include <typemesh/outline/variation_key.hpp>
-#include <typemesh/text/glyph_builder.hpp>
+#include <typemesh/glyph/glyph_builder.hpp>
 
 #include <concepts>
 #include <cstdint>

@@ -4,7 +4,7 @@
 #include <typemesh/core/box.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/grid.hpp>
-#include <typemesh/extrude/part.hpp>
+#include <typemesh/extrude/part_sizes.hpp>
 #include <typemesh/extrude/solid.hpp>
 
 #include <cstddef>

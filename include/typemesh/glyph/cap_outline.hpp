@@ -4,8 +4,8 @@
 #include <typemesh/core/outline.hpp>
 #include <typemesh/discretise/discretise.hpp>
 #include <typemesh/fill/nest.hpp>
-#include <typemesh/text/cap.hpp>
-#include <typemesh/text/crossing_guard.hpp>
+#include <typemesh/glyph/cap.hpp>
+#include <typemesh/fill/crossing_guard.hpp>
 
 namespace typemesh {
 
@@ -44,8 +44,7 @@ template <discretiser Discretiser, triangulator Triangulator, stage_observer Obs
         const auto prove = [&]() noexcept -> result<region> {
             if constexpr (proving_triangulator<Triangulator>) {
                 observe(stage::triangulate);
-                orient(loops);
-                return cut.prove(loops, space, out);
+                return prove_loops(loops, cut, space, out);
             } else {
                 observe(stage::fill);
                 auto nested = nest(loops, rule, space);

@@ -23,9 +23,9 @@ namespace typemesh {
 /// The members' curves are copied and numbered on; edges of the joined region name them. A place that several members'
 /// boundaries share belongs to the first of these. Crossings between members count as real however shallow they are.
 /// Memory stays for the next cluster.
-class glyph_cluster {
+class region_union {
 public:
-    explicit glyph_cluster(memory source = heap()) noexcept : loops_{source}, curves_{source}, first_curves_{source} {}
+    explicit region_union(memory source = heap()) noexcept : loops_{source}, curves_{source}, first_curves_{source} {}
 
     /// Forgets all members.
     void begin(const grid& onto) noexcept

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+
+// Contours that only touch in points: proven without being resolved, and the same region as if they were.
+
+#include <typemesh/glyph/cap.hpp>
+#include <typemesh/triangulate/constrained_delaunay.hpp>
+#include <typemesh/triangulate/monotone.hpp>
+
+#include "support/catch.hpp"
+#include "support/counting_memory.hpp"
+#include "support/regions.hpp"
+#include "support/walks.hpp"
+
+#include <tuple>
+
+using namespace typemesh;
+
+namespace {
+
+using triangulators = std::tuple<monotone, constrained_delaunay>;
+
+/// Whether no two edges of the loops meet otherwise than in common ends, and no contour has fewer than 3 points.
+bool only_touch(const std::vector<test::oracle::loop>& loops)
+{
+    std::vector<std::pair<grid_point, grid_point>> edges;
+    for (const auto l : loops) {
+        if (l.size() < 3) return false;
+        for (std::size_t i = 0; i < l.size(); ++i) edges.emplace_back(l[i], l[(i + 1) % l.size()]);
+    }
+    using test::oracle::lies_on;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        const auto [a, b] = edges[i];
+        if (a == b) return false;
+        for (std::size_t k = 0; k < i; ++k) {
+            const auto [c, d] = edges[k];
+            const bool ends_meet = a == c || a == d || b == c || b == d;
+            if (!ends_meet && test::oracle::meet(a, b, c, d)) return false;
+            for (const grid_point p : {a, b})
+                if (!(p == c) && !(p == d) && lies_on(p, c, d)) return false;
+            for (const grid_point p : {c, d})
+                if (!(p == a) && !(p == b) && lies_on(p, a, b)) return false;
+            if ((a == c && b == d) || (a == d && b == c)) return false;
+        }
+    }
+    return true;
+}
+
+int touching = 0, proven_fast = 0;
+
+/// What is wrong with what the fast way makes of loops; empty when nothing is.
+template <class Triangulator>
+std::string mistake_on(const test::shape& s, fill_rule rule)
+{
+    contours loops = test::contours_of(s), resolved = test::contours_of(s);
+    const auto given = test::loops_of(s);
+    workspace space;
+    triangle_list out;
+    const auto fast = prove_loops(loops, Triangulator{}, space, out);
+    orient(resolved);
+    const std::int64_t signed_area = test::oracle::doubled_area(test::oracle::loops_of(resolved));
+    const auto slow = resolve(resolved, rule, space);
+    if (!slow) return slow.error().message();
+    const bool only_touches = only_touch(given);
+    if (!fast) {
+        if (fast.error().code != error::crossing_contours) return fast.error().message();
+        if (!out.empty()) return "refused, and triangles are left";
+        contours as_given = test::contours_of(s);
+        orient(as_given);
+        if (!std::equal(loops.points.begin(), loops.points.end(), as_given.points.begin(), as_given.points.end()) ||
+            !std::equal(loops.starts.begin(), loops.starts.end(), as_given.starts.begin(), as_given.starts.end()))
+            return "refused, and the loops are others";
+        for (std::size_t i = 0; i < loops.edges.size(); ++i)
+            if (loops.edges[i].curve != as_given.edges[i].curve || loops.edges[i].t0 != as_given.edges[i].t0)
+                return "refused, and the edges are others";
+        // The interior is on the left of every edge when neither rule loses one and both fill what the loops enclose.
+        bool is_region = only_touches;
+        for (const fill_rule other : {fill_rule::non_zero, fill_rule::even_odd}) {
+            contours again = test::contours_of(s);
+            const auto made = resolve(again, other, space);
+            is_region = is_region && made && made->points().size() == loops.points.size() &&
+                        test::oracle::doubled_area(test::oracle::loops_of(*made)) == signed_area;
+        }
+        if (is_region) return "refused, and is a region that only touches itself";
+        return {};
+    }
+    if (!only_touches) return "accepted, and edges meet";
+    if (slow->points().size() != fast->points().size()) return "another number of points than resolved";
+    if (test::walks_of(*fast) != test::walks_of(*slow)) return "other walks than resolved";
+    if (fast->holes() != slow->holes() || fast->outers() != slow->outers()) return "holes and outers are miscounted";
+    if (fast->is_touching() != slow->is_touching()) return "is_touching() is wrong";
+    touching += fast->is_touching();
+    ++proven_fast;
+    if (std::string broken = test::oracle::broken_walk(test::oracle::loops_of(*fast)); !broken.empty()) return broken;
+    return test::oracle::broken_law(*fast, out.view());
+}
+
+template <class Triangulator>
+std::string mistake_on(const test::shape& s)
+{
+    for (const fill_rule rule : {fill_rule::non_zero, fill_rule::even_odd})
+        if (std::string m = mistake_on<Triangulator>(s, rule); !m.empty()) return m;
+    return {};
+}
+
+template <class Triangulator>
+std::string mistake_in_any_position(const test::shape& s)
+{
+    for (const double degrees : {0.0, 90.0, 180.0, 270.0}) {
+        const test::shape t = test::turned(s, degrees);
+        for (const test::shape& u : {t, test::mirrored(t), test::reversed(t)})
+            if (std::string m = mistake_on<Triangulator>(u); !m.empty()) return m;
+    }
+    return {};
+}
+
+}  // namespace
+
+TEMPLATE_LIST_TEST_CASE("random polylines on tiny grids that only touch in points are the region that resolve() makes",
+                        "[glyph][cap]", triangulators)
+{
+    test::dice d{311};
+    touching = proven_fast = 0;
+    for (int i = 0; i < 150'000; ++i) {
+        const int width = 3 + d.roll(4), count = 1 + d.roll(3), most = count == 1 ? 11 : 5;
+        test::shape s{"polylines " + std::to_string(i), {}};
+        for (int c = 0; c < count; ++c) {
+            test::polyline l;
+            for (int n = 3 + d.roll(most - 2); n > 0; --n) l.push_back({d.roll(width), d.roll(width)});
+            s.loops.push_back(l);
+        }
+        if (i % 16 != 0 && !only_touch(test::loops_of(s))) continue;
+        const std::string mistake = mistake_on<TestType>(s);
+        INFO(s);
+        REQUIRE(mistake == "");
+    }
+    CHECK(touching > 100);
+}
+
+TEMPLATE_LIST_TEST_CASE("patterns of squares and rhombs that touch in corners are the region that resolve() makes",
+                        "[glyph][cap]", triangulators)
+{
+    test::dice d{312};
+    touching = proven_fast = 0;
+    for (int i = 0; i < 4000; ++i) {
+        // Cells of a board at random, every cell a contour of its own; some inside a frame, as holes; some with more
+        // points on their sides; at random turned or skewed.
+        const int size = 2 + d.roll(4), skew = d.roll(3) - 1;
+        const bool holes = d.roll(2) == 0;
+        test::shape s{"board " + std::to_string(i), {}};
+        std::vector<char> taken(static_cast<std::size_t>(size * size), 0);
+        const auto place = [&](int x, int y) { return grid_point{4 * x + skew * y, 4 * y}; };
+        for (int y = 0; y < size; ++y) {
+            for (int x = 0; x < size; ++x) {
+                const auto at = static_cast<std::size_t>(y * size + x);
+                if ((x > 0 && taken[at - 1]) || (y > 0 && taken[at - std::size_t(size)]) || d.roll(3) == 0) continue;
+                taken[at] = 1;
+                test::polyline l{place(x, y), place(x + 1, y), place(x + 1, y + 1), place(x, y + 1)};
+                if (d.roll(4) == 0) l.insert(l.begin() + 1, grid_point{4 * x + 1 + skew * y, 4 * y});
+                std::rotate(l.begin(), l.begin() + d.roll(4), l.end());
+                s.loops.push_back(holes ? test::reversed(l) : l);
+            }
+        }
+        if (holes) {  // round all of them, touching some
+            test::polyline frame{place(-3, -1), place(size + 3, -1)};
+            frame.push_back(place(size, 0)), frame.push_back(place(size + 3, size + 1));
+            frame.push_back(place(-3, size + 1)), frame.push_back(place(0, size));
+            s.loops.insert(s.loops.begin() + d.roll(static_cast<int>(s.loops.size()) + 1), frame);
+        }
+        const std::string mistake = mistake_in_any_position<TestType>(s);
+        INFO(s);
+        REQUIRE(mistake == "");
+    }
+    CHECK(touching > 20'000);
+}
+
+TEMPLATE_LIST_TEST_CASE("any number of wedges round one point is proven, walked as one loop or as many", "[glyph][cap]",
+                        triangulators)
+{
+    for (int wedges = 2; wedges <= 40; ++wedges) {
+        for (const bool one_loop : {true, false}) {
+            test::shape s{"wedges " + std::to_string(wedges), {}};
+            if (one_loop) s.loops.emplace_back();
+            for (int k = 0; k < wedges; ++k) {
+                const auto a = test::on_circle(0, 0, 1e5, test::turn_once * (k + 0.1) / wedges),
+                           b = test::on_circle(0, 0, 1e5, test::turn_once * (k + 0.6) / wedges);
+                if (!one_loop) s.loops.emplace_back();
+                test::polyline& l = s.loops.back();
+                l.insert(l.end(), {{0, 0}, a, b});
+            }
+            INFO(s);
+            touching = proven_fast = 0;
+            CHECK(mistake_in_any_position<TestType>(s) == "");
+            CHECK(touching == 24);
+            s.loops.push_back(test::square(-300'000, -300'000, 600'000));  // the wedges become holes
+            for (std::size_t k = 0; k + 1 < s.loops.size(); ++k) s.loops[k] = test::reversed(s.loops[k]);
+            touching = proven_fast = 0;
+            CHECK(mistake_in_any_position<TestType>(s) == "");
+            CHECK(touching == 24);
+        }
+    }
+}
+
+TEST_CASE("nested loops of one direction that touch are no hole", "[glyph][cap]")
+{
+    const test::shape s{"in a corner", {{{0, 0}, {90, 0}, {90, 90}, {0, 90}}, {{0, 0}, {60, 20}, {20, 60}}}};
+    for (const fill_rule rule : {fill_rule::non_zero, fill_rule::even_odd}) {
+        contours loops = test::contours_of(s);
+        workspace space;
+        triangle_list out;
+        const auto made = cap(loops, rule, monotone{}, space, out);
+        REQUIRE(made);
+        CHECK(made->points().size() == (rule == fill_rule::non_zero ? 4u : 7u));
+        CHECK(test::oracle::doubled_area(test::oracle::loops_of(*made)) ==
+              (rule == fill_rule::non_zero ? 16200 : 13000));
+    }
+    CHECK(mistake_in_any_position<monotone>(s) == "");
+}
+
+TEMPLATE_LIST_TEST_CASE("shapes of the corpus are proven by touching points alone, or left as they were", "[glyph][cap]",
+                        triangulators)
+{
+    for (const test::corpus_shape& c : test::corpus("regions.txt")) {
+        INFO(c);
+        CHECK(mistake_in_any_position<TestType>(c.shape) == "");
+    }
+}
+
+TEST_CASE("prove_loops() without memory says so and leaves the contours as they were, warm it asks for none",
+          "[glyph][cap]")
+{
+    test::shape s{"holes in rows", {{{-8, -8}, {808, -8}, {808, 808}, {-8, 808}}}};
+    for (std::int32_t y = 0; y < 20; ++y)
+        for (std::int32_t x = y % 2; x < 20; x += 2)
+            s.loops.push_back(test::reversed(test::square(40 * x, 40 * y, 40)));
+    for (std::size_t nth = 1;; ++nth) {
+        test::counting_memory memory;
+        contours loops = test::contours_of(s.loops, memory.source());
+        workspace space{memory.source()};
+        triangle_list out{memory.source()};
+        const std::size_t before = memory.requests;
+        memory.fail_at = before + nth;
+        memory.fail_once = true;
+        const auto made = prove_loops(loops, monotone{}, space, out);
+        const bool was_asked = memory.requests >= before + nth;
+        memory.fail_at = 0;
+        INFO("request " << nth);
+        if (!made) {
+            CHECK(made.error() == error::out_of_memory);
+            CHECK(out.empty());
+            CHECK(test::oracle::loops_of(loops).size() == s.loops.size());
+        }
+        const auto again = [&]() noexcept {
+            loops.clear();
+            bool fits = loops.starts.push_back(0);
+            for (const test::polyline& l : s.loops) {
+                for (const grid_point p : l) fits = fits && loops.points.push_back(p) && loops.edges.push_back({});
+                fits = fits && loops.starts.push_back(static_cast<std::uint32_t>(loops.points.size()));
+            }
+            out.clear();
+            return fits && prove_loops(loops, monotone{}, space, out);
+        };
+        REQUIRE(again());
+        REQUIRE(again());
+        const std::size_t warm = memory.requests;
+        REQUIRE(again());
+        CHECK(memory.requests == warm);
+        if (!was_asked) break;
+    }
+}

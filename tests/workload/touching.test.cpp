@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+//
+// Glyphs whose contours only touch in points: proven as they are, and the region that resolve() makes of them.
+
+#include "support/catch.hpp"
+#include "support/font_file.hpp"
+#include "support/oracle.hpp"
+#include "support/walks.hpp"
+
+#include <typemesh/adapt/harfbuzz.hpp>
+#include <typemesh/glyph/cap.hpp>
+#include <typemesh/typemesh.hpp>
+
+using namespace typemesh;
+
+TEST_CASE("glyphs that only touch in points are the region that resolve() makes of them, under both rules",
+          "[workload]")
+{
+    std::size_t touching = 0;
+    for (const char* name : {"truetype/wqy/wqy-microhei.ttc", "truetype/sawarabi-mincho/sawarabi-mincho-medium.ttf",
+                             "truetype/inter-vf/Inter.var.ttf"}) {
+        auto font = harfbuzz_font::open(test::font_file(name).c_str());
+        REQUIRE(font);
+        workspace space;
+        outline shape;
+        contours loops, resolved;
+        triangle_list out;
+        for (glyph_id id = 0; id < font->glyph_count(); ++id) {
+            if (record(*font, id, shape) || shape.curves.empty()) continue;
+            const double tolerance = quality::normal * font->units_per_em();
+            const auto g = grid::fitting(font->units_per_em(), shape.bounds);
+            if (!g || discretise(shape, certified{}, tolerance, *g, loops)) continue;
+            out.clear();
+            const result<region> proven = prove_loops(loops, monotone{}, space, out);
+            if (!proven || !proven->is_touching()) continue;
+            ++touching;
+            INFO(name << ", glyph " << id);
+            CHECK(test::oracle::broken_law(*proven, out.view()) == "");
+            for (const fill_rule rule : {fill_rule::non_zero, fill_rule::even_odd}) {
+                REQUIRE_FALSE(discretise(shape, certified{}, tolerance, *g, resolved));
+                const result<region> made = resolve(resolved, rule, space);
+                REQUIRE(made);
+                CHECK(test::walks_of(*proven) == test::walks_of(*made));
+                CHECK(proven->holes() == made->holes());
+                CHECK(proven->outers() == made->outers());
+                CHECK(made->is_touching());
+            }
+        }
+    }
+    CHECK(touching >= 5);
+}
