@@ -108,7 +108,7 @@ std::uint64_t key_of_face(IDWriteFontFace* face)
 
 }  // namespace
 
-TEST_CASE("a DirectWrite font's key tells its face and its simulations, and is the same when it is opened again",
+TEST_CASE("a DirectWrite font's key tells font, face and simulations, and is the same when it is opened again",
           "[windows]")
 {
     const auto opened = [](const char* path, std::uint32_t face) {
@@ -117,6 +117,9 @@ TEST_CASE("a DirectWrite font's key tells its face and its simulations, and is t
         return font;
     };
     CHECK(opened(dejavu, 0)->variation_key() == opened(dejavu, 0)->variation_key());
+    std::set<std::uint64_t> fonts;
+    for (const char* path : {dejavu, serif, comic, "/usr/share/fonts/opentype/comic-neue/ComicNeue-Bold.otf"})
+        CHECK(fonts.insert(opened(path, 0)->variation_key()).second);
     CHECK(opened(micro_hei, 0)->variation_key() != opened(micro_hei, 1)->variation_key());
 
     const test::font_files files{{dejavu}};
