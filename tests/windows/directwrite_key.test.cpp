@@ -19,6 +19,7 @@ namespace {
 
 constexpr char dejavu[] = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 constexpr char comic[] = "/usr/share/fonts/opentype/comic-neue/ComicNeue-Regular.otf";
+constexpr char serif[] = "/usr/share/fonts/truetype/dejavu/DejaVuSerif.ttf";  // as many units as dejavu
 constexpr char micro_hei[] = "/usr/share/fonts/truetype/wqy/wqy-microhei.ttc";
 
 DWRITE_TEXT_RANGE range(UINT32 first, UINT32 count) { return {first, count}; }
@@ -107,7 +108,7 @@ std::uint64_t key_of_face(IDWriteFontFace* face)
 
 }  // namespace
 
-TEST_CASE("a DirectWrite font's key tells its face and its simulations, and is the same when it is opened again",
+TEST_CASE("a DirectWrite font's key tells font, face and simulations, and is the same when it is opened again",
           "[windows]")
 {
     const auto opened = [](const char* path, std::uint32_t face) {
@@ -116,6 +117,9 @@ TEST_CASE("a DirectWrite font's key tells its face and its simulations, and is t
         return font;
     };
     CHECK(opened(dejavu, 0)->variation_key() == opened(dejavu, 0)->variation_key());
+    std::set<std::uint64_t> fonts;
+    for (const char* path : {dejavu, serif, comic, "/usr/share/fonts/opentype/comic-neue/ComicNeue-Bold.otf"})
+        CHECK(fonts.insert(opened(path, 0)->variation_key()).second);
     CHECK(opened(micro_hei, 0)->variation_key() != opened(micro_hei, 1)->variation_key());
 
     const test::font_files files{{dejavu}};
@@ -167,8 +171,8 @@ TEST_CASE("a DirectWrite font's key tells its axes, and is nobody else's where t
 TEST_CASE("layouts whose faces, sizes or lines come in another order share a cache and keep their own letters",
           "[windows]")
 {
-    const test::font_files files{{dejavu, comic}};
-    const std::wstring first = files.family(0), second = files.family(1);
+    const test::font_files files{{dejavu, comic, serif}};
+    const std::wstring second = files.family(1), third = files.family(2);
     glyph_cache cache;
     directwrite_text text;
     const auto read = [&](auto&& changes) {
@@ -186,6 +190,8 @@ TEST_CASE("layouts whose faces, sizes or lines come in another order share a cac
         keys.push_back(read([](IDWriteTextLayout&) {}));
         keys.push_back(read([&](IDWriteTextLayout& l) { family(l, second, 4); }));
         keys.push_back(read([&](IDWriteTextLayout& l) { family(l, second, 0); }));
+        keys.push_back(read([&](IDWriteTextLayout& l) { family(l, third, 4); }));
+        keys.push_back(read([&](IDWriteTextLayout& l) { family(l, third, 0); }));
         keys.push_back(read([&](IDWriteTextLayout& l) { REQUIRE(SUCCEEDED(l.SetFontSize(60.0f, range(4, 3)))); }));
         keys.push_back(read([&](IDWriteTextLayout& l) { REQUIRE(SUCCEEDED(l.SetFontSize(50.0f, range(4, 3)))); }));
         keys.push_back(read([&](IDWriteTextLayout& l) { REQUIRE(SUCCEEDED(l.SetFontSize(60.0f, range(0, 3)))); }));
@@ -193,6 +199,8 @@ TEST_CASE("layouts whose faces, sizes or lines come in another order share a cac
         keys.push_back(read([&](IDWriteTextLayout& l) { REQUIRE(SUCCEEDED(l.SetUnderline(TRUE, range(0, 2)))); }));
         keys.push_back(read(
             [&](IDWriteTextLayout& l) { REQUIRE(SUCCEEDED(l.SetFontWeight(DWRITE_FONT_WEIGHT_BOLD, range(0, 3)))); }));
+        keys.push_back(read(  // simulated in all letters: the family has no bold member
+            [&](IDWriteTextLayout& l) { REQUIRE(SUCCEEDED(l.SetFontWeight(DWRITE_FONT_WEIGHT_BOLD, range(0, 7)))); }));
     }
     const std::size_t kinds = keys.size() / 2;
     CHECK(std::set<std::uint64_t>(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(kinds)).size() == kinds);

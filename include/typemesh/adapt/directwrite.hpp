@@ -129,9 +129,9 @@ public:
     /// How many glyphs the face has; their ids count from 0.
     [[nodiscard]] std::uint32_t glyph_count() const noexcept { return glyph_count_; }
 
-    /// See variation_key.hpp. Of the face's number in its file, its simulations and its axes. Where the axes of a
-    /// variable font are not told (the program is compiled for a Windows older than 10 1709), no other directwrite_font
-    /// has the same key.
+    /// See variation_key.hpp. Of the font (by the checksum in its 'head' table, its number of glyphs and its face's
+    /// number), its simulations and its axes. Where the axes of a variable font are not told (the program is compiled
+    /// for a Windows older than 10 1709), no other directwrite_font has the same key.
     [[nodiscard]] std::uint64_t variation_key() const noexcept { return key_; }
 
     /// See outline_source. TrueType's quadratics, which DirectWrite gives as cubics, are quadratics again wherever a
@@ -210,7 +210,8 @@ private:
 
     /// Sets a variable font on its axes. Needs Windows 10 1709, when the program runs and, as Microsoft's headers have
     /// it, in the NTDDI_VERSION that it is compiled for; otherwise no font has an axis.
-    static error vary(detail::com_ptr<IDWriteFontFace>& face, std::span<const variation> wanted) noexcept
+    static error vary([[maybe_unused]] detail::com_ptr<IDWriteFontFace>& face,
+                      std::span<const variation> wanted) noexcept
     {
         if (wanted.empty()) return {};
         for (const variation& v : wanted)

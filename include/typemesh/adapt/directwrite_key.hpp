@@ -20,9 +20,12 @@ public:
     void mix(std::uint64_t number) noexcept { key_ = mixed_key(key_, number); }
     void mix(double number) noexcept { mix(option_bits{number}.words[0]); }
 
-    /// How the face draws what its file holds: its number there, its simulations and its axes.
+    /// The font, by the checksum in its 'head' table, its number of glyphs and its face's number, and how the face
+    /// draws it: its simulations and its axes.
     void mix_state(IDWriteFontFace* face) noexcept
     {
+        mix(checksum(face));
+        mix(std::uint64_t{face->GetGlyphCount()});
         mix(std::uint64_t{face->GetIndex()});
         mix(static_cast<std::uint64_t>(face->GetSimulations()));
 #if defined(__MINGW32__) || (defined(NTDDI_WIN10_RS3) && NTDDI_VERSION >= NTDDI_WIN10_RS3)
@@ -80,6 +83,21 @@ public:
 
 private:
     static constexpr UINT32 most_axes = 64, most_files = 8, longest_path = 1024;
+
+    /// checkSumAdjustment, over the whole file; 0 where there is none.
+    static std::uint64_t checksum(IDWriteFontFace* face) noexcept
+    {
+        constexpr UINT32 head = 0x6461'6568;  // as DirectWrite writes tags: the first letter lowest
+        const void* data = nullptr;
+        void* context = nullptr;
+        UINT32 size = 0;
+        BOOL exists = FALSE;
+        if (FAILED(face->TryGetFontTable(head, &data, &size, &context, &exists)) || exists == FALSE) return 0;
+        std::uint64_t sum = 0;
+        for (UINT32 i = 8; i < 12 && i < size; ++i) sum = sum << 8 | static_cast<const unsigned char*>(data)[i];
+        if (context != nullptr) face->ReleaseFontTable(context);
+        return sum;
+    }
 
     bool mix_file(const com_ptr<IDWriteFontFile>& file) noexcept
     {
