@@ -42,7 +42,8 @@ namespace typemesh::detail {
 ///
 ///     1  the points came in ascending order, each once, and every edge ended where the sweep took it out;
 ///     2  p lay strictly between those two edges, and does so still when they have been bent;
-///     3  no two edges that ended next to each other had begun together.
+///     3  no two edges that ended next to each other had begun together: all that end in a point lie side by side in
+///        the status, so to remember the one before is enough.
 ///
 /// Let X be the first place where final stretches meet otherwise than in common ends; left of X the status is in order.
 /// If X is no end of a stretch, two neighbours e below f cross there (they do not begin together in one direction: till
@@ -53,7 +54,8 @@ namespace typemesh::detail {
 ///
 /// To see 2 without walking again: an edge ab is bent through x only if x is within one cell of its line, that is
 /// |orientation(a, b, x)| <= |dx| + |dy|, so all of ax is; and only if every point it was held against was farther
-/// away than that (else it is `fixed`), and once. So none of them changes sides.
+/// away than that (else it is `fixed`), and once. So none of them changes sides; and a point behind x cannot have been
+/// held against ab yet, or x comes out of order (`late_`) or a second time.
 ///
 /// Why walks would end even without snap rounding: cutting an edge in a grid point of its box leaves two whose widths
 /// and heights add up to its own. So the sum of the widths and heights of all stretches never grows, every stretch has
