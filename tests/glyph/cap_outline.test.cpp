@@ -100,7 +100,12 @@ std::vector<segment> dense(const outline& o, double cells, double tolerance)
         for (std::uint32_t k = 0; k + 2 <= c.degree; ++k)
             bend = (std::max)(bend, length(c.p[k] + c.p[k + 2] - 2.0 * c.p[k + 1]));
         const int n = 1 + static_cast<int>(std::sqrt(c.degree * (c.degree - 1) * bend / (8.0 * 0.01 * tolerance)));
-        for (int i = 0; i < n; ++i) all.push_back({cells * c.at(double(i) / n), cells * c.at(double(i + 1) / n)});
+        point from = cells * c.start();
+        for (int i = 1; i <= n; ++i) {  // one chord ends where the next begins, to the bit
+            const point to = cells * (i == n ? c.end() : c.at(double(i) / n));
+            all.push_back({from, to});
+            from = to;
+        }
     }
     return all;
 }

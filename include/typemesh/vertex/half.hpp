@@ -32,7 +32,9 @@ struct half {
         if (exponent == 0x1F) return as_float(sign | 0x7F80'0000u | fraction << 13);
         if (exponent != 0) return as_float(sign | (exponent + 112) << 23 | fraction << 13);
         const float tiny = static_cast<float>(fraction) * 0x1p-24f;
-        return sign != 0 ? -tiny : tiny;
+        std::uint32_t size;  // the sign as a bit: -ffast-math drops that of a zero
+        std::memcpy(&size, &tiny, sizeof size);
+        return as_float(sign | size);
     }
 
 private:
