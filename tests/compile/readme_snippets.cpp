@@ -93,4 +93,8 @@ for (const auto& c : chunks.view()) draw(c.range().first_index, c.range().index_
 
 }  // namespace readme
 
-int main() { return readme::main() + 0 * sizeof(&readme::more); }
+int main()
+{
+    readme::use(&readme::more);
+    return readme::main();
+}

@@ -28,7 +28,7 @@ glyph_run run_of(std::vector<placed_glyph> glyphs)
     return run;
 }
 
-constexpr glyph_id o = 1, e = 2, x = 3, space = 4, i = 5, broken = 6;
+constexpr glyph_id ring = 1, bars = 2, star = 3, blank = 4, stick = 5, broken = 6;
 
 std::vector<std::uint32_t> indices_of(const full_mesh& m, const auto& plan, std::size_t glyph)
 {
@@ -69,7 +69,7 @@ TEST_CASE("glyphs that overlap become one solid whose volume is that of their un
     test::toy_font font;
     text_mesher mesher{font};
     // i is a box of 100 x 500; these three overlap by 50 x 500 and 100 x 400
-    const glyph_run run = run_of({{i, 0, {0, 0}}, {i, 0, {50, 0}}, {i, 0, {50, 100}}, {i, 0, {1000, 0}}});
+    const glyph_run run = run_of({{stick, 0, {0, 0}}, {stick, 0, {50, 0}}, {stick, 0, {50, 100}}, {stick, 0, {1000, 0}}});
     const double depth = 200.0, box = 100.0 * 500.0;
     CHECK(volume_of(mesher, run, false) == Catch::Approx(4 * box * depth));
     CHECK(volume_of(mesher, run, true) == Catch::Approx((2 * box + 150.0 * 500.0 + 100.0 * 100.0 - box) * depth));
@@ -79,14 +79,14 @@ TEST_CASE("merging lists every glyph that is drawn once, and clusters are chains
 {
     test::toy_font font;
     text_mesher mesher{font};
-    const glyph_run run = run_of({{i, 0, {0, 0}},       // 0: touches 3 along an edge
-                                  {o, 0, {1000, 0}},    // 1: holds 4 in its hole
-                                  {space, 0, {0, 0}},   // 2: blank
-                                  {i, 0, {100, 0}},     // 3
-                                  {i, 0, {1100, -0}},   // 4: crosses the ring of 1
+    const glyph_run run = run_of({{stick, 0, {0, 0}},       // 0: touches 3 along an edge
+                                  {ring, 0, {1000, 0}},    // 1: holds 4 in its hole
+                                  {blank, 0, {0, 0}},   // 2: blank
+                                  {stick, 0, {100, 0}},     // 3
+                                  {stick, 0, {1100, -0}},   // 4: crosses the ring of 1
                                   {broken, 0, {0, 0}},  // 5: refused
-                                  {e, 0, {3000, 0}},    // 6: alone
-                                  {x, 0, {3100, 150}}}  // 7: inside the bays of 6 and over its stem
+                                  {bars, 0, {3000, 0}},    // 6: alone
+                                  {star, 0, {3100, 150}}}  // 7: inside the bays of 6 and over its stem
     );
     auto plan = mesher.plan(run, {.merge = true});
     REQUIRE(plan);
@@ -97,14 +97,14 @@ TEST_CASE("merging lists every glyph that is drawn once, and clusters are chains
     CHECK(list(plan->members(2)) == numbers{6, 7});
     CHECK(plan->report().blank == 1);
     CHECK(plan->report().refused == 1);
-    CHECK(plan->glyphs()[1].id == o);
+    CHECK(plan->glyphs()[1].id == ring);
 }
 
 TEST_CASE("a glyph in another's hole, and one in its bay, stay alone while they do not touch it", "[text][merge]")
 {
     test::toy_font font;
     text_mesher mesher{font};
-    const glyph_run run = run_of({{0, 0, {0, 0}}, {i, 0, {100, 100}}, {e, 0, {1000, 0}}, {i, 0, {1100, 150}}});
+    const glyph_run run = run_of({{0, 0, {0, 0}}, {stick, 0, {100, 100}}, {bars, 0, {1000, 0}}, {stick, 0, {1100, 150}}});
     auto plan = mesher.plan(run, {.merge = true, .draw_missing = true});
     REQUIRE(plan);
     CHECK(plan->glyphs().size() == 3);  // the last i crosses the E's middle bar; the first stands in the box of .notdef
@@ -128,7 +128,7 @@ TEST_CASE("a triangle's owner has its corners on its outline, and what two share
 {
     test::toy_font font;
     text_mesher mesher{font};
-    const glyph_run run = run_of({{o, 0, {0, 0}}, {o, 0, {400, 30}}, {e, 0, {700, 20}}});
+    const glyph_run run = run_of({{ring, 0, {0, 0}}, {ring, 0, {400, 30}}, {bars, 0, {700, 20}}});
     auto plan = mesher.plan(run, {.unit = output_unit::font_units, .merge = true});
     REQUIRE(plan);
     REQUIRE(plan->glyphs().size() == 1);
@@ -176,7 +176,7 @@ TEST_CASE("merging far from the origin gives the same solid, moved", "[text][mer
     test::toy_font font;
     text_mesher mesher{font};
     const auto plan_at = [&](double far_off) {
-        const glyph_run run = run_of({{o, 0, {far_off, 0}}, {o, 0, {far_off + 400, 30}}});
+        const glyph_run run = run_of({{ring, 0, {far_off, 0}}, {ring, 0, {far_off + 400, 30}}});
         auto plan = mesher.plan(run, {.merge = true});
         REQUIRE(plan);
         REQUIRE(plan->glyphs().size() == 1);
@@ -191,7 +191,7 @@ TEST_CASE("a cluster too wide for the fine grid is merged on a coarser one", "[t
     test::toy_font font;
     text_mesher mesher{font};
     std::vector<placed_glyph> glyphs;
-    for (int k = 0; k < 14'000; ++k) glyphs.push_back({i, 0, {k * 75.0, 0}});  // 1,050,000 units: 2^29 cells of 1/512
+    for (int k = 0; k < 14'000; ++k) glyphs.push_back({stick, 0, {k * 75.0, 0}});  // 1,050,000 units: 2^29 cells of 1/512
     const glyph_run run = run_of(glyphs);
     auto plan = mesher.plan(run, {.merge = true});
     REQUIRE(plan);
@@ -206,7 +206,7 @@ TEST_CASE("a cluster too wide for the fine grid is merged on a coarser one", "[t
 TEST_CASE("merging reports that memory ran out at whichever request, and the mesher works afterwards", "[text][merge]")
 {
     test::toy_font font;
-    const glyph_run run = run_of({{o, 0, {0, 0}}, {o, 0, {400, 30}}, {e, 0, {700, 20}}, {i, 0, {5000, 0}}});
+    const glyph_run run = run_of({{ring, 0, {0, 0}}, {ring, 0, {400, 30}}, {bars, 0, {700, 20}}, {stick, 0, {5000, 0}}});
     std::size_t failures = 0;
     for (std::size_t fail_at = 1;; ++fail_at) {
         test::counting_memory counted;
@@ -231,7 +231,7 @@ TEST_CASE("merging allocates nothing once it has seen a text of that size", "[te
     test::toy_font font;
     test::counting_memory counted;
     text_mesher mesher{font, counted.source()};
-    const glyph_run run = run_of({{o, 0, {0, 0}}, {o, 0, {400, 30}}, {e, 0, {700, 20}}, {i, 0, {5000, 0}}});
+    const glyph_run run = run_of({{ring, 0, {0, 0}}, {ring, 0, {400, 30}}, {bars, 0, {700, 20}}, {stick, 0, {5000, 0}}});
     for (int warm = 0; warm < 3; ++warm) REQUIRE(mesher.plan(run, {.merge = true}));
     const auto before = counted.requests;
     REQUIRE(mesher.plan(run, {.merge = true}));
