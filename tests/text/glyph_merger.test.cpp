@@ -69,7 +69,8 @@ TEST_CASE("glyphs that overlap become one solid whose volume is that of their un
     test::toy_font font;
     text_mesher mesher{font};
     // i is a box of 100 x 500; these three overlap by 50 x 500 and 100 x 400
-    const glyph_run run = run_of({{stick, 0, {0, 0}}, {stick, 0, {50, 0}}, {stick, 0, {50, 100}}, {stick, 0, {1000, 0}}});
+    const glyph_run run =
+        run_of({{stick, 0, {0, 0}}, {stick, 0, {50, 0}}, {stick, 0, {50, 100}}, {stick, 0, {1000, 0}}});
     const double depth = 200.0, box = 100.0 * 500.0;
     CHECK(volume_of(mesher, run, false) == Catch::Approx(4 * box * depth));
     CHECK(volume_of(mesher, run, true) == Catch::Approx((2 * box + 150.0 * 500.0 + 100.0 * 100.0 - box) * depth));
@@ -104,7 +105,8 @@ TEST_CASE("a glyph in another's hole, and one in its bay, stay alone while they 
 {
     test::toy_font font;
     text_mesher mesher{font};
-    const glyph_run run = run_of({{0, 0, {0, 0}}, {stick, 0, {100, 100}}, {bars, 0, {1000, 0}}, {stick, 0, {1100, 150}}});
+    const glyph_run run =
+        run_of({{0, 0, {0, 0}}, {stick, 0, {100, 100}}, {bars, 0, {1000, 0}}, {stick, 0, {1100, 150}}});
     auto plan = mesher.plan(run, {.merge = true, .draw_missing = true});
     REQUIRE(plan);
     CHECK(plan->glyphs().size() == 3);  // the last i crosses the E's middle bar; the first stands in the box of .notdef
@@ -191,7 +193,8 @@ TEST_CASE("a cluster too wide for the fine grid is merged on a coarser one", "[t
     test::toy_font font;
     text_mesher mesher{font};
     std::vector<placed_glyph> glyphs;
-    for (int k = 0; k < 14'000; ++k) glyphs.push_back({stick, 0, {k * 75.0, 0}});  // 1,050,000 units: 2^29 cells of 1/512
+    // 1,050,000 units: 2^29 cells of 1/512
+    for (int k = 0; k < 14'000; ++k) glyphs.push_back({stick, 0, {k * 75.0, 0}});
     const glyph_run run = run_of(glyphs);
     auto plan = mesher.plan(run, {.merge = true});
     REQUIRE(plan);
@@ -206,7 +209,8 @@ TEST_CASE("a cluster too wide for the fine grid is merged on a coarser one", "[t
 TEST_CASE("merging reports that memory ran out at whichever request, and the mesher works afterwards", "[text][merge]")
 {
     test::toy_font font;
-    const glyph_run run = run_of({{ring, 0, {0, 0}}, {ring, 0, {400, 30}}, {bars, 0, {700, 20}}, {stick, 0, {5000, 0}}});
+    const glyph_run run =
+        run_of({{ring, 0, {0, 0}}, {ring, 0, {400, 30}}, {bars, 0, {700, 20}}, {stick, 0, {5000, 0}}});
     std::size_t failures = 0;
     for (std::size_t fail_at = 1;; ++fail_at) {
         test::counting_memory counted;
@@ -231,7 +235,8 @@ TEST_CASE("merging allocates nothing once it has seen a text of that size", "[te
     test::toy_font font;
     test::counting_memory counted;
     text_mesher mesher{font, counted.source()};
-    const glyph_run run = run_of({{ring, 0, {0, 0}}, {ring, 0, {400, 30}}, {bars, 0, {700, 20}}, {stick, 0, {5000, 0}}});
+    const glyph_run run =
+        run_of({{ring, 0, {0, 0}}, {ring, 0, {400, 30}}, {bars, 0, {700, 20}}, {stick, 0, {5000, 0}}});
     for (int warm = 0; warm < 3; ++warm) REQUIRE(mesher.plan(run, {.merge = true}));
     const auto before = counted.requests;
     REQUIRE(mesher.plan(run, {.merge = true}));
