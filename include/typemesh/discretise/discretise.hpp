@@ -66,9 +66,11 @@ public:
         return false;
     }
 
-    /// Whether all points since begin_contour() are in line, or none are left.
+    /// Whether all points since begin_contour() are in line, or none are left. False after a failure, when there are
+    /// none to look at.
     [[nodiscard]] bool is_flat() const noexcept
     {
+        if (failed_) return false;
         for (std::size_t i = first_ + 2; i < size_; ++i)
             if (orientation(points_[first_], points_[i - 1], points_[i]) != 0) return false;
         return true;
