@@ -9,8 +9,8 @@ usage() {
 usage: tests/run.sh [--with TIER[,TIER...]] [--all]
 
 Installs what is missing, builds and runs the tests of the core and its adapters with g++. Further tiers:
-  clang      the same tests with clang++
-  sanitize   the same tests with g++ under the address and undefined behaviour sanitizers
+  clang      the tests of the core and the adapters with clang++
+  sanitize   the tests of what touches memory most, with g++ under the address and undefined behaviour sanitizers
   tsan       the tests that use threads with g++ under the thread sanitizer
   windows    the tests of the core and of DirectWrite as Windows programs (mingw-w64), run under Wine
   external   other people's tools (admesh, gltf-validator) read what text_to_mesh writes; the benchmarks are built
