@@ -62,8 +62,19 @@ template <meeting_judge Judge>
     auto* const ends = scratch.take<std::uint32_t>(a.point_count);  // how many; beyond 2: 3 and the last visit's number
     auto* const two = scratch.take<std::uint32_t>(2 * std::size_t{a.point_count});  // who comes first and second
     auto* const more = scratch.take<visit>(2 * std::size_t{a.count});               // and who else
-    if (ends == nullptr || two == nullptr || more == nullptr) return false;
-    for (std::uint32_t i = 0; i < a.point_count; ++i) ends[i] = 0;
+    auto* const crowd = scratch.take<std::uint8_t>(a.point_count);  // how many at least: most points are left here
+    if (ends == nullptr || two == nullptr || more == nullptr || crowd == nullptr) return false;
+    for (std::uint32_t i = 0; i < a.point_count; ++i) crowd[i] = 0;
+    const auto counted = [&](std::uint32_t place) noexcept {
+        crowd[place] = static_cast<std::uint8_t>(crowd[place] + (crowd[place] < 3));
+        if (crowd[place] == 3) ends[place] = 0;
+    };
+    for (std::uint32_t i = 0; i < a.count; ++i) {
+        const stretch& s = a.stretches[i];
+        if (s.turn == 0) continue;
+        counted(s.start);
+        counted(s.end);
+    }
     std::uint32_t count = 0;
     const auto visited = [&](std::uint32_t place, std::uint32_t origin) noexcept {
         const std::uint32_t n = ends[place];
@@ -78,8 +89,8 @@ template <meeting_judge Judge>
     for (std::uint32_t i = 0; i < a.count; ++i) {
         const stretch& s = a.stretches[i];
         if (s.turn == 0) continue;
-        visited(s.start, s.origin);
-        visited(s.end, s.origin);
+        if (crowd[s.start] == 3) visited(s.start, s.origin);
+        if (crowd[s.end] == 3) visited(s.end, s.origin);
     }
 
     for (std::uint32_t v = 0; v < count; ++v) {
