@@ -387,6 +387,23 @@ TEST_CASE("curves that truly coincide are not made finer", "[cap_outline]")
     }
 }
 
+TEST_CASE("a corner just beside a curve stays apart from it at every tolerance", "[cap_outline]")
+{
+    // As in glyph 4312 of Mplus1Code-SemiBold: 0.7 units between the corner and the curve. At some tolerances a chord
+    // comes through the corner, to half a cell: then it and the box's lower edge, which it leaves along, cancel.
+    const path below{curve::from(cubic{{550, 99}, {489, 64}, {407, 28}, {318, 0}}), curve::from({318, 0}, {318, -100}),
+                     curve::from({318, -100}, {550, -100}), curve::from({550, -100}, {550, 99})};
+    const outline o = outline_of({below, box_path(200, 19, 372, 478)});
+    for (int i = 0; i < 1000; ++i) {
+        const double coarse = 1.25 + 0.01 * i;
+        capped c;
+        build(c, o, coarse, fill_rule::non_zero);
+        INFO("tolerance " << coarse);
+        CHECK(c.made.outers() == 2);
+        CHECK(changes(c, o).empty());
+    }
+}
+
 TEST_CASE("steep crossings and crossing lines cost no finer curve, wherever on their chords they lie", "[cap_outline]")
 {
     for (int i = 0; i < 200; ++i) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/contours.hpp>
+#include <typemesh/core/fill_rule.hpp>
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/sweep_order.hpp>
 #include <typemesh/core/workspace.hpp>
@@ -35,7 +36,7 @@ struct stretch {
     std::int32_t turn;         // the winding number right above it less the one right below
     std::int32_t below;        // the winding number right below, once the sweep has met it
     contour_edge source;       // t0 belongs to `from`, t1 to `to`
-    std::uint32_t origin;      // the contour point whose edge it was cut from
+    std::uint32_t origin, target;  // the contour points that the edge it was cut from joins
     std::uint32_t next;    // before the sweep: the next that starts in the same point; behind it: see boundary_walk
     std::uint32_t bent;    // 1: it may lie beside that contour edge, by a cell or so
 
@@ -51,6 +52,12 @@ struct stretch {
         source.t0 = source.t1;
         source.t1 = t;
         turn = -turn;
+    }
+
+    /// 1: the filled area lies right above it only, -1: right below it only, 0: it bounds nothing.
+    [[nodiscard]] int interior(fill_rule rule) const noexcept
+    {
+        return int{is_filled(rule, below + turn)} - int{is_filled(rule, below)};
     }
 
     /// The curve's parameter where the stretch is cut in p. Rounded; nothing is decided by it.
@@ -85,18 +92,11 @@ struct arrangement {
     /// The contour edge that a stretch was cut from.
     [[nodiscard]] edge home(const stretch& s) const noexcept
     {
-        std::uint32_t contour = 0;
-        for (std::uint32_t size = loops->contour_count(); size > 1;) {
-            const std::uint32_t half = size / 2;
-            if (loops->starts[contour + half] <= s.origin) contour += half;
-            size -= half;
-        }
-        const std::uint32_t last = loops->starts[contour + 1] - 1;
-        return {loops->points[s.origin], loops->points[s.origin < last ? s.origin + 1 : loops->starts[contour]]};
+        return {loops->points[s.origin], loops->points[s.target]};
     }
 
     /// Whether p lies within about one cell of the line of a stretch's contour edge: bending may not lead farther away.
-    /// Exact: |orientation| < 2^61 against |dx| + |dy| <= 2^30. O(log contours)
+    /// Exact: |orientation| < 2^61 against |dx| + |dy| <= 2^30.
     [[nodiscard]] bool is_at_home(const stretch& s, grid_point p) const noexcept
     {
         const auto [a, b] = home(s);
@@ -148,9 +148,9 @@ struct arrangement {
                 if (i == k) continue;
                 const contour_edge e = edges[v];
                 if (i < k)
-                    stretches[count] = {place[v], place[w], i, k, 1, 0, e, v, first[i], 0};
+                    stretches[count] = {place[v], place[w], i, k, 1, 0, e, v, w, first[i], 0};
                 else
-                    stretches[count] = {place[w], place[v], k, i, -1, 0, {e.curve, e.t1, e.t0}, v, first[k], 0};
+                    stretches[count] = {place[w], place[v], k, i, -1, 0, {e.curve, e.t1, e.t0}, v, w, first[k], 0};
                 first[i < k ? i : k] = count++;
             }
         }

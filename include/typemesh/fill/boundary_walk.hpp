@@ -40,7 +40,7 @@ public:
         loops.starts.clear();
         loops.starts.push_back_unchecked(0);
         for (std::uint32_t i = 0; i < a.count; ++i) {
-            if (a.stretches[i].end == no_number || direction(a.stretches[i], rule) == 0) continue;
+            if (a.stretches[i].end == no_number || a.stretches[i].interior(rule) == 0) continue;
             std::uint64_t area = 0;  // doubled; below 2^60 in the end, may wrap on the way
             std::size_t size = 0;
             std::uint32_t k = i;
@@ -48,7 +48,7 @@ public:
                 if (k >= a.count || a.stretches[k].end == no_number) return error::crossing_contours;
                 stretch& s = a.stretches[k];
                 s.end = no_number;  // walked
-                const bool along = direction(s, rule) > 0;
+                const bool along = s.interior(rule) > 0;
                 loops.points.push_back_unchecked(along ? s.from : s.to);
                 loops.edges.push_back_unchecked(along ? s.source
                                                       : contour_edge{s.source.curve, s.source.t1, s.source.t0});
@@ -63,14 +63,6 @@ public:
             loops.starts.push_back_unchecked(static_cast<std::uint32_t>(loops.points.size()));
         }
         return {};
-    }
-
-private:
-    /// 1: the interior is above, -1: below, 0: no boundary.
-    [[nodiscard]] static int direction(const stretch& s, fill_rule rule) noexcept
-    {
-        if (s.turn == 0) return 0;
-        return int{is_filled(rule, s.below + s.turn)} - int{is_filled(rule, s.below)};
     }
 };
 

@@ -26,7 +26,8 @@ struct meeting {
     grid_point at;
 };
 
-/// Told of meetings: judge(m) is whether this one may stand. It is asked of all, also when one does not.
+/// Told of meetings: judge(m) is whether this one may stand. It is asked of all that the boundary of the filled area comes
+/// through, also when one does not.
 template <class J>
 concept meeting_judge = requires(J& judge, const meeting& m) {
     { judge(m) } noexcept -> std::same_as<bool>;
@@ -39,82 +40,93 @@ struct every_meeting_stands {
 
 namespace detail {
 
-[[nodiscard]] inline meeting::edge edge_of(const arrangement& a, std::uint32_t origin) noexcept
+[[nodiscard]] inline meeting::edge edge_of(const arrangement& a, const stretch& s) noexcept
 {
-    stretch s{};
-    s.origin = origin;
     const auto [from, to] = a.home(s);
-    return {from, to, a.loops->edges[origin]};
+    return {from, to, a.loops->edges[s.origin]};
 }
 
-/// Asks a judge about all meetings of a finished arrangement; false when there is no memory.
-///
-/// They are found where more than two stretches end. Where more than 16 edges come through one point all stand: nothing
-/// there is made by chance, and the pairs would be many.
+/// Where edges only share an end there is nothing to judge.
 template <meeting_judge Judge>
-[[nodiscard]] bool judge_meetings(const arrangement& a, workspace& space, Judge& judge, bool& all_stand) noexcept
+[[nodiscard]] bool may_meet(const arrangement& a, const stretch& s, const stretch& t, grid_point at,
+                            Judge& judge) noexcept
+{
+    const meeting m{edge_of(a, s), edge_of(a, t), at};
+    return (m.a.ends_in(at) && m.b.ends_in(at)) || judge(m);
+}
+
+/// Judges the meetings where the boundary changes from one edge to another.
+template <meeting_judge Judge>
+[[nodiscard]] bool judge_changes(const arrangement& a, fill_rule rule, Judge& judge) noexcept
+{
+    const grid_point* const points = a.loops->points.data();
+    bool all_stand = true;
+    for (std::uint32_t i = 0; i < a.count; ++i) {
+        const stretch& s = a.stretches[i];
+        const int side = s.interior(rule);
+        if (side == 0) continue;
+        const stretch& t = a.stretches[s.next];
+        if (s.origin == t.origin) continue;
+        const grid_point at = side > 0 ? s.to : s.from;
+        if (s.target == t.origin && points[t.origin] == at) continue;  // the contour's next edge: nearly always
+        if (!may_meet(a, s, t, at, judge)) all_stand = false;
+    }
+    return all_stand;
+}
+
+/// Judges the meetings of all edges that bound the filled area in one point; false when there is no memory.
+///
+/// Where more than 16 edges come through one point all stand: nothing there is made by chance, and the pairs would be
+/// many.
+template <meeting_judge Judge>
+[[nodiscard]] bool judge_touches(const arrangement& a, fill_rule rule, workspace& space, Judge& judge,
+                                 bool& all_stand) noexcept
 {
     constexpr std::uint32_t most = 16;
     struct visit {
-        std::uint32_t place, origin, before;
+        std::uint32_t stretch, before;  // before: the visit before in the same point
     };
     workspace::scope scratch{space};
-    auto* const ends = scratch.take<std::uint32_t>(a.point_count);  // how many; beyond 2: 3 and the last visit's number
-    auto* const two = scratch.take<std::uint32_t>(2 * std::size_t{a.point_count});  // who comes first and second
-    auto* const more = scratch.take<visit>(2 * std::size_t{a.count});               // and who else
-    auto* const crowd = scratch.take<std::uint8_t>(a.point_count);  // how many at least: most points are left here
-    if (ends == nullptr || two == nullptr || more == nullptr || crowd == nullptr) return false;
-    for (std::uint32_t i = 0; i < a.point_count; ++i) crowd[i] = 0;
-    const auto counted = [&](std::uint32_t place) noexcept {
-        crowd[place] = static_cast<std::uint8_t>(crowd[place] + (crowd[place] < 3));
-        if (crowd[place] == 3) ends[place] = 0;
-    };
-    for (std::uint32_t i = 0; i < a.count; ++i) {
-        const stretch& s = a.stretches[i];
-        if (s.turn == 0) continue;
-        counted(s.start);
-        counted(s.end);
-    }
+    auto* const last = scratch.take<std::uint32_t>(a.point_count);
+    auto* const visits = scratch.take<visit>(2 * std::size_t{a.count});
+    if (last == nullptr || visits == nullptr) return false;
+    for (std::uint32_t i = 0; i < a.point_count; ++i) last[i] = no_number;
     std::uint32_t count = 0;
-    const auto visited = [&](std::uint32_t place, std::uint32_t origin) noexcept {
-        const std::uint32_t n = ends[place];
-        if (n < 2) {
-            two[2 * std::size_t{place} + n] = origin;
-            ends[place] = n + 1;
-        } else {
-            more[count] = {place, origin, n};
-            ends[place] = 3 + count++;
-        }
-    };
     for (std::uint32_t i = 0; i < a.count; ++i) {
         const stretch& s = a.stretches[i];
-        if (s.turn == 0) continue;
-        if (crowd[s.start] == 3) visited(s.start, s.origin);
-        if (crowd[s.end] == 3) visited(s.end, s.origin);
-    }
-
-    for (std::uint32_t v = 0; v < count; ++v) {
-        const std::uint32_t place = more[v].place;
-        if (ends[place] != 3 + v) continue;  // a later visit will tell of all
-        std::uint32_t edges[most + 1] = {two[2 * std::size_t{place}]}, size = 1;
-        const auto add = [&](std::uint32_t origin) noexcept {
-            std::uint32_t i = 0;
-            while (i < size && edges[i] != origin) ++i;
-            if (i == size && size <= most) edges[size++] = origin;
-        };
-        add(two[2 * std::size_t{place} + 1]);
-        for (std::uint32_t k = 3 + v; k > 2; k = more[k - 3].before) add(more[k - 3].origin);
-        if (size > most) continue;
-        const grid_point at = a.points[place];
-        for (std::uint32_t i = 1; i < size; ++i) {
-            const meeting::edge e = edge_of(a, edges[i]);
-            for (std::uint32_t j = 0; j < i; ++j) {
-                const meeting m{e, edge_of(a, edges[j]), at};
-                if (m.a.ends_in(at) && m.b.ends_in(at)) continue;
-                if (!judge(m)) all_stand = false;
-            }
+        if (s.interior(rule) == 0) continue;
+        for (const std::uint32_t place : {s.start, s.end}) {
+            visits[count] = {i, last[place]};
+            last[place] = count++;
         }
     }
+    for (std::uint32_t place = 0; place < a.point_count; ++place) {
+        const stretch* edges[most + 1] = {};
+        std::uint32_t size = 0;
+        for (std::uint32_t v = last[place]; v != no_number; v = visits[v].before) {
+            const stretch& s = a.stretches[visits[v].stretch];
+            std::uint32_t k = 0;
+            while (k < size && edges[k]->origin != s.origin) ++k;
+            if (k == size && size <= most) edges[size++] = &s;
+        }
+        if (size > most) continue;
+        for (std::uint32_t i = 1; i < size; ++i)
+            for (std::uint32_t k = 0; k < i; ++k)
+                if (!may_meet(a, *edges[i], *edges[k], a.points[place], judge)) all_stand = false;
+    }
+    return true;
+}
+
+/// Asks a judge about the meetings of a finished arrangement where the filled area ends; false when there is no memory.
+/// What crosses inside of other contours changes nothing.
+///
+///     touching    whether the boundary comes through some point more than once
+template <meeting_judge Judge>
+[[nodiscard]] bool judge_meetings(const arrangement& a, fill_rule rule, bool touching, workspace& space, Judge& judge,
+                                  bool& all_stand) noexcept
+{
+    if (touching) return judge_touches(a, rule, space, judge, all_stand);
+    all_stand = judge_changes(a, rule, judge);
     return true;
 }
 

@@ -70,7 +70,7 @@ template <meeting_judge Judge>
         if (!sweep.again) {
             if constexpr (!std::is_same_v<Judge, every_meeting_stands>) {
                 bool all_stand = true;
-                if (!detail::judge_meetings(a, space, judge, all_stand)) return error::out_of_memory;
+                if (!detail::judge_meetings(a, rule, sweep.touching, space, judge, all_stand)) return error::out_of_memory;
                 if (!all_stand) return region{};
             }
             detail::boundary_walk boundary;

@@ -344,7 +344,12 @@ private:
         stretch& longer = a_.stretches[k];
         const bool equal = shorter.to == longer.to;
         const float t = equal ? longer.source.t1 : longer.t_at(shorter.to);
-        if (longer.source.curve < shorter.source.curve) shorter.source = {longer.source.curve, longer.source.t0, t};
+        if (longer.source.curve < shorter.source.curve) {
+            shorter.source = {longer.source.curve, longer.source.t0, t};
+            shorter.origin = longer.origin;
+            shorter.target = longer.target;
+            shorter.bent |= longer.bent;
+        }
         shorter.turn += longer.turn;
         if (equal) {
             longer.turn = 0;
@@ -366,10 +371,9 @@ private:
         std::uint32_t first = no_number, last = no_number, out_count = 0;
         bool first_goes_out = false, last_goes_out = false;
         const auto take = [&](std::uint32_t i, bool starts) noexcept {
-            const stretch& s = a_.stretches[i];
-            const bool up = is_filled(rule_, s.below + s.turn), down = is_filled(rule_, s.below);
-            if (up == down) return;
-            const bool goes_out = up == starts;
+            const int interior = a_.stretches[i].interior(rule_);
+            if (interior == 0) return;
+            const bool goes_out = (interior > 0) == starts;
             if (last_goes_out) a_.stretches[i].next = last;
             if (first == no_number) {
                 first = i;
@@ -471,7 +475,7 @@ private:
         }
         const float t = s.t_at(x);
         a_.stretches[a_.count++] = {x,        s.to,      no_number, s.end, s.turn, 0, {s.source.curve, t, s.source.t1},
-                                    s.origin, no_number, s.bent};
+                                    s.origin, s.target, no_number, s.bent};
         s.to = x;
         s.end = no_number;
         s.source.t1 = t;
