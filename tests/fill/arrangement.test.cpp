@@ -114,7 +114,7 @@ TEST_CASE("Stretches flipped and cut at random are in order again afterwards, th
 
 TEST_CASE("t_at() goes linearly along the longer side, place and point_at() undo each other", "[fill][arrangement]")
 {
-    detail::stretch s{{-4, 8}, {4, -8}, 0, 1, 1, 0, {5, 0.0f, 1.0f}, 0, 0, 0, 0};
+    detail::stretch s{{-4, 8}, {4, -8}, 0, 1, 1, 0, {5, 0.0f, 1.0f}, 0, 0, 0, 0, 0};
     CHECK(s.t_at({-4, 8}) == 0.0f);
     CHECK(s.t_at({0, 0}) == 0.5f);
     CHECK(s.t_at({4, -8}) == 1.0f);

@@ -28,7 +28,8 @@ walked walk(const std::vector<test::polyline>& given, fill_rule rule)
     REQUIRE(sweep.run(space));
     REQUIRE_FALSE(sweep.again);
     detail::boundary_walk boundary;
-    REQUIRE_FALSE(boundary.run(a, rule, loops));
+    REQUIRE_FALSE(boundary.trace(a, scratch, [](const auto&, const auto&, grid_point) {}));
+    REQUIRE_FALSE(boundary.write(a, loops));
     walked w{{}, boundary.holes, boundary.outers};
     for (const auto l : test::oracle::loops_of(loops)) w.loops.emplace_back(l.begin(), l.end());
     return w;

@@ -17,15 +17,16 @@ TEST_CASE("Events come by place, whatever is pushed between, and none is lost", 
         constexpr std::uint32_t room = 200;
         detail::event_queue queue;
         REQUIRE(queue.open(scratch, room));
-        std::vector<std::uint64_t> waiting;
+        std::vector<std::int64_t> waiting;
         std::vector<bool> is_waiting(2000, false);
         const int kinds = 1 + d.roll(50);
         std::uint32_t next = 0;
         for (int step = 0; step < 1000; ++step) {
             CHECK(queue.empty() == waiting.empty());
+            CHECK((queue.first_place() == (std::numeric_limits<std::int64_t>::max)()) == waiting.empty());
             REQUIRE(queue.room() == room - waiting.size());
             if (queue.room() != 0 && (waiting.empty() || d.roll(2) == 0)) {
-                const auto place = (std::uint64_t{0xFFFF'FFF0u} << 32) + static_cast<std::uint64_t>(d.roll(kinds));
+                const auto place = -(std::int64_t{1} << 60) + d.roll(kinds);
                 is_waiting[next] = true;
                 queue.push({place, next++, static_cast<std::uint32_t>(place & 0xFF)});
                 waiting.push_back(place);

@@ -14,7 +14,7 @@ enum class fill_rule : std::uint8_t {
 
 [[nodiscard]] constexpr bool is_filled(fill_rule rule, std::int32_t winding) noexcept
 {
-    return rule == fill_rule::non_zero ? winding != 0 : (winding & 1) != 0;
+    return (winding & (rule == fill_rule::non_zero ? -1 : 1)) != 0;
 }
 
 }  // namespace typemesh

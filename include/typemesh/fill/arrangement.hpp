@@ -10,27 +10,28 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <span>
 
 namespace typemesh::detail {
 
 /// A point's place in the sweep order, by x and then by y, as one number.
-[[nodiscard]] constexpr std::uint64_t sweep_place(grid_point p) noexcept
+[[nodiscard]] constexpr std::int64_t sweep_place(grid_point p) noexcept
 {
-    return std::uint64_t{static_cast<std::uint32_t>(p.x) ^ 0x8000'0000u} << 32 |
-           (static_cast<std::uint32_t>(p.y) ^ 0x8000'0000u);
+    return std::int64_t{p.x} * (std::int64_t{1} << 32) + p.y;
 }
-[[nodiscard]] constexpr grid_point point_at(std::uint64_t sweep_place) noexcept
+[[nodiscard]] constexpr grid_point point_at(std::int64_t sweep_place) noexcept
 {
-    return {static_cast<std::int32_t>(static_cast<std::uint32_t>(sweep_place >> 32) ^ 0x8000'0000u),
-            static_cast<std::int32_t>(static_cast<std::uint32_t>(sweep_place) ^ 0x8000'0000u)};
+    const auto y = static_cast<std::int32_t>(static_cast<std::uint32_t>(sweep_place));
+    return {static_cast<std::int32_t>((sweep_place - y) >> 32), y};
 }
 
 inline constexpr std::uint32_t no_number = 0xFFFF'FFFFu;
 
 /// A straight piece of the contours, from left to right, and what it separates.
 ///
-/// Several edges that lie upon each other are one stretch; when they cancel, its turn is 0 and it is none at all.
-struct stretch {
+/// Several edges that lie upon each other are one stretch; when they cancel, its turn is 0 and it is none at all. It
+/// fills one cache line.
+struct alignas(64) stretch {
     grid_point from, to;       // from before to in the sweep order, but see resolving_sweep::cut
     std::uint32_t start, end;  // the numbers of these two points
     std::int32_t turn;         // the winding number right above it less the one right below
@@ -39,6 +40,8 @@ struct stretch {
     std::uint32_t origin, target;  // the contour points that the edge it was cut from joins
     std::uint32_t next;    // before the sweep: the next that starts in the same point; behind it: see boundary_walk
     std::uint32_t bent;    // 1: it may lie beside that contour edge, by a cell or so
+    std::int32_t interior;  // once the sweep has met it, 1: the filled area lies right above it only, -1: right below
+                            // it only, 0: it bounds nothing
 
     void flip() noexcept
     {
@@ -52,12 +55,6 @@ struct stretch {
         source.t0 = source.t1;
         source.t1 = t;
         turn = -turn;
-    }
-
-    /// 1: the filled area lies right above it only, -1: right below it only, 0: it bounds nothing.
-    [[nodiscard]] int interior(fill_rule rule) const noexcept
-    {
-        return int{is_filled(rule, below + turn)} - int{is_filled(rule, below)};
     }
 
     /// The curve's parameter where the stretch is cut in p. Rounded; nothing is decided by it.
@@ -119,26 +116,35 @@ struct arrangement {
     }
 
     /// Takes contours apart; edges without length vanish. Needs capacity >= given.points.size(),
-    /// and `given` to stay while the arrangement is cut.
-    [[nodiscard]] bool take_apart(const contours& given, workspace& space) noexcept
+    /// and `given` to stay while the arrangement is cut. `known` is the order of the points, as sweep_order() makes it;
+    /// empty: not known.
+    [[nodiscard]] bool take_apart(const contours& given, workspace& space,
+                                  std::span<const std::uint32_t> known = {}) noexcept
     {
         loops = &given;
         const auto n = static_cast<std::uint32_t>(given.points.size());
         workspace::scope scratch{space};
-        auto* const order = scratch.take<std::uint32_t>(n);
+        const std::uint32_t* order = known.data();
         auto* const number = scratch.take<std::uint32_t>(n);
-        if (order == nullptr || number == nullptr || !sweep_order(given.points.view(), space, order)) return false;
+        if (number == nullptr) return false;
+        if (known.empty()) {
+            auto* const sorted = scratch.take<std::uint32_t>(n);
+            if (sorted == nullptr || !sweep_order(given.points.view(), space, sorted)) return false;
+            order = sorted;
+        }
         const grid_point* const place = given.points.data();
-        point_count = 0;
+        std::uint32_t different = 0;
         for (std::uint32_t i = 0; i < n; ++i) {
             const grid_point p = place[order[i]];
-            if (point_count == 0 || !(points[point_count - 1] == p)) {
-                first[point_count] = no_number;
-                points[point_count++] = p;
+            if (different == 0 || !(points[different - 1] == p)) {
+                first[different] = no_number;
+                points[different++] = p;
             }
-            number[order[i]] = point_count - 1;
+            number[order[i]] = different - 1;
         }
-        count = 0;
+        point_count = different;
+        std::uint32_t made = 0;
+        stretch* const all = stretches;
         const contour_edge* const edges = given.edges.data();
         for (std::uint32_t c = 0; c < given.contour_count(); ++c) {
             const std::uint32_t begin = given.starts[c], end = given.starts[c + 1];
@@ -148,12 +154,13 @@ struct arrangement {
                 if (i == k) continue;
                 const contour_edge e = edges[v];
                 if (i < k)
-                    stretches[count] = {place[v], place[w], i, k, 1, 0, e, v, w, first[i], 0};
+                    all[made] = {place[v], place[w], i, k, 1, 0, e, v, w, first[i], 0, 0};
                 else
-                    stretches[count] = {place[w], place[v], k, i, -1, 0, {e.curve, e.t1, e.t0}, v, w, first[k], 0};
-                first[i < k ? i : k] = count++;
+                    all[made] = {place[w], place[v], k, i, -1, 0, {e.curve, e.t1, e.t0}, v, w, first[k], 0, 0};
+                first[i < k ? i : k] = made++;
             }
         }
+        count = made;
         return true;
     }
 

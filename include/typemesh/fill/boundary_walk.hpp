@@ -3,7 +3,7 @@
 
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/error.hpp>
-#include <typemesh/core/fill_rule.hpp>
+#include <typemesh/core/workspace.hpp>
 #include <typemesh/fill/arrangement.hpp>
 
 #include <cstddef>
@@ -28,42 +28,91 @@ public:
     std::uint32_t holes = 0;
     std::uint32_t outers = 0;
 
-    /// Replaces the loops. Fails with error::out_of_memory, the loops being as they were.
+    /// Goes round all loops once and remembers them in `scratch`. watch(s, t, p) is told of every two stretches that
+    /// follow each other, s before t, in the point p. Of use once in an arrangement: what was walked is marked.
     ///
-    /// Links that do not close, which a finished arrangement cannot have, would be error::crossing_contours.
-    [[nodiscard]] error run(const arrangement& a, fill_rule rule, contours& loops) noexcept
+    /// Fails with error::out_of_memory. Links that do not close, which a finished arrangement cannot have, would be
+    /// error::crossing_contours.
+    template <class Watch>
+    [[nodiscard]] error trace(const arrangement& a, workspace::scope& scratch, Watch&& watch) noexcept
     {
-        if (!loops.points.reserve(a.count) || !loops.edges.reserve(a.count) || !loops.starts.reserve(a.count / 3 + 1))
-            return error::out_of_memory;
-        loops.points.clear();
-        loops.edges.clear();
-        loops.starts.clear();
-        loops.starts.push_back_unchecked(0);
-        for (std::uint32_t i = 0; i < a.count; ++i) {
-            if (a.stretches[i].end == no_number || a.stretches[i].interior(rule) == 0) continue;
+        steps_ = scratch.take<std::uint32_t>(a.count);
+        starts_ = scratch.take<std::uint32_t>(a.count / 3 + 2);
+        if (steps_ == nullptr || starts_ == nullptr) return error::out_of_memory;
+        stretch* const all = a.stretches;
+        const std::uint32_t count = a.count;
+        std::uint32_t size = 0;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            if (all[i].interior == 0) continue;
             std::uint64_t area = 0;  // doubled; below 2^60 in the end, may wrap on the way
-            std::size_t size = 0;
+            const std::uint32_t begin = starts_[loop_count_++] = size;
             std::uint32_t k = i;
             do {
-                if (k >= a.count || a.stretches[k].end == no_number) return error::crossing_contours;
-                stretch& s = a.stretches[k];
-                s.end = no_number;  // walked
-                const bool along = s.interior(rule) > 0;
-                loops.points.push_back_unchecked(along ? s.from : s.to);
-                loops.edges.push_back_unchecked(along ? s.source
-                                                      : contour_edge{s.source.curve, s.source.t1, s.source.t0});
+                stretch& s = all[k];
+                const bool along = s.interior > 0;
+                if (s.interior == 0 || s.next >= count) return error::crossing_contours;
+                s.interior = 0;  // walked
+                steps_[size++] = 2 * k + along;
                 const auto term =
                     static_cast<std::uint64_t>(std::int64_t{s.from.x} * s.to.y - std::int64_t{s.from.y} * s.to.x);
                 area += along ? term : std::uint64_t{0} - term;
                 k = s.next;
-                ++size;
+                watch(s, all[k], along ? s.to : s.from);
             } while (k != i);
-            if (size < 3) return error::crossing_contours;
+            if (size - begin < 3) return error::crossing_contours;
             ++(static_cast<std::int64_t>(area) > 0 ? outers : holes);
-            loops.starts.push_back_unchecked(static_cast<std::uint32_t>(loops.points.size()));
         }
+        starts_[loop_count_] = size;
         return {};
     }
+
+    /// Replaces the loops by what was traced. Fails with error::out_of_memory, the loops being as they were.
+    [[nodiscard]] error write(const arrangement& a, contours& loops) const noexcept
+    {
+        const std::uint32_t size = starts_[loop_count_];
+        if (!loops.points.reserve(size) || !loops.edges.reserve(size) || !loops.starts.reserve(loop_count_ + 1))
+            return error::out_of_memory;
+        loops.points.clear();
+        loops.edges.clear();
+        loops.starts.clear();
+        grid_point* const points = loops.points.append(size);
+        contour_edge* const edges = loops.edges.append(size);
+        for (std::uint32_t i = 0; i < size; ++i) {
+            const stretch& s = a.stretches[steps_[i] / 2];
+            const bool along = steps_[i] % 2 != 0;
+            points[i] = along ? s.from : s.to;
+            edges[i] = along ? s.source : contour_edge{s.source.curve, s.source.t1, s.source.t0};
+        }
+        for (std::uint32_t i = 0; i <= loop_count_; ++i) loops.starts.push_back_unchecked(starts_[i]);
+        return {};
+    }
+
+    /// The points that write() writes in the order of a sweep, as sweep_order() would find it; null when there is no
+    /// memory. The arrangement's points are sorted by its own sweep.
+    [[nodiscard]] const std::uint32_t* order(const arrangement& a, workspace::scope& scratch) const noexcept
+    {
+        const std::uint32_t size = starts_[loop_count_];
+        auto* const order = scratch.take<std::uint32_t>(size);
+        auto* const behind = scratch.take<std::uint32_t>(size);  // the next one in the same place
+        auto* const first = a.first;
+        if (order == nullptr || behind == nullptr) return nullptr;
+        for (std::uint32_t place = 0; place < a.point_count; ++place) first[place] = no_number;
+        for (std::uint32_t i = size; i-- != 0;) {
+            const stretch& s = a.stretches[steps_[i] / 2];
+            const std::uint32_t place = steps_[i] % 2 != 0 ? s.start : s.end;
+            behind[i] = first[place];
+            first[place] = i;
+        }
+        std::uint32_t sorted = 0;
+        for (std::uint32_t place = 0; place < a.point_count; ++place)
+            for (std::uint32_t i = first[place]; i != no_number; i = behind[i]) order[sorted++] = i;
+        return order;
+    }
+
+private:
+    std::uint32_t* steps_ = nullptr;   // a stretch's number times 2, and 1 where it is run from left to right
+    std::uint32_t* starts_ = nullptr;  // of the loops among the steps
+    std::uint32_t loop_count_ = 0;
 };
 
 }  // namespace typemesh::detail

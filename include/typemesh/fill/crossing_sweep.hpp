@@ -27,7 +27,7 @@ namespace typemesh::detail {
 /// From   Bentley & Ottmann, Algorithms for reporting and counting geometric intersections (1979)
 class crossing_sweep {
     struct meeting {
-        std::uint64_t place;
+        std::int64_t place;
         std::uint32_t low, high;  // stretches
         [[nodiscard]] bool before(const meeting& other) const noexcept { return place < other.place; }
     };
@@ -63,7 +63,7 @@ private:
             ending[a_.stretches[i].end] = i;
         }
         for (std::uint32_t v = 0; v < a_.point_count; ++v) {
-            const std::uint64_t place = sweep_place(a_.points[v]);
+            const std::int64_t place = sweep_place(a_.points[v]);
             while (queue_.count != 0 && queue_.values[0].place <= place)
                 if (!swap(pop())) return false;
             for (std::uint32_t i = ending[v]; i != no_number; i = next_ending[i]) {

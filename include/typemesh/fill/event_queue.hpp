@@ -5,12 +5,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace typemesh::detail {
 
 /// Something that a sweep will meet at a point that it did not know before.
 struct event {
-    std::uint64_t place;    ///< of the point, as sweep_place()
+    std::int64_t place;     ///< of the point, as sweep_place()
     std::uint32_t stretch;  ///< that starts there, or no_number
     std::uint32_t slot;     ///< in the status, of an edge that may end there; 0: none
 };
@@ -20,12 +21,16 @@ class event_queue {
 public:
     [[nodiscard]] bool open(workspace::scope& scratch, std::uint32_t room) noexcept
     {
-        events_ = scratch.take<event>(room);
+        events_ = scratch.take<event>(std::size_t{room} + 1);
+        if (events_ == nullptr) return false;
         room_ = room;
         size_ = 0;
-        return events_ != nullptr;
+        events_[0].place = nowhere;
+        return true;
     }
     [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
+    /// Of the first event; behind all points when there is none.
+    [[nodiscard]] std::int64_t first_place() const noexcept { return events_[0].place; }
     [[nodiscard]] std::uint32_t room() const noexcept { return room_ - size_; }
     [[nodiscard]] const event& top() const noexcept { return events_[0]; }
 
@@ -40,6 +45,10 @@ public:
     void pop() noexcept
     {
         const event last = events_[--size_];
+        if (size_ == 0) {
+            events_[0].place = nowhere;
+            return;
+        }
         std::uint32_t i = 0;
         for (std::uint32_t child = 1; child < size_; child = 2 * i + 1) {
             if (child + 1 < size_ && events_[child + 1].place < events_[child].place) ++child;
@@ -51,6 +60,8 @@ public:
     }
 
 private:
+    static constexpr std::int64_t nowhere = (std::numeric_limits<std::int64_t>::max)();
+
     event* events_ = nullptr;
     std::uint32_t size_ = 0;
     std::uint32_t room_ = 0;

@@ -55,23 +55,14 @@ template <meeting_judge Judge>
     return (m.a.ends_in(at) && m.b.ends_in(at)) || judge(m);
 }
 
-/// Judges the meetings where the boundary changes from one edge to another.
+/// Judges the meeting where the boundary changes from one stretch to another, if it is one.
 template <meeting_judge Judge>
-[[nodiscard]] bool judge_changes(const arrangement& a, fill_rule rule, Judge& judge) noexcept
+[[nodiscard]] bool judge_change(const arrangement& a, const stretch& s, const stretch& t, grid_point at,
+                                Judge& judge) noexcept
 {
-    const grid_point* const points = a.loops->points.data();
-    bool all_stand = true;
-    for (std::uint32_t i = 0; i < a.count; ++i) {
-        const stretch& s = a.stretches[i];
-        const int side = s.interior(rule);
-        if (side == 0) continue;
-        const stretch& t = a.stretches[s.next];
-        if (s.origin == t.origin) continue;
-        const grid_point at = side > 0 ? s.to : s.from;
-        if (s.target == t.origin && points[t.origin] == at) continue;  // the contour's next edge: nearly always
-        if (!may_meet(a, s, t, at, judge)) all_stand = false;
-    }
-    return all_stand;
+    if (s.origin == t.origin) return true;
+    if (s.target == t.origin && a.loops->points[t.origin] == at) return true;  // the contour's next edge: nearly always
+    return may_meet(a, s, t, at, judge);
 }
 
 /// Judges the meetings of all edges that bound the filled area in one point; false when there is no memory.
@@ -79,8 +70,7 @@ template <meeting_judge Judge>
 /// Where more than 16 edges come through one point all stand: nothing there is made by chance, and the pairs would be
 /// many.
 template <meeting_judge Judge>
-[[nodiscard]] bool judge_touches(const arrangement& a, fill_rule rule, workspace& space, Judge& judge,
-                                 bool& all_stand) noexcept
+[[nodiscard]] bool judge_touches(const arrangement& a, workspace& space, Judge& judge, bool& all_stand) noexcept
 {
     constexpr std::uint32_t most = 16;
     struct visit {
@@ -94,7 +84,7 @@ template <meeting_judge Judge>
     std::uint32_t count = 0;
     for (std::uint32_t i = 0; i < a.count; ++i) {
         const stretch& s = a.stretches[i];
-        if (s.interior(rule) == 0) continue;
+        if (s.interior == 0) continue;
         for (const std::uint32_t place : {s.start, s.end}) {
             visits[count] = {i, last[place]};
             last[place] = count++;
@@ -114,19 +104,6 @@ template <meeting_judge Judge>
             for (std::uint32_t k = 0; k < i; ++k)
                 if (!may_meet(a, *edges[i], *edges[k], a.points[place], judge)) all_stand = false;
     }
-    return true;
-}
-
-/// Asks a judge about the meetings of a finished arrangement where the filled area ends; false when there is no memory.
-/// What crosses inside of other contours changes nothing.
-///
-///     touching    whether the boundary comes through some point more than once
-template <meeting_judge Judge>
-[[nodiscard]] bool judge_meetings(const arrangement& a, fill_rule rule, bool touching, workspace& space, Judge& judge,
-                                  bool& all_stand) noexcept
-{
-    if (touching) return judge_touches(a, rule, space, judge, all_stand);
-    all_stand = judge_changes(a, rule, judge);
     return true;
 }
 

@@ -14,6 +14,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <type_traits>
 
 namespace typemesh {
@@ -24,6 +25,73 @@ struct resolve_effort {
     std::uint32_t rounds = 0;  ///< of snap rounding
     std::uint32_t pieces = 0;  ///< that the edges were cut into: n + k
 };
+
+/// As resolve() below, for those who know more and want more.
+///
+///     order   the order of the points, as sweep_order() makes it; empty: not known
+///     then    error then(r) or error then(r, order): what to do with the region r at once, while the order of its points
+///             is known, too. Its error is the answer. It is not asked when there is no region.
+template <meeting_judge Judge, class Then>
+[[nodiscard]] result<region> resolve_then(contours& loops, std::span<const std::uint32_t> order, fill_rule rule,
+                                          workspace& space, Judge& judge, Then&& then,
+                                          resolve_effort* effort = nullptr) noexcept
+{
+    constexpr std::uint32_t most_walks = 4, most_rounds = 3;  // in a round
+    const std::size_t n = loops.points.size();
+    if (n > std::size_t{1} << 29) return error::too_large;
+    workspace::scope scratch{space};
+    detail::arrangement a;
+    if (!a.reserve(scratch, static_cast<std::uint32_t>(n + n / 2 + 64)) || !a.take_apart(loops, space, order))
+        return error::out_of_memory;
+    std::uint32_t rounds = 0;
+    for (std::uint32_t walks = 0;;) {
+        detail::resolving_sweep sweep{a, rule};
+        if (!sweep.run(space)) return error::out_of_memory;
+        if (effort != nullptr) *effort = {effort->walks + 1, rounds, a.count};
+        if (!sweep.again) {
+            constexpr bool judging = !std::is_same_v<Judge, every_meeting_stands>;
+            bool all_stand = true;
+            if (judging && sweep.touching && !detail::judge_touches(a, space, judge, all_stand))
+                return error::out_of_memory;
+            detail::boundary_walk boundary;
+            const auto watch = [&, changes = judging && !sweep.touching](const auto& s, const auto& t, grid_point at) noexcept {
+                if (changes && !detail::judge_change(a, s, t, at, judge)) all_stand = false;
+            };
+            if (const error e = boundary.trace(a, scratch, watch)) return e;
+            if (!all_stand) return region{};
+            if (const error e = boundary.write(a, loops)) return e;
+            const region made = region::proven(loops, boundary.holes, boundary.outers, sweep.touching);
+            error e;
+            if constexpr (std::is_invocable_v<Then, const region&>) {
+                e = then(made);
+            } else {
+                const std::uint32_t* const sorted = boundary.order(a, scratch);
+                if (sorted == nullptr) return error::out_of_memory;
+                e = then(made, std::span{sorted, made.points().size()});
+            }
+            if (e) return e;
+            return made;
+        }
+        if (sweep.full && !sweep.astray && rounds == 0 && a.capacity < 12 * n + 256) {
+            walks = 0;
+            if (!a.reserve(scratch, 2 * a.capacity) || !a.take_apart(loops, space, order)) return error::out_of_memory;
+        } else if (rounds > most_rounds) {  // what is left to do bends nothing: it can only lack room
+            if (!sweep.full) return error::crossing_contours;
+            if (a.capacity > std::uint32_t{1} << 29) return error::too_large;
+            if (!a.reserve(scratch, 2 * a.capacity) || !a.put_in_order(space)) return error::out_of_memory;
+        } else if (sweep.full || sweep.astray || ++walks == most_walks) {
+            walks = 0;
+            const std::size_t found = rounds == 0 ? 0 : a.point_count;  // at first what was bent is of no use
+            auto* const hot = scratch.take<grid_point>(found);
+            if (hot == nullptr) return error::out_of_memory;
+            for (std::size_t i = 0; i < found; ++i) hot[i] = a.points[i];
+            if (!a.take_apart(loops, space, order)) return error::out_of_memory;
+            if (!(++rounds > most_rounds ? detail::snap_rounding::run_all(a, scratch, space)
+                                         : detail::snap_rounding::run(a, {hot, found}, scratch, space)))
+                return error::out_of_memory;
+        }
+    }
+}
 
 /// The region that any closed polylines fill under `rule`, however they cross, touch, overlap or run back on
 /// themselves.
@@ -55,47 +123,7 @@ template <meeting_judge Judge>
 [[nodiscard]] result<region> resolve(contours& loops, fill_rule rule, workspace& space, Judge& judge,
                                      resolve_effort* effort = nullptr) noexcept
 {
-    constexpr std::uint32_t most_walks = 4, most_rounds = 3;  // in a round
-    const std::size_t n = loops.points.size();
-    if (n > std::size_t{1} << 29) return error::too_large;
-    workspace::scope scratch{space};
-    detail::arrangement a;
-    if (!a.reserve(scratch, static_cast<std::uint32_t>(n + n / 2 + 64)) || !a.take_apart(loops, space))
-        return error::out_of_memory;
-    std::uint32_t rounds = 0;
-    for (std::uint32_t walks = 0;;) {
-        detail::resolving_sweep sweep{a, rule};
-        if (!sweep.run(space)) return error::out_of_memory;
-        if (effort != nullptr) *effort = {effort->walks + 1, rounds, a.count};
-        if (!sweep.again) {
-            if constexpr (!std::is_same_v<Judge, every_meeting_stands>) {
-                bool all_stand = true;
-                if (!detail::judge_meetings(a, rule, sweep.touching, space, judge, all_stand)) return error::out_of_memory;
-                if (!all_stand) return region{};
-            }
-            detail::boundary_walk boundary;
-            if (const error e = boundary.run(a, rule, loops)) return e;
-            return region::proven(loops, boundary.holes, boundary.outers, sweep.touching);
-        }
-        if (sweep.full && !sweep.astray && rounds == 0 && a.capacity < 12 * n + 256) {
-            walks = 0;
-            if (!a.reserve(scratch, 2 * a.capacity) || !a.take_apart(loops, space)) return error::out_of_memory;
-        } else if (rounds > most_rounds) {  // what is left to do bends nothing: it can only lack room
-            if (!sweep.full) return error::crossing_contours;
-            if (a.capacity > std::uint32_t{1} << 29) return error::too_large;
-            if (!a.reserve(scratch, 2 * a.capacity) || !a.put_in_order(space)) return error::out_of_memory;
-        } else if (sweep.full || sweep.astray || ++walks == most_walks) {
-            walks = 0;
-            const std::size_t found = rounds == 0 ? 0 : a.point_count;  // at first what was bent is of no use
-            auto* const hot = scratch.take<grid_point>(found);
-            if (hot == nullptr) return error::out_of_memory;
-            for (std::size_t i = 0; i < found; ++i) hot[i] = a.points[i];
-            if (!a.take_apart(loops, space)) return error::out_of_memory;
-            if (!(++rounds > most_rounds ? detail::snap_rounding::run_all(a, scratch, space)
-                                         : detail::snap_rounding::run(a, {hot, found}, scratch, space)))
-                return error::out_of_memory;
-        }
-    }
+    return resolve_then(loops, {}, rule, space, judge, [](const region&) noexcept { return error{}; }, effort);
 }
 
 [[nodiscard]] inline result<region> resolve(contours& loops, fill_rule rule, workspace& space,

@@ -13,9 +13,45 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 namespace typemesh::detail {
+
+/// Links the boundary through a point: next of a stretch that comes in is the one that goes out with the interior
+/// between them. Round the point, counter-clockwise, the interior follows every stretch that goes out.
+class wedge_links {
+public:
+    explicit wedge_links(stretch* stretches) noexcept : stretches_{stretches} {}
+
+    /// Takes the stretches counter-clockwise: those that start in the point from below to above, then those that end
+    /// there from above to below.
+    void take(std::uint32_t i, bool starts) noexcept
+    {
+        const std::int32_t interior = stretches_[i].interior;
+        if (interior == 0) return;
+        if (last_goes_out_) stretches_[i].next = last_;
+        last_ = i;
+        last_goes_out_ = (interior > 0) == starts;
+        if (first_ == no_number) {
+            first_ = i;
+            first_goes_out_ = last_goes_out_;
+        }
+        out_count_ += last_goes_out_;
+    }
+
+    /// After the last one. True when the boundary comes through the point more than once.
+    [[nodiscard]] bool close() noexcept
+    {
+        if (last_goes_out_ && !first_goes_out_) stretches_[first_].next = last_;
+        return out_count_ > 1;
+    }
+
+private:
+    stretch* stretches_;
+    std::uint32_t first_ = no_number, last_ = no_number, out_count_ = 0;
+    bool first_goes_out_ = false, last_goes_out_ = false;
+};
 
 /// One walk from left to right over an arrangement that cuts stretches where they cross, touch or overlap.
 ///
@@ -81,14 +117,15 @@ public:
         ends_ = scratch.take<std::uint32_t>(std::size_t{room} + 1);
         dirty_ = scratch.take<std::uint32_t>(std::size_t{room} + 1);
         rays_ = scratch.take<ray>(std::size_t{room} + 1);
+        starts_ = scratch.take<std::uint32_t>(std::size_t{room} + 1);
         hints_ = scratch.take<std::uint32_t>(std::size_t{a_.point_count} + 1);
-        if (edges_ == nullptr || ends_ == nullptr || dirty_ == nullptr || rays_ == nullptr || hints_ == nullptr ||
+        if (edges_ == nullptr || ends_ == nullptr || dirty_ == nullptr || rays_ == nullptr || starts_ == nullptr ||
+            hints_ == nullptr ||
             !status_.open(scratch, room) || !queue_.open(scratch, room))
             return false;
-        constexpr std::int32_t beyond = (std::numeric_limits<std::int32_t>::max)();
         edges_[0] = {};
-        edges_[0].from = edges_[0].to = {beyond, beyond};
-        for (std::uint32_t i = 0; i < a_.point_count; ++i) hints_[i] = 0;
+        edges_[0].from = edges_[0].to = beyond;
+        std::memset(hints_, 0, a_.point_count * sizeof *hints_);
         passed_ = 0;
         sweep();
         const bool out_of_order = full || late_ || status_.above(0) != 0;
@@ -110,28 +147,30 @@ private:
 
     void sweep() noexcept
     {
+        const std::uint32_t count = a_.point_count;
+        const grid_point* const points = a_.points;
         std::uint32_t next = 0;
-        std::uint64_t last = 0;  // below the place of every point of the grid
+        std::int64_t last = sweep_place({-beyond.x, -beyond.y});
         while (!full) {
-            std::uint64_t place = ~std::uint64_t{0};
-            if (next < a_.point_count) place = sweep_place(a_.points[next]);
+            grid_point p = next < count ? points[next] : beyond;
+            std::int64_t place = sweep_place(p);
             std::uint32_t starting = no_number, slot = 0;
-            if (queue_.empty() || place <= queue_.top().place) {
-                if (next == a_.point_count) return;
+            if (place <= queue_.first_place()) {
+                if (next == count) return;
                 starting = a_.first[next];
                 slot = hints_[next++];
+                if (!(edges_[slot].to == p)) slot = 0;
             } else {
-                place = queue_.top().place;
+                place = queue_.first_place();
+                p = point_at(place);
             }
-            const grid_point p = point_at(place);
-            if (!ends_in(slot, p)) slot = 0;
-            for (; !queue_.empty() && queue_.top().place == place; queue_.pop()) {
+            for (; queue_.first_place() == place; queue_.pop()) {
                 const event e = queue_.top();
                 if (e.stretch != no_number) {
                     a_.stretches[e.stretch].next = starting;
                     starting = e.stretch;
                 }
-                if (ends_in(e.slot, p)) slot = e.slot;
+                if (edges_[e.slot].to == p) slot = e.slot;
             }
             const bool repeated = place == last;
             if (!repeated) {
@@ -139,7 +178,7 @@ private:
                     full = true;
                     return;
                 }
-                late_ |= place < last;
+                if (place < last) late_ = true;
                 a_.spare[passed_++] = p;
                 last = place;
             }
@@ -149,35 +188,28 @@ private:
             else
                 meet(slot, starting, p, repeated);
             while (dirty_count_ != 0) {
-                const std::uint32_t changed = dirty_[--dirty_count_];
-                test(status_.below(changed), changed);
-                test(changed, status_.above(changed));
+                const std::uint32_t changed = dirty_[--dirty_count_], under = status_.below(changed);
+                if (!is_clear(under, changed)) part(under, changed);
+                if (const std::uint32_t over = status_.above(changed); !is_clear(changed, over)) part(changed, over);
             }
         }
-    }
-
-    [[nodiscard]] bool ends_in(std::uint32_t slot, grid_point p) const noexcept
-    {
-        return edges_[slot].to == p && edges_[slot].stretch != no_number;
     }
 
     /// One edge ends, one starts: the usual case.
     void pass(std::uint32_t slot, std::uint32_t starting, grid_point p) noexcept
     {
-        swept_edge& e = edges_[slot];
-        const std::uint32_t ending = e.stretch;
+        const std::uint32_t ending = edges_[slot].stretch, under = status_.below(slot), over = status_.above(slot);
+        edges_[under].fixed |= edges_[slot].is_close[0];
+        edges_[over].fixed |= edges_[slot].is_close[1];
+        stretch& before = a_.stretches[ending];
         stretch& s = a_.stretches[starting];
-        const std::uint32_t under = status_.below(slot), over = status_.above(slot);
-        pass_by(under, over, p);
-        s.below = a_.stretches[ending].below;
-        unsure_ |= s.turn != a_.stretches[ending].turn;
+        unsure_ |= s.turn != before.turn;
         finish(ending);
-        begin(slot, starting, p);
-        const bool up = is_filled(rule_, e.above), down = is_filled(rule_, s.below);
-        if (up && !down) a_.stretches[ending].next = starting;
-        if (down && !up) s.next = ending;
-        test(under, slot);
-        test(slot, over);
+        begin(slot, starting, p, before.below);
+        if (s.interior > 0) before.next = starting;
+        if (s.interior < 0) s.next = ending;
+        if (!is_clear(under, slot)) part(under, slot);
+        if (!is_clear(slot, over)) part(slot, over);
     }
 
     /// Holds p against the edges right below and right above it.
@@ -198,76 +230,82 @@ private:
         // that started there the first time start again.
         unsure_ |= repeated;
         grid_point began = p;  // the edge that ended last
-        bool searched = false;
-        std::uint32_t under = 0, low = 0;
         const auto is_here = [&](std::uint32_t s) noexcept {
             return s != 0 && (edges_[s].to == p || (repeated && edges_[s].from == p));
         };
+        std::uint32_t under = 0;
         if (slot != 0) {
-            low = slot;
-            while (is_here(status_.below(low))) low = status_.below(low);
-            under = status_.below(low);
+            under = status_.below(slot);
+            while (is_here(under)) under = status_.below(under);
         } else {
             under = find(p);
-            low = status_.above(under);
-            searched = true;
         }
-        std::uint32_t ending_count = 0;
-        for (std::uint32_t s = low, over; s != 0; s = over) {
-            over = status_.above(s);
-            swept_edge& e = edges_[s];
-            if (is_here(s)) {
+        std::uint32_t ending_count = 0, place_count = 0, over = status_.above(under);
+        for (; over != 0; over = status_.above(over), ++place_count) {
+            const swept_edge& e = edges_[over];
+            if (is_here(over)) {
                 if (!(e.to == p)) {
                     a_.stretches[e.stretch].next = starting;
                     starting = e.stretch;
-                } else {
-                    unsure_ |= e.from == began;
-                    began = e.from;
-                    ends_[ending_count++] = e.stretch;
+                    continue;
                 }
             } else if (slot == 0 && orientation(e.from, e.to, p) == 0 && is_between(e.from, p, e.to)) {
                 const std::uint32_t rest = a_.count;
-                if (!split(s, p)) return;
-                unsure_ |= e.from == began;
-                began = e.from;
+                if (!split(over, p)) return;
                 a_.stretches[rest].next = starting;
                 starting = rest;
-                ends_[ending_count++] = e.stretch;
             } else {
                 break;
             }
-            e.stretch = no_number;
-            e.from = {0, static_cast<std::int32_t>(free_slot_)};
-            free_slot_ = s;
-            status_.erase(s);
+            unsure_ |= e.from == began;
+            began = e.from;
+            finish(e.stretch);
+            ends_[ending_count++] = e.stretch;
         }
-        for (std::uint32_t i = 0; i < ending_count; ++i) finish(ends_[i]);
-
-        const std::uint32_t starting_count = order_rays(starting, p);
+        const std::uint32_t starting_count = order_starts(starting, p);
         if (full) return;
-        if (starting_count != 0 && !searched) under = find(p);
+
+        // Those that start take the places of those that end, if these are enough and seem to be right.
+        pass_by(under, over, p);
+        const bool enough = !unsure_ && starting_count <= place_count;
+        for (std::uint32_t i = enough ? starting_count : 0; i < place_count; ++i) give_back(status_.above(under));
+        if (!enough && slot != 0 && starting_count != 0) {
+            under = find(p);
+            over = status_.above(under);
+            pass_by(under, over, p);
+        }
+        wedge_links links{a_.stretches};
         std::int32_t winding = edges_[under].above;
         std::uint32_t last = under;
         for (std::uint32_t i = 0; i < starting_count; ++i) {
-            stretch& s = a_.stretches[rays_[i].stretch];
-            s.below = winding;
-            winding += s.turn;
-            std::uint32_t fresh = free_slot_;
-            if (fresh == 0)
-                fresh = ++slot_count_;
-            else
-                free_slot_ = static_cast<std::uint32_t>(edges_[fresh].from.y);
-            begin(fresh, rays_[i].stretch, p);
-            status_.insert_above(last, fresh);
-            if (i != 0) test(last, fresh);  // they do not cross, but may come near each other's ends
-            last = fresh;
+            const std::uint32_t here = enough ? status_.above(last) : take_slot(), k = starts_[i];
+            begin(here, k, p, winding);
+            winding = edges_[here].above;
+            if (!enough) status_.insert_above(last, here);
+            if (i != 0 && !is_clear(last, here)) part(last, here);  // one may end near the other
+            links.take(k, true);
+            last = here;
         }
-        const std::uint32_t over = status_.above(last);
-        pass_by(under, over, p);
         if (winding != (over != 0 ? a_.stretches[edges_[over].stretch].below : 0)) unsure_ = true;
-        join(starting_count, ending_count);
-        test(under, status_.above(under));
-        if (last != under) test(last, over);
+        for (std::uint32_t i = ending_count; i-- != 0;) links.take(ends_[i], false);
+        touching |= links.close();
+        if (const std::uint32_t low = status_.above(under); !is_clear(under, low)) part(under, low);
+        if (last != under && !is_clear(last, over)) part(last, over);
+    }
+
+    [[nodiscard]] std::uint32_t take_slot() noexcept
+    {
+        if (free_slot_ == 0) return ++slot_count_;
+        const std::uint32_t slot = free_slot_;
+        free_slot_ = static_cast<std::uint32_t>(edges_[slot].from.y);
+        return slot;
+    }
+    void give_back(std::uint32_t slot) noexcept
+    {
+        edges_[slot].to = beyond;
+        edges_[slot].from = {0, static_cast<std::int32_t>(free_slot_)};
+        free_slot_ = slot;
+        status_.erase(slot);
     }
 
     /// Bent edges cross a little beside where the contours do: takes the contours' crossing if both edges can be cut
@@ -292,11 +330,14 @@ private:
         return sweep_place(a) < sweep_place(p) && sweep_place(p) < sweep_place(b);
     }
 
-    void begin(std::uint32_t slot, std::uint32_t starting, grid_point p) noexcept
+    void begin(std::uint32_t slot, std::uint32_t starting, grid_point p, std::int32_t winding) noexcept
     {
         stretch& s = a_.stretches[starting];
+        const std::int32_t above = winding + s.turn;
         s.start = passed_ - 1;
-        edges_[slot] = swept_edge{p, s.to, starting, s.below + s.turn};
+        s.below = winding;
+        s.interior = int{is_filled(rule_, above)} - int{is_filled(rule_, winding)};
+        edges_[slot].begin(p, s.to, starting, above);
         if (s.end != no_number) hints_[s.end] = slot;
     }
 
@@ -307,15 +348,25 @@ private:
         if (late_ && sweep_place(s.to) < sweep_place(s.from)) s.flip();
     }
 
-    /// The stretches that start in p as rays from below to above, each direction once; how many.
-    [[nodiscard]] std::uint32_t order_rays(std::uint32_t starting, grid_point p) noexcept
+    /// Puts the stretches that start in p into `starts_`, from below to above, each direction once; how many.
+    [[nodiscard]] std::uint32_t order_starts(std::uint32_t starting, grid_point p) noexcept
     {
-        std::uint32_t count = 0;
-        for (std::uint32_t i = starting; i != no_number; i = a_.stretches[i].next) {
-            const grid_point to = a_.stretches[i].to;
-            rays_[count++] = {to.x - p.x, to.y - p.y, i};
+        if (starting == no_number) return 0;
+        const stretch* const all = a_.stretches;
+        const auto ray_to = [&](std::uint32_t i) noexcept -> ray { return {all[i].to.x - p.x, all[i].to.y - p.y, i}; };
+        starts_[0] = starting;
+        const std::uint32_t second = all[starting].next;
+        if (second == no_number) return 1;
+        if (all[second].next == no_number) {
+            const std::int64_t turn = ray_to(starting).cross(ray_to(second));
+            if (turn != 0) {
+                starts_[turn < 0] = starting;
+                starts_[turn > 0] = second;
+                return 2;
+            }
         }
-        if (count < 2) return count;
+        std::uint32_t count = 0;
+        for (std::uint32_t i = starting; i != no_number; i = all[i].next) rays_[count++] = ray_to(i);
         sort_rays(rays_, count);
         std::uint32_t kept = 0;
         for (std::uint32_t i = 1; i < count && !full; ++i) {
@@ -324,11 +375,10 @@ private:
             else
                 rays_[kept].stretch = joined(rays_[kept].stretch, rays_[i].stretch);
         }
-        count = kept + 1;
-        kept = 0;
-        for (std::uint32_t i = 0; i < count; ++i)
-            if (a_.stretches[rays_[i].stretch].turn != 0) rays_[kept++] = rays_[i];
-        return kept;
+        count = 0;
+        for (std::uint32_t i = 0; i <= kept; ++i)
+            if (all[rays_[i].stretch].turn != 0) starts_[count++] = rays_[i].stretch;
+        return count;
     }
 
     /// Two stretches that start in one point and in one direction: what they share becomes one of them, which is
@@ -351,6 +401,7 @@ private:
             shorter.bent |= longer.bent;
         }
         shorter.turn += longer.turn;
+        shorter.interior = longer.interior = 0;  // of a walk before: one of them may be none from now on
         if (equal) {
             longer.turn = 0;
         } else if (queue_.room() == 0) {
@@ -364,54 +415,28 @@ private:
         return i;
     }
 
-    /// Links the boundary through a point: next[] of a stretch that comes in is the one that goes out with the interior
-    /// between them. Round the point, counter-clockwise, the interior follows every stretch that goes out.
-    void join(std::uint32_t starting_count, std::uint32_t ending_count) noexcept
+    /// Whether of two neighbours the one that ends first does so on its own side of the other, or both end in one point;
+    /// notes how close it comes.
+    [[nodiscard]] bool is_clear(std::uint32_t low, std::uint32_t high) noexcept
     {
-        std::uint32_t first = no_number, last = no_number, out_count = 0;
-        bool first_goes_out = false, last_goes_out = false;
-        const auto take = [&](std::uint32_t i, bool starts) noexcept {
-            const int interior = a_.stretches[i].interior(rule_);
-            if (interior == 0) return;
-            const bool goes_out = (interior > 0) == starts;
-            if (last_goes_out) a_.stretches[i].next = last;
-            if (first == no_number) {
-                first = i;
-                first_goes_out = goes_out;
-            }
-            last = i;
-            last_goes_out = goes_out;
-            out_count += goes_out;
-        };
-        for (std::uint32_t i = 0; i < starting_count; ++i) a_.stretches[rays_[i].stretch].next = no_number;
-        for (std::uint32_t i = 0; i < starting_count; ++i) take(rays_[i].stretch, true);
-        for (std::uint32_t i = ending_count; i-- != 0;) take(ends_[i], false);
-        if (last_goes_out && !first_goes_out) a_.stretches[first].next = last;
-        touching |= out_count > 1;
+        if (low == 0 || high == 0) return true;
+        const bool low_first = sweep_place(edges_[low].to) < sweep_place(edges_[high].to);
+        swept_edge& shorter = edges_[low_first ? low : high];
+        const swept_edge& longer = edges_[low_first ? high : low];
+        const std::int64_t turn = orientation(longer.from, longer.to, shorter.to), side = low_first ? -turn : turn;
+        shorter.is_close[low_first] = side <= longer.reach();
+        return side > 0 || (side == 0 && shorter.to == longer.to);
     }
 
-    /// Two neighbours: cuts them where they meet before either ends.
-    void test(std::uint32_t low, std::uint32_t high) noexcept
-    {
-        if (low == 0 || high == 0) return;
-        const swept_edge& l = edges_[low];
-        const swept_edge& h = edges_[high];
-        const bool low_first = lexicographic_less(l.to, h.to);
-        const swept_edge& longer = low_first ? h : l;
-        const std::int64_t turn = orientation(longer.from, longer.to, low_first ? l.to : h.to);
-        const std::int64_t side = low_first ? -turn : turn;
-        if (side <= 0) part(low, high, low_first, side == 0);
-    }
-
-    /// Two neighbours, one of which ends on the wrong side of the other, or on it.
-    void part(std::uint32_t low, std::uint32_t high, bool low_first, bool on_it) noexcept
+    /// Two neighbours that are not clear of each other: cuts them where they meet.
+    void part(std::uint32_t low, std::uint32_t high) noexcept
     {
         const swept_edge& l = edges_[low];
         const swept_edge& h = edges_[high];
         if (l.to == h.to) return;
-        if (on_it) {
-            const swept_edge& longer = low_first ? h : l;
-            const grid_point end = low_first ? l.to : h.to;
+        const bool low_first = sweep_place(l.to) < sweep_place(h.to);
+        const swept_edge& longer = low_first ? h : l;
+        if (const grid_point end = low_first ? l.to : h.to; orientation(longer.from, longer.to, end) == 0) {
             if (is_between(longer.from, end, longer.to))
                 (void)cut(low_first ? high : low, end);
             else
@@ -475,7 +500,7 @@ private:
         }
         const float t = s.t_at(x);
         a_.stretches[a_.count++] = {x,        s.to,      no_number, s.end, s.turn, 0, {s.source.curve, t, s.source.t1},
-                                    s.origin, s.target, no_number, s.bent};
+                                    s.origin, s.target, no_number, s.bent, 0};
         s.to = x;
         s.end = no_number;
         s.source.t1 = t;
@@ -483,12 +508,16 @@ private:
         return true;
     }
 
+    static constexpr grid_point beyond{(std::numeric_limits<std::int32_t>::max)(),
+                                       (std::numeric_limits<std::int32_t>::max)()};  // behind all points of the grid
+
     arrangement& a_;
     fill_rule rule_;
     swept_edge* edges_ = nullptr;
     std::uint32_t* ends_ = nullptr;
     std::uint32_t* dirty_ = nullptr;
     ray* rays_ = nullptr;
+    std::uint32_t* starts_ = nullptr;
     std::uint32_t* hints_ = nullptr;  // for every point: a slot whose edge ends there, perhaps
     sweep_status status_;
     event_queue queue_;

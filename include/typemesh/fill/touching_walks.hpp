@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 namespace typemesh {
@@ -26,18 +27,22 @@ namespace typemesh {
 /// Nothing is proven: that is for a triangulator that knows of such points (see triangulator.hpp).
 class touching_walks {
 public:
-    /// Changes `loops` in place. What is needed to undo that lives in `scratch`.
+    /// Changes `loops` in place. What is needed to undo that lives in `scratch`. `known` is the order of the points, as
+    /// sweep_order() makes it; empty: not known.
     ///
     /// Fails  error::crossing_contours: no two points are equal, or round some point the edges do not bound wedges:
     ///        two run in one direction, or the interior is not on the left of all
     ///        error::out_of_memory
     /// In both cases `loops` is as it was.
     /// Cost   a sort of the points; about 50 bytes a point from `scratch`
-    [[nodiscard]] error link(contours& loops, workspace::scope& scratch, workspace& space) noexcept
+    [[nodiscard]] error link(contours& loops, workspace::scope& scratch, workspace& space,
+                             std::span<const std::uint32_t> known = {}) noexcept
     {
         const std::size_t n = loops.points.size();
         auto* const order = scratch.take<std::uint32_t>(n);
-        if (order == nullptr || !sweep_order(loops.points.view(), space, order)) return error::out_of_memory;
+        if (order == nullptr) return error::out_of_memory;
+        if (known.empty() && !sweep_order(loops.points.view(), space, order)) return error::out_of_memory;
+        for (std::size_t i = 0; i < known.size(); ++i) order[i] = known[i];
         const grid_point* const place = loops.points.data();
         std::size_t most = 1, visits = 0;
         for (std::size_t begin = 0, end = 1; begin < n; begin = end++) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/sweep_order.hpp>
 #include <typemesh/fill/fill.hpp>
 #include <typemesh/fill/orient.hpp>
 #include <typemesh/fill/resolve.hpp>
@@ -8,7 +9,77 @@
 #include <typemesh/glyph/stage.hpp>
 #include <typemesh/triangulate/triangulator.hpp>
 
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
 namespace typemesh {
+
+namespace detail {
+
+/// The order of the points of some loops for a triangulator that can be told; for any other none, and `order` is empty.
+/// False when there is no memory.
+template <triangulator Triangulator>
+[[nodiscard]] bool order_points(const contours& loops, workspace::scope& scratch, workspace& space,
+                                std::span<const std::uint32_t>& order) noexcept
+{
+    order = {};
+    if constexpr (ordered_triangulator<Triangulator>) {
+        const std::size_t n = loops.points.size();
+        auto* const sorted = scratch.take<std::uint32_t>(n);
+        if (sorted == nullptr || !sweep_order(loops.points.view(), space, sorted)) return false;
+        order = {sorted, n};
+    }
+    return true;
+}
+
+/// prove_loops() for loops that have been turned, whose points come in `order`; empty: not known.
+template <proving_triangulator Triangulator>
+[[nodiscard]] result<region> prove_turned(contours& loops, std::span<const std::uint32_t> order,
+                                          const Triangulator& how, workspace& space, triangle_list& out) noexcept
+{
+    auto proven = [&]() noexcept {
+        if constexpr (ordered_triangulator<Triangulator>)
+            return how.prove(loops, order, space, out);
+        else
+            return how.prove(loops, space, out);
+    }();
+    if constexpr (touching_triangulator<Triangulator>) {
+        if (!proven && proven.error().code == error::crossing_contours && proven.error().count != 0) {
+            workspace::scope scratch{space};
+            touching_walks walks;
+            if (error e = walks.link(loops, scratch, space, order)) return e;
+            proven = how.prove_touching(loops, space, out);
+            if (!proven) walks.undo(loops);
+        }
+    }
+    return proven;
+}
+
+/// Resolves loops whose points come in `order` (empty: not known) and cuts what they fill into triangles, if the judge
+/// lets all meetings stand.
+template <triangulator Triangulator, meeting_judge Judge, stage_observer Observer>
+[[nodiscard]] result<region> resolve_and_cut(contours& loops, std::span<const std::uint32_t> order, fill_rule rule,
+                                             const Triangulator& how, workspace& space, triangle_list& out,
+                                             Judge& judge, Observer& observe) noexcept
+{
+    observe(stage::fill);
+    if constexpr (ordered_triangulator<Triangulator>) {
+        const auto cut = [&](const region& r, std::span<const std::uint32_t> sorted) noexcept {
+            observe(stage::triangulate);
+            return how(r, sorted, space, out);
+        };
+        return resolve_then(loops, order, rule, space, judge, cut);
+    } else {
+        const auto cut = [&](const region& r) noexcept {
+            observe(stage::triangulate);
+            return how(r, space, out);
+        };
+        return resolve_then(loops, order, rule, space, judge, cut);
+    }
+}
+
+}  // namespace detail
 
 /// Proves that loops bound a region as they are, or where they only touch in points and are walked anew there.
 ///
@@ -22,17 +93,10 @@ template <proving_triangulator Triangulator>
                                          triangle_list& out) noexcept
 {
     orient(loops);
-    auto proven = how.prove(loops, space, out);
-    if constexpr (touching_triangulator<Triangulator>) {
-        if (!proven && proven.error().code == error::crossing_contours && proven.error().count != 0) {
-            workspace::scope scratch{space};
-            touching_walks walks;
-            if (error e = walks.link(loops, scratch, space)) return e;
-            proven = how.prove_touching(loops, space, out);
-            if (!proven) walks.undo(loops);
-        }
-    }
-    return proven;
+    workspace::scope scratch{space};
+    std::span<const std::uint32_t> order;
+    if (!detail::order_points<Triangulator>(loops, scratch, space, order)) return error::out_of_memory;
+    return detail::prove_turned(loops, order, how, space, out);
 }
 
 /// Contours to a proven region and its triangles: fill and triangulate joined.
@@ -42,23 +106,31 @@ template <proving_triangulator Triangulator>
 ///     any other               loops ─────────────────────────▶ fill ─▶ triangulate ──▶
 ///
 /// So outlines that are already simple, which is nearly all, pay for one sweep only, and those that only touch in points
-/// for two at most and a sort. `loops` is turned and compacted in place; the region refers to it. Triangles are appended
-/// to `out`, which is as it was after an error.
+/// for two at most and a sort. The points of an outline that crosses are sorted once for all three sweeps when the
+/// triangulator can be told of their order. `loops` is turned and compacted in place; the region refers to it. Triangles
+/// are appended to `out`, which is as it was after an error.
 template <triangulator Triangulator, stage_observer Observer>
 [[nodiscard]] result<region> cap(contours& loops, fill_rule rule, const Triangulator& how, workspace& space,
                                  triangle_list& out, Observer& observe) noexcept
 {
     if constexpr (proving_triangulator<Triangulator>) {
         observe(stage::triangulate);
-        auto proven = prove_loops(loops, how, space, out);
+        orient(loops);
+        workspace::scope scratch{space};
+        std::span<const std::uint32_t> order;
+        if (!detail::order_points<Triangulator>(loops, scratch, space, order)) return error::out_of_memory;
+        auto proven = detail::prove_turned(loops, order, how, space, out);
         if (proven || proven.error().code != error::crossing_contours) return proven;
+        every_meeting_stands nobody;
+        return detail::resolve_and_cut(loops, order, rule, how, space, out, nobody, observe);
+    } else {
+        observe(stage::fill);
+        auto filled = fill(loops, rule, space);
+        if (!filled) return filled;
+        observe(stage::triangulate);
+        if (error e = how(*filled, space, out)) return e;
+        return filled;
     }
-    observe(stage::fill);
-    auto filled = proving_triangulator<Triangulator> ? resolve(loops, rule, space) : fill(loops, rule, space);
-    if (!filled) return filled;
-    observe(stage::triangulate);
-    if (error e = how(*filled, space, out)) return e;
-    return filled;
 }
 
 template <triangulator Triangulator>

@@ -41,10 +41,14 @@ template <discretiser Discretiser, triangulator Triangulator, stage_observer Obs
     if constexpr (!keeps_tolerance<Discretiser>) {
         return cap(loops, rule, cut, space, out, observe);
     } else {
+        workspace::scope scratch{space};
+        std::span<const std::uint32_t> order;  // of the points, as long as the loops are as they are
         const auto prove = [&]() noexcept -> result<region> {
             if constexpr (proving_triangulator<Triangulator>) {
                 observe(stage::triangulate);
-                return prove_loops(loops, cut, space, out);
+                orient(loops);
+                if (!detail::order_points<Triangulator>(loops, scratch, space, order)) return error::out_of_memory;
+                return detail::prove_turned(loops, order, cut, space, out);
             } else {
                 observe(stage::fill);
                 auto nested = nest(loops, rule, space);
@@ -57,21 +61,16 @@ template <discretiser Discretiser, triangulator Triangulator, stage_observer Obs
         auto made = prove();
         if (made || made.error().code != error::crossing_contours) return made;
 
-        workspace::scope scratch{space};
         crossing_guard guard;
         if (!guard.open(scratch, shape, tolerance, cells)) return error::out_of_memory;
         for (;;) {
-            observe(stage::fill);
+            every_meeting_stands nobody;
             const bool last = guard.effort().rounds == most_rounds;
-            made = last ? resolve(loops, rule, space) : resolve(loops, rule, space, guard);
+            made = last ? detail::resolve_and_cut(loops, order, rule, cut, space, out, nobody, observe)
+                        : detail::resolve_and_cut(loops, order, rule, cut, space, out, guard, observe);
             const bool content = guard.is_content();
             if (effort != nullptr) *effort = guard.effort();
-            if (!made) return made;
-            if (content) {
-                observe(stage::triangulate);
-                if (error e = cut(*made, space, out)) return e;
-                return made;
-            }
+            if (!made || content) return made;
             observe(stage::discretise);
             if (error e = discretise(shape, how, tolerance, cells, loops, guard.halvings())) return e;
             made = prove();

@@ -5,6 +5,10 @@
 #include <typemesh/triangulate/monotone_sweep.hpp>
 #include <typemesh/triangulate/triangulator.hpp>
 
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
 namespace typemesh {
 
 /// The fast triangulator: one sweep from left to right, and proof on the way that the loops bound a region.
@@ -26,9 +30,16 @@ struct monotone {
     /// Relies on the region's promise. Fails with error::out_of_memory, `out` being as it was.
     [[nodiscard]] error operator()(const region& r, workspace& space, triangle_list& out) const noexcept
     {
+        return (*this)(r, {}, space, out);
+    }
+
+    /// The same when the order of the points is known (see ordered_triangulator): a sort less.
+    [[nodiscard]] error operator()(const region& r, std::span<const std::uint32_t> order, workspace& space,
+                                   triangle_list& out) const noexcept
+    {
         const auto nothing = [](const auto&) noexcept {};
-        return r.is_touching() ? cut<false, true>(r.points(), r.starts(), space, out, nothing)
-                               : cut<false, false>(r.points(), r.starts(), space, out, nothing);
+        return r.is_touching() ? cut<false, true>(r.points(), r.starts(), order, space, out, nothing)
+                               : cut<false, false>(r.points(), r.starts(), order, space, out, nothing);
     }
 
     /// The region that `loops` bound, its triangles appended to `out`.
@@ -40,9 +51,16 @@ struct monotone {
     /// In both cases `out` is as it was. See triangulator.hpp for the error's count.
     [[nodiscard]] result<region> prove(const contours& loops, workspace& space, triangle_list& out) const noexcept
     {
+        return prove(loops, {}, space, out);
+    }
+
+    /// The same when the order of the points is known: a sort less.
+    [[nodiscard]] result<region> prove(const contours& loops, std::span<const std::uint32_t> order, workspace& space,
+                                       triangle_list& out) const noexcept
+    {
         region r = region::proven(loops, 0, 0);
         const error e = cut<true, false>(
-            loops.points.view(), loops.starts.view(), space, out,
+            loops.points.view(), loops.starts.view(), order, space, out,
             [&](const auto& sweep) noexcept { r = region::proven(loops, sweep.holes(), sweep.outers()); });
         if (e) return e;
         return r;
@@ -56,7 +74,7 @@ struct monotone {
     {
         region r = region::proven(loops, 0, 0);
         const error e = cut<true, true>(
-            loops.points.view(), loops.starts.view(), space, out, [&](const auto& sweep) noexcept {
+            loops.points.view(), loops.starts.view(), {}, space, out, [&](const auto& sweep) noexcept {
                 r = region::proven(loops, sweep.holes(), sweep.outers(), sweep.has_equal_points());
             });
         if (e) return e;
@@ -66,7 +84,8 @@ struct monotone {
 private:
     template <bool Proving, bool Touching, class Then>
     [[nodiscard]] static error cut(std::span<const grid_point> points, std::span<const std::uint32_t> starts,
-                                   workspace& space, triangle_list& out, Then&& then) noexcept
+                                   std::span<const std::uint32_t> order, workspace& space, triangle_list& out,
+                                   Then&& then) noexcept
     {
         if (points.empty()) return error::none;
         const std::size_t before = out.size();
@@ -74,7 +93,7 @@ private:
         if (first == nullptr) return error::out_of_memory;
         using cutter = detail::chain_cutter<detail::triangle_output>;
         detail::monotone_sweep<Proving, Touching, cutter> sweep{points, starts, cutter{detail::triangle_output{first}}};
-        const error e = sweep.run(space);
+        const error e = sweep.run(space, order);
         const triangle* const end = e ? first : sweep.cutter().output().end();
         out.truncate(before + static_cast<std::size_t>(end - first));
         if (!e) then(sweep);
@@ -82,6 +101,6 @@ private:
     }
 };
 
-static_assert(touching_triangulator<monotone>);
+static_assert(touching_triangulator<monotone> && ordered_triangulator<monotone>);
 
 }  // namespace typemesh

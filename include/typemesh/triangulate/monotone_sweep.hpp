@@ -75,22 +75,29 @@ public:
 
     /// Sweeps over all. The cutter makes points + 2 * loops triangles at most, even where it ends with
     /// error::crossing_contours.
-    [[nodiscard]] error run(workspace& space) noexcept
+    ///
+    ///     known   the order of the points, as sweep_order() makes it; empty: not known
+    [[nodiscard]] error run(workspace& space, std::span<const std::uint32_t> known = {}) noexcept
     {
         const std::size_t n = points_.size();
         if (n == 0) return error::none;
         TYPEMESH_ASSERT(loops() != 0 && starts_[loops()] == n, "the last of the starts must be the number of points");
         workspace::scope scratch{space};
-        auto* const order = scratch.take<std::uint32_t>(n);
+        TYPEMESH_ASSERT(known.empty() || known.size() == n, "an order of other points was given");
+        const bool sorted = !Touching && !known.empty();  // visits of one point are put into an order of their own
+        auto* const own = sorted ? nullptr : scratch.take<std::uint32_t>(n);
         vertices_ = scratch.take<vertex>(n);
         spans_ = scratch.take<span_of_interior>(n / 2 + 2);  // every other point at most opens one
-        if (order == nullptr || vertices_ == nullptr || spans_ == nullptr || !cut_.open(scratch, n) ||
-            !status_.open(scratch, n / 2 + 1) || !sweep_order(points_, space, order))
+        if ((!sorted && own == nullptr) || vertices_ == nullptr || spans_ == nullptr || !cut_.open(scratch, n) ||
+            !status_.open(scratch, n / 2 + 1))
             return error::out_of_memory;
+        if (known.empty() && !sweep_order(points_, space, own)) return error::out_of_memory;
         link_up();
-        if constexpr (Touching)
-            if (const error e = order_visits(order, scratch)) return e;
-        if (sweep(order)) return error::none;
+        if constexpr (Touching) {
+            for (std::size_t i = 0; i < known.size(); ++i) own[i] = known[i];
+            if (const error e = order_visits(own, scratch)) return e;
+        }
+        if (sweep(sorted ? known.data() : own)) return error::none;
         return error{error::crossing_contours, equal_points_ ? 1u : 0u};
     }
 

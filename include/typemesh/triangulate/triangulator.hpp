@@ -8,6 +8,8 @@
 #include <typemesh/core/workspace.hpp>
 
 #include <concepts>
+#include <cstdint>
+#include <span>
 
 namespace typemesh {
 
@@ -37,6 +39,16 @@ concept triangulator = requires(const T& t, const region& r, workspace& space, t
 template <class T>
 concept proving_triangulator = triangulator<T> && requires(const T& t, const contours& loops, workspace& space, triangle_list& out) {
     { t.prove(loops, space, out) } noexcept -> std::same_as<result<region>>;
+};
+
+/// A proving triangulator that can be told in which order a sweep meets the points, where somebody knows that already.
+///
+///     t(r, order, space, out), t.prove(loops, order, space, out)    as without `order`, which is what sweep_order()
+///                                                                   makes of the points; empty: not known
+template <class T>
+concept ordered_triangulator = proving_triangulator<T> && requires(const T& t, const region& r, const contours& loops, std::span<const std::uint32_t> order, workspace& space, triangle_list& out) {
+    { t(r, order, space, out) } noexcept -> std::same_as<error>;
+    { t.prove(loops, order, space, out) } noexcept -> std::same_as<result<region>>;
 };
 
 /// A proving triangulator that can also be given loops which come through a point more than once.
