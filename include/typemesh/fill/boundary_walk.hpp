@@ -37,8 +37,9 @@ public:
     [[nodiscard]] error trace(const arrangement& a, workspace::scope& scratch, Watch&& watch) noexcept
     {
         steps_ = scratch.take<std::uint32_t>(a.count);
+        places_ = scratch.take<std::uint32_t>(a.count);
         starts_ = scratch.take<std::uint32_t>(a.count / 3 + 2);
-        if (steps_ == nullptr || starts_ == nullptr) return error::out_of_memory;
+        if (steps_ == nullptr || places_ == nullptr || starts_ == nullptr) return error::out_of_memory;
         stretch* const all = a.stretches;
         const std::uint32_t count = a.count;
         std::uint32_t size = 0;
@@ -52,7 +53,8 @@ public:
                 const bool along = s.interior > 0;
                 if (s.interior == 0 || s.next >= count) return error::crossing_contours;
                 s.interior = 0;  // walked
-                steps_[size++] = 2 * k + along;
+                steps_[size] = 2 * k + !along;
+                places_[size++] = along ? s.start : s.end;
                 const auto term =
                     static_cast<std::uint64_t>(std::int64_t{s.from.x} * s.to.y - std::int64_t{s.from.y} * s.to.x);
                 area += along ? term : std::uint64_t{0} - term;
@@ -79,9 +81,11 @@ public:
         contour_edge* const edges = loops.edges.append(size);
         for (std::uint32_t i = 0; i < size; ++i) {
             const stretch& s = a.stretches[steps_[i] / 2];
-            const bool along = steps_[i] % 2 != 0;
-            points[i] = along ? s.from : s.to;
-            edges[i] = along ? s.source : contour_edge{s.source.curve, s.source.t1, s.source.t0};
+            const std::uint32_t back = steps_[i] % 2;
+            const grid_point ends[2] = {s.from, s.to};
+            const float t[2] = {s.source.t0, s.source.t1};
+            points[i] = ends[back];
+            edges[i] = {s.source.curve, t[back], t[1 - back]};
         }
         for (std::uint32_t i = 0; i <= loop_count_; ++i) loops.starts.push_back_unchecked(starts_[i]);
         return {};
@@ -98,10 +102,8 @@ public:
         if (order == nullptr || behind == nullptr) return nullptr;
         for (std::uint32_t place = 0; place < a.point_count; ++place) first[place] = no_number;
         for (std::uint32_t i = size; i-- != 0;) {
-            const stretch& s = a.stretches[steps_[i] / 2];
-            const std::uint32_t place = steps_[i] % 2 != 0 ? s.start : s.end;
-            behind[i] = first[place];
-            first[place] = i;
+            behind[i] = first[places_[i]];
+            first[places_[i]] = i;
         }
         std::uint32_t sorted = 0;
         for (std::uint32_t place = 0; place < a.point_count; ++place)
@@ -110,7 +112,8 @@ public:
     }
 
 private:
-    std::uint32_t* steps_ = nullptr;   // a stretch's number times 2, and 1 where it is run from left to right
+    std::uint32_t* steps_ = nullptr;   // a stretch's number times 2, and 1 where it is run from right to left
+    std::uint32_t* places_ = nullptr;  // the number of the point where each step begins
     std::uint32_t* starts_ = nullptr;  // of the loops among the steps
     std::uint32_t loop_count_ = 0;
 };

@@ -14,7 +14,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 
 namespace typemesh::detail {
 
@@ -182,15 +181,17 @@ private:
                 a_.spare[passed_++] = p;
                 last = place;
             }
-            if (slot != 0 && starting != no_number && a_.stretches[starting].next == no_number && !repeated &&
-                !(edges_[status_.below(slot)].to == p) && !(edges_[status_.above(slot)].to == p))
+            const bool passes = slot != 0 && starting != no_number;
+            const bool alone = (edges_[status_.below(slot)].to == p) + (edges_[status_.above(slot)].to == p) == 0;
+            if (passes && alone && a_.stretches[starting].next == no_number && !repeated)
                 pass(slot, starting, p);
             else
                 meet(slot, starting, p, repeated);
             while (dirty_count_ != 0) {
-                const std::uint32_t changed = dirty_[--dirty_count_], under = status_.below(changed);
-                if (!is_clear(under, changed)) part(under, changed);
-                if (const std::uint32_t over = status_.above(changed); !is_clear(changed, over)) part(changed, over);
+                const std::uint32_t changed = dirty_[--dirty_count_], cut_slot = changed / 2;
+                const std::uint32_t low = changed % 2 != 0 ? cut_slot : status_.below(cut_slot);
+                const std::uint32_t high = status_.above(low);
+                if (!is_clear(low, high)) part(low, high);
             }
         }
     }
@@ -206,8 +207,8 @@ private:
         unsure_ |= s.turn != before.turn;
         finish(ending);
         begin(slot, starting, p, before.below);
-        if (s.interior > 0) before.next = starting;
-        if (s.interior < 0) s.next = ending;
+        before.next = s.interior < 0 ? before.next : starting;  // right where the boundary runs so, else of no account
+        s.next = ending;
         if (!is_clear(under, slot)) part(under, slot);
         if (!is_clear(slot, over)) part(slot, over);
     }
@@ -415,49 +416,47 @@ private:
         return i;
     }
 
-    /// Whether of two neighbours the one that ends first does so on its own side of the other, or both end in one point;
-    /// notes how close it comes.
+    /// Whether of two neighbours the one that ends first does so on its own side of the other; notes how close it comes.
     [[nodiscard]] bool is_clear(std::uint32_t low, std::uint32_t high) noexcept
     {
         if (low == 0 || high == 0) return true;
         const bool low_first = sweep_place(edges_[low].to) < sweep_place(edges_[high].to);
-        swept_edge& shorter = edges_[low_first ? low : high];
-        const swept_edge& longer = edges_[low_first ? high : low];
-        const std::int64_t turn = orientation(longer.from, longer.to, shorter.to), side = low_first ? -turn : turn;
+        const std::uint32_t change = (low ^ high) & (low_first - 1u);  // a branch would be guessed wrong half the time
+        swept_edge& shorter = edges_[low ^ change];
+        const swept_edge& longer = edges_[high ^ change];
+        const std::int64_t turn = orientation(longer.from, longer.to, shorter.to);
+        const std::int64_t side = (turn ^ -std::int64_t{low_first}) + low_first;  // low_first ? -turn : turn
         shorter.is_close[low_first] = side <= longer.reach();
-        return side > 0 || (side == 0 && shorter.to == longer.to);
+        return side > 0;
     }
 
-    /// Two neighbours that are not clear of each other: cuts them where they meet.
+    /// Two neighbours that are not clear of each other: cuts them where they meet, if that is not where both end.
     void part(std::uint32_t low, std::uint32_t high) noexcept
     {
         const swept_edge& l = edges_[low];
         const swept_edge& h = edges_[high];
         if (l.to == h.to) return;
+        if (grid_point x; crossing_of(l.from, l.to, h.from, h.to, x)) {
+            if (a_.stretches[l.stretch].bent || a_.stretches[h.stretch].bent) lead_home(low, high, x);
+            if (cut(low, x, 0)) (void)cut(high, x, 1);
+            return;
+        }
         const bool low_first = sweep_place(l.to) < sweep_place(h.to);
         const swept_edge& longer = low_first ? h : l;
-        if (const grid_point end = low_first ? l.to : h.to; orientation(longer.from, longer.to, end) == 0) {
-            if (is_between(longer.from, end, longer.to))
-                (void)cut(low_first ? high : low, end);
-            else
-                unsure_ = true;
-            return;
-        }
-        grid_point x;
-        if (!crossing_of(l.from, l.to, h.from, h.to, x)) {
+        const grid_point end = low_first ? l.to : h.to;
+        if (orientation(longer.from, longer.to, end) == 0 && is_between(longer.from, end, longer.to))
+            (void)cut(low_first ? high : low, end, low_first);
+        else
             unsure_ = true;
-            return;
-        }
-        if (a_.stretches[l.stretch].bent || a_.stretches[h.stretch].bent) lead_home(low, high, x);
-        if (cut(low, x)) (void)cut(high, x);
     }
 
-    /// Cuts an edge in a grid point of its box and lets the right part wait; false when there is no room.
+    /// Cuts an edge in a grid point of its box, where the neighbour ends that is not on `side` (0: below, 1: above), and
+    /// lets the right part wait; false when there is no room.
     ///
     /// A part of a nearly vertical edge may be vertical and run from above to below. The right part is turned round
     /// then and waits where the edge ended; the left part is turned round when the sweep finishes it, which it does at
     /// once.
-    [[nodiscard]] bool cut(std::uint32_t slot, grid_point x) noexcept
+    [[nodiscard]] bool cut(std::uint32_t slot, grid_point x, std::uint32_t side) noexcept
     {
         if (edges_[slot].to == x || edges_[slot].from == x) {
             unsure_ |= edges_[slot].from == x;
@@ -478,7 +477,7 @@ private:
         } else {
             queue_.push({sweep_place(x), rest, slot});
         }
-        dirty_[dirty_count_++] = slot;
+        dirty_[dirty_count_++] = 2 * slot + side;
         return true;
     }
 
@@ -508,14 +507,13 @@ private:
         return true;
     }
 
-    static constexpr grid_point beyond{(std::numeric_limits<std::int32_t>::max)(),
-                                       (std::numeric_limits<std::int32_t>::max)()};  // behind all points of the grid
+    static constexpr grid_point beyond{1 << 29, 1 << 29};  // behind all points of the grid
 
     arrangement& a_;
     fill_rule rule_;
     swept_edge* edges_ = nullptr;
     std::uint32_t* ends_ = nullptr;
-    std::uint32_t* dirty_ = nullptr;
+    std::uint32_t* dirty_ = nullptr;  // edges that were cut: slots times 2, and 1 to be tested against the edge above
     ray* rays_ = nullptr;
     std::uint32_t* starts_ = nullptr;
     std::uint32_t* hints_ = nullptr;  // for every point: a slot whose edge ends there, perhaps
