@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <new>
 #include <span>
 
 namespace typemesh::detail {
@@ -153,10 +154,11 @@ struct arrangement {
                 const std::uint32_t i = number[v], k = number[w];
                 if (i == k) continue;
                 const contour_edge e = edges[v];
+                void* const here = all + made;  // made in place: a copy of what has just been written stalls
                 if (i < k)
-                    all[made] = {place[v], place[w], i, k, 1, 0, e, v, w, first[i], 0, 0};
+                    ::new (here) stretch{place[v], place[w], i, k, 1, 0, e, v, w, first[i], 0, 0};
                 else
-                    all[made] = {place[w], place[v], k, i, -1, 0, {e.curve, e.t1, e.t0}, v, w, first[k], 0, 0};
+                    ::new (here) stretch{place[w], place[v], k, i, -1, 0, {e.curve, e.t1, e.t0}, v, w, first[k], 0, 0};
                 first[i < k ? i : k] = made++;
             }
         }

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <new>
 
 namespace typemesh::detail {
 
@@ -498,8 +499,9 @@ private:
             s.bent = 1;
         }
         const float t = s.t_at(x);
-        a_.stretches[a_.count++] = {x,        s.to,      no_number, s.end, s.turn, 0, {s.source.curve, t, s.source.t1},
-                                    s.origin, s.target, no_number, s.bent, 0};
+        ::new (a_.stretches + a_.count++) stretch{x, s.to, no_number, s.end, s.turn,
+                                                0,         {s.source.curve, t, s.source.t1},
+                                                s.origin,  s.target, no_number, s.bent,   0};
         s.to = x;
         s.end = no_number;
         s.source.t1 = t;
