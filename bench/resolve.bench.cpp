@@ -11,17 +11,21 @@
 //
 //     simple       orient, prove and triangulate: the whole way of a simple outline
 //     touching     the same of outlines that only touch in points: refused, walked anew and proven, not resolved
-//     all          orient, refuse, resolve, triangulate: the whole way of an outline that crosses
-//     refuse, resolve, triangulate     its parts
+//     all          orient, refuse, resolve, triangulate: the whole way of contours that cross
+//     refuse, resolve, triangulate     its parts, each on its own: it sorts the points, which "all" does once
+//     guarded      the whole way of an outline that crosses, cap_outline() less discretising it once: the judge of
+//                  meetings and its rounds are in it; of_simple: by the same of the simple outlines
 //
-// ns_per_log (resolve): nanoseconds by N log2 N, where N counts the pieces that the edges are cut into, n + k: flat
-// from 100 to 100,000 points where resolving takes O((n + k) log n).
+// ns_per_log (resolve): nanoseconds of processor time by N log2 N, where N counts the pieces that the edges are cut
+// into, n + k: flat from 100 to 100,000 points where resolving takes O((n + k) log n). Shapes of these sizes: combs and
+// random stars, alone, doubled and shifted, fans and strips of nearly parallel edges, pinwheels, discs, chords.
 //
 // Fonts are looked for under $TYPEMESH_FONT_DIR (default /usr/share/fonts); packages fonts-inter-variable,
 // fonts-hosny-amiri, fonts-noto-cjk, fonts-noto-cjk-extra, fonts-wqy-microhei, fonts-liberation.
 
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/glyph/cap.hpp>
+#include <typemesh/glyph/cap_outline.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <benchmark/benchmark.h>
@@ -32,6 +36,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <string>
 #include <utility>
 #include <vector>
@@ -54,12 +59,19 @@ struct polygon {
     }
 };
 
-enum class way { simple, touching, all, refuse, resolve, triangulate };
+enum class way { simple, touching, all, refuse, resolve, triangulate, guarded };
+
+struct drawing {
+    outline shape;
+    grid cells;
+};
 
 struct set {
     std::string name;
     std::vector<polygon> simple, touching, crossing;
-    double simple_ns = 0;  // a point
+    double simple_ns = 0;                               // a point
+    std::vector<drawing> simple_drawings = {}, crossing_drawings = {};  // of the same glyphs; none for other shapes
+    double tolerance = 0;                               // of these, in font units
 
     [[nodiscard]] const std::vector<polygon>& glyphs(way w) const
     {
@@ -96,6 +108,60 @@ double run_once(const set& s, way w, contours& loops, workspace& space, triangle
     return 1e9 * spent / static_cast<double>(points);
 }
 
+std::size_t points_of(const std::vector<polygon>& all)
+{
+    std::size_t n = 0;
+    for (const polygon& p : all) n += p.points.size();
+    return n;
+}
+
+/// Seconds for a run over all drawings, the best of some: from outlines to triangles, or discretising alone.
+double draw(const std::vector<drawing>& all, double tolerance, bool whole, int passes)
+{
+    workspace space;
+    contours loops;
+    triangle_list out;
+    no_observer nobody;
+    double best = 1e300;
+    for (int i = 0; i <= passes; ++i) {
+        const auto start = std::chrono::steady_clock::now();
+        for (const drawing& d : all) {
+            out.clear();
+            if (whole)
+                benchmark::DoNotOptimize(cap_outline(d.shape, fill_rule::non_zero, certified{}, tolerance, d.cells,
+                                                     monotone{}, space, loops, out, nobody));
+            else
+                benchmark::DoNotOptimize(discretise(d.shape, certified{}, tolerance, d.cells, loops).code);
+        }
+        best = (std::min)(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    }
+    return best;
+}
+
+void run_guarded(benchmark::State& state, const set& s, int passes)
+{
+    const auto ns_per_point = [&](const std::vector<drawing>& all, const std::vector<polygon>& glyphs) {
+        return 1e9 * (draw(all, s.tolerance, true, passes) - draw(all, s.tolerance, false, passes)) /
+               static_cast<double>(points_of(glyphs));
+    };
+    for (auto _ : state) {
+        const double guarded = ns_per_point(s.crossing_drawings, s.crossing);
+        state.counters["ns_per_point"] = guarded;
+        state.counters["of_simple"] = guarded / ns_per_point(s.simple_drawings, s.simple);
+    }
+}
+
+/// Nanoseconds of processor time for a pass of resolving.
+double processor_time(const set& s, contours& loops, workspace& space, triangle_list& out)
+{
+    for (int passes = 1;; passes *= 2) {
+        const std::clock_t start = std::clock();
+        for (int i = 0; i < passes; ++i) (void)run_once(s, way::resolve, loops, space, out);
+        const double spent = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+        if (spent > 0.05) return 1e9 * spent / passes;
+    }
+}
+
 void run(benchmark::State& state, set& s, way w, int passes)
 {
     workspace space;
@@ -109,15 +175,14 @@ void run(benchmark::State& state, set& s, way w, int passes)
     if (w == way::simple) s.simple_ns = best;
     state.counters["ns_per_point"] = best;
     if (w == way::resolve) {
-        double work = 0, points = 0;
+        double work = 0;
         for (const polygon& p : s.crossing) {
             p.give(loops);
             resolve_effort effort;
             benchmark::DoNotOptimize(resolve(loops, fill_rule::non_zero, space, &effort));
             work += effort.pieces * std::log2(effort.pieces + 1.0);
-            points += static_cast<double>(p.points.size());
         }
-        state.counters["ns_per_log"] = best * points / work;
+        state.counters["ns_per_log"] = processor_time(s, loops, space, out) / work;
     }
     if (s.simple_ns > 0) state.counters["of_simple"] = best / s.simple_ns;
 }
@@ -137,6 +202,11 @@ void add(set& s, int passes)
             ->Iterations(1)
             ->Unit(benchmark::kMillisecond);
     }
+    if (s.crossing_drawings.empty() || s.simple_drawings.empty()) return;
+    benchmark::RegisterBenchmark((s.name + " / guarded").c_str(),
+                                 [&s, passes](benchmark::State& state) { run_guarded(state, s, 3 * passes); })
+        ->Iterations(1)
+        ->Unit(benchmark::kMillisecond);
 }
 
 bool glyphs_of(const char* file, double tolerance, std::uint32_t most, set& s)
@@ -163,11 +233,14 @@ bool glyphs_of(const char* file, double tolerance, std::uint32_t most, set& s)
         out.clear();
         const auto proven = prove_loops(loops, monotone{}, space, out);
         (!proven ? s.crossing : proven->is_touching() ? s.touching : s.simple).push_back(p);
+        if (!proven || !proven->is_touching()) {
+            (!proven ? s.crossing_drawings : s.simple_drawings).push_back({std::move(drawn), *cells});
+            drawn = outline{};
+        }
     }
+    s.tolerance = tolerance * font->units_per_em();
     const auto points = [](const std::vector<polygon>& all) {
-        std::size_t n = 0;
-        for (const polygon& p : all) n += p.points.size();
-        return all.empty() ? 0.0 : static_cast<double>(n) / static_cast<double>(all.size());
+        return all.empty() ? 0.0 : static_cast<double>(points_of(all)) / static_cast<double>(all.size());
     };
     std::printf("%s: %zu simple glyphs of %.0f points, %zu that touch in points of %.0f, %zu others of %.0f\n",
                 s.name.c_str(), s.simple.size(), points(s.simple), s.touching.size(), points(s.touching),
@@ -239,6 +312,19 @@ std::vector<std::pair<const char*, polygon>> shapes(int n)
     all.emplace_back("upright comb, doubled and shifted", from({upright_comb, shifted(upright_comb, {13, 1001})}));
     all.emplace_back("star, doubled", from({sun, sun}));
     all.emplace_back("star, doubled and shifted", from({sun, shifted(sun, {20'000, 30'000})}));
+    all.emplace_back("random star, corners exchanged", from({star(n)}));
+    for (std::size_t i = 2; i < all.back().second.points.size(); i += 3)
+        std::swap(all.back().second.points[i], all.back().second.points[i - 1]);
+    std::vector<std::vector<grid_point>> fans;  // of long, nearly parallel edges from two points side by side
+    for (int i = 0; i < n / 6; ++i) {
+        if (i % 8 == 0) fans.resize(fans.size() + 2);
+        for (int side = 0; side < 2; ++side) {
+            const int foot = 400 * (i / 8) + side, end = 32 * i - 8 * side;
+            auto& fan = fans[fans.size() - 2 + std::size_t(side)];
+            fan.insert(fan.end(), {{0, foot}, {200'000'000, end}, {200'000'000, end + 16}});
+        }
+    }
+    all.emplace_back("fans of nearly parallel edges", from(fans));
     std::vector<grid_point> pinwheel;
     for (int i = 0; i < n / 3; ++i)
         pinwheel.insert(pinwheel.end(), {{0, 0}, on_circle(2e8, 3.0 * i / n), on_circle(2e8, 3.0 * (i + 0.5) / n)});
@@ -296,7 +382,7 @@ int main(int argc, char** argv)
     std::vector<set> sets;
     sets.reserve(100);
     for (const font_set& f : fonts) {
-        sets.push_back({f.name, {}, {}, {}, 0});
+        sets.push_back({f.name, {}, {}, {}});
         if (!glyphs_of(f.file, f.tolerance, 10'000, sets.back())) {
             std::fprintf(stderr, "left out, no such font: %s\n", f.file);
             sets.pop_back();
@@ -306,7 +392,7 @@ int main(int argc, char** argv)
     }
     for (int n = 100; n <= 100'000; n *= 10) {
         for (auto& [name, p] : shapes(n)) {
-            sets.push_back({std::string{name} + " of " + std::to_string(n), {}, {}, {}, 0});
+            sets.push_back({std::string{name} + " of " + std::to_string(n), {}, {}, {}});
             sets.back().crossing.push_back(std::move(p));
             add(sets.back(), n < 10'000 ? 5 : 1);
         }

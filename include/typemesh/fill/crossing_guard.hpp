@@ -50,7 +50,7 @@ struct guard_effort {
 /// Else both curves are wanted finer: so often that their strips fit into the gap between them, or that the crossing
 /// comes near enough, once at least.
 ///
-/// Cost  two square roots a steep meeting; up to a microsecond any other. Decided in double precision from grid points
+/// Cost  a square root a steep meeting; up to a microsecond any other. Decided in double precision from grid points
 ///       and control points: results can differ between compilers only where a distance is its bound to 15 digits.
 class crossing_guard {
 public:

@@ -10,6 +10,7 @@
 #include <typemesh/fill/event_queue.hpp>
 #include <typemesh/fill/ray.hpp>
 #include <typemesh/fill/swept_edge.hpp>
+#include <typemesh/fill/wedge_links.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -17,41 +18,6 @@
 #include <new>
 
 namespace typemesh::detail {
-
-/// Links the boundary through a point: next of a stretch that comes in is the one that goes out with the interior
-/// between them. Round the point, counter-clockwise, the interior follows every stretch that goes out.
-class wedge_links {
-public:
-    explicit wedge_links(stretch* stretches) noexcept : stretches_{stretches} {}
-
-    /// Takes the stretches counter-clockwise: those that start in the point from below to above, then those that end
-    /// there from above to below.
-    void take(std::uint32_t i, bool starts) noexcept
-    {
-        const std::int32_t interior = stretches_[i].interior;
-        if (interior == 0) return;
-        if (last_goes_out_) stretches_[i].next = last_;
-        last_ = i;
-        last_goes_out_ = (interior > 0) == starts;
-        if (first_ == no_number) {
-            first_ = i;
-            first_goes_out_ = last_goes_out_;
-        }
-        out_count_ += last_goes_out_;
-    }
-
-    /// After the last one. True when the boundary comes through the point more than once.
-    [[nodiscard]] bool close() noexcept
-    {
-        if (last_goes_out_ && !first_goes_out_) stretches_[first_].next = last_;
-        return out_count_ > 1;
-    }
-
-private:
-    stretch* stretches_;
-    std::uint32_t first_ = no_number, last_ = no_number, out_count_ = 0;
-    bool first_goes_out_ = false, last_goes_out_ = false;
-};
 
 /// One walk from left to right over an arrangement that cuts stretches where they cross, touch or overlap.
 ///
@@ -64,8 +30,9 @@ private:
 ///           '---.___'-- b                      '--- b
 ///                    ' d
 ///
-/// In a point the edges that end there lie next to each other. Those that start there are put in order by their angle;
-/// those that lie upon each other are joined, the longer one cut at the end of the shorter one.
+/// In a point the edges that end there lie next to each other. Those that start there are put in order by their angle,
+/// and take the places of those that end; those that lie upon each other are joined, the longer one cut at the end of
+/// the shorter one.
 ///
 /// Afterwards no two stretches have more than an end in common, the winding numbers below them are right, and `next`
 /// joins those that bound the filled area, as boundary_walk tells; or `again` asks for one more walk over what there is
@@ -74,7 +41,9 @@ private:
 ///
 /// Why what a walk believes is true. Bending moves an edge by less than a cell, and what the sweep has passed already
 /// may then lie on its other side. So every point p is held against the edges right below and right above it when the
-/// sweep is there (pass_by), and the walk is believed when
+/// sweep is there (pass_by), and the walk is believed when 1, 2 and 3 hold. Where one edge ends in p and one starts, that
+/// has been done: when the edge that ends and its neighbour came to lie side by side, or either was bent, p was tested
+/// against this neighbour, which ends later; what was found (is_clear) is taken into account when the sweep is in p.
 ///
 ///     1  the points came in ascending order, each once, and every edge ended where the sweep took it out;
 ///     2  p lay strictly between those two edges, and does so still when they have been bent;

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/fill/arrangement.hpp>
+
+#include <cstdint>
+
+namespace typemesh::detail {
+
+/// Links the boundary of the filled area through a point: `next` of a stretch that comes in is the one that goes out
+/// with the interior between them. Round the point, counter-clockwise, the interior follows every one that goes out.
+///
+///     ::::: out      in :::::      in, then out, on either side
+///     ------------p----------
+class wedge_links {
+public:
+    explicit wedge_links(stretch* stretches) noexcept : stretches_{stretches} {}
+
+    /// Takes the stretches counter-clockwise: those that start in the point from below to above, then those that end
+    /// there from above to below.
+    void take(std::uint32_t i, bool starts) noexcept
+    {
+        const std::int32_t interior = stretches_[i].interior;
+        if (interior == 0) return;
+        if (last_goes_out_) stretches_[i].next = last_;
+        last_ = i;
+        last_goes_out_ = (interior > 0) == starts;
+        if (first_ == no_number) {
+            first_ = i;
+            first_goes_out_ = last_goes_out_;
+        }
+        out_count_ += last_goes_out_;
+    }
+
+    /// After the last one. True when the boundary comes through the point more than once.
+    [[nodiscard]] bool close() noexcept
+    {
+        if (last_goes_out_ && !first_goes_out_) stretches_[first_].next = last_;
+        return out_count_ > 1;
+    }
+
+private:
+    stretch* stretches_;
+    std::uint32_t first_ = no_number, last_ = no_number, out_count_ = 0;
+    bool first_goes_out_ = false, last_goes_out_ = false;
+};
+
+}  // namespace typemesh::detail
