@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 
+#include <typemesh/core/sweep_order.hpp>
 #include <typemesh/fill/resolve.hpp>
 #include <typemesh/triangulate/monotone.hpp>
 
@@ -365,4 +366,56 @@ TEST_CASE("A crossing that waits for an edge that has ended is forgotten", "[fil
                          {{13, 9}, {7, 0}, {9, 13}, {7, 8}, {9, 11}, {1, 9}, {5, 1}, {6, 4}, {12, 0}, {3, 10},
                           {4, 8}}}};
     CHECK(mistake_on(s) == "");
+}
+
+TEST_CASE("resolve_then() tells the order that sweep_order() makes of the region's points, whether it was told one or not",
+          "[fill][resolve]")
+{
+    test::dice d{91};
+    int touching = 0;
+    for (int i = 0; i < 600; ++i) {
+        const int width = i % 2 == 0 ? 9 : 3000;
+        std::vector<test::polyline> given(1 + static_cast<std::size_t>(d.roll(3)));
+        for (test::polyline& l : given)
+            for (int n = 3 + d.roll(20); n > 0; --n) l.push_back({d.roll(width), d.roll(width)});
+        for (const fill_rule rule : {fill_rule::non_zero, fill_rule::even_odd}) {
+            for (const bool told : {false, true}) {
+                contours loops = test::contours_of(given), other = test::contours_of(given);
+                workspace space;
+                std::vector<std::uint32_t> order(loops.points.size());
+                REQUIRE(sweep_order(loops.points.view(), space, order.data()));
+                if (!told) order.clear();
+                int calls = 0;
+                const auto then = [&](const region& r, std::span<const std::uint32_t> sorted) noexcept {
+                    ++calls;
+                    std::vector<std::uint32_t> expected(r.points().size());
+                    workspace another;
+                    CHECK(sweep_order(r.points(), another, expected.data()));
+                    CHECK(std::equal(sorted.begin(), sorted.end(), expected.begin(), expected.end()));
+                    return error{};
+                };
+                every_meeting_stands nobody;
+                const auto made = resolve_then(loops, order, rule, space, nobody, then);
+                const auto plain = resolve(other, rule, space);
+                REQUIRE(made);
+                REQUIRE(plain);
+                CHECK(calls == 1);
+                CHECK(std::equal(made->points().begin(), made->points().end(), plain->points().begin(),
+                                 plain->points().end()));
+                touching += made->is_touching();
+            }
+        }
+    }
+    CHECK(touching > 100);
+}
+
+TEST_CASE("The error of what follows a region is resolve_then()'s", "[fill][resolve]")
+{
+    contours loops = test::contours_of({test::square(0, 0, 8), test::square(4, 4, 8)});
+    workspace space;
+    every_meeting_stands nobody;
+    const auto fails = [](const region& r) noexcept { return r.points().empty() ? error{} : error{error::too_large}; };
+    const auto made = resolve_then(loops, {}, fill_rule::non_zero, space, nobody, fails);
+    REQUIRE_FALSE(made);
+    CHECK(made.error() == error::too_large);
 }

@@ -45,6 +45,20 @@ bool only_touch(const std::vector<test::oracle::loop>& loops)
     return true;
 }
 
+/// A triangulator as a user may write it, which cannot be told of an order.
+template <class Triangulator>
+struct untold {
+    error operator()(const region& r, workspace& space, triangle_list& out) const noexcept
+    {
+        return Triangulator{}(r, space, out);
+    }
+    result<region> prove(const contours& loops, workspace& space, triangle_list& out) const noexcept
+    {
+        return Triangulator{}.prove(loops, space, out);
+    }
+};
+static_assert(proving_triangulator<untold<monotone>> && !ordered_triangulator<untold<monotone>>);
+
 int touching = 0, proven_fast = 0;
 
 /// What is wrong with what the fast way makes of loops; empty when nothing is.
@@ -264,6 +278,71 @@ TEST_CASE("prove_loops() without memory says so and leaves the contours as they 
         const std::size_t warm = memory.requests;
         REQUIRE(again());
         CHECK(memory.requests == warm);
+        if (!was_asked) break;
+    }
+}
+
+TEMPLATE_LIST_TEST_CASE("cap() makes the same of a triangulator that can be told of the points' order and of one that cannot",
+                        "[glyph][cap]", triangulators)
+{
+    test::dice d{52};
+    int crossing = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const int width = i % 2 == 0 ? 12 : 4000;
+        std::vector<test::polyline> given(1 + static_cast<std::size_t>(d.roll(3)));
+        for (test::polyline& l : given)
+            for (int n = 3 + d.roll(i % 3 == 0 ? 1 : 12); n > 0; --n) l.push_back({d.roll(width), d.roll(width)});
+        contours one = test::contours_of(given), two = test::contours_of(given);
+        workspace space;
+        triangle_list told, not_told;
+        const auto a = cap(one, fill_rule::non_zero, TestType{}, space, told);
+        const auto b = cap(two, fill_rule::non_zero, untold<TestType>{}, space, not_told);
+        REQUIRE(a);
+        REQUIRE(b);
+        CHECK(test::walks_of(*a) == test::walks_of(*b));
+        REQUIRE(a->holes() == b->holes());
+        REQUIRE(told.size() == not_told.size());
+        if (!a->is_touching())  // else one may have been walked anew, from other first points
+            CHECK(std::equal(told.begin(), told.end(), not_told.begin(), [](const triangle& s, const triangle& t) {
+                return s.a == t.a && s.b == t.b && s.c == t.c;
+            }));
+        crossing += a->points().size() != test::contours_of(given).points.size();
+        const std::string broken = test::oracle::broken_law(*a, told.view());
+        REQUIRE(broken == "");
+    }
+    CHECK(crossing > 500);
+}
+
+TEST_CASE("cap() of contours that cross says when memory fails, warm it asks for none", "[glyph][cap]")
+{
+    std::vector<test::polyline> given;
+    for (std::int32_t i = 0; i < 30; ++i) given.push_back(test::square(7 * i, 5 * (i % 6), 40));
+    for (std::size_t nth = 1;; ++nth) {
+        test::counting_memory memory;
+        contours loops = test::contours_of(given, memory.source());
+        workspace space{memory.source()};
+        triangle_list out{memory.source()};
+        const std::size_t before = memory.requests;
+        memory.fail_at = before + nth;
+        memory.fail_once = true;
+        const auto made = cap(loops, fill_rule::non_zero, monotone{}, space, out);
+        const bool was_asked = memory.requests >= before + nth;
+        memory.fail_at = 0;
+        INFO("request " << nth);
+        if (!made) {
+            CHECK(made.error() == error::out_of_memory);
+            CHECK(out.empty());
+        }
+        for (int again = 0; again < 3; ++again) {
+            const contours fresh = test::contours_of(given);
+            loops.clear();
+            REQUIRE((loops.points.append(fresh.points.view()) && loops.edges.append(fresh.edges.view()) &&
+                     loops.starts.append(fresh.starts.view())));
+            out.clear();
+            const std::size_t warm = memory.requests;
+            REQUIRE(cap(loops, fill_rule::non_zero, monotone{}, space, out));
+            if (again == 2) CHECK(memory.requests == warm);
+        }
         if (!was_asked) break;
     }
 }
