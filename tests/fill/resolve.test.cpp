@@ -368,7 +368,7 @@ TEST_CASE("A crossing that waits for an edge that has ended is forgotten", "[fil
     CHECK(mistake_on(s) == "");
 }
 
-TEST_CASE("resolve_then() tells the order that sweep_order() makes of the region's points, whether it was told one or not",
+TEST_CASE("resolve_then() tells the order that sweep_order() makes of the region's points, told one itself or not",
           "[fill][resolve]")
 {
     test::dice d{91};

@@ -282,7 +282,7 @@ TEST_CASE("prove_loops() without memory says so and leaves the contours as they 
     }
 }
 
-TEMPLATE_LIST_TEST_CASE("cap() makes the same of a triangulator that can be told of the points' order and of one that cannot",
+TEMPLATE_LIST_TEST_CASE("cap() makes the same with a triangulator that can be told of an order and one that cannot",
                         "[glyph][cap]", triangulators)
 {
     test::dice d{52};

@@ -29,9 +29,9 @@ struct resolve_effort {
 /// As resolve() below, for those who know more and want more.
 ///
 ///     order   the order of the points, as sweep_order() makes it; empty: not known
-///     then    error then(r) or error then(r, order): what to do with the region r at once, while the order of its points
-///             is known, too. Its error is the answer, and `loops` is the region's then. Not asked when there is no
-///             region.
+///     then    error then(r) or error then(r, order): what to do with the region r at once, while the order of its
+///             points is known, too. Its error is the answer, and `loops` is the region's then. Not asked when there is
+///             no region.
 template <meeting_judge Judge, class Then>
 [[nodiscard]] result<region> resolve_then(contours& loops, std::span<const std::uint32_t> order, fill_rule rule,
                                           workspace& space, Judge& judge, Then&& then,
@@ -51,12 +51,12 @@ template <meeting_judge Judge, class Then>
         if (effort != nullptr) *effort = {effort->walks + 1, rounds, a.count};
         if (!sweep.again) {
             constexpr bool judging = !std::is_same_v<Judge, every_meeting_stands>;
+            const bool touching = judging && sweep.touching, changing = judging && !sweep.touching;
             bool all_stand = true;
-            if (judging && sweep.touching && !detail::judge_touches(a, space, judge, all_stand))
-                return error::out_of_memory;
+            if (touching && !detail::judge_touches(a, space, judge, all_stand)) return error::out_of_memory;
             detail::boundary_walk boundary;
-            const auto watch = [&, changes = judging && !sweep.touching](const auto& s, const auto& t, grid_point at) noexcept {
-                if (changes && !detail::judge_change(a, s, t, at, judge)) all_stand = false;
+            const auto watch = [&](const auto& s, const auto& t, grid_point at) noexcept {
+                if (changing && !detail::judge_change(a, s, t, at, judge)) all_stand = false;
             };
             if (const error e = boundary.trace(a, scratch, watch)) return e;
             if (!all_stand) return region{};

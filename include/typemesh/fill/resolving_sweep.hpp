@@ -41,9 +41,9 @@ namespace typemesh::detail {
 ///
 /// Why what a walk believes is true. Bending moves an edge by less than a cell, and what the sweep has passed already
 /// may then lie on its other side. So every point p is held against the edges right below and right above it when the
-/// sweep is there (pass_by), and the walk is believed when 1, 2 and 3 hold. Where one edge ends in p and one starts, that
-/// has been done: when the edge that ends and its neighbour came to lie side by side, or either was bent, p was tested
-/// against this neighbour, which ends later; what was found (is_clear) is taken into account when the sweep is in p.
+/// sweep is there (pass_by), and the walk is believed when 1, 2 and 3 hold. Where one edge ends in p and one starts,
+/// that has been done: when the edge that ends and its neighbour came to lie side by side, and whenever either was cut,
+/// p was tested against this neighbour, which ends later (is_clear); what was found counts when the sweep is in p.
 ///
 ///     1  the points came in ascending order, each once, and every edge ended where the sweep took it out;
 ///     2  p lay strictly between those two edges, and does so still when they have been bent;
@@ -177,12 +177,11 @@ private:
         unsure_ |= s.turn != before.turn;
         finish(ending);
         begin(slot, starting, p, before.below);
-        before.next = s.interior < 0 ? before.next : starting;  // right where the boundary runs so, else of no account
-        s.next = ending;
+        if (s.interior >= 0) before.next = starting;
+        s.next = ending;  // where the boundary runs from right to left, else of no account
         if (!is_clear(under, slot)) part(under, slot);
         if (!is_clear(slot, over)) part(slot, over);
     }
-
     /// Holds p against the edges right below and right above it.
     void pass_by(std::uint32_t under, std::uint32_t over, grid_point p) noexcept
     {
@@ -386,12 +385,13 @@ private:
         return i;
     }
 
-    /// Whether of two neighbours the one that ends first does so on its own side of the other; notes how close it comes.
+    /// Whether of two neighbours the one that ends first does so on its own side of the other; notes how close it
+    /// comes.
     [[nodiscard]] bool is_clear(std::uint32_t low, std::uint32_t high) noexcept
     {
         if (low == 0 || high == 0) return true;
         const bool low_first = sweep_place(edges_[low].to) < sweep_place(edges_[high].to);
-        const std::uint32_t change = (low ^ high) & (low_first - 1u);  // a branch would be guessed wrong half the time
+        const std::uint32_t change = (low ^ high) & (low_first - 1u);  // a branch would be guessed wrong often
         swept_edge& shorter = edges_[low ^ change];
         const swept_edge& longer = edges_[high ^ change];
         const std::int64_t turn = orientation(longer.from, longer.to, shorter.to);
@@ -403,8 +403,7 @@ private:
     /// Two neighbours that are not clear of each other: cuts them where they meet, if that is not where both end.
     void part(std::uint32_t low, std::uint32_t high) noexcept
     {
-        const swept_edge& l = edges_[low];
-        const swept_edge& h = edges_[high];
+        const swept_edge &l = edges_[low], &h = edges_[high];
         if (l.to == h.to) return;
         if (grid_point x; crossing_of(l.from, l.to, h.from, h.to, x)) {
             if (a_.stretches[l.stretch].bent || a_.stretches[h.stretch].bent) lead_home(low, high, x);
@@ -420,8 +419,8 @@ private:
             unsure_ = true;
     }
 
-    /// Cuts an edge in a grid point of its box, where the neighbour ends that is not on `side` (0: below, 1: above), and
-    /// lets the right part wait; false when there is no room.
+    /// Cuts an edge in a grid point of its box and lets the right part wait; false when there is no room. The neighbour
+    /// on `side` (0: below, 1: above) is to be tested against it, the other one ends there, too.
     ///
     /// A part of a nearly vertical edge may be vertical and run from above to below. The right part is turned round
     /// then and waits where the edge ended; the left part is turned round when the sweep finishes it, which it does at

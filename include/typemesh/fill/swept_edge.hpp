@@ -11,7 +11,7 @@ namespace typemesh::detail {
 /// An edge while the sweep line crosses it.
 struct alignas(32) swept_edge {
     grid_point from, to;
-    std::uint32_t stretch = no_number;  ///< no_number: the slot is free
+    std::uint32_t stretch = no_number;
     std::int32_t above = 0;             ///< the winding number right above it
 
     bool fixed = false;                 ///< a point came near, or it was bent: bending it takes another walk

@@ -105,10 +105,10 @@ template <proving_triangulator Triangulator>
 ///                                                  └ refuses ─▶ resolve ─▶ triangulate ──▶
 ///     any other               loops ─────────────────────────▶ fill ─▶ triangulate ──▶
 ///
-/// So outlines that are already simple, which is nearly all, pay for one sweep only, and those that only touch in points
-/// for two at most and a sort. The points of an outline that crosses are sorted once for all three sweeps when the
-/// triangulator can be told of their order. `loops` is turned and compacted in place; the region refers to it. Triangles
-/// are appended to `out`, which is as it was after an error.
+/// So outlines that are already simple, which is nearly all, pay for one sweep only, and those that only touch in
+/// points for two at most and a sort. The points of an outline that crosses are sorted once for all three sweeps when
+/// the triangulator can be told of their order. `loops` is turned and compacted in place; the region refers to it.
+/// Triangles are appended to `out`, which is as it was after an error.
 template <triangulator Triangulator, stage_observer Observer>
 [[nodiscard]] result<region> cap(contours& loops, fill_rule rule, const Triangulator& how, workspace& space,
                                  triangle_list& out, Observer& observe) noexcept
