@@ -25,7 +25,7 @@ enum class texture_box : std::uint8_t { text, line, glyph };
 /// How a text is set and written. All have defaults that suit a headline in a 3D scene.
 struct text_options {
     shape_options shape = {};    ///< direction, language, script, features
-    layout_options layout = {};  ///< alignment, line spacing
+    layout_options layout = {};  ///< alignment, line spacing, tab stops
 
     double tolerance = quality::high;    ///< the largest distance between curve and mesh, in em; see quality.hpp
     std::optional<fill_rule> fill = {};  ///< instead of the outline source's own rule
