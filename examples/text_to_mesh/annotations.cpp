@@ -19,14 +19,15 @@ void add_dot(overlay& to, const float (&p)[3], const unsigned char (&rgb)[3], fl
 
 }  // namespace
 
-overlay annotate(const options& o, typemesh::harfbuzz_font& font, const typemesh::glyph_run& run, const chosen_discretiser& discretiser,
-                 const model& mesh)
+overlay annotate(const options& o, typemesh::harfbuzz_font& font, const typemesh::glyph_run& run,
+                 const chosen_discretiser& discretiser, const model& mesh)
 {
     overlay drawn;
     if (o.show_normals) {
         constexpr float length = 0.05f;
         for (const model_vertex& v : mesh.vertices) {
-            const float tip[3] = {v.position[0] + length * v.normal[0], v.position[1] + length * v.normal[1], v.position[2] + length * v.normal[2]};
+            const float tip[3] = {v.position[0] + length * v.normal[0], v.position[1] + length * v.normal[1],
+                                  v.position[2] + length * v.normal[2]};
             add_segment(drawn, v.position, tip, normal_rgb);
         }
     }
@@ -44,11 +45,13 @@ overlay annotate(const options& o, typemesh::harfbuzz_font& font, const typemesh
             float at[3];
         };
         const auto put = [&](typemesh::point p) {
-            return place{{static_cast<float>((glyph.origin.x + p.x) / upem), static_cast<float>((glyph.origin.y + p.y) / upem), 0.0f}};
+            return place{{static_cast<float>((glyph.origin.x + p.x) / upem),
+                          static_cast<float>((glyph.origin.y + p.y) / upem), 0.0f}};
         };
         if (o.show_control) {
             for (const typemesh::curve& c : shape.curves) {
-                for (std::uint32_t i = 0; i < c.degree && c.degree > 1; ++i) add_segment(drawn, put(c.p[i]).at, put(c.p[i + 1]).at, control_rgb);
+                for (std::uint32_t i = 0; i < c.degree && c.degree > 1; ++i)
+                    add_segment(drawn, put(c.p[i]).at, put(c.p[i + 1]).at, control_rgb);
                 for (std::uint32_t i = 1; i < c.degree; ++i) add_dot(drawn, put(c.p[i]).at, control_rgb, 3.0f);
                 add_dot(drawn, put(c.start()).at, on_curve_rgb, 4.5f);
             }
@@ -56,7 +59,8 @@ overlay annotate(const options& o, typemesh::harfbuzz_font& font, const typemesh
         for (std::uint32_t k = 0; k < loops.contour_count(); ++k) {
             const std::uint32_t first = loops.starts[k], last = loops.starts[k + 1];
             for (std::uint32_t i = first; i < last; ++i) {
-                const place a = put(grid->place(loops.points[i])), b = put(grid->place(loops.points[i + 1 == last ? first : i + 1]));
+                const place a = put(grid->place(loops.points[i])),
+                            b = put(grid->place(loops.points[i + 1 == last ? first : i + 1]));
                 if (o.show_contours) add_segment(drawn, a.at, b.at, contour_rgb);
                 if (o.show_points) add_dot(drawn, a.at, point_rgb, 3.0f);
             }

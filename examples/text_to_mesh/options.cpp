@@ -14,7 +14,8 @@ namespace {
 
 /// An option whose values have names; `value` keeps what it holds unless one is given.
 template <class T>
-CLI::Option* add_named(CLI::App& app, const char* option, T& value, const char* meaning, const std::vector<std::pair<std::string, T>>& names)
+CLI::Option* add_named(CLI::App& app, const char* option, T& value, const char* meaning,
+                       const std::vector<std::pair<std::string, T>>& names)
 {
     std::vector<std::string> allowed;
     for (const auto& [name, unused] : names) allowed.push_back(name);
@@ -39,9 +40,11 @@ std::string add_variation(const std::string& argument, std::vector<typemesh::var
     const auto equals = argument.find('=');
     typemesh::variation v;
     char* end = nullptr;
-    if (equals == std::string::npos || !copy_tag(argument.substr(0, equals), v.tag)) return "a variation is of the form wght=700: " + argument;
+    if (equals == std::string::npos || !copy_tag(argument.substr(0, equals), v.tag))
+        return "a variation is of the form wght=700: " + argument;
     v.value = std::strtof(argument.c_str() + equals + 1, &end);
-    if (end == argument.c_str() + equals + 1 || *end != '\0' || !std::isfinite(v.value)) return "a variation is of the form wght=700: " + argument;
+    if (end == argument.c_str() + equals + 1 || *end != '\0' || !std::isfinite(v.value))
+        return "a variation is of the form wght=700: " + argument;
     out.push_back(v);
     return {};
 }
@@ -90,35 +93,51 @@ std::optional<int> parse(int argc, char** argv, options& out)
     std::string uv, fill;
 
     app.add_option("TEXT", out.text, "UTF-8; \\n starts a new line")->required();
-    app.add_option("--font", out.font, "a font file: TrueType, OpenType, collection, variable")->required()->type_name("FILE");
+    app.add_option("--font", out.font, "a font file: TrueType, OpenType, collection, variable")
+        ->required()
+        ->type_name("FILE");
     app.add_option("--face", out.face, "the face's number in a collection")->type_name("N");
-    app.add_option("--variation", variations, "sets a variable font's axis: wght=700; may come again")->type_name("AXIS=VALUE")->take_all()->expected(1);
-    app.add_option("--feature", features, "an OpenType feature: liga=0, smcp; may come again")->type_name("TAG[=N]")->take_all()->expected(1);
+    app.add_option("--variation", variations, "sets a variable font's axis: wght=700; may come again")
+        ->type_name("AXIS=VALUE")
+        ->take_all()
+        ->expected(1);
+    app.add_option("--feature", features, "an OpenType feature: liga=0, smcp; may come again")
+        ->type_name("TAG[=N]")
+        ->take_all()
+        ->expected(1);
     app.add_option("--language", out.language, "BCP 47: tr, zh-Hant")->type_name("L");
     app.add_option("--script", out.script, "ISO 15924: Latn, Arab")->type_name("S");
-    add_named<direction>(app, "--direction", out.direction, "found from the text by default",
-                         {{"ltr", direction::left_to_right}, {"rtl", direction::right_to_left}, {"ttb", direction::top_to_bottom}});
+    add_named<direction>(
+        app, "--direction", out.direction, "found from the text by default",
+        {{"ltr", direction::left_to_right}, {"rtl", direction::right_to_left}, {"ttb", direction::top_to_bottom}});
     add_named<alignment>(app, "--align", out.align, "lines against each other (default left)",
                          {{"left", alignment::left}, {"center", alignment::centre}, {"right", alignment::right}});
 
-    app.add_option("--depth", out.depth, "of the extrusion, in em; 0 makes a flat mesh (default 0.2)")->type_name("EM")->check(CLI::Range(0.0, 1000.0));
-    auto* named = add_named<preset>(app, "--quality", out.quality, "largest distance to the curve: 1/100, 1/160, 1/800 (default high), 1/16000 em",
-                                    {{"low", preset::low}, {"normal", preset::normal}, {"high", preset::high}, {"best", preset::best}});
+    app.add_option("--depth", out.depth, "of the extrusion, in em; 0 makes a flat mesh (default 0.2)")
+        ->type_name("EM")
+        ->check(CLI::Range(0.0, 1000.0));
+    auto* named = add_named<preset>(
+        app, "--quality", out.quality, "largest distance to the curve: 1/100, 1/160, 1/800 (default high), 1/16000 em",
+        {{"low", preset::low}, {"normal", preset::normal}, {"high", preset::high}, {"best", preset::best}});
     app.add_option("--tolerance", out.tolerance, "the same as a number")->type_name("EM")->excludes(named);
     add_named<discretiser_name>(app, "--discretiser", out.discretiser, "how curves become lines (default certified)",
                                 {{"certified", discretiser_name::certified},
                                  {"two_lines", discretiser_name::two_lines},
                                  {"adaptive", discretiser_name::adaptive}});
-    add_named<triangulator_name>(app, "--triangulator", out.triangulator, "how faces become triangles (default monotone)",
-                                 {{"monotone", triangulator_name::monotone}, {"delaunay", triangulator_name::delaunay}});
+    add_named<triangulator_name>(
+        app, "--triangulator", out.triangulator, "how faces become triangles (default monotone)",
+        {{"monotone", triangulator_name::monotone}, {"delaunay", triangulator_name::delaunay}});
     add_named<normals_name>(app, "--normals", out.normals, "of the sides (default curve)",
                             {{"shared", normals_name::shared},
                              {"averaged", normals_name::averaged},
                              {"creased", normals_name::creased},
                              {"curve", normals_name::curve}});
-    app.add_option("--crease", out.crease, "edges that turn by more are hard (default 15, for creased 30)")->type_name("DEGREES")->check(CLI::Range(0.0, 180.0));
+    app.add_option("--crease", out.crease, "edges that turn by more are hard (default 15, for creased 30)")
+        ->type_name("DEGREES")
+        ->check(CLI::Range(0.0, 180.0));
     app.add_option("--fill", fill, "instead of the font's own rule")->check(CLI::IsMember({"nonzero", "evenodd"}));
-    app.add_option("--uv", uv, "texture coordinates: over the text's box (default), or in em")->check(CLI::IsMember({"box", "em"}));
+    app.add_option("--uv", uv, "texture coordinates: over the text's box (default), or in em")
+        ->check(CLI::IsMember({"box", "em"}));
     app.add_flag("--merge", out.merge, "letters that meet become one solid without inner walls");
     app.add_flag("--strict", out.strict, "a refused or missing glyph is an error");
 
@@ -126,7 +145,8 @@ std::optional<int> parse(int argc, char** argv, options& out)
     app.add_option("--picture", out.picture, "a picture of it")->type_name("FILE.png");
     add_named<shading>(app, "--shading", out.shading, "of the picture (default phong)",
                        {{"flat", shading::flat}, {"gouraud", shading::gouraud}, {"phong", shading::phong}});
-    app.add_option("--show", show, "on the picture, joined by commas: triangles, points, contours, control, normals, checker")
+    app.add_option("--show", show,
+                   "on the picture, joined by commas: triangles, points, contours, control, normals, checker")
         ->delimiter(',')
         ->check(CLI::IsMember({"triangles", "points", "contours", "control", "normals", "checker"}))
         ->expected(1)
@@ -154,8 +174,10 @@ std::optional<int> parse(int argc, char** argv, options& out)
         constexpr double em[] = {quality::low, quality::normal, quality::high, quality::best};
         out.tolerance = em[static_cast<int>(out.quality)];
     }
-    if (!std::isfinite(out.tolerance) || !(out.tolerance > 0.0)) return complain("--tolerance is not a positive finite number");
-    if (!out.script.empty() && out.script.size() != 4) return complain("--script is not four letters, such as Latn: " + out.script);
+    if (!std::isfinite(out.tolerance) || !(out.tolerance > 0.0))
+        return complain("--tolerance is not a positive finite number");
+    if (!out.script.empty() && out.script.size() != 4)
+        return complain("--script is not four letters, such as Latn: " + out.script);
     if (!std::isfinite(out.depth)) return complain("--depth is not a finite number");
     if (out.crease && !std::isfinite(*out.crease)) return complain("--crease is not a finite number");
     if (uv == "em") out.uv = texture_mapping::em;
@@ -168,11 +190,13 @@ std::optional<int> parse(int argc, char** argv, options& out)
     out.show_normals = shown("normals");
     out.checker = shown("checker");
 
-    if (!out.output.empty() && !ends_with(out.output, ".glb") && !ends_with(out.output, ".obj") && !ends_with(out.output, ".stl") &&
-        !ends_with(out.output, ".ply"))
+    if (!out.output.empty() && !ends_with(out.output, ".glb") && !ends_with(out.output, ".obj") &&
+        !ends_with(out.output, ".stl") && !ends_with(out.output, ".ply"))
         return complain("--output must end in .glb, .obj, .stl or .ply: " + out.output);
-    if (!out.picture.empty() && !ends_with(out.picture, ".png")) return complain("--picture must end in .png: " + out.picture);
-    if (out.output.empty() && out.picture.empty() && !out.stats) return complain("nothing to do: give --output, --picture or --stats");
+    if (!out.picture.empty() && !ends_with(out.picture, ".png"))
+        return complain("--picture must end in .png: " + out.picture);
+    if (out.output.empty() && out.picture.empty() && !out.stats)
+        return complain("nothing to do: give --output, --picture or --stats");
     out.text = with_line_breaks(out.text);
     return {};
 }
