@@ -34,10 +34,16 @@ int fail(const std::string& sentence)
     return 1;
 }
 
+/// The error's sentence; places in the text are bytes, for the text is UTF-8.
 std::string in_words(const typemesh::error& e)
 {
+    std::string where;
+    if (e.glyph != typemesh::no_glyph) where = "glyph " + std::to_string(e.glyph);
+    if (e.cluster != typemesh::no_cluster)
+        where += (where.empty() ? "at byte " : ", at byte ") + std::to_string(e.cluster) + " of the text";
     char sentence[256];
-    return typemesh::describe(e, sentence);
+    return (where.empty() ? "" : where + ": ") +
+           typemesh::describe(e.at(typemesh::no_glyph, typemesh::no_cluster), sentence);
 }
 
 chosen_discretiser discretiser_of(const options& o, double units_per_em)
@@ -95,8 +101,9 @@ bool name_losses(const typemesh::text_report& report)
             "text_to_mesh: the font has no glyph for %u of %u characters; the first is at byte %u of the text\n",
             report.missing, report.glyphs, report.first_missing);
     if (report.invalid_units > 0)
-        std::fprintf(stderr, "text_to_mesh: the text is not valid UTF-8 at %u places; the first is at byte %u\n",
-                     report.invalid_units, report.first_invalid_unit);
+        std::fprintf(stderr,
+                     "text_to_mesh: the text is not valid UTF-8 at %u place%s; the first is at byte %u of the text\n",
+                     report.invalid_units, report.invalid_units == 1 ? "" : "s", report.first_invalid_unit);
     return !report.complete();
 }
 
@@ -201,7 +208,7 @@ int run(const options& o)
         look.wireframe = o.show_triangles;
         look.texture = o.checker ? texture::checker : texture::none;
         int width = 0, height = 0;
-        const auto pixels = draw(mesh, annotate(o, *font, plan->run(), discretiser, mesh), look, width, height);
+        const auto pixels = draw(mesh, annotate(o, *font, plan->run(), plan->glyphs(), discretiser, mesh), look, width, height);
         if (const std::string trouble = write_png(pixels, width, height, o.picture); !trouble.empty())
             return fail(trouble);
     }
