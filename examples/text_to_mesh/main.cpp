@@ -208,7 +208,8 @@ int run(const options& o)
         look.wireframe = o.show_triangles;
         look.texture = o.checker ? texture::checker : texture::none;
         int width = 0, height = 0;
-        const auto pixels = draw(mesh, annotate(o, *font, plan->run(), plan->glyphs(), discretiser, mesh), look, width, height);
+        const overlay over = annotate(o, *font, plan->run(), plan->glyphs(), discretiser, mesh);
+        const auto pixels = draw(mesh, over, look, width, height);
         if (const std::string trouble = write_png(pixels, width, height, o.picture); !trouble.empty())
             return fail(trouble);
     }

@@ -176,9 +176,10 @@ std::string in_words(const CLI::ParseError& wrong, CLI::App& app, int argc, char
                                                   : " was not expected; a text of several words stands in quotes");
     }
     const std::string said = wrong.what();
-    if (dynamic_cast<const CLI::ArgumentMismatch*>(&wrong) == nullptr || said.find(':') == std::string::npos) return said;
-    const bool lacks = said.find("missing") != std::string::npos;
-    return said.substr(0, said.find(':')) + (lacks ? ": needs a value" : ": may be given once only");
+    const auto colon = said.find(':');
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&wrong) == nullptr || colon == std::string::npos) return said;
+    const bool lacks = said.find("missing", colon) != std::string::npos;
+    return said.substr(0, colon) + (lacks ? ": needs a value" : ": may be given once only");
 }
 
 }  // namespace
