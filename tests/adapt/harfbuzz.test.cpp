@@ -481,7 +481,8 @@ TEST_CASE("a tab leads to the next tab stop in lines of both directions, and is 
 {
     harfbuzz_font font = opened(dejavu);
     const double stop = 4.0 * shaped(font, " ").lines[0].advance;
-    for (const char* text : {"one\ttwo", "\xD7\x90\xD7\x91\t\xD7\x92", "\xD8\xB3\xD9\x84\xD8\xA7\xD9\x85\t\xD8\xA8", "12\t34"}) {
+    for (const char* text :
+         {"one\ttwo", "\xD7\x90\xD7\x91\t\xD7\x92", "\xD8\xB3\xD9\x84\xD8\xA7\xD9\x85\t\xD8\xA8", "12\t34"}) {
         INFO(text);
         const std::string all = text, before = all.substr(0, all.find('\t')), behind = all.substr(all.find('\t') + 1);
         const glyph_run run = shaped(font, text), first = shaped(font, before), second = shaped(font, behind);

@@ -30,11 +30,13 @@ struct one_way_shaper {
         asked.push_back(how.direction);
         const line_reading found = read_line(text, first, last);
         const bool down = how.direction == direction::top_to_bottom;
-        const bool right = found.to_the_right != line_reading::nowhere, left = found.to_the_left != line_reading::nowhere;
+        const bool right = found.to_the_right != line_reading::nowhere;
+        const bool left = found.to_the_left != line_reading::nowhere;
         if (!down && right && left)
             return error{error::mixed_direction}.at(
                 no_glyph, static_cast<cluster_id>((std::max)(found.to_the_right, found.to_the_left)));
-        const bool leftward = how.direction == direction::right_to_left || (how.direction == direction::automatic && left);
+        const bool asked_for = how.direction == direction::right_to_left;
+        const bool leftward = asked_for || (how.direction == direction::automatic && left);
         if (const std::size_t number = find_number(text, first, last); leftward && number != line_reading::nowhere)
             return error{error::mixed_direction}.at(no_glyph, static_cast<cluster_id>(number));
 
@@ -53,7 +55,8 @@ struct one_way_shaper {
             const char32_t c = characters[i].value;
             const bool missing = c == '?' || c == ' ';
             if (missing && run.missing++ == 0) run.first_missing = places[i];
-            const placed_glyph g{static_cast<glyph_id>(c), places[i], down ? point{0.0, -pen} : point{pen, 0.0}, missing};
+            const point at = down ? point{0.0, -pen} : point{pen, 0.0};
+            const placed_glyph g{static_cast<glyph_id>(c), places[i], at, missing};
             if (!run.glyphs.push_back(g)) return error::out_of_memory;
             pen += c == ' ' ? space : advance_of(c);
         }
@@ -107,7 +110,8 @@ std::string utf8(const std::u32string& text)
     return out;
 }
 
-const std::u32string samples[] = {U"a\tb", U"\tab", U"ab\t", U"\t", U"\t\t\t", U"a\t\tb\tc", U"abcdefgh\tabc\t\tz\t", U"a b\tc d"};
+const std::u32string samples[] = {U"a\tb",       U"\tab",     U"ab\t", U"\t", U"\t\t\t",
+                                  U"a\t\tb\tc",  U"a b\tc d", U"abcdefgh\tabc\t\tz\t"};
 
 }  // namespace
 

@@ -24,8 +24,8 @@ template <class Holds>
 
 /// Which of some ranges that lie behind one another holds i, the ranges being given by their starts, ascending:
 ///
-///     starts   [ 0 | first of range 1 | first of range 2 | ... ]      one more at the end, where the last range ends, is
-///                                                                     of no account while i lies before it
+///     starts   [ 0 | first of range 1 | first of range 2 | ... ]      one more, where the last range ends, is of no
+///                                                                     account while i lies before it
 ///
 /// Of several that start at one place, all but the last being empty, it is the last. Needs starts[0] <= i.
 [[nodiscard]] constexpr std::size_t range_of(std::span<const std::uint32_t> starts, std::uint32_t i) noexcept

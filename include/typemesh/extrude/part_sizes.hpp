@@ -61,8 +61,8 @@ struct part_sizes {
 
     /// Where one part lies when the parts lie behind one another, from a place on that is given.
     ///
-    ///     vertices, indices   [ ...  | front | back | side ]        total() must be below 2^32, in vertices and indices
-    ///                          first ^
+    ///     vertices    [ ... | front | back | side ]       indices likewise; total().fits_32_bits() must hold
+    ///                  first ^
     [[nodiscard]] constexpr mesh_range range(part p, std::uint32_t first_vertex = 0,
                                              std::uint32_t first_index = 0) const noexcept
     {

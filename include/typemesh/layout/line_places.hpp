@@ -15,7 +15,7 @@ namespace typemesh {
 struct layout_options {
     alignment align = alignment::left;
     double line_spacing = 1.0;  ///< times the font's own distance between lines; any finite number
-    double tab_width = 4.0;     ///< between tab stops, in spaces; 0: a tab is a character like others (see shape_line())
+    double tab_width = 4.0;     ///< between tab stops, in spaces; 0: a tab is like other characters (see shape_line())
 };
 
 /// What of them is out of range, or none.

@@ -34,8 +34,8 @@ public:
     /// Fills all.merged; all.shapes and numbers are given.
     ///
     /// Fails  error::too_large, error::out_of_memory, error::outline_beyond_grid with the group's first glyph
-    /// Cost   O(n log n) for n glyphs, and a comparison of every two whose boxes lie side by side (see group_meeting());
-    ///        for every group its members' outlines are flattened and filled once more, and resolve(), the triangulator
+    /// Cost   O(n log n) for n glyphs, and a comparison of every two whose boxes lie side by side (see group_meeting()).
+    ///        For every group its members' outlines are flattened and filled once more, and resolve(), the triangulator
     ///        and the extruder work on the points of all of them. Glyphs that meet no other cost the comparison alone
     template <outline_source Font, discretiser Discretiser, triangulator Triangulator, extruder Extruder,
               stage_observer Observer>

@@ -231,7 +231,8 @@ private:
         if (!is_finite(options.pixels_per_em) || !(options.pixels_per_em > 0.0) || options.pixels_per_em > 0x1p30)
             return stop(error::bad("pixels_per_em"));
         const double largest = options.unit == output_unit::pixels ? 0x1p30 / options.pixels_per_em : 0x1p30;
-        if (!is_finite(options.size) || !(options.size > 0.0) || options.size > largest) return stop(error::bad("size"));
+        if (!is_finite(options.size) || !(options.size > 0.0) || options.size > largest)
+            return stop(error::bad("size"));
         if (!is_finite(run.units_per_em) || !(run.units_per_em > 0.0)) return stop(error::bad("units_per_em"));
 
         TYPEMESH_ASSERT(run.units_per_em == font_->units_per_em(),

@@ -37,7 +37,7 @@ struct text_options {
     std::optional<fill_rule> fill = {};  ///< instead of the outline source's own rule
 
     output_unit unit = output_unit::em;
-    double size = 1.0;            ///< multiplies all positions: how large an em is in your world, unless `unit` is another
+    double size = 1.0;            ///< what the unit is multiplied by: how large an em is in your world
     double pixels_per_em = 64.0;  ///< for output_unit::pixels alone
     texture_box texture_over = texture_box::text;
     typemesh::frame frame = right_handed_y_up;
