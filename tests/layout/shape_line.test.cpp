@@ -54,7 +54,8 @@ struct one_way_shaper {
         for (std::size_t i = 0; i < characters.size(); ++i) {
             const char32_t c = characters[i].value;
             const bool missing = c == '?' || c == ' ';
-            if (missing && run.missing++ == 0) run.first_missing = places[i];
+            run.missing += missing ? 1 : 0;
+            if (missing && places[i] < run.first_missing) run.first_missing = places[i];
             const point at = down ? point{0.0, -pen} : point{pen, 0.0};
             const placed_glyph g{static_cast<glyph_id>(c), places[i], at, missing};
             if (!run.glyphs.push_back(g)) return error::out_of_memory;
