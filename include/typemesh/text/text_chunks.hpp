@@ -144,6 +144,23 @@ public:
         return {};
     }
 
+    // A result without its `*`, arrays without their into().
+    template <class Plan, class... More>
+    error cut(const result<Plan>&, More...) noexcept
+    {
+        return refuse_result<Plan>();
+    }
+    template <class Plan, class... More>
+    error write(const result<Plan>&, More&&...) const noexcept
+    {
+        return refuse_result<Plan>();
+    }
+    template <extruder Extruder, array_without_sink Vertices, array_without_sink Indices, class... Workers>
+    error write(const text_plan<Extruder>&, Vertices&&, Indices&&, Workers&...) const noexcept
+    {
+        return refuse_arrays<Vertices>();
+    }
+
 private:
     template <class Plan>
     const text_shapes& fresh(const Plan& plan) const noexcept
