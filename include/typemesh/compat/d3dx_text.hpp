@@ -12,6 +12,7 @@
 #include <typemesh/glyph/glyph_cache.hpp>
 #include <typemesh/text/text_mesher.hpp>
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -89,7 +90,8 @@ public:
 
     // The font is referred to: a temporary will not do, nor a result without its `*`.
     d3dx_text(const Font&&, memory = heap(), detail::keep_the_font_in_a_variable = {}) = delete;
-    explicit d3dx_text(const result<Font>& font, memory = heap()) noexcept
+    template <std::same_as<Font> Made>
+    explicit d3dx_text(const result<Made>& font, memory = heap()) noexcept
         : mesher_{font}
     {
     }

@@ -16,6 +16,7 @@
 #include <typemesh/triangulate/monotone.hpp>
 
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -59,10 +60,11 @@ public:
 
     // The mesher refers to its font: a temporary will not do, nor a result without its `*`.
     text_mesher(const Font&&, memory = heap(), detail::keep_the_font_in_a_variable = {}) = delete;
-    explicit text_mesher(const result<Font>&, memory source = heap()) noexcept
+    template <std::same_as<Font> Made>
+    explicit text_mesher(const result<Made>&, memory source = heap()) noexcept
         : builder_{source}, merger_{source}, run_{source}, shapes_{source}
     {
-        (void)refuse_result<Font>();
+        (void)refuse_result<Made>();
     }
 
     /// The same mesher with one policy exchanged: a discretiser, a triangulator, an extruder or a stage_observer; or
@@ -98,8 +100,8 @@ public:
     template <class Lock>
     text_mesher&& with(glyph_cache<Lock>&) && noexcept
     {
-        static_assert(sizeof(Lock) == 0, "typemesh: a glyph_cache is shared by fonts, so with() takes it with your number "
-                                         "for this one: `with(cached_in{cache, 1})`.");
+        static_assert(sizeof(Lock) == 0, "typemesh: a glyph_cache is shared by fonts, so with() takes it with your "
+                                         "number for this one: `with(cached_in{cache, 1})`.");
         return std::move(*this);
     }
 
