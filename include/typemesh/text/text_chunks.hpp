@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/executor.hpp>
+#include <typemesh/core/result.hpp>
 #include <typemesh/text/split_shapes.hpp>
 #include <typemesh/text/text_plan.hpp>
 
