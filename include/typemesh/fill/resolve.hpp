@@ -48,9 +48,9 @@ struct resolve_effort {
 ///        those takes about sqrt(n + k) steps an edge.
 /// Exact  in 64 bits; from equal grid points every compiler makes the same region (t apart, which is floating point)
 ///
-/// `judge` is told of every place where edges of the contours cross, or one ends on the other, and through which the
-/// region's boundary comes (see meeting.hpp). Where it does not let one stand, the answer is a region without points, and
-/// `loops` is as it was. About 20 instructions a point, and the judge's own.
+/// `judge` is told of every place where edges of the contours cross, or one ends on the other (see meeting.hpp). Where
+/// it does not let one stand, the answer is a region without points, and `loops` is as it was. About 20 instructions a
+/// point, and the judge's own.
 template <meeting_judge Judge>
 [[nodiscard]] result<region> resolve(contours& loops, fill_rule rule, workspace& space, Judge& judge,
                                      resolve_effort* effort = nullptr) noexcept
