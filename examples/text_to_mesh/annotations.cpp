@@ -17,16 +17,38 @@ void add_dot(overlay& to, const float (&p)[3], const unsigned char (&rgb)[3], fl
     to.dots.push_back({{p[0], p[1], p[2]}, {rgb[0], rgb[1], rgb[2]}, radius});
 }
 
+/// A place of the mesh's front.
+struct place {
+    float at[3];
+};
+
+/// Closed polylines and their points, as far as they are asked for; `put` gives the place of a grid point.
+template <class Put>
+void add_loops(overlay& to, const options& o, std::span<const typemesh::grid_point> points,
+               std::span<const std::uint32_t> starts, const Put& put)
+{
+    for (std::size_t k = 0; k + 1 < starts.size(); ++k) {
+        const std::uint32_t first = starts[k], last = starts[k + 1];
+        for (std::uint32_t i = first; i < last; ++i) {
+            const place a = put(points[i]), b = put(points[i + 1 == last ? first : i + 1]);
+            if (o.show_contours) add_segment(to, a.at, b.at, contour_rgb);
+            if (o.show_points) add_dot(to, a.at, point_rgb, 3.0f);
+        }
+    }
+}
+
 }  // namespace
 
-overlay annotate(const options& o, typemesh::harfbuzz_font& font, const typemesh::glyph_run& run, const chosen_discretiser& discretiser,
+overlay annotate(const options& o, typemesh::harfbuzz_font& font, const typemesh::glyph_run& run,
+                 std::span<const typemesh::shape_record> shapes, const chosen_discretiser& discretiser,
                  const model& mesh)
 {
     overlay drawn;
     if (o.show_normals) {
         constexpr float length = 0.05f;
         for (const model_vertex& v : mesh.vertices) {
-            const float tip[3] = {v.position[0] + length * v.normal[0], v.position[1] + length * v.normal[1], v.position[2] + length * v.normal[2]};
+            const float tip[3] = {v.position[0] + length * v.normal[0], v.position[1] + length * v.normal[1],
+                                  v.position[2] + length * v.normal[2]};
             add_segment(drawn, v.position, tip, normal_rgb);
         }
     }
@@ -40,27 +62,29 @@ overlay annotate(const options& o, typemesh::harfbuzz_font& font, const typemesh
         const auto grid = typemesh::grid::fitting(upem, shape.bounds);
         if (!grid || discretise(shape, discretiser, o.tolerance * upem, *grid, loops)) continue;
 
-        struct place {
-            float at[3];
-        };
         const auto put = [&](typemesh::point p) {
-            return place{{static_cast<float>((glyph.origin.x + p.x) / upem), static_cast<float>((glyph.origin.y + p.y) / upem), 0.0f}};
+            return place{{static_cast<float>((glyph.origin.x + p.x) / upem),
+                          static_cast<float>((glyph.origin.y + p.y) / upem), 0.0f}};
         };
         if (o.show_control) {
             for (const typemesh::curve& c : shape.curves) {
-                for (std::uint32_t i = 0; i < c.degree && c.degree > 1; ++i) add_segment(drawn, put(c.p[i]).at, put(c.p[i + 1]).at, control_rgb);
+                for (std::uint32_t i = 0; i < c.degree && c.degree > 1; ++i)
+                    add_segment(drawn, put(c.p[i]).at, put(c.p[i + 1]).at, control_rgb);
                 for (std::uint32_t i = 1; i < c.degree; ++i) add_dot(drawn, put(c.p[i]).at, control_rgb, 3.0f);
                 add_dot(drawn, put(c.start()).at, on_curve_rgb, 4.5f);
             }
         }
-        for (std::uint32_t k = 0; k < loops.contour_count(); ++k) {
-            const std::uint32_t first = loops.starts[k], last = loops.starts[k + 1];
-            for (std::uint32_t i = first; i < last; ++i) {
-                const place a = put(grid->place(loops.points[i])), b = put(grid->place(loops.points[i + 1 == last ? first : i + 1]));
-                if (o.show_contours) add_segment(drawn, a.at, b.at, contour_rgb);
-                if (o.show_points) add_dot(drawn, a.at, point_rgb, 3.0f);
-            }
-        }
+        if (!o.merge)
+            add_loops(drawn, o, loops.points.view(), loops.starts.view(),
+                      [&](typemesh::grid_point p) { return put(grid->place(p)); });
+    }
+    for (std::size_t k = 0; k < shapes.size() && o.merge; ++k) {
+        const typemesh::shape_record& s = shapes[k];
+        const double unit = s.shape->font_units_per_cell();
+        add_loops(drawn, o, s.shape->form().points, s.shape->form().starts, [&](typemesh::grid_point p) {
+            return place{{static_cast<float>((s.origin.x + unit * p.x) / upem),
+                          static_cast<float>((s.origin.y + unit * p.y) / upem), 0.0f}};
+        });
     }
     return drawn;
 }

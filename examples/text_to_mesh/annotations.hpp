@@ -6,11 +6,15 @@
 
 #include <typemesh/adapt/harfbuzz.hpp>
 
+#include <span>
+
 namespace text_to_mesh {
 
-/// The lines and dots that --show asks for, drawn on the front of the mesh: control polygons and contours from the stages
-/// themselves, called one by one for each glyph of the run; normals from the finished mesh.
+/// The lines and dots that --show asks for, drawn on the front of the mesh: control polygons and contours from the
+/// stages themselves, called one by one for each glyph of the run; normals from the finished mesh. With --merge
+/// contours and points are those of the finished shapes, of which letters that meet have one.
 [[nodiscard]] overlay annotate(const options& o, typemesh::harfbuzz_font& font, const typemesh::glyph_run& run,
-                               const chosen_discretiser& discretiser, const model& mesh);
+                               std::span<const typemesh::shape_record> shapes, const chosen_discretiser& discretiser,
+                               const model& mesh);
 
 }  // namespace text_to_mesh

@@ -25,7 +25,8 @@ std::error_code write_and_close(std::FILE* file, std::span<const unsigned char> 
 {
     std::error_code why;
     errno = 0;
-    const std::size_t written = bytes.empty() ? 0 : std::fwrite(bytes.data(), 1, bytes.size(), file);  // null for no bytes
+    const std::size_t written =
+        bytes.empty() ? 0 : std::fwrite(bytes.data(), 1, bytes.size(), file);  // null for no bytes
     if (written != bytes.size() || std::fflush(file) != 0) why = last_error();
     const bool failed = bool(why) || std::ferror(file) != 0;
     if (std::fclose(file) != 0 && !why) why = last_error();
@@ -33,7 +34,8 @@ std::error_code write_and_close(std::FILE* file, std::span<const unsigned char> 
     return why;
 }
 
-/// Opens a file of a name that nobody uses yet. The name does not grow with the target's, which may be as long as is allowed.
+/// Opens a file of a name that nobody uses yet. The name does not grow with the target's, which may be as long as is
+/// allowed.
 std::FILE* open_beside(const fs::path& target, fs::path& temporary)
 {
     const auto start = std::chrono::steady_clock::now().time_since_epoch().count();

@@ -8,7 +8,8 @@ namespace text_to_mesh {
 
 /// Makes `path` hold exactly `bytes`, or leaves it as it was.
 ///
-///     a new or ordinary file   written as a temporary beside it, then renamed over it; permissions and symbolic links stay
+///     a new or ordinary file   written as a temporary beside it, then renamed over it; permissions and symbolic links
+///                              stay
 ///     a device or a pipe       written straight away (there is nothing to keep)
 ///     a directory, a file that may not be written    refused
 ///

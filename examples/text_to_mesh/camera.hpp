@@ -17,7 +17,8 @@ struct camera {
         double inverse;   ///< 1 / distance along the view: greater is nearer, and linear across a flat triangle
     };
 
-    /// A camera turned to the side and raised; angles in degrees, positive yaw shows the solid's right side, positive pitch its top.
+    /// A camera turned to the side and raised; angles in degrees, positive yaw shows the solid's right side, positive
+    /// pitch its top.
     static camera turned(double yaw, double pitch)
     {
         constexpr double degree = 3.14159265358979323846 / 180.0;
@@ -48,8 +49,9 @@ struct camera {
 
 /// The smallest pyramid of view around some points, seen from one direction: as far away as they ask, and no farther.
 ///
-/// A point (x, y, z) in the camera's axes is inside a pyramid of half width t (at distance one) from eye (ex, ey, ez) when
-/// |x - ex| <= t (ez - z), which is linear in the eye: the four greatest values of +-x + t z and +-y + t z hold all there is to know.
+/// A point (x, y, z) in the camera's axes is inside a pyramid of half width t (at distance one) from eye (ex, ey, ez)
+/// when |x - ex| <= t (ez - z), which is linear in the eye: the four greatest values of +-x + t z and +-y + t z hold
+/// all there is to know.
 class view_fit {
 public:
     view_fit(const camera& direction, double half_width, double half_height)

@@ -34,10 +34,16 @@ int fail(const std::string& sentence)
     return 1;
 }
 
+/// The error's sentence; places in the text are bytes, for the text is UTF-8.
 std::string in_words(const typemesh::error& e)
 {
+    std::string where;
+    if (e.glyph != typemesh::no_glyph) where = "glyph " + std::to_string(e.glyph);
+    if (e.cluster != typemesh::no_cluster)
+        where += (where.empty() ? "at byte " : ", at byte ") + std::to_string(e.cluster) + " of the text";
     char sentence[256];
-    return typemesh::describe(e, sentence);
+    return (where.empty() ? "" : where + ": ") +
+           typemesh::describe(e.at(typemesh::no_glyph, typemesh::no_cluster), sentence);
 }
 
 chosen_discretiser discretiser_of(const options& o, double units_per_em)
@@ -46,7 +52,8 @@ chosen_discretiser discretiser_of(const options& o, double units_per_em)
     if (o.discretiser == discretiser_name::two_lines) return {typemesh::two_lines{}};
     if (o.discretiser == discretiser_name::adaptive) {
         if (o.quality == preset::best) return {adaptive_subdivision::best(units_per_em)};
-        return {o.quality == preset::high ? adaptive_subdivision::high(units_per_em) : adaptive_subdivision::normal(units_per_em)};
+        return {o.quality == preset::high ? adaptive_subdivision::high(units_per_em)
+                                          : adaptive_subdivision::normal(units_per_em)};
     }
     return {typemesh::certified{}};
 }
@@ -67,7 +74,8 @@ chosen_extruder extruder_of(const options& o)
     switch (o.normals) {
     case normals_name::shared: return with(shared_normals{});
     case normals_name::averaged: return with(averaged_normals{});
-    case normals_name::creased: return with(creased_normals{.crease_degrees = o.crease.value_or(creased_normals{}.crease_degrees)});
+    case normals_name::creased:
+        return with(creased_normals{.crease_degrees = o.crease.value_or(creased_normals{}.crease_degrees)});
     case normals_name::curve: break;
     }
     return with(curve_normals{.crease_degrees = o.crease.value_or(curve_normals{}.crease_degrees)});
@@ -85,18 +93,22 @@ std::string write_mesh(const model& mesh, const std::string& path)
 bool name_losses(const typemesh::text_report& report)
 {
     if (report.refused > 0)
-        std::fprintf(stderr, "text_to_mesh: %u of %u glyphs left out; the first: %s\n", report.refused, report.glyphs, in_words(report.first_refusal).c_str());
+        std::fprintf(stderr, "text_to_mesh: %u of %u glyphs left out; the first: %s\n", report.refused, report.glyphs,
+                     in_words(report.first_refusal).c_str());
     if (report.missing > 0)
-        std::fprintf(stderr, "text_to_mesh: the font has no glyph for %u of %u characters; the first is at byte %u of the text\n", report.missing,
-                     report.glyphs, report.first_missing);
+        std::fprintf(
+            stderr,
+            "text_to_mesh: the font has no glyph for %u of %u characters; the first is at byte %u of the text\n",
+            report.missing, report.glyphs, report.first_missing);
     if (report.invalid_units > 0)
-        std::fprintf(stderr, "text_to_mesh: the text is not valid UTF-8 at %u places; the first is at byte %u\n", report.invalid_units,
-                     report.first_invalid_unit);
+        std::fprintf(stderr,
+                     "text_to_mesh: the text is not valid UTF-8 at %u place%s; the first is at byte %u of the text\n",
+                     report.invalid_units, report.invalid_units == 1 ? "" : "s", report.first_invalid_unit);
     return !report.complete();
 }
 
-/// The indices glyph by glyph instead of part by part: STL has no indices, so a reader welds corners by their places, and letters
-/// that touch in an edge are told apart only by which facets come together.
+/// The indices glyph by glyph instead of part by part: STL has no indices, so a reader welds corners by their places,
+/// and letters that touch in an edge are told apart only by which facets come together.
 template <class Plan>
 std::vector<std::uint32_t> solid_by_solid(const Plan& plan, const std::vector<std::uint32_t>& indices)
 {
@@ -130,16 +142,22 @@ template <class Plan>
 void print_stats(const Plan& plan, const model& mesh, const stage_clock& clock)
 {
     const auto& report = plan.report();
-    std::printf("{\"glyphs\":%u,\"refused\":%u,\"missing\":%u,\"contour_points\":%llu,\"hard_edges\":%llu,\"vertices\":%llu,\"triangles\":%llu",
-                report.glyphs, report.refused, report.missing, static_cast<unsigned long long>(plan.contour_points()),
-                static_cast<unsigned long long>(plan.hard_edges()), static_cast<unsigned long long>(plan.size().vertices),
-                static_cast<unsigned long long>(plan.size().triangles));
+    std::printf(
+        "{\"glyphs\":%u,\"refused\":%u,\"missing\":%u,\"contour_points\":%llu,\"hard_edges\":%llu,\"vertices\":%llu,"
+        "\"triangles\":%llu",
+        report.glyphs, report.refused, report.missing, static_cast<unsigned long long>(plan.contour_points()),
+        static_cast<unsigned long long>(plan.hard_edges()), static_cast<unsigned long long>(plan.size().vertices),
+        static_cast<unsigned long long>(plan.size().triangles));
     const typemesh::triangle_quality q = quality_of_front(mesh);
-    std::printf(",\"front\":{\"triangles\":%llu,\"smallest_angle\":%.4g,\"angle_5_percent\":%.4g,\"angle_median\":%.4g,\"largest_aspect\":%.4g}",
-                static_cast<unsigned long long>(q.triangles), q.smallest_angle, q.angle_at(0.05), q.angle_at(0.5), q.largest_aspect);
+    std::printf(
+        ",\"front\":{\"triangles\":%llu,\"smallest_angle\":%.4g,\"angle_5_percent\":%.4g,\"angle_median\":%.4g,"
+        "\"largest_aspect\":%.4g}",
+        static_cast<unsigned long long>(q.triangles), q.smallest_angle, q.angle_at(0.05), q.angle_at(0.5),
+        q.largest_aspect);
     const char* names[] = {"shape", "outline", "discretise", "fill", "triangulate", "extrude"};
     std::printf(",\"nanoseconds\":{");
-    for (int i = 0; i < 6; ++i) std::printf("%s\"%s\":%lld", i > 0 ? "," : "", names[i], static_cast<long long>(clock.nanoseconds[i]));
+    for (int i = 0; i < 6; ++i)
+        std::printf("%s\"%s\":%lld", i > 0 ? "," : "", names[i], static_cast<long long>(clock.nanoseconds[i]));
     std::puts("}}");
 }
 
@@ -149,7 +167,11 @@ int run(const options& o)
     if (!font) return fail(o.font + ": " + in_words(font.error()));
 
     const chosen_discretiser discretiser = discretiser_of(o, font->units_per_em());
-    auto mesher = typemesh::text_mesher{*font}.with(discretiser).with(triangulator_of(o)).with(extruder_of(o)).with(stage_clock{});
+    auto mesher = typemesh::text_mesher{*font}
+                      .with(discretiser)
+                      .with(triangulator_of(o))
+                      .with(extruder_of(o))
+                      .with(stage_clock{});
 
     typemesh::text_options how;
     how.shape = {.direction = o.direction, .language = o.language, .script = o.script, .features = o.features};
@@ -175,7 +197,8 @@ int run(const options& o)
     if (name_losses(plan->report()) && o.strict) return fail("--strict: nothing is written.");
     if (!o.output.empty()) {
         std::string trouble;
-        if (kind_of(o.output) == ".stl") trouble = write_stl({mesh.vertices, solid_by_solid(*plan, mesh.indices), {}, mesh.name}, o.output);
+        if (kind_of(o.output) == ".stl")
+            trouble = write_stl({mesh.vertices, solid_by_solid(*plan, mesh.indices), {}, mesh.name}, o.output);
         else trouble = write_mesh(mesh, o.output);
         if (!trouble.empty()) return fail(trouble);
     }
@@ -185,8 +208,10 @@ int run(const options& o)
         look.wireframe = o.show_triangles;
         look.texture = o.checker ? texture::checker : texture::none;
         int width = 0, height = 0;
-        const auto pixels = draw(mesh, annotate(o, *font, plan->run(), discretiser, mesh), look, width, height);
-        if (const std::string trouble = write_png(pixels, width, height, o.picture); !trouble.empty()) return fail(trouble);
+        const overlay over = annotate(o, *font, plan->run(), plan->glyphs(), discretiser, mesh);
+        const auto pixels = draw(mesh, over, look, width, height);
+        if (const std::string trouble = write_png(pixels, width, height, o.picture); !trouble.empty())
+            return fail(trouble);
     }
     if (o.stats) {
         print_stats(*plan, mesh, mesher.observer());

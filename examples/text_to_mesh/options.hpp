@@ -47,8 +47,8 @@ struct options {
     bool stats = false;
 };
 
-/// Reads the command line into `out`. Gives nothing when the program should go on, or its exit status: 0 after --help, 2 after wrong
-/// usage, which has been explained on standard error by then.
+/// Reads the command line into `out`. Gives nothing when the program should go on, or its exit status: 0 after --help,
+/// 2 after wrong usage, which has been explained on standard error by then.
 [[nodiscard]] std::optional<int> parse(int argc, char** argv, options& out);
 
 }  // namespace text_to_mesh

@@ -65,7 +65,8 @@ bool is_flat(const model& mesh)
 /// Draws one model once.
 class painter {
 public:
-    painter(const model& mesh, const overlay& over, const picture_options& options) : mesh_(mesh), over_(over), options_(options)
+    painter(const model& mesh, const overlay& over, const picture_options& options)
+        : mesh_(mesh), over_(over), options_(options)
     {
         place_camera();
         columns_ = (width_ + tile_side - 1) / tile_side;
@@ -110,9 +111,13 @@ private:
             if (seen.bottom > seen.top) ratio_in_front = (seen.right - seen.left) / (seen.bottom - seen.top);
         }
         const double wide = clamp01((ratio_in_front - 3.0) / 6.0), very_wide = clamp01((ratio_in_front - 9.0) / 30.0);
-        const auto angle = [&](const std::optional<float>& asked, double usual) { return asked ? double{*asked} : (flat ? 0.0 : usual); };
-        camera_ = camera::turned(angle(options_.yaw, -26.0 + 4.0 * wide + 8.0 * very_wide), angle(options_.pitch, 12.0 - 3.0 * wide - 3.0 * very_wide));
-        constexpr double lens = 0.14;  // half the longer side at distance one: a long lens, so that all letters show about the same walls
+        const auto angle = [&](const std::optional<float>& asked, double usual) {
+            return asked ? double{*asked} : (flat ? 0.0 : usual);
+        };
+        camera_ = camera::turned(angle(options_.yaw, -26.0 + 4.0 * wide + 8.0 * very_wide),
+                                 angle(options_.pitch, 12.0 - 3.0 * wide - 3.0 * very_wide));
+        constexpr double lens =
+            0.14;  // half the longer side at distance one: a long lens, so that all letters show about the same walls
         const double border = double{options_.margin};
 
         // How wide to high is it, seen from there?
@@ -132,7 +137,8 @@ private:
             height_ = static_cast<int>((std::max)(360.0, (std::min)(960.0, ratio * (width_ - free) + free)));
             if (options_.width <= 0 && height_ == 960) {
                 const double upright_free = 2.0 * border * 960.0;
-                width_ = static_cast<int>((std::max)(480.0, (std::min)(1280.0, (960.0 - upright_free) / ratio + upright_free)));
+                width_ = static_cast<int>(
+                    (std::max)(480.0, (std::min)(1280.0, (960.0 - upright_free) / ratio + upright_free)));
             }
         }
 
@@ -140,7 +146,9 @@ private:
         camera_.pixels = longer / 2.0 / lens;
         camera_.centre_x = width_ / 2.0;
         camera_.centre_y = height_ / 2.0;
-        const auto usable = [&](int side) { return (std::max)(0.1 * side, side / 2.0 - border * longer) / camera_.pixels; };
+        const auto usable = [&](int side) {
+            return (std::max)(0.1 * side, side / 2.0 - border * longer) / camera_.pixels;
+        };
         view_fit fit(camera_, usable(width_), usable(height_));
         each_point(mesh_, over_, [&](vec3 p) { fit.add(p); });
         if (fit.empty()) return;
@@ -172,16 +180,20 @@ private:
     template <class Add>
     void each_tile(double left, double top, double right, double bottom, Add&& add)
     {
-        const int first_column = (std::max)(0, static_cast<int>(left) / tile_side), last_column = (std::min)(columns_ - 1, static_cast<int>(right) / tile_side);
-        const int first_row = (std::max)(0, static_cast<int>(top) / tile_side), last_row = (std::min)(rows_ - 1, static_cast<int>(bottom) / tile_side);
+        const int first_column = (std::max)(0, static_cast<int>(left) / tile_side),
+                  last_column = (std::min)(columns_ - 1, static_cast<int>(right) / tile_side);
+        const int first_row = (std::max)(0, static_cast<int>(top) / tile_side),
+                  last_row = (std::min)(rows_ - 1, static_cast<int>(bottom) / tile_side);
         for (int row = first_row; row <= last_row; ++row)
-            for (int column = first_column; column <= last_column; ++column) add(tiles_[static_cast<std::size_t>(row * columns_ + column)]);
+            for (int column = first_column; column <= last_column; ++column)
+                add(tiles_[static_cast<std::size_t>(row * columns_ + column)]);
     }
 
     /// False for what no picture can hold: infinite or absurd places.
     [[nodiscard]] static bool drawable(const camera::projected& p)
     {
-        return p.x > -16000.0 && p.x < 16000.0 && p.y > -16000.0 && p.y < 16000.0 && p.inverse > 0.0 && p.inverse < 1e30;
+        return p.x > -16000.0 && p.x < 16000.0 && p.y > -16000.0 && p.y < 16000.0 && p.inverse > 0.0 &&
+               p.inverse < 1e30;
     }
 
     void prepare_triangles()
@@ -193,7 +205,8 @@ private:
             const bool side = std::string_view(parts[part].name) == "side";
             colours_.push_back(to_linear(side ? options_.side_rgb : options_.face_rgb));
             for (std::size_t i = 0; i + 2 < parts[part].index_count; i += 3)
-                prepare_triangle(static_cast<std::uint32_t>(parts[part].first_index + i), static_cast<std::uint32_t>(part));
+                prepare_triangle(static_cast<std::uint32_t>(parts[part].first_index + i),
+                                 static_cast<std::uint32_t>(part));
         }
     }
 
@@ -206,7 +219,8 @@ private:
         for (std::size_t i = 0; i < 3; ++i) {
             const camera::projected p = camera_.project(to_vec3(mesh_.vertices[mesh_.indices[first + i]].position));
             if (!drawable(p)) return;
-            t.at[i] = {static_cast<std::int32_t>(std::lround(p.x * pixel_steps)), static_cast<std::int32_t>(std::lround(p.y * pixel_steps))};
+            t.at[i] = {static_cast<std::int32_t>(std::lround(p.x * pixel_steps)),
+                       static_cast<std::int32_t>(std::lround(p.y * pixel_steps))};
             t.inverse[i] = p.inverse;
             x[i] = t.at[i].x;
             y[i] = t.at[i].y;
@@ -245,7 +259,8 @@ private:
         edges.reserve(mesh_.indices.size());
         for (std::size_t t = 0; t + 2 < mesh_.indices.size(); t += 3) {
             bool drawn = true;
-            for (std::size_t i = 0; i < 3; ++i) drawn = drawn && drawable(camera_.project(to_vec3(mesh_.vertices[mesh_.indices[t + i]].position)));
+            for (std::size_t i = 0; i < 3; ++i)
+                drawn = drawn && drawable(camera_.project(to_vec3(mesh_.vertices[mesh_.indices[t + i]].position)));
             for (std::size_t i = 0; drawn && i < 3; ++i) {
                 const std::uint64_t a = welded[mesh_.indices[t + i]], b = welded[mesh_.indices[t + (i + 1) % 3]];
                 if (a != b) edges.push_back((std::min)(a, b) << 32 | (std::max)(a, b));
@@ -255,12 +270,14 @@ private:
         edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
         static const unsigned char ink[3] = {28, 30, 38};
         for (const std::uint64_t edge : edges)
-            prepare_line(mesh_.vertices[edge >> 32].position, mesh_.vertices[edge & 0xFFFFFFFFu].position, ink, double{options_.line_px} / 2.0, 0.6);
+            prepare_line(mesh_.vertices[edge >> 32].position, mesh_.vertices[edge & 0xFFFFFFFFu].position, ink,
+                         double{options_.line_px} / 2.0, 0.6);
     }
 
     void prepare_overlay()
     {
-        for (const overlay::segment& s : over_.segments) prepare_line(s.a, s.b, s.rgb, double{options_.line_px} * 0.75, 1.0);
+        for (const overlay::segment& s : over_.segments)
+            prepare_line(s.a, s.b, s.rgb, double{options_.line_px} * 0.75, 1.0);
         static const unsigned char white[3] = {255, 255, 255};
         for (const overlay::dot& d : over_.dots) {
             prepare_line(d.p, d.p, white, double{d.radius_px} + 1.0, 0.85);
@@ -268,15 +285,16 @@ private:
         }
     }
 
-    void prepare_line(const float (&a)[3], const float (&b)[3], const unsigned char (&rgb)[3], double radius, double opacity)
+    void prepare_line(const float (&a)[3], const float (&b)[3], const unsigned char (&rgb)[3], double radius,
+                      double opacity)
     {
         const camera::projected p = camera_.project(to_vec3(a)), q = camera_.project(to_vec3(b));
         if (!drawable(p) || !drawable(q)) return;
         const auto number = static_cast<std::uint32_t>(lines_.size());
         lines_.push_back({{p.x, q.x}, {p.y, q.y}, {p.inverse, q.inverse}, radius, opacity, to_linear(rgb)});
         const double reach = radius + 1.0;
-        each_tile((std::min)(p.x, q.x) - reach, (std::min)(p.y, q.y) - reach, (std::max)(p.x, q.x) + reach, (std::max)(p.y, q.y) + reach,
-                  [&](tile& in) { in.lines.push_back(number); });
+        each_tile((std::min)(p.x, q.x) - reach, (std::min)(p.y, q.y) - reach, (std::max)(p.x, q.x) + reach,
+                  (std::max)(p.y, q.y) + reach, [&](tile& in) { in.lines.push_back(number); });
     }
 
     // ---- one tile ----
@@ -286,22 +304,28 @@ private:
         const tile& in = tiles_[static_cast<std::size_t>(row * columns_ + column)];
         const raster_window window{column * tile_side, row * tile_side, (std::min)((column + 1) * tile_side, width_),
                                    (std::min)((row + 1) * tile_side, height_)};
-        const auto place = [&](int x, int y) { return static_cast<std::size_t>((y - window.top) * tile_side + (x - window.left)); };
+        const auto place = [&](int x, int y) {
+            return static_cast<std::size_t>((y - window.top) * tile_side + (x - window.left));
+        };
         if (!in.triangles.empty() || !in.lines.empty()) {
             std::fill(depth_.begin(), depth_.end(), 0.0F);
             std::fill(owner_.begin(), owner_.end(), nothing);
         }
         for (const std::uint32_t number : in.triangles) {
             const flat_triangle& t = triangles_[number];
-            each_covered_pixel(t.at[0], t.at[1], t.at[2], window,
-                               [&](int x, int y, unsigned mask) { cover(t, number, x, y, mask, place(x, y) * samples_per_pixel); });
+            each_covered_pixel(t.at[0], t.at[1], t.at[2], window, [&](int x, int y, unsigned mask) {
+                cover(t, number, x, y, mask, place(x, y) * samples_per_pixel);
+            });
         }
         for (int y = window.top; y < window.bottom; ++y)
             for (int x = window.left; x < window.right; ++x)
-                colour_[place(x, y)] = in.triangles.empty() ? backdrop(x, y) : resolve(x, y, place(x, y) * samples_per_pixel);
+                colour_[place(x, y)] =
+                    in.triangles.empty() ? backdrop(x, y) : resolve(x, y, place(x, y) * samples_per_pixel);
         for (const std::uint32_t number : in.lines) paint_line(lines_[number], window);
         for (int y = window.top; y < window.bottom; ++y) {
-            unsigned char* out = rgb.data() + (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(window.left)) * 3;
+            unsigned char* out = rgb.data() + (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                                               static_cast<std::size_t>(window.left)) *
+                                                  3;
             for (int x = window.left; x < window.right; ++x) {
                 const vec3 c = colour_[place(x, y)];
                 *out++ = to_srgb(c.x);
@@ -313,10 +337,12 @@ private:
 
     void cover(const flat_triangle& t, std::uint32_t number, int x, int y, unsigned mask, std::size_t first_sample)
     {
-        const double corner = t.plane[0] + t.plane[1] * (x * pixel_steps - t.at[0].x) + t.plane[2] * (y * pixel_steps - t.at[0].y);
+        const double corner =
+            t.plane[0] + t.plane[1] * (x * pixel_steps - t.at[0].x) + t.plane[2] * (y * pixel_steps - t.at[0].y);
         for (; mask != 0; mask &= mask - 1) {
             const auto s = static_cast<std::size_t>(std::countr_zero(mask));
-            const double inverse = (std::min)(t.highest, (std::max)(t.lowest, corner + t.plane[1] * sample_x[s] + t.plane[2] * sample_y[s]));
+            const double inverse = (std::min)(
+                t.highest, (std::max)(t.lowest, corner + t.plane[1] * sample_x[s] + t.plane[2] * sample_y[s]));
             if (static_cast<float>(inverse) <= depth_[first_sample + s]) continue;
             depth_[first_sample + s] = static_cast<float>(inverse);
             owner_[first_sample + s] = number;
@@ -340,9 +366,10 @@ private:
             }
             left &= ~mine;
             const int count = std::popcount(mine);
-            const vec3 colour = owner == nothing ? backdrop(x, y)
-                                                 : shade(triangles_[owner], double(x) * pixel_steps + double(sx) / count,
-                                                         double(y) * pixel_steps + double(sy) / count, x, y, mine);
+            const vec3 colour = owner == nothing
+                                    ? backdrop(x, y)
+                                    : shade(triangles_[owner], double(x) * pixel_steps + double(sx) / count,
+                                            double(y) * pixel_steps + double(sy) / count, x, y, mine);
             sum = sum + (double(count) / samples_per_pixel) * colour;
         }
         return sum;
@@ -378,7 +405,10 @@ private:
         return {{a / sum, b / sum, c / sum}};
     }
 
-    [[nodiscard]] const model_vertex& corner(const flat_triangle& t, std::size_t i) const { return mesh_.vertices[mesh_.indices[t.first + i]]; }
+    [[nodiscard]] const model_vertex& corner(const flat_triangle& t, std::size_t i) const
+    {
+        return mesh_.vertices[mesh_.indices[t.first + i]];
+    }
 
     [[nodiscard]] light light_on(vec3 normal) const { return studio_light(normal, camera_.in_camera_axes(normal)); }
 
@@ -403,7 +433,8 @@ private:
             lit = light_on(sign * normalised(n));
         }
         vec3 base = colours_[t.part];
-        if (options_.texture == texture::checker) base = mix(mix(base, {0.85, 0.85, 0.85}, 0.85), 0.55 * base, checker(t, px, py, mask));
+        if (options_.texture == texture::checker)
+            base = mix(mix(base, {0.85, 0.85, 0.85}, 0.85), 0.55 * base, checker(t, px, py, mask));
         return base * lit.diffuse + lit.gloss;
     }
 
@@ -431,7 +462,9 @@ private:
     void paint_line(const flat_line& line, raster_window window)
     {
         const double reach = line.radius + 1.0;
-        const auto within = [](double v, int low, int high) { return v < low ? low : (v > high ? high : static_cast<int>(v)); };
+        const auto within = [](double v, int low, int high) {
+            return v < low ? low : (v > high ? high : static_cast<int>(v));
+        };
         const int left = within(std::floor((std::min)(line.x[0], line.x[1]) - reach), window.left, window.right);
         const int right = within(std::ceil((std::max)(line.x[0], line.x[1]) + reach), window.left, window.right);
         const int top = within(std::floor((std::min)(line.y[0], line.y[1]) - reach), window.top, window.bottom);
@@ -449,7 +482,8 @@ private:
                 const double inverse = (line.inverse[0] + along * (line.inverse[1] - line.inverse[0])) * closer;
                 const std::size_t pixel = static_cast<std::size_t>((y - window.top) * tile_side + (x - window.left));
                 int seen = 0;
-                for (std::size_t s = 0; s < samples_per_pixel; ++s) seen += double{depth_[pixel * samples_per_pixel + s]} <= inverse ? 1 : 0;
+                for (std::size_t s = 0; s < samples_per_pixel; ++s)
+                    seen += double{depth_[pixel * samples_per_pixel + s]} <= inverse ? 1 : 0;
                 colour_[pixel] = mix(colour_[pixel], line.colour, covered * line.opacity * seen / samples_per_pixel);
             }
         }

@@ -31,7 +31,8 @@ struct picture_options {
     text_to_mesh::texture texture = texture::none;
     text_to_mesh::background background = background::studio;
     bool wireframe = false;      ///< the edges of the triangles that are in sight
-    std::optional<float> yaw;    ///< degrees the eye is moved to the right; by default -26 (less for a long line), 0 if flat
+    /// Degrees the eye is moved to the right; by default -26 (less for a long line), 0 if flat.
+    std::optional<float> yaw;
     std::optional<float> pitch;  ///< degrees the eye is raised; by default 12 (less for a long line), 0 if flat
     float line_px = 1.25F;       ///< width of the wireframe's lines; the overlay's are half as wide again
     float checks = 8.0F;         ///< squares to one unit of the texture coordinates
@@ -40,12 +41,13 @@ struct picture_options {
     unsigned char side_rgb[3] = {206, 70, 48};
 };
 
-/// Draws the model with a software rasteriser: 16 samples a pixel, exact coverage, a depth for every sample. No GPU, no clock, no
-/// threads: the same model gives the same picture (up to the last bit of the compiler's floating point, which golden images should
-/// allow for).
+/// Draws the model with a software rasteriser: 16 samples a pixel, exact coverage, a depth for every sample. No GPU, no
+/// clock, no threads: the same model gives the same picture (up to the last bit of the compiler's floating point, which
+/// golden images should allow for).
 ///
 /// Gives  w * h * 3 bytes of sRGB, rows from the top; fit for write_png. An empty model gives an empty background.
 /// Cost   grows with the pixels covered and the triangles; "Hello world!" at 1280 x 720 takes a fraction of a second.
-[[nodiscard]] std::vector<unsigned char> draw(const model& mesh, const overlay& over, const picture_options& options, int& w, int& h);
+[[nodiscard]] std::vector<unsigned char> draw(const model& mesh, const overlay& over, const picture_options& options,
+                                              int& w, int& h);
 
 }  // namespace text_to_mesh

@@ -8,8 +8,8 @@
 
 namespace text_to_mesh {
 
-// Policies are compile-time types; a program that reads them from a command line makes policies which choose. Each stage chooses
-// for itself, so the stages add up: 3 + 2 + 5 instantiations instead of 3 x 2 x 5.
+// Policies are compile-time types; a program that reads them from a command line makes policies which choose. Each
+// stage chooses for itself, so the stages add up: 3 + 2 + 5 instantiations instead of 3 x 2 x 5.
 
 /// One of the discretisers, chosen at run time.
 struct chosen_discretiser {
@@ -26,7 +26,8 @@ struct chosen_discretiser {
 struct chosen_triangulator {
     std::variant<typemesh::monotone, typemesh::constrained_delaunay> choice;
 
-    [[nodiscard]] typemesh::error operator()(const typemesh::region& r, typemesh::workspace& space, typemesh::triangle_list& out) const noexcept
+    [[nodiscard]] typemesh::error operator()(const typemesh::region& r, typemesh::workspace& space,
+                                             typemesh::triangle_list& out) const noexcept
     {
         return std::visit([&](const auto& t) { return t(r, space, out); }, choice);
     }
@@ -40,10 +41,12 @@ struct chosen_triangulator {
 /// One of the extruders, chosen at run time.
 struct chosen_extruder {
     std::variant<typemesh::extruded<typemesh::curve_normals>, typemesh::extruded<typemesh::creased_normals>,
-                 typemesh::extruded<typemesh::averaged_normals>, typemesh::extruded<typemesh::shared_normals>, typemesh::flat>
+                 typemesh::extruded<typemesh::averaged_normals>, typemesh::extruded<typemesh::shared_normals>,
+                 typemesh::flat>
         choice;
 
-    [[nodiscard]] typemesh::result<typemesh::part_sizes> plan(const typemesh::region& r, typemesh::buffer<typemesh::side_point>& sides) const noexcept
+    [[nodiscard]] typemesh::result<typemesh::part_sizes> plan(
+        const typemesh::region& r, typemesh::buffer<typemesh::side_point>& sides) const noexcept
     {
         return std::visit([&](const auto& e) { return e.plan(r, sides); }, choice);
     }
@@ -57,7 +60,8 @@ struct chosen_extruder {
         std::visit([&](const auto& e) { e.template vertices<Wants>(p, s, at, emit); }, choice);
     }
     template <class Emit>
-    void triangles(typemesh::part p, const typemesh::solid& s, const typemesh::first_vertices& first, Emit&& emit) const noexcept
+    void triangles(typemesh::part p, const typemesh::solid& s, const typemesh::first_vertices& first,
+                   Emit&& emit) const noexcept
     {
         std::visit([&](const auto& e) { e.triangles(p, s, first, emit); }, choice);
     }
@@ -75,7 +79,8 @@ struct stage_clock {
     {
         const auto t = clock::now();
         if (now != typemesh::stage::idle)
-            nanoseconds[static_cast<int>(now)] += std::chrono::duration_cast<std::chrono::nanoseconds>(t - since).count();
+            nanoseconds[static_cast<int>(now)] +=
+                std::chrono::duration_cast<std::chrono::nanoseconds>(t - since).count();
         now = next;
         since = t;
     }

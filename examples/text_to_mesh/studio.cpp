@@ -24,7 +24,8 @@ double smooth(double from, double to, double x)
 }
 
 /// Three passes of a running mean come near a bell curve. `stride` steps along a line, `lines` of them `next` apart.
-void blur(std::vector<float>& map, std::size_t count, std::size_t stride, std::size_t lines, std::size_t next, int radius)
+void blur(std::vector<float>& map, std::size_t count, std::size_t stride, std::size_t lines, std::size_t next,
+          int radius)
 {
     std::vector<float> line(count);
     const auto n = static_cast<std::ptrdiff_t>(count);
@@ -35,8 +36,10 @@ void blur(std::vector<float>& map, std::size_t count, std::size_t stride, std::s
             double sum = 0.0;
             for (std::ptrdiff_t i = -radius; i < n + radius; ++i) {
                 if (i + radius < n && i + radius >= 0) sum += double{line[static_cast<std::size_t>(i + radius)]};
-                if (i - radius - 1 >= 0 && i - radius - 1 < n) sum -= double{line[static_cast<std::size_t>(i - radius - 1)]};
-                if (i >= 0 && i < n) start[static_cast<std::size_t>(i) * stride] = static_cast<float>(sum / (2 * radius + 1));
+                if (i - radius - 1 >= 0 && i - radius - 1 < n)
+                    sum -= double{line[static_cast<std::size_t>(i - radius - 1)]};
+                if (i >= 0 && i < n)
+                    start[static_cast<std::size_t>(i) * stride] = static_cast<float>(sum / (2 * radius + 1));
             }
         }
     }
@@ -69,11 +72,13 @@ light studio_light(vec3 n, vec3 seen)
     out.diffuse = mix(floor, sky, 0.5 + 0.5 * n.y) + (0.66 * lambert(key)) * vec3{1.0, 0.985, 0.96} +
                   (0.42 * lambert(fill)) * vec3{0.93, 0.97, 1.0} + (0.18 * lambert(other)) * vec3{1.0, 0.97, 0.93};
 
-    // Gloss: a tall soft box mirrored in rounded walls, more of it where the wall is seen edge on, and the lamp's own highlight.
+    // Gloss: a tall soft box mirrored in rounded walls, more of it where the wall is seen edge on, and the lamp's own
+    // highlight.
     const double edge = 1.0 - clamp01(seen.z);
     const double fresnel = 0.035 + 0.35 * edge * edge * edge * edge * edge;
     const vec3 mirrored{2.0 * seen.z * seen.x, 2.0 * seen.z * seen.y, 2.0 * seen.z * seen.z - 1.0};
-    const double box = smooth(0.45, 0.80, mirrored.y) + 0.5 * smooth(0.55, 0.90, std::fabs(mirrored.x)) * smooth(-0.5, 0.2, mirrored.y);
+    const double box = smooth(0.45, 0.80, mirrored.y) +
+                       0.5 * smooth(0.55, 0.90, std::fabs(mirrored.x)) * smooth(-0.5, 0.2, mirrored.y);
     static const vec3 half = normalised({-0.25, 0.72, 0.65});
     const double highlight = 0.10 * power_of_two((std::max)(0.0, dot(seen, half)), 5);
     out.gloss = (highlight + fresnel * box) * vec3{1.0, 0.99, 0.97};
@@ -111,17 +116,19 @@ floor_shadow::floor_shadow(const model& mesh)
     shade_.assign(columns * rows, 0.0F);
 
     const auto on_map = [&](vec3 p) {
-        return raster_point{static_cast<std::int32_t>((p.x - left_) / cell_ * pixel_steps), static_cast<std::int32_t>((p.z - back_) / cell_ * pixel_steps)};
+        return raster_point{static_cast<std::int32_t>((p.x - left_) / cell_ * pixel_steps),
+                            static_cast<std::int32_t>((p.z - back_) / cell_ * pixel_steps)};
     };
     for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
         vec3 p[3];
         for (std::size_t i = 0; i < 3; ++i) p[i] = to_vec3(mesh.vertices[mesh.indices[t + i]].position);
         const double height = ((p[0].y + p[1].y + p[2].y) / 3.0 - floor_) / depth;
         const auto darkness = static_cast<float>(1.0 / (1.0 + 2.5 * height * height));
-        each_covered_pixel(on_map(p[0]), on_map(p[1]), on_map(p[2]), {0, 0, columns_, rows_}, [&](int x, int y, unsigned mask) {
-            float& cell = shade_[static_cast<std::size_t>(y) * columns + static_cast<std::size_t>(x)];
-            cell = (std::max)(cell, darkness * static_cast<float>(std::popcount(mask)) / float{samples_per_pixel});
-        });
+        each_covered_pixel(
+            on_map(p[0]), on_map(p[1]), on_map(p[2]), {0, 0, columns_, rows_}, [&](int x, int y, unsigned mask) {
+                float& cell = shade_[static_cast<std::size_t>(y) * columns + static_cast<std::size_t>(x)];
+                cell = (std::max)(cell, darkness * static_cast<float>(std::popcount(mask)) / float{samples_per_pixel});
+            });
     }
 
     std::vector<float> wide = shade_;
@@ -159,7 +166,8 @@ unsigned char to_srgb(double value)
         std::array<unsigned char, 4097> t{};
         for (std::size_t i = 0; i < t.size(); ++i) {
             const double v = double(i) / 4096.0;
-            t[i] = static_cast<unsigned char>(255.0 * (v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055));
+            t[i] = static_cast<unsigned char>(255.0 *
+                                              (v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055));
         }
         return t;
     }();

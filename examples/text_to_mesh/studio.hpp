@@ -9,7 +9,8 @@
 
 namespace text_to_mesh {
 
-/// What the lamps of the studio do to a surface of one orientation: diffuse light to multiply a colour with, gloss to add.
+/// What the lamps of the studio do to a surface of one orientation: diffuse light to multiply a colour with, gloss to
+/// add.
 struct light {
     vec3 diffuse;
     vec3 gloss;
@@ -17,8 +18,9 @@ struct light {
 
 /// The light on a surface whose unit normal is `n` in the model's axes and `seen` in the camera's.
 ///
-/// A large key lamp above the front, a weaker one on each side, sky above and floor below stand around the model; gloss mirrors soft
-/// boxes that go with the camera. Lamps and eye are taken as infinitely far away, so that a flat wall has one colour.
+/// A large key lamp above the front, a weaker one on each side, sky above and floor below stand around the model; gloss
+/// mirrors soft boxes that go with the camera. Lamps and eye are taken as infinitely far away, so that a flat wall has
+/// one colour.
 [[nodiscard]] light studio_light(vec3 n, vec3 seen);
 
 /// The colour behind everything, for a height of 0 (top) to 1 (bottom).
@@ -26,8 +28,8 @@ struct light {
 
 /// The soft shadow that a solid throws on the floor it stands on, under a wide lamp above.
 ///
-/// The solid's outline from above is drawn on a map of the floor, fainter where it is higher, and blurred twice: little for the
-/// contact, much for the room. Softness follows the solid's depth.
+/// The solid's outline from above is drawn on a map of the floor, fainter where it is higher, and blurred twice: little
+/// for the contact, much for the room. Softness follows the solid's depth.
 class floor_shadow {
 public:
     floor_shadow() = default;

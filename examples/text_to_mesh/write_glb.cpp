@@ -79,7 +79,8 @@ int add_material(tinygltf::Model& file, const std::string& name)
     const bool side = name == "side";
     const double face_colour[4] = {0.871, 0.138, 0.051, 1.0};  // the usual colours of picture_options, as linear light
     const double side_colour[4] = {0.617, 0.061, 0.030, 1.0};
-    material.pbrMetallicRoughness.baseColorFactor.assign(side ? side_colour : face_colour, (side ? side_colour : face_colour) + 4);
+    material.pbrMetallicRoughness.baseColorFactor.assign(side ? side_colour : face_colour,
+                                                         (side ? side_colour : face_colour) + 4);
     material.pbrMetallicRoughness.metallicFactor = 0.0;
     material.pbrMetallicRoughness.roughnessFactor = 0.45;
     file.materials.push_back(std::move(material));
@@ -105,7 +106,8 @@ void add_mesh(tinygltf::Model& file, const model& mesh, const std::string& name)
         for (const float f : v.uv) out.f32(f);
     }
     const int vertex_view = add_view(file, 0, vertices * stride, stride, TINYGLTF_TARGET_ARRAY_BUFFER);
-    const int position = add_accessor(file, vertex_view, 0, vertices, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3);
+    const int position =
+        add_accessor(file, vertex_view, 0, vertices, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3);
     file.accessors.back().minValues = lowest;
     file.accessors.back().maxValues = highest;
     const int normal = add_accessor(file, vertex_view, 12, vertices, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3);
@@ -113,7 +115,8 @@ void add_mesh(tinygltf::Model& file, const model& mesh, const std::string& name)
 
     const bool wide = vertices > 65535;  // the index 65535 is not allowed: it restarts a strip
     const std::size_t index_bytes = wide ? 4 : 2;
-    const int index_view = add_view(file, vertices * stride, mesh.indices.size() * index_bytes, 0, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+    const int index_view =
+        add_view(file, vertices * stride, mesh.indices.size() * index_bytes, 0, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
     for (const std::uint32_t i : mesh.indices) wide ? out.u32(i) : out.u16(i);
 
     tinygltf::Mesh gltf_mesh;
@@ -125,9 +128,9 @@ void add_mesh(tinygltf::Model& file, const model& mesh, const std::string& name)
         tinygltf::Primitive primitive;
         primitive.mode = TINYGLTF_MODE_TRIANGLES;
         primitive.attributes = {{"POSITION", position}, {"NORMAL", normal}, {"TEXCOORD_0", uv}};
-        primitive.indices = add_accessor(file, index_view, part.first_index * index_bytes, part.index_count,
-                                         wide ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT : TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
-                                         TINYGLTF_TYPE_SCALAR);
+        primitive.indices = add_accessor(
+            file, index_view, part.first_index * index_bytes, part.index_count,
+            wide ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT : TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_SCALAR);
         primitive.material = add_material(file, part.name);
         gltf_mesh.primitives.push_back(std::move(primitive));
     }

@@ -7,10 +7,11 @@
 
 namespace text_to_mesh {
 
-/// Writes a binary glTF 2.0: one mesh, one primitive and material a part, indices of 16 bits where they can number the vertices.
+/// Writes a binary glTF 2.0: one mesh, one primitive and material a part, indices of 16 bits where they can number the
+/// vertices.
 ///
-/// Texture coordinates are written unchanged: glTF puts v = 0 at the top. A model without triangles gives a valid file whose
-/// scene is empty, since glTF knows no empty mesh.
+/// Texture coordinates are written unchanged: glTF puts v = 0 at the top. A model without triangles gives a valid file
+/// whose scene is empty, since glTF knows no empty mesh.
 ///
 /// Gives  an empty string, or one sentence for the user; see write_atomically.
 [[nodiscard]] std::string write_glb(const model& mesh, const std::string& path);

@@ -23,7 +23,8 @@ std::string write_png(std::span<const unsigned char> rgb, int width, int height,
     std::vector<unsigned char> file;
     const auto append = [](void* user, void* data, int size) {
         const auto* first = static_cast<const unsigned char*>(data);
-        static_cast<std::vector<unsigned char>*>(user)->insert(static_cast<std::vector<unsigned char>*>(user)->end(), first, first + size);
+        static_cast<std::vector<unsigned char>*>(user)->insert(static_cast<std::vector<unsigned char>*>(user)->end(),
+                                                               first, first + size);
     };
     if (stbi_write_png_to_func(append, &file, width, height, 3, rgb.data(), width * 3) == 0)
         return path + " cannot be written: there is no memory to compress the picture.";

@@ -31,7 +31,8 @@ std::string write_stl(const model& mesh, const std::string& path)
     byte_writer out;
     const std::size_t triangles = mesh.indices.size() / 3;
     out.reserve(84 + triangles * 50);
-    std::string header = "binary STL written by typemesh";  // must not begin with "solid", which announces the text form
+    // It must not begin with "solid", which announces the text form.
+    std::string header = "binary STL written by typemesh";
     header.resize(80, ' ');
     out.text(header);
     out.u32(static_cast<std::uint32_t>(triangles));

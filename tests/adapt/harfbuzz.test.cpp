@@ -476,3 +476,32 @@ TEST_CASE("letters read as HarfBuzz's own Unicode data say", "[adapt][reading_or
     }
     CHECK(wrong == std::vector<std::uint32_t>{});
 }
+
+TEST_CASE("a tab leads to the next tab stop in lines of both directions, and is not missing", "[adapt][harfbuzz]")
+{
+    harfbuzz_font font = opened(dejavu);
+    const double stop = 4.0 * shaped(font, " ").lines[0].advance;
+    for (const char* text :
+         {"one\ttwo", "\xD7\x90\xD7\x91\t\xD7\x92", "\xD8\xB3\xD9\x84\xD8\xA7\xD9\x85\t\xD8\xA8", "12\t34"}) {
+        INFO(text);
+        const std::string all = text, before = all.substr(0, all.find('\t')), behind = all.substr(all.find('\t') + 1);
+        const glyph_run run = shaped(font, text), first = shaped(font, before), second = shaped(font, behind);
+        CHECK(run.missing == 0);
+        CHECK(run.glyphs.size() == first.glyphs.size() + second.glyphs.size());
+        const double tab = stop * (std::floor(first.lines[0].advance / stop) + 1.0);
+        CHECK(run.lines[0].advance == tab + second.lines[0].advance);
+
+        const bool to_the_left = static_cast<unsigned char>(text[0]) >= 0x80;
+        const std::size_t n = to_the_left ? second.glyphs.size() : 0, m = to_the_left ? 0 : first.glyphs.size();
+        for (std::size_t i = 0; i < first.glyphs.size(); ++i) {
+            const double moved = to_the_left ? run.lines[0].advance - first.lines[0].advance : 0.0;
+            CHECK(run.glyphs[n + i].id == first.glyphs[i].id);
+            CHECK(run.glyphs[n + i].origin.x == Approx(first.glyphs[i].origin.x + moved));
+        }
+        for (std::size_t i = 0; i < second.glyphs.size(); ++i) {
+            CHECK(run.glyphs[m + i].id == second.glyphs[i].id);
+            CHECK(run.glyphs[m + i].cluster == second.glyphs[i].cluster + before.size() + 1);
+            CHECK(run.glyphs[m + i].origin.x == Approx(second.glyphs[i].origin.x + (to_the_left ? 0.0 : tab)));
+        }
+    }
+}

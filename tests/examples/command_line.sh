@@ -34,6 +34,7 @@ that() {  # that 'WHAT MUST HOLD' COMMAND...
     if "$@"; then passed=$((passed + 1)); else failed=$((failed + 1)) && echo "FAILED: $what"; fi
 }
 lines() { [ "$(wc -l <err)" = "$1" ]; }
+differ() { ! cmp -s "$1" "$2"; }
 
 # Every format, every option once.
 for kind in glb obj stl ply; do
@@ -41,6 +42,9 @@ for kind in glb obj stl ply; do
     that "a $kind is written" test -s mesh.$kind
 done
 expect 0 "" "Two\\nlines" --font $sans --picture p.png --align center --shading gouraud --show triangles,points,contours,control,normals
+expect 0 "" "One\\ntwo" --font $sans --align center --output center.glb
+expect 0 "" "One\\ntwo" --font $sans --align centre --output centre.glb
+that "center and centre are the same" cmp -s center.glb centre.glb
 expect 0 "" "fi" --font $sans --feature liga=0 --feature -kern --language tr --script Latn --direction ltr --stats
 that "the statistics are one line" [ "$(wc -l <out)" = 1 ]
 for key in glyphs refused missing contour_points hard_edges vertices triangles smallest_angle shape outline discretise fill triangulate extrude; do
@@ -55,6 +59,14 @@ done
 expect 0 "" "مرحبا" --font $arabic --direction rtl --output arabic.glb
 expect 0 "" "مرحبا" --font $arabic --merge --output merged.glb
 that "merged letters have fewer vertices" [ "$(wc -c <merged.glb)" -lt "$(wc -c <arabic.glb)" ]
+for shown in contours points control; do
+    expect 0 "" "سلام" --font $arabic --depth 0 --show $shown --picture apart.png
+    expect 0 "" "سلام" --font $arabic --depth 0 --show $shown --merge --picture whole.png
+    expect 0 "" "سلام" --font $arabic --depth 0 --merge --picture bare.png
+    that "$shown are drawn on merged letters" differ whole.png bare.png
+    [ $shown = control ] || that "$shown of merged letters are those of the whole" differ apart.png whole.png
+done
+expect 0 "" "$(printf 'a\tb')" --font $sans --strict --output tab.glb  # a tab is no missing character
 expect 0 "" "你好" --font /usr/share/fonts/truetype/wqy/wqy-microhei.ttc --face 1 --output face.glb
 expect 0 "" "Bold" --font /usr/share/fonts/truetype/inter-vf/Inter.var.ttf --variation wght=900 --output bold.glb
 expect 0 "" "Bold" --font /usr/share/fonts/truetype/inter-vf/Inter.var.ttf --variation wght=100 --output thin.glb
@@ -69,8 +81,10 @@ expect 0 "no glyph for 2 of 3 characters.*byte 1" "a日本" --font $sans --outpu
 that "what can be drawn is drawn" test -s some.glb
 expect 1 "strict" "a日本" --font $sans --output strict.glb --strict
 that "--strict leaves no file behind" [ ! -e strict.glb ]
+expect 1 "strict" "$(printf 'a\377b')" --font $sans --output strict.glb --strict
 expect 0 "" "Å" --font $sans --output ring.glb --strict  # its ring overlaps the A
-expect 0 "not valid UTF-8 at 1 place" "$(printf 'a\377b')" --font $sans --output bytes.glb
+expect 0 "not valid UTF-8 at 1 place; .*byte 1 of the text" "$(printf 'a\377b')" --font $sans --output bytes.glb
+expect 0 "not valid UTF-8 at 2 places" "$(printf 'a\377b\377')" --font $sans --output bytes.glb
 
 # One clear sentence, status 1.
 expect 1 "cannot be opened or read" x --font /nowhere/font.ttf --output x.glb
@@ -79,7 +93,7 @@ head -c 2000 /dev/urandom >noise.ttf
 expect 1 "not a font" x --font noise.ttf --output x.glb
 expect 1 "no face of that number" x --font $sans --face 7 --output x.glb
 expect 1 "no such variation axis" x --font $sans --variation wght=700 --output x.glb
-expect 1 "left-to-right and right-to-left" "abc مرحبا" --font $arabic --output x.glb
+expect 1 "at byte 4 of the text: .*left-to-right and right-to-left" "abc مرحبا" --font $arabic --output x.glb
 expect 1 "cannot be written" x --font $sans --output /nowhere/x.glb
 that "nothing was half-written" [ ! -e x.glb ]
 
@@ -88,13 +102,27 @@ expect 2 "TEXT" --font $sans --output x.glb
 expect 2 "--font" x --output x.glb
 expect 2 "nothing to do" x --font $sans
 expect 2 "must end in" x --font $sans --output x.fbx
-expect 2 "quality" x --font $sans --output x.glb --quality superb
+expect 2 "^text_to_mesh: --quality: must be low, normal, high or best, not superb$" x --font $sans --output x.glb --quality superb
+that "what to do comes after what is wrong" lines 2
+expect 2 "align: must be left, center or right, not middle" x --font $sans --output x.glb --align middle
+expect 2 "show: must be .*checker, not trangles" x --font $sans --output x.glb --show points,trangles
 expect 2 "excludes" x --font $sans --output x.glb --quality low --tolerance 0.1
-expect 2 "feature" x --font $sans --output x.glb --feature ligatures
-expect 2 "variation" x --font $sans --output x.glb --variation bold
-expect 2 "nonsense" x --font $sans --output x.glb --nonsense
-expect 2 "tolerance" x --font $sans --output x.glb --tolerance -1
-expect 2 "depth" x --font $sans --output x.glb --depth nan
+expect 2 "feature: must be .*, not ligatures" x --font $sans --output x.glb --feature ligatures
+expect 2 "variation: must be .*, not bold" x --font $sans --output x.glb --variation bold
+expect 2 "nonsense is not an option$" x --font $sans --output x.glb --nonsense
+expect 2 "--fnot is not an option; is --font meant\?" x --fnot $sans --output x.glb
+expect 2 "--ouptut is not an option; is --output meant\?" x --font $sans --ouptut=x.glb
+expect 0 "" x --font $sans --output --fnot.glb  # a value may look like an option
+that "a value may look like an option" test -s ./--fnot.glb
+expect 2 "-q is not an option" x --font $sans --output x.glb -q
+expect 2 "^text_to_mesh: y was not expected; .*quotes" x y --font $sans --output x.glb
+expect 2 "output: needs a value" x --font $sans --output
+expect 2 "font: may be given once only" x --font $sans --font $sans --output x.glb
+expect 2 "tolerance: must be a positive number, not -1" x --font $sans --output x.glb --tolerance -1
+expect 2 "tolerance: must be a positive number, not abc" x --font $sans --output x.glb --tolerance abc
+expect 2 "depth: must be a number from 0 to 1000, not nan" x --font $sans --output x.glb --depth nan
+expect 2 "face: must be a whole number, not -1" x --font $sans --output x.glb --face -1
+expect 2 "crease: must be a number from 0 to 180, not 200" x --font $sans --output x.glb --crease 200
 
 echo "$passed passed, $failed failed"
 [ "$failed" = 0 ]

@@ -274,7 +274,7 @@ TEST_CASE("settings and policies that shape glyphs differently never share them"
     CHECK(drawn_by(plain()) == 0);
     CHECK(drawn_by(plain().with(extruded<>{.depth = 3.0f, .centred = true})) == 0);
     CHECK(drawn_by(plain().with(flat{.texture = texture_mapping::em})) == 0);
-    CHECK(drawn_by(plain(), {.unit = output_unit::pixels, .frame = left_handed_z_up}) == 0);
+    CHECK(drawn_by(plain(), {.unit = output_unit::pixels, .size = 3.0, .frame = left_handed_z_up}) == 0);
 }
 
 TEST_CASE("an option that is refused is refused with a full cache as well", "[text]")

@@ -92,7 +92,8 @@ std::string long_text(std::size_t length)
         text += k < 8    ? "\n"
                 : k < 12 ? "\r\n"
                 : k < 14 ? "\n\n\n"
-                : k < 16 ? "?"
+                : k < 15 ? "?"
+                : k < 16 ? "\t"
                 : k < 17 ? "\xFF"
                          : &"abcdefgh"[k % 8];
     }

@@ -76,7 +76,7 @@ TEST_CASE("glyphs that overlap become one solid whose volume is that of their un
     CHECK(volume_of(mesher, run, true) == Catch::Approx((2 * box + 150.0 * 500.0 + 100.0 * 100.0 - box) * depth));
 }
 
-TEST_CASE("merging lists every glyph that is drawn once, and clusters are chains of meeting outlines", "[text][merge]")
+TEST_CASE("merging lists every glyph that is drawn once, and groups are chains of meeting outlines", "[text][merge]")
 {
     test::toy_font font;
     text_mesher mesher{font};
@@ -188,7 +188,7 @@ TEST_CASE("merging far from the origin gives the same solid, moved", "[text][mer
     CHECK(plan_at(0).triangles == plan_at(-0x1p36).triangles);
 }
 
-TEST_CASE("a cluster too wide for the fine grid is merged on a coarser one", "[text][merge]")
+TEST_CASE("a group too wide for the fine grid is merged on a coarser one", "[text][merge]")
 {
     test::toy_font font;
     text_mesher mesher{font};
@@ -258,11 +258,11 @@ TEST_CASE("regions of fonts of different units per em are joined on the finer gr
     };
     workspace space;
     contours of_1000, of_2048;
-    region_union cluster;
-    cluster.begin(grid{512.0});  // of 2048 units per em; a thousandth of an em is 2.048 of these
-    REQUIRE_FALSE(cluster.add(square_region(of_2048, space, 1024 * 512), 1.0, 0, 0));
-    REQUIRE_FALSE(cluster.add(square_region(of_1000, space, 500 * 512), 2.048, 1024 * 256, 1024 * 256));
-    const auto joined = cluster.join(space);
+    region_union group;
+    group.begin(grid{512.0});  // of 2048 units per em; a thousandth of an em is 2.048 of these
+    REQUIRE_FALSE(group.add(square_region(of_2048, space, 1024 * 512), 1.0, 0, 0));
+    REQUIRE_FALSE(group.add(square_region(of_1000, space, 500 * 512), 2.048, 1024 * 256, 1024 * 256));
+    const auto joined = group.join(space);
     REQUIRE(joined);
     CHECK(joined->points().size() == 8);
     CHECK(joined->outers() == 1);
@@ -270,5 +270,5 @@ TEST_CASE("regions of fonts of different units per em are joined on the finer gr
     for (const grid_point p : joined->points()) high = {(std::max)(high.x, p.x), (std::max)(high.y, p.y)};
     CHECK(high == grid_point{1024 * 768, 1024 * 768});  // half an em and a quarter, exactly
 
-    CHECK(cluster.add(square_region(of_1000, space, 1 << 20), 1024.0, 0, 0).code == error::outline_beyond_grid);
+    CHECK(group.add(square_region(of_1000, space, 1 << 20), 1024.0, 0, 0).code == error::outline_beyond_grid);
 }

@@ -125,6 +125,66 @@ TEST_CASE("the bounds are exactly those of the vertices, in every frame and unit
     }
 }
 
+TEST_CASE("the size multiplies every position of every unit, and nothing else changes", "[text]")
+{
+    test::toy_font font;
+    const auto unit = GENERATE(output_unit::em, output_unit::font_units, output_unit::pixels, output_unit::unit_box);
+    const auto frame = GENERATE(right_handed_y_up, left_handed_z_up);
+    const auto texture = GENERATE(texture_mapping::box, texture_mapping::em);
+    const bool merge = GENERATE(false, true);
+    const double size = GENERATE(0.37, 0.5, 2.0, 1e-6, 1000.0);
+    auto mesher = text_mesher{font}.with(extruded<>{.depth = 0.3f, .texture = texture});
+    const auto built = [&](double s, bounds3& bounds, double& step, std::vector<vec3>& moved) {
+        const text_options options{.unit = unit, .size = s, .frame = frame, .merge = merge};
+        auto plan = mesher.plan("Eo\nio", options);
+        REQUIRE(plan);
+        bounds = plan->bounds();
+        step = plan->position_step();
+        plan->write_instances([&](const glyph_instance& g) { moved.push_back(g.translation); });
+        full_mesh m;
+        REQUIRE_FALSE(plan->write(into(m.vertices, m.indices)));
+        return m;
+    };
+    bounds3 box, sized_box;
+    double step = 0.0, sized_step = 0.0;
+    std::vector<vec3> moved, sized_moved;
+    const full_mesh plain = built(1.0, box, step, moved), sized = built(size, sized_box, sized_step, sized_moved);
+
+    const bool exact = std::ldexp(1.0, std::ilogb(size)) == size;
+    const auto check = [&](vec3 p, vec3 q) {
+        for (const auto axis : {&vec3::x, &vec3::y, &vec3::z}) {
+            const double expected = size * static_cast<double>(p.*axis);
+            if (exact) CHECK(q.*axis == expected);
+            else CHECK(std::fabs(q.*axis - expected) <= 3e-7 * std::fabs(expected));
+        }
+    };
+    CHECK(sized.indices == plain.indices);
+    REQUIRE(sized.vertices.size() == plain.vertices.size());
+    for (std::size_t i = 0; i < plain.vertices.size(); ++i) {
+        check(plain.vertices[i].position, sized.vertices[i].position);
+        CHECK(sized.vertices[i].normal == plain.vertices[i].normal);
+        CHECK(sized.vertices[i].uv == plain.vertices[i].uv);
+    }
+    check(box.low, sized_box.low);
+    check(box.high, sized_box.high);
+    REQUIRE(sized_moved.size() == moved.size());
+    for (std::size_t i = 0; i < moved.size(); ++i) check(moved[i], sized_moved[i]);
+    // In em: the same, but for where in its power of two the farthest coordinate lies.
+    if (exact) CHECK(sized_step == step);
+    else CHECK((sized_step > 0.49 * step && sized_step < 2.01 * step));
+}
+
+TEST_CASE("a size is how large an em is", "[text]")
+{
+    test::toy_font font;
+    auto mesher = text_mesher{font}.with(extruded<>{.depth = 0.5f});
+    auto plan = mesher.plan("E", {.size = 0.37});
+    REQUIRE(plan);
+    CHECK(plan->bounds().high.x == static_cast<float>(0.37 * 0.45));
+    CHECK(plan->bounds().low.z == static_cast<float>(0.37 * -0.5));
+    CHECK(plan->bounds().high.z == 0.0f);
+}
+
 TEST_CASE("positions come in the unit that was asked for", "[text]")
 {
     test::toy_font font;
@@ -293,7 +353,13 @@ TEST_CASE("options out of range are refused in words", "[text]")
     for (const double bad : {0.0, -1.0, nan, HUGE_VAL}) {
         CHECK(mesher.plan("o", {.tolerance = bad}).error() == error::bad_tolerance);
         CHECK(mesher.plan("o", {.pixels_per_em = bad}).error() == error::bad_option);
+        const auto sized = mesher.plan("o", {.size = bad});
+        CHECK(sized.error() == error::bad_option);
+        CHECK(std::string{sized.error().option} == "size");
     }
+    CHECK(mesher.plan("o", {.size = 0x1p30}));
+    CHECK_FALSE(mesher.plan("o", {.size = 0x1p31}));
+    CHECK_FALSE(mesher.plan("o", {.unit = output_unit::pixels, .size = 0x1p20, .pixels_per_em = 0x1p20}));
     mesher.extruder_policy().depth = static_cast<float>(nan);
     CHECK(mesher.plan("o").error() == error::bad_option);
     mesher.extruder_policy().depth = 0.2f;

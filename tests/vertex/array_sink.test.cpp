@@ -139,10 +139,6 @@ TEST_CASE("16-bit indices number 65,535 vertices and no more, the base included"
     CHECK(e.count == 65536);
     CHECK_FALSE(into(std::span{vertices}, std::span{indices}, 65000).begin({535, 1}));
     CHECK(into(std::span{vertices}, std::span{indices}, 65000).begin({536, 1}) == error::index_overflow);
-    CHECK(index_can_number<std::uint32_t>(0xFFFF'FFFFu));
-    CHECK_FALSE(index_can_number<std::uint32_t>(0x1'0000'0000u));
-    CHECK(index_can_number<std::uint8_t>(255));
-    CHECK_FALSE(index_can_number<std::uint8_t>(256));
 }
 
 TEST_CASE("a writer's state is the caller's", "[vertex]")

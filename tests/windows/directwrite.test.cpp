@@ -373,6 +373,26 @@ TEST_CASE("a line of both directions is put in order by its levels", "[windows]"
     for (std::size_t i = 1; i < run.glyphs.size(); ++i) CHECK(run.glyphs[i].origin.x > run.glyphs[i - 1].origin.x);
 }
 
+TEST_CASE("a tab leads to the next tab stop, and letters on its two sides keep their own direction", "[windows]")
+{
+    auto font = opened(dejavu);
+    REQUIRE(font);
+    const double stop = 4.0 * shaped(*font, " ").lines[0].advance;
+    const glyph_run right = shaped(*font, u"ab\tc"), left = shaped(*font, u"\u05D0\u05D1\t12");
+    for (const glyph_run* run : {&right, &left}) {
+        CHECK(run->missing == 0);
+        CHECK(run->glyphs.size() == (run == &right ? 3u : 4u));
+    }
+    CHECK(clusters(right) == std::vector<cluster_id>{0, 1, 3});
+    CHECK(right.glyphs[2].origin.x == stop);
+    CHECK(clusters(left) == std::vector<cluster_id>{3, 4, 1, 0});
+    CHECK(left.glyphs[0].origin.x == 0.0);
+    CHECK(std::fabs(left.lines[0].advance - (stop + shaped(*font, "12").lines[0].advance)) < 1e-6);
+    CHECK(clusters(shaped(*font, u"ab\t\u05D0\u05D1")) == std::vector<cluster_id>{0, 1, 4, 3});
+    CHECK(clusters(shaped(*font, u"ab\t\u05D0\u05D1", {.direction = direction::right_to_left})) ==
+          std::vector<cluster_id>{4, 3, 0, 1});
+}
+
 TEST_CASE("columns go down, glyph below glyph", "[windows]")
 {
     auto font = opened(micro_hei);

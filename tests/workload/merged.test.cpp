@@ -56,9 +56,9 @@ std::vector<std::vector<grid_point>> placed_outlines(const auto& plan)
 
 }  // namespace
 
-TEST_CASE("merged texts are closed, each glyph in one cluster, and as large as the union of their glyphs", "[workload]")
+TEST_CASE("merged texts are closed, each glyph in one group, and as large as the union of their glyphs", "[workload]")
 {
-    std::size_t clusters = 0, texts = 0;
+    std::size_t groups = 0, texts = 0;
     for (const joined_text& subject : joined_texts()) {
         auto font = harfbuzz_font::open(subject.font.c_str());
         REQUIRE(font);
@@ -79,7 +79,7 @@ TEST_CASE("merged texts are closed, each glyph in one cluster, and as large as t
             REQUIRE_FALSE(merged->write(into(m.vertices, m.indices)));
             std::set<std::uint32_t> drawn;
             for (std::size_t g = 0; g < merged->glyphs().size(); ++g) {
-                clusters += merged->members(g).size() > 1;
+                groups += merged->members(g).size() > 1;
                 for (const std::uint32_t member : merged->members(g)) CHECK(drawn.insert(member).second);
                 std::vector<std::uint32_t> own;
                 for (const part p : all_parts) {
@@ -100,5 +100,5 @@ TEST_CASE("merged texts are closed, each glyph in one cluster, and as large as t
         }
     }
     CHECK(texts > 50);
-    CHECK(clusters > 200);
+    CHECK(groups > 200);
 }

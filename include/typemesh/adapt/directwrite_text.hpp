@@ -5,6 +5,7 @@
 #include <typemesh/adapt/directwrite_com.hpp>
 #include <typemesh/adapt/directwrite_key.hpp>
 #include <typemesh/adapt/directwrite_outline.hpp>
+#include <typemesh/adapt/directwrite_renderer.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/result.hpp>
@@ -92,9 +93,9 @@ public:
         read_at_ = detail::directwrite_key::now();
         error e = take_lines(layout);
         if (!e) {
-            renderer draws{*this};
+            detail::directwrite_renderer<directwrite_text> draws{*this};
             const HRESULT code = layout->Draw(context, &draws, 0.0f, 0.0f);
-            e = trouble_ ? trouble_ : directwrite_error(code);
+            e = draws.trouble() ? draws.trouble() : directwrite_error(code);
         }
         if (!e) e = put_in_order();
         if (e) release();
@@ -172,6 +173,8 @@ public:
     }
 
 private:
+    friend class detail::directwrite_renderer<directwrite_text>;
+
     static constexpr std::size_t bar_slot = 0xFFFF;
 
     /// A face at a size.
@@ -198,72 +201,6 @@ private:
         double baseline;    // y up
     };
 
-    /// What DirectWrite draws into.
-    class renderer final : public detail::stack_object<IDWriteTextRenderer> {
-    public:
-        explicit renderer(directwrite_text& to) noexcept : to_{to} {}
-
-        HRESULT STDMETHODCALLTYPE IsPixelSnappingDisabled(void*, BOOL* disabled) noexcept override
-        {
-            *disabled = TRUE;
-            return S_OK;
-        }
-        HRESULT STDMETHODCALLTYPE GetCurrentTransform(void*, DWRITE_MATRIX* identity) noexcept override
-        {
-            *identity = {1.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f};
-            return S_OK;
-        }
-        HRESULT STDMETHODCALLTYPE GetPixelsPerDip(void*, FLOAT* one) noexcept override
-        {
-            *one = 1.0f;
-            return S_OK;
-        }
-        HRESULT STDMETHODCALLTYPE DrawGlyphRun(void*, FLOAT x, FLOAT y, DWRITE_MEASURING_MODE,
-                                               const DWRITE_GLYPH_RUN* run, const DWRITE_GLYPH_RUN_DESCRIPTION* of,
-                                               IUnknown*) noexcept override
-        {
-            return said(to_.add_glyphs(x, y, *run, depth_ == 0 ? of : nullptr));
-        }
-        HRESULT STDMETHODCALLTYPE DrawUnderline(void*, FLOAT x, FLOAT y, const DWRITE_UNDERLINE* u,
-                                                IUnknown*) noexcept override
-        {
-            return said(to_.add_bar(x, y, u->width, u->thickness, u->offset));
-        }
-        HRESULT STDMETHODCALLTYPE DrawStrikethrough(void*, FLOAT x, FLOAT y, const DWRITE_STRIKETHROUGH* s,
-                                                    IUnknown*) noexcept override
-        {
-            return said(to_.add_bar(x, y, s->width, s->thickness, s->offset));
-        }
-        HRESULT STDMETHODCALLTYPE DrawInlineObject(void* context, FLOAT x, FLOAT y, IDWriteInlineObject* object,
-                                                   BOOL sideways, BOOL to_the_left, IUnknown* effect) noexcept override
-        {
-            if (object == nullptr) return S_OK;
-            if (error e = to_.add_object(x, y, object)) return said(e);
-            if (depth_ >= deepest) return S_OK;  // an object that draws itself
-            ++depth_;
-            const HRESULT code = object->Draw(context, this, x, y, sideways, to_the_left, effect);
-            --depth_;
-            return code == E_NOTIMPL ? S_OK : said(directwrite_error(code));
-        }
-
-    private:
-        static constexpr int deepest = 8;
-
-        [[nodiscard]] bool is_also(REFIID wanted) const noexcept override
-        {
-            return IsEqualGUID(wanted, __uuidof(IDWritePixelSnapping)) != 0;
-        }
-        HRESULT said(error e) noexcept
-        {
-            if (!e) return S_OK;
-            if (!to_.trouble_) to_.trouble_ = e;
-            return e == error::out_of_memory ? E_OUTOFMEMORY : E_FAIL;  // Wine goes on all the same
-        }
-
-        directwrite_text& to_;
-        int depth_ = 0;  // of inline objects that draw
-    };
-
     void release() noexcept
     {
         for (look& l : looks_.view()) l.face->Release();
@@ -275,7 +212,6 @@ private:
         pieces_.clear();
         glyphs_.clear();
         lines_.clear();
-        trouble_ = {};
     }
 
     [[nodiscard]] double to_units(double dips) const noexcept { return dips * run_.units_per_em / em_size_; }
@@ -508,7 +444,6 @@ private:
     double em_size_ = 1.0;
     std::uint64_t read_at_ = 0;
     fill_rule rule_ = fill_rule::non_zero;
-    error trouble_;
     buffer<look> looks_;
     buffer<point> bars_;  // their sizes
     buffer<directwrite_object> objects_;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/adapt/harfbuzz_shaping.hpp>
+#include <typemesh/core/buffer.hpp>
 #include <typemesh/core/finite.hpp>
-#include <typemesh/layout/line_break.hpp>
-#include <typemesh/layout/reading_order.hpp>
 #include <typemesh/layout/shaper.hpp>
 #include <typemesh/outline/font_options.hpp>
 #include <typemesh/outline/outline_source.hpp>
@@ -80,7 +80,6 @@ public:
     ~harfbuzz_font()
     {
         hb_draw_funcs_destroy(draw_);
-        hb_buffer_destroy(buffer_);
         hb_font_destroy(font_);
     }
 
@@ -149,58 +148,10 @@ public:
                         glyph_run& run) noexcept
     {
         TYPEMESH_ASSERT(first <= last && last <= text.size(), "a shaper was given a place outside its text");
-        if (last - first >= std::size_t{1} << 28) return error::too_large;
-
-        const line_reading found = read_line(text, first, last);
-        hb_script_t script = HB_SCRIPT_INVALID;
-        if (!options.script.empty()) {
-            script = hb_script_from_string(options.script.data(), options.script.size() == 4 ? 4 : 0);
-            if (script == HB_SCRIPT_INVALID || script == HB_SCRIPT_UNKNOWN) return error::bad("script");
-        }
-        const auto direction = direction_of(found, options.direction, script);
-        if (!direction) return direction.error();
-        if (*direction == HB_DIRECTION_RTL) {
-            const std::size_t number = find_number(text, first, last);
-            if (number != line_reading::nowhere)
-                return error{error::mixed_direction}.at(no_glyph, static_cast<cluster_id>(number));
-        }
-        if (error e = take_features(options.features)) return e;
-        if (script == HB_SCRIPT_INVALID && found.only_ascii)
-            script = found.to_the_right == line_reading::nowhere ? HB_SCRIPT_COMMON : HB_SCRIPT_LATIN;
-        if (error e = cut_into_pieces(text, first, last, script)) return e;
-
-        const hb_language_t language =
-            options.language.empty()
-                ? HB_LANGUAGE_INVALID
-                : hb_language_from_string(options.language.data(), static_cast<int>(options.language.size()));
-        point at;
-        for (std::size_t k = 0; k < pieces_.size(); ++k) {
-            const piece& p = pieces_[*direction == HB_DIRECTION_RTL ? pieces_.size() - 1 - k : k];
-            fill_buffer(text, p, found.invalid.count != 0);
-            hb_buffer_set_direction(buffer_, *direction);
-            hb_buffer_set_script(buffer_, p.script);
-            hb_buffer_set_language(buffer_, language);
-            const auto shaped =
-                hb_shape_full(font_, buffer_, features_.data(), static_cast<unsigned>(features_.size()), nullptr);
-            if (!hb_buffer_allocation_successful(buffer_)) return error::out_of_memory;
-            if (!shaped) return error::font_library_failed;
-            if (error e = take_glyphs(at, run)) return e;
-        }
-        if (found.invalid.count != 0) {
-            run.invalid_units += found.invalid.count;
-            if (found.invalid.first < run.first_invalid_unit) run.first_invalid_unit = found.invalid.first;
-        }
-        return at;
+        return shaping_.shape(font_, unit_size(), text, first, last, options, run);
     }
 
 private:
-    /// A stretch of a line in one script.
-    struct piece {
-        std::size_t first;
-        std::size_t last;
-        hb_script_t script;
-    };
-
     /// HarfBuzz's callbacks for one type of sink; those in use are known by the table's address.
     struct draw_calls {
         hb_draw_move_to_func_t move;
@@ -257,7 +208,7 @@ private:
     }
 
     explicit harfbuzz_font(hb_font_t* owned) noexcept
-        : font_{owned}, buffer_{hb_buffer_create()}, draw_{hb_draw_funcs_create()}
+        : font_{owned}, draw_{hb_draw_funcs_create()}
     {
         hb_face_t* face = hb_font_get_face(font_);
         units_per_em_ = hb_face_get_upem(face);
@@ -268,21 +219,19 @@ private:
     void swap(harfbuzz_font& other) noexcept
     {
         std::swap(font_, other.font_);
-        std::swap(buffer_, other.buffer_);
         std::swap(draw_, other.draw_);
         std::swap(calls_, other.calls_);
+        std::swap(shaping_, other.shaping_);
         std::swap(units_per_em_, other.units_per_em_);
         std::swap(glyph_count_, other.glyph_count_);
         std::swap(fingerprint_, other.fingerprint_);
-        features_.swap(other.features_);
-        pieces_.swap(other.pieces_);
     }
 
     static result<harfbuzz_font> finished(harfbuzz_font font) noexcept
     {
+        if (error e = font.shaping_.open()) return e;
         // HarfBuzz answers a failed allocation with objects that cannot be changed.
-        if (!hb_buffer_allocation_successful(font.buffer_) || hb_draw_funcs_is_immutable(font.draw_))
-            return error::out_of_memory;
+        if (hb_draw_funcs_is_immutable(font.draw_)) return error::out_of_memory;
         return result<harfbuzz_font>{std::move(font)};
     }
 
@@ -384,143 +333,13 @@ private:
         calls_ = calls;
     }
 
-    static result<hb_direction_t> direction_of(const line_reading& found, direction wanted, hb_script_t script) noexcept
-    {
-        if (wanted == direction::top_to_bottom) return HB_DIRECTION_TTB;
-        const std::size_t right = found.to_the_right, left = found.to_the_left;
-        if (right != line_reading::nowhere && left != line_reading::nowhere)
-            return error{error::mixed_direction}.at(no_glyph, static_cast<cluster_id>(right < left ? left : right));
-        if (wanted == direction::left_to_right) return HB_DIRECTION_LTR;
-        if (wanted == direction::right_to_left || left != line_reading::nowhere) return HB_DIRECTION_RTL;
-        if (right != line_reading::nowhere || script == HB_SCRIPT_INVALID) return HB_DIRECTION_LTR;
-        return hb_script_get_horizontal_direction(script) == HB_DIRECTION_RTL ? HB_DIRECTION_RTL : HB_DIRECTION_LTR;
-    }
-
-    error take_features(std::span<const feature> wanted) noexcept
-    {
-        features_.clear();
-        for (const feature& f : wanted) {
-            for (int i = 0; i < 4; ++i)
-                if (f.tag[i] < 0x20 || f.tag[i] > 0x7E) return error::bad_feature;
-            const hb_feature_t whole{hb_tag_from_string(f.tag, 4), f.value, HB_FEATURE_GLOBAL_START,
-                                     HB_FEATURE_GLOBAL_END};
-            if (!features_.push_back(whole)) return error::out_of_memory;
-        }
-        return {};
-    }
-
-    static hb_script_t script_of(hb_unicode_funcs_t* unicode, char32_t c) noexcept
-    {
-        if (c < 0x80) return (c | 0x20) >= 'a' && (c | 0x20) <= 'z' ? HB_SCRIPT_LATIN : HB_SCRIPT_COMMON;
-        if (c >= 0x4E00 && c <= 0x9FFF) return HB_SCRIPT_HAN;
-        return hb_unicode_script(unicode, c);
-    }
-
-    /// Han and the kana are written as one.
-    static bool belong_together(hb_script_t a, hb_script_t b) noexcept
-    {
-        const auto east_asian = [](hb_script_t s) noexcept {
-            return s == HB_SCRIPT_HAN || s == HB_SCRIPT_HIRAGANA || s == HB_SCRIPT_KATAKANA || s == HB_SCRIPT_BOPOMOFO;
-        };
-        return a == b || (east_asian(a) && east_asian(b));
-    }
-
-    /// Cuts where the script changes. Characters of no script of their own (spaces, digits, marks) stay with what
-    /// precedes them.
-    error cut_into_pieces(text_view text, std::size_t first, std::size_t last, hb_script_t given) noexcept
-    {
-        pieces_.clear();
-        piece open{first, last, given};
-        hb_unicode_funcs_t* unicode = hb_unicode_funcs_get_default();
-        for (std::size_t i = first; i < last && given == HB_SCRIPT_INVALID;) {
-            const code_point c = decode(text, i, last);
-            const hb_script_t script = script_of(unicode, c.value);
-            if (script != HB_SCRIPT_COMMON && script != HB_SCRIPT_INHERITED && script != HB_SCRIPT_UNKNOWN) {
-                if (open.script == HB_SCRIPT_INVALID)
-                    open.script = script;
-                else if (!belong_together(script, open.script)) {
-                    if (!pieces_.push_back({open.first, i, open.script})) return error::out_of_memory;
-                    open = {i, last, script};
-                }
-            }
-            i = c.next;
-        }
-        if (open.script == HB_SCRIPT_INVALID) open.script = HB_SCRIPT_COMMON;
-        return pieces_.push_back(open) ? error{} : error{error::out_of_memory};
-    }
-
-    /// Hands a piece and its context to HarfBuzz. Valid text goes in as it is; else code point by code point, for
-    /// HarfBuzz would read another number of U+FFFD from broken UTF-8 than decode() does.
-    void fill_buffer(text_view text, const piece& p, bool decoded) noexcept
-    {
-        constexpr std::size_t context = 32;  // units; HarfBuzz looks at five characters
-        std::size_t begin = p.first, end = p.last;
-        while (begin > 0 && p.first - begin < context && !breaks_line(text.unit(begin - 1))) --begin;
-        while (end < text.size() && end - p.last < context && line_break_at(text, end) == 0) ++end;
-
-        hb_buffer_clear_contents(buffer_);
-        hb_buffer_set_content_type(buffer_, HB_BUFFER_CONTENT_TYPE_UNICODE);
-        hb_buffer_set_flags(buffer_, static_cast<hb_buffer_flags_t>((begin == p.first ? HB_BUFFER_FLAG_BOT : 0) |
-                                                                    (end == p.last ? HB_BUFFER_FLAG_EOT : 0)));
-        first_unit_ = begin;
-        if (!decoded) return add(text, begin, end, p.first, p.last);
-        add(text, begin, p.first, p.first, p.first);
-        for (std::size_t i = p.first; i < p.last;) {
-            const code_point c = decode(text, i, p.last);
-            hb_buffer_add(buffer_, c.value, static_cast<unsigned>(i - begin));
-            i = c.next;
-        }
-        add(text, p.last, end, p.last, p.last);
-    }
-
-    /// Adds text[first, last), with text[begin, end) around it as context.
-    void add(text_view text, std::size_t begin, std::size_t end, std::size_t first, std::size_t last) noexcept
-    {
-        const auto size = static_cast<int>(end - begin), length = static_cast<int>(last - first);
-        const auto offset = static_cast<unsigned>(first - begin);
-        if (text.encoding() == encoding::utf8)
-            return hb_buffer_add_utf8(buffer_, text.utf8() + begin, size, offset, length);
-        const void* units = text.utf16() + begin;
-        hb_buffer_add_utf16(buffer_, static_cast<const std::uint16_t*>(units), size, offset, length);
-    }
-
-    static bool breaks_line(std::uint32_t unit) noexcept { return unit >= 0x0A && unit <= 0x0D; }
-
-    /// Appends what HarfBuzz has shaped, from `at` on, and moves `at`.
-    error take_glyphs(point& at, glyph_run& run) const noexcept
-    {
-        unsigned count = 0;
-        const hb_glyph_info_t* info = hb_buffer_get_glyph_infos(buffer_, &count);
-        const hb_glyph_position_t* position = hb_buffer_get_glyph_positions(buffer_, nullptr);
-        placed_glyph* out = run.glyphs.append(count);
-        if (out == nullptr) return count == 0 ? error{} : error{error::out_of_memory};
-        const point unit = unit_size();
-        for (unsigned i = 0; i < count; ++i) {
-            const auto cluster = static_cast<cluster_id>(first_unit_ + info[i].cluster);
-            const bool missing = info[i].codepoint == 0;
-            out[i] = {info[i].codepoint,
-                      cluster,
-                      {at.x + unit.x * position[i].x_offset, at.y + unit.y * position[i].y_offset},
-                      missing};
-            at = {at.x + unit.x * position[i].x_advance, at.y + unit.y * position[i].y_advance};
-            if (missing) {
-                ++run.missing;
-                if (cluster < run.first_missing) run.first_missing = cluster;
-            }
-        }
-        return {};
-    }
-
     hb_font_t* font_ = nullptr;
-    hb_buffer_t* buffer_ = nullptr;
     hb_draw_funcs_t* draw_ = nullptr;
     const draw_calls* calls_ = nullptr;
     double units_per_em_ = 1000.0;
     std::uint32_t glyph_count_ = 0;
     std::uint64_t fingerprint_ = 0;
-    std::size_t first_unit_ = 0;  // what HarfBuzz's clusters count from
-    buffer<hb_feature_t> features_;
-    buffer<piece> pieces_;
+    detail::harfbuzz_shaping shaping_;
 };
 
 static_assert(outline_source<harfbuzz_font> && shaper<harfbuzz_font>);

@@ -54,20 +54,14 @@ error extrude(const region& shape, std::span<const triangle> cap, const Extruder
     const result<part_sizes> sizes = how.plan(shape, sides);
     if (!sizes) return sizes.error();
 
-    mesh_size exact;
-    first_vertices first;
-    for (const part p : all_parts) {
-        first[p] = static_cast<std::uint32_t>(exact.vertices);
-        exact.vertices += sizes->vertices[p];
-        exact.triangles += sizes->triangles[p];
-    }
-    if (exact.vertices > 0xFFFF'FFFFu || exact.indices() > 0xFFFF'FFFFu) return error::too_large;
+    const mesh_size exact = sizes->total();
+    if (!exact.fits_32_bits()) return error::too_large;
     if (error e = sink.begin(exact)) return e;
 
     const solid s{shape.points(), shape.starts(), cap, sides.view()};
     for (const part p : all_parts) write_vertices(p, s, how, at, sink);
     const bool turned = at.frame.turns_triangles();
-    for (const part p : all_parts) write_triangles(p, s, how, first, turned, sink);
+    for (const part p : all_parts) write_triangles(p, s, how, sizes->vertices.starts(), turned, sink);
     sink.end();
     return {};
 }

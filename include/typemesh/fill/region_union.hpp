@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/contours.hpp>
+#include <typemesh/core/first_where.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/core/workspace.hpp>
@@ -22,7 +23,7 @@ namespace typemesh {
 ///
 /// The members' curves are copied and numbered on; edges of the joined region name them. A place that several members'
 /// boundaries share belongs to the first of these. Crossings between members count as real however shallow they are.
-/// Memory stays for the next cluster.
+/// Memory stays for the next group.
 class region_union {
 public:
     explicit region_union(memory source = heap()) noexcept : loops_{source}, curves_{source}, first_curves_{source} {}
@@ -43,7 +44,7 @@ public:
     ///
     /// Fails  error::outline_beyond_grid: a point would lie farther than grid::reach from 0
     ///        error::too_large: 2^32 - 1 points or curves and more
-    ///        error::out_of_memory; the cluster is as it was then
+    ///        error::out_of_memory; the group is as it was then
     [[nodiscard]] error add(const region& r, double scale, std::int64_t x, std::int64_t y) noexcept
     {
         const std::size_t points = loops_.points.size(), edges = loops_.edges.size(), starts = loops_.starts.size(),
@@ -58,7 +59,7 @@ public:
         return e;
     }
 
-    /// The region that the members fill together, on this cluster's memory: it ends with the next begin().
+    /// The region that the members fill together, on this group's memory: it ends with the next begin().
     ///
     /// Fails  as resolve() does
     [[nodiscard]] result<region> join(workspace& space) noexcept
@@ -70,12 +71,7 @@ public:
     /// The member that a curve of the joined region comes from: 0 for the first that was added.
     [[nodiscard]] std::uint32_t member_of(std::uint32_t curve) const noexcept
     {
-        std::size_t low = 0, high = first_curves_.size();
-        while (high - low > 1) {
-            const std::size_t middle = (low + high) / 2;
-            (first_curves_[middle] <= curve ? low : high) = middle;
-        }
-        return static_cast<std::uint32_t>(low);
+        return static_cast<std::uint32_t>(range_of(first_curves_.view(), curve));
     }
 
 private:

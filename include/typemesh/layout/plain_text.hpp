@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/first_where.hpp>
+
 #include <cstddef>
 
 namespace typemesh {
@@ -15,15 +17,8 @@ struct code_range {
 template <std::size_t N>
 [[nodiscard]] constexpr bool holds(const code_range (&sorted)[N], char32_t c) noexcept
 {
-    std::size_t low = 0, high = N;
-    while (low < high) {
-        const std::size_t middle = (low + high) / 2;
-        if (c > sorted[middle].last)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low < N && c >= sorted[low].first;
+    const std::size_t k = first_where(0, N, [&](std::size_t i) noexcept { return c <= sorted[i].last; });
+    return k < N && c >= sorted[k].first;
 }
 
 }  // namespace detail

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/first_where.hpp>
 #include <typemesh/core/glyph_id.hpp>
 #include <typemesh/layout/utf.hpp>
 
@@ -62,15 +63,8 @@ enum class reading : std::uint8_t {
         {0x1D7FF, D}, {0x1E7FF, R}, {0x1EEEF, L},  {0x1F0FF, N}, {0x1F10A, D}, {0x1FBEF, N}, {0x1FBF9, D}, {0x1FFFF, N},
         {0xDFFFF, R}, {0xE0FFF, N}, {0x10FFFF, R},
     };
-    std::size_t low = 0, high = sizeof table / sizeof table[0] - 1;
-    while (low < high) {
-        const std::size_t middle = (low + high) / 2;
-        if (c <= table[middle].last)
-            high = middle;
-        else
-            low = middle + 1;
-    }
-    return table[low].what;
+    const std::size_t last = sizeof table / sizeof table[0] - 1;
+    return table[first_where(0, last, [c](std::size_t i) noexcept { return c <= table[i].last; })].what;
 }
 
 /// Whether a code point is right-to-left, in a few comparisons.

@@ -26,12 +26,13 @@ struct line_metrics {
 ///
 ///     s.units_per_em()                    as in outline_source; of the same font
 ///     s.metrics(direction)                the font's line metrics, for horizontal or vertical lines
-///     s.shape(text, first, last, o, run)  appends the glyphs of text[first, last), one line without line breaks, to
-///                                         run.glyphs, in drawing order, with the pen starting at (0, 0), and gives
-///                                         the pen's way: {advance x, advance y} in font units; horizontal lines
-///                                         always run to the right, vertical lines down. Clusters count from the
-///                                         start of `text`, in its units. Flags missing glyphs, adds to run.missing
-///                                         and run.invalid_units and keeps the first place of each.
+///     s.shape(text, first, last, o, run)  appends the glyphs of text[first, last), one line without line breaks (or
+///                                         what of one stands between two tabs: see shape_line()), to run.glyphs, in
+///                                         drawing order, with the pen starting at (0, 0), and gives the pen's way:
+///                                         {advance x, advance y} in font units; horizontal lines always run to the
+///                                         right, vertical lines down. Clusters count from the start of `text`, in its
+///                                         units. Flags missing glyphs, adds to run.missing and run.invalid_units and
+///                                         keeps the first place of each.
 ///
 /// Fails  error::mixed_direction: the line holds text of both directions and the shaper has no
 ///                              bidirectional algorithm (never drawn in the wrong order)

@@ -3,11 +3,10 @@
 
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/executor.hpp>
-#include <typemesh/core/finite.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/layout/line_break.hpp>
 #include <typemesh/layout/line_places.hpp>
-#include <typemesh/layout/shaper.hpp>
+#include <typemesh/layout/shape_line.hpp>
 #include <typemesh/layout/text_view.hpp>
 
 #include <cstddef>
@@ -31,7 +30,7 @@ public:
                      const shape_options& how, const layout_options& options, glyph_run& run) noexcept
     {
         run.clear();
-        if (!is_finite(options.line_spacing)) return error::bad("line_spacing");
+        if (error e = trouble_of(options)) return e;
         if (static_cast<std::uint64_t>(text.size()) > 0xFFFF'FFFFu) return error::too_large;
         const std::size_t count = workers.workers();
         if (error e = find_lines(text, 8 * count)) return e;
@@ -50,7 +49,7 @@ public:
                 l.worker = static_cast<std::uint32_t>(worker);
                 l.first = own.glyphs.size();
                 if (l.begin == l.end) continue;
-                const auto way = shaper_of(worker).shape(text, l.begin, l.end, how, own);
+                const auto way = shape_line(shaper_of(worker), text, l.begin, l.end, how, options.tab_width, own);
                 if (!way) {
                     l.trouble = way.error();
                     return;  // of this block no later line matters

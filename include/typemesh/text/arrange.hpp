@@ -44,6 +44,7 @@ inline error arrange(text_shapes& all, const glyph_run& run, const text_options&
         break;
     }
 
+    placed.unit_per_font_unit *= options.size;
     placed.unit_per_em = placed.unit_per_font_unit * units_per_em;
     placed.texture_per_font_unit = text_shapes::texture_over(all.ink);
 

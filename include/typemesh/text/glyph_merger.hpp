@@ -13,27 +13,30 @@
 
 namespace typemesh {
 
-/// Joins the glyphs of a text whose outlines meet, cluster by cluster, to shapes of their own:
+/// Joins the glyphs of a text whose outlines meet, group by group, to shapes of their own:
 ///
-///      ╭──╮╭─╮     ╭──╮                    ╭─────╮     ╭──╮        A cluster is a chain of glyphs of which each
+///      ╭──╮╭─╮     ╭──╮                    ╭─────╮     ╭──╮        A group is a chain of glyphs of which each
 ///      │a ││b│ ╭╮  │d │        ->          │     │ ╭╮  │d │        shares a point with the next; all others are
 ///      ╰──┼╯ │ ││  ╰──╯                    ╰───╮ │ ││  ╰──╯        left as they are. "c" here stands alone.
 ///         ╰──╯ ╰╯c                             ╰─╯ ╰╯
 ///
 /// Pens are rounded to the finest grid of the text's glyphs, half a cell at most (1/1024 font unit in ordinary fonts),
-/// and a cluster that does not fit onto it takes the finest that it fits onto. A glyph so large that its own grid is
+/// and a group that does not fit onto it takes the finest that it fits onto. A glyph so large that its own grid is
 /// coarser than others' (more than 2^19 font units in ordinary fonts) is left alone, and so is what stands farther than
 /// 2^48 cells from the text's origin.
 class glyph_merger {
 public:
     explicit glyph_merger(memory source = heap()) noexcept
-        : space_{source}, cluster_{source}, triangles_{source}, sides_{source}
+        : space_{source}, union_{source}, triangles_{source}, sides_{source}
     {
     }
 
     /// Fills all.merged; all.shapes and numbers are given.
     ///
-    /// Fails  error::too_large, error::out_of_memory, error::outline_beyond_grid with the cluster's first glyph
+    /// Fails  error::too_large, error::out_of_memory, error::outline_beyond_grid with the group's first glyph
+    /// Cost   O(n log n) for n glyphs, and a comparison of every two whose boxes lie side by side (see group_meeting()).
+    ///        For every group its members' outlines are flattened and filled once more, and resolve(), the triangulator
+    ///        and the extruder work on the points of all of them. Glyphs that meet no other cost the comparison alone
     template <outline_source Font, discretiser Discretiser, triangulator Triangulator, extruder Extruder,
               stage_observer Observer>
     error operator()(text_shapes& all, const glyph_run& run, glyph_builder& builder, Font& font,
@@ -45,28 +48,28 @@ public:
         workspace::scope scratch{space_};
         auto* next = scratch.take<std::uint32_t>(count);  // the next glyph of the same group; at its last one: count
         auto* last = scratch.take<std::uint32_t>(count);  // the last so far of the group that begins here
-        std::uint32_t* groups = all.merged.groups.append(count);
-        if (count != 0 && (next == nullptr || last == nullptr || groups == nullptr)) return error::out_of_memory;
-        if (error e = group(all, run, {groups, count})) return e;
+        std::uint32_t* first_of = all.merged.first_of.append(count);
+        if (count != 0 && (next == nullptr || last == nullptr || first_of == nullptr)) return error::out_of_memory;
+        if (error e = find_groups(all, run, {first_of, count})) return e;
 
         const auto none = static_cast<std::uint32_t>(count);
         for (std::uint32_t i = 0; i < count; ++i) {
             next[i] = none;
-            if (groups[i] != i) next[last[groups[i]]] = i;
-            last[groups[i]] = i;
+            if (first_of[i] != i) next[last[first_of[i]]] = i;
+            last[first_of[i]] = i;
         }
         for (std::uint32_t i = 0; i < count; ++i) {
-            if (groups[i] != i || next[i] == none) continue;
+            if (first_of[i] != i || next[i] == none) continue;
             const auto first_member = static_cast<std::uint32_t>(all.merged.members.size());
             for (std::uint32_t k = i; k != none; k = next[k])
                 if (!all.merged.members.push_back(k)) return error::out_of_memory;
             const std::span<const std::uint32_t> members = all.merged.members.view().subspan(first_member);
-            merged_cluster made;
+            merged_group made;
             made.first_member = first_member;
             made.member_count = static_cast<std::uint32_t>(members.size());
             if (error e = join(made, all, run, members, builder, font, how, flatten, cut, raise, observe))
                 return e.at(run.glyphs[i].id, run.glyphs[i].cluster);
-            if (!all.merged.clusters.push_back(made)) return error::out_of_memory;
+            if (!all.merged.groups.push_back(made)) return error::out_of_memory;
         }
         return {};
     }
@@ -94,13 +97,13 @@ private:
         return cells;
     }
 
-    error group(const text_shapes& all, const glyph_run& run, std::span<std::uint32_t> groups) noexcept
+    error find_groups(const text_shapes& all, const glyph_run& run, std::span<std::uint32_t> first_of) noexcept
     {
         workspace::scope scratch{space_};
-        auto* loops = scratch.take<placed_loops>(groups.size());
-        if (loops == nullptr && !groups.empty()) return error::out_of_memory;
+        auto* loops = scratch.take<placed_loops>(first_of.size());
+        if (loops == nullptr && !first_of.empty()) return error::out_of_memory;
         const double cells = finest(all);
-        for (std::size_t i = 0; i < groups.size(); ++i) {
+        for (std::size_t i = 0; i < first_of.size(); ++i) {
             loops[i] = {};
             if (all.numbers[i] == glyph_set::no_room) continue;
             const glyph_shape& s = *all.shapes[all.numbers[i]];
@@ -111,7 +114,7 @@ private:
             const pen at = snapped(origin, cells);
             loops[i] = {s.form().points, s.form().starts, at.x, at.y};
         }
-        return group_meeting({loops, groups.size()}, groups, space_);
+        return group_meeting({loops, first_of.size()}, first_of, space_);
     }
 
     /// The finest grid onto which all members fit, seen from the first one's pen.
@@ -139,23 +142,23 @@ private:
     }
 
     template <class Font, class Discretiser, class Triangulator, class Extruder, class Observer>
-    error join(merged_cluster& made, text_shapes& all, const glyph_run& run, std::span<const std::uint32_t> members,
+    error join(merged_group& made, text_shapes& all, const glyph_run& run, std::span<const std::uint32_t> members,
                glyph_builder& builder, Font& font, const glyph_settings& how, const Discretiser& flatten,
                const Triangulator& cut, const Extruder& raise, Observer& observe) noexcept
     {
         const auto onto = grid_for(all, run, members);
         if (!onto) return onto.error();
-        cluster_.begin(*onto);
+        union_.begin(*onto);
         const pen first = snapped(run.glyphs[members[0]].origin, onto->cells);
         for (const std::uint32_t m : members) {
             const auto shape = builder.build_region(font, run.glyphs[m].id, how, flatten, cut, observe);
             if (!shape) return shape.error();
             const pen at = snapped(run.glyphs[m].origin, onto->cells);
-            if (error e = cluster_.add(*shape, onto->cells / shape->grid().cells, at.x - first.x, at.y - first.y))
+            if (error e = union_.add(*shape, onto->cells / shape->grid().cells, at.x - first.x, at.y - first.y))
                 return e;
         }
         observe(stage::fill);
-        const auto joined = cluster_.join(space_);
+        const auto joined = union_.join(space_);
         if (!joined) return joined.error();
         observe(stage::triangulate);
         triangles_.clear();
@@ -174,12 +177,12 @@ private:
         const auto edges = joined->edges();
         std::uint32_t* owners = all.merged.owners.append(edges.size());
         if (made.shape == nullptr || (owners == nullptr && !edges.empty())) return error::out_of_memory;
-        for (std::size_t i = 0; i < edges.size(); ++i) owners[i] = members[cluster_.member_of(edges[i].curve)];
+        for (std::size_t i = 0; i < edges.size(); ++i) owners[i] = members[union_.member_of(edges[i].curve)];
         return {};
     }
 
     workspace space_;
-    region_union cluster_;
+    region_union union_;
     triangle_list triangles_;
     buffer<side_point> sides_;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/buffer.hpp>
+#include <typemesh/core/first_where.hpp>
 #include <typemesh/glyph/glyph_shape.hpp>
 
 #include <cstddef>
@@ -13,8 +14,8 @@ namespace typemesh {
 /// Which glyph a triangle of merged glyphs belongs to, when it is not one's alone.
 inline constexpr std::uint32_t shared_glyph = 0xFFFF'FFFFu;
 
-/// One cluster of glyphs that are merged to one shape.
-struct merged_cluster {
+/// Some glyphs that are merged to one shape.
+struct merged_group {
     const glyph_shape* shape = nullptr;
     point origin;                    ///< font units: that of its first glyph, rounded to the grid
     std::uint32_t first_member = 0;  ///< into merged_glyphs::members
@@ -22,48 +23,44 @@ struct merged_cluster {
     std::uint32_t first_owner = 0;   ///< into merged_glyphs::owners
 };
 
-/// The clusters of a text, and who is in them; glyphs go by their places in the run. All empty where nothing is merged.
+/// The groups of a text, and who is in them; glyphs go by their places in the run. All empty where nothing is merged.
 struct merged_glyphs {
-    buffer<std::uint32_t> groups;     ///< for each glyph of the run the first of its cluster; itself where it is alone
-    buffer<merged_cluster> clusters;  ///< those of two glyphs and more, in the order of their first ones
-    buffer<std::uint32_t> members;    ///< [ first cluster's glyphs, ascending | second cluster's | ... ]
-    buffer<std::uint32_t> owners;     ///< [ first cluster's contour points | ... ]: whose outline runs from there to the
-                                      ///< next point
+    buffer<std::uint32_t> first_of;  ///< for each glyph of the run the first of its group; itself where it is alone
+    buffer<merged_group> groups;     ///< those of two glyphs and more, in the order of their first ones
+    buffer<std::uint32_t> members;   ///< [ first group's glyphs, ascending | second group's | ... ]
+    buffer<std::uint32_t> owners;    ///< [ first group's contour points | ... ]: whose outline runs from there to the
+                                     ///< next point
 
     explicit merged_glyphs(memory source) noexcept
-        : groups{source}, clusters{source}, members{source}, owners{source}
+        : first_of{source}, groups{source}, members{source}, owners{source}
     {
     }
 
     void clear() noexcept
     {
+        first_of.clear();
         groups.clear();
-        clusters.clear();
         members.clear();
         owners.clear();
     }
 
-    [[nodiscard]] std::span<const std::uint32_t> members_of(const merged_cluster& c) const noexcept
+    [[nodiscard]] std::span<const std::uint32_t> members_of(const merged_group& g) const noexcept
     {
-        return members.view().subspan(c.first_member, c.member_count);
+        return members.view().subspan(g.first_member, g.member_count);
     }
-    [[nodiscard]] std::span<const std::uint32_t> owners_of(const merged_cluster& c) const noexcept
+    [[nodiscard]] std::span<const std::uint32_t> owners_of(const merged_group& g) const noexcept
     {
-        return owners.view().subspan(c.first_owner, c.shape->form().points.size());
+        return owners.view().subspan(g.first_owner, g.shape->form().points.size());
     }
 
     /// Whose a cap triangle is: the one glyph's whose outline all edges at its three corners follow, or shared_glyph.
-    [[nodiscard]] std::uint32_t owner_of(const merged_cluster& c, const triangle& t) const noexcept
+    [[nodiscard]] std::uint32_t owner_of(const merged_group& g, const triangle& t) const noexcept
     {
-        const auto owner = owners_of(c);
-        const auto starts = c.shape->form().starts;
+        const auto owner = owners_of(g);
+        const auto starts = g.shape->form().starts;
         const std::uint32_t first = owner[t.a];
         for (const std::uint32_t corner : {t.a, t.b, t.c}) {
-            std::size_t loop = 0, end = starts.size() - 1;
-            while (end - loop > 1) {
-                const std::size_t middle = (loop + end) / 2;
-                (starts[middle] <= corner ? loop : end) = middle;
-            }
+            const std::size_t loop = range_of(starts, corner);
             const std::uint32_t before = corner == starts[loop] ? starts[loop + 1] - 1 : corner - 1;
             if (owner[corner] != first || owner[before] != first) return shared_glyph;
         }

@@ -44,13 +44,8 @@ public:
     template <extruder Extruder>
     error split(const glyph_shape& shape, const Extruder& how, bool turned, std::uint32_t most) noexcept
     {
-        first_vertices first;
-        std::uint64_t vertices = 0, triangles = 0;
-        for (const part p : all_parts) {
-            first[p] = static_cast<std::uint32_t>(vertices);
-            vertices += shape.sizes().vertices[p];
-            triangles += shape.sizes().triangles[p];
-        }
+        const auto [vertices, triangles] = shape.sizes().total();
+        const first_vertices first = shape.sizes().vertices.starts();
         if (vertices > 0xFFFF'FFFEu || triangles_.size() + triangles > 0xFFFF'FFFFu) return error::too_large;
         place_.clear();
         std::uint32_t* place = place_.append(static_cast<std::size_t>(vertices));

@@ -25,27 +25,10 @@ struct text_chunk {
 
     static constexpr std::uint32_t whole_glyphs = 0xFFFF'FFFFu;
 
-    [[nodiscard]] mesh_size size() const noexcept
-    {
-        mesh_size sum;
-        for (const part p : all_parts) {
-            sum.vertices += sizes.vertices[p];
-            sum.triangles += sizes.triangles[p];
-        }
-        return sum;
-    }
+    [[nodiscard]] mesh_size size() const noexcept { return sizes.total(); }
 
     /// Where a part of the chunk lies in the output. Its indices count from first_vertex.
-    [[nodiscard]] mesh_range range(part p) const noexcept
-    {
-        mesh_range r{first_vertex, sizes.vertices[p], first_index, 3 * sizes.triangles[p]};
-        for (const part q : all_parts) {
-            if (q >= p) break;
-            r.first_vertex += sizes.vertices[q];
-            r.first_index += 3 * sizes.triangles[q];
-        }
-        return r;
-    }
+    [[nodiscard]] mesh_range range(part p) const noexcept { return sizes.range(p, first_vertex, first_index); }
     /// Where all of it lies.
     [[nodiscard]] mesh_range range() const noexcept
     {
@@ -179,7 +162,7 @@ private:
             std::size_t last = first;
             std::uint64_t held = 0;
             while (last < count) {
-                const std::uint64_t more = vertices_of(all.records[last].shape->sizes());
+                const std::uint64_t more = all.records[last].shape->sizes().vertices.total();
                 if (held + more > most) break;
                 held += more;
                 ++last;
@@ -189,14 +172,7 @@ private:
                 ++first;
                 continue;
             }
-            const mesh_layout whole{all, first, last};
-            part_sizes sizes;
-            for (const part p : all_parts) {
-                const mesh_range r = whole.range(p);
-                sizes.vertices[p] = r.vertex_count;
-                sizes.triangles[p] = r.index_count / 3;
-            }
-            if (error e = add(sizes, first, last, text_chunk::whole_glyphs)) return e;
+            if (error e = add(mesh_layout{all, first, last}.sizes(), first, last, text_chunk::whole_glyphs)) return e;
             first = last;
         }
         return {};
@@ -218,10 +194,9 @@ private:
         text_chunk c{static_cast<std::uint32_t>(total_.vertices), static_cast<std::uint32_t>(total_.indices()), sizes,
                      static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last - first), piece};
         const mesh_size own = c.size();
-        total_.vertices += own.vertices;
-        total_.triangles += own.triangles;
+        total_ = total_ + own;
         if (own.vertices > largest_) largest_ = static_cast<std::uint32_t>(own.vertices);
-        if (total_.vertices > 0xFFFF'FFFFu || total_.indices() > 0xFFFF'FFFFu) return error::too_large;
+        if (!total_.fits_32_bits()) return error::too_large;
         return chunks_.push_back(c) ? error{} : error{error::out_of_memory};
     }
 
@@ -234,13 +209,6 @@ private:
         }
         const shape_record& s = all.records[c.first_glyph];
         pieces_.write(c.piece, *s.shape, how, all.place(s), sink);
-    }
-
-    static std::uint64_t vertices_of(const part_sizes& sizes) noexcept
-    {
-        std::uint64_t sum = 0;
-        for (const part p : all_parts) sum += sizes.vertices[p];
-        return sum;
     }
 
     buffer<text_chunk> chunks_;

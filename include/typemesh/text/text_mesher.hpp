@@ -284,6 +284,9 @@ private:
         if (!is_finite(options.tolerance) || !(options.tolerance > 0.0)) return stop(error::bad_tolerance);
         if (!is_finite(options.pixels_per_em) || !(options.pixels_per_em > 0.0) || options.pixels_per_em > 0x1p30)
             return stop(error::bad("pixels_per_em"));
+        const double largest = options.unit == output_unit::pixels ? 0x1p30 / options.pixels_per_em : 0x1p30;
+        if (!is_finite(options.size) || !(options.size > 0.0) || options.size > largest)
+            return stop(error::bad("size"));
         if (!is_finite(run.units_per_em) || !(run.units_per_em > 0.0)) return stop(error::bad("units_per_em"));
 
         TYPEMESH_ASSERT(run.units_per_em == font_->units_per_em(),
@@ -399,18 +402,18 @@ private:
         return merger_(shapes_, run, builder_, *font_, how, discretiser_, triangulator_, extruder_, observer_);
     }
 
-    /// Puts each glyph of the run at its place, a cluster of merged ones at that of the first.
+    /// Puts each glyph of the run at its place, a group of merged ones at that of the first.
     error place_shapes(const glyph_run& run) noexcept
     {
         text_report& report = shapes_.report;
         const merged_glyphs& merged = shapes_.merged;
         report.glyphs = static_cast<std::uint32_t>(run.glyphs.size());
         if (!shapes_.expect_records(run.glyphs.size())) return error::out_of_memory;
-        std::uint32_t line = 0, cluster = 0;
+        std::uint32_t line = 0, group = 0;
         for (std::uint32_t i = 0; i < run.glyphs.size(); ++i) {
             while (line + 1 < run.lines.size() && i >= run.lines[line + 1].first_glyph) ++line;
             const std::uint32_t number = shapes_.numbers[i];
-            if (number == not_drawn || (!merged.groups.empty() && merged.groups[i] != i)) continue;
+            if (number == not_drawn || (!merged.first_of.empty() && merged.first_of[i] != i)) continue;
             const placed_glyph& glyph = run.glyphs[i];
             shape_record s;
             s.shape = shapes_.shapes[number];
@@ -419,10 +422,10 @@ private:
             s.cluster = glyph.cluster;
             s.line = line;
             s.glyph = i;
-            if (cluster < merged.clusters.size() && merged.members_of(merged.clusters[cluster]).front() == i) {
-                s.shape = merged.clusters[cluster].shape;
-                s.origin = merged.clusters[cluster].origin;
-                s.merged = cluster++;
+            if (group < merged.groups.size() && merged.members_of(merged.groups[group]).front() == i) {
+                s.shape = merged.groups[group].shape;
+                s.origin = merged.groups[group].origin;
+                s.merged = group++;
             }
             error refusal = misplaced(s.origin);
             if (!refusal) refusal = s.shape->refusal();

@@ -11,9 +11,10 @@
 
 namespace typemesh {
 
-/// In what unit positions are written. x and y as said; z likewise, for depths are given in em.
+/// In what unit positions are written, before text_options::size multiplies them. x and y as said; z likewise, for
+/// depths are given in em.
 enum class output_unit : std::uint8_t {
-    em,          ///< the font's size is 1
+    em,          ///< an em is 1, so that `size` is how large an em is
     font_units,  ///< the font's own units, units_per_em to the em
     pixels,      ///< pixels_per_em to the em
     unit_box,    ///< the text's box, made to fit [-1, 1]: its longer side does, its centre is at 0
@@ -23,14 +24,20 @@ enum class output_unit : std::uint8_t {
 enum class texture_box : std::uint8_t { text, line, glyph };
 
 /// How a text is set and written. All have defaults that suit a headline in a 3D scene.
+///
+///     {.size = 0.37}                               letters of 0.37 units of your world to the em
+///     {.layout = {.align = alignment::centre}}     lines centred on x = 0
+///
+/// Tolerance and depth are given in em, so they grow and shrink with the size; vertices and triangles stay the same.
 struct text_options {
     shape_options shape = {};    ///< direction, language, script, features
-    layout_options layout = {};  ///< alignment, line spacing
+    layout_options layout = {};  ///< alignment, line spacing, tab stops
 
     double tolerance = quality::high;    ///< the largest distance between curve and mesh, in em; see quality.hpp
     std::optional<fill_rule> fill = {};  ///< instead of the outline source's own rule
 
     output_unit unit = output_unit::em;
+    double size = 1.0;            ///< what the unit is multiplied by: how large an em is in your world
     double pixels_per_em = 64.0;  ///< for output_unit::pixels alone
     texture_box texture_over = texture_box::text;
     typemesh::frame frame = right_handed_y_up;

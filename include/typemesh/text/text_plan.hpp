@@ -102,7 +102,7 @@ public:
     {
         const shape_record& s = fresh().records[glyph];
         if (s.merged == shape_record::none) return {&s.glyph, 1};
-        return shapes_->merged.members_of(shapes_->merged.clusters[s.merged]);
+        return shapes_->merged.members_of(shapes_->merged.groups[s.merged]);
     }
 
     /// Whose a triangle is: the place in the run of the one glyph whose outline all contour edges at its corners follow
@@ -114,9 +114,9 @@ public:
     {
         const shape_record& s = fresh().records[glyph];
         if (s.merged == shape_record::none) return s.glyph;
-        const merged_cluster& c = shapes_->merged.clusters[s.merged];
-        if (p == part::side) return shapes_->merged.owners_of(c)[triangle / 2];
-        return shapes_->merged.owner_of(c, s.shape->form().triangles[triangle]);
+        const merged_group& group = shapes_->merged.groups[s.merged];
+        if (p == part::side) return shapes_->merged.owners_of(group)[triangle / 2];
+        return shapes_->merged.owner_of(group, s.shape->form().triangles[triangle]);
     }
 
     /// What is not in the mesh, and why.
@@ -242,12 +242,7 @@ public:
     [[nodiscard]] mesh_size meshes_size() const noexcept
     {
         mesh_size all;
-        for (const glyph_mesh& m : meshes()) {
-            for (const part p : all_parts) {
-                all.vertices += m.shape->sizes().vertices[p];
-                all.triangles += m.shape->sizes().triangles[p];
-            }
-        }
+        for (const glyph_mesh& m : meshes()) all = all + m.shape->sizes().total();
         return all;
     }
 
@@ -255,14 +250,7 @@ public:
     [[nodiscard]] mesh_range mesh_part(std::size_t mesh, part p) const noexcept
     {
         const glyph_mesh& m = fresh().meshes[mesh];
-        const part_sizes& own = m.shape->sizes();
-        mesh_range r{m.first_vertex, own.vertices[p], m.first_index, 3 * own.triangles[p]};
-        for (const part q : all_parts) {
-            if (q >= p) break;
-            r.first_vertex += own.vertices[q];
-            r.first_index += 3 * own.triangles[q];
-        }
-        return r;
+        return m.shape->sizes().range(p, m.first_vertex, m.first_index);
     }
 
     /// For instanced drawing: every different glyph once, standing at the output's origin.
@@ -279,11 +267,9 @@ public:
         for (const glyph_mesh& m : all.meshes)
             for (const part p : all_parts) write_vertices(p, m.shape->form(), extruder_, all.place(m), sink);
         const bool turned = all.placed.frame.turns_triangles();
-        for (std::size_t i = 0; i < all.meshes.size(); ++i) {
-            first_vertices first;
-            for (const part p : all_parts) first[p] = mesh_part(i, p).first_vertex;
-            for (const part p : all_parts)
-                write_triangles(p, all.meshes[i].shape->form(), extruder_, first, turned, sink);
+        for (const glyph_mesh& m : all.meshes) {
+            const first_vertices first = m.shape->sizes().vertices.starts(m.first_vertex);
+            for (const part p : all_parts) write_triangles(p, m.shape->form(), extruder_, first, turned, sink);
         }
         sink.end();
         return {};

@@ -38,7 +38,7 @@ struct shape_record {
     cluster_id cluster = no_cluster;
     std::uint32_t line = 0;
     std::uint32_t glyph = 0;              ///< its place in the run
-    std::uint32_t merged = none;          ///< its place in text_shapes::merged.clusters, or none
+    std::uint32_t merged = none;          ///< its place in text_shapes::merged.groups, or none
     std::uint32_t mesh = 0;               ///< which of the text's meshes it is an instance of
     std::uint32_t next_alike = none;      ///< the next record of that mesh, or none
     part_sizes before = {};               ///< the counts of all glyphs before it
@@ -136,7 +136,7 @@ struct text_shapes {
     [[nodiscard]] bool expect_records(std::size_t count) noexcept
     {
         const std::size_t kinds = different.ids().size();
-        if (!records.reserve(count) || !meshes.reserve(kinds + merged.clusters.size()) || !mesh_of.reserve(kinds))
+        if (!records.reserve(count) || !meshes.reserve(kinds + merged.groups.size()) || !mesh_of.reserve(kinds))
             return false;
         for (std::size_t i = 0; i < kinds; ++i) mesh_of.push_back_unchecked(shape_record::none);
         return true;
@@ -149,17 +149,8 @@ struct text_shapes {
     error place_shape(shape_record s, std::uint32_t number) noexcept
     {
         const part_sizes& sizes = s.shape->sizes();
+        if (!(totals.total() + sizes.total()).fits_32_bits()) return error::too_large;
         s.before = totals;
-        part_sizes sum = totals;
-        std::uint64_t vertices = 0, triangles = 0;
-        for (const part p : all_parts) {
-            vertices += std::uint64_t{totals.vertices[p]} + sizes.vertices[p];
-            triangles += std::uint64_t{totals.triangles[p]} + sizes.triangles[p];
-            sum.vertices[p] += sizes.vertices[p];
-            sum.triangles[p] += sizes.triangles[p];
-        }
-        constexpr std::uint64_t most = 0xFFFF'FFFFu;
-        if (vertices > most || 3 * triangles > most) return error::too_large;
         const auto self = static_cast<std::uint32_t>(records.size());
         const bool merges = s.merged != shape_record::none;
         s.mesh = merges ? shape_record::none : mesh_of[number];
@@ -173,7 +164,7 @@ struct text_shapes {
         if (mesh.glyph_count++ != 0) records[mesh.last_glyph].next_alike = self;
         mesh.last_glyph = self;
         records.push_back_unchecked(s);
-        totals = sum;
+        totals = totals + sizes;
         return {};
     }
 
@@ -185,10 +176,9 @@ struct text_shapes {
             m.first_vertex = vertex;
             m.first_index = index;
             m.first_instance = instance;
-            for (const part p : all_parts) {
-                vertex += m.shape->sizes().vertices[p];
-                index += 3 * m.shape->sizes().triangles[p];
-            }
+            const mesh_size own = m.shape->sizes().total();
+            vertex += static_cast<std::uint32_t>(own.vertices);
+            index += static_cast<std::uint32_t>(own.indices());
             instance += m.glyph_count;
         }
     }

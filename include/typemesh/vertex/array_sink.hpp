@@ -1,26 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/vertex/index_writer.hpp>
 #include <typemesh/vertex/ranged_sink.hpp>
 #include <typemesh/vertex/vertex_traits.hpp>
 
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <type_traits>
 #include <utility>
 
 namespace typemesh {
-
-/// Whether Index can number so many vertices from 0 on. Its greatest value (0xFFFF, 0xFFFFFFFF) is kept free: graphics
-/// interfaces read it as "restart".
-template <std::unsigned_integral Index>
-[[nodiscard]] constexpr bool index_can_number(std::uint64_t vertices) noexcept
-{
-    return vertices <= (std::numeric_limits<Index>::max)();
-}
 
 /// Writes whole vertices and indices into two arrays of the caller's, mapped GPU memory included: each element once, in
 /// ascending order, never read back. Both hold still until end(). base_vertex is added to every index.
@@ -35,7 +27,7 @@ public:
 
     array_sink(std::span<Vertex> vertices, std::span<Index> indices, Writer writer,
                std::uint32_t base_vertex = 0) noexcept
-        : vertices_{vertices}, indices_{indices}, writer_{std::move(writer)}, base_{base_vertex}
+        : vertices_{vertices}, indices_{indices}, index_{base_vertex}, writer_{std::move(writer)}
     {
     }
 
@@ -48,36 +40,32 @@ public:
     {
         array_sink part = *this;
         part.next_vertex_ += range.first_vertex;
-        part.next_index_ += range.first_index;
+        part.index_.skip(range.first_index);
         return part;
     }
     void vertex(const surface_point<wants>& s) noexcept { *next_vertex_++ = writer_(s); }
     void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept
     {
-        next_index_[0] = static_cast<Index>(base_ + a);
-        next_index_[1] = static_cast<Index>(base_ + b);
-        next_index_[2] = static_cast<Index>(base_ + c);
-        next_index_ += 3;
+        index_.triangle(a, b, c);
     }
     void end() noexcept {}
 
 private:
     error begin_numbering(mesh_size exact, std::uint64_t vertices) noexcept
     {
-        if (!index_can_number<Index>(base_ + vertices)) return {error::index_overflow, base_ + vertices};
+        if (error e = index_.numbers(vertices)) return e;
         if (exact.vertices > vertices_.size()) return error::short_of("vertices", exact.vertices);
         if (exact.indices() > indices_.size()) return error::short_of("indices", exact.indices());
         next_vertex_ = vertices_.data();
-        next_index_ = indices_.data();
+        index_.start(indices_.data());
         return {};
     }
 
     std::span<Vertex> vertices_;
     std::span<Index> indices_;
     Vertex* next_vertex_ = nullptr;
-    Index* next_index_ = nullptr;
+    index_writer<Index> index_;
     [[no_unique_address]] Writer writer_;
-    std::uint32_t base_;
 };
 
 /// Asks for the missing specialisation by name.

@@ -34,7 +34,7 @@ public:
     static constexpr attribute wants = Writer::wants;
 
     growing_sink(Vertices& vertices, Indices& indices, Writer writer, std::uint32_t base_vertex = 0) noexcept
-        : vertices_{&vertices}, indices_{&indices}, writer_{std::move(writer)}, base_{base_vertex}
+        : vertices_{&vertices}, indices_{&indices}, index_{base_vertex}, writer_{std::move(writer)}
     {
     }
 
@@ -47,28 +47,25 @@ public:
     {
         growing_sink part = *this;
         part.next_vertex_ += range.first_vertex;
-        part.next_index_ += range.first_index;
+        part.index_.skip(range.first_index);
         return part;
     }
     void vertex(const surface_point<wants>& s) noexcept { *next_vertex_++ = writer_(s); }
     void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept
     {
-        next_index_[0] = static_cast<index_type>(base_ + a);
-        next_index_[1] = static_cast<index_type>(base_ + b);
-        next_index_[2] = static_cast<index_type>(base_ + c);
-        next_index_ += 3;
+        index_.triangle(a, b, c);
     }
     void end() noexcept {}
 
 private:
     error begin_numbering(mesh_size exact, std::uint64_t numbered) noexcept
     {
-        if (!index_can_number<index_type>(base_ + numbered)) return {error::index_overflow, base_ + numbered};
+        if (error e = index_.numbers(numbered)) return e;
         const auto vertices = static_cast<std::size_t>(exact.vertices);
         const auto indices = static_cast<std::size_t>(exact.indices());
         if (!resize(vertices, indices)) return error::out_of_memory;
         next_vertex_ = vertices_->data();
-        next_index_ = indices_->data();
+        index_.start(indices_->data());
         return {};
     }
 
@@ -94,9 +91,8 @@ private:
     Vertices* vertices_;
     Indices* indices_;
     vertex_type* next_vertex_ = nullptr;
-    index_type* next_index_ = nullptr;
+    index_writer<index_type> index_;
     [[no_unique_address]] Writer writer_;
-    std::uint32_t base_;
 };
 
 /// A sink that sizes two containers: `std::vector<my_vertex>` and `std::vector<std::uint32_t>`, or the like.

@@ -16,6 +16,15 @@ struct mesh_size {
     std::uint64_t triangles = 0;
 
     [[nodiscard]] constexpr std::uint64_t indices() const noexcept { return 3 * triangles; }
+    /// Whether 32 bits number its vertices and its indices.
+    [[nodiscard]] constexpr bool fits_32_bits() const noexcept
+    {
+        return vertices <= 0xFFFF'FFFFu && indices() <= 0xFFFF'FFFFu;
+    }
+    friend constexpr mesh_size operator+(const mesh_size& a, const mesh_size& b) noexcept
+    {
+        return {a.vertices + b.vertices, a.triangles + b.triangles};
+    }
     friend constexpr bool operator==(const mesh_size&, const mesh_size&) noexcept = default;
 };
 

@@ -92,7 +92,7 @@ public:
     {
     }
     stream_sink(std::span<Index> indices, std::uint32_t base_vertex, Streams... streams) noexcept
-        : indices_{indices}, streams_{std::move(streams)...}, base_{base_vertex}
+        : indices_{indices}, streams_{std::move(streams)...}, index_{base_vertex}
     {
     }
 
@@ -105,7 +105,7 @@ public:
     {
         stream_sink part = *this;
         part.next_vertex_ = range.first_vertex;
-        part.next_index_ += range.first_index;
+        part.index_.skip(range.first_index);
         return part;
     }
     void vertex(const surface_point<wants>& p) noexcept
@@ -117,31 +117,27 @@ public:
     }
     void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept
     {
-        next_index_[0] = static_cast<Index>(base_ + a);
-        next_index_[1] = static_cast<Index>(base_ + b);
-        next_index_[2] = static_cast<Index>(base_ + c);
-        next_index_ += 3;
+        index_.triangle(a, b, c);
     }
     void end() noexcept {}
 
 private:
     error begin_numbering(mesh_size exact, std::uint64_t vertices) noexcept
     {
-        if (!index_can_number<Index>(base_ + vertices)) return {error::index_overflow, base_ + vertices};
+        if (error e = index_.numbers(vertices)) return e;
         if (exact.indices() > indices_.size()) return error::short_of("indices", exact.indices());
         const bool fits =
             std::apply([&](const auto&... s) { return ((exact.vertices <= s.capacity) && ...); }, streams_);
         if (!fits) return error::short_of("vertices", exact.vertices);
         next_vertex_ = 0;
-        next_index_ = indices_.data();
+        index_.start(indices_.data());
         return {};
     }
 
     std::span<Index> indices_;
     std::tuple<Streams...> streams_;
     std::size_t next_vertex_ = 0;
-    Index* next_index_ = nullptr;
-    std::uint32_t base_;
+    index_writer<Index> index_;
 };
 
 template <class Index, std::size_t I, class... Streams>

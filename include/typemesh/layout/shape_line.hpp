@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/layout/reading_order.hpp>
+#include <typemesh/layout/shaper.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+namespace typemesh {
+
+namespace detail {
+
+/// How far a space moves the pen along a line. The run is left as it was.
+template <shaper Shaper>
+result<double> space_advance(Shaper& shaper, const shape_options& how, glyph_run& run) noexcept
+{
+    const std::size_t glyphs = run.glyphs.size();
+    const auto missing = run.missing;
+    const auto first_missing = run.first_missing;
+    const result<point> way = shaper.shape(text_view{" "}, 0, 1, how, run);
+    run.glyphs.truncate(glyphs);
+    run.missing = missing;
+    run.first_missing = first_missing;
+    if (!way) return way.error();
+    return how.direction == direction::top_to_bottom ? -way->y : way->x;
+}
+
+/// The direction in which what stands between two tabs is set, in a line of tabs that is read to the left or not. Each
+/// such stretch is a line of its own to the shaper, so stretches may differ where letters within one may not.
+[[nodiscard]] inline direction between_tabs(direction wanted, const line_reading& line, bool to_the_left,
+                                            text_view text, std::size_t first, std::size_t last) noexcept
+{
+    constexpr std::size_t nowhere = line_reading::nowhere;
+    const line_reading own = read_line(text, first, last);
+    const bool right = own.to_the_right != nowhere, left = own.to_the_left != nowhere;
+    if (wanted == direction::automatic) {
+        const bool follows = to_the_left && !right && !left && find_number(text, first, last) == nowhere;
+        return follows ? direction::right_to_left : wanted;
+    }
+    const bool mixed = line.to_the_right != nowhere && line.to_the_left != nowhere;
+    return mixed && (to_the_left ? right && !left : left && !right) ? direction::automatic : wanted;
+}
+
+inline void turn_round(std::span<placed_glyph> glyphs) noexcept
+{
+    for (std::size_t i = 0, k = glyphs.size(); i + 1 < k; ++i) std::swap(glyphs[i], glyphs[--k]);
+}
+
+}  // namespace detail
+
+/// Has a line shaped, its tabs included: each moves the pen on to the next tab stop, the first that the pen has not
+/// come to yet, and leaves no glyph. Stops stand from the line's start on, `tab_width` spaces apart; a line that is
+/// read to the left starts on the right.
+///
+///     |       |       |       |            Between tabs the shaper is given stretches of the line, each as a line of
+///     |name   |weight |price  |            its own. A line is read to the left where the options or, by default, its
+///     |ambergris      |12 g   |            first letter ask for it; then the stretches follow each other to the left.
+///
+///     text[first, last)    the line, without line breaks; first < last
+///     tab_width            0: tabs are characters like others, which most fonts lack
+///     run                  glyphs are appended, in drawing order, as a shaper does
+///
+/// Gives the way of the pen. Where the font's space moves it nowhere, tabs do not either.
+/// Fails  as the shaper does; the run may then hold some of the line's glyphs
+/// Cost   beside the shaper's O(n). In a line with tabs the shaper is asked about a space besides
+template <shaper Shaper>
+result<point> shape_line(Shaper& shaper, text_view text, std::size_t first, std::size_t last, const shape_options& how,
+                         double tab_width, glyph_run& run) noexcept
+{
+    const auto next_tab = [text, last](std::size_t i) noexcept {
+        while (i < last && text.unit(i) != 0x09) ++i;
+        return i;
+    };
+    std::size_t end = tab_width > 0.0 ? next_tab(first) : last;
+    if (end == last) return shaper.shape(text, first, last, how, run);
+
+    const result<double> space = detail::space_advance(shaper, how, run);
+    if (!space) return space.error();
+    const double apart = tab_width * *space;
+    const bool down = how.direction == direction::top_to_bottom;
+    const line_reading line = read_line(text, first, last);
+    const bool to_the_left = how.direction == direction::right_to_left ||
+                             (how.direction == direction::automatic && line.to_the_left < line.to_the_right);
+
+    const std::size_t first_glyph = run.glyphs.size();
+    double pen = 0.0;  // from where the line starts, in the direction in which it is read
+    for (std::size_t begin = first;;) {
+        if (begin < end) {
+            const std::size_t before = run.glyphs.size();
+            shape_options own = how;
+            if (!down) own.direction = detail::between_tabs(how.direction, line, to_the_left, text, begin, end);
+            const result<point> way = shaper.shape(text, begin, end, own, run);
+            if (!way) return way.error();
+            const double length = down ? -way->y : way->x;
+            const double start = to_the_left ? 0.0 - (pen + length) : pen;
+            const std::span<placed_glyph> glyphs = run.glyphs.view().subspan(before);
+            for (placed_glyph& g : glyphs) g.origin = g.origin + (down ? point{0.0, 0.0 - start} : point{start, 0.0});
+            if (to_the_left) detail::turn_round(glyphs);
+            pen += length;
+        }
+        if (end == last) break;
+        if (apart > 0.0) pen = (std::floor(pen / apart) + 1.0) * apart;
+        begin = end + 1;
+        end = next_tab(begin);
+    }
+    if (to_the_left) {
+        const std::span<placed_glyph> glyphs = run.glyphs.view().subspan(first_glyph);
+        detail::turn_round(glyphs);  // the stretches, whose own glyphs come back into order
+        for (placed_glyph& g : glyphs) g.origin.x += pen;
+    }
+    return down ? point{0.0, 0.0 - pen} : point{pen, 0.0};
+}
+
+}  // namespace typemesh

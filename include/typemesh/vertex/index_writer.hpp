@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/error.hpp>
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace typemesh {
+
+/// Whether Index can number so many vertices from 0 on. Its greatest value (0xFFFF, 0xFFFFFFFF) is kept free: graphics
+/// interfaces read it as "restart".
+template <std::unsigned_integral Index>
+[[nodiscard]] constexpr bool index_can_number(std::uint64_t vertices) noexcept
+{
+    return vertices <= (std::numeric_limits<Index>::max)();
+}
+
+/// Writes triangles behind one another as three indices each, a base vertex added to all: each element once, in
+/// ascending order, never read back. What the sinks over memory have in common.
+template <std::unsigned_integral Index>
+class index_writer {
+public:
+    explicit constexpr index_writer(std::uint32_t base_vertex) noexcept : base_{base_vertex} {}
+
+    /// The error of a mesh whose vertices Index cannot number, the base vertex' included; none if it can.
+    [[nodiscard]] constexpr error numbers(std::uint64_t vertices) const noexcept
+    {
+        return index_can_number<Index>(base_ + vertices) ? error{} : error{error::index_overflow, base_ + vertices};
+    }
+
+    constexpr void start(Index* first) noexcept { next_ = first; }
+    constexpr void skip(std::size_t indices) noexcept { next_ += indices; }
+
+    constexpr void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept
+    {
+        next_[0] = static_cast<Index>(base_ + a);
+        next_[1] = static_cast<Index>(base_ + b);
+        next_[2] = static_cast<Index>(base_ + c);
+        next_ += 3;
+    }
+
+private:
+    Index* next_ = nullptr;
+    std::uint64_t base_;  // not as wide as an index: else each one that is stored might be the base, which is read anew
+};
+
+}  // namespace typemesh

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "support/catch.hpp"
+
+#include <typemesh/vertex/index_writer.hpp>
+
+#include <cstdint>
+#include <vector>
+
+using namespace typemesh;
+
+TEST_CASE("the greatest index stays free", "[vertex]")
+{
+    CHECK(index_can_number<std::uint32_t>(0xFFFF'FFFFu));
+    CHECK_FALSE(index_can_number<std::uint32_t>(0x1'0000'0000u));
+    CHECK(index_can_number<std::uint16_t>(0xFFFF));
+    CHECK_FALSE(index_can_number<std::uint16_t>(0x1'0000));
+    CHECK(index_can_number<std::uint8_t>(255));
+    CHECK_FALSE(index_can_number<std::uint8_t>(256));
+}
+
+TEMPLATE_TEST_CASE("triangles come behind one another in indices of every width, the base added to each", "[vertex]",
+                   std::uint8_t, std::uint16_t, std::uint32_t, std::uint64_t)
+{
+    std::vector<TestType> indices(9, TestType{77});
+    index_writer<TestType> writer{100};
+    writer.start(indices.data());
+    writer.triangle(0, 1, 2);
+    writer.skip(3);
+    writer.triangle(2, 1, 100);
+    CHECK(indices == std::vector<TestType>{100, 101, 102, 77, 77, 77, 102, 101, 200});
+}
+
+TEST_CASE("vertices that no index of the type can name are refused, the base's included", "[vertex]")
+{
+    CHECK_FALSE(index_writer<std::uint16_t>{5}.numbers(0xFFFF - 5));
+    const error e = index_writer<std::uint16_t>{5}.numbers(0xFFFF - 4);
+    CHECK(e.code == error::index_overflow);
+    CHECK(e.count == 0x1'0000u);
+    CHECK(index_writer<std::uint32_t>{0xFFFF'FFFFu}.numbers(1).code == error::index_overflow);
+    CHECK_FALSE(index_writer<std::uint64_t>{0xFFFF'FFFFu}.numbers(0xFFFF'FFFFu));
+}
