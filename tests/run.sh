@@ -59,6 +59,7 @@ count() { passed=$((passed + $1)) failed=$((failed + $2)); }
 # Builds a preset and runs its tests; ctest names what a failed build has left out.
 test_preset() {  # test_preset PRESET [TARGET...]
     local log=$typemesh_root/build/$1.ctest.log total bad
+    say "Building takes some minutes; how far it is: tail -f $typemesh_root/build/$1.log"
     if ! build_preset "$@"; then
         count 0 1
     fi

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Every line of C++ in README.md, so that it compiles: readme_lines.cmake looks for them here. Nothing is run.
+// Every line of C++ in README.md and docs/ that any system can compile: snippet_lines.cmake looks for them here and in
+// windows_snippets.cpp. Nothing is run.
 
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/adapt/threads.hpp>
@@ -91,10 +92,11 @@ for (const auto& c : chunks.view()) draw(c.range().first_index, c.range().index_
     return 0;
 }
 
-}  // namespace readme
-
-int main()
+void engines()
 {
-    readme::use(&readme::more);
-    return readme::main();
+typemesh::text_options o;
+o.frame = {.right = {1, 0, 0}, .up = {0, -1, 0}, .toward = {0, 0, -1}, .winding = 1};   // y down, as in 2D canvases
+    use(o);
 }
+
+}  // namespace readme

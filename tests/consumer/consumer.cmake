@@ -4,9 +4,14 @@
 cmake_minimum_required(VERSION 3.20)
 
 file(REMOVE_RECURSE ${binary})
+set(how -DCMAKE_CXX_COMPILER=${compiler} -DCMAKE_PREFIX_PATH=${prefix})
+if(toolchain)  # it looks nowhere but in its own folders, save where it is told
+    set(how -DCMAKE_TOOLCHAIN_FILE=${toolchain} -Dtypemesh_DIR=${prefix}/share/cmake/typemesh)
+    string(REPLACE "," ";" emulator "${emulator}")
+endif()
 execute_process(
     COMMAND ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/project -B ${binary} -G ${generator}
-        -DCMAKE_CXX_COMPILER=${compiler} -DCMAKE_PREFIX_PATH=${prefix} -Dtypemesh_source=${typemesh} -Dway=${way}
+        ${how} -Dtypemesh_source=${typemesh} -Dway=${way}
         ${arguments}
     RESULT_VARIABLE failed OUTPUT_VARIABLE output ERROR_VARIABLE output)
 if(says)
@@ -22,7 +27,7 @@ if(NOT failed)
     string(APPEND output "${more}")
 endif()
 if(NOT failed)
-    execute_process(COMMAND ${binary}/user RESULT_VARIABLE failed OUTPUT_VARIABLE more ERROR_VARIABLE more)
+    execute_process(COMMAND ${emulator} ${binary}/user${suffix} RESULT_VARIABLE failed OUTPUT_VARIABLE more ERROR_VARIABLE more)
     string(APPEND output "${more}")
 endif()
 if(failed)

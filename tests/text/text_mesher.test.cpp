@@ -304,6 +304,16 @@ concept plans = requires(M& mesher, Run&& run) { mesher.plan(std::forward<Run>(r
 static_assert(plans<text_mesher<test::toy_font>, const glyph_run&> && plans<text_mesher<test::toy_font>, std::string>);
 static_assert(!plans<text_mesher<test::toy_font>, glyph_run>);
 
+// Overloads that refuse in a sentence take nothing away from the others: a text that is wide as well, a font that is
+// const and no result.
+struct text_of_an_engine {
+    operator std::u16string_view() const noexcept { return u"oo"; }
+    operator std::wstring_view() const noexcept { return L"oo"; }
+};
+static_assert(plans<text_mesher<test::toy_font>, text_of_an_engine> && !foreign_text<text_of_an_engine>);
+static_assert(!foreign_text<std::nullptr_t> && !foreign_text<std::string> && foreign_text<std::wstring>);
+static_assert(!std::is_constructible_v<text_mesher<test::toy_font>, const test::toy_font&>);
+
 TEST_CASE("a run made by hand needs no shaper and no lines", "[text]")
 {
     recorded_outlines shapes{1000.0};

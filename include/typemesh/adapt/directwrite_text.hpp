@@ -43,7 +43,7 @@ struct directwrite_glyph {
 ///     directwrite_text text;
 ///     if (error e = text.read(layout)) return puts(e.message());
 ///     text_mesher mesher{text};
-///     mesher.build(text.run(), into(vertices, indices));
+///     auto made = mesher.build(text.run(), into(vertices, indices));
 ///
 /// One run holds all faces. A glyph's id is the face's own number plus 65536 times the place of face and size in the
 /// order of first use, so the ids of a layout with one font are the font's own; glyph() takes an id apart. Underlines

@@ -12,6 +12,7 @@
 #include <typemesh/glyph/glyph_cache.hpp>
 #include <typemesh/text/text_mesher.hpp>
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -87,7 +88,13 @@ public:
     {
     }
 
-    d3dx_text(const Font&&, memory = heap()) = delete;  // the font is referred to: a temporary will not do
+    // The font is referred to: a temporary will not do, nor a result without its `*`.
+    d3dx_text(const Font&&, memory = heap(), detail::keep_the_font_in_a_variable = {}) = delete;
+    template <std::same_as<Font> Made>
+    explicit d3dx_text(const result<Made>& font, memory = heap()) noexcept
+        : mesher_{font}
+    {
+    }
 
     /// Everything but the writing. Ends the plan before it.
     ///
@@ -122,7 +129,12 @@ public:
                          options.shape.direction == direction::top_to_bottom};
     }
 
-    result<plan_type> plan(text_view text, const d3dx_text_options& options = {}) && = delete;
+    detail::keep_the_mesher_in_a_variable plan(text_view text, const d3dx_text_options& options = {}) && = delete;
+    template <foreign_text Text>
+    result<plan_type> plan(const Text&, const d3dx_text_options& = {}) & noexcept
+    {
+        return refuse_text<Text>();
+    }
 
     /// The style of side normals, to change its options between texts: curve_normals' crease angle is 15 degrees, that
     /// of Direct3D 45.
@@ -147,6 +159,8 @@ template <class Font>
 d3dx_text(Font&) -> d3dx_text<Font>;
 template <class Font>
 d3dx_text(Font&, memory) -> d3dx_text<Font>;
+template <class Font>
+d3dx_text(const result<Font>&, memory = heap()) -> d3dx_text<Font>;
 template <class Font, cache_lock Lock>
 d3dx_text(Font&, cached_in<Lock>) -> d3dx_text<Font, curve_normals, cached_in<Lock>>;
 template <class Font, cache_lock Lock>

@@ -79,6 +79,11 @@ public:
     {
         return plan_.write(sink);
     }
+    template <array_without_sink Vertices, array_without_sink Indices>
+    error write(Vertices&&, Indices&&) const noexcept
+    {
+        return refuse_arrays<Vertices>();
+    }
 
     /// One for every unit of the text. A character's metrics stand at its first unit; what has no glyph of its own
     /// (the other units of a character, later letters of a ligature, line breaks) gets zeros. A glyph's advance is the

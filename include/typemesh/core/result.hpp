@@ -44,4 +44,13 @@ private:
     typemesh::error error_;
 };
 
+/// For overloads that stand where a value is taken, so that a forgotten `*` is told in a sentence.
+template <class T>
+constexpr error refuse_result() noexcept
+{
+    static_assert(sizeof(T) == 0, "typemesh: this is a typemesh::result, not its value. Test it first, "
+                                  "`if (!made) ... made.error()`, then pass the value: `*made`.");
+    return error::bad_option;
+}
+
 }  // namespace typemesh

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/assert.hpp>
+#include <typemesh/core/error.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -70,5 +71,22 @@ private:
     std::size_t size_ = 0;
     typemesh::encoding encoding_ = typemesh::encoding::utf8;
 };
+
+/// Text in an encoding that text_view does not take: UTF-32, or wchar_t, which is another thing on each system.
+template <class Text>
+concept foreign_text = !std::is_convertible_v<const Text&, text_view> &&
+                       !std::is_convertible_v<const Text&, std::string_view> &&
+                       (std::is_convertible_v<const Text&, std::u32string_view> ||
+                        std::is_convertible_v<const Text&, std::wstring_view>);
+
+/// For overloads that stand where a text is taken, so that such a text is refused in a sentence.
+template <class Text>
+constexpr error refuse_text() noexcept
+{
+    static_assert(sizeof(Text) == 0,
+                  "typemesh: text is UTF-8 (char, char8_t) or UTF-16 (char16_t), not UTF-32 or wchar_t. Windows' "
+                  "wchar_t is UTF-16: `std::u16string_view{reinterpret_cast<const char16_t*>(text), length}`.");
+    return error::bad_option;
+}
 
 }  // namespace typemesh

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/result.hpp>
 #include <typemesh/text/text_plan.hpp>
 
 #include <cstddef>
@@ -43,6 +44,11 @@ template <extruder Extruder>
         }
     }
     return flipped;
+}
+template <class Plan>
+std::uint64_t flipped_triangles(const result<Plan>&) noexcept
+{
+    return refuse_result<Plan>() ? 0u : 1u;
 }
 
 }  // namespace typemesh

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/executor.hpp>
+#include <typemesh/core/result.hpp>
 #include <typemesh/text/split_shapes.hpp>
 #include <typemesh/text/text_plan.hpp>
 
@@ -125,6 +126,23 @@ public:
         emit(fresh(plan), chunk, plan.extruder_, sink);
         sink.end();
         return {};
+    }
+
+    // A result without its `*`, arrays without their into().
+    template <class Plan, class... More>
+    error cut(const result<Plan>&, More...) noexcept
+    {
+        return refuse_result<Plan>();
+    }
+    template <class Plan, class... More>
+    error write(const result<Plan>&, More&&...) const noexcept
+    {
+        return refuse_result<Plan>();
+    }
+    template <extruder Extruder, array_without_sink Vertices, array_without_sink Indices, class... Workers>
+    error write(const text_plan<Extruder>&, Vertices&&, Indices&&, Workers&...) const noexcept
+    {
+        return refuse_arrays<Vertices>();
     }
 
 private:

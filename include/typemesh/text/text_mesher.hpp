@@ -16,6 +16,7 @@
 #include <typemesh/triangulate/monotone.hpp>
 
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -23,6 +24,12 @@
 #include <utility>
 
 namespace typemesh {
+
+namespace detail {  // named by the compiler where a temporary is refused
+struct keep_the_font_in_a_variable {};
+struct keep_the_mesher_in_a_variable;
+struct keep_the_run_in_a_variable;
+}  // namespace detail
 
 /// Joins the stages: text in, mesh out.
 ///
@@ -51,7 +58,14 @@ public:
     {
     }
 
-    text_mesher(const Font&&, memory = heap()) = delete;  // the mesher refers to its font: a temporary will not do
+    // The mesher refers to its font: a temporary will not do, nor a result without its `*`.
+    text_mesher(const Font&&, memory = heap(), detail::keep_the_font_in_a_variable = {}) = delete;
+    template <std::same_as<Font> Made>
+    explicit text_mesher(const result<Made>&, memory source = heap()) noexcept
+        : builder_{source}, merger_{source}, run_{source}, shapes_{source}
+    {
+        (void)refuse_result<Made>();
+    }
 
     /// The same mesher with one policy exchanged: a discretiser, a triangulator, an extruder or a stage_observer; or
     /// with the cache that its glyphs shall be kept in, as cached_in (no_cache{}: in none).
@@ -73,6 +87,22 @@ public:
                           "to see what it lacks.");
             return changed(discretiser_, triangulator_, extruder_, std::move(policy), cache_);
         }
+    }
+
+    // Policies are exchanged on the way to a variable, and a cache goes in with the font's number.
+    template <class Policy>
+    text_mesher&& with(Policy) & noexcept
+    {
+        static_assert(sizeof(Policy) == 0, "typemesh: with() makes another mesher of this one, which ends: write "
+                                           "`text_mesher{font}.with(...)`, or `std::move(mesher).with(...)`.");
+        return std::move(*this);
+    }
+    template <class Lock>
+    text_mesher&& with(glyph_cache<Lock>&) && noexcept
+    {
+        static_assert(sizeof(Lock) == 0, "typemesh: a glyph_cache is shared by fonts, so with() takes it with your "
+                                         "number for this one: `with(cached_in{cache, 1})`.");
+        return std::move(*this);
     }
 
     /// The policies, to change their options between texts.
@@ -124,13 +154,25 @@ public:
     }
 
     // A plan refers to its run and to its mesher: temporaries would leave it in the air.
-    result<plan_type> plan(glyph_run&& run, const text_options& options = {}) & = delete;
-    result<plan_type> plan(text_view text, const text_options& options = {}) && = delete;
-    result<plan_type> plan(const glyph_run& run, const text_options& options = {}) && = delete;
+    detail::keep_the_run_in_a_variable plan(glyph_run&& run, const text_options& options = {}) & = delete;
+    detail::keep_the_mesher_in_a_variable plan(text_view text, const text_options& options = {}) && = delete;
+    detail::keep_the_mesher_in_a_variable plan(const glyph_run& run, const text_options& options = {}) && = delete;
     template <class Team>
-    result<plan_type> plan(glyph_run&& run, const text_options& options, Team& team) & = delete;
+    detail::keep_the_run_in_a_variable plan(glyph_run&& run, const text_options& options, Team& team) & = delete;
     template <class Text, class Team>
-    result<plan_type> plan(const Text& text, const text_options& options, Team& team) && = delete;
+    detail::keep_the_mesher_in_a_variable plan(const Text& text, const text_options& options, Team& team) && = delete;
+
+    // UTF-32 and wchar_t; a team that is still a result.
+    template <foreign_text Text, class... Team>
+    result<plan_type> plan(const Text&, const text_options& = {}, Team&...) & noexcept
+    {
+        return refuse_text<Text>();
+    }
+    template <class Text, class Team>
+    result<plan_type> plan(const Text&, const text_options&, result<Team>&) & noexcept
+    {
+        return refuse_result<Team>();
+    }
 
     /// plan() and write() in one: the report of what was built, or the error. Nothing reaches the sink if the plan
     /// fails.
@@ -162,6 +204,18 @@ public:
         observer_(stage::idle);
         if (e) return e;
         return made->report();
+    }
+
+    // Arrays without their into(); a team that is still a result.
+    template <class Text, array_without_sink Vertices, array_without_sink Indices, class... Team>
+    result<text_report> build(const Text&, Vertices&&, Indices&&, const text_options& = {}, Team&...) noexcept
+    {
+        return refuse_arrays<Vertices>();
+    }
+    template <class Text, class Sink, class Team>
+    result<text_report> build(const Text&, Sink&&, const text_options&, result<Team>&) noexcept
+    {
+        return refuse_result<Team>();
     }
 
 private:
@@ -414,5 +468,8 @@ template <class Font>
 text_mesher(Font&, memory) -> text_mesher<Font>;
 template <class Font>
 text_mesher(const Font&&) -> text_mesher<Font>;  // chosen only to be refused: see the deleted constructor
+
+template <class Font>
+text_mesher(const result<Font>&, memory = heap()) -> text_mesher<Font>;
 
 }  // namespace typemesh

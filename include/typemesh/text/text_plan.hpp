@@ -218,6 +218,23 @@ public:
         return {};
     }
 
+    // Arrays without their into().
+    template <array_without_sink Vertices, array_without_sink Indices, class... Workers>
+    error write(Vertices&&, Indices&&, Workers&...) const noexcept
+    {
+        return refuse_arrays<Vertices>();
+    }
+    template <array_without_sink Vertices, array_without_sink Indices>
+    error write(glyph_span, Vertices&&, Indices&&) const noexcept
+    {
+        return refuse_arrays<Vertices>();
+    }
+    template <array_without_sink Vertices, array_without_sink Indices>
+    error write_meshes(Vertices&&, Indices&&) const noexcept
+    {
+        return refuse_arrays<Vertices>();
+    }
+
     /// The text's different glyphs, each of which write_meshes() writes once.
     [[nodiscard]] std::span<const glyph_mesh> meshes() const noexcept { return fresh().meshes.view(); }
 

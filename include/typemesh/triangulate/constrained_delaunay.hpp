@@ -35,7 +35,7 @@ namespace typemesh {
 /// themselves, all points are divided into slabs and conquered (delaunay_slabs): the same triangles in another order.
 ///
 /// Cost   O(n log n)
-/// Space  about 220 bytes a point and 128 a loop from `space`, nothing else after `out` has room
+/// Space  at most 220 bytes a point and 128 a loop from `space`, nothing else after `out` has room
 /// Exact  orientation in 64 bits, in-circle in 128 (core/in_circle.hpp)
 struct constrained_delaunay {
     /// So many exchanges a triangle may be spent before slabs take over, 1 to 3 being usual and 0 leaving everything to

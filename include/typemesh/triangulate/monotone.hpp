@@ -22,7 +22,7 @@ namespace typemesh {
 /// another policy.
 ///
 /// Cost   O(n log n); one pass. Only points that open a span are searched for, all others know theirs by their edges.
-/// Space  about 120 bytes a point from `space`, nothing else after `out` has room
+/// Space  at most 130 bytes a point from `space`, nothing else after `out` has room
 /// Exact  orientation in 64 bits (see core/orientation.hpp) is the only predicate
 /// From   de Berg et al., Computational Geometry, 3rd ed. (2008), 3.2 and 3.3; Shamos & Hoey, Geometric intersection
 ///        problems (1976)

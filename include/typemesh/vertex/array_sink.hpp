@@ -96,4 +96,13 @@ template <class Vertex, std::size_t V, std::unsigned_integral Index, std::size_t
     return array_sink<Vertex, Index, Writer>{vertices, indices, std::move(writer), base_vertex};
 }
 
+// Pointers, which know no size.
+template <class Vertex, class Index, class... More>
+[[nodiscard]] auto into(Vertex*, Index*, More...) noexcept
+{
+    static_assert(sizeof(Vertex) == 0, "typemesh: into() must know how much room there is: of pointers make "
+                                       "`std::span{vertices, how_many}` and `std::span{indices, how_many}`.");
+    return into(std::span<Vertex>{}, std::span<Index>{});
+}
+
 }  // namespace typemesh

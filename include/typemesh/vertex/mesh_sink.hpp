@@ -6,6 +6,7 @@
 
 #include <concepts>
 #include <cstdint>
+#include <type_traits>
 
 namespace typemesh {
 
@@ -42,5 +43,20 @@ concept mesh_sink = requires(S& s, mesh_size exact, const surface_point<S::wants
     { s.triangle(v, v, v) } noexcept;
     { s.end() } noexcept;
 };
+
+/// An array or a container of the caller's, where a sink is wanted.
+template <class A>
+concept array_without_sink =
+    !mesh_sink<std::remove_reference_t<A>> &&
+    (std::is_array_v<std::remove_reference_t<A>> || requires(A& a) { a.data(); a.size(); });
+
+/// For overloads that stand where a sink is taken, so that a forgotten into() is told in a sentence.
+template <class A>
+constexpr error refuse_arrays() noexcept
+{
+    static_assert(sizeof(A) == 0, "typemesh: vertices and indices go together into one sink: "
+                                  "`into(vertices, indices)`, of two std::vector or two std::span.");
+    return error::bad_option;
+}
 
 }  // namespace typemesh

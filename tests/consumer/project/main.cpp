@@ -7,6 +7,9 @@
 #ifdef USER_HAS_freetype
 #include <typemesh/adapt/freetype.hpp>
 #endif
+#ifdef USER_HAS_directwrite
+#include <typemesh/adapt/directwrite.hpp>
+#endif
 #ifdef USER_HAS_glm
 #include <typemesh/adapt/glm.hpp>
 #endif
@@ -23,6 +26,9 @@ int main()
     FT_Library library = nullptr;
     if (FT_Init_FreeType(&library) != 0) return 1;
     FT_Done_FreeType(library);
+#endif
+#ifdef USER_HAS_directwrite
+    if (typemesh::directwrite_font::open(L"no such file")) return 1;
 #endif
 #ifdef USER_HAS_glm
     if (glm::vec2(1.0f).x != 1.0f) return 1;
