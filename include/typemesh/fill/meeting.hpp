@@ -26,8 +26,8 @@ struct meeting {
     grid_point at;
 };
 
-/// Told of meetings: judge(m) is whether this one may stand. It is asked of all that the boundary of the filled area comes
-/// through, also when one does not.
+/// Told of meetings: judge(m) is whether this one may stand. It is asked of all that the boundary of the filled area
+/// comes through, also when one does not.
 template <class J>
 concept meeting_judge = requires(J& judge, const meeting& m) {
     { judge(m) } noexcept -> std::same_as<bool>;

@@ -118,9 +118,9 @@ template <meeting_judge Judge, class Then>
 ///        all pairs of edges whose boxes meet are tested: O(n^2) at worst.
 /// Exact  in 64 bits; from equal grid points every compiler makes the same region (t apart, which is floating point)
 ///
-/// `judge` is told of every place where edges of the contours cross, or one ends on the other (see meeting.hpp). Where
-/// it does not let one stand, the answer is a region without points, and `loops` is as it was. About 15 instructions a
-/// point, and the judge's own.
+/// `judge` is told where edges of the contours cross, or one ends on the other, on the boundary of what they fill (see
+/// meeting.hpp). Where it does not let one stand, the answer is a region without points, and `loops` is as it was. About
+/// 15 instructions a point, and the judge's own.
 template <meeting_judge Judge>
 [[nodiscard]] result<region> resolve(contours& loops, fill_rule rule, workspace& space, Judge& judge,
                                      resolve_effort* effort = nullptr) noexcept
