@@ -25,7 +25,7 @@ test::shape random_shape(test::dice& d)
 /// Turns in less turns out, of every point: zero everywhere for closed contours.
 bool is_closed(const detail::arrangement& a)
 {
-    std::map<std::uint64_t, int> sum;
+    std::map<std::int64_t, int> sum;
     for (std::uint32_t i = 0; i < a.count; ++i) {
         sum[detail::sweep_place(a.stretches[i].from)] += a.stretches[i].turn;
         sum[detail::sweep_place(a.stretches[i].to)] -= a.stretches[i].turn;

@@ -51,7 +51,7 @@ std::string mistake_on(const test::shape& s, fill_rule rule, int samples = 12)
     if (holes != made->holes() || outers != made->outers()) return "holes and outer loops are miscounted";
     if (made->edges().size() != made->points().size()) return "not an edge a point";
 
-    std::vector<std::uint64_t> places;
+    std::vector<std::int64_t> places;
     for (const grid_point p : made->points()) places.push_back(detail::sweep_place(p));
     std::sort(places.begin(), places.end());
     if ((std::adjacent_find(places.begin(), places.end()) != places.end()) != made->is_touching())

@@ -20,7 +20,7 @@ std::string mistake_in(const detail::arrangement& a)
     std::vector<detail::stretch> all;
     for (std::uint32_t i = 0; i < a.count; ++i)
         if (a.stretches[i].turn != 0) all.push_back(a.stretches[i]);
-    std::map<std::uint64_t, int> closed;
+    std::map<std::int64_t, int> closed;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const detail::stretch& s = all[i];
         if (!lexicographic_less(s.from, s.to)) return "a stretch runs to the left";
@@ -134,7 +134,7 @@ TEST_CASE("A walk without room says so and leaves closed contours", "[fill][reso
         CHECK(sweep.full);
         CHECK(sweep.again);
         CHECK(a.count <= room);
-        std::map<std::uint64_t, int> closed;
+        std::map<std::int64_t, int> closed;
         for (std::uint32_t i = 0; i < a.count; ++i) {
             closed[detail::sweep_place(a.stretches[i].from)] += a.stretches[i].turn;
             closed[detail::sweep_place(a.stretches[i].to)] -= a.stretches[i].turn;

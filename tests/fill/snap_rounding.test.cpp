@@ -107,7 +107,7 @@ TEST_CASE("The sweep that swaps neighbours finds nearly all crossings, each once
         REQUIRE(a.take_apart(loops, space));
         detail::growing<grid_point> out{scratch};
         REQUIRE(detail::crossing_sweep::run(a, scratch, out));
-        std::vector<std::uint64_t> all, mine;
+        std::vector<std::int64_t> all, mine;
         for (std::uint32_t p = 0; p < a.count; ++p) {
             for (std::uint32_t q = p + 1; q < a.count; ++q) {
                 grid_point x;
