@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/curve.hpp>
+#include <typemesh/core/first_where.hpp>
 #include <typemesh/core/grid.hpp>
 #include <typemesh/core/outline.hpp>
 #include <typemesh/core/workspace.hpp>
@@ -267,12 +268,7 @@ private:
     /// The curve behind or before one, on its contour.
     [[nodiscard]] std::uint32_t neighbour(std::uint32_t i, bool behind) const noexcept
     {
-        std::uint32_t contour = 0;
-        for (std::uint32_t size = shape_->contour_count(); size > 1;) {
-            const std::uint32_t half = size / 2;
-            if (shape_->starts[contour + half] <= i) contour += half;
-            size -= half;
-        }
+        const std::size_t contour = range_of(shape_->starts.view(), i);
         const std::uint32_t first = shape_->starts[contour], last = shape_->starts[contour + 1] - 1;
         if (behind) return i == last ? first : i + 1;
         return i == first ? last : i - 1;
