@@ -2,7 +2,6 @@
 #pragma once
 
 #include <typemesh/core/contours.hpp>
-#include <typemesh/core/fill_rule.hpp>
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/sweep_order.hpp>
 #include <typemesh/core/workspace.hpp>

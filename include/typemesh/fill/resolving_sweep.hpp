@@ -89,8 +89,7 @@ public:
         starts_ = scratch.take<std::uint32_t>(std::size_t{room} + 1);
         hints_ = scratch.take<std::uint32_t>(std::size_t{a_.point_count} + 1);
         if (edges_ == nullptr || ends_ == nullptr || dirty_ == nullptr || rays_ == nullptr || starts_ == nullptr ||
-            hints_ == nullptr ||
-            !status_.open(scratch, room) || !queue_.open(scratch, room))
+            hints_ == nullptr || !status_.open(scratch, room) || !queue_.open(scratch, room))
             return false;
         edges_[0] = {};
         edges_[0].from = edges_[0].to = beyond;
@@ -182,6 +181,7 @@ private:
         if (!is_clear(under, slot)) part(under, slot);
         if (!is_clear(slot, over)) part(slot, over);
     }
+
     /// Holds p against the edges right below and right above it.
     void pass_by(std::uint32_t under, std::uint32_t over, grid_point p) noexcept
     {

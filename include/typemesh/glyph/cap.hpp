@@ -33,11 +33,15 @@ template <triangulator Triangulator>
     return true;
 }
 
-/// prove_loops() for loops that have been turned, whose points come in `order`; empty: not known.
+/// prove_loops() that leaves in `order`, on `scratch`, what it has found out about the order of the points, for
+/// resolve_and_cut(): it holds as long as the loops are refused and stay as they are then.
 template <proving_triangulator Triangulator>
-[[nodiscard]] result<region> prove_turned(contours& loops, std::span<const std::uint32_t> order,
-                                          const Triangulator& how, workspace& space, triangle_list& out) noexcept
+[[nodiscard]] result<region> prove_loops(contours& loops, std::span<const std::uint32_t>& order,
+                                         const Triangulator& how, workspace::scope& scratch, workspace& space,
+                                         triangle_list& out) noexcept
 {
+    orient(loops);
+    if (!order_points<Triangulator>(loops, scratch, space, order)) return error::out_of_memory;
     auto proven = [&]() noexcept {
         if constexpr (ordered_triangulator<Triangulator>)
             return how.prove(loops, order, space, out);
@@ -46,9 +50,9 @@ template <proving_triangulator Triangulator>
     }();
     if constexpr (touching_triangulator<Triangulator>) {
         if (!proven && proven.error().code == error::crossing_contours && proven.error().count != 0) {
-            workspace::scope scratch{space};
+            workspace::scope linking{space};
             touching_walks walks;
-            if (error e = walks.link(loops, scratch, space, order)) return e;
+            if (error e = walks.link(loops, linking, space, order)) return e;
             proven = how.prove_touching(loops, space, out);
             if (!proven) walks.undo(loops);
         }
@@ -92,11 +96,9 @@ template <proving_triangulator Triangulator>
 [[nodiscard]] result<region> prove_loops(contours& loops, const Triangulator& how, workspace& space,
                                          triangle_list& out) noexcept
 {
-    orient(loops);
     workspace::scope scratch{space};
     std::span<const std::uint32_t> order;
-    if (!detail::order_points<Triangulator>(loops, scratch, space, order)) return error::out_of_memory;
-    return detail::prove_turned(loops, order, how, space, out);
+    return detail::prove_loops(loops, order, how, scratch, space, out);
 }
 
 /// Contours to a proven region and its triangles: fill and triangulate joined.
@@ -115,11 +117,9 @@ template <triangulator Triangulator, stage_observer Observer>
 {
     if constexpr (proving_triangulator<Triangulator>) {
         observe(stage::triangulate);
-        orient(loops);
         workspace::scope scratch{space};
         std::span<const std::uint32_t> order;
-        if (!detail::order_points<Triangulator>(loops, scratch, space, order)) return error::out_of_memory;
-        auto proven = detail::prove_turned(loops, order, how, space, out);
+        auto proven = detail::prove_loops(loops, order, how, scratch, space, out);
         if (proven || proven.error().code != error::crossing_contours) return proven;
         every_meeting_stands nobody;
         return detail::resolve_and_cut(loops, order, rule, how, space, out, nobody, observe);

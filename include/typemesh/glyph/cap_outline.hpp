@@ -3,9 +3,12 @@
 
 #include <typemesh/core/outline.hpp>
 #include <typemesh/discretise/discretise.hpp>
+#include <typemesh/fill/crossing_guard.hpp>
 #include <typemesh/fill/nest.hpp>
 #include <typemesh/glyph/cap.hpp>
-#include <typemesh/fill/crossing_guard.hpp>
+
+#include <cstdint>
+#include <span>
 
 namespace typemesh {
 
@@ -46,9 +49,7 @@ template <discretiser Discretiser, triangulator Triangulator, stage_observer Obs
         const auto prove = [&]() noexcept -> result<region> {
             if constexpr (proving_triangulator<Triangulator>) {
                 observe(stage::triangulate);
-                orient(loops);
-                if (!detail::order_points<Triangulator>(loops, scratch, space, order)) return error::out_of_memory;
-                return detail::prove_turned(loops, order, cut, space, out);
+                return detail::prove_loops(loops, order, cut, scratch, space, out);
             } else {
                 observe(stage::fill);
                 auto nested = nest(loops, rule, space);
