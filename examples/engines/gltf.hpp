@@ -2,7 +2,9 @@
 #pragma once
 
 // glTF 2.0, as one binary file in memory (GLB): one mesh, one primitive a part, one buffer. Right-handed, y up, front
-// faces counter-clockwise, looking along +z; v downwards, normal maps with green up: a tangent's w is turned.
+// faces counter-clockwise, looking along +z; v downwards, normal maps with green up: a tangent's w is turned. Each part
+// has a material of its own, named after it (front, back, side), for colours and textures of yours: without one a
+// primitive is drawn as bare metal, which mirrors a black surrounding.
 //
 //     plain        48 bytes a vertex: floats
 //     quantised    20 bytes a vertex, by KHR_mesh_quantization (required by the file):
@@ -67,6 +69,23 @@ inline void say(std::string& out, const char* format, auto... values)
     out.append(text, n > 0 ? static_cast<std::size_t>(n) : 0);
 }
 
+/// The materials of the parts that are drawn, in the parts' order: painted, not metal, the sides darker.
+template <class Plan>
+void say_materials(std::string& json, const Plan& plan)
+{
+    using typemesh::part;
+    const char* before = R"("materials":[)";
+    for (const part p : typemesh::all_parts) {
+        if (plan.range(p).index_count == 0) continue;
+        const bool side = p == part::side;
+        say(json, R"(%s{"name":"%s","pbrMetallicRoughness":{"baseColorFactor":%s,"metallicFactor":0,"roughnessFactor":0.45}})",
+            before, side ? "side" : p == part::front ? "front" : "back",
+            side ? "[0.617,0.061,0.03,1]" : "[0.871,0.138,0.051,1]");
+        before = ",";
+    }
+    json += "],";
+}
+
 /// Where the vertices and indices go, whatever the layout.
 template <class Index, class Plan>
 [[nodiscard]] typemesh::error write_buffer(const Plan& plan, layout how, const typemesh::position_box& box,
@@ -112,16 +131,18 @@ template <class Plan, class Bytes>
         json += R"("scenes":[{"nodes":[0]}],)";
         if (packed)
             json += R"("extensionsUsed":["KHR_mesh_quantization"],"extensionsRequired":["KHR_mesh_quantization"],)";
-        json += R"("nodes":[{"mesh":0)";
+        say_materials(json, plan);
+        json += R"("nodes":[{"name":"text","mesh":0)";
         if (packed)
             say(json, R"(,"translation":[%.9g,%.9g,%.9g],"scale":[%.9g,%.9g,%.9g])", box.offset.x, box.offset.y,
                 box.offset.z, box.scale.x, box.scale.y, box.scale.z);
-        json += R"(}],"meshes":[{"primitives":[)";
+        json += R"(}],"meshes":[{"name":"text","primitives":[)";
         int accessor = 4;
         for (const part p : all_parts) {
             if (plan.range(p).index_count == 0) continue;
-            say(json, R"(%s{"attributes":{"POSITION":0,"NORMAL":1,"TANGENT":2,"TEXCOORD_0":3},"indices":%d})",
-                accessor > 4 ? "," : "", accessor);
+            say(json,
+                R"(%s{"attributes":{"POSITION":0,"NORMAL":1,"TANGENT":2,"TEXCOORD_0":3},"indices":%d,"material":%d})",
+                accessor > 4 ? "," : "", accessor, accessor - 4);
             ++accessor;
         }
         say(json,

@@ -3,6 +3,8 @@
 #include "engines/gltf.hpp"
 #include "engines/three.hpp"
 
+#include <typemesh/extrude/flat.hpp>
+
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -38,6 +40,23 @@ std::vector<double> numbers_after(const std::string& json, const std::string& na
         p = end + 1;
     }
     return out;
+}
+
+/// What stands behind each occurrence of some words, up to the next comma or bracket.
+std::vector<std::string> all_after(const std::string& json, const std::string& words)
+{
+    std::vector<std::string> out;
+    for (std::size_t at = json.find(words); at != std::string::npos; at = json.find(words, at)) {
+        at += words.size();
+        out.push_back(json.substr(at, json.find_first_of(",}]", at) - at));
+    }
+    return out;
+}
+
+std::vector<std::string> quoted(std::vector<std::string> words)
+{
+    for (std::string& w : words) w = "\"" + w + "\"";
+    return words;
 }
 
 struct glb {
@@ -189,6 +208,43 @@ TEST_CASE("a quantised glTF file gives the same mesh back through its node's tra
                 .write(reinterpret_cast<const char*>(file.data()), static_cast<std::streamsize>(file.size()));
         }
     }
+}
+
+TEST_CASE("a glTF file has a named material for each part that is drawn, and none of them is metal", "[engines]")
+{
+    bench b;
+    const auto law = [](const auto& plan, const std::vector<std::string>& drawn) {
+        for (const auto how : {engines::gltf::layout::plain, engines::gltf::layout::quantised}) {
+            std::vector<std::byte> file;
+            REQUIRE_FALSE(engines::gltf::write(plan, how, file));
+            const std::string json = open(file).json;
+            const auto list = json.substr(json.find("\"materials\":["));
+            const auto materials = list.substr(0, list.find("}}]"));
+            CHECK(all_after(materials, "\"name\":") == quoted(drawn));
+            CHECK(all_after(materials, "\"metallicFactor\":") == std::vector<std::string>(drawn.size(), "0"));
+            CHECK(all_after(materials, "\"roughnessFactor\":").size() == drawn.size());
+
+            // Without one, a primitive is drawn as metal; a node and a mesh without a name are called by a number.
+            const auto meshes = json.substr(json.find("\"meshes\":["), json.find("\"buffers\":["));
+            const auto named = all_after(meshes, "\"material\":");
+            CHECK(named.size() == all_after(meshes, "\"attributes\":").size());
+            for (std::size_t k = 0; k < named.size(); ++k) CHECK(named[k] == std::to_string(k % drawn.size()));
+            CHECK(all_after(json, "\"nodes\":[{\"name\":").size() == 1);
+            CHECK(all_after(json, "\"meshes\":[{\"name\":").size() == 1);
+        }
+    };
+    auto solid = b.mesher.plan(word, engines::gltf::options());
+    REQUIRE(solid);
+    law(*solid, {"front", "back", "side"});
+    bench second, third;
+    auto open_behind = std::move(second.mesher).with(extruded<>{.back = false});
+    auto ribbon = open_behind.plan(word, engines::gltf::options());
+    REQUIRE(ribbon);
+    law(*ribbon, {"front", "side"});
+    auto flattened = std::move(third.mesher).with(flat{});
+    auto sheet = flattened.plan(word, engines::gltf::options());
+    REQUIRE(sheet);
+    law(*sheet, {"front"});
 }
 
 TEST_CASE("a long text has wide indices in its glTF file, and an empty one no mesh", "[engines]")

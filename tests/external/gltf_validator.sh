@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
-# Khronos' glTF validator finds no error and no warning in the GLB of any text, the empty one included.
+# Khronos' glTF validator finds no error and no warning in the GLB of any text, the empty one included, nor in what the
+# recipe examples/engines/gltf.hpp writes.
 . "$(dirname "${BASH_SOURCE[0]}")/common.bash"
 command -v node >/dev/null 2>&1 || { echo "node is not installed"; exit 77; }
 node -e 'require("gltf-validator")' 2>/dev/null || { echo "the npm package gltf-validator is not installed"; exit 77; }
@@ -12,6 +13,12 @@ write() {  # write FONT TEXT
 }
 for_every_text write
 write /usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf " "
+recipes=$TYPEMESH_TEST_DATA/../build/gcc/tests/typemesh_test_engines
+if [ -x "$recipes" ]; then
+    TYPEMESH_KEEP_GLB=$scratch "$recipes" "a quantised glTF file*" >"$scratch/recipes" || fail "$(cat "$scratch/recipes")"
+else
+    echo "without the recipe's files: tests/engines is not built"
+fi
 cat >"$scratch/validate.js" <<'END'
 const fs = require('fs'), validator = require('gltf-validator');
 (async () => {
