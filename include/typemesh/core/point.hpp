@@ -37,6 +37,10 @@ struct grid_point {
     }
 };
 
+/// A float in double precision, which is exact: said by name, so that compilers may warn of every other float that
+/// becomes a double (-Wdouble-promotion).
+[[nodiscard]] constexpr double as_double(float value) noexcept { return static_cast<double>(value); }
+
 /// Two, three and four 32-bit floats: what leaves the library.
 struct vec2 {
     float x = 0.0f;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/assert.hpp>
+#include <typemesh/core/same.hpp>
 #include <typemesh/core/tangent.hpp>
 #include <typemesh/discretise/chord.hpp>
 #include <typemesh/discretise/discretiser.hpp>
@@ -304,7 +305,7 @@ private:
         const double square = g2 * g2 - 3.0 * g3 * g1;
         if (square > 0.0) {
             const double root = std::sqrt(square), far_end = -(g2 < 0.0 ? g2 - root : g2 + root);
-            double first = g3 != 0.0 ? far_end / (3.0 * g3) : 2.0, last = far_end != 0.0 ? g1 / far_end : 2.0;
+            double first = !is_zero(g3) ? far_end / (3.0 * g3) : 2.0, last = !is_zero(far_end) ? g1 / far_end : 2.0;
             if (last < first) {
                 const double swapped = first;
                 first = last;

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <typemesh/core/curve.hpp>
+#include <typemesh/core/same.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 
@@ -158,7 +160,7 @@ struct cubic_chords {
         if (!((at_u < 0.0) != (at_v < 0.0))) return u;
         const double square = k1 * k1 - 4.0 * k0 * k2;
         const double root = std::sqrt(square > 0.0 ? square : 0.0), twice = -(k1 < 0.0 ? k1 - root : k1 + root);
-        const double one = k2 != 0.0 ? twice / (2.0 * k2) : u, other = twice != 0.0 ? 2.0 * k0 / twice : u;
+        const double one = !is_zero(k2) ? twice / (2.0 * k2) : u, other = !is_zero(twice) ? 2.0 * k0 / twice : u;
         return u < one && one < v ? one : u < other && other < v ? other : u;
     }
 
@@ -233,11 +235,13 @@ private:
 template <int samples>
 class share_table {
 public:
+    static_assert(samples > 0 && samples % 4 == 0);
+
     template <class Chords>
     share_table(const Chords& chords, double from, double to, double tolerance) noexcept
         : start_{from}, step_{(to - from) / samples}
     {
-        float density[samples + 2];
+        float density[count + 2];
         chords.template sample<samples>(density + 1, from + 0.5 * step_, step_, tolerance);
         density[0] = 2.0f * density[1] - density[2];
         density[samples + 1] = 2.0f * density[samples] - density[samples - 1];
@@ -282,8 +286,9 @@ public:
     }
 
 private:
+    static constexpr std::size_t count = samples;
     double start_, step_;
-    float sum_[samples + 1], inverse_[samples], lean_[samples];
+    float sum_[count + 1], inverse_[count], lean_[count];
 };
 
 }  // namespace typemesh::detail

@@ -30,8 +30,8 @@ public:
 
     [[nodiscard]] static constexpr bool fit(const frame& f) noexcept
     {
-        return f.right == vec3{1.0f, 0.0f, 0.0f} && f.up == vec3{0.0f, 1.0f, 0.0f} && f.toward.x == 0.0f &&
-               f.toward.y == 0.0f && (f.toward.z == 1.0f || f.toward.z == -1.0f);
+        return f.right == vec3{1.0f, 0.0f, 0.0f} && f.up == vec3{0.0f, 1.0f, 0.0f} &&
+               (f.toward == vec3{0.0f, 0.0f, 1.0f} || f.toward == vec3{0.0f, 0.0f, -1.0f});
     }
 
     [[nodiscard]] vec2 foot(grid_point p) const noexcept

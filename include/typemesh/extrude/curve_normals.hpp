@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/same.hpp>
 #include <typemesh/core/tangent.hpp>
 #include <typemesh/extrude/side_normals.hpp>
 #include <typemesh/extrude/wall_normal.hpp>
@@ -43,7 +44,7 @@ struct curve_normals {
             for (std::uint32_t i = first; i <= last; ++i) {
                 const contour_edge edge = edges[i];
                 const bool inside =
-                    edge.curve == edges[previous].curve && edge.t0 == edges[previous].t1 && !before.stops_at_end;
+                    edge.curve == edges[previous].curve && same(edge.t0, edges[previous].t1) && !before.stops_at_end;
                 const std::uint32_t next = i == last ? first : i + 1;
                 wall after = closing;
                 if (i != last) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/finite.hpp>
+#include <typemesh/core/same.hpp>
 #include <typemesh/extrude/axes.hpp>
 #include <typemesh/extrude/curve_normals.hpp>
 #include <typemesh/extrude/extruder.hpp>
@@ -61,7 +62,7 @@ struct extruded {
         option_bits bits;
         if constexpr (requires { normals.cache_key(); }) bits = normals.cache_key();
         TYPEMESH_ASSERT(bits.words[3] == 0, "the normals of an extruded{} may use three of the four option_bits");
-        const bool deep = is_finite(static_cast<double>(depth)) && depth > 0.0f;
+        const bool deep = is_finite(as_double(depth)) && depth > 0.0f;
         const bool flags[] = {front, back, side, texture == texture_mapping::em, deep};
         for (int i = 0; i < 5; ++i) bits.words[3] |= std::uint64_t{flags[i]} << i;
         return bits;
@@ -69,7 +70,7 @@ struct extruded {
 
     [[nodiscard]] result<part_sizes> plan(const region& shape, buffer<side_point>& sides) const noexcept
     {
-        if (!is_finite(static_cast<double>(depth)) || !(depth > 0.0f)) return error::bad("depth");
+        if (!is_finite(as_double(depth)) || !(depth > 0.0f)) return error::bad("depth");
         const std::size_t n = shape.points().size();
         if (n > 0x3FFF'FFFFu) return error::too_large;
         if (!side || n == 0) {
@@ -94,15 +95,15 @@ struct extruded {
 
     [[nodiscard]] height_range heights() const noexcept
     {
-        const double high = centred ? 0.5 * depth : 0.0, low = high - depth;
+        const double high = centred ? 0.5 * as_double(depth) : 0.0, low = high - as_double(depth);
         return {side || back ? low : front ? high : 0.0, side || front ? high : back ? low : 0.0};
     }
 
     template <attribute Wants, class Emit>
     void vertices(part p, const solid& s, const placement& at, Emit&& emit) const noexcept
     {
-        const double high = centred ? 0.5 * depth : 0.0;
-        const float top = at.height(high), bottom = at.height(high - depth);
+        const double high = centred ? 0.5 * as_double(depth) : 0.0;
+        const float top = at.height(high), bottom = at.height(high - as_double(depth));
         const planar_texture planar{texture, at};
         texture_tangent tangents;
         if constexpr (has(Wants, attribute::tangent)) tangents = texture_tangent{at.frame};
@@ -207,14 +208,15 @@ private:
     /// The normalised sum of two walls' normals and of a cap's, in the text's own axes; cap is its z, or 0 for none.
     static vec3 shared(const side_point& s, float cap) noexcept
     {
-        const point before{s.before.x, s.before.y}, after{s.after.x, s.after.y};
+        const point before{as_double(s.before.x), as_double(s.before.y)},
+            after{as_double(s.after.x), as_double(s.after.y)};
         point sum = before + after;
         if (dot(sum, sum) < 0x1p-30) {  // a needle's tip: the same line from the edges' directions (see joint_normal)
             sum = {after.y - before.y, before.x - after.x};
-            if (cap != 0.0f) sum = {};
+            if (!is_zero(cap)) sum = {};
             if (cross(before, after) < 0.0) sum = -1.0 * sum;
         }
-        const double scale = 1.0 / std::sqrt(dot(sum, sum) + static_cast<double>(cap) * cap);
+        const double scale = 1.0 / std::sqrt(dot(sum, sum) + as_double(cap) * as_double(cap));
         return {static_cast<float>(scale * sum.x), static_cast<float>(scale * sum.y), static_cast<float>(scale) * cap};
     }
 
@@ -240,7 +242,7 @@ private:
             }
             if constexpr (has(Wants, attribute::uv)) {
                 front_point.uv = back_point.uv =
-                    by_length ? vec2{static_cast<float>(here.along * em_per_cell), v_top} : planar(g);
+                    by_length ? vec2{static_cast<float>(as_double(here.along) * em_per_cell), v_top} : planar(g);
                 if (by_length) back_point.uv.y = v_bottom;
             }
             if constexpr (has(Wants, attribute::tangent)) {

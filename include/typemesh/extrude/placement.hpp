@@ -40,16 +40,18 @@ struct placement {
     [[nodiscard]] footprint foot(grid_point p) const noexcept
     {
         const double x = to_24_bits((p.x + pen.x) * unit_per_cell), y = to_24_bits((p.y + pen.y) * unit_per_cell);
-        return {frame.right.x * x + frame.up.x * y, frame.right.y * x + frame.up.y * y,
-                frame.right.z * x + frame.up.z * y};
+        const typemesh::frame& f = frame;
+        return {as_double(f.right.x) * x + as_double(f.up.x) * y, as_double(f.right.y) * x + as_double(f.up.y) * y,
+                as_double(f.right.z) * x + as_double(f.up.z) * y};
     }
 
     /// A foot lifted to height z, given in output units.
     [[nodiscard]] vec3 position(footprint f, float z) const noexcept
     {
-        const double height = z;
-        return {static_cast<float>(f.x + frame.toward.x * height), static_cast<float>(f.y + frame.toward.y * height),
-                static_cast<float>(f.z + frame.toward.z * height)};
+        const double height = as_double(z);
+        const vec3 t = frame.toward;
+        return {static_cast<float>(f.x + as_double(t.x) * height), static_cast<float>(f.y + as_double(t.y) * height),
+                static_cast<float>(f.z + as_double(t.z) * height)};
     }
 
     /// A grid point at height z, given in output units.

@@ -42,11 +42,11 @@ public:
     template <class Axes>
     [[nodiscard]] vec4 on_rim(const Axes& axes, vec3 n, float facing) const noexcept
     {
-        const double x = n.x, rest = static_cast<double>(n.y) * n.y + static_cast<double>(n.z) * n.z;
+        const double x = as_double(n.x), y = as_double(n.y), z = as_double(n.z), rest = y * y + z * z;
         if (!(rest > 0x1p-40)) return joined(axes.direction(-n.y, n.x, 0.0f), facing);
         const double scale = 1.0 / std::sqrt(rest * (rest + x * x)), share = scale * x;
-        return joined(axes.direction(static_cast<float>(scale * rest), static_cast<float>(-share * n.y),
-                                     static_cast<float>(-share * n.z)),
+        return joined(axes.direction(static_cast<float>(scale * rest), static_cast<float>(-share * y),
+                                     static_cast<float>(-share * z)),
                       facing);
     }
 

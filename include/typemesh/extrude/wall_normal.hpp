@@ -45,7 +45,7 @@ namespace typemesh {
 /// 0.0025 degrees). Normals that cancel (within 0.08 degrees of opposite) are beyond every angle, as they have no sum.
 [[nodiscard]] inline double crease_cosine(float degrees) noexcept
 {
-    const double cosine = std::cos(degrees * (3.14159265358979323846 / 180.0)) - 0x1p-30;
+    const double cosine = std::cos(as_double(degrees) * (3.14159265358979323846 / 180.0)) - 0x1p-30;
     constexpr double opposite = -1.0 + 0x1p-20;
     return cosine > opposite ? cosine : opposite;
 }
@@ -53,7 +53,7 @@ namespace typemesh {
 /// Whether a crease angle lies in 0 to 180 degrees; NaN does not.
 [[nodiscard]] inline bool is_crease_angle(float degrees) noexcept
 {
-    return is_finite(static_cast<double>(degrees)) && degrees >= 0.0f && degrees <= 180.0f;
+    return is_finite(as_double(degrees)) && degrees >= 0.0f && degrees <= 180.0f;
 }
 
 }  // namespace typemesh

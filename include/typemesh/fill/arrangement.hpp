@@ -63,7 +63,7 @@ struct alignas(64) stretch {
         const double dx = static_cast<double>(to.x) - from.x, dy = static_cast<double>(to.y) - from.y;
         const bool by_x = (dx < 0 ? -dx : dx) > (dy < 0 ? -dy : dy);
         const double share = by_x ? (static_cast<double>(p.x) - from.x) / dx : (static_cast<double>(p.y) - from.y) / dy;
-        return static_cast<float>(source.t0 + (static_cast<double>(source.t1) - source.t0) * share);
+        return static_cast<float>(as_double(source.t0) + (as_double(source.t1) - as_double(source.t0)) * share);
     }
 };
 

@@ -243,9 +243,9 @@ private:
     [[nodiscard]] place advance(place p, double by) const noexcept
     {
         by = by < -0.5 ? -0.5 : by > 0.5 ? 0.5 : by;
-        if (p.t == 1.0 && by > 0.0)
+        if (p.t >= 1.0 && by > 0.0)
             p = {neighbour(p.curve, true), 0.0};
-        else if (p.t == 0.0 && by < 0.0)
+        else if (p.t <= 0.0 && by < 0.0)
             p = {neighbour(p.curve, false), 1.0};
         p.t += by;
         p.t = p.t < 0.0 ? 0.0 : p.t > 1.0 ? 1.0 : p.t;

@@ -10,6 +10,7 @@
 #include <typemesh/glyph/cap_outline.hpp>
 #include <typemesh/glyph/glyph_shape.hpp>
 
+#include <initializer_list>
 #include <optional>
 #include <utility>
 
@@ -72,16 +73,11 @@ public:
     /// Whether a text may go on without the glyph that met this error.
     [[nodiscard]] static constexpr bool concerns_the_glyph_alone(const error& e) noexcept
     {
-        switch (e.code) {
-        case error::unknown_glyph:
-        case error::bad_outline:
-        case error::outline_not_finite:
-        case error::outline_beyond_grid:
-        case error::crossing_contours:
-        case error::font_library_failed:
-        case error::refused_by_user: return true;
-        default: return false;
-        }
+        for (const error::kind k :
+             {error::unknown_glyph, error::bad_outline, error::outline_not_finite, error::outline_beyond_grid,
+              error::crossing_contours, error::font_library_failed, error::refused_by_user})
+            if (e == k) return true;
+        return false;
     }
 
 private:

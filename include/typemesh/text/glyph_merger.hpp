@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/same.hpp>
 #include <typemesh/fill/group_meeting.hpp>
 #include <typemesh/glyph/glyph_builder.hpp>
 #include <typemesh/fill/region_union.hpp>
@@ -110,7 +111,7 @@ private:
             const point origin = run.glyphs[i].origin;
             constexpr double farthest = 0x1p48;
             const bool stands = std::fabs(origin.x) * cells <= farthest && std::fabs(origin.y) * cells <= farthest;
-            if (!is_finite(origin.x) || !is_finite(origin.y) || !stands || s.cells() != cells) continue;
+            if (!is_finite(origin.x) || !is_finite(origin.y) || !stands || !same(s.cells(), cells)) continue;
             const pen at = snapped(origin, cells);
             loops[i] = {s.form().points, s.form().starts, at.x, at.y};
         }

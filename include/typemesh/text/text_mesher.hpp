@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/finite.hpp>
+#include <typemesh/core/same.hpp>
 #include <typemesh/discretise/certified.hpp>
 #include <typemesh/extrude/extruded.hpp>
 #include <typemesh/layout/layout.hpp>
@@ -289,7 +290,7 @@ private:
             return stop(error::bad("size"));
         if (!is_finite(run.units_per_em) || !(run.units_per_em > 0.0)) return stop(error::bad("units_per_em"));
 
-        TYPEMESH_ASSERT(run.units_per_em == font_->units_per_em(),
+        TYPEMESH_ASSERT(same(run.units_per_em, font_->units_per_em()),
                         "the glyph_run was made for a font of other units per em");
         TYPEMESH_ASSERT(options.frame.is_orthonormal(), "a frame's axes must be unit vectors at right angles");
 
@@ -347,7 +348,7 @@ private:
         const auto ids = shapes_.different.ids();
         const glyph_settings how{options.tolerance, options.fill};
         if constexpr (!alone) {
-            TYPEMESH_ASSERT(team.units_per_em() == font_->units_per_em(),
+            TYPEMESH_ASSERT(same(team.units_per_em(), font_->units_per_em()),
                             "the sources of a glyph_team are of another font");
             observer_(stage::outline);
         }

@@ -140,8 +140,8 @@ public:
         float farthest = 0.0f;
         for (const vec3 corner : {all.bounds.low, all.bounds.high})
             for (const float v : {corner.x, corner.y, corner.z}) farthest = std::fabs(v) > farthest ? std::fabs(v) : farthest;
-        const double next = std::nextafter(farthest, (std::numeric_limits<float>::max)());
-        return (next - farthest) / (all.placed.unit_per_font_unit * all.placed.units_per_em);
+        const float next = std::nextafter(farthest, (std::numeric_limits<float>::max)());
+        return (as_double(next) - as_double(farthest)) / (all.placed.unit_per_font_unit * all.placed.units_per_em);
     }
 
     /// Where one glyph stands, as its extruder is told.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/point.hpp>
+#include <typemesh/core/same.hpp>
 
 #include <cstdint>
 
@@ -54,7 +55,7 @@ struct frame {
     [[nodiscard]] constexpr bool is_along_axes() const noexcept
     {
         const auto one = [](vec3 v) noexcept {
-            return (v.x != 0.0f ? 1 : 0) + (v.y != 0.0f ? 1 : 0) + (v.z != 0.0f ? 1 : 0) == 1;
+            return (is_zero(v.x) ? 0 : 1) + (is_zero(v.y) ? 0 : 1) + (is_zero(v.z) ? 0 : 1) == 1;
         };
         return one(right) && one(up) && one(toward);
     }

@@ -54,9 +54,9 @@ protected:
     template <int Apart>
     octahedral(float nx, float ny, float nz, every<Apart> y_apart, int y_first) noexcept
     {
-        const double whole = std::fabs(static_cast<double>(nx)) + std::fabs(static_cast<double>(ny)) +
-                             std::fabs(static_cast<double>(nz));
-        double u = nx / whole, v = ny / whole;
+        const direction n{as_double(nx), as_double(ny), as_double(nz)};
+        const double whole = std::fabs(n.x) + std::fabs(n.y) + std::fabs(n.z);
+        double u = n.x / whole, v = n.y / whole;
         if (nz < 0.0f) {
             const double folded = std::copysign(1.0 - std::fabs(v), u);
             v = std::copysign(1.0 - std::fabs(u), v);
@@ -73,7 +73,7 @@ protected:
         for (int i = 0; i < 4; ++i) {
             const int a = low_u + (i & 1), b = low_v + (i >> 1) * y_apart;
             const direction d = unfolded(a * step, b * step);
-            const double along = d.x * nx + d.y * ny + d.z * nz, length = d.x * d.x + d.y * d.y + d.z * d.z;
+            const double along = d.x * n.x + d.y * n.y + d.z * n.z, length = d.x * d.x + d.y * d.y + d.z * d.z;
             const bool fits = (a <= Step::most) & (b <= Step::most) & (b >= -Step::most),
                        better = fits & (along * along * best_length > best_along * best_along * length);
             best_along = better ? along : best_along;

@@ -76,13 +76,13 @@ private:
     }
     [[nodiscard]] static constexpr unorm16 inside(float p, float from, double steps_a_unit) noexcept
     {
-        const double place = (static_cast<double>(p) - from) * steps_a_unit + 0.5;
+        const double place = (as_double(p) - as_double(from)) * steps_a_unit + 0.5;
         const double kept = place > 0.0 ? (place < 65535.0 ? place : 65535.0) : 0.0;
         return unorm16::from_bits(static_cast<std::uint16_t>(static_cast<int>(kept)));
     }
     [[nodiscard]] static constexpr float outside(unorm16 v, float from, float length) noexcept
     {
-        return static_cast<float>(from + static_cast<double>(length) * v.bits / unorm16::most);
+        return static_cast<float>(as_double(from) + as_double(length) * v.bits / unorm16::most);
     }
 
     double steps_x_ = 0.0;
