@@ -28,6 +28,7 @@ cli11        header:CLI/CLI.hpp                               libcli11-dev      
 tinygltf     header:tiny_gltf.h,tinygltf/tiny_gltf.h          libtinygltf-dev    tinygltf-devel         tinygltf    vcpkg:tinygltf    tinygltf
 stb          header:stb/stb_image_write.h,stb_image_write.h   libstb-dev         stb_image_write-devel  stb         vcpkg:stb         stb
 admesh       command:admesh                                   admesh             admesh                 admesh      admesh            -
+openscad     command:openscad                                 openscad           openscad               openscad    openscad          -
 node         command:node                                     nodejs             nodejs                 nodejs      node              -
 npm          command:npm                                      npm                nodejs-npm             npm         node              -
 END

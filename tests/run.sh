@@ -13,7 +13,7 @@ Installs what is missing, builds and runs the tests of the core and its adapters
   sanitize   the tests of what touches memory most, with g++ under the address and undefined behaviour sanitizers
   tsan       the tests that use threads with g++ under the thread sanitizer
   windows    the tests of the core and of DirectWrite as Windows programs (mingw-w64), run under Wine
-  external   other people's tools (admesh, gltf-validator) read what text_to_mesh writes; the benchmarks are built
+  external   other people's tools (admesh, OpenSCAD, gltf-validator) read what text_to_mesh writes; the benchmarks are built
 --all takes every tier.
 END
 }
@@ -103,7 +103,7 @@ tier_windows() {
 tier_external() {
     local script name status output modules=$typemesh_root/build/external
     install_missing benchmark
-    (install_missing admesh node npm) || say "Going on without them: the tests that need them are skipped."
+    (install_missing admesh openscad node npm) || say "Going on without them: the tests that need them are skipped."
     export TYPEMESH_TEXT_TO_MESH=$typemesh_root/build/release/examples/text_to_mesh
     export TYPEMESH_TEST_DATA=$typemesh_root/tests
     mkdir -p "$modules"
