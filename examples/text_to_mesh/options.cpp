@@ -246,7 +246,10 @@ std::optional<int> parse(int argc, char** argv, options& out)
     app.add_option("--fill", fill, "instead of the font's own rule")->check(one_of({"nonzero", "evenodd"}));
     app.add_option("--uv", uv, "texture coordinates: over the text's box (default), or in em")
         ->check(one_of({"box", "em"}));
-    app.add_flag("--merge", out.merge, "letters that meet become one solid without inner walls");
+    bool apart = false;
+    auto* merged = app.add_flag("--merge", out.merge,
+                                "letters that meet become one solid without inner walls (default for .stl)");
+    app.add_flag("--no-merge", apart, "each letter stays a solid of its own (default for the others)")->excludes(merged);
     app.add_flag("--strict", out.strict, "what cannot be drawn or read is an error, and nothing is written");
 
     app.add_option("--output", out.output, "the mesh: .glb, .obj, .stl or .ply")->type_name("FILE");
@@ -284,6 +287,7 @@ std::optional<int> parse(int argc, char** argv, options& out)
     }
     if (!out.script.empty() && out.script.size() != 4)
         return complain("--script: must be four letters, such as Latn, not " + out.script);
+    out.merge = out.merge || (!apart && ends_with(out.output, ".stl"));
     if (uv == "em") out.uv = texture_mapping::em;
     if (!fill.empty()) out.fill = fill == "nonzero" ? fill_rule::non_zero : fill_rule::even_odd;
     const auto shown = [&](const char* what) { return std::find(show.begin(), show.end(), what) != show.end(); };

@@ -59,6 +59,17 @@ done
 expect 0 "" "مرحبا" --font $arabic --direction rtl --output arabic.glb
 expect 0 "" "مرحبا" --font $arabic --merge --output merged.glb
 that "merged letters have fewer vertices" [ "$(wc -c <merged.glb)" -lt "$(wc -c <arabic.glb)" ]
+for kind in stl glb; do
+    for option in "" --merge --no-merge; do
+        # shellcheck disable=SC2086  # a word or none
+        expect 0 "" "مرحبا" --font $arabic --output joined$option.$kind $option
+    done
+done
+that "letters in an STL are merged" cmp -s joined.stl joined--merge.stl
+that "--no-merge leaves the letters of an STL apart" differ joined.stl joined--no-merge.stl
+that "letters in a GLB are apart" cmp -s joined.glb joined--no-merge.glb
+that "--merge merges letters in a GLB" differ joined.glb joined--merge.glb
+expect 2 "excludes" x --font $sans --output x.stl --merge --no-merge
 for shown in contours points control; do
     expect 0 "" "سلام" --font $arabic --depth 0 --show $shown --picture apart.png
     expect 0 "" "سلام" --font $arabic --depth 0 --show $shown --merge --picture whole.png
