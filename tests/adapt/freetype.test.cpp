@@ -118,6 +118,17 @@ TEST_CASE("plain text is set by character map, advances and kerning", "[adapt][f
     CHECK(shaped(font, "AV", how).lines[0].advance == a + v);
 }
 
+TEST_CASE("letters of a FreeType face are spaced beside their kerning", "[adapt][freetype]")
+{
+    freetype_font font = opened(liberation);
+    const glyph_run plain = shaped(font, "AVA");
+    glyph_run run;
+    REQUIRE_FALSE(layout(font, "AVA", {}, {.letter_spacing = 0.125}, run));
+    for (std::size_t i = 0; i < 3; ++i)
+        CHECK(run.glyphs[i].origin.x == plain.glyphs[i].origin.x + 256.0 * static_cast<double>(i));
+    CHECK(run.lines[0].advance == plain.lines[0].advance + 512.0);
+}
+
 TEST_CASE("lines of a FreeType face stand as far apart as the font says", "[adapt][freetype]")
 {
     freetype_font font = opened(dejavu);

@@ -172,6 +172,27 @@ TEST_CASE("ligatures are there by default and go when switched off", "[adapt][ha
     CHECK(refusal(font, "office", how) == error::bad_feature);
 }
 
+TEST_CASE("spaced letters have no ligatures unless they are asked for by name", "[adapt][harfbuzz]")
+{
+    harfbuzz_font font = opened(dejavu);
+    glyph_run run;
+    shape_options how;
+    REQUIRE_FALSE(layout(font, "office", how, {.letter_spacing = 0.1}, run));
+    REQUIRE(run.glyphs.size() == 6);
+    how.ligatures = false;
+    const glyph_run apart = shaped(font, "office", how);
+    for (std::size_t i = 0; i < 6; ++i) {
+        const double shift = run.glyphs[i].origin.x - apart.glyphs[i].origin.x;
+        CHECK(std::fabs(shift - 0.1 * font.units_per_em() * static_cast<double>(i)) < 1e-9);
+    }
+    const feature on[] = {{"liga", 1}};
+    how.features = on;
+    CHECK(shaped(font, "office", how).glyphs.size() < 6);
+    const glyph_run joined = shaped(font, u"سلام");
+    REQUIRE_FALSE(layout(font, u"سلام", {}, {.letter_spacing = 0.1}, run));
+    CHECK(run.lines[0].advance == joined.lines[0].advance);
+}
+
 TEST_CASE("A and V are kerned", "[adapt][harfbuzz]")
 {
     harfbuzz_font font = opened(dejavu);

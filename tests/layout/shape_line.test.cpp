@@ -77,7 +77,7 @@ line_set set(text_view text, double tab_width = 4.0, direction d = direction::au
     line_set made;
     shape_options how;
     how.direction = d;
-    const auto way = shape_line(font, text, 0, text.size(), how, tab_width, made.run);
+    const auto way = shape_line(font, text, 0, text.size(), how, {.tab_width = tab_width}, made.run);
     REQUIRE(way);
     made.way = *way;
     return made;
@@ -209,7 +209,7 @@ TEST_CASE("between tabs letters are read in their own direction, and in the line
     one_way_shaper font;
     glyph_run run;
     const std::string mixed = "ab\tc" + hebrew;
-    const auto way = shape_line(font, mixed, 0, mixed.size(), {}, 4.0, run);
+    const auto way = shape_line(font, mixed, 0, mixed.size(), {}, {}, run);
     REQUIRE_FALSE(way);
     CHECK(way.error() == error::mixed_direction);
     CHECK(way.error().cluster == 4);
@@ -225,7 +225,7 @@ TEST_CASE("a line without tabs is the shaper's own, and so is one whose tabs are
         one_way_shaper font;
         glyph_run run, expected;
         const std::size_t size = std::string{text}.size();
-        const auto way = shape_line(font, text, 0, size, {}, tab_width, run);
+        const auto way = shape_line(font, text, 0, size, {}, {.tab_width = tab_width}, run);
         CHECK(font.asked.size() == 1);
         CHECK(*way == *font.shape(text, 0, size, {}, expected));
         CHECK(run.missing == expected.missing);

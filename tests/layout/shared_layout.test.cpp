@@ -109,7 +109,7 @@ TEST_CASE("several workers set a text as one does", "[layout][threads]")
     const auto align = GENERATE(alignment::left, alignment::centre, alignment::right);
     shape_options how;
     how.direction = GENERATE(direction::automatic, direction::top_to_bottom);
-    const layout_options options{align, 1.5};
+    const layout_options options{.align = align, .line_spacing = 1.5, .letter_spacing = GENERATE(0.0, 0.25)};
     counting_shaper font;
     glyph_run expected;
     REQUIRE_FALSE(layout(font, text, how, options, expected));

@@ -46,7 +46,7 @@ public:
         const bool vertical = options.direction == direction::top_to_bottom;
         if (error e = take_text(text, first, last, run)) return e;
         if (error e = take_language(options.language)) return e;
-        if (error e = take_features(options.features, vertical)) return e;
+        if (error e = take_features(options, vertical)) return e;
         if (error e = analyse(options)) return e;
         if (error e = cut_into_pieces(vertical)) return e;
         point at;
@@ -190,18 +190,30 @@ private:
         return {};
     }
 
-    error take_features(std::span<const feature> wanted, bool vertical) noexcept
+    error take_features(const shape_options& wanted, bool vertical) noexcept
     {
         features_.clear();
-        for (const feature& f : wanted) {
+        for (const feature& f : wanted.features) {
             for (int i = 0; i < 4; ++i)
                 if (f.tag[i] < 0x20 || f.tag[i] > 0x7E) return error::bad_feature;
-            if (!features_.push_back({static_cast<DWRITE_FONT_FEATURE_TAG>(directwrite_tag(f.tag)), f.value}))
-                return error::out_of_memory;
+            if (error e = take_feature(f)) return e;
         }
-        if (vertical && !features_.push_back({static_cast<DWRITE_FONT_FEATURE_TAG>(directwrite_tag("vert")), 1}))
-            return error::out_of_memory;
-        return {};
+        for (const feature& f : {feature{"liga", 0}, feature{"clig", 0}})
+            if (!wanted.ligatures && !has_feature(f.tag))
+                if (error e = take_feature(f)) return e;
+        return vertical ? take_feature({"vert", 1}) : error{};
+    }
+    error take_feature(const feature& f) noexcept
+    {
+        const bool taken =
+            features_.push_back({static_cast<DWRITE_FONT_FEATURE_TAG>(directwrite_tag(f.tag)), f.value});
+        return taken ? error{} : error{error::out_of_memory};
+    }
+    bool has_feature(const char (&tag)[5]) const noexcept
+    {
+        for (const DWRITE_FONT_FEATURE& f : features_)
+            if (f.nameTag == static_cast<DWRITE_FONT_FEATURE_TAG>(directwrite_tag(tag))) return true;
+        return false;
     }
 
     /// Has every unit's script and level found out.

@@ -60,7 +60,7 @@ public:
             if (number != line_reading::nowhere)
                 return error{error::mixed_direction}.at(no_glyph, static_cast<cluster_id>(number));
         }
-        if (error e = take_features(options.features)) return e;
+        if (error e = take_features(options)) return e;
         if (script == HB_SCRIPT_INVALID && found.only_ascii)
             script = found.to_the_right == line_reading::nowhere ? HB_SCRIPT_COMMON : HB_SCRIPT_LATIN;
         if (error e = cut_into_pieces(text, first, last, script)) return e;
@@ -109,17 +109,23 @@ private:
         return hb_script_get_horizontal_direction(script) == HB_DIRECTION_RTL ? HB_DIRECTION_RTL : HB_DIRECTION_LTR;
     }
 
-    error take_features(std::span<const feature> wanted) noexcept
+    error take_features(const shape_options& wanted) noexcept
     {
         features_.clear();
-        for (const feature& f : wanted) {
+        constexpr feature without[] = {{"liga", 0}, {"clig", 0}};  // what is asked for by name comes after and wins
+        for (const feature& f : wanted.ligatures ? std::span<const feature>{} : std::span<const feature>{without})
+            if (error e = take_feature(f)) return e;
+        for (const feature& f : wanted.features) {
             for (int i = 0; i < 4; ++i)
                 if (f.tag[i] < 0x20 || f.tag[i] > 0x7E) return error::bad_feature;
-            const hb_feature_t whole{hb_tag_from_string(f.tag, 4), f.value, HB_FEATURE_GLOBAL_START,
-                                     HB_FEATURE_GLOBAL_END};
-            if (!features_.push_back(whole)) return error::out_of_memory;
+            if (error e = take_feature(f)) return e;
         }
         return {};
+    }
+    error take_feature(const feature& f) noexcept
+    {
+        const hb_feature_t whole{hb_tag_from_string(f.tag, 4), f.value, HB_FEATURE_GLOBAL_START, HB_FEATURE_GLOBAL_END};
+        return features_.push_back(whole) ? error{} : error{error::out_of_memory};
     }
 
     static hb_script_t script_of(hb_unicode_funcs_t* unicode, char32_t c) noexcept

@@ -35,7 +35,7 @@ struct d3dx_text_options {
     bool kerning = false;    ///< move pairs of letters together, as the font asks; Direct3D never does
     bool ligatures = false;  ///< join letters (fi) where the font does so by default; Direct3D never does
     shape_options shape = {};     ///< direction, language, script, further features
-    layout_options layout = {};   ///< alignment, line spacing
+    layout_options layout = {};   ///< alignment, spacing of lines and letters
 
     texture_box texture_over = texture_box::text;  ///< over what texture coordinates spread, if the vertex has them
     bool draw_missing = true;  ///< the font's box for characters that it lacks, as GDI draws them

@@ -18,11 +18,11 @@ namespace typemesh {
 /// The distance d is ascender - descender + gap of the shaper's metrics (one em where they give nothing positive),
 /// times line_spacing. A text has one line more than it has breaks: an empty text is one empty line. Spaces at a
 /// line's ends count as a part of it, and so do tabs, which lead to the next tab stop and leave no glyph either (see
-/// shape_line()).
+/// shape_line()). letter_spacing adds to the shaper's advances, see letter_spacing.hpp.
 ///
 ///     run   emptied first; then glyphs, lines, units_per_em, and what was missing or invalid
 ///
-/// Fails  error::bad_option: line_spacing or tab_width is NaN or infinite, or tab_width negative
+/// Fails  error::bad_option: line_spacing, tab_width or letter_spacing is NaN or infinite, or tab_width negative
 ///        error::too_large: the text has more than 2^32 - 1 units
 ///        error::out_of_memory, and whatever the shaper says; `run` is then empty
 /// Cost   O(n) beside the shaper's
@@ -50,7 +50,7 @@ error layout(Shaper& shaper, text_view text, const shape_options& how, const lay
         text_line line;
         line.first_glyph = static_cast<std::uint32_t>(run.glyphs.size());
         if (begin < end) {
-            const auto way = shape_line(shaper, text, begin, end, how, options.tab_width, run);
+            const auto way = shape_line(shaper, text, begin, end, how, options, run);
             if (!way) return fail(way.error());
             line.advance = places.advance(*way);
         }

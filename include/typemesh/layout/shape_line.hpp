@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/layout/layout_options.hpp>
+#include <typemesh/layout/letter_spacing.hpp>
 #include <typemesh/layout/reading_order.hpp>
 #include <typemesh/layout/shaper.hpp>
 
@@ -52,16 +54,37 @@ inline void turn_round(std::span<placed_glyph> glyphs) noexcept
 
 }  // namespace detail
 
+namespace detail {
+
+/// Shapes text[first, last) and spaces its letters.
+template <shaper Shaper>
+result<point> shape_spaced(Shaper& shaper, text_view text, std::size_t first, std::size_t last,
+                           const shape_options& how, const layout_options& options, glyph_run& run) noexcept
+{
+    if (options.letter_spacing == 0.0) return shaper.shape(text, first, last, how, run);
+    shape_options single = how;
+    single.ligatures = false;  // a letter in two would stand closer to itself than to others
+    const std::size_t before = run.glyphs.size();
+    const result<point> way = shaper.shape(text, first, last, single, run);
+    if (!way) return way;
+    const bool down = how.direction == direction::top_to_bottom;
+    const double longer = space_letters(text, last, options.letter_spacing * shaper.units_per_em(), down,
+                                        run.glyphs.view().subspan(before));
+    return *way + (down ? point{0.0, 0.0 - longer} : point{longer, 0.0});
+}
+
+}  // namespace detail
+
 /// Has a line shaped, its tabs included: each moves the pen on to the next tab stop, the first that the pen has not
 /// come to yet, and leaves no glyph. Stops stand from the line's start on, `tab_width` spaces apart; a line that is
-/// read to the left starts on the right.
+/// read to the left starts on the right. Between tabs letters are spaced as asked.
 ///
 ///     |       |       |       |            Between tabs the shaper is given stretches of the line, each as a line of
 ///     |name   |weight |price  |            its own. A line is read to the left where the options or, by default, its
 ///     |ambergris      |12 g   |            first letter ask for it; then the stretches follow each other to the left.
 ///
 ///     text[first, last)    the line, without line breaks; first < last
-///     tab_width            0: tabs are characters like others, which most fonts lack
+///     options              tab_width 0: tabs are characters like others, which most fonts lack; letter_spacing
 ///     run                  glyphs are appended, in drawing order, as a shaper does
 ///
 /// Gives the way of the pen. Where the font's space moves it nowhere, tabs do not either.
@@ -69,18 +92,18 @@ inline void turn_round(std::span<placed_glyph> glyphs) noexcept
 /// Cost   beside the shaper's O(n). In a line with tabs the shaper is asked about a space besides
 template <shaper Shaper>
 result<point> shape_line(Shaper& shaper, text_view text, std::size_t first, std::size_t last, const shape_options& how,
-                         double tab_width, glyph_run& run) noexcept
+                         const layout_options& options, glyph_run& run) noexcept
 {
     const auto next_tab = [text, last](std::size_t i) noexcept {
         while (i < last && text.unit(i) != 0x09) ++i;
         return i;
     };
-    std::size_t end = tab_width > 0.0 ? next_tab(first) : last;
-    if (end == last) return shaper.shape(text, first, last, how, run);
+    std::size_t end = options.tab_width > 0.0 ? next_tab(first) : last;
+    if (end == last) return detail::shape_spaced(shaper, text, first, last, how, options, run);
 
     const result<double> space = detail::space_advance(shaper, how, run);
     if (!space) return space.error();
-    const double apart = tab_width * *space;
+    const double apart = options.tab_width * *space;
     const bool down = how.direction == direction::top_to_bottom;
     const line_reading line = read_line(text, first, last);
     const bool to_the_left = how.direction == direction::right_to_left ||
@@ -93,7 +116,7 @@ result<point> shape_line(Shaper& shaper, text_view text, std::size_t first, std:
             const std::size_t before = run.glyphs.size();
             shape_options own = how;
             if (!down) own.direction = detail::between_tabs(how.direction, line, to_the_left, text, begin, end);
-            const result<point> way = shaper.shape(text, begin, end, own, run);
+            const result<point> way = detail::shape_spaced(shaper, text, begin, end, own, options, run);
             if (!way) return way.error();
             const double length = down ? -way->y : way->x;
             const double start = to_the_left ? 0.0 - (pen + length) : pen;

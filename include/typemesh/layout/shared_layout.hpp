@@ -49,7 +49,7 @@ public:
                 l.worker = static_cast<std::uint32_t>(worker);
                 l.first = own.glyphs.size();
                 if (l.begin == l.end) continue;
-                const auto way = shape_line(shaper_of(worker), text, l.begin, l.end, how, options.tab_width, own);
+                const auto way = shape_line(shaper_of(worker), text, l.begin, l.end, how, options, own);
                 if (!way) {
                     l.trouble = way.error();
                     return;  // of this block no later line matters

@@ -31,7 +31,7 @@ enum class texture_box : std::uint8_t { text, line, glyph };
 /// Tolerance and depth are given in em, so they grow and shrink with the size; vertices and triangles stay the same.
 struct text_options {
     shape_options shape = {};    ///< direction, language, script, features
-    layout_options layout = {};  ///< alignment, line spacing, tab stops
+    layout_options layout = {};  ///< alignment, spacing of lines and letters, tab stops
 
     double tolerance = quality::high;    ///< the largest distance between curve and mesh, in em; see quality.hpp
     std::optional<fill_rule> fill = {};  ///< instead of the outline source's own rule

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/error.hpp>
+#include <typemesh/core/finite.hpp>
+#include <typemesh/layout/alignment.hpp>
+
+namespace typemesh {
+
+/// How shaped lines are put together.
+struct layout_options {
+    alignment align = alignment::left;
+    double line_spacing = 1.0;    ///< times the font's own distance between lines; any finite number
+    double tab_width = 4.0;       ///< between tab stops, in spaces; 0: a tab is like other characters (see shape_line())
+    double letter_spacing = 0.0;  ///< added between letters, in em; any finite number (see letter_spacing.hpp)
+};
+
+/// What of them is out of range, or none.
+[[nodiscard]] inline error trouble_of(const layout_options& options) noexcept
+{
+    if (!is_finite(options.line_spacing)) return error::bad("line_spacing");
+    if (!is_finite(options.tab_width) || options.tab_width < 0.0) return error::bad("tab_width");
+    if (!is_finite(options.letter_spacing)) return error::bad("letter_spacing");
+    return {};
+}
+
+}  // namespace typemesh
