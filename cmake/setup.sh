@@ -34,6 +34,8 @@ npm          command:npm                                      npm               
 END
 }
 
+: "${typemesh_root:?}"
+
 say() { printf '%s\n' "$*"; }
 stop() {
     printf '%s\n' "$@" >&2
@@ -76,6 +78,46 @@ column_of_missing() {  # column_of_missing COLUMN NEED...   columns: 3 Debian, 4
             *" $need "*) is_there "$there" || say "$need $there $rest" | awk -v c="$column" '$c != "-" { print $c }' ;;
         esac
     done | awk '!seen[$0]++ { printf "%s%s", n++ ? " " : "", $0 }'
+}
+
+# Runs a command, whose words go to a log, and tells meanwhile how long it has taken and how far it is: on a terminal in one
+# line that is written anew every second, elsewhere in a new line every 30 s (or TYPEMESH_PROGRESS_SECONDS).
+with_progress() {  # with_progress LOG COMMAND...
+    local log=$1 teller status=0
+    shift
+    tell_progress "$log" &
+    teller=$!
+    "$@" || status=$?
+    kill "$teller" 2>/dev/null || true
+    wait "$teller" 2>/dev/null || true
+    [ ! -t 1 ] || printf '\033[K'
+    return $status
+}
+
+logged() {  # logged LOG COMMAND...
+    local log=$1
+    shift
+    "$@" >>"$log" 2>&1
+}
+
+tell_progress() {  # tell_progress LOG; ends soon after the script that started it
+    local every=${TYPEMESH_PROGRESS_SECONDS:-30} end='\n' seconds=0
+    if [ -t 1 ]; then every=1 end='\033[K\r'; fi
+    while sleep 1 >/dev/null 2>&1 && kill -0 $$ 2>/dev/null; do
+        seconds=$((seconds + 1))
+        [ $((seconds % every)) != 0 ] ||
+            printf '  %d:%02d  %s%b' $((seconds / 60)) $((seconds % 60)) "$(progress_of "$1")" "$end"
+    done
+}
+
+# How far the program is that writes a log: ninja, make and ctest count, of others the last line tells most.
+progress_of() {  # progress_of LOG
+    tail -n 400 "$1" 2>/dev/null | awk '
+        match($0, /^\[ *[0-9]+%\]/) { told = substr($0, 2, RLENGTH - 2); next }
+        match($0, /^\[[0-9]+\/[0-9]+\]/) { told = substr($0, 2, RLENGTH - 2); sub("/", " of ", told); next }
+        match($0, /^ *[0-9]+\/[0-9]+ Test +#/) { told = $1; sub("/", " of ", told); next }
+        NF { last = $0 }
+        END { print told != "" ? told : substr(last, 1, 60) }'
 }
 
 # The words before a command that needs the administrator; fails where there is no way.
@@ -138,21 +180,27 @@ install_missing() {  # install_missing NEED...
     case $packages in
         *vcpkg:*) stop "Missing: $(column_of_missing 1 "$@")" "Please install:" "$(print_packages "$@")" ;;
     esac
-    say "Installing with $manager: $packages"
+    say "Installing with $manager, usually one to five minutes: $packages"
     log=$(mktemp)
     # shellcheck disable=SC2086  # lists of words
-    case $manager in
-        apt-get) apt_install "$sudo" "$log" $packages ;;
-        dnf) $sudo dnf install -y $packages >"$log" 2>&1 ;;
-        pacman) $sudo pacman -Sy --needed --noconfirm $packages >"$log" 2>&1 ;;
-        brew) brew install $packages >"$log" 2>&1 ;;
-    esac || true
+    with_progress "$log" install_with "$manager" "$sudo" "$log" $packages || true
     if [ -n "$(column_of_missing 1 "$@")" ]; then
         explain_failure "$log" "The package servers"
         rm -f "$log"
         stop "$manager has not installed what is needed. Still missing: $(column_of_missing 1 "$@")"
     fi
     rm -f "$log"
+}
+
+install_with() {  # install_with MANAGER SUDO LOG PACKAGE...
+    local manager=$1 sudo=$2 log=$3
+    shift 3
+    case $manager in
+        apt-get) apt_install "$sudo" "$log" "$@" ;;
+        dnf) $sudo dnf install -y "$@" >"$log" 2>&1 ;;
+        pacman) $sudo pacman -Sy --needed --noconfirm "$@" >"$log" 2>&1 ;;
+        brew) brew install "$@" >"$log" 2>&1 ;;
+    esac
 }
 
 # The end of a log, and whether it tells of a missing network.
@@ -184,27 +232,37 @@ apt_install() {  # apt_install SUDO LOG PACKAGE...
         install -y --no-install-recommends $known >>"$log" 2>&1
 }
 
+is_installed() {  # is_installed DEBIAN_PACKAGE; on another system none is
+    dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null | grep -qx installed
+}
+
 # Fonts that tests look for. Without them the tests that need them say so; nothing stops.
 install_fonts() {  # install_fonts DEBIAN_PACKAGE...
     local package missing='' sudo log
     for package in "$@"; do
-        if ! dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed; then
-            missing="$missing $package"
-        fi
+        is_installed "$package" || missing="$missing $package"
     done
     [ -n "$missing" ] || return 0
     if ! command -v apt-get >/dev/null 2>&1 || ! sudo=$(as_administrator); then
         say "These fonts are not installed, tests that need them will say so (names of the Debian packages):$missing"
         return 0
     fi
-    say "Installing fonts with apt-get:$missing"
+    say "Installing fonts with apt-get, usually a minute or two:$missing"
     log=$(mktemp)
     # shellcheck disable=SC2086
-    if ! apt_install "$sudo" "$log" $missing; then
+    if ! with_progress "$log" apt_install "$sudo" "$log" $missing; then
         explain_failure "$log" "The package servers"
         say "Not all fonts could be installed; tests that need them will say so:$missing" >&2
     fi
     rm -f "$log"
+}
+
+# Stops where nothing can be built.
+need_build_folder() {  # need_build_folder PRESET
+    local build=$typemesh_root/build
+    if ! { mkdir -p "$build/$1" && [ -w "$build/$1" ] && : >>"$build/$1.log"; } 2>/dev/null; then
+        stop "The build folder $build cannot be written: give it to $(id -un), or copy the sources to a folder that is yours."
+    fi
 }
 
 # Configures a preset and builds the targets named (all of them by default), going on after an error as far as possible.
@@ -215,13 +273,14 @@ build_preset() {  # build_preset PRESET [TARGET...]
     if [ -z "${CMAKE_GENERATOR:-}" ] && command -v ninja >/dev/null 2>&1; then
         export CMAKE_GENERATOR=Ninja  # a folder configured before keeps its own
     fi
-    mkdir -p "$typemesh_root/build" || return 1
+    need_build_folder "$preset"
     if ! (cd "$typemesh_root" && cmake --preset "$preset") >"$log" 2>&1; then
         tail -n 40 "$log" >&2
         return 1
     fi
     [ ! -e "$folder/build.ninja" ] || go_on=-k0
-    cmake --build "$folder" --parallel "$(processors)" ${1:+--target "$@"} -- $go_on >>"$log" 2>&1 || status=$?
+    with_progress "$log" logged "$log" \
+        cmake --build "$folder" --parallel "$(processors)" ${1:+--target "$@"} -- $go_on || status=$?
     if [ $status != 0 ]; then
         grep -E -A 12 '(^|: )(fatal )?error: |undefined reference|CMake Error' "$log" | head -n 120 >&2 || true
         say "The build has failed; all its words are in $log" >&2

@@ -6,10 +6,11 @@ typemesh_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 usage() {
     cat <<'END'
-usage: examples/run.sh [TEXT] [option of text_to_mesh...]
+usage: examples/run.sh [TEXT...] [option of text_to_mesh...]
 
 Installs what is missing, builds text_to_mesh, picks an installed font with the letters of TEXT ("Hello world!") and
-writes hello.glb and hello.png in the current directory. An option is passed on: examples/run.sh "Hello" --depth 0.3
+writes hello.glb and hello.png in the current directory. Words without quotes are joined to one text. Options come after
+the text and are passed on: examples/run.sh "Hello" --depth 0.3
 examples/run.sh "Hello" --help names them all.
 END
 }
@@ -36,21 +37,20 @@ code_points() {  # code_points TEXT
         }'
 }
 
-# One line for the script of a text: its name, the Debian package of a font for it, and font families in order of
-# preference. The first script of the table that the text has decides: kana before Han tells Japanese from Chinese.
-script_of() {  # script_of CODE_POINT...
-    local name first last package families code
-    while IFS='|' read -r name first last package families; do
-        for code in "$@"; do
-            if [ $((16#$code)) -ge $((16#$first)) ] && [ $((16#$code)) -le $((16#$last)) ]; then
-                say "$name|$package|$families"
-                return
-            fi
-        done
-    done <<'END'
-Arabic|600|8ff|fonts-hosny-amiri|Amiri,Noto Naskh Arabic,Noto Sans Arabic
-Arabic|fb50|feff|fonts-hosny-amiri|Amiri,Noto Naskh Arabic,Noto Sans Arabic
+# The scripts of the world: name, first and last code point, Debian packages that have a font of it, and its font
+# families, the best of each first. Where nothing is said: fonts-noto-core, and Noto Sans NAME or Noto Serif NAME.
+# The first line that a text has a letter of chooses its font: kana before Han tell Japanese from Chinese.
+scripts() {
+    cat <<'END'
+Armenian|530|58f|fonts-dejavu-core|DejaVu Sans,Noto Sans Armenian
 Hebrew|590|5ff|culmus|Frank Ruehl CLM,Noto Sans Hebrew
+Hebrew|fb1d|fb4f|culmus|Frank Ruehl CLM,Noto Sans Hebrew
+Syriac|700|74f||
+Thaana|780|7bf||
+N'Ko|7c0|7ff||Noto Sans NKo
+Arabic|600|8ff|fonts-hosny-amiri|Amiri,Noto Naskh Arabic,Noto Sans Arabic
+Arabic|fb50|fdff|fonts-hosny-amiri|Amiri,Noto Naskh Arabic,Noto Sans Arabic
+Arabic|fe70|fefe|fonts-hosny-amiri|Amiri,Noto Naskh Arabic,Noto Sans Arabic
 Devanagari|900|97f|fonts-lohit-deva|Lohit Devanagari,Noto Sans Devanagari
 Bengali|980|9ff|fonts-lohit-beng-bengali|Lohit Bengali,Noto Sans Bengali
 Gurmukhi|a00|a7f|fonts-lohit-guru|Lohit Gurmukhi,Noto Sans Gurmukhi
@@ -60,15 +60,63 @@ Tamil|b80|bff|fonts-lohit-taml|Lohit Tamil,Noto Sans Tamil
 Telugu|c00|c7f|fonts-lohit-telu|Lohit Telugu,Noto Sans Telugu
 Kannada|c80|cff|fonts-lohit-knda|Lohit Kannada,Noto Sans Kannada
 Malayalam|d00|d7f|fonts-lohit-mlym|Lohit Malayalam,Noto Sans Malayalam
+Sinhala|d80|dff||
 Thai|e00|e7f|fonts-tlwg-garuda-ttf|Garuda,Purisa,Noto Sans Thai
-Korean|ac00|d7af|fonts-nanum|NanumGothic,Noto Sans CJK KR
-Japanese|3040|30ff|fonts-sawarabi-mincho|Sawarabi Mincho,Sawarabi Gothic,Noto Serif CJK JP,Noto Sans CJK JP
-Chinese|2e80|9fff|fonts-wqy-microhei|WenQuanYi Micro Hei,Noto Sans CJK SC,Noto Serif CJK SC
-Chinese|20000|3ffff|fonts-noto-cjk|Noto Sans CJK SC,Noto Serif CJK SC
-symbol|2190|2bff|fonts-symbola|DejaVu Sans,Symbola,Noto Sans Symbols
-symbol|1f000|1faff|fonts-symbola|Symbola,Noto Emoji
+Lao|e80|eff||
+Tibetan|f00|fff||
+Myanmar|1000|109f||
+Georgian|10a0|10ff|fonts-dejavu-core|DejaVu Sans,Noto Sans Georgian
+Georgian|1c90|1cbf||
+Ethiopic|1200|139f||
+Ethiopic|2d80|2ddf||
+Ethiopic|ab00|ab2f||
+Cherokee|13a0|13ff||
+Cherokee|ab70|abbf||
+Canadian syllabics|1400|167f|fonts-dejavu-core|DejaVu Sans,Noto Sans Canadian Aboriginal
+Ogham|1680|169f|fonts-dejavu-core|DejaVu Sans,Noto Sans Ogham
+Runic|16a0|16ff||
+Khmer|1780|17ff||
+Khmer|19e0|19ff||
+Mongolian|1800|18af||
+Balinese|1b00|1b7f||
+Glagolitic|2c00|2c5f||
+Coptic|2c80|2cff||
+Tifinagh|2d30|2d7f|fonts-dejavu-core|DejaVu Sans,Noto Sans Tifinagh
+Yi|a000|a4cf||
+Javanese|a980|a9df||
+Korean|1100|11ff|fonts-nanum,fonts-noto-cjk|NanumGothic,Noto Sans CJK KR
+Korean|3130|318f|fonts-nanum,fonts-noto-cjk|NanumGothic,Noto Sans CJK KR
+Korean|ac00|d7ff|fonts-nanum,fonts-noto-cjk|NanumGothic,Noto Sans CJK KR
+Japanese|3040|30ff|fonts-sawarabi-mincho,fonts-noto-cjk|Sawarabi Mincho,Sawarabi Gothic,Noto Serif CJK JP,Noto Sans CJK JP
+Chinese|2e80|9fff|fonts-wqy-microhei,fonts-noto-cjk,fonts-hanazono|WenQuanYi Micro Hei,Noto Sans CJK SC,Noto Serif CJK SC
+Chinese|f900|faff|fonts-noto-cjk,fonts-hanazono|Noto Sans CJK SC,Noto Serif CJK SC
+Chinese|20000|3ffff|fonts-noto-cjk,fonts-hanazono|Noto Sans CJK SC,Noto Serif CJK SC
+Cuneiform|12000|1254f||
+hieroglyphs|13000|1345f||Noto Sans Egyptian Hieroglyphs
+symbols|2190|2bff|fonts-symbola|DejaVu Sans,Symbola,Noto Sans Symbols
+symbols|1d100|1d7ff|fonts-symbola|Symbola,Noto Music,Noto Sans Math
+symbols|1f000|1faff|fonts-symbola|Symbola,Noto Emoji
+digits and punctuation|20|40|fonts-dejavu-core|Liberation Sans,DejaVu Sans,Noto Sans,Arial,Helvetica
 Latin, Greek or Cyrillic|0|52f|fonts-dejavu-core|Liberation Sans,DejaVu Sans,Noto Sans,Arial,Helvetica
-other|0|10ffff|fonts-noto-core|DejaVu Sans,Noto Sans
+Latin, Greek or Cyrillic|1d00|1fff|fonts-dejavu-core|DejaVu Sans,Noto Sans,Arial
+other|0|10ffff||DejaVu Sans,Noto Sans
+END
+}
+
+# The scripts of a text, a line each in the order above: name, packages, families, and those of the code points that are its.
+scripts_of() {  # scripts_of CODE_POINT...
+    local left=" $* " name first last packages families code found
+    while IFS='|' read -r name first last packages families; do
+        found=
+        for code in $left; do
+            if [ $((16#$code)) -ge $((16#$first)) ] && [ $((16#$code)) -le $((16#$last)) ]; then
+                found="$found $code"
+                left=${left/ $code / }
+            fi
+        done
+        [ -z "$found" ] || say "$name|${packages:-fonts-noto-core}|${families:-Noto Sans $name,Noto Serif $name}|${found# }"
+    done <<END
+$(scripts)
 END
 }
 
@@ -77,7 +125,7 @@ font_with() {  # font_with FAMILIES CODE_POINT...
     local families=$1
     shift
     fc-list ":charset=$*:scalable=true:color=false" \
-        --format '%{file}\t%{index}\t%{family[0]}\t%{fontformat}\t%{weight}\t%{slant}\t%{variable}\n' |
+        --format '%{file}\t%{index}\t%{family[0]}\t%{fontformat}\t%{weight}\t%{slant}\t%{variable}\t%{width}\n' |
         awk -F '\t' -v families="$families" '
             BEGIN { n = split(families, name, ",") }
             !/\.(ttf|otf|ttc|otc)\t/ || ($4 != "TrueType" && $4 != "CFF") { next }
@@ -86,18 +134,73 @@ font_with() {  # font_with FAMILIES CODE_POINT...
                 score = 10 * n + 10
                 for (i = 1; i <= n; ++i) if ($3 == name[i]) score = 10 * i
                 if ($7 != "True" && $5 != 80) score += $5 > 70 && $5 <= 100 ? 1 : 2  # book and medium before bold and light
+                if ($7 != "True" && $8 != 100) score += 3                            # condensed
                 if ($6 != 0) score += 4                                              # slanted
                 print score "\t" $1 "\t" ($2 < 0 || $2 >= 65536 ? 0 : $2) "\t" $3
             }' | sort -t "$(printf '\t')" -k 1,1n -k 2,2 | head -n 1 | cut -f 2-
 }
 
-text="Hello world!"
-case ${1:-} in
-    -h | --help) usage && exit 0 ;;
-    --) shift && if [ $# -gt 0 ]; then text=$1 && shift; fi ;;
-    --*) ;;
-    *) if [ $# -gt 0 ]; then text=$1 && shift; fi ;;
-esac
+# The code points that no installed font has; after eight dots stand for the rest.
+without_font() {  # without_font CODE_POINT...
+    local code found=0
+    for code in "$@"; do
+        [ -z "$(font_with "" "$code")" ] || continue
+        found=$((found + 1))
+        [ $found -le 8 ] || { printf ' ...' && break; }
+        printf ' U+%04X' $((16#$code))
+    done
+}
+
+# Where no installed font has all the letters: which are missing, and the first package of their script that is not there.
+explain_missing_font() {  # explain_missing_font CODE_POINT...
+    local script packages families codes font missing package covered='' advice=''
+    say "No installed font has all the letters of this text."
+    while IFS='|' read -r script packages families codes; do
+        # shellcheck disable=SC2086  # a list of words
+        font=$(font_with "$families" $codes | cut -f 3)
+        if [ -n "$font" ]; then
+            covered="$covered, $script in $font"
+            continue
+        fi
+        # shellcheck disable=SC2086
+        missing=$(without_font $codes)
+        say "Missing: $script${missing:+,$missing}"
+        for package in $(say "$packages,fonts-noto-core,fonts-unifont" | tr , ' '); do
+            if ! is_installed "$package"; then
+                case " $advice " in *" $package "*) ;; *) advice="$advice $package" ;; esac
+                continue 2
+            fi
+        done
+        say "All Debian packages known here for it are installed."
+    done <<END
+$(scripts_of "$@")
+END
+    if [ -n "$advice" ]; then
+        say "On Debian: sudo apt-get install$advice"
+    elif [ -n "$covered" ]; then
+        say "Make several texts of it: there is ${covered#, }."
+    fi
+    say "Or name a font: examples/run.sh TEXT --font FILE"
+}
+
+case ${1:-} in -h | --help) usage && exit 0 ;; esac
+text=
+given=0
+while [ $# -gt 0 ]; do
+    case $1 in
+        --)  # the next is text, whatever it begins with
+            shift
+            [ $# -gt 0 ] || break
+            ;;
+        --* | -h) break ;;
+    esac
+    [ $given = 0 ] || text="$text "
+    text=$text$1
+    given=$((given + 1))
+    shift
+done
+[ $given != 0 ] || text="Hello world!"
+[ $given -le 1 ] || say "The text is \"$text\"; in quotes it keeps its blanks."
 font=
 output="--output hello.glb"
 picture="--picture hello.png"
@@ -110,24 +213,28 @@ for option in "$@"; do
     esac
 done
 
+need_build_folder release
 install_missing c++ cmake ninja pkg-config harfbuzz freetype cli11 tinygltf stb fontconfig font
 
 if [ -z "$font" ]; then
     read -r -a codes <<<"$(code_points "$text")" || true
-    IFS='|' read -r script package families <<<"$(script_of ${codes[@]+"${codes[@]}"} 48)"
+    IFS='|' read -r _ _ families _ <<<"$(scripts_of ${codes[@]+"${codes[@]}"} 30)"
     IFS=$'\t' read -r font face family <<<"$(font_with "$families" ${codes[@]+"${codes[@]}"})"
-    if [ -z "$font" ]; then
-        stop "No installed font has all the letters of this text (script: $script)." \
-            "On Debian: sudo apt-get install $package" "Or name a font: examples/run.sh TEXT --font FILE"
-    fi
+    [ -n "$font" ] || stop "$(explain_missing_font ${codes[@]+"${codes[@]}"})"
     say "Font: $family ($font)"
     set -- --font "$font" --face "$face" "$@"
 fi
 
-[ -e "$typemesh_root/build/release/examples/text_to_mesh" ] || say "Building text_to_mesh; this is done once."
+program=$typemesh_root/build/release/examples/text_to_mesh
+[ -e "$program" ] || say "Building text_to_mesh, once; it usually takes one to three minutes."
 build_preset release text_to_mesh || exit 1
+status=0
 # shellcheck disable=SC2086  # two words or none
-"$typemesh_root/build/release/examples/text_to_mesh" $output $picture "$@" -- "$text"
+"$program" $output $picture "$@" -- "$text" || status=$?
+if [ $status = 2 ] && [ $given = 0 ]; then
+    say "The text stands before all options: examples/run.sh \"Hello\" --depth 0.3" >&2
+fi
+[ $status = 0 ] || exit $status
 for file in ${output#--output} ${picture#--picture}; do
     say "Wrote $PWD/$file"
 done

@@ -6,50 +6,73 @@ typemesh_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 usage() {
     cat <<'END'
-usage: tests/run.sh [--with TIER[,TIER...]] [--all]
+usage: tests/run.sh [--with TIER[,TIER...]] [--only TIER[,TIER...]] [--all]
 
-Installs what is missing, builds and runs the tests of the core and its adapters with g++. Further tiers:
+Installs what is missing, builds and runs the tests, those of the tier gcc by default. The tiers:
+  gcc        all tests of the core and its adapters with g++
   clang      the tests of the core and the adapters with clang++
   sanitize   the tests of what touches memory most, with g++ under the address and undefined behaviour sanitizers
   tsan       the tests that use threads with g++ under the thread sanitizer
   windows    the tests of the core and of DirectWrite as Windows programs (mingw-w64), run under Wine
   external   other people's tools (admesh, OpenSCAD, gltf-validator) read what text_to_mesh writes; the benchmarks are built
---all takes every tier.
+--with adds tiers, --only takes these alone, --all takes every tier.
 END
 }
 
+all_tiers="gcc clang sanitize tsan windows external"
 tiers=gcc
+more=
 everything=
+
+refuse() {
+    say "$@" >&2
+    exit 2
+}
+
+# Adds the tiers of a list to `named`.
+name_tiers() {  # name_tiers OPTION TIER,TIER...
+    local tier
+    for tier in $(say "$2" | tr , ' '); do
+        case " $all_tiers " in
+            *" $tier "*) named="$named $tier" ;;
+            *) refuse "There is no tier \"$tier\". The tiers are: $all_tiers" ;;
+        esac
+    done
+    [ -n "$named" ] || refuse "$1 wants one or more tiers, with commas between: $all_tiers"
+}
+
+only=
 while [ $# -gt 0 ]; do
+    named=
     case $1 in
         --all)
             everything=yes
-            tiers="gcc clang sanitize tsan windows external"
+            tiers=$all_tiers
             ;;
-        --with | --with=*)
-            [ "$1" != --with ] || shift
-            [ $# -gt 0 ] || { usage >&2 && exit 2; }
-            for tier in $(say "${1#--with=}" | tr , ' '); do
-                case $tier in
-                    clang | sanitize | tsan | windows | external) tiers="$tiers $tier" ;;
-                    *) usage >&2 && exit 2 ;;
-                esac
-            done
-            ;;
+        --with) name_tiers "$1" "${2:-}" && more="$more$named" && shift ;;
+        --with=*) name_tiers --with "${1#*=}" && more="$more$named" ;;
+        --only) name_tiers "$1" "${2:-}" && only="$only$named" && shift ;;
+        --only=*) name_tiers --only "${1#*=}" && only="$only$named" ;;
         -h | --help) usage && exit 0 ;;
-        *) usage >&2 && exit 2 ;;
+        *) refuse "$1 is not an option. $(usage)" ;;
     esac
     shift
 done
+tiers="${only:-$tiers}$more"
 
 passed=0
 failed=0
 skipped=
 report=
 
-# Closing words, whatever happens; a tier that was broken off is a failure.
+# Closing words, whatever happens. Only the last line of this script says that the run has come to its end.
+doing="setting up"
 finish() {
-    if [ $? != 0 ] && [ "$failed" = 0 ]; then failed=1; fi
+    if [ -n "$doing" ]; then
+        failed=$((failed + 1))
+        report="${report}broken off while $doing
+"
+    fi
     [ -z "$report" ] || printf '\n%s' "$report"
     [ -z "$skipped" ] || printf '%s' "$skipped"
     say "$passed passed, $failed failed"
@@ -59,12 +82,12 @@ count() { passed=$((passed + $1)) failed=$((failed + $2)); }
 # Builds a preset and runs its tests; ctest names what a failed build has left out.
 test_preset() {  # test_preset PRESET [TARGET...]
     local log=$typemesh_root/build/$1.ctest.log total bad
-    say "Building takes some minutes; how far it is: tail -f $typemesh_root/build/$1.log"
+    say "Building, which usually takes 2 to 10 minutes; all its words: $typemesh_root/build/$1.log"
     if ! build_preset "$@"; then
         count 0 1
     fi
-    ctest --test-dir "$typemesh_root/build/$1" --output-on-failure --parallel "$(processors)" 2>&1 | tee "$log" |
-        grep -vE '^ *(Start +[0-9]+:|[0-9]+/[0-9]+ Test .* Passed )' || true
+    : >"$log"
+    with_progress "$log" run_ctest "$typemesh_root/build/$1" "$log"
     total=$(sed -nE 's/.* tests? failed out of ([0-9]+)$/\1/p' "$log")
     bad=$(sed -nE 's/.* ([0-9]+) tests? failed out of [0-9]+$/\1/p' "$log")
     if [ -n "$total" ]; then
@@ -72,6 +95,11 @@ test_preset() {  # test_preset PRESET [TARGET...]
     else
         count 0 1
     fi
+}
+
+run_ctest() {  # run_ctest FOLDER LOG
+    ctest --test-dir "$1" --output-on-failure --parallel "$(processors)" 2>&1 | tee "$2" |
+        grep -vE '^ *(Start +[0-9]+:|[0-9]+/[0-9]+ Test .* Passed )' || true
 }
 
 tier_gcc() {
@@ -137,6 +165,7 @@ tier_external() {
 }
 
 trap finish EXIT
+need_build_folder gcc
 begun=$(date +%s)
 # The fonts of tests/workload/smoke-fonts.tsv but the largest.
 fonts=$(awk -F '\t' 'NR > 1 && $2 < 20000000 { print $1 }' "$typemesh_root/tests/workload/smoke-fonts.tsv")
@@ -151,9 +180,11 @@ for tier in $tiers; do
     case " ${done_tiers:-} " in *" $tier "*) continue ;; esac
     done_tiers="${done_tiers:-} $tier"
     say "== $tier"
+    doing="running the tier $tier"
     begun=$(date +%s) passed_before=$passed failed_before=$failed
     "tier_$tier"
     report="$report$tier: $((passed - passed_before)) passed, $((failed - failed_before)) failed, $(($(date +%s) - begun)) s
 "
 done
+doing=
 [ "$failed" = 0 ]

@@ -61,13 +61,15 @@ Xvfb -displayfd 3 -screen 0 640x480x24 -nolisten tcp 3>"$display" >/dev/null 2>&
 xvfb=$!
 trap 'kill $xvfb; wineserver -k 2>/dev/null || true; rm -f "$display"' EXIT
 for _ in $(seq 50); do [ -s "$display" ] || sleep 0.1; done
-export DISPLAY=:$(cat "$display")
+DISPLAY=:$(cat "$display")
+export DISPLAY
 wine wineboot -i >/dev/null 2>&1
 under_wine() { wine "$@" 2>/dev/null; }
 
 each_font() {  # each_font FUNCTION: called with the file, the same as Windows names it, and the family
     local file family
     while IFS='|' read -r file family; do
+        # shellcheck disable=SC1003  # a backslash for tr
         [ ! -e "$file" ] || "$1" "$file" "Z:$(say "$file" | tr / '\\')" "$family" </dev/null
     done <<END
 $table

@@ -1,0 +1,212 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# What examples/run.sh and tests/run.sh promise, with stand-ins for all that they call: nothing is installed or built.
+#
+#     run_sh.sh [FOLDER]     FOLDER holds the scripts to be tried; this source tree without it
+set -u
+source_tree=$(cd "${1:-$(dirname "${BASH_SOURCE[0]}")/../..}" && pwd)
+scratch=$(mktemp -d) && trap 'rm -rf "$scratch"' EXIT
+export scratch
+passed=0
+failed=0
+check() {  # check 'SENTENCE' COMMAND...
+    local sentence=$1
+    shift
+    if "$@" >/dev/null; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        printf 'FAILED: %s\n  status %s; written:\n' "$sentence" "$status" && sed 's/^/  | /' "$scratch/out" "$scratch/err"
+    fi
+}
+says() { grep -qE -- "$1" "$scratch/out" "$scratch/err"; }
+says_not() { ! says "$1"; }
+called() { grep -qE -- "$1" "$scratch/calls"; }
+called_not() { ! called "$1"; }
+
+# The scripts lie in a folder whose name has a blank, the programs that they may call in another.
+tree="$scratch/a folder"
+bin=$scratch/bin
+mkdir -p "$bin" "$scratch/prefix/include" "$tree"
+for file in examples/run.sh tests/run.sh cmake/setup.sh tests/workload/smoke-fonts.tsv tests/external/common.bash; do
+    mkdir -p "$tree/$(dirname "$file")" && cp "$source_tree/$file" "$tree/$file"
+done
+for name in bash sh env awk sed grep cut sort head tail tr od cat mktemp date mkdir rm cp chmod touch sleep dirname basename tee getconf; do
+    ln -s "$(command -v $name)" "$bin/$name"
+done
+for header in harfbuzz/hb.h ft2build.h glm/vec3.hpp catch2/catch.hpp benchmark/benchmark.h CLI/CLI.hpp tiny_gltf.h stb_image_write.h; do
+    mkdir -p "$scratch/prefix/include/$(dirname $header)" && touch "$scratch/prefix/include/$header"
+done
+stand_in() {  # stand_in NAME, its body on standard input; every call is recorded
+    # shellcheck disable=SC2016  # for the stand-in
+    { printf '#!/usr/bin/env bash\necho "%s $*" >>"$scratch/calls"\n' "$1" && cat; } >"$bin/$1" && chmod +x "$bin/$1"
+}
+for name in g++ clang++ ninja pkg-config wine x86_64-w64-mingw32-g++-posix; do stand_in $name </dev/null; done
+stand_in cmake <<'END'
+if [ "$1" = --preset ]; then mkdir -p "build/$2" && exit; fi
+echo "[1/2] Building CXX object a.o"
+[ ! -e "$scratch/wait" ] || for _ in 1 2 3 4 5 6 7 8 9; do grep -q "1 of 2" "$scratch/out" && break || sleep 1; done
+mkdir -p "$2/examples" "$2/tests"
+printf '#!/bin/sh\nprintf "<%%s>" text_to_mesh "$@" >>"$scratch/calls"\n' >"$2/examples/text_to_mesh"
+printf '#!/bin/sh\n' >"$2/tests/typemesh_reference_outlines"
+chmod +x "$2"/*/*
+END
+stand_in ctest <<'END'
+pid=$(cat "$scratch/pid")
+case $(cat "$scratch/kill") in
+    INT) kill -s INT -- "-$pid" ;;  # Ctrl-C reaches all of them
+    ?*) kill -s "$(cat "$scratch/kill")" "$pid" ;;
+esac
+echo "100% tests passed, 0 tests failed out of 5"
+END
+# fonts: FILE|FAMILY|FIRST CODE POINT|LAST
+stand_in fc-list <<'END'
+codes=${1#:charset=} && codes=${codes%%:*}
+while IFS='|' read -r file family first last; do
+    for code in $codes; do
+        [ $((16#$code)) -ge $((16#$first)) ] && [ $((16#$code)) -le $((16#$last)) ] || continue 2
+    done
+    printf '%s\t0\t%s\tTrueType\t80\t0\tFalse\t100\n' "$file" "$family"
+done <"$scratch/fonts"
+END
+stand_in id <<'END'
+if [ "$1" = -u ]; then cat "$scratch/user"; else echo somebody; fi
+END
+stand_in apt-get <<'END'
+[ ! -e "$scratch/wait" ] || for _ in 1 2 3 4 5 6 7 8 9; do grep -q "Setting up" "$scratch/out" && break || sleep 1; done
+case " $* " in *" install "*) for package in "$@"; do echo "Setting up $package" && echo "$package" >>"$scratch/installed"; done ;; esac
+[ ! -e "$scratch/ninja" ] || cp "$scratch/ninja" "$bin/ninja"
+END
+stand_in apt-cache </dev/null
+stand_in dpkg-query <<'END'
+for package in "$@"; do :; done
+! grep -qx "$package" "$scratch/installed" || echo installed
+END
+
+anew() {  # a machine with a Latin font, and the administrator before it
+    rm -rf "$tree/build" "$scratch/wait"
+    : >"$scratch/kill"
+    echo 0 >"$scratch/user"
+    echo "/fonts/sans.ttf|DejaVu Sans|20|52f" >"$scratch/fonts"
+    awk 'NR > 1 { print $1 }' "$tree/tests/workload/smoke-fonts.tsv" >"$scratch/installed"
+    again
+}
+again() { : >"$scratch/calls"; }
+run() {  # run SCRIPT ARGUMENT...   from a folder of its own
+    local script=$1
+    shift
+    rm -rf "$scratch/elsewhere" && mkdir "$scratch/elsewhere"
+    : >"$scratch/out"
+    status=0
+    set -m  # as a process group of its own, as on a terminal
+    (
+        cd "$scratch/elsewhere" || exit
+        # shellcheck disable=SC2016  # for the inner shell
+        exec env -u CMAKE_GENERATOR PATH="$bin" CMAKE_PREFIX_PATH="$scratch/prefix" TYPEMESH_PROGRESS_SECONDS=1 bin="$bin" \
+            bash -c 'echo $$ >"$scratch/pid" && exec bash "$@"' - "$tree/$script" "$@" </dev/null >"$scratch/out" 2>"$scratch/err"
+    ) &
+    wait $! || status=$?
+    set +m
+} 2>/dev/null
+succeeds() { [ $status = 0 ]; }
+fails() { [ $status != 0 ]; }
+
+# --- examples/run.sh: the text
+anew && run examples/run.sh "Hello world!"
+check "a text in quotes is meshed with an installed font" succeeds
+check "the text comes after --, the font before" called '<text_to_mesh>.*<--font></fonts/sans.ttf>.*<--><Hello world!>$'
+again && run examples/run.sh "Hello world!"
+check "the second run does as the first" called '<--><Hello world!>$'
+check "the second run does not tell of building anew" says_not 'Building'
+anew && run examples/run.sh Hello World --depth 0.3
+check "words without quotes are one text" called '<--depth><0.3><--><Hello World>$'
+check "it is told that they are joined" says 'The text is "Hello World"'
+anew && run examples/run.sh -- --not-an-option
+check "after -- anything is text" called '<--><--not-an-option>$'
+
+# --- examples/run.sh: fonts
+anew && run examples/run.sh "བོད"
+check "a script without a font is an error" fails
+check "the script is called by its name" says 'Tibetan'
+check "no other script is blamed" says_not 'Latin'
+check "its letters are named" says 'U\+0F56'
+check "its Debian package is named" says 'apt-get install fonts-noto-core$'
+for text in "ሰላም" "ខ្មែរ" "မြန်မာ" "සිංහල" "ᠮᠣᠩᠭᠣᠯ"; do
+    anew && run examples/run.sh "$text"
+    check "$text: the package of its script is named" says 'apt-get install fonts-noto-core$'
+done
+anew && echo fonts-noto-core >>"$scratch/installed" && run examples/run.sh "བོད"
+check "a package that is installed is not advised" says_not 'apt-get install.* fonts-noto-core( |$)'
+check "the next package is" says 'apt-get install fonts-unifont$'
+echo fonts-unifont >>"$scratch/installed" && again && run examples/run.sh "བོད"
+check "with all of them installed none is advised" says_not 'apt-get'
+check "there is still a way" says '--font FILE'
+anew && echo "/fonts/tibetan.ttf|Noto Serif Tibetan|f00|fff" >>"$scratch/fonts" && run examples/run.sh "བོད"
+check "an installed font is found by its characters" called '<--font></fonts/tibetan.ttf>'
+again && run examples/run.sh "Tibet བོད"
+check "scripts that no one font has together: it is said where each is" says 'Latin.* in DejaVu Sans'
+check "nothing is to be installed for them" says_not 'apt-get'
+anew && run examples/run.sh "བོད ሰላም ไทย"
+check "each package is named once" says 'apt-get install fonts-tlwg-garuda-ttf fonts-noto-core$'
+
+# --- examples/run.sh: setting up
+anew && touch "$scratch/wait" && run examples/run.sh
+check "it says what it builds and how long that takes" says 'Building text_to_mesh.*minute'
+check "it tells how far the build is" says '0:0[0-9]  1 of 2'
+anew && mv "$bin/ninja" "$scratch/ninja" && touch "$scratch/wait"
+run examples/run.sh
+check "what is missing is installed" called 'apt-get .*install .*ninja-build'
+check "how long installing takes is said" says 'Installing with apt-get.*minute.*: ninja-build'
+mv "$scratch/ninja" "$bin/ninja"
+anew && mv "$bin/ninja" "$scratch/ninja" && echo 1000 >"$scratch/user" && run examples/run.sh
+check "without root and sudo it stops" fails
+check "it names the packages" says 'sudo apt-get install ninja-build'
+check "it installs nothing" called_not 'apt-get'
+mv "$scratch/ninja" "$bin/ninja"
+for script in examples/run.sh tests/run.sh; do
+    anew && touch "$tree/build" && run $script
+    check "$script: a build folder that cannot be written is an error" fails
+    check "$script: it is told in one sentence" [ "$(grep -c . "$scratch/err")" = 1 ]
+    check "$script: the sentence names the folder" grep -q "a folder/build cannot be written" "$scratch/err"
+    check "$script: nothing is begun" called_not 'apt-get|cmake'
+    rm -f "$tree/build"
+done
+
+# --- tests/run.sh
+anew && run tests/run.sh
+check "the tests of g++ are the default" succeeds
+check "ctest's sums are added" says '^10 passed, 0 failed$'
+check "no other preset is tested" called_not 'build/(clang|sanitize|tsan|windows)'
+again && run tests/run.sh
+check "the second run does as the first" says '^10 passed, 0 failed$'
+anew && run tests/run.sh --only windows
+check "one tier can be run alone" says '^5 passed, 0 failed$'
+check "it is the one that was named" called 'ctest .*build/windows'
+check "no other is run" called_not 'ctest .*build/(gcc|fast-math|clang|sanitize|tsan)'
+anew && run tests/run.sh --only gcc,clang
+check "several tiers can be run alone" says '^15 passed, 0 failed$'
+anew && run tests/run.sh --only clang --with tsan
+check "--with adds to --only" says '^10 passed, 0 failed$'
+anew && run tests/run.sh --with clang,clnag
+check "an unknown tier is an error of usage" [ $status = 2 ]
+check "the unknown tier is named" says '"clnag"'
+check "nothing is begun" called_not .
+anew && run tests/run.sh --only
+check "--only without a tier is an error of usage" [ $status = 2 ]
+for signal in TERM INT HUP; do
+    anew && echo $signal >"$scratch/kill" && run tests/run.sh
+    check "$signal: a run that was killed has failed" fails
+    check "$signal: it says that it was broken off, and where" says 'broken off while .*gcc'
+    check "$signal: that counts as a failure" says ' [1-9][0-9]* failed$'
+done
+anew && mv "$bin/ninja" "$scratch/ninja" && echo 1000 >"$scratch/user" && run tests/run.sh
+check "a run that cannot set up has failed" says '^0 passed, 1 failed$'
+check "it says that it got no further" says 'broken off while setting up'
+mv "$scratch/ninja" "$bin/ninja"
+
+# --- continuous integration
+check "continuous integration names its tiers" grep -qE 'run\.sh --with [a-z,]+$' "$source_tree/.ci/run"
+
+echo "$passed passed, $failed failed"
+[ $failed = 0 ]
