@@ -46,41 +46,6 @@ std::string in_words(const typemesh::error& e)
            typemesh::describe(e.at(typemesh::no_glyph, typemesh::no_cluster), sentence);
 }
 
-chosen_discretiser discretiser_of(const options& o, double units_per_em)
-{
-    using typemesh::adaptive_subdivision;
-    if (o.discretiser == discretiser_name::two_lines) return {typemesh::two_lines{}};
-    if (o.discretiser == discretiser_name::adaptive) {
-        if (o.quality == preset::best) return {adaptive_subdivision::best(units_per_em)};
-        return {o.quality == preset::high ? adaptive_subdivision::high(units_per_em)
-                                          : adaptive_subdivision::normal(units_per_em)};
-    }
-    return {typemesh::certified{}};
-}
-
-chosen_triangulator triangulator_of(const options& o)
-{
-    if (o.triangulator == triangulator_name::delaunay) return {typemesh::constrained_delaunay{}};
-    return {typemesh::monotone{}};
-}
-
-chosen_extruder extruder_of(const options& o)
-{
-    using namespace typemesh;
-    if (o.depth == 0.0f) return {flat{.texture = o.uv}};
-    const auto with = [&](auto normals) -> chosen_extruder {
-        return {extruded<decltype(normals)>{.depth = o.depth, .texture = o.uv, .normals = normals}};
-    };
-    switch (o.normals) {
-    case normals_name::shared: return with(shared_normals{});
-    case normals_name::averaged: return with(averaged_normals{});
-    case normals_name::creased:
-        return with(creased_normals{.crease_degrees = o.crease.value_or(creased_normals{}.crease_degrees)});
-    case normals_name::curve: break;
-    }
-    return with(curve_normals{.crease_degrees = o.crease.value_or(curve_normals{}.crease_degrees)});
-}
-
 std::string kind_of(const std::string& path) { return path.substr(path.size() - 4); }
 
 std::string write_mesh(const model& mesh, const std::string& path)
@@ -161,38 +126,88 @@ void print_stats(const Plan& plan, const model& mesh, const stage_clock& clock)
     std::puts("}}");
 }
 
-int run(const options& o)
+typemesh::text_options text_options_of(const options& o)
 {
-    auto font = typemesh::harfbuzz_font::open(o.font.c_str(), {.face = o.face, .variations = o.variations});
-    if (!font) return fail(o.font + ": " + in_words(font.error()));
-
-    const chosen_discretiser discretiser = discretiser_of(o, font->units_per_em());
-    auto mesher = typemesh::text_mesher{*font}
-                      .with(discretiser)
-                      .with(triangulator_of(o))
-                      .with(extruder_of(o))
-                      .with(stage_clock{});
-
     typemesh::text_options how;
     how.shape = {.direction = o.direction, .language = o.language, .script = o.script, .features = o.features};
     how.layout = {.align = o.align};
     how.tolerance = o.tolerance;
     how.fill = o.fill;
     how.merge = o.merge;
+    return how;
+}
+
+/// The whole mesh of a plan, part by part.
+template <class Plan>
+typemesh::error write_model(const Plan& plan, model& out)
+{
+    if (const typemesh::error e = plan.write(typemesh::into(out.vertices, out.indices))) return e;
+    const char* names[] = {"front", "back", "side"};
+    for (const typemesh::part p : typemesh::all_parts) {
+        const typemesh::mesh_range r = plan.range(p);
+        if (r.index_count > 0) out.parts.push_back({names[static_cast<int>(p)], r.first_index, r.index_count});
+    }
+    return {};
+}
+
+/// The tolerance in em of the picture's own mesh, by the size at which it will be drawn; but what was asked for where
+/// the picture is to show it.
+double picture_tolerance(const options& o, const typemesh::bounds3& bounds, const picture_options& look)
+{
+    const bool shows_the_mesh = o.show_triangles || o.show_points || o.show_contours || o.show_normals;
+    if (o.quality_given || shows_the_mesh || o.discretiser != discretiser_name::certified) return o.tolerance;
+    model box;
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        const auto pick = [&](unsigned bit, float low, float high) { return (corner & bit) != 0 ? high : low; };
+        box.vertices.push_back({{pick(1, bounds.low.x, bounds.high.x), pick(2, bounds.low.y, bounds.high.y),
+                                 pick(4, bounds.low.z, bounds.high.z)}, {}, {}});
+        box.indices.push_back(corner);
+    }
+    constexpr double error_in_pixels = 0.125;  // half of what is hard to see: lines here are long and their edges sharp
+    return typemesh::tolerance_for_pixels(pixels_per_unit(box, look), error_in_pixels);
+}
+
+/// Draws the text, one em large, and writes the picture. Gives an empty string, or one sentence.
+std::string draw_picture(const options& o, typemesh::harfbuzz_font& font, const typemesh::bounds3& bounds)
+{
+    picture_options look;
+    look.shading = o.shading;
+    look.wireframe = o.show_triangles;
+    look.texture = o.checker ? texture::checker : texture::none;
+
+    const chosen_discretiser discretiser = discretiser_of(o, font.units_per_em());
+    auto mesher = typemesh::text_mesher{font}.with(discretiser).with(triangulator_of(o)).with(extruder_of(o));
+    typemesh::text_options how = text_options_of(o);
+    how.tolerance = picture_tolerance(o, bounds, look);
     auto plan = mesher.plan(o.text, how);
+    if (!plan) return in_words(plan.error());
+    model mesh;
+    if (const typemesh::error e = write_model(*plan, mesh)) return in_words(e);
+    int width = 0, height = 0;
+    const overlay over = annotate(o, font, plan->run(), plan->glyphs(), discretiser, mesh);
+    const auto pixels = draw(mesh, over, look, width, height);
+    return write_png(pixels, width, height, o.picture);
+}
+
+int run(const options& o)
+{
+    auto font = typemesh::harfbuzz_font::open(o.font.c_str(), {.face = o.face, .variations = o.variations});
+    if (!font) return fail(o.font + ": " + in_words(font.error()));
+
+    auto mesher = typemesh::text_mesher{*font}
+                      .with(discretiser_of(o, font->units_per_em()))
+                      .with(triangulator_of(o))
+                      .with(extruder_of(o))
+                      .with(stage_clock{});
+    auto plan = mesher.plan(o.text, text_options_of(o));
     if (!plan) return fail(in_words(plan.error()));
 
     model mesh;
     mesh.name = o.text;
     mesher.observer()(typemesh::stage::extrude);
-    const typemesh::error e = plan->write(typemesh::into(mesh.vertices, mesh.indices));
+    const typemesh::error e = write_model(*plan, mesh);
     mesher.observer()(typemesh::stage::idle);
     if (e) return fail(in_words(e));
-    const char* names[] = {"front", "back", "side"};
-    for (const typemesh::part p : typemesh::all_parts) {
-        const typemesh::mesh_range r = plan->range(p);
-        if (r.index_count > 0) mesh.parts.push_back({names[static_cast<int>(p)], r.first_index, r.index_count});
-    }
 
     if (name_losses(plan->report()) && o.strict) return fail("--strict: nothing is written.");
     if (!o.output.empty()) {
@@ -202,17 +217,8 @@ int run(const options& o)
         else trouble = write_mesh(mesh, o.output);
         if (!trouble.empty()) return fail(trouble);
     }
-    if (!o.picture.empty()) {
-        picture_options look;
-        look.shading = o.shading;
-        look.wireframe = o.show_triangles;
-        look.texture = o.checker ? texture::checker : texture::none;
-        int width = 0, height = 0;
-        const overlay over = annotate(o, *font, plan->run(), plan->glyphs(), discretiser, mesh);
-        const auto pixels = draw(mesh, over, look, width, height);
-        if (const std::string trouble = write_png(pixels, width, height, o.picture); !trouble.empty())
-            return fail(trouble);
-    }
+    if (!o.picture.empty())
+        if (const std::string trouble = draw_picture(o, *font, plan->bounds()); !trouble.empty()) return fail(trouble);
     if (o.stats) {
         print_stats(*plan, mesh, mesher.observer());
         if (std::fflush(stdout) != 0) return fail("the statistics cannot be written");

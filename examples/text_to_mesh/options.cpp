@@ -222,7 +222,8 @@ std::optional<int> parse(int argc, char** argv, options& out)
         ->type_name("EM")
         ->check(number("a number from 0 to 1000", [](double n) { return n >= 0.0 && n <= 1000.0; }));
     auto* named = add_named<preset>(
-        app, "--quality", out.quality, "largest distance to the curve: 1/100, 1/160, 1/800 (default high), 1/16000 em",
+        app, "--quality", out.quality, "largest distance to the curve: 1/100, 1/160, 1/800 (default high), 1/16000 em; by default that of a "
+        "picture follows its pixels",
         {{"low", preset::low}, {"normal", preset::normal}, {"high", preset::high}, {"best", preset::best}});
     app.add_option("--tolerance", out.tolerance, "the same as a number")
         ->type_name("EM")
@@ -281,6 +282,7 @@ std::optional<int> parse(int argc, char** argv, options& out)
         if (auto trouble = add_variation(v, out.variations); !trouble.empty()) return complain(trouble);
     for (const auto& f : features)
         if (auto trouble = add_feature(f, out.features); !trouble.empty()) return complain(trouble);
+    out.quality_given = app.count("--tolerance") + app.count("--quality") > 0;
     if (app.count("--tolerance") == 0) {
         constexpr double em[] = {quality::low, quality::normal, quality::high, quality::best};
         out.tolerance = em[static_cast<int>(out.quality)];

@@ -30,6 +30,7 @@ struct options {
     float depth = 0.2f;  ///< em; 0 makes a flat mesh
     preset quality = preset::high;
     double tolerance = typemesh::quality::high;
+    bool quality_given = false;  ///< by --quality or --tolerance
     discretiser_name discretiser = discretiser_name::certified;
     triangulator_name triangulator = triangulator_name::monotone;
     normals_name normals = normals_name::curve;

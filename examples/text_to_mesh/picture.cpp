@@ -4,6 +4,7 @@
 #include "camera.hpp"
 #include "raster.hpp"
 #include "studio.hpp"
+#include "view.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -41,34 +42,12 @@ struct tile {
     std::vector<std::uint32_t> triangles, lines;
 };
 
-template <class Visit>
-void each_point(const model& mesh, const overlay& over, Visit&& visit)
-{
-    const auto visit_finite = [&](const float(&p)[3]) {
-        if (std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])) visit(to_vec3(p));
-    };
-    for (const std::uint32_t i : mesh.indices) visit_finite(mesh.vertices[i].position);
-    for (const overlay::segment& s : over.segments) {
-        visit_finite(s.a);
-        visit_finite(s.b);
-    }
-    for (const overlay::dot& d : over.dots) visit_finite(d.p);
-}
-
-bool is_flat(const model& mesh)
-{
-    for (const std::uint32_t i : mesh.indices)
-        if (mesh.vertices[i].position[2] != mesh.vertices[mesh.indices[0]].position[2]) return false;
-    return true;
-}
-
 /// Draws one model once.
 class painter {
 public:
     painter(const model& mesh, const overlay& over, const picture_options& options)
-        : mesh_(mesh), over_(over), options_(options)
+        : mesh_(mesh), over_(over), options_(options), view_(view_of(mesh, over, options))
     {
-        place_camera();
         columns_ = (width_ + tile_side - 1) / tile_side;
         rows_ = (height_ + tile_side - 1) / tile_side;
         tiles_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
@@ -94,87 +73,6 @@ public:
     }
 
 private:
-    // ---- camera ----
-
-    void place_camera()
-    {
-        const bool flat = is_flat(mesh_);
-        double ratio_in_front = 0.0;  // wide texts climb too much across the picture when turned far
-        if (!mesh_.indices.empty()) {
-            extent seen;
-            each_point(mesh_, over_, [&](vec3 p) {
-                seen.left = (std::min)(seen.left, p.x);
-                seen.right = (std::max)(seen.right, p.x);
-                seen.top = (std::min)(seen.top, p.y);
-                seen.bottom = (std::max)(seen.bottom, p.y);
-            });
-            if (seen.bottom > seen.top) ratio_in_front = (seen.right - seen.left) / (seen.bottom - seen.top);
-        }
-        const double wide = clamp01((ratio_in_front - 3.0) / 6.0), very_wide = clamp01((ratio_in_front - 9.0) / 30.0);
-        const auto angle = [&](const std::optional<float>& asked, double usual) {
-            return asked ? double{*asked} : (flat ? 0.0 : usual);
-        };
-        camera_ = camera::turned(angle(options_.yaw, -26.0 + 4.0 * wide + 8.0 * very_wide),
-                                 angle(options_.pitch, 12.0 - 3.0 * wide - 3.0 * very_wide));
-        constexpr double lens =
-            0.14;  // half the longer side at distance one: a long lens, so that all letters show about the same walls
-        const double border = double{options_.margin};
-
-        // How wide to high is it, seen from there?
-        view_fit square(camera_, lens, lens);
-        each_point(mesh_, over_, [&](vec3 p) { square.add(p); });
-        double ratio = 9.0 / 16.0;
-        if (!square.empty()) {
-            camera_.eye = square.eye();
-            const extent seen = extent_of_points();
-            if (seen.right > seen.left) ratio = (seen.bottom - seen.top) / (seen.right - seen.left);
-            else if (seen.bottom > seen.top) ratio = 1e6;
-        }
-        width_ = options_.width > 0 ? (std::min)(options_.width, 8192) : 1280;
-        height_ = (std::min)(options_.height, 8192);
-        if (height_ <= 0) {
-            const double free = 2.0 * border * width_;
-            height_ = static_cast<int>((std::max)(360.0, (std::min)(960.0, ratio * (width_ - free) + free)));
-            if (options_.width <= 0 && height_ == 960) {
-                const double upright_free = 2.0 * border * 960.0;
-                width_ = static_cast<int>(
-                    (std::max)(480.0, (std::min)(1280.0, (960.0 - upright_free) / ratio + upright_free)));
-            }
-        }
-
-        const double longer = (std::max)(width_, height_);
-        camera_.pixels = longer / 2.0 / lens;
-        camera_.centre_x = width_ / 2.0;
-        camera_.centre_y = height_ / 2.0;
-        const auto usable = [&](int side) {
-            return (std::max)(0.1 * side, side / 2.0 - border * longer) / camera_.pixels;
-        };
-        view_fit fit(camera_, usable(width_), usable(height_));
-        each_point(mesh_, over_, [&](vec3 p) { fit.add(p); });
-        if (fit.empty()) return;
-        camera_.eye = fit.eye();
-        const extent seen = extent_of_points();  // the looser direction is centred by shifting the lens
-        camera_.centre_x += (width_ - seen.left - seen.right) / 2.0;
-        camera_.centre_y += (height_ - seen.top - seen.bottom) / 2.0;
-    }
-
-    struct extent {
-        double left = 1e30, right = -1e30, top = 1e30, bottom = -1e30;
-    };
-
-    [[nodiscard]] extent extent_of_points() const
-    {
-        extent e;
-        each_point(mesh_, over_, [&](vec3 p) {
-            const camera::projected q = camera_.project(p);
-            e.left = (std::min)(e.left, q.x);
-            e.right = (std::max)(e.right, q.x);
-            e.top = (std::min)(e.top, q.y);
-            e.bottom = (std::max)(e.bottom, q.y);
-        });
-        return e;
-    }
-
     // ---- sorting into tiles ----
 
     template <class Add>
@@ -492,9 +390,11 @@ private:
     const model& mesh_;
     const overlay& over_;
     const picture_options& options_;
-    camera camera_;
+    const view view_;
+    const camera& camera_ = view_.from;
+    const int width_ = view_.width, height_ = view_.height;
     floor_shadow shadow_;
-    int width_ = 0, height_ = 0, columns_ = 0, rows_ = 0;
+    int columns_ = 0, rows_ = 0;
     std::vector<flat_triangle> triangles_;
     std::vector<flat_line> lines_;
     std::vector<vec3> colours_;  ///< of the parts
@@ -505,6 +405,14 @@ private:
 };
 
 }  // namespace
+
+double pixels_per_unit(const model& mesh, const picture_options& options)
+{
+    const camera from = view_of(mesh, {}, options).from;
+    double most = 0.0;
+    each_point(mesh, {}, [&](vec3 p) { most = (std::max)(most, from.pixels * from.project(p).inverse); });
+    return most;
+}
 
 std::vector<unsigned char> draw(const model& mesh, const overlay& over, const picture_options& options, int& w, int& h)
 {

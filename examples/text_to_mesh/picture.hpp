@@ -41,6 +41,10 @@ struct picture_options {
     unsigned char side_rgb[3] = {206, 70, 48};
 };
 
+/// What one unit measures on the model's picture at the place that is nearest to the eye, in pixels; 0 for an empty
+/// model. A box around a model answers for it well enough, before it is made.
+[[nodiscard]] double pixels_per_unit(const model& mesh, const picture_options& options);
+
 /// Draws the model with a software rasteriser: 16 samples a pixel, exact coverage, a depth for every sample. No GPU, no
 /// clock, no threads: the same model gives the same picture (up to the last bit of the compiler's floating point, which
 /// golden images should allow for).

@@ -67,6 +67,11 @@ struct chosen_extruder {
     }
 };
 
+/// What the options choose.
+[[nodiscard]] chosen_discretiser discretiser_of(const options& o, double units_per_em);
+[[nodiscard]] chosen_triangulator triangulator_of(const options& o);
+[[nodiscard]] chosen_extruder extruder_of(const options& o);
+
 /// Adds up how long each stage took.
 struct stage_clock {
     using clock = std::chrono::steady_clock;

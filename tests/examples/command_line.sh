@@ -77,6 +77,18 @@ for shown in contours points control; do
     that "$shown are drawn on merged letters" differ whole.png bare.png
     [ $shown = control ] || that "$shown of merged letters are those of the whole" differ apart.png whole.png
 done
+
+# A picture is as fine as its pixels unless a quality is asked for or its lines are shown; the mesh keeps its own.
+for quality in "" "--quality high" "--tolerance 0.00125" "--show triangles" "--quality high --show triangles"; do
+    # shellcheck disable=SC2086  # words
+    expect 0 "" "سلام" --font $arabic $quality --output fine.glb --picture "fine$quality.png"
+    mv fine.glb "mesh$quality.glb"
+done
+that "the picture of the default quality is finer than the mesh" differ fine.png "fine--quality high.png"
+that "a quality that is asked for is drawn" cmp -s "fine--quality high.png" "fine--tolerance 0.00125.png"
+that "triangles are shown as they are" cmp -s "fine--show triangles.png" "fine--quality high --show triangles.png"
+that "the mesh keeps its quality beside a picture" cmp -s mesh.glb "mesh--quality high.glb"
+
 expect 0 "" "$(printf 'a\tb')" --font $sans --strict --output tab.glb  # a tab is no missing character
 expect 0 "" "你好" --font /usr/share/fonts/truetype/wqy/wqy-microhei.ttc --face 1 --output face.glb
 expect 0 "" "Bold" --font /usr/share/fonts/truetype/inter-vf/Inter.var.ttf --variation wght=900 --output bold.glb

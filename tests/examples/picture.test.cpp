@@ -225,3 +225,25 @@ TEST_CASE("the wireframe draws each edge once, however many vertices are doubled
     options.wireframe = false;
     CHECK((image(wall, options).rgb != shared.rgb));
 }
+
+TEST_CASE("no triangle is drawn larger than the largest pixels per unit, and the box around a model foretells them", "[picture]")
+{
+    const model ring = extruded_ring();
+    picture_options look;
+    look.width = look.height = GENERATE(320, 1280);
+    const double most = pixels_per_unit(ring, look);
+    const double lens = 0.14, longer = look.width;
+    CHECK(most > 0.5 * (1.0 - 2.0 * double{look.margin}) * longer / 2.0);
+    CHECK(most < longer / 2.0 / lens);
+    model box;
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        const auto pick = [&](unsigned bit, float low, float high) { return (corner & bit) != 0 ? high : low; };
+        box.vertices.push_back({{pick(1, -1.0F, 1.0F), pick(2, -1.0F, 1.0F), pick(4, -0.5F, 0.0F)}, {}, {}});
+        box.indices.push_back(corner);
+    }
+    CHECK(pixels_per_unit(box, look) > 0.7 * most);
+    CHECK(pixels_per_unit(box, look) < 1.1 * most);
+    look.height = look.width *= 2;
+    CHECK(pixels_per_unit(ring, look) > 1.9 * most);
+    CHECK(pixels_per_unit({}, look) == 0.0);
+}

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "policies.hpp"
+
+namespace text_to_mesh {
+
+chosen_discretiser discretiser_of(const options& o, double units_per_em)
+{
+    using typemesh::adaptive_subdivision;
+    if (o.discretiser == discretiser_name::two_lines) return {typemesh::two_lines{}};
+    if (o.discretiser == discretiser_name::adaptive) {
+        if (o.quality == preset::best) return {adaptive_subdivision::best(units_per_em)};
+        return {o.quality == preset::high ? adaptive_subdivision::high(units_per_em)
+                                          : adaptive_subdivision::normal(units_per_em)};
+    }
+    return {typemesh::certified{}};
+}
+
+chosen_triangulator triangulator_of(const options& o)
+{
+    if (o.triangulator == triangulator_name::delaunay) return {typemesh::constrained_delaunay{}};
+    return {typemesh::monotone{}};
+}
+
+chosen_extruder extruder_of(const options& o)
+{
+    using namespace typemesh;
+    if (o.depth == 0.0f) return {flat{.texture = o.uv}};
+    const auto with = [&](auto normals) -> chosen_extruder {
+        return {extruded<decltype(normals)>{.depth = o.depth, .texture = o.uv, .normals = normals}};
+    };
+    switch (o.normals) {
+    case normals_name::shared: return with(shared_normals{});
+    case normals_name::averaged: return with(averaged_normals{});
+    case normals_name::creased:
+        return with(creased_normals{.crease_degrees = o.crease.value_or(creased_normals{}.crease_degrees)});
+    case normals_name::curve: break;
+    }
+    return with(curve_normals{.crease_degrees = o.crease.value_or(curve_normals{}.crease_degrees)});
+}
+
+}  // namespace text_to_mesh
