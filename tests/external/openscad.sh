@@ -43,7 +43,7 @@ measure() {
 checked=0
 check() {  # check FONT TEXT
     local volume x0 x1 y0 y1 z0 z1 block left
-    "$TYPEMESH_TEXT_TO_MESH" --font "$1" --merge --output "$scratch/text.stl" -- "$2" 2>"$scratch/losses" ||
+    "$TYPEMESH_TEXT_TO_MESH" --font "$1" --output "$scratch/text.stl" -- "$2" 2>"$scratch/losses" ||
         fail "text_to_mesh failed: $1: $2: $(cat "$scratch/losses")"
     read -r volume x0 x1 y0 y1 z0 z1 < <(binary_corners "$scratch/text.stl" | measure)
 
