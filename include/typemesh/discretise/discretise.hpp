@@ -142,6 +142,27 @@ private:
     return sum;
 }
 
+/// What a discretiser has emitted of one curve so far. For TYPEMESH_ASSERT alone: where that looks at nothing, nothing is
+/// kept.
+struct emitted_points {
+    point last = {};
+    double t = 0.0;
+
+    /// Takes a further point; false unless t goes on, to 1 at most.
+    [[nodiscard]] bool take(point p, double at) noexcept
+    {
+        const bool goes_on = t < at && at <= 1.0;
+        last = p;
+        t = at;
+        return goes_on;
+    }
+    /// Whether the last point is the end of its curve, to a cell of the grid.
+    [[nodiscard]] bool ended_at(point end, const grid& g) const noexcept
+    {
+        return t >= 1.0 && std::abs(last.x - end.x) * g.cells < 1.0 && std::abs(last.y - end.y) * g.cells < 1.0;
+    }
+};
+
 /// Whether finer chords can give a contour an area: one of its curves is no line, and together they enclose some cells.
 [[nodiscard]] inline bool has_curved_area(std::span<const curve> contour, const grid& g) noexcept
 {
@@ -206,7 +227,11 @@ error discretise(const outline& curves, const D& how, double tolerance, const gr
         for (std::uint32_t i = first; i < end; ++i) {
             const curve& q = curves.curves[i];
             writer.begin_curve(i);
-            const auto emit = [&](point p, double t) noexcept { writer.arrive(snapped(p), static_cast<float>(t)); };
+            [[maybe_unused]] detail::emitted_points emitted;
+            const auto emit = [&](point p, double t) noexcept {
+                TYPEMESH_ASSERT(emitted.take(p, t), "a discretiser must emit its points with t ascending, above 0 and up to 1");
+                writer.arrive(snapped(p), static_cast<float>(t));
+            };
             const std::uint32_t times = finer + (halvings.empty() ? 0u : halvings[i]);
             const double allowed = times == 0 ? rest : halved(times < 31 ? times : 31);
             if (q.degree == 1)
@@ -215,6 +240,7 @@ error discretise(const outline& curves, const D& how, double tolerance, const gr
                 how(q.as_quadratic(), allowed, emit);
             else
                 how(q.as_cubic(), allowed, emit);
+            TYPEMESH_ASSERT(emitted.ended_at(q.end(), g), "a discretiser's last point must be the end of its curve, with t = 1");
         }
         return writer.end_contour();
     };

@@ -16,7 +16,7 @@ struct ignore_points {
 /// The compiler tests the signatures. The author promises the rest: every chord between neighbouring points (the start
 /// included) stays within `tolerance` of the curve, and the curve within `tolerance` of its chord. The tolerance is
 /// positive and in the curve's own unit. `emit` is noexcept and takes any number of points, but broken fonts hold
-/// curves as large as the grid: cap the count.
+/// curves as large as the grid: cap the count. That t ascends and that the curve's end comes last is asserted.
 ///
 ///     struct thirds {                                       // a discretiser of your own
 ///         template <class Curve, class Emit>

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/assert.hpp>
 #include <typemesh/extrude/extruder.hpp>
+#include <typemesh/extrude/planned_sink.hpp>
 #include <typemesh/vertex/mesh_sink.hpp>
 
 namespace typemesh {
@@ -39,6 +41,23 @@ void write_triangles(part p, const solid& s, const Extruder& how, const first_ve
     }
 }
 
+/// The same, with the extruder held to its plan() in debug builds: what it emits too much is not passed on.
+template <extruder Extruder, mesh_sink Sink>
+void write_vertices(part p, const planned_solid& s, const Extruder& how, const placement& at, Sink& sink) noexcept
+{
+    detail::planned_vertices<Sink> to{sink, s.sizes.vertices[p]};
+    write_vertices(p, s.form, how, at, to);
+    TYPEMESH_ASSERT(to.emitted >= to.planned, "an extruder emitted fewer vertices of a part than its plan() said");
+}
+template <extruder Extruder, mesh_sink Sink>
+void write_triangles(part p, const planned_solid& s, const Extruder& how, const first_vertices& first, bool turned,
+                     Sink& sink) noexcept
+{
+    detail::planned_triangles<Sink> to{sink, s.sizes, first, s.sizes.triangles[p]};
+    write_triangles(p, s.form, how, first, turned, to);
+    TYPEMESH_ASSERT(to.emitted >= to.planned, "an extruder emitted fewer triangles of a part than its plan() said");
+}
+
 /// The stage by itself: puts one region up into space and writes it.
 ///
 ///     cap      the region's triangles, from any triangulator
@@ -59,9 +78,10 @@ error extrude(const region& shape, std::span<const triangle> cap, const Extruder
     if (error e = sink.begin(exact)) return e;
 
     const solid s{shape.points(), shape.starts(), cap, sides.view()};
-    for (const part p : all_parts) write_vertices(p, s, how, at, sink);
+    const planned_solid planned{s, *sizes};
+    for (const part p : all_parts) write_vertices(p, planned, how, at, sink);
     const bool turned = at.frame.turns_triangles();
-    for (const part p : all_parts) write_triangles(p, s, how, sizes->vertices.starts(), turned, sink);
+    for (const part p : all_parts) write_triangles(p, planned, how, sizes->vertices.starts(), turned, sink);
     sink.end();
     return {};
 }

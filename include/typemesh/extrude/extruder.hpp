@@ -43,6 +43,7 @@ struct ignore_surface {
 ///                                      its business.
 ///
 /// plan() is asked about an empty region first, so that a text without letters refuses the same options.
+/// What is emitted is counted in builds with asserts, and what was not planned is not passed on there.
 /// It fails with error::bad_option for options out of range, error::out_of_memory, or an error of its own, `sides`
 /// then being as it was. The rest cannot fail.
 template <class E>

@@ -21,6 +21,12 @@ struct solid {
     std::span<const side_point> sides;
 };
 
+/// A solid and what its extruder's plan() said of it.
+struct planned_solid {
+    const solid& form;
+    const part_sizes& sizes;
+};
+
 /// The index of a shape's first vertex in each part of the whole mesh.
 using first_vertices = part_counts;
 

@@ -7,6 +7,7 @@
 #include <typemesh/fill/resolve.hpp>
 #include <typemesh/fill/touching_walks.hpp>
 #include <typemesh/glyph/stage.hpp>
+#include <typemesh/triangulate/kept_promise.hpp>
 #include <typemesh/triangulate/triangulator.hpp>
 
 #include <cstddef>
@@ -16,6 +17,16 @@
 namespace typemesh {
 
 namespace detail {
+
+/// how(shape, space, out), held to its promise.
+template <triangulator Triangulator>
+[[nodiscard]] error cut_region(const region& shape, const Triangulator& how, workspace& space, triangle_list& out) noexcept
+{
+    const std::size_t before = out.size();
+    if (error e = how(shape, space, out)) return e;
+    assert_triangles(shape, out, before);
+    return {};
+}
 
 /// The order of the points of some loops for a triangulator that can be told; for any other none, and `order` is empty.
 /// False when there is no memory.
@@ -40,6 +51,7 @@ template <proving_triangulator Triangulator>
                                          const Triangulator& how, workspace::scope& scratch, workspace& space,
                                          triangle_list& out) noexcept
 {
+    const std::size_t before = out.size();
     orient(loops);
     if (!order_points<Triangulator>(loops, scratch, space, order)) return error::out_of_memory;
     auto proven = [&]() noexcept {
@@ -57,6 +69,7 @@ template <proving_triangulator Triangulator>
             if (!proven) walks.undo(loops);
         }
     }
+    if (proven) assert_triangles(*proven, out, before);
     return proven;
 }
 
@@ -71,13 +84,16 @@ template <triangulator Triangulator, meeting_judge Judge, stage_observer Observe
     if constexpr (ordered_triangulator<Triangulator>) {
         const auto cut = [&](const region& r, std::span<const std::uint32_t> sorted) noexcept {
             observe(stage::triangulate);
-            return how(r, sorted, space, out);
+            const std::size_t before = out.size();
+            if (error e = how(r, sorted, space, out)) return e;
+            assert_triangles(r, out, before);
+            return error{};
         };
         return resolve_then(loops, order, rule, space, judge, cut);
     } else {
         const auto cut = [&](const region& r) noexcept {
             observe(stage::triangulate);
-            return how(r, space, out);
+            return cut_region(r, how, space, out);
         };
         return resolve_then(loops, order, rule, space, judge, cut);
     }
@@ -128,7 +144,7 @@ template <triangulator Triangulator, stage_observer Observer>
         auto filled = fill(loops, rule, space);
         if (!filled) return filled;
         observe(stage::triangulate);
-        if (error e = how(*filled, space, out)) return e;
+        if (error e = detail::cut_region(*filled, how, space, out)) return e;
         return filled;
     }
 }

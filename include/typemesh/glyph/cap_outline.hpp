@@ -55,7 +55,7 @@ template <discretiser Discretiser, triangulator Triangulator, stage_observer Obs
                 auto nested = nest(loops, rule, space);
                 if (!nested) return nested;
                 observe(stage::triangulate);
-                if (error e = cut(*nested, space, out)) return e;
+                if (error e = detail::cut_region(*nested, cut, space, out)) return e;
                 return nested;
             }
         };

@@ -50,6 +50,7 @@ public:
     /// As its extruder gets it back.
     [[nodiscard]] const solid& form() const noexcept { return form_; }
     [[nodiscard]] const part_sizes& sizes() const noexcept { return sizes_; }
+    [[nodiscard]] planned_solid planned() const noexcept { return {form_, sizes_}; }
     [[nodiscard]] double cells() const noexcept { return cells_; }
     [[nodiscard]] double font_units_per_cell() const noexcept { return font_units_per_cell_; }
 

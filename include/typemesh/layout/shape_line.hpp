@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/assert.hpp>
 #include <typemesh/layout/layout_options.hpp>
 #include <typemesh/layout/letter_spacing.hpp>
 #include <typemesh/layout/reading_order.hpp>
@@ -15,6 +16,36 @@
 namespace typemesh {
 
 namespace detail {
+
+/// Whether the glyphs of a run from `glyph` on name places in [first, last) of the text. For TYPEMESH_ASSERT.
+[[nodiscard]] inline bool come_from(const glyph_run& run, std::size_t glyph, std::size_t first, std::size_t last) noexcept
+{
+    for (; glyph < run.glyphs.size(); ++glyph)
+        if (run.glyphs[glyph].cluster < first || run.glyphs[glyph].cluster >= last) return false;
+    return true;
+}
+
+/// How many glyphs of a run from `glyph` on are flagged as missing. For TYPEMESH_ASSERT.
+[[nodiscard]] inline std::size_t missing_from(const glyph_run& run, std::size_t glyph) noexcept
+{
+    std::size_t missing = 0;
+    for (; glyph < run.glyphs.size(); ++glyph) missing += run.glyphs[glyph].missing ? 1u : 0u;
+    return missing;
+}
+
+/// shaper.shape(text, first, last, how, run), held to its promise.
+template <shaper Shaper>
+result<point> shape_stretch(Shaper& shaper, text_view text, std::size_t first, std::size_t last,
+                            const shape_options& how, glyph_run& run) noexcept
+{
+    [[maybe_unused]] const std::size_t glyphs = run.glyphs.size(), missing = run.missing;
+    const result<point> way = shaper.shape(text, first, last, how, run);
+    TYPEMESH_ASSERT(!way || come_from(run, glyphs, first, last),
+                    "a shaper gave a glyph a cluster outside of the text that it was asked for");
+    TYPEMESH_ASSERT(!way || missing_from(run, glyphs) == run.missing - missing,
+                    "a shaper must flag each missing glyph and count it in the run");
+    return way;
+}
 
 /// How far a space moves the pen along a line. The run is left as it was.
 template <shaper Shaper>
@@ -61,11 +92,11 @@ template <shaper Shaper>
 result<point> shape_spaced(Shaper& shaper, text_view text, std::size_t first, std::size_t last,
                            const shape_options& how, const layout_options& options, glyph_run& run) noexcept
 {
-    if (options.letter_spacing == 0.0) return shaper.shape(text, first, last, how, run);
+    if (options.letter_spacing == 0.0) return shape_stretch(shaper, text, first, last, how, run);
     shape_options single = how;
     single.ligatures = false;  // a letter in two would stand closer to itself than to others
     const std::size_t before = run.glyphs.size();
-    const result<point> way = shaper.shape(text, first, last, single, run);
+    const result<point> way = shape_stretch(shaper, text, first, last, single, run);
     if (!way) return way;
     const bool down = how.direction == direction::top_to_bottom;
     const double longer = space_letters(text, last, options.letter_spacing * shaper.units_per_em(), down,

@@ -164,6 +164,7 @@ private:
         observe(stage::triangulate);
         triangles_.clear();
         if (error e = cut(*joined, space_, triangles_)) return e;
+        detail::assert_triangles(*joined, triangles_, 0);
         observe(stage::extrude);
         sides_.clear();
         const auto sizes = raise.plan(*joined, sides_);

@@ -46,7 +46,7 @@ public:
     {
         for (std::size_t g = first; g < last; ++g) {
             const shape_record& s = all_->records[g];
-            write_vertices(p, s.shape->form(), how, all_->place(s), sink);
+            write_vertices(p, s.shape->planned(), how, all_->place(s), sink);
         }
     }
 
@@ -58,7 +58,7 @@ public:
         for (std::size_t g = first; g < last; ++g) {
             const shape_record& s = all_->records[g];
             const first_vertices at = starts_.vertices + (s.before.vertices - before_.vertices);
-            write_triangles(p, s.shape->form(), how, at, turned, sink);
+            write_triangles(p, s.shape->planned(), how, at, turned, sink);
         }
     }
 

@@ -265,11 +265,11 @@ public:
         const text_shapes& all = fresh();
         if (error e = sink.begin(meshes_size())) return e;
         for (const glyph_mesh& m : all.meshes)
-            for (const part p : all_parts) write_vertices(p, m.shape->form(), extruder_, all.place(m), sink);
+            for (const part p : all_parts) write_vertices(p, m.shape->planned(), extruder_, all.place(m), sink);
         const bool turned = all.placed.frame.turns_triangles();
         for (const glyph_mesh& m : all.meshes) {
             const first_vertices first = m.shape->sizes().vertices.starts(m.first_vertex);
-            for (const part p : all_parts) write_triangles(p, m.shape->form(), extruder_, first, turned, sink);
+            for (const part p : all_parts) write_triangles(p, m.shape->planned(), extruder_, first, turned, sink);
         }
         sink.end();
         return {};

@@ -21,6 +21,7 @@ namespace typemesh {
 /// (is_touching), each time with a wedge of interior of its own, and each visit is a point of its own here. Every edge
 /// of the region must be an edge of exactly one triangle, so that the walls that are put up on it meet the caps without
 /// a crack; no triangle may have area zero.
+/// What can be told of the triangles at once (their number, corners, turn and area) is asserted.
 /// Scratch memory comes from `space`. When memory fails: error::out_of_memory, and `out` is as it was.
 template <class T>
 concept triangulator = requires(const T& t, const region& r, workspace& space, triangle_list& out) {

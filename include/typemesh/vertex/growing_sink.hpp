@@ -50,9 +50,16 @@ public:
         part.index_.skip(range.first_index);
         return part;
     }
-    void vertex(const surface_point<wants>& s) noexcept { *next_vertex_++ = writer_(s); }
+    void vertex(const surface_point<wants>& s) noexcept
+    {
+        TYPEMESH_ASSERT(next_vertex_ != nullptr && next_vertex_ < vertices_->data() + vertices_->size(),
+                        "more vertices were written than the sink has room for");
+        *next_vertex_++ = writer_(s);
+    }
     void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept
     {
+        TYPEMESH_ASSERT(index_.fits_before(indices_->data() + indices_->size()),
+                        "more triangles were written than the sink has room for");
         index_.triangle(a, b, c);
     }
     void end() noexcept {}

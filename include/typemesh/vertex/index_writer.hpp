@@ -34,6 +34,12 @@ public:
     constexpr void start(Index* first) noexcept { next_ = first; }
     constexpr void skip(std::size_t indices) noexcept { next_ += indices; }
 
+    /// Whether a triangle more ends before `end`; never before start().
+    [[nodiscard]] constexpr bool fits_before(const Index* end) const noexcept
+    {
+        return next_ != nullptr && end - next_ >= 3;
+    }
+
     constexpr void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept
     {
         next_[0] = static_cast<Index>(base_ + a);

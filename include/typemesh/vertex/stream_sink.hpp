@@ -110,6 +110,7 @@ public:
     }
     void vertex(const surface_point<wants>& p) noexcept
     {
+        TYPEMESH_ASSERT(has_room_for(next_vertex_ + 1), "more vertices were written than the sink has room for");
         std::apply(
             [&](const auto&... s) { (s.put(next_vertex_, only<std::remove_cvref_t<decltype(s)>::wants>(p)), ...); },
             streams_);
@@ -117,6 +118,8 @@ public:
     }
     void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept
     {
+        TYPEMESH_ASSERT(index_.fits_before(indices_.data() + indices_.size()),
+                        "more triangles were written than the sink has room for");
         index_.triangle(a, b, c);
     }
     void end() noexcept {}
@@ -126,12 +129,15 @@ private:
     {
         if (error e = index_.numbers(vertices)) return e;
         if (exact.indices() > indices_.size()) return error::short_of("indices", exact.indices());
-        const bool fits =
-            std::apply([&](const auto&... s) { return ((exact.vertices <= s.capacity) && ...); }, streams_);
-        if (!fits) return error::short_of("vertices", exact.vertices);
+        if (!has_room_for(exact.vertices)) return error::short_of("vertices", exact.vertices);
         next_vertex_ = 0;
         index_.start(indices_.data());
         return {};
+    }
+
+    [[nodiscard]] bool has_room_for(std::uint64_t vertices) const noexcept
+    {
+        return std::apply([&](const auto&... s) { return ((vertices <= s.capacity) && ...); }, streams_);
     }
 
     std::span<Index> indices_;
