@@ -8,7 +8,8 @@
 //     warm_of_hand           all glyphs cached, by shaping and a hand-written loop over meshed letters that adds pen
 //                            position and base index
 //     memcpy_of_hand         a memcpy of the finished mesh, by that loop
-//     mallocs_of_font        calls of malloc a warm text; typemesh's own are none (tests/text/allocation.test.cpp)
+//     mallocs_of_font        allocations a text, of any kind, of shaping and outline extraction alone
+//     mallocs_of_typemesh    what a text adds to them after warm-up, nothing cached: 0
 //
 //     text_bench                       fonts are looked for under $TYPEMESH_FONT_DIR (default /usr/share/fonts)
 
@@ -19,6 +20,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -30,14 +32,24 @@
 
 static std::size_t mallocs = 0;
 
-#if defined(__GLIBC__)  // every allocation of the process is counted, HarfBuzz's among them
+#if defined(__GLIBC__)  // every allocation of the process is counted, HarfBuzz's and the aligned operator new's among them
 extern "C" {
 void* __libc_malloc(std::size_t) noexcept;
 void* __libc_calloc(std::size_t, std::size_t) noexcept;
 void* __libc_realloc(void*, std::size_t) noexcept;
+void* __libc_memalign(std::size_t, std::size_t) noexcept;
 void* malloc(std::size_t n) noexcept { return ++mallocs, __libc_malloc(n); }
 void* calloc(std::size_t n, std::size_t size) noexcept { return ++mallocs, __libc_calloc(n, size); }
 void* realloc(void* p, std::size_t n) noexcept { return ++mallocs, __libc_realloc(p, n); }
+void* memalign(std::size_t alignment, std::size_t n) noexcept { return ++mallocs, __libc_memalign(alignment, n); }
+void* aligned_alloc(std::size_t alignment, std::size_t n) noexcept { return ++mallocs, __libc_memalign(alignment, n); }
+int posix_memalign(void** out, std::size_t alignment, std::size_t n) noexcept
+{
+    ++mallocs;
+    void* block = __libc_memalign(alignment, n);
+    if (block != nullptr) *out = block;
+    return block != nullptr ? 0 : ENOMEM;
+}
 }
 #endif
 
@@ -208,11 +220,19 @@ void register_sample(const sample& s)
         state.counters["hand_ns"] = hand;
         state.counters["vertices"] = static_cast<double>(vertices.size());
         state.counters["triangles"] = static_cast<double>(indices.size() / 3);
-        const std::size_t before = mallocs;
         for (auto _ : state)
             if (!warm.build(s.text, into(vertices, indices))) std::abort();
-        state.counters["mallocs_of_font"] =
-            benchmark::Counter(static_cast<double>(mallocs - before), benchmark::Counter::kAvgIterations);
+        const auto counted = [](auto&& work) {
+            work();
+            const std::size_t before = mallocs;
+            work();
+            return static_cast<double>(mallocs - before);
+        };
+        const double of_font = counted([&] { floor_of(font, s.text, run); });
+        state.counters["mallocs_of_font"] = of_font;
+        state.counters["mallocs_of_typemesh"] = counted([&] {
+            if (!cold.build(s.text, into(vertices, indices), {.reuse = false})) std::abort();
+        }) - of_font;
     });
     benchmark::RegisterBenchmark((std::string{"plan_only/"} + s.name).c_str(), [&font, s](benchmark::State& state) {
         text_mesher mesher{font};
@@ -257,6 +277,12 @@ void register_sample(const sample& s)
 
 int main(int argc, char** argv)
 {
+#if defined(__GLIBC__)
+    const std::size_t before = mallocs;
+    const memory source = heap();
+    source.deallocate(source.user, source.allocate(source.user, 64, 64), 64, 64);
+    if (mallocs == before) return std::fputs("what typemesh takes from its heap is not counted\n", stderr), 1;
+#endif
     const sample samples[] = {
         {"hello", "truetype/liberation/LiberationSans-Regular.ttf", "fonts-liberation", line_of("phrases-latin.txt", 0)},
         {"lorem", "truetype/liberation/LiberationSans-Regular.ttf", "fonts-liberation", line_of("long-latin.txt", 0)},

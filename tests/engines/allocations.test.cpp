@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Every layout, twice warmed up, then counted: what the library takes from its memory source, and what anybody takes
-// from operator new while a plan is written.
+// from operator new, aligned or not, while a plan is made and written.
 
 #include "engines/stand_in/d3d11.hpp"
 #include "engines/stand_in/d3d9.hpp"
@@ -25,25 +25,8 @@
 #include <typemesh/vertex/octahedral.hpp>
 #include <typemesh/vertex/octahedral_tangent.hpp>
 
-#include <cstdlib>
-#include <new>
-
 #include "recipe_laws.hpp"
-
-namespace {
-
-std::size_t news = 0;
-
-}  // namespace
-
-void* operator new(std::size_t bytes)
-{
-    ++news;
-    if (void* p = std::malloc(bytes != 0 ? bytes : 1)) return p;
-    throw std::bad_alloc{};
-}
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+#include "support/counted_allocations.hpp"
 
 using namespace recipes;
 
@@ -73,14 +56,39 @@ template <class Write>
 void takes_nothing(bench& b, const text_options& o, Write write)
 {
     needs_no_memory_again(b, o, [&](const auto& plan) {
-        const std::size_t before = news;
+        const std::size_t before = test::allocations;
         const error e = write(plan);
-        CHECK(news == before);
+        CHECK(test::allocations == before);
         return e;
     });
 }
 
 }  // namespace
+
+TEST_CASE("the counter sees every block that the heap hands out", "[engines]")
+{
+    CHECK(test::every_allocation_counts());
+}
+
+TEST_CASE("after warm-up a real font's text is planned and written without operator new", "[engines]")
+{
+    auto font = harfbuzz_font::open(font_file("truetype/dejavu/DejaVuSans.ttf").c_str());
+    REQUIRE(font);
+    text_mesher mesher{*font};  // over the heap, which is where a user's memory comes from
+    room r;
+    const auto made = [&] {
+        auto plan = mesher.plan(word);
+        return plan && !plan->write(into(r.vertices<engines::opengl::vertex>(), r.indices<std::uint32_t>()));
+    };
+    bool warm = made();
+    warm = made() && warm;
+    const std::size_t before = test::allocations;
+    const bool again = made();
+    const std::size_t asked = test::allocations - before;
+    CHECK(warm);
+    CHECK(again);
+    CHECK(asked == 0);
+}
 
 TEST_CASE("no layout in memory of the caller's takes any other memory", "[engines]")
 {
@@ -152,9 +160,9 @@ TEST_CASE("engines' own containers are all that is allocated where a recipe fill
     TArray<std::uint32_t> indices;
     needs_no_memory_again(b, engines::unreal::options(100.0), [&](const auto& plan) {
         if (error e = engines::unreal::write(plan, buffers, indices)) return e;  // sizes them, the first time
-        const std::size_t before = news;
+        const std::size_t before = test::allocations;
         const error e = engines::unreal::write(plan, buffers, indices);
-        CHECK(news == before);
+        CHECK(test::allocations == before);
         return e;
     });
     Eigen::Matrix3Xf places, normals;

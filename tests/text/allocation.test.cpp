@@ -1,76 +1,21 @@
 // SPDX-License-Identifier: MIT
 
-// Every operator new of this program is counted here.
+// Every operator new of this program is counted: see support/counted_allocations.hpp.
 
 #include "support/catch.hpp"
+#include "support/counted_allocations.hpp"
 #include "support/mesh_laws.hpp"
 #include "support/toy_font.hpp"
 
 #include <typemesh/typemesh.hpp>
 
-#include <atomic>
 #include <cstdint>
 #include <cstdlib>
-#include <new>
 #include <vector>
 
 using namespace typemesh;
 
-namespace {
-
-std::atomic<std::size_t> allocations{0};
-
-void* counted(std::size_t bytes) noexcept
-{
-    ++allocations;
-    return std::malloc(bytes == 0 ? 1 : bytes);
-}
-
-/// The block's own begin is kept before what is handed out.
-void* counted(std::size_t bytes, std::align_val_t wanted) noexcept
-{
-    const auto alignment = static_cast<std::size_t>(wanted);
-    void* raw = counted(bytes + alignment + sizeof(void*));
-    if (raw == nullptr) return nullptr;
-    const auto first = reinterpret_cast<std::uintptr_t>(raw) + sizeof(void*) + alignment - 1;
-    void** aligned = reinterpret_cast<void**>(first / alignment * alignment);
-    aligned[-1] = raw;
-    return aligned;
-}
-
-void free_aligned(void* block) noexcept
-{
-    if (block != nullptr) std::free(static_cast<void**>(block)[-1]);
-}
-
-void* or_die(void* block) noexcept
-{
-    if (block == nullptr) std::abort();
-    return block;
-}
-
-}  // namespace
-
-void* operator new(std::size_t n) { return or_die(counted(n)); }
-void* operator new[](std::size_t n) { return or_die(counted(n)); }
-void* operator new(std::size_t n, const std::nothrow_t&) noexcept { return counted(n); }
-void* operator new[](std::size_t n, const std::nothrow_t&) noexcept { return counted(n); }
-void* operator new(std::size_t n, std::align_val_t a) { return or_die(counted(n, a)); }
-void* operator new[](std::size_t n, std::align_val_t a) { return or_die(counted(n, a)); }
-void* operator new(std::size_t n, std::align_val_t a, const std::nothrow_t&) noexcept { return counted(n, a); }
-void* operator new[](std::size_t n, std::align_val_t a, const std::nothrow_t&) noexcept { return counted(n, a); }
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete[](void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
-void operator delete[](void* p, std::size_t) noexcept { std::free(p); }
-void operator delete(void* p, const std::nothrow_t&) noexcept { std::free(p); }
-void operator delete[](void* p, const std::nothrow_t&) noexcept { std::free(p); }
-void operator delete(void* p, std::align_val_t) noexcept { free_aligned(p); }
-void operator delete[](void* p, std::align_val_t) noexcept { free_aligned(p); }
-void operator delete(void* p, std::size_t, std::align_val_t) noexcept { free_aligned(p); }
-void operator delete[](void* p, std::size_t, std::align_val_t) noexcept { free_aligned(p); }
-void operator delete(void* p, std::align_val_t, const std::nothrow_t&) noexcept { free_aligned(p); }
-void operator delete[](void* p, std::align_val_t, const std::nothrow_t&) noexcept { free_aligned(p); }
+TEST_CASE("the counter sees every block that the heap hands out", "[text]") { CHECK(test::every_allocation_counts()); }
 
 TEST_CASE("after warm-up a text asks nobody for memory, in any layout of the output", "[text]")
 {
@@ -84,7 +29,7 @@ TEST_CASE("after warm-up a text asks nobody for memory, in any layout of the out
         std::vector<vec2> uvs;
         std::size_t before = 0;
         for (int i = 0; i < 4; ++i) {
-            if (i == 2) before = allocations;
+            if (i == 2) before = test::allocations;
             auto plan = mesher.plan("oEi x~o\noEq", options);
             if (!plan) std::abort();
             if (i == 0) {
@@ -106,7 +51,7 @@ TEST_CASE("after warm-up a text asks nobody for memory, in any layout of the out
             plan->write_instances([&](const glyph_instance&) noexcept {});
             if (failed) std::abort();
         }
-        return allocations - before;
+        return test::allocations - before;
     };
     for (const bool reuse : {true, false}) {
         for (const auto over : {texture_box::text, texture_box::line}) {

@@ -9,6 +9,7 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/result.hpp>
+#include <typemesh/core/same.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/outline/outline_source.hpp>
 
@@ -271,7 +272,7 @@ private:
         const bool sideways = run.isSideways != FALSE;
         for (std::size_t i = looks_.size(); i-- > 0;) {
             const look& l = looks_[i];
-            if (l.face == run.fontFace && l.em_size == em_size && l.sideways == sideways)
+            if (l.face == run.fontFace && same(l.em_size, em_size) && l.sideways == sideways)
                 return static_cast<std::uint32_t>(i);
         }
         if (looks_.size() == bar_slot) return error::too_large;
@@ -401,7 +402,7 @@ private:
         std::sort(pieces_.begin(), pieces_.end(), [](const piece& a, const piece& b) noexcept {
             if (a.line != b.line) return a.line < b.line;
             if (a.bar != b.bar) return b.bar;
-            return a.left != b.left ? a.left < b.left : a.first < b.first;
+            return !same(a.left, b.left) ? a.left < b.left : a.first < b.first;
         });
         for (point& size : bars_.view()) size = {to_units(size.x), to_units(size.y)};
         for (directwrite_object& o : objects_.view())
