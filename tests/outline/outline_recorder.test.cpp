@@ -2,6 +2,7 @@
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
 
+#include <typemesh/core/grid.hpp>
 #include <typemesh/outline/outline_recorder.hpp>
 
 #include <limits>
@@ -97,6 +98,37 @@ TEST_CASE("curves without length and contours without curves leave nothing", "[o
     check_laws(o);
     CHECK(o.contour_count() == 1);
     CHECK(o.curves.size() == 1);
+}
+
+TEST_CASE("bounds and grid are those of the curves, wherever contours without a curve stand",
+          "[outline][outline_recorder]")
+{
+    const auto drawn = [](auto&& beside) {
+        outline o;
+        outline_recorder pen{o};
+        beside(pen);
+        pen.move({0, 0});
+        pen.line({10, 0});
+        pen.quadratic({12, 5}, {10, 10});
+        beside(pen);
+        pen.move({-3, 2});
+        pen.cubic({-3, 4}, {-4, 4}, {-4, 2});
+        pen.close();
+        beside(pen);
+        REQUIRE(!pen.finish());
+        check_laws(o);
+        CHECK(o.contour_count() == 2);
+        CHECK(o.bounds.low == point{-4, 0});
+        CHECK(o.bounds.high == point{12, 10});
+        const auto fitting = grid::fitting(1000.0, o.bounds);
+        REQUIRE(fitting);
+        CHECK(fitting->cells == 512.0);
+    };
+    for (const point far : {point{1e9, 0}, point{-1e22, 1e22}, point{5, -1e300}}) {
+        drawn([&](outline_recorder& pen) { pen.move(far); });
+        drawn([&](outline_recorder& pen) { pen.move(far), pen.close(); });
+        drawn([&](outline_recorder& pen) { pen.move(far), pen.line(far), pen.cubic(far, far, far), pen.close(); });
+    }
 }
 
 TEST_CASE("a recorder empties its outline first", "[outline][outline_recorder]")

@@ -11,8 +11,8 @@ namespace typemesh {
 
 /// The sink that keeps an outline as curves (core/outline.hpp): the first step of every mesh.
 ///
-/// Curves of length zero are dropped, open contours are closed with a line, contours without a curve are forgotten.
-/// After the first trouble all further calls are ignored; finish() tells it.
+/// Curves of length zero are dropped, open contours are closed with a line, contours without a curve leave no trace, not
+/// even in the bounds. After the first trouble all further calls are ignored; finish() tells it.
 class outline_recorder {
 public:
     /// Starts to record into `out`, which is emptied first and must outlive the recorder.
@@ -23,23 +23,24 @@ public:
         close();
         start_ = current_ = p;
         open_ = true;
-        note(p);
+        fresh_ = true;
+        check(p);
     }
     void line(point p) noexcept
     {
-        if (!note(p)) return;
+        if (!check(p)) return;
         if (!(p == current_)) keep(curve::from(current_, p));
         current_ = p;
     }
     void quadratic(point control, point p) noexcept
     {
-        if (!note(control) || !note(p)) return;
+        if (!check(control) || !check(p)) return;
         if (!(control == current_ && p == current_)) keep(curve::from(typemesh::quadratic{current_, control, p}));
         current_ = p;
     }
     void cubic(point control1, point control2, point p) noexcept
     {
-        if (!note(control1) || !note(control2) || !note(p)) return;
+        if (!check(control1) || !check(control2) || !check(p)) return;
         if (!(control1 == current_ && control2 == current_ && p == current_))
             keep(curve::from(typemesh::cubic{current_, control1, control2, p}));
         current_ = p;
@@ -66,19 +67,19 @@ public:
     }
 
 private:
-    bool note(point p) noexcept
+    bool check(point p) noexcept
     {
         if (trouble_) return false;
         if (!open_) trouble_ = error::bad_outline;
         else if (!is_finite(p.x) || !is_finite(p.y)) trouble_ = error::outline_not_finite;
-        else {
-            out_.bounds.add(p);
-            return true;
-        }
+        else return true;
         return false;
     }
     void keep(const curve& c) noexcept
     {
+        if (fresh_) out_.bounds.add(c.p[0]);  // elsewhere it is the end of the curve before
+        for (std::uint32_t i = 1; i <= c.degree; ++i) out_.bounds.add(c.p[i]);
+        fresh_ = false;
         if (out_.curves.size() == 0xFFFF'FFFFu) trouble_ = error::too_large;
         else if (!out_.curves.push_back(c)) trouble_ = error::out_of_memory;
     }
@@ -87,6 +88,7 @@ private:
     point start_;
     point current_;
     bool open_ = false;
+    bool fresh_ = false;  // the contour has no curve yet
     error trouble_;
 };
 
