@@ -39,7 +39,8 @@ code_points() {  # code_points TEXT
 
 # The scripts of the world: name, first and last code point, Debian packages that have a font of it, and its font
 # families, the best of each first. Where nothing is said: fonts-noto-core, and Noto Sans NAME or Noto Serif NAME.
-# The first line that a text has a letter of chooses its font: kana before Han tell Japanese from Chinese.
+# The first line that a text has a letter of chooses its font: kana before Han tell Japanese from Chinese. A line with +
+# counts only where the text has letters of that script already.
 scripts() {
     cat <<'END'
 Armenian|530|58f|fonts-dejavu-core|DejaVu Sans,Noto Sans Armenian
@@ -87,9 +88,12 @@ Javanese|a980|a9df||
 Korean|1100|11ff|fonts-nanum,fonts-noto-cjk|NanumGothic,Noto Sans CJK KR
 Korean|3130|318f|fonts-nanum,fonts-noto-cjk|NanumGothic,Noto Sans CJK KR
 Korean|ac00|d7ff|fonts-nanum,fonts-noto-cjk|NanumGothic,Noto Sans CJK KR
++Korean|2e80|ffef|fonts-noto-cjk|Noto Sans CJK KR
 Japanese|3040|30ff|fonts-sawarabi-mincho,fonts-noto-cjk|Sawarabi Mincho,Sawarabi Gothic,Noto Serif CJK JP,Noto Sans CJK JP
++Japanese|2e80|ffef|fonts-sawarabi-mincho,fonts-noto-cjk|Sawarabi Mincho,Sawarabi Gothic,Noto Serif CJK JP,Noto Sans CJK JP
 Chinese|2e80|9fff|fonts-wqy-microhei,fonts-noto-cjk,fonts-hanazono|WenQuanYi Micro Hei,Noto Sans CJK SC,Noto Serif CJK SC
 Chinese|f900|faff|fonts-noto-cjk,fonts-hanazono|Noto Sans CJK SC,Noto Serif CJK SC
+Chinese|ff00|ffef|fonts-wqy-microhei,fonts-noto-cjk|WenQuanYi Micro Hei,Noto Sans CJK SC
 Chinese|20000|3ffff|fonts-noto-cjk,fonts-hanazono|Noto Sans CJK SC,Noto Serif CJK SC
 Cuneiform|12000|1254f||
 hieroglyphs|13000|1345f||Noto Sans Egyptian Hieroglyphs
@@ -103,10 +107,16 @@ other|0|10ffff||DejaVu Sans,Noto Sans
 END
 }
 
-# The scripts of a text, a line each in the order above: name, packages, families, and those of the code points that are its.
+# The scripts of a text, one line each in the order above: name, packages, families, and those of the code points that are its.
 scripts_of() {  # scripts_of CODE_POINT...
-    local left=" $* " name first last packages families code found
+    local left=" $* " name first last packages families code found seen=
     while IFS='|' read -r name first last packages families; do
+        case $name in
+            +*)
+                name=${name#+}
+                case $seen in *"|$name|"*) ;; *) continue ;; esac
+                ;;
+        esac
         found=
         for code in $left; do
             if [ $((16#$code)) -ge $((16#$first)) ] && [ $((16#$code)) -le $((16#$last)) ]; then
@@ -114,10 +124,14 @@ scripts_of() {  # scripts_of CODE_POINT...
                 left=${left/ $code / }
             fi
         done
-        [ -z "$found" ] || say "$name|${packages:-fonts-noto-core}|${families:-Noto Sans $name,Noto Serif $name}|${found# }"
-    done <<END
-$(scripts)
-END
+        if [ -n "$found" ]; then
+            seen="$seen|$name|"
+            say "$name|${packages:-fonts-noto-core}|${families:-Noto Sans $name,Noto Serif $name}|${found# }"
+        fi
+    done < <(scripts) | awk -F '|' '
+        $1 in codes { packages[$1] = packages[$1] "," $2; codes[$1] = codes[$1] " " $4; next }
+        { name[++n] = $1; packages[$1] = $2; families[$1] = $3; codes[$1] = $4 }
+        END { for (i = 1; i <= n; ++i) print name[i] "|" packages[name[i]] "|" families[name[i]] "|" codes[name[i]] }'
 }
 
 # The best installed outline font that has every code point: file, face and family, separated by tabs. Empty without one.
@@ -159,12 +173,12 @@ explain_missing_font() {  # explain_missing_font CODE_POINT...
         # shellcheck disable=SC2086  # a list of words
         font=$(font_with "$families" $codes | cut -f 3)
         if [ -n "$font" ]; then
-            covered="$covered, $script in $font"
+            covered="$covered; $script in $font"
             continue
         fi
         # shellcheck disable=SC2086
         missing=$(without_font $codes)
-        say "Missing: $script${missing:+,$missing}"
+        if [ -n "$missing" ]; then say "Missing: $script,$missing"; else say "Spread over several fonts: $script"; fi
         for package in $(say "$packages,fonts-noto-core,fonts-unifont" | tr , ' '); do
             if ! is_installed "$package"; then
                 case " $advice " in *" $package "*) ;; *) advice="$advice $package" ;; esac
@@ -178,7 +192,7 @@ END
     if [ -n "$advice" ]; then
         say "On Debian: sudo apt-get install$advice"
     elif [ -n "$covered" ]; then
-        say "Make several texts of it: there is ${covered#, }."
+        say "Make several texts of it: ${covered#; }."
     fi
     say "Or name a font: examples/run.sh TEXT --font FILE"
 }

@@ -147,6 +147,8 @@ check "an installed font is found by its characters" called '<--font></fonts/tib
 again && run examples/run.sh "Tibet བོད"
 check "scripts that no one font has together: it is said where each is" says 'Latin.* in DejaVu Sans'
 check "nothing is to be installed for them" says_not 'apt-get'
+anew && : >"$scratch/installed" && run examples/run.sh "日本です！"
+check "Han letters beside kana are Japanese" says 'apt-get install fonts-sawarabi-mincho$'
 anew && run examples/run.sh "བོད ሰላም ไทย"
 check "each package is named once" says 'apt-get install fonts-tlwg-garuda-ttf fonts-noto-core$'
 
