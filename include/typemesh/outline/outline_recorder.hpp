@@ -23,24 +23,24 @@ public:
         close();
         start_ = current_ = p;
         open_ = true;
-        fresh_ = true;
-        check(p);
+        bounds_before_ = out_.bounds;
+        note(p);
     }
     void line(point p) noexcept
     {
-        if (!check(p)) return;
+        if (!note(p)) return;
         if (!(p == current_)) keep(curve::from(current_, p));
         current_ = p;
     }
     void quadratic(point control, point p) noexcept
     {
-        if (!check(control) || !check(p)) return;
+        if (!note(control) || !note(p)) return;
         if (!(control == current_ && p == current_)) keep(curve::from(typemesh::quadratic{current_, control, p}));
         current_ = p;
     }
     void cubic(point control1, point control2, point p) noexcept
     {
-        if (!check(control1) || !check(control2) || !check(p)) return;
+        if (!note(control1) || !note(control2) || !note(p)) return;
         if (!(control1 == current_ && control2 == current_ && p == current_))
             keep(curve::from(typemesh::cubic{current_, control1, control2, p}));
         current_ = p;
@@ -53,7 +53,10 @@ public:
         if (trouble_) return;
         const auto end = static_cast<std::uint32_t>(out_.curves.size());
         const std::uint32_t begin = out_.starts.empty() ? 0u : out_.starts.back();
-        if (end == begin) return;
+        if (end == begin) {
+            out_.bounds = bounds_before_;
+            return;
+        }
         if (out_.starts.empty() && !out_.starts.push_back(0)) trouble_ = error::out_of_memory;
         else if (!out_.starts.push_back(end)) trouble_ = error::out_of_memory;
     }
@@ -67,19 +70,19 @@ public:
     }
 
 private:
-    bool check(point p) noexcept
+    bool note(point p) noexcept
     {
         if (trouble_) return false;
         if (!open_) trouble_ = error::bad_outline;
         else if (!is_finite(p.x) || !is_finite(p.y)) trouble_ = error::outline_not_finite;
-        else return true;
+        else {
+            out_.bounds.add(p);
+            return true;
+        }
         return false;
     }
     void keep(const curve& c) noexcept
     {
-        if (fresh_) out_.bounds.add(c.p[0]);  // elsewhere it is the end of the curve before
-        for (std::uint32_t i = 1; i <= c.degree; ++i) out_.bounds.add(c.p[i]);
-        fresh_ = false;
         if (out_.curves.size() == 0xFFFF'FFFFu) trouble_ = error::too_large;
         else if (!out_.curves.push_back(c)) trouble_ = error::out_of_memory;
     }
@@ -87,8 +90,8 @@ private:
     outline& out_;
     point start_;
     point current_;
+    box bounds_before_;  // of the contours before this one
     bool open_ = false;
-    bool fresh_ = false;  // the contour has no curve yet
     error trouble_;
 };
 
