@@ -6,12 +6,13 @@
 #
 #     include_order.sh [FOLDER]      of headers; include/typemesh without it
 set -eu
-exceptions="compat/d3dx_text.hpp glyph/glyph_builder.hpp glyph/shape_context.hpp text/glyph_merger.hpp text/glyph_team.hpp
-    text/text_mesher.hpp text/text_shapes.hpp"
+exceptions="compat/d3dx_text.hpp glyph/glyph_builder.hpp glyph/shape_context.hpp"
+exceptions="$exceptions text/glyph_merger.hpp text/glyph_team.hpp text/text_mesher.hpp text/text_shapes.hpp"
 
 cd "${1:-$(dirname "$0")/../../include/typemesh}"
+# shellcheck disable=SC2016  # awk's
 find . -name '*.hpp' | sed 's,^\./,,' | LC_ALL=C sort | tr '\n' '\0' |
-    LC_ALL=C xargs -0 awk -v exceptions="$(echo $exceptions)" '
+    LC_ALL=C xargs -0 awk -v exceptions="$exceptions" '
     function wrong(what) { if (!(FILENAME in bad)) bad[FILENAME] = FNR ": " what }
     FNR == 1 { rank = blank = conditional = 0; last = "" }
     /^#[ \t]*if/ { ++conditional }
