@@ -97,7 +97,8 @@ function kind_of_brace(   h) {
     h = plain(head)
     if (h ~ /^ *((inline|export) +)*(namespace|class|struct|union|enum|extern 0)/) return "outer"
     if (!is_function(h)) return "inner"  # an initialiser
-    if (h ~ /\)[^()]*[^:]:[^:]/ && head ~ /[A-Za-z0-9_>] *$/ && head !~ /0 *$/) return "inner"  # a member of an initialiser list
+    # A member of a constructor's initialiser list; behind its brace the head ends with 0, behind its parenthesis with one.
+    if (h ~ /\)[^()]*[^:]:[^:]/ && head ~ /[A-Za-z0-9_>] *$/ && head !~ /0 *$/) return "inner"
     return "function"
 }
 
@@ -114,7 +115,8 @@ function plain(h,   i, c, angle) {
         h = substr(h, i + 1)
     }
     gsub(/\[\[[^]]*\]\]/, "", h)
-    while (match(h, /(explicit|alignas|decltype|noexcept|requires|sizeof) *\(/)) h = without_group(h, RSTART, RSTART + RLENGTH - 1)
+    while (match(h, /(explicit|alignas|decltype|noexcept|requires|sizeof) *\(/))
+        h = without_group(h, RSTART, RSTART + RLENGTH - 1)
     return h
 }
 

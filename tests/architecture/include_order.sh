@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 #
 # The includes of a header: typemesh's own, a blank line, other libraries', a blank line, the standard's; sorted in each
-# block; typemesh.hpp has a block for each room. What stands under an #if is not looked at. Files that are not so yet are named here; the list only gets shorter.
+# block. typemesh.hpp has a block for each room. What stands under an #if is not looked at. Files that are not so yet are
+# named here; the list only gets shorter.
 #
 #     include_order.sh [FOLDER]      of headers; include/typemesh without it
 set -eu

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Headers of at most 500 lines, functions of at most 60, parameter lists of at most 6, at most 5 macros. What was longer when
-# these limits came stands in size_exceptions.txt, which only gets shorter.
+# Headers of at most 500 lines, functions of at most 60, parameter lists of at most 6, at most 5 macros. What was longer
+# when these limits came stands in size_exceptions.txt, which only gets shorter.
 #
 #     sizes.sh [FOLDER]      of headers; include/typemesh without it
 set -eu
@@ -29,9 +29,10 @@ diff "$scratch/wanted" "$scratch/seen" || { echo "functions.awk no longer reads 
 
 cd "$headers"
 find . -name '*.hpp' | sed 's,^\./,,' | sort >"$scratch/files"
-tr '\n' '\0' <"$scratch/files" | xargs -0 awk -f "$here/functions.awk" >"$scratch/functions"
-tr '\n' '\0' <"$scratch/files" | xargs -0 awk '{ ++lines[FILENAME] } END { for (f in lines) print f, lines[f] }' >"$scratch/lines"
-tr '\n' '\0' <"$scratch/files" | xargs -0 sed -nE 's/^[ \t]*#[ \t]*define[ \t]+([A-Za-z_0-9]+).*/\1/p' | sort -u >"$scratch/macros"
+of_all_headers() { tr '\n' '\0' <"$scratch/files" | xargs -0 "$@"; }
+of_all_headers awk -f "$here/functions.awk" >"$scratch/functions"
+of_all_headers awk '{ ++lines[FILENAME] } END { for (f in lines) print f, lines[f] }' >"$scratch/lines"
+of_all_headers sed -nE 's/^[ \t]*#[ \t]*define[ \t]+([A-Za-z_0-9]+).*/\1/p' | sort -u >"$scratch/macros"
 
 # MEASURE FILE NAME SIZE LIMIT of all that is measured, the largest of functions of one name.
 {
@@ -59,5 +60,5 @@ if [ "$(grep -c . "$scratch/macros")" -gt $most_macros ]; then
     echo "More than $most_macros macros:" && cat "$scratch/macros"
     status=1
 fi
-echo "$(grep -c . "$scratch/files") headers, $(grep -c . "$scratch/functions") functions, $(grep -c . "$scratch/macros") macros"
+for what in files functions macros; do echo "$what: $(grep -c . "$scratch/$what")"; done
 exit $status
