@@ -79,13 +79,15 @@ finish() {
 }
 count() { passed=$((passed + $1)) failed=$((failed + $2)); }
 
+build() {  # build PRESET [TARGET...]; a failed build counts as a failed test
+    say "Building, which usually takes 2 to 10 minutes; all its words: $typemesh_root/build/$1.log"
+    build_preset "$@" || count 0 1
+}
+
 # Builds a preset and runs its tests; ctest names what a failed build has left out.
 test_preset() {  # test_preset PRESET [TARGET...]
     local log=$typemesh_root/build/$1.ctest.log total bad
-    say "Building, which usually takes 2 to 10 minutes; all its words: $typemesh_root/build/$1.log"
-    if ! build_preset "$@"; then
-        count 0 1
-    fi
+    build "$@"
     : >"$log"
     with_progress "$log" run_ctest "$typemesh_root/build/$1" "$log"
     total=$(sed -nE 's/.* tests? failed out of ([0-9]+)$/\1/p' "$log")
@@ -135,9 +137,7 @@ tier_external() {
     export TYPEMESH_TEXT_TO_MESH=$typemesh_root/build/release/examples/text_to_mesh
     export TYPEMESH_TEST_DATA=$typemesh_root/tests
     mkdir -p "$modules"
-    if ! build_preset release; then
-        count 0 1
-    fi
+    build release
     if command -v npm >/dev/null 2>&1 && [ ! -d "$modules/node_modules/gltf-validator" ]; then
         if ! npm install --prefix "$modules" --no-save --no-audit --no-fund --fetch-retries=1 gltf-validator@2.0.0-dev.3.10 \
             >"$modules/npm.log" 2>&1; then
