@@ -70,7 +70,7 @@ template <extruder Extruder>
 void extrude_font(benchmark::State& state)
 {
     const Extruder how;
-    const placement at{.unit_per_cell = 1.0 / (512 * 2048), .unit_per_em = 1.0, .em_per_cell = 1.0 / (512 * 2048)};
+    const placement at{.unit_per_cell = 1.0 / (512 * 2048), .unit_per_depth = 1.0, .em_per_cell = 1.0 / (512 * 2048)};
     std::vector<vertex> vertices(1u << 20);
     std::vector<std::uint32_t> indices(1u << 22);
     buffer<side_point> sides;

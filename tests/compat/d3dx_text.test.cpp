@@ -299,7 +299,8 @@ TEST_CASE("arguments out of range are refused by name", "[compat]")
         CHECK(e == error::bad_option);
         CHECK(std::string{e.option} == "extrusion");
     }
-    CHECK(maker.plan(u"o", {.extrusion = 0.0}).error() == error::bad_option);
+    for (const double bad : {0.0, 1e-300, 1e-40, 1e39, 1e300})  // not zero, and yet no depth of 32 bits
+        CHECK(maker.plan(u"o", {.extrusion = bad}).error() == error::bad_option);
     CHECK(maker.plan(u"o"));
 }
 

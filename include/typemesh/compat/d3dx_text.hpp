@@ -15,6 +15,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -99,14 +100,16 @@ public:
     /// Everything but the writing. Ends the plan before it.
     ///
     /// Fails  error::bad_tolerance: the deviation is negative, NaN or infinite
-    ///        error::bad_option: the extrusion is not positive and finite (for none see extrude/flat.hpp)
+    ///        error::bad_option: the extrusion is not a positive 32-bit number (for none see extrude/flat.hpp)
     ///        what text_mesher::plan() fails with
     [[nodiscard]] result<plan_type> plan(text_view text, const d3dx_text_options& options = {}) & noexcept
     {
         const double em_size = em_size_of(options);
-        if (!is_finite(options.extrusion) || !(options.extrusion > 0.0)) return error::bad("extrusion");
+        using depths = std::numeric_limits<float>;
+        if (!is_finite(options.extrusion) || !(options.extrusion >= as_double((depths::min)()))) return error::bad("extrusion");
+        if (options.extrusion > as_double((depths::max)())) return error::bad("extrusion");
         if (!is_finite(options.deviation) || options.deviation < 0.0) return error::bad_tolerance;
-        mesher_.extruder_policy().depth = static_cast<float>(options.extrusion / em_size);
+        mesher_.extruder_policy().depth = static_cast<float>(options.extrusion);
 
         features_.clear();
         bool room = options.kerning || features_.push_back({"kern", 0});
@@ -121,6 +124,7 @@ public:
                                                 : d3dx_tolerance(1.0 / font_->units_per_em());
         how.unit = output_unit::pixels;
         how.pixels_per_em = em_size;
+        how.depth_in = depth_unit::output;
         how.texture_over = options.texture_over;
         how.draw_missing = options.draw_missing;
         auto made = mesher_.plan(text, how);

@@ -46,7 +46,7 @@ namespace typemesh {
 /// Cost   O(n), and one side_point a contour point while there are walls
 template <side_normals Normals = curve_normals>
 struct extruded {
-    float depth = 0.2f;    ///< in em
+    float depth = 0.2f;    ///< in em, or in output units: see text_options::depth_in
     bool centred = false;  ///< front at z = depth / 2 and back at -depth / 2
     bool front = true;
     bool back = true;
@@ -111,7 +111,7 @@ struct extruded {
             if (p == part::front && has_front()) cap<Wants>(s, axes, top, 1.0f, front, planar, tangents, emit);
             if (p == part::back && has_back()) cap<Wants>(s, axes, bottom, -1.0f, back, planar, tangents, emit);
             if constexpr (!Normals::shares_caps) {
-                if (p == part::side && side) walls<Wants>(s, axes, top, bottom, at.em_per_cell, planar, tangents, emit);
+                if (p == part::side && side) walls<Wants>(s, axes, top, bottom, at, planar, tangents, emit);
             }
         });
     }
@@ -223,11 +223,12 @@ private:
     /// Pairs (front, back) along each contour; a doubled point has one for the wall before it and one for the wall
     /// after.
     template <attribute Wants, class Axes, class Emit>
-    void walls(const solid& s, const Axes& axes, float top, float bottom, double em_per_cell, planar_texture planar,
+    void walls(const solid& s, const Axes& axes, float top, float bottom, const placement& at, planar_texture planar,
                texture_tangent tangents, Emit& emit) const noexcept
     {
         const bool by_length = texture == texture_mapping::em;
-        const float v_top = planar.turned(1.0f), v_bottom = planar.turned(1.0f - depth);
+        const float deep = static_cast<float>(as_double(depth) * at.em_per_depth);  // em
+        const float v_top = planar.turned(1.0f), v_bottom = planar.turned(1.0f - deep);
         for (std::size_t i = 0; i < s.points.size(); ++i) {
             const grid_point g = s.points[i];
             const side_point& here = s.sides[i];
@@ -242,7 +243,7 @@ private:
             }
             if constexpr (has(Wants, attribute::uv)) {
                 front_point.uv = back_point.uv =
-                    by_length ? vec2{static_cast<float>(as_double(here.along) * em_per_cell), v_top} : planar(g);
+                    by_length ? vec2{static_cast<float>(as_double(here.along) * at.em_per_cell), v_top} : planar(g);
                 if (by_length) back_point.uv.y = v_bottom;
             }
             if constexpr (has(Wants, attribute::tangent)) {

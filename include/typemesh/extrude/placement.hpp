@@ -12,7 +12,7 @@ namespace typemesh {
 
 /// Where a shape stands and in which unit it is written: from grid cells to the caller's coordinates.
 ///
-///     output = frame((cell + pen) * unit_per_cell)        z = em * unit_per_em
+///     output = frame((cell + pen) * unit_per_cell)        z = depth * unit_per_depth
 ///
 /// The sum is exact in double precision and rounded once, to the 24 bits of a float, so equal places give equal floats.
 /// The frame's products are of 24 bits by 24 bits, hence exact in double precision too: whether or not a compiler joins
@@ -27,7 +27,8 @@ struct placement {
 
     point pen = {};              ///< the glyph's origin, in cells
     double unit_per_cell = 1.0;  ///< output units to a cell
-    double unit_per_em = 1.0;    ///< output units to an em: what depths are scaled by
+    double unit_per_depth = 1.0; ///< output units to one unit of depths, which is an em unless text_options says else
+    double em_per_depth = 1.0;   ///< em to one unit of depths
     double em_per_cell = 1.0;
     point em_pen = {};            ///< em mapping: the glyph's origin, in cells, seen from the text's own origin
     point texture_pen = {};       ///< box mapping: the glyph's origin, in cells, seen from the box's lower left corner
@@ -57,8 +58,8 @@ struct placement {
     /// A grid point at height z, given in output units.
     [[nodiscard]] vec3 position(grid_point p, float z) const noexcept { return position(foot(p), z); }
 
-    /// A height given in em, in output units.
-    [[nodiscard]] float height(double em) const noexcept { return static_cast<float>(em * unit_per_em); }
+    /// A height as extruders tell it, in output units.
+    [[nodiscard]] float height(double depth) const noexcept { return static_cast<float>(depth * unit_per_depth); }
 
     /// A wall's normal, given in the plane, in the caller's axes.
     [[nodiscard]] vec3 normal(vec2 n) const noexcept

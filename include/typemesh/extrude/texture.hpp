@@ -15,7 +15,7 @@ namespace typemesh {
 ///     em     one texture tile is one em wide and high, everywhere:
 ///            caps    x and y from the text's origin
 ///            walls   u = way along the contour from its seam, in its own direction; v runs from 1 at the front down to
-///                    1 - depth, so that an upright image stands upright on a wall whose front edge is its top
+///                    1 - depth (in em), so that an upright image stands upright on a wall whose front edge is its top
 enum class texture_mapping : std::uint8_t { box, em };
 
 /// Texture coordinates of grid points by their place in the plane.

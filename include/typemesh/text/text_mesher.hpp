@@ -305,7 +305,9 @@ private:
         if (!e) e = build_shapes(options, team);
         if (!e && options.merge) e = merge(run, options);
         if (!e) e = place_shapes(run);
-        if (!e) e = arrange(shapes_, run, options, font_->units_per_em(), extruder_.heights());
+        const height_range heights = extruder_.heights();
+        if (!e) e = arrange(shapes_, run, options, font_->units_per_em(), heights);
+        if (!e) e = refuse_extremes(shapes_.placed, shapes_.bounds, heights, heights_name());
         if (e) {
             shapes_.shapes.release();
             return stop(e);
@@ -319,6 +321,13 @@ private:
     {
         buffer<side_point> none;
         return extruder_.plan(region{}, none).error();
+    }
+
+    /// The option behind heights that cannot be written.
+    static constexpr const char* heights_name() noexcept
+    {
+        if constexpr (requires(const Extruder& e) { e.depth; }) return "depth";
+        else return "heights";
     }
 
     static constexpr std::uint32_t not_drawn = glyph_set::no_room;

@@ -11,13 +11,19 @@
 
 namespace typemesh {
 
-/// In what unit positions are written, before text_options::size multiplies them. x and y as said; z likewise, for
-/// depths are given in em.
+/// In what unit positions are written, before text_options::size multiplies them. x and y as said; z likewise,
+/// unless text_options::depth_in says else.
 enum class output_unit : std::uint8_t {
     em,          ///< an em is 1, so that `size` is how large an em is
     font_units,  ///< the font's own units, units_per_em to the em
     pixels,      ///< pixels_per_em to the em
     unit_box,    ///< the text's box, made to fit [-1, 1]: its longer side does, its centre is at 0
+};
+
+/// In what unit an extruder's depths are.
+enum class depth_unit : std::uint8_t {
+    em,      ///< in em: letters of another size are as much deeper
+    output,  ///< in output units, whatever the unit and the size of x and y: a depth of 1 ends at z = -1
 };
 
 /// Over what the `box` texture mapping spreads the square [0, 1]: the whole text, each line, or each glyph.
@@ -27,8 +33,11 @@ enum class texture_box : std::uint8_t { text, line, glyph };
 ///
 ///     {.size = 0.37}                               letters of 0.37 units of your world to the em
 ///     {.layout = {.align = alignment::centre}}     lines centred on x = 0
+///     {.unit = output_unit::unit_box,              a box of [-1, 1], and the back of extruded<>{.depth = 1.0f} at
+///      .depth_in = depth_unit::output}             z = -1
 ///
 /// Tolerance and depth are given in em, so they grow and shrink with the size; vertices and triangles stay the same.
+/// What 32-bit floats cannot hold (an em below 2^-100 output units, a coordinate beyond 3.4e38) is error::bad_option.
 struct text_options {
     shape_options shape = {};    ///< direction, language, script, features
     layout_options layout = {};  ///< alignment, spacing of lines and letters, tab stops
@@ -39,6 +48,7 @@ struct text_options {
     output_unit unit = output_unit::em;
     double size = 1.0;            ///< what the unit is multiplied by: how large an em is in your world
     double pixels_per_em = 64.0;  ///< for output_unit::pixels alone
+    depth_unit depth_in = depth_unit::em;
     texture_box texture_over = texture_box::text;
     typemesh::frame frame = right_handed_y_up;
 

@@ -52,6 +52,8 @@ struct text_placement {
     double em_per_font_unit = 1e-3;
     double unit_per_font_unit = 1.0;  ///< output units a font unit
     double unit_per_em = 1000.0;
+    double unit_per_depth = 1000.0;   ///< output units to one unit of an extruder's depths
+    double em_per_depth = 1.0;
     point centre;                     ///< what is moved to the output's origin, font units
     point texture_per_font_unit;      ///< how much u and v grow over the whole text's box, with texture_box::text
     texture_box texture_over = texture_box::text;
@@ -238,7 +240,8 @@ private:
         placement at;
         at.pen = cells * (origin - centre);
         at.unit_per_cell = placed.unit_per_font_unit * per_cell;
-        at.unit_per_em = placed.unit_per_em;
+        at.unit_per_depth = placed.unit_per_depth;
+        at.em_per_depth = placed.em_per_depth;
         at.em_per_cell = placed.em_per_font_unit * per_cell;
         at.em_pen = cells * origin;
         at.texture_pen = cells * (origin - texture_low);
