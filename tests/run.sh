@@ -134,6 +134,7 @@ tier_external() {
     local script name status output modules=$typemesh_root/build/external
     install_missing benchmark
     (install_missing admesh openscad node npm) || say "Going on without them: the tests that need them are skipped."
+    (install_missing fontconfig-dev lib3mf) || say "Going on without them: text_to_mesh takes font files only, or writes no 3MF."
     export TYPEMESH_TEXT_TO_MESH=$typemesh_root/build/release/examples/text_to_mesh
     export TYPEMESH_TEST_DATA=$typemesh_root/tests
     mkdir -p "$modules"

@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 namespace text_to_mesh {
 namespace {
@@ -48,48 +50,98 @@ std::FILE* open_beside(const fs::path& target, fs::path& temporary)
     return nullptr;
 }
 
-}  // namespace
+/// A file on its way: complete beside its target, and not yet in its place.
+class pending_file {
+public:
+    pending_file() = default;
+    pending_file(const pending_file&) = delete;
+    pending_file& operator=(const pending_file&) = delete;
+    ~pending_file()
+    {
+        std::error_code ignored;
+        if (!temporary_.empty()) fs::remove(temporary_, ignored);
+        if (device_ != nullptr) std::fclose(device_);
+    }
 
-std::string write_atomically(const std::string& path, std::span<const unsigned char> bytes)
+    /// Both give an empty string, or one sentence.
+    std::string prepare(const file_to_write& file);
+    std::string finish();
+
+private:
+    const file_to_write* file_ = nullptr;
+    fs::path target_, temporary_;
+    fs::file_status before_;
+    std::FILE* device_ = nullptr;
+};
+
+std::string pending_file::prepare(const file_to_write& file)
 {
-#ifdef SIGXFSZ
-    std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is to be an error to report, not the end of the program
-#endif
+    file_ = &file;
+    const std::string& path = file.path;
     if (path.empty()) return "The name of the output file is empty.";
 
     // Where the path is a symbolic link, the file it leads to is made or replaced, not the link.
     std::error_code ignored;
-    fs::path target = path;
-    for (int links = 0; links < 40 && fs::is_symlink(fs::symlink_status(target, ignored)); ++links) {
-        const fs::path led = fs::read_symlink(target, ignored);
-        target = led.is_absolute() ? led : target.parent_path() / led;
+    target_ = path;
+    for (int links = 0; links < 40 && fs::is_symlink(fs::symlink_status(target_, ignored)); ++links) {
+        const fs::path led = fs::read_symlink(target_, ignored);
+        target_ = led.is_absolute() ? led : target_.parent_path() / led;
     }
 
     std::error_code why;
-    const fs::file_status before = fs::status(target, why);
-    if (before.type() == fs::file_type::none) return sentence(path, "cannot be written", why);
-    if (fs::is_directory(before)) return path + " cannot be written: it is a directory.";
-    if (fs::exists(before)) {
+    before_ = fs::status(target_, why);
+    if (before_.type() == fs::file_type::none) return sentence(path, "cannot be written", why);
+    if (fs::is_directory(before_)) return path + " cannot be written: it is a directory.";
+    if (fs::exists(before_)) {
         // Never replace a device by a file, nor a file that its owner has protected.
-        std::FILE* file = std::fopen(target.string().c_str(), fs::is_regular_file(before) ? "r+b" : "wb");
-        if (file == nullptr) return sentence(path, "cannot be written", last_error());
-        if (!fs::is_regular_file(before)) {
-            why = write_and_close(file, bytes);
-            return why ? sentence(path, "cannot be written", why) : std::string{};
+        std::FILE* opened = std::fopen(target_.string().c_str(), fs::is_regular_file(before_) ? "r+b" : "wb");
+        if (opened == nullptr) return sentence(path, "cannot be written", last_error());
+        if (!fs::is_regular_file(before_)) {
+            device_ = opened;
+            return {};
         }
-        std::fclose(file);
+        std::fclose(opened);
     }
 
-    fs::path temporary;
-    std::FILE* file = open_beside(target, temporary);
-    if (file == nullptr) return sentence(path, "cannot be written, its folder takes no new file", last_error());
+    std::FILE* opened = open_beside(target_, temporary_);
+    if (opened == nullptr) {
+        temporary_.clear();
+        return sentence(path, "cannot be written, its folder takes no new file", last_error());
+    }
+    why = write_and_close(opened, file.bytes);
+    if (!why && fs::exists(before_)) fs::permissions(temporary_, before_.permissions(), ignored);
+    return why ? sentence(path, "cannot be written", why) : std::string{};
+}
 
-    why = write_and_close(file, bytes);
-    if (!why && fs::exists(before)) fs::permissions(temporary, before.permissions(), ignored);
-    if (!why) fs::rename(temporary, target, why);
-    if (!why) return {};
-    fs::remove(temporary, ignored);
-    return sentence(path, "cannot be written", why);
+std::string pending_file::finish()
+{
+    std::error_code why;
+    if (device_ != nullptr) why = write_and_close(std::exchange(device_, nullptr), file_->bytes);
+    else fs::rename(temporary_, target_, why);
+    if (why) return sentence(file_->path, "cannot be written", why);
+    temporary_.clear();
+    return {};
+}
+
+}  // namespace
+
+std::string write_atomically(const std::string& path, std::span<const unsigned char> bytes)
+{
+    const file_to_write one[] = {{path, bytes}};
+    return write_atomically(one);
+}
+
+std::string write_atomically(std::span<const file_to_write> files)
+{
+#ifdef SIGXFSZ
+    std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is to be an error to report, not the end of the program
+#endif
+    std::vector<pending_file> pending(files.size());
+    for (std::size_t i = 0; i < files.size(); ++i)
+        if (std::string trouble = pending[i].prepare(files[i]); !trouble.empty()) return trouble;
+    for (pending_file& p : pending)
+        if (std::string trouble = p.finish(); !trouble.empty()) return trouble;
+    return {};
 }
 
 }  // namespace text_to_mesh

@@ -17,4 +17,14 @@ namespace text_to_mesh {
 ///        No temporary is left behind in either case.
 [[nodiscard]] std::string write_atomically(const std::string& path, std::span<const unsigned char> bytes);
 
+/// One of several files that belong together.
+struct file_to_write {
+    std::string path;
+    std::span<const unsigned char> bytes;
+};
+
+/// The same for several: none is renamed before all are there. Written in their order, so the file that names the others
+/// comes last.
+[[nodiscard]] std::string write_atomically(std::span<const file_to_write> files);
+
 }  // namespace text_to_mesh

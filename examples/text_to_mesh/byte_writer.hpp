@@ -22,29 +22,24 @@ public:
     void decimal(float value)
     {
         char digits[32];
-        const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
-        bytes_.insert(bytes_.end(), digits, end);
-    }
-
-    void decimal(std::uint64_t value)
-    {
-        char digits[24];
-        const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
-        bytes_.insert(bytes_.end(), digits, end);
+        text({digits, std::to_chars(digits, digits + sizeof digits, value).ptr});
     }
 
     void u8(unsigned value) { bytes_.push_back(static_cast<unsigned char>(value & 0xFFu)); }
 
     void u16(std::uint32_t value)
     {
-        u8(value);
-        u8(value >> 8);
+        const unsigned char low_first[] = {static_cast<unsigned char>(value & 0xFFu),
+                                           static_cast<unsigned char>(value >> 8 & 0xFFu)};
+        bytes_.insert(bytes_.end(), low_first, low_first + sizeof low_first);
     }
 
     void u32(std::uint32_t value)
     {
-        u16(value);
-        u16(value >> 16);
+        const unsigned char low_first[] = {
+            static_cast<unsigned char>(value & 0xFFu), static_cast<unsigned char>(value >> 8 & 0xFFu),
+            static_cast<unsigned char>(value >> 16 & 0xFFu), static_cast<unsigned char>(value >> 24)};
+        bytes_.insert(bytes_.end(), low_first, low_first + sizeof low_first);
     }
 
     void f32(float value)

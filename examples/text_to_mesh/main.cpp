@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "annotations.hpp"
+#include "font_file.hpp"
 #include "model.hpp"
 #include "options.hpp"
 #include "picture.hpp"
 #include "policies.hpp"
+#include "progress.hpp"
+#include "report.hpp"
+#include "statistics.hpp"
+#include "write_3mf.hpp"
 #include "write_glb.hpp"
 #include "write_obj.hpp"
 #include "write_ply.hpp"
@@ -14,7 +19,7 @@
 #include <typemesh/typemesh.hpp>
 
 #include <cstdio>
-#include <string_view>
+#include <string>
 
 template <>
 struct typemesh::vertex_traits<text_to_mesh::model_vertex> {
@@ -28,48 +33,54 @@ struct typemesh::vertex_traits<text_to_mesh::model_vertex> {
 namespace text_to_mesh {
 namespace {
 
-int fail(const std::string& sentence)
+constexpr const char* part_names[] = {"front", "back", "side"};
+
+typemesh::text_options text_options_of(const options& o)
 {
-    std::fprintf(stderr, "text_to_mesh: %s\n", sentence.c_str());
-    return 1;
+    typemesh::text_options how;
+    how.shape = {.direction = o.direction, .language = o.language, .script = o.script, .features = o.features};
+    how.layout = {.align = o.align, .line_spacing = o.line_spacing, .letter_spacing = o.letter_spacing};
+    how.tolerance = o.tolerance;
+    how.fill = o.fill;
+    how.size = o.size;
+    how.merge = o.merge;
+    return how;
 }
 
-/// The error's sentence; places in the text are bytes, for the text is UTF-8.
-std::string in_words(const typemesh::error& e)
+void add_part(model& out, typemesh::part p, const typemesh::mesh_range& r)
 {
-    std::string where;
-    if (e.glyph != typemesh::no_glyph) where = "glyph " + std::to_string(e.glyph);
-    if (e.cluster != typemesh::no_cluster)
-        where += (where.empty() ? "at byte " : ", at byte ") + std::to_string(e.cluster) + " of the text";
-    char sentence[256];
-    return (where.empty() ? "" : where + ": ") +
-           typemesh::describe(e.at(typemesh::no_glyph, typemesh::no_cluster), sentence);
+    if (r.index_count > 0) out.parts.push_back({part_names[static_cast<int>(p)], r.first_index, r.index_count});
 }
 
-std::string kind_of(const std::string& path) { return path.substr(path.size() - 4); }
-
-std::string write_mesh(const model& mesh, const std::string& path)
+/// The whole mesh of a plan, part by part.
+template <class Plan>
+typemesh::error write_model(const Plan& plan, model& out)
 {
-    const std::string kind = kind_of(path);
-    return kind == ".glb" ? write_glb(mesh, path) : kind == ".obj" ? write_obj(mesh, path) : write_ply(mesh, path);
+    if (const typemesh::error e = plan.write(typemesh::into(out.vertices, out.indices))) return e;
+    for (const typemesh::part p : typemesh::all_parts) add_part(out, p, plan.range(p));
+    return {};
 }
 
-/// Says on standard error what is not in the mesh; true when something is not.
-bool name_losses(const typemesh::text_report& report)
+/// Each different letter of a plan once, by the font's name for it, and where it stands.
+template <class Plan>
+typemesh::error write_letters(const Plan& plan, const typemesh::harfbuzz_font& font, model& out)
 {
-    if (report.refused > 0)
-        std::fprintf(stderr, "text_to_mesh: %u of %u glyphs left out; the first: %s\n", report.refused, report.glyphs,
-                     in_words(report.first_refusal).c_str());
-    if (report.missing > 0)
-        std::fprintf(
-            stderr,
-            "text_to_mesh: the font has no glyph for %u of %u characters; the first is at byte %u of the text\n",
-            report.missing, report.glyphs, report.first_missing);
-    if (report.invalid_units > 0)
-        std::fprintf(stderr,
-                     "text_to_mesh: the text is not valid UTF-8 at %u place%s; the first is at byte %u of the text\n",
-                     report.invalid_units, report.invalid_units == 1 ? "" : "s", report.first_invalid_unit);
-    return !report.complete();
+    if (const typemesh::error e = plan.write_meshes(typemesh::into(out.vertices, out.indices))) return e;
+    for (std::size_t m = 0; m < plan.meshes().size(); ++m) {
+        char name[64];
+        hb_font_glyph_to_string(font.handle(), plan.meshes()[m].id, name, sizeof name);
+        model::letter l{name, plan.meshes()[m].first_vertex, 0, out.parts.size(), 0};
+        for (const typemesh::part p : typemesh::all_parts) {
+            add_part(out, p, plan.mesh_part(m, p));
+            l.vertex_count += plan.mesh_part(m, p).vertex_count;
+        }
+        l.part_count = out.parts.size() - l.first_part;
+        out.letters.push_back(l);
+    }
+    plan.write_instances([&out](const typemesh::glyph_instance& i) {
+        out.places.push_back({i.mesh, {i.translation.x, i.translation.y, i.translation.z}});
+    });
+    return {};
 }
 
 /// The indices glyph by glyph instead of part by part: STL has no indices, so a reader welds corners by their places,
@@ -88,70 +99,28 @@ std::vector<std::uint32_t> solid_by_solid(const Plan& plan, const std::vector<st
     return ordered;
 }
 
-/// The triangles of the front, as they lie in the mesh.
-typemesh::triangle_quality quality_of_front(const model& mesh)
-{
-    std::vector<typemesh::point> points;
-    for (const model_vertex& v : mesh.vertices) points.push_back({double{v.position[0]}, double{v.position[1]}});
-    std::vector<typemesh::triangle> triangles;
-    for (const auto& part : mesh.parts)
-        if (std::string_view{part.name} == "front")
-            for (std::size_t i = part.first_index; i < part.first_index + part.index_count; i += 3)
-                triangles.push_back({mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]});
-    typemesh::triangle_quality q;
-    typemesh::add_triangles<typemesh::point>(q, points, triangles);
-    return q;
-}
-
+/// Gives an empty string, or one sentence.
 template <class Plan>
-void print_stats(const Plan& plan, const model& mesh, const stage_clock& clock)
+std::string write_output(const options& o, const Plan& plan, model& mesh)
 {
-    const auto& report = plan.report();
-    std::printf(
-        "{\"glyphs\":%u,\"refused\":%u,\"missing\":%u,\"contour_points\":%llu,\"hard_edges\":%llu,\"vertices\":%llu,"
-        "\"triangles\":%llu",
-        report.glyphs, report.refused, report.missing, static_cast<unsigned long long>(plan.contour_points()),
-        static_cast<unsigned long long>(plan.hard_edges()), static_cast<unsigned long long>(plan.size().vertices),
-        static_cast<unsigned long long>(plan.size().triangles));
-    const typemesh::triangle_quality q = quality_of_front(mesh);
-    std::printf(
-        ",\"front\":{\"triangles\":%llu,\"smallest_angle\":%.4g,\"angle_5_percent\":%.4g,\"angle_median\":%.4g,"
-        "\"largest_aspect\":%.4g}",
-        static_cast<unsigned long long>(q.triangles), q.smallest_angle, q.angle_at(0.05), q.angle_at(0.5),
-        q.largest_aspect);
-    const char* names[] = {"shape", "outline", "discretise", "fill", "triangulate", "extrude"};
-    std::printf(",\"nanoseconds\":{");
-    for (int i = 0; i < 6; ++i)
-        std::printf("%s\"%s\":%lld", i > 0 ? "," : "", names[i], static_cast<long long>(clock.nanoseconds[i]));
-    std::puts("}}");
-}
-
-typemesh::text_options text_options_of(const options& o)
-{
-    typemesh::text_options how;
-    how.shape = {.direction = o.direction, .language = o.language, .script = o.script, .features = o.features};
-    how.layout = {.align = o.align};
-    how.tolerance = o.tolerance;
-    how.fill = o.fill;
-    how.merge = o.merge;
-    return how;
-}
-
-/// The whole mesh of a plan, part by part.
-template <class Plan>
-typemesh::error write_model(const Plan& plan, model& out)
-{
-    if (const typemesh::error e = plan.write(typemesh::into(out.vertices, out.indices))) return e;
-    const char* names[] = {"front", "back", "side"};
-    for (const typemesh::part p : typemesh::all_parts) {
-        const typemesh::mesh_range r = plan.range(p);
-        if (r.index_count > 0) out.parts.push_back({names[static_cast<int>(p)], r.first_index, r.index_count});
+    switch (o.kind) {
+    case file_kind::glb: return write_glb(mesh, o.output);
+    case file_kind::obj: return write_obj(mesh, o.output);
+    case file_kind::ply: return write_ply(mesh, o.output);
+    case file_kind::three_mf: return write_3mf(mesh, o.output);
+    case file_kind::stl: {
+        mesh.indices = solid_by_solid(plan, mesh.indices);
+        mesh.parts.clear();
+        return write_stl(mesh, o.output);
+    }
+    case file_kind::png:
+    case file_kind::unknown: break;
     }
     return {};
 }
 
 /// The tolerance in em of the picture's own mesh, by the size at which it will be drawn; but what was asked for where
-/// the picture is to show it.
+/// the picture is to show it. `bounds` are those of the text in its own size.
 double picture_tolerance(const options& o, const typemesh::bounds3& bounds, const picture_options& look)
 {
     const bool shows_the_mesh = o.show_triangles || o.show_points || o.show_contours || o.show_normals;
@@ -164,7 +133,7 @@ double picture_tolerance(const options& o, const typemesh::bounds3& bounds, cons
         box.indices.push_back(corner);
     }
     constexpr double error_in_pixels = 0.125;  // half of what is hard to see: lines here are long and their edges sharp
-    return typemesh::tolerance_for_pixels(pixels_per_unit(box, look), error_in_pixels);
+    return typemesh::tolerance_for_pixels(pixels_per_unit(box, look) * o.size, error_in_pixels);
 }
 
 /// Draws the text, one em large, and writes the picture. Gives an empty string, or one sentence.
@@ -178,6 +147,7 @@ std::string draw_picture(const options& o, typemesh::harfbuzz_font& font, const 
     const chosen_discretiser discretiser = discretiser_of(o, font.units_per_em());
     auto mesher = typemesh::text_mesher{font}.with(discretiser).with(triangulator_of(o)).with(extruder_of(o));
     typemesh::text_options how = text_options_of(o);
+    how.size = 1.0;
     how.tolerance = picture_tolerance(o, bounds, look);
     auto plan = mesher.plan(o.text, how);
     if (!plan) return in_words(plan.error());
@@ -189,41 +159,64 @@ std::string draw_picture(const options& o, typemesh::harfbuzz_font& font, const 
     return write_png(pixels, width, height, o.picture);
 }
 
-int run(const options& o)
+/// All of it. Gives an empty string, or one sentence.
+std::string run(const options& o, progress& tell)
 {
-    auto font = typemesh::harfbuzz_font::open(o.font.c_str(), {.face = o.face, .variations = o.variations});
-    if (!font) return fail(o.font + ": " + in_words(font.error()));
+    tell.begin("opening the font");
+    font_file found;
+    if (std::string trouble = find_font(o.font, found); !trouble.empty()) return trouble;
+    found.variations.insert(found.variations.end(), o.variations.begin(), o.variations.end());
+    auto font = typemesh::harfbuzz_font::open(found.path.c_str(), {.face = o.face.value_or(found.face),
+                                                                   .variations = found.variations});
+    if (!font) return found.path + ": " + in_words(font.error());
 
+    tell.begin("shaping the text and building its letters");
+    options of_file = o;
+    if (o.kind == file_kind::three_mf) of_file.normals = normals_name::shared;  // see write_3mf()
     auto mesher = typemesh::text_mesher{*font}
                       .with(discretiser_of(o, font->units_per_em()))
                       .with(triangulator_of(o))
-                      .with(extruder_of(o))
-                      .with(stage_clock{});
+                      .with(extruder_of(of_file))
+                      .with(stage_clock{.tell = &tell});
     auto plan = mesher.plan(o.text, text_options_of(o));
-    if (!plan) return fail(in_words(plan.error()));
+    if (!plan) return in_words(plan.error());
+
+    tell.clear();
+    name_missing_features(*font, o.features);
+    const typemesh::text_report& report = plan->report();
+    if (name_losses(report) && o.strict) return "--strict: nothing is written.";
+    const bool draws = !o.output.empty() || !o.picture.empty();
+    if (draws && plan->glyphs().empty())
+        return report.complete() ? "the text is blank: nothing is written."
+                                 : "nothing of the text can be drawn: nothing is written.";
 
     model mesh;
     mesh.name = o.text;
+    tell.begin("making " + std::to_string(plan->size().triangles) + " triangles");
     mesher.observer()(typemesh::stage::extrude);
-    const typemesh::error e = write_model(*plan, mesh);
+    const typemesh::error e = o.instances ? write_letters(*plan, *font, mesh) : write_model(*plan, mesh);
     mesher.observer()(typemesh::stage::idle);
-    if (e) return fail(in_words(e));
+    if (e) return in_words(e);
+    const typemesh::triangle_quality quality = o.stats ? quality_of_front(mesh) : typemesh::triangle_quality{};
 
-    if (name_losses(plan->report()) && o.strict) return fail("--strict: nothing is written.");
     if (!o.output.empty()) {
-        std::string trouble;
-        if (kind_of(o.output) == ".stl")
-            trouble = write_stl({mesh.vertices, solid_by_solid(*plan, mesh.indices), {}, mesh.name}, o.output);
-        else trouble = write_mesh(mesh, o.output);
-        if (!trouble.empty()) return fail(trouble);
+        if (!o.instances) {
+            tell.clear();
+            name_flipped_triangles(flipped_triangles(*plan));
+        }
+        tell.begin("writing " + o.output);
+        if (std::string trouble = write_output(o, *plan, mesh); !trouble.empty()) return trouble;
     }
-    if (!o.picture.empty())
-        if (const std::string trouble = draw_picture(o, *font, plan->bounds()); !trouble.empty()) return fail(trouble);
+    if (!o.picture.empty()) {
+        tell.begin("drawing " + o.picture);
+        if (std::string trouble = draw_picture(o, *font, plan->bounds()); !trouble.empty()) return trouble;
+    }
+    tell.clear();
     if (o.stats) {
-        print_stats(*plan, mesh, mesher.observer());
-        if (std::fflush(stdout) != 0) return fail("the statistics cannot be written");
+        print_stats(*plan, quality, mesher.observer());
+        if (std::fflush(stdout) != 0) return "the statistics cannot be written";
     }
-    return 0;
+    return {};
 }
 
 }  // namespace
@@ -233,5 +226,10 @@ int main(int argc, char** argv)
 {
     text_to_mesh::options o;
     if (const auto status = text_to_mesh::parse(argc, argv, o)) return *status;
-    return text_to_mesh::run(o);
+    text_to_mesh::progress tell;
+    const std::string trouble = text_to_mesh::run(o, tell);
+    tell.clear();
+    if (trouble.empty()) return 0;
+    std::fprintf(stderr, "text_to_mesh: %s\n", trouble.c_str());
+    return 1;
 }

@@ -24,10 +24,27 @@ struct model {
         std::size_t index_count;
     };
 
+    /// One of the different letters of an instanced model: neighbouring vertices and neighbouring parts.
+    struct letter {
+        std::string name;
+        std::size_t first_vertex;
+        std::size_t vertex_count;
+        std::size_t first_part;
+        std::size_t part_count;
+    };
+
+    /// Where a letter stands.
+    struct place {
+        std::size_t letter;
+        float at[3];
+    };
+
     std::vector<model_vertex> vertices;
     std::vector<std::uint32_t> indices;
-    std::vector<part> parts;  ///< together all the indices; none at all stands for one nameless part
-    std::string name;         ///< UTF-8, best effort: writers replace what their format cannot hold
+    std::vector<part> parts;      ///< together all the indices; none at all stands for one nameless part
+    std::vector<letter> letters;  ///< none: the model is one mesh, and stands where its vertices say
+    std::vector<place> places;
+    std::string name;             ///< UTF-8, best effort: writers replace what their format cannot hold
 };
 
 /// Lines and dots drawn over a picture, in the model's own space; a solid in front of them hides them.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "file_kind.hpp"
 #include "picture.hpp"
 
 #include <typemesh/typemesh.hpp>
@@ -19,14 +20,17 @@ enum class preset { low, normal, high, best };
 /// What the command line asks for.
 struct options {
     std::string text;
-    std::string font;
-    unsigned face = 0;
+    std::string font;  ///< a file's name or a family's
+    std::optional<unsigned> face;  ///< in a collection
     std::vector<typemesh::variation> variations;
     std::vector<typemesh::feature> features;
     std::string language, script;
     typemesh::direction direction = typemesh::direction::automatic;
     typemesh::alignment align = typemesh::alignment::left;
+    double letter_spacing = 0.0;  ///< em
+    double line_spacing = 1.0;    ///< times the font's own
 
+    double size = 1.0;    ///< of an em in the file
     float depth = 0.2f;  ///< em; 0 makes a flat mesh
     preset quality = preset::high;
     double tolerance = typemesh::quality::high;
@@ -39,8 +43,10 @@ struct options {
     typemesh::texture_mapping uv = typemesh::texture_mapping::box;
     bool strict = false;
     bool merge = false;
+    bool instances = false;
 
     std::string output;
+    file_kind kind = file_kind::unknown;  ///< of the output
     std::string picture;
     text_to_mesh::shading shading = text_to_mesh::shading::phong;
     bool show_triangles = false, show_points = false, show_contours = false, show_control = false, show_normals = false;
@@ -48,8 +54,8 @@ struct options {
     bool stats = false;
 };
 
-/// Reads the command line into `out`. Gives nothing when the program should go on, or its exit status: 0 after --help,
-/// 2 after wrong usage, which has been explained on standard error by then.
+/// Reads the command line into `out`. Gives nothing when the program should go on, or its exit status: 0 after --help
+/// and --version, 2 after wrong usage, which has been explained on standard error by then.
 [[nodiscard]] std::optional<int> parse(int argc, char** argv, options& out);
 
 }  // namespace text_to_mesh

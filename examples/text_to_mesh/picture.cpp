@@ -100,8 +100,7 @@ private:
         if (parts.empty()) parts.push_back({"", 0, mesh_.indices.size()});
         triangles_.reserve(mesh_.indices.size() / 3);
         for (std::size_t part = 0; part < parts.size(); ++part) {
-            const bool side = std::string_view(parts[part].name) == "side";
-            colours_.push_back(to_linear(side ? options_.side_rgb : options_.face_rgb));
+            colours_.push_back(to_linear(colour_of(parts[part].name)));
             for (std::size_t i = 0; i + 2 < parts[part].index_count; i += 3)
                 prepare_triangle(static_cast<std::uint32_t>(parts[part].first_index + i),
                                  static_cast<std::uint32_t>(part));

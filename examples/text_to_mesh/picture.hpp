@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model.hpp"
+#include "part_colours.hpp"
 
 #include <optional>
 #include <vector>
@@ -37,8 +38,6 @@ struct picture_options {
     float line_px = 1.25F;       ///< width of the wireframe's lines; the overlay's are half as wide again
     float checks = 8.0F;         ///< squares to one unit of the texture coordinates
     float margin = 0.06F;        ///< free border, of the picture's longer side
-    unsigned char face_rgb[3] = {240, 104, 64};
-    unsigned char side_rgb[3] = {206, 70, 48};
 };
 
 /// What one unit measures on the model's picture at the place that is nearest to the eye, in pixels; 0 for an empty

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "options.hpp"
+#include "progress.hpp"
 
 #include <chrono>
 #include <variant>
@@ -72,13 +73,15 @@ struct chosen_extruder {
 [[nodiscard]] chosen_triangulator triangulator_of(const options& o);
 [[nodiscard]] chosen_extruder extruder_of(const options& o);
 
-/// Adds up how long each stage took.
+/// Adds up how long each stage took, and tells how many letters have been begun.
 struct stage_clock {
     using clock = std::chrono::steady_clock;
 
+    progress* tell = nullptr;
+    std::size_t letters = 0;
     std::int64_t nanoseconds[6] = {};
     typemesh::stage now = typemesh::stage::idle;
-    clock::time_point since;
+    clock::time_point since{};
 
     void operator()(typemesh::stage next) noexcept
     {
@@ -88,6 +91,7 @@ struct stage_clock {
                 std::chrono::duration_cast<std::chrono::nanoseconds>(t - since).count();
         now = next;
         since = t;
+        if (next == typemesh::stage::outline && tell != nullptr) tell->count(++letters);
     }
 };
 

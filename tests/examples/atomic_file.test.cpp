@@ -11,6 +11,7 @@
 #define HAS_LIMITS 1
 #endif
 
+using text_to_mesh::file_to_write;
 using text_to_mesh::write_atomically;
 
 namespace {
@@ -109,6 +110,24 @@ TEST_CASE("a write that fails halfway leaves the old file and no temporary", "[a
     CHECK(is_sentence(created, folder.file("new.bin")));
     CHECK((bytes_of(folder.file("old.bin")) == old));
     CHECK(folder.count() == 1);
+}
+
+TEST_CASE("of several files all are written or none", "[atomic_file]")
+{
+    scratch_folder folder;
+    const file_to_write both[] = {{folder.file("one"), some_bytes}, {folder.file("two"), some_bytes}};
+    REQUIRE(write_atomically(both).empty());
+    CHECK((bytes_of(folder.file("one")) == some_bytes));
+    CHECK((bytes_of(folder.file("two")) == some_bytes));
+
+    std::filesystem::create_directory(folder.file("taken"));
+    const file_to_write refused[][2] = {{{folder.file("new"), some_bytes}, {folder.file("taken"), some_bytes}},
+                                        {{folder.file("taken"), some_bytes}, {folder.file("new"), some_bytes}},
+                                        {{folder.file("one"), {}}, {folder.file("taken"), {}}},
+                                        {{"/dev/null", {}}, {folder.file("taken"), {}}}};
+    for (const auto& two : refused) CHECK(is_sentence(write_atomically(two), folder.file("taken")));
+    CHECK((bytes_of(folder.file("one")) == some_bytes));
+    CHECK(folder.count() == 3);
 }
 
 TEST_CASE("a full disk is reported, and a device is written to but never replaced", "[atomic_file]")

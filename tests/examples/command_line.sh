@@ -94,10 +94,122 @@ expect 0 "" "你好" --font /usr/share/fonts/truetype/wqy/wqy-microhei.ttc --fac
 expect 0 "" "Bold" --font /usr/share/fonts/truetype/inter-vf/Inter.var.ttf --variation wght=900 --output bold.glb
 expect 0 "" "Bold" --font /usr/share/fonts/truetype/inter-vf/Inter.var.ttf --variation wght=100 --output thin.glb
 that "weights differ" [ "$(cksum <bold.glb)" != "$(cksum <thin.glb)" ]
-expect 0 "" "" --font $sans --output empty.glb
-that "an empty text gives a valid file" test -s empty.glb
 expect 0 "" --help
 that "the help names every option" grep -q -- --triangulator out
+that "the help speaks no word of the library's own" sh -c '! grep -E "TEXT TEXT|REQUIRED|Excludes|TEXT:|OPTIONS\]" out'
+that "the help's lines fit" sh -c '! grep -E ".{121}" out'
+expect 0 "" --version
+that "the version is one line" grep -qE '^text_to_mesh [0-9]+\.[0-9]+\.[0-9]+$' out
+
+# Size and spacing: every coordinate twice as large, letters and lines farther apart.
+widest() { grep '^v ' "$1" | awk -v c="$2" 'NR == 1 || $c > m { m = $c } NR == 1 || $c < l { l = $c } END { print m - l }'; }
+larger() { awk -v a="$1" -v b="$2" -v by="$3" 'BEGIN { d = a - b - by; exit d * d > 1e-8 }'; }  # a is b and so much
+expect 0 "" "ab" --font $sans --output one.obj
+expect 0 "" "ab" --font $sans --output two.obj --size 2
+that "--size is how large an em is" larger "$(widest two.obj 2)" "$(widest one.obj 2)" "$(widest one.obj 2)"
+that "--size is for the depth too" larger "$(widest two.obj 4)" 0 0.4
+expect 0 "" "ab" --font $sans --output apart.obj --letter-spacing 0.25
+that "--letter-spacing stands between letters, in em" larger "$(widest apart.obj 2)" "$(widest one.obj 2)" 0.25
+expect 0 "" "a\\na" --font $sans --output lines.obj
+expect 0 "" "a\\na" --font $sans --output far.obj --line-spacing 2
+expect 0 "" "a\\na" --font $sans --output near.obj --line-spacing 1e-3
+once=$(awk -v a="$(widest lines.obj 3)" -v b="$(widest near.obj 3)" 'BEGIN { print (a - b) / 0.999 }')
+that "--line-spacing is times the font's own" larger "$(widest far.obj 3)" "$(widest lines.obj 3)" "$once"
+expect 0 "" "سلام" --font $arabic --output joined.obj
+expect 0 "" "سلام" --font $arabic --output joined-apart.obj --letter-spacing 0.25
+that "letters that are written joined stay joined" cmp -s <(grep '^v ' joined.obj) <(grep '^v ' joined-apart.obj)
+expect 0 "" "x" --font $sans --output sized.png.glb --picture sized.png --size 250
+expect 0 "" "x" --font $sans --picture unsized.png
+that "the picture does not depend on the size" cmp -s sized.png unsized.png
+
+# Endings count without regard to case; an OBJ comes with its materials, both or none.
+for kind in GLB Obj sTL PLY; do
+    expect 0 "" "x" --font $sans --output upper.$kind
+    that "a $kind is written" test -s upper.$kind
+done
+expect 0 "" "x" --font $sans --picture upper.PNG
+that "an OBJ names its materials" grep -qx "mtllib upper.mtl" upper.Obj
+for part in front back side; do
+    that "the OBJ uses $part" grep -qx "usemtl $part" upper.Obj
+    that "there is a material $part" grep -qx "newmtl $part" upper.mtl
+done
+mkdir taken && mkdir taken/x.obj taken/y.mtl
+expect 1 "x.obj cannot be written" x --font $sans --output taken/x.obj
+that "no materials without their OBJ" [ ! -e taken/x.mtl ]
+expect 1 "y.mtl cannot be written" x --font $sans --output taken/y.obj
+that "no OBJ without its materials" [ ! -e taken/y.obj ]
+
+# Instances: each different letter once, and the same places.
+expect 0 "" "banana bandana" --font $sans --output flat.glb
+expect 0 "" "banana bandana" --font $sans --output instances.glb --instances
+that "letters that come again are written once" [ "$(wc -c <instances.glb)" -lt "$(($(wc -c <flat.glb) / 2))" ]
+that "there is a node for each letter" [ "$(grep -ao '"translation"' instances.glb | wc -l)" = 13 ]
+expect 2 "--instances: is for" x --font $sans --output x.obj --instances
+expect 2 "excludes" x --font $sans --output x.glb --instances --merge
+
+# 3MF where lib3mf is there, else a sentence.
+if "$program" x --font $sans --output probe.3mf 2>err; then
+    expect 0 "" "Hello" --font $sans --output solid.3MF
+    that "a 3MF is an archive" [ "$(head -c 2 solid.3MF)" = PK ]
+    expect 0 "" "مرحبا" --font $arabic --output joined.3mf
+    if command -v unzip >/dev/null 2>&1; then
+        unzip -p joined.3mf 3D/3dmodel.model >joined.xml
+        # Every directed edge is met by its reverse, and no edge by more than two triangles.
+        # shellcheck disable=SC2016  # awk's own $
+        that "a 3MF holds closed solids" awk '
+            match($0, /<triangle v1="[0-9]+" v2="[0-9]+" v3="[0-9]+"/) {
+                split(substr($0, RSTART, RLENGTH), v, "\"")
+                ++met[v[2] " " v[4]]; ++met[v[4] " " v[6]]; ++met[v[6] " " v[2]]; ++triangles
+            }
+            END {
+                for (e in met) { split(e, ends, " "); if (met[e] != 1 || met[ends[2] " " ends[1]] != 1) bad = 1 }
+                exit bad || triangles < 100
+            }' joined.xml
+        that "an em is ten millimetres in a 3MF" grep -q 'unit="millimeter"' joined.xml
+        that "a 3MF's letters are larger than a millimetre" grep -q '<vertex x="[1-9][0-9]\.' joined.xml
+        that "a 3MF is painted by its parts" [ "$(grep -cE '<base name="[a-z]+" displaycolor="#[0-9A-F]{6}(FF)?" />' joined.xml)" = 3 ]
+    fi
+    expect 2 "--depth: must be more than 0" x --font $sans --output x.3mf --depth 0
+else
+    expect 1 "probe.3mf cannot be written: this program was built without lib3mf" x --font $sans --output probe.3mf
+    that "nothing is left without lib3mf" [ ! -e probe.3mf ]
+fi
+
+# Fonts by family where fontconfig is there, else a sentence; no other family stands in.
+if "$program" x --font "Liberation Sans" --output family.glb 2>err; then
+    expect 0 "" x --font $sans --output file.glb
+    that "a family's regular style is its file" cmp -s family.glb file.glb
+    expect 0 "" x --font "liberation sans:bold" --output bold.glb
+    that "a style is another file" differ bold.glb family.glb
+    expect 1 "^text_to_mesh: Nobodys Sans is neither a file nor an installed family" x --font "Nobodys Sans" --output x.glb
+else
+    that "why no family is found" grep -q "Liberation Sans is no file, and this program was built without fontconfig" err
+fi
+
+# What has no letters is no file.
+for text in "" " " "\\n\\n" "$(printf '\t')"; do
+    expect 1 "^text_to_mesh: the text is blank: nothing is written.$" "$text" --font $sans --output blank.glb --picture blank.png
+done
+expect 1 "nothing of the text can be drawn: nothing is written" "日本" --font $sans --output blank.glb
+that "what is missing comes first" grep -q "no glyph for 2 of 2 characters" err
+that "a blank text leaves no file" [ ! -e blank.glb ]
+expect 0 "" " " --font $sans --stats
+
+# Warnings: features that the font has not, numbers too coarse for the place.
+expect 0 "the font has no feature zzzz" x --font $sans --feature zzzz --output feature.glb
+expect 0 "" x --font $sans --feature zzzz=0 --feature kern --stats
+long=$(printf 'Hamburgefonstiv %.0s' $(seq 400))
+inter=/usr/share/fonts/truetype/inter-vf/Inter.var.ttf
+expect 0 "[0-9]+ triangles of each face are turned over or flat" "$long" --font $inter --output long.ply
+expect 0 "" "$long" --font $inter --output long.glb --instances
+that "warnings stand in one line each" lines 0
+
+# On a terminal each step is shown in one line that is gone at the end; nothing of it is seen elsewhere.
+if command -v script >/dev/null 2>&1 && script -qec true /dev/null >/dev/null 2>&1; then
+    script -qec "'$program' Hello --font $sans --output seen.glb" /dev/null >terminal </dev/null
+    that "a terminal is told what goes on" grep -q "writing seen.glb" terminal
+    that "the line is gone at the end" [ "$(tail -c 3 terminal | od -An -c | tr -d ' \n')" = '033[K' ]
+fi
 
 # Losses are named, and are errors only with --strict.
 expect 0 "no glyph for 2 of 3 characters.*byte 1" "a日本" --font $sans --output some.glb
@@ -124,7 +236,7 @@ that "nothing was half-written" [ ! -e x.glb ]
 expect 2 "TEXT" --font $sans --output x.glb
 expect 2 "--font" x --output x.glb
 expect 2 "nothing to do" x --font $sans
-expect 2 "must end in" x --font $sans --output x.fbx
+expect 2 "must end in .*3mf, not x.fbx" x --font $sans --output x.fbx
 expect 2 "^text_to_mesh: --quality: must be low, normal, high or best, not superb$" x --font $sans --output x.glb --quality superb
 that "what to do comes after what is wrong" lines 2
 expect 2 "align: must be left, center or right, not middle" x --font $sans --output x.glb --align middle
@@ -145,6 +257,17 @@ expect 2 "tolerance: must be a positive number, not -1" x --font $sans --output 
 expect 2 "tolerance: must be a positive number, not abc" x --font $sans --output x.glb --tolerance abc
 expect 2 "depth: must be a number from 0 to 1000, not nan" x --font $sans --output x.glb --depth nan
 expect 2 "face: must be a whole number, not -1" x --font $sans --output x.glb --face -1
+expect 2 "depth: must be a number from 0 to 1000, not 0x10" x --font $sans --output x.glb --depth 0x10
+expect 2 "depth: must be a number from 0 to 1000, not \+1" x --font $sans --output x.glb --depth +1
+expect 2 "depth: must be a number from 0 to 1000, not 1 $" x --font $sans --output x.glb --depth "1 "
+expect 2 "depth: must be a number from 0 to 1000, not 1e999" x --font $sans --output x.glb --depth 1e999
+expect 2 "tolerance: must be a positive number, not inf" x --font $sans --output x.glb --tolerance inf
+expect 2 "size: must be a positive number up to 1000000, not 0" x --font $sans --output x.glb --size 0
+expect 2 "letter-spacing: must be a number from -1000 to 1000, not wide" x --font $sans --output x.glb --letter-spacing wide
+expect 2 "line-spacing: must be a number from -1000 to 1000, not nan" x --font $sans --output x.glb --line-spacing nan
+expect 2 "face: must be a whole number, not 0x0" x --font $sans --output x.glb --face 0x0
+expect 2 "variation: must be .*, not wght=0x10" x --font $sans --output x.glb --variation wght=0x10
+expect 2 "feature: must be .*, not liga= 1" x --font $sans --output x.glb --feature "liga= 1"
 expect 2 "crease: must be a number from 0 to 180, not 200" x --font $sans --output x.glb --crease 200
 
 echo "$passed passed, $failed failed"

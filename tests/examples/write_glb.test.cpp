@@ -103,3 +103,45 @@ TEST_CASE("a model without parts is one primitive, and a part without triangles 
     REQUIRE(write_glb(ring, folder.file("front.glb")) == "");
     CHECK(reread(folder.file("front.glb")).meshes[0].primitives.size() == 1);
 }
+
+TEST_CASE("the letters of an instanced model are meshes, and their places nodes under one", "[write_glb]")
+{
+    scratch_folder folder;
+    model two = extruded_ring(4), more = extruded_ring(6);
+    const std::size_t first = two.vertices.size(), first_index = two.indices.size();
+    for (const std::uint32_t i : more.indices) two.indices.push_back(i + static_cast<std::uint32_t>(first));
+    two.vertices.insert(two.vertices.end(), more.vertices.begin(), more.vertices.end());
+    for (const model::part& p : more.parts) two.parts.push_back({p.name, p.first_index + first_index, p.index_count});
+    two.letters = {{"O", 0, first, 0, 3}, {"Q", first, more.vertices.size(), 3, 3}};
+    two.places = {{1, {0.5F, 0.0F, 0.0F}}, {0, {1.5F, 2.0F, 0.0F}}, {1, {2.5F, 0.0F, -1.0F}}};
+    REQUIRE(write_glb(two, folder.file("two.glb")) == "");
+
+    const tinygltf::Model file = reread(folder.file("two.glb"));
+    REQUIRE(file.meshes.size() == 2);
+    CHECK(file.meshes[0].name == "O");
+    CHECK(file.meshes[1].name == "Q");
+    CHECK(file.materials.size() == 3);  // shared
+    REQUIRE(file.scenes[0].nodes.size() == 1);
+    const std::vector<int>& nodes = file.nodes[static_cast<std::size_t>(file.scenes[0].nodes[0])].children;
+    REQUIRE(nodes.size() == 3);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const tinygltf::Node& node = file.nodes[static_cast<std::size_t>(nodes[i])];
+        CHECK(node.mesh == static_cast<int>(two.places[i].letter));
+        CHECK(node.translation == std::vector<double>(two.places[i].at, two.places[i].at + 3));
+    }
+    for (std::size_t m = 0; m < 2; ++m) {  // each letter's indices count from its own first vertex
+        const tinygltf::Primitive& p = file.meshes[m].primitives[2];
+        const tinygltf::Accessor& position = file.accessors[static_cast<std::size_t>(p.attributes.at("POSITION"))];
+        CHECK(position.count == two.letters[m].vertex_count);
+        CHECK(position.byteOffset == two.letters[m].first_vertex * sizeof(model_vertex));
+        const tinygltf::Accessor& index = file.accessors[static_cast<std::size_t>(p.indices)];
+        const unsigned char* at = file.buffers[0].data.data() +
+                                  file.bufferViews[static_cast<std::size_t>(index.bufferView)].byteOffset +
+                                  index.byteOffset;
+        const model& own = m == 0 ? extruded_ring(4) : more;
+        bool same = index.count == own.parts[2].index_count;
+        for (std::size_t i = 0; i < index.count && same; ++i)
+            same = (at[2 * i] | std::uint32_t{at[2 * i + 1]} << 8) == own.indices[own.parts[2].first_index + i];
+        CHECK(same);
+    }
+}

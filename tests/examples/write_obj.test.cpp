@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 
+#include "text_to_mesh/part_colours.hpp"
 #include "text_to_mesh/write_obj.hpp"
 
 #include "extruded_ring.hpp"
@@ -22,16 +23,16 @@ TEST_CASE("an OBJ read again holds the same floats, triangles and groups", "[wri
     std::istringstream in(text_of(folder.file("ring.obj")));
     std::vector<std::vector<float>> v, vt, vn;
     std::vector<std::uint32_t> indices;
-    std::vector<std::string> groups;
+    std::vector<std::string> groups, libraries, materials;
     for (std::string line; std::getline(in, line);) {
         std::istringstream words(line);
         std::string key, word;
         words >> key;
         std::vector<float> numbers;
         if (key == "#" || key == "o") continue;
-        if (key == "g") {
+        if (key == "g" || key == "mtllib" || key == "usemtl") {
             words >> word;
-            groups.push_back(word);
+            (key == "g" ? groups : key == "mtllib" ? libraries : materials).push_back(word);
         } else if (key == "f") {
             while (words >> word) {
                 const unsigned long number = std::strtoul(word.c_str(), nullptr, 10);
@@ -47,6 +48,8 @@ TEST_CASE("an OBJ read again holds the same floats, triangles and groups", "[wri
         }
     }
     CHECK(groups == std::vector<std::string>{"front", "back", "side"});
+    CHECK(materials == groups);
+    CHECK(libraries == std::vector<std::string>{"ring.mtl"});
     CHECK(indices == ring.indices);
     REQUIRE(v.size() == ring.vertices.size());
     REQUIRE(vt.size() == ring.vertices.size());
@@ -65,4 +68,24 @@ TEST_CASE("an empty model gives an OBJ without vertices and faces", "[write_obj]
     scratch_folder folder;
     REQUIRE(write_obj({}, folder.file("empty.obj")) == "");
     CHECK(text_of(folder.file("empty.obj")) == "# written by typemesh\no text\n");
+}
+
+TEST_CASE("an OBJ's materials are named after its parts and have the colours of pictures", "[write_obj]")
+{
+    scratch_folder folder;
+    REQUIRE(write_obj(extruded_ring(), folder.file("Ring.of.OBJ")) == "");
+    std::istringstream in(text_of(folder.file("Ring.of.mtl")));
+    std::vector<std::string> names;
+    std::vector<int> reds;
+    for (std::string line; std::getline(in, line);) {
+        std::istringstream words(line);
+        std::string key, name;
+        words >> key;
+        float red = 0.0F;
+        if (key == "newmtl" && words >> name) names.push_back(name);
+        if (key == "Kd" && words >> red) reds.push_back(static_cast<int>(red * 255.0F + 0.5F));
+    }
+    CHECK(names == std::vector<std::string>{"front", "back", "side"});
+    CHECK(reds == std::vector<int>{face_rgb[0], face_rgb[0], side_rgb[0]});
+    CHECK(folder.count() == 2);
 }

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
-# Khronos' glTF validator finds no error and no warning in the GLB of any text, the empty one included, nor in what the
-# recipe examples/engines/gltf.hpp writes.
+# Khronos' glTF validator finds no error and no warning in the GLB of any text, its letters instanced or not, nor
+# in what the recipe examples/engines/gltf.hpp writes.
 . "$(dirname "${BASH_SOURCE[0]}")/common.bash"
 command -v node >/dev/null 2>&1 || { echo "node is not installed"; exit 77; }
 node -e 'require("gltf-validator")' 2>/dev/null || { echo "the npm package gltf-validator is not installed"; exit 77; }
@@ -9,10 +9,14 @@ node -e 'require("gltf-validator")' 2>/dev/null || { echo "the npm package gltf-
 count=0
 write() {  # write FONT TEXT
     count=$((count + 1))
-    "$TYPEMESH_TEXT_TO_MESH" --font "$1" --output "$scratch/$count.glb" -- "$2" 2>"$scratch/losses" || fail "text_to_mesh failed: $1: $2: $(cat "$scratch/losses")"
+    local option
+    for option in "" --instances; do
+        # shellcheck disable=SC2086  # a word or none
+        "$TYPEMESH_TEXT_TO_MESH" --font "$1" --output "$scratch/$count$option.glb" $option -- "$2" 2>"$scratch/losses" ||
+            fail "text_to_mesh failed: $1: $2: $(cat "$scratch/losses")"
+    done
 }
 for_every_text write
-write /usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf " "
 recipes=$TYPEMESH_TEST_DATA/../build/gcc/tests/typemesh_test_engines
 if [ -x "$recipes" ]; then
     TYPEMESH_KEEP_GLB=$scratch "$recipes" "a quantised glTF file*" >"$scratch/recipes" || fail "$(cat "$scratch/recipes")"

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace text_to_mesh {
+
+/// What a file is to hold, by the end of its name.
+enum class file_kind { unknown, glb, obj, stl, ply, three_mf, png };
+
+/// "x.GLB" is a GLB: case does not count. A name that is nothing but an ending has none.
+[[nodiscard]] inline file_kind kind_of(std::string_view path)
+{
+    std::string end{path.size() > 4 ? path.substr(path.size() - 4) : ""};
+    for (char& c : end)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    constexpr std::pair<std::string_view, file_kind> known[] = {
+        {".glb", file_kind::glb}, {".obj", file_kind::obj}, {".stl", file_kind::stl},
+        {".ply", file_kind::ply}, {".3mf", file_kind::three_mf}, {".png", file_kind::png}};
+    for (const auto& [name, kind] : known)
+        if (end == name) return kind;
+    return file_kind::unknown;
+}
+
+/// True where a mesh is a solid to the programs that read it: letters that run into each other are one.
+[[nodiscard]] constexpr bool holds_solids(file_kind kind)
+{
+    return kind == file_kind::stl || kind == file_kind::three_mf;
+}
+
+}  // namespace text_to_mesh

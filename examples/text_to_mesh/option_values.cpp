@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "option_values.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace text_to_mesh {
+namespace {
+
+template <std::size_t N>
+bool copy_tag(std::string_view tag, char (&out)[N])
+{
+    if (tag.size() != 4) return false;
+    std::copy(tag.begin(), tag.end(), out);
+    return true;
+}
+
+}  // namespace
+
+std::optional<double> decimal(std::string_view written)
+{
+    double value = 0.0;
+    const char* const end = written.data() + written.size();
+    const auto read = std::from_chars(written.data(), end, value);
+    if (read.ec != std::errc{} || read.ptr != end || !std::isfinite(value)) return {};
+    return value;
+}
+
+std::optional<typemesh::variation> read_variation(std::string_view written)
+{
+    const auto equals = written.find('=');
+    typemesh::variation v;
+    if (equals == std::string_view::npos || !copy_tag(written.substr(0, equals), v.tag)) return {};
+    const auto value = decimal(written.substr(equals + 1));
+    if (!value) return {};
+    v.value = static_cast<float>(*value);
+    if (!std::isfinite(v.value)) return {};
+    return v;
+}
+
+std::optional<typemesh::feature> read_feature(std::string_view written)
+{
+    typemesh::feature f;
+    if (!written.empty() && (written[0] == '-' || written[0] == '+')) {
+        f.value = written[0] == '+';
+        written.remove_prefix(1);
+    } else if (const auto equals = written.find('='); equals != std::string_view::npos) {
+        const auto value = decimal(written.substr(equals + 1));
+        if (!value || *value < 0.0 || *value > 65535.0 || *value != std::floor(*value)) return {};
+        f.value = static_cast<std::uint32_t>(*value);
+        written = written.substr(0, equals);
+    }
+    if (!copy_tag(written, f.tag)) return {};
+    return f;
+}
+
+std::string with_line_breaks(std::string text)
+{
+    for (std::size_t i = 0; (i = text.find("\\n", i)) != std::string::npos; ++i) text.replace(i, 2, "\n");
+    return text;
+}
+
+std::string joined(const std::vector<std::string>& names)
+{
+    std::string all;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        all += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + names[i];
+    return all;
+}
+
+}  // namespace text_to_mesh

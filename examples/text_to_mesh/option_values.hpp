@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/typemesh.hpp>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace text_to_mesh {
+
+/// A finite number as people write it, "-0.5" or "1e-3", and nothing round it: no blank, no plus, no 0x10, no inf.
+[[nodiscard]] std::optional<double> decimal(std::string_view written);
+
+/// "wght=700" and "liga", "liga=0", "-liga", "+liga". Nothing where it is not of that form.
+[[nodiscard]] std::optional<typemesh::variation> read_variation(std::string_view written);
+[[nodiscard]] std::optional<typemesh::feature> read_feature(std::string_view written);
+
+/// A backslash and an n, as a shell passes them on, become a line break.
+[[nodiscard]] std::string with_line_breaks(std::string text);
+
+/// "left, center or right"
+[[nodiscard]] std::string joined(const std::vector<std::string>& names);
+
+}  // namespace text_to_mesh

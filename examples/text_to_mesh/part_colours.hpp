@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+
+namespace text_to_mesh {
+
+/// The usual colours of the faces and of the sides, in sRGB: of pictures and of the materials of files.
+inline constexpr unsigned char face_rgb[3] = {240, 104, 64}, side_rgb[3] = {206, 70, 48};
+
+/// The colour of a part by its name: "front", "back", "side".
+[[nodiscard]] constexpr const unsigned char (&colour_of(std::string_view part))[3]
+{
+    return part == "side" ? side_rgb : face_rgb;
+}
+
+}  // namespace text_to_mesh

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/adapt/harfbuzz.hpp>
+#include <typemesh/typemesh.hpp>
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace text_to_mesh {
+
+/// The error's sentence; places in the text are bytes, for the text is UTF-8.
+[[nodiscard]] std::string in_words(const typemesh::error& e);
+
+// What a user should know of a text that is drawn nevertheless, a line each on standard error.
+
+/// What is not in the mesh; true when something is not.
+bool name_losses(const typemesh::text_report& report);
+
+/// Features that are to be on and that the font has not: neither among its substitutions nor its positions.
+void name_missing_features(const typemesh::harfbuzz_font& font, std::span<const typemesh::feature> wanted);
+
+/// Triangles that 32-bit positions turn over or flatten: typemesh::flipped_triangles.
+void name_flipped_triangles(std::uint64_t flipped);
+
+}  // namespace text_to_mesh

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace text_to_mesh {
+
+/// The name with U+FFFD for every byte that is not well-formed UTF-8: JSON and XML hold Unicode only.
+[[nodiscard]] std::string well_formed(std::string_view name);
+
+}  // namespace text_to_mesh

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "write_3mf.hpp"
+
+#ifdef TEXT_TO_MESH_LIB3MF
+
+#include "atomic_file.hpp"
+#include "byte_writer.hpp"
+#include "part_colours.hpp"
+#include "well_formed.hpp"
+
+#include <Model/COM/NMR_DLLInterfaces.h>
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+namespace text_to_mesh {
+namespace {
+
+/// One of lib3mf's objects, let go at the end.
+template <class T>
+struct held {
+    T* object = nullptr;
+
+    held() = default;
+    held(const held&) = delete;
+    held& operator=(const held&) = delete;
+    ~held()
+    {
+        if (object != nullptr) NMR::lib3mf_release(object);
+    }
+};
+
+/// The file in memory. lib3mf goes back to write the sizes of what it has packed.
+struct memory_file {
+    std::vector<unsigned char> bytes;
+    std::size_t at = 0;
+
+    /// Both give 0, as lib3mf wants.
+    static DWORD write(BYTE* data, DWORD count, void* file)
+    {
+        auto& to = *static_cast<memory_file*>(file);
+        to.bytes.resize((std::max)(to.bytes.size(), to.at + count));
+        if (count != 0) std::memcpy(to.bytes.data() + to.at, data, count);
+        to.at += count;
+        return 0;
+    }
+    static DWORD seek(ULONG64 place, void* file)
+    {
+        static_cast<memory_file*>(file)->at = static_cast<std::size_t>(place);
+        return 0;
+    }
+};
+
+/// The materials, one a part, and which of them each triangle has. An object whose triangles have some has a default too.
+bool paint(NMR::PLib3MFModel* file, NMR::PLib3MFModelMeshObject* object, const model& mesh)
+{
+    held<NMR::PLib3MFModelBaseMaterial> materials;
+    held<NMR::PLib3MFPropertyHandler> properties;
+    DWORD group = 0;
+    if (NMR::lib3mf_model_addbasematerialgroup(file, &materials.object) != LIB3MF_OK ||
+        NMR::lib3mf_basematerial_getresourceid(materials.object, &group) != LIB3MF_OK ||
+        NMR::lib3mf_meshobject_createpropertyhandler(object, &properties.object) != LIB3MF_OK)
+        return false;
+    std::vector<DWORD> groups(mesh.indices.size() / 3, group), numbers(groups.size());
+    for (const model::part& part : mesh.parts) {
+        const auto& rgb = colour_of(part.name);
+        DWORD number = 0;
+        if (NMR::lib3mf_basematerial_addmaterialutf8(materials.object, part.name, rgb[0], rgb[1], rgb[2], &number) !=
+                LIB3MF_OK ||
+            NMR::lib3mf_basematerial_setdisplaycolorrgba(materials.object, number, rgb[0], rgb[1], rgb[2], 255) !=
+                LIB3MF_OK)
+            return false;
+        std::fill_n(numbers.begin() + static_cast<std::ptrdiff_t>(part.first_index / 3), part.index_count / 3, number);
+    }
+    held<NMR::PLib3MFDefaultPropertyHandler> usual;
+    return NMR::lib3mf_propertyhandler_setbasematerialarray(properties.object, groups.data(), numbers.data()) ==
+               LIB3MF_OK &&
+           NMR::lib3mf_object_createdefaultpropertyhandler(object, &usual.object) == LIB3MF_OK &&
+           NMR::lib3mf_defaultpropertyhandler_setbasematerial(usual.object, group, 0) == LIB3MF_OK;
+}
+
+bool make(const model& mesh, memory_file& out)
+{
+    static_assert(sizeof(NMR::MODELMESHVERTEX) == 12 && sizeof(NMR::MODELMESHTRIANGLE) == 12);
+    std::vector<NMR::MODELMESHVERTEX> vertices(mesh.vertices.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        std::memcpy(&vertices[i], mesh.vertices[i].position, sizeof vertices[i]);
+    std::vector<NMR::MODELMESHTRIANGLE> triangles(mesh.indices.size() / 3);
+    if (!triangles.empty()) std::memcpy(triangles.data(), mesh.indices.data(), triangles.size() * sizeof triangles[0]);
+
+    held<NMR::PLib3MFModel> file;
+    held<NMR::PLib3MFModelMeshObject> object;
+    held<NMR::PLib3MFModelBuildItem> item;
+    held<NMR::PLib3MFModelWriter> writer;
+    const std::string name = mesh.name.empty() ? "text" : well_formed(one_line(mesh.name));
+    if (NMR::lib3mf_createmodel(&file.object) != LIB3MF_OK) return false;
+    if (NMR::lib3mf_model_setunit(file.object, NMR::MODELUNIT_MILLIMETER) != LIB3MF_OK) return false;
+    if (NMR::lib3mf_model_addmeshobject(file.object, &object.object) != LIB3MF_OK) return false;
+    if (NMR::lib3mf_object_setnameutf8(object.object, name.c_str()) != LIB3MF_OK) return false;
+    if (NMR::lib3mf_meshobject_setgeometry(object.object, vertices.data(), static_cast<DWORD>(vertices.size()),
+                                           triangles.data(), static_cast<DWORD>(triangles.size())) != LIB3MF_OK)
+        return false;
+    if (!mesh.parts.empty() && !paint(file.object, object.object, mesh)) return false;
+    if (NMR::lib3mf_model_addbuilditem(file.object, object.object, nullptr, &item.object) != LIB3MF_OK) return false;
+    if (NMR::lib3mf_model_querywriter(file.object, "3mf", &writer.object) != LIB3MF_OK) return false;
+    return NMR::lib3mf_writer_writetocallback(writer.object, reinterpret_cast<void*>(&memory_file::write),
+                                              reinterpret_cast<void*>(&memory_file::seek), &out) == LIB3MF_OK;
+}
+
+}  // namespace
+
+std::string write_3mf(const model& mesh, const std::string& path)
+{
+    memory_file file;
+    if (!make(mesh, file)) return path + " cannot be written: lib3mf refused the mesh.";
+    return write_atomically(path, file.bytes);
+}
+
+}  // namespace text_to_mesh
+
+#else
+
+namespace text_to_mesh {
+
+std::string write_3mf(const model&, const std::string& path)
+{
+    return path + " cannot be written: this program was built without lib3mf (Debian: lib3mf-dev).";
+}
+
+}  // namespace text_to_mesh
+
+#endif
