@@ -268,7 +268,7 @@ need_build_folder() {  # need_build_folder PRESET
 }
 
 # Configures a preset and builds the targets named (all of them by default), going on after an error as far as possible.
-# The compiler's words go to build/PRESET.log and, after an error, to the screen.
+# The compiler's words go to build/PRESET.log and, after an error, to the screen. TYPEMESH_CMAKE_OPTIONS: more for CMake.
 build_preset() {  # build_preset PRESET [TARGET...]
     local preset=$1 folder=$typemesh_root/build/$1 log=$typemesh_root/build/$1.log go_on=-k status=0
     shift
@@ -276,7 +276,8 @@ build_preset() {  # build_preset PRESET [TARGET...]
         export CMAKE_GENERATOR=Ninja  # a folder configured before keeps its own
     fi
     need_build_folder "$preset"
-    if ! (cd "$typemesh_root" && cmake --preset "$preset") >"$log" 2>&1; then
+    # shellcheck disable=SC2086  # a list of words
+    if ! (cd "$typemesh_root" && cmake --preset "$preset" ${TYPEMESH_CMAKE_OPTIONS:-}) >"$log" 2>&1; then
         tail -n 40 "$log" >&2
         return 1
     fi
