@@ -152,7 +152,8 @@ void add_mesh_options(CLI::App& app, options& out, raw_values& raw)
         "a positive number", [](double n) { return n > 0.0; }, [&out](double n) { out.tolerance = n; })
         ->type_name("EM")
         ->excludes(named);
-    add_named<discretiser_name>(app, "--discretiser", out.discretiser, "how curves become lines (default certified)",
+    add_named<discretiser_name>(app, "--discretiser", out.discretiser,
+                                "how curves become lines (default certified); adaptive: the thesis' four, by --quality",
                                 {{"certified", discretiser_name::certified},
                                  {"two_lines", discretiser_name::two_lines},
                                  {"adaptive", discretiser_name::adaptive}});
@@ -160,7 +161,8 @@ void add_mesh_options(CLI::App& app, options& out, raw_values& raw)
         app, "--triangulator", out.triangulator, "how faces become triangles (default monotone)",
         {{"monotone", triangulator_name::monotone}, {"delaunay", triangulator_name::delaunay}});
     add_named<normals_name>(app, "--normals", out.normals, "of the sides (default curve)",
-                            {{"shared", normals_name::shared},
+                            {{"cap", normals_name::cap},
+                             {"shared", normals_name::shared},
                              {"averaged", normals_name::averaged},
                              {"creased", normals_name::creased},
                              {"curve", normals_name::curve}});

@@ -14,7 +14,7 @@ namespace text_to_mesh {
 
 enum class discretiser_name { certified, two_lines, adaptive };
 enum class triangulator_name { monotone, delaunay };
-enum class normals_name { shared, averaged, creased, curve };
+enum class normals_name { cap, shared, averaged, creased, curve };
 enum class preset { low, normal, high, best };
 
 /// What the command line asks for.

@@ -5,13 +5,10 @@ namespace text_to_mesh {
 
 chosen_discretiser discretiser_of(const options& o, double units_per_em)
 {
-    using typemesh::adaptive_subdivision;
+    using typemesh::thesis_quality;
     if (o.discretiser == discretiser_name::two_lines) return {typemesh::two_lines{}};
-    if (o.discretiser == discretiser_name::adaptive) {
-        if (o.quality == preset::best) return {adaptive_subdivision::best(units_per_em)};
-        return {o.quality == preset::high ? adaptive_subdivision::high(units_per_em)
-                                          : adaptive_subdivision::normal(units_per_em)};
-    }
+    if (o.discretiser == discretiser_name::adaptive)
+        return {thesis_quality{static_cast<thesis_quality::preset>(o.quality), units_per_em}};
     return {typemesh::certified{}};
 }
 
@@ -29,6 +26,7 @@ chosen_extruder extruder_of(const options& o)
         return {extruded<decltype(normals)>{.depth = o.depth, .texture = o.uv, .normals = normals}};
     };
     switch (o.normals) {
+    case normals_name::cap: return with(cap_normals{});
     case normals_name::shared: return with(shared_normals{});
     case normals_name::averaged: return with(averaged_normals{});
     case normals_name::creased:

@@ -22,6 +22,7 @@
 #include <typemesh/discretise/certified.hpp>
 #include <typemesh/discretise/discretise.hpp>
 #include <typemesh/discretise/quality.hpp>
+#include <typemesh/discretise/thesis_quality.hpp>
 #include <typemesh/discretise/two_lines.hpp>
 
 #include <typemesh/fill/fill.hpp>
@@ -35,6 +36,7 @@
 #include <typemesh/vertex/stream_sink.hpp>
 
 #include <typemesh/extrude/averaged_normals.hpp>
+#include <typemesh/extrude/cap_normals.hpp>
 #include <typemesh/extrude/creased_normals.hpp>
 #include <typemesh/extrude/curve_normals.hpp>
 #include <typemesh/extrude/extrude.hpp>

@@ -96,9 +96,10 @@ error every_policy(Font& font)
     glyph_cache<> cache;
     if (error e = everything(text_mesher{font})) return e;
     if (error e = everything(text_mesher{font}.with(constrained_delaunay{}).with(two_lines{}))) return e;
-    if (error e = everything(text_mesher{font}.with(adaptive_subdivision::high(font.units_per_em())).with(flat{})))
+    if (error e = everything(text_mesher{font}.with(thesis_quality{thesis_quality::high, font.units_per_em()}).with(flat{})))
         return e;
     if (error e = everything(text_mesher{font}.with(extruded<shared_normals>{}))) return e;
+    if (error e = everything(text_mesher{font}.with(extruded<cap_normals>{}))) return e;
     if (error e = everything(text_mesher{font}.with(extruded<averaged_normals>{}))) return e;
     if (error e = everything(text_mesher{font}.with(extruded<creased_normals>{}))) return e;
     if (error e = everything(text_mesher{font}.with(cached_in{cache, 1}))) return e;

@@ -5,6 +5,8 @@
 
 #include "discretise/curves.hpp"
 
+#include <type_traits>
+
 using namespace typemesh;
 using namespace test;
 
@@ -22,10 +24,13 @@ const curve wave = curve::from(cubic{{0, 0}, {2, 4}, {4, -16}, {6, 36}});
 
 }  // namespace
 
+// What suits one em does not suit another, so nothing stands in for a distance that was not said.
+static_assert(!std::is_default_constructible_v<adaptive_subdivision>);
+
 TEST_CASE("adaptive_subdivision halves even a straight curve once", "[adaptive_subdivision]")
 {
     const adaptive_subdivision how =
-        GENERATE(adaptive_subdivision{}, adaptive_subdivision{0, 1e9, 4.0}, adaptive_subdivision{15, 1e9, 4.0});
+        GENERATE(adaptive_subdivision{.distance = 0.5}, adaptive_subdivision{0, 1e9, 4.0}, adaptive_subdivision{15, 1e9, 4.0});
     CHECK(ts_of(how, curve::from(cubic{{0, 0}, {1, 0}, {2, 0}, {3, 0}})) == list{0.5, 1.0});
     CHECK(ts_of(how, curve::from(quadratic{{0, 0}, {1, 0}, {3, 0}})) == list{0.5, 1.0});
     CHECK(ts_of(how, curve::from(quadratic{{1, 1}, {1, 1}, {1, 1}})) == list{0.5, 1.0});

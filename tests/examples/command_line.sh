@@ -51,11 +51,17 @@ for key in glyphs refused missing contour_points hard_edges vertices triangles s
     that "the statistics hold $key" grep -qE "\"$key\":[0-9.]+[,}]" out
 done
 for option in "--quality low" "--quality best" "--tolerance 0.01" "--discretiser two_lines" "--discretiser adaptive" \
-    "--triangulator monotone" "--triangulator delaunay" "--normals shared" "--normals averaged" "--normals creased --crease 40" "--normals curve" "--depth 0" \
+    "--triangulator monotone" "--triangulator delaunay" "--normals cap" "--normals shared" "--normals averaged" "--normals creased --crease 40" "--normals curve" "--depth 0" \
     "--depth 1.5" "--fill evenodd" "--fill nonzero" "--uv em" "--uv box" "--strict" "--direction ttb" "--align right"; do
     # shellcheck disable=SC2086  # words
     expect 0 "" "Ego" --font $sans $option --output option.glb
 done
+for quality in low normal high best; do
+    expect 0 "" "Ego" --font $sans --discretiser adaptive --quality $quality --output adaptive_$quality.glb
+done
+expect 0 "" "Ego" --font $sans --discretiser two_lines --output two_lines.glb
+that "the thesis' low is two lines a curve" cmp -s adaptive_low.glb two_lines.glb
+that "its normal is not its low" differ adaptive_normal.glb adaptive_low.glb
 expect 0 "" "مرحبا" --font $arabic --direction rtl --output arabic.glb
 expect 0 "" "مرحبا" --font $arabic --merge --output merged.glb
 that "merged letters have fewer vertices" [ "$(wc -c <merged.glb)" -lt "$(wc -c <arabic.glb)" ]

@@ -448,7 +448,7 @@ TEST_CASE("what keeps no tolerance is not asked twice, and triangulators that pr
     const outline o = outline_of({circle({0, 0}, 400), circle({0, 0}, 399, 5, 0.3)});
     capped lines, halves, proving, plain;
     build(lines, o, tolerance, fill_rule::even_odd, two_lines{});
-    build(halves, o, tolerance, fill_rule::even_odd, adaptive_subdivision{});
+    build(halves, o, tolerance, fill_rule::even_odd, adaptive_subdivision{.distance = 0.5});
     CHECK(lines.effort.rounds == 0);
     CHECK(halves.effort.rounds == 0);
     build(proving, o, tolerance, fill_rule::even_odd);

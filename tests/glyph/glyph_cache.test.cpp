@@ -254,10 +254,13 @@ TEST_CASE("settings and policies that shape glyphs differently never share them"
     CHECK(drawn_by(plain(), {.fill = fill_rule::even_odd}) == 2);
     CHECK(drawn_by(plain(), {.fill = fill_rule::non_zero}) == 2);  // not known to be the font's own
     CHECK(drawn_by(plain().with(two_lines{})) == 2);
-    CHECK(drawn_by(plain().with(adaptive_subdivision{})) == 2);
-    CHECK(drawn_by(plain().with(adaptive_subdivision{.levels = 2})) == 2);
+    CHECK(drawn_by(plain().with(adaptive_subdivision{.distance = 0.5})) == 2);
+    for (const auto preset : {thesis_quality::low, thesis_quality::normal, thesis_quality::high, thesis_quality::best})
+        CHECK(drawn_by(plain().with(thesis_quality{preset, 1000.0})) == 2);
+    CHECK(drawn_by(plain().with(thesis_quality{thesis_quality::high, 2048.0})) == 2);
+    CHECK(drawn_by(plain().with(adaptive_subdivision{.levels = 2, .distance = 0.5})) == 2);
     CHECK(drawn_by(plain().with(adaptive_subdivision{.distance = 30.0})) == 2);
-    CHECK(drawn_by(plain().with(adaptive_subdivision{.angle = 0.5})) == 2);
+    CHECK(drawn_by(plain().with(adaptive_subdivision{.distance = 0.5, .angle = 0.5})) == 2);
     CHECK(drawn_by(plain().with(constrained_delaunay{})) == 2);
     CHECK(drawn_by(plain().with(flat{})) == 2);
     CHECK(drawn_by(plain().with(extruded<shared_normals>{})) == 2);

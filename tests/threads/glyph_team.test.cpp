@@ -109,7 +109,7 @@ struct shared_memory {
 
 TEMPLATE_TEST_CASE("HarfBuzz: any number of workers makes the same mesh", "[threads][harfbuzz]", flat,
                    extruded<curve_normals>, extruded<creased_normals>, extruded<averaged_normals>,
-                   extruded<shared_normals>)
+                   extruded<shared_normals>, extruded<cap_normals>)
 {
     auto font = open("truetype/dejavu/DejaVuSans.ttf");
     auto mesher = text_mesher{font}.with(TestType{});
@@ -117,8 +117,13 @@ TEMPLATE_TEST_CASE("HarfBuzz: any number of workers makes the same mesh", "[thre
                 [&](std::size_t) noexcept { return harfbuzz_font::wrap(font.handle()); });
 }
 
+/// One that can be made without arguments.
+struct best_of_thesis : thesis_quality {
+    best_of_thesis() noexcept : thesis_quality{best, 1000.0} {}
+};
+
 TEMPLATE_TEST_CASE("HarfBuzz: so it is with every triangulator and discretiser", "[threads][harfbuzz]", monotone,
-                   constrained_delaunay, certified, two_lines, adaptive_subdivision)
+                   constrained_delaunay, certified, two_lines, best_of_thesis)
 {
     auto font = open("opentype/comic-neue/ComicNeue-Regular.otf");
     auto mesher = text_mesher{font}.with(TestType{});

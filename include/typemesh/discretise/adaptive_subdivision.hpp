@@ -30,11 +30,19 @@ struct adaptive_subdivision {
     static constexpr bool keeps_no_tolerance = true;
     static constexpr std::uint32_t most_levels = 20;  ///< what more `levels` are taken as
 
+    /// A length that must be said: one that suits 64 units per em is 32 times too fine for 2048.
+    struct stated {
+        double value;
+
+        constexpr stated(double in_curve_units) noexcept : value{in_curve_units} {}
+        constexpr operator double() const noexcept { return value; }
+    };
+
     std::uint32_t levels = 5;  ///< r in the thesis; 0 is taken as 1
-    double distance = 0.5;     ///< in the curve's own unit
+    stated distance;           ///< in the curve's own unit: font units
     double angle = 0.01;       ///< in radians
 
-    // The presets of the thesis, which sets type at 64 units per em. Its "low" is two_lines.
+    // The presets of the thesis, which sets type at 64 units per em. Its "low" is two_lines; thesis_quality has all four.
     [[nodiscard]] static adaptive_subdivision normal(double units_per_em) noexcept
     {
         return {5, 0.5 / 64.0 * units_per_em, 0.01};
@@ -49,7 +57,7 @@ struct adaptive_subdivision {
     }
 
     /// See option_bits.
-    [[nodiscard]] option_bits cache_key() const noexcept { return {levels, distance, angle}; }
+    [[nodiscard]] option_bits cache_key() const noexcept { return {levels, distance.value, angle}; }
 
     template <class Emit>
     void operator()(const quadratic& q, double tolerance, Emit&& emit) const noexcept

@@ -10,7 +10,7 @@ namespace typemesh {
 ///
 /// normal, high and best are near the errors that 99 of 100 chords of the presets of the thesis keep on real fonts
 /// ("Study of mesh generation and optimization techniques applied to parametric forms", J. Vandenbergh, 2020); low
-/// takes the place of its two lines a curve. `certified` keeps them on all chords, with 19 to 40 % fewer chords than
+/// takes the place of its two lines a curve. (Those presets themselves: thesis_quality.) `certified` keeps them on all chords, with 19 to 40 % fewer chords than
 /// those.
 namespace quality {
 

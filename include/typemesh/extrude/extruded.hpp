@@ -29,8 +29,8 @@ namespace typemesh {
 ///      \|         \|
 ///       +----------+  back  z = -depth
 ///
-/// A part that is switched off leaves out its vertices and triangles; only shared_normals keeps the vertices of a cap
-/// that its walls stand on.
+/// A part that is switched off leaves out its vertices and triangles; only shared_normals and cap_normals keep the
+/// vertices of a cap that its walls stand on.
 ///
 /// plan() cannot know what a vertex will take: it finds the normals and places the seams in any case. Writing computes
 /// only what is asked for.
@@ -73,7 +73,7 @@ struct extruded {
         if (!is_finite(as_double(depth)) || !(depth > 0.0f)) return error::bad("depth");
         const std::size_t n = shape.points().size();
         if (n > 0x3FFF'FFFFu) return error::too_large;
-        if (!side || n == 0) {
+        if (!side || n == 0 || (Normals::shares_caps && !leans)) {
             if (error e = normals(region{}, {})) return e;
             return sizes(shape, 0);
         }
@@ -136,6 +136,9 @@ struct extruded {
     }
 
 private:
+    /// Whether the normals of caps lean towards the walls that stand on them.
+    static constexpr bool leans = Normals::shares_caps && !requires { requires Normals::leaves_caps_alone; };
+
     [[nodiscard]] bool has_front() const noexcept { return front || (Normals::shares_caps && side); }
     [[nodiscard]] bool has_back() const noexcept { return back || (Normals::shares_caps && side); }
 
@@ -187,7 +190,7 @@ private:
             if constexpr (has(Wants, attribute::position)) v.position = axes.position(axes.foot(g), z);
             if constexpr (has(Wants, attribute::normal)) {
                 v.normal = flat_normal;
-                if constexpr (Normals::shares_caps) {
+                if constexpr (leans) {
                     if (side) {
                         const vec3 n = shared(sides[i], lit_by_cap ? facing : 0.0f);
                         v.normal = axes.direction(n.x, n.y, n.z);
@@ -197,7 +200,7 @@ private:
             if constexpr (has(Wants, attribute::uv)) v.uv = uv(g);
             if constexpr (has(Wants, attribute::tangent)) {
                 v.tangent = flat_tangent;
-                if constexpr (Normals::shares_caps) {
+                if constexpr (leans) {
                     if (side) v.tangent = tangents.on_rim(axes, shared(sides[i], lit_by_cap ? facing : 0.0f), facing);
                 }
             }

@@ -7,9 +7,8 @@
 namespace typemesh {
 
 /// 2N vertices: walls stand on the caps' own vertices, whose normal is the normalised sum of the unit normals of the
-/// cap and the two walls that meet there; parts that are switched off do not count. Small, and shaded wrongly
-/// everywhere: the thesis' naive version, for meshes that are lit otherwise or not at all. Texture coordinates are the
-/// caps', planar, on the walls as well.
+/// cap and the two walls that meet there; parts that are switched off do not count. As small as cap_normals; caps look
+/// like cushions, and walls fade from front to back. Texture coordinates are the caps', planar, on the walls as well.
 struct shared_normals {
     static constexpr bool shares_caps = true;
 

@@ -16,10 +16,12 @@ namespace typemesh {
 ///
 ///     S::shares_caps     true: walls stand on the caps' own vertices and have none themselves; `doubled` then means
 ///                        nothing
+///     S::leaves_caps_alone   true, beside shares_caps: the caps' vertices keep the caps' normals, and the walls take
+///                        them as they are; the sides are not asked for then. Need not be there
 ///     s(shape, sides)    fills before, after and doubled of sides[i] for every point i of shape.points();
 ///                        there are as many of one as of the other. Everything else has its default value.
 ///
-/// Ready ones: shared_normals, averaged_normals, creased_normals, curve_normals. Options out of range are
+/// Ready ones: cap_normals, shared_normals, averaged_normals, creased_normals, curve_normals. Options out of range are
 /// error::bad_option, for an empty region as well.
 template <class S>
 concept side_normals = requires(const S& s, const region& shape, std::span<side_point> sides) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/assert.hpp>
+#include <typemesh/core/same.hpp>
 #include <typemesh/layout/layout_options.hpp>
 #include <typemesh/layout/letter_spacing.hpp>
 #include <typemesh/layout/reading_order.hpp>
@@ -92,7 +93,7 @@ template <shaper Shaper>
 result<point> shape_spaced(Shaper& shaper, text_view text, std::size_t first, std::size_t last,
                            const shape_options& how, const layout_options& options, glyph_run& run) noexcept
 {
-    if (options.letter_spacing == 0.0) return shape_stretch(shaper, text, first, last, how, run);
+    if (is_zero(options.letter_spacing)) return shape_stretch(shaper, text, first, last, how, run);
     shape_options single = how;
     single.ligatures = false;  // a letter in two would stand closer to itself than to others
     const std::size_t before = run.glyphs.size();
