@@ -119,10 +119,12 @@ floor_shadow::floor_shadow(const model& mesh)
         return raster_point{static_cast<std::int32_t>((p.x - left_) / cell_ * pixel_steps),
                             static_cast<std::int32_t>((p.z - back_) / cell_ * pixel_steps)};
     };
+    constexpr double highest_seen = 20.0;  // in depths: what is higher darkens the floor by less than 1/1000
     for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
         vec3 p[3];
         for (std::size_t i = 0; i < 3; ++i) p[i] = to_vec3(mesh.vertices[mesh.indices[t + i]].position);
         const double height = ((p[0].y + p[1].y + p[2].y) / 3.0 - floor_) / depth;
+        if (height > highest_seen) continue;  // of a long text that is all but the last lines
         const auto darkness = static_cast<float>(1.0 / (1.0 + 2.5 * height * height));
         each_covered_pixel(
             on_map(p[0]), on_map(p[1]), on_map(p[2]), {0, 0, columns_, rows_}, [&](int x, int y, unsigned mask) {
