@@ -5,7 +5,10 @@
 
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/adapt/threads.hpp>
+#include <typemesh/inspect/closedness.hpp>
+#include <typemesh/inspect/normal_check.hpp>
 #include <typemesh/typemesh.hpp>
+#include <cassert>
 #include <cstdio>
 #include <vector>
 
@@ -90,6 +93,14 @@ for (const auto& c : chunks.view()) draw(c.range().first_index, c.range().index_
         }
     }
     return 0;
+}
+
+void laws(const std::vector<vertex>& vertices, const std::vector<std::uint32_t>& indices)
+{
+typemesh::inspect::mesh_view mesh{vertices, indices};            // or {vertices, indices, &my_vertex::place}
+assert(check_closedness(mesh).is_closed());                      // every directed edge is met by its reverse
+assert(check_normals(mesh, &vertex::normal).is_right());         // of unit length, out of their walls
+    use(mesh);
 }
 
 void engines()

@@ -9,6 +9,7 @@
 #include "support/oracle.hpp"
 
 #include <typemesh/adapt/harfbuzz.hpp>
+#include <typemesh/inspect/curve_distance.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <hb-ot.h>
@@ -151,10 +152,12 @@ public:
                 if (f.moved > 1) return f.wrong = "the area is not what the contours fill", f;
             }
         }
-        take_curves(tolerance * cells->cells, cells->cells);
-        if (f.wrong = stray_boundary(*made, tolerance * cells->cells); !f.wrong.empty()) return f;
+        const double in_cells = tolerance * cells->cells, allowed = 1.01 * in_cells + 1.5;  // chords, and bends
+        curves_.take(outline_, cells->cells, 0.01 * in_cells);
+        if (inspect::check_distance(*made, curves_, allowed).strays != 0)
+            return f.wrong = "the boundary strays from all curves", f;
         if (f.resolved && f.unsettled == 0)
-            if (f.wrong = false_meeting(*made, tolerance * cells->cells); !f.wrong.empty()) return f;
+            if (f.wrong = false_meeting(*made, in_cells); !f.wrong.empty()) return f;
 
         for (const triangle t : triangles_) {
             const auto at = [&](std::uint32_t i) {
@@ -166,8 +169,8 @@ public:
             if (!(turn > 0)) return f.wrong = "a triangle is flipped or flat in 32-bit floats", f;
         }
 
-        sample(id, tolerance * cells->cells, cells->cells, kept, f);
-        if (!f.wrong.empty()) return f;
+        if (inspect::check_fill(curves_, outline_.rule, kept, allowed, 20, id).wrong != 0)
+            return f.wrong = "a place is filled wrongly", f;
 
         glyph_run alone;
         alone.units_per_em = font.units_per_em();
@@ -206,30 +209,11 @@ private:
         }
     };
 
-    /// The boundary stays within the tolerance of some curve: nearly always of the one that it is said to come from.
-    std::string stray_boundary(const typemesh::region& made, double tolerance)
+    using chord = typemesh::inspect::curve_chords::chord;
+
+    static double squared_distance(typemesh::point p, typemesh::point start, typemesh::point end)
     {
-        using namespace typemesh;
-        const auto points = made.points();
-        const double allowed = 1.01 * tolerance + 1.5;  // 1 % for the chords, 1.5 cells for bends
-        const auto away = [&](point q, std::size_t first, std::size_t last) {
-            for (; first < last; ++first)
-                if (squared_distance(q, dense_[first].start, dense_[first].end) <= allowed * allowed) return false;
-            return true;
-        };
-        for (std::size_t l = 0; l + 1 < made.starts().size(); ++l) {
-            const std::uint32_t begin = made.starts()[l], end = made.starts()[l + 1];
-            for (std::uint32_t i = begin; i < end; ++i) {
-                const grid_point p = points[i], q = points[i + 1 < end ? i + 1 : begin];
-                const std::uint32_t k = made.edges()[i].curve;
-                for (const double share : {0.0, 0.5}) {
-                    const point at{p.x + share * (double(q.x) - p.x), p.y + share * (double(q.y) - p.y)};
-                    if (away(at, first_[k], first_[k + 1]) && away(at, 0, dense_.size()))
-                        return "the boundary strays from all curves";
-                }
-            }
-        }
-        return {};
+        return typemesh::inspect::curve_chords::squared_distance(p, start, end);
     }
 
     /// Where the boundary changes from one curve to another that is not its neighbour, the two contours have a point in
@@ -255,9 +239,8 @@ private:
                 const point x{double(points[i].x), double(points[i].y)};
                 const auto chords_within = [&](std::uint32_t k, std::vector<chord>& all) {
                     const std::size_t before = all.size();
-                    for (std::size_t c = first_[k]; c < first_[k + 1]; ++c)
-                        if (squared_distance(x, dense_[c].start, dense_[c].end) <= reach * reach)
-                            all.push_back(dense_[c]);
+                    for (const chord& c : curves_.of_curve(k))
+                        if (squared_distance(x, c.start, c.end) <= reach * reach) all.push_back(c);
                     return all.size() > before;
                 };
                 const auto chords_of = [&](const std::vector<std::uint32_t>& curves) {  // and on along the contour
@@ -287,37 +270,6 @@ private:
         return {};
     }
 
-    static double squared_distance(typemesh::point q, typemesh::point s, typemesh::point e)
-    {
-        const typemesh::point along = e - s, to = q - s;
-        const double square = dot(along, along);
-        const double t = square == 0 ? 0.0 : (std::max)(0.0, (std::min)(1.0, dot(to, along) / square));
-        const typemesh::point gap = to - t * along;
-        return dot(gap, gap);
-    }
-
-    /// The curves themselves, in cells: as chords that are off by 1/100 of the tolerance at most (Wang's bound).
-    void take_curves(double tolerance, double cells)
-    {
-        using namespace typemesh;
-        dense_.clear();
-        first_.assign(1, 0);
-        for (const curve& c : outline_.curves) {
-            double bend = 0.0;
-            for (std::uint32_t k = 0; k + 2 <= c.degree; ++k)
-                bend = (std::max)(bend, length(c.p[k] + c.p[k + 2] - 2.0 * c.p[k + 1]));
-            const double wang = std::sqrt(c.degree * (c.degree - 1) * cells * bend / (8.0 * 0.01 * tolerance));
-            const int n = (std::max)(1, static_cast<int>(std::ceil(wang)));
-            point start = cells * c.p[0];
-            for (int i = 1; i <= n; ++i) {
-                const point end = cells * (i == n ? c.end() : at(c, double(i) / n));
-                dense_.push_back({start, end});
-                start = end;
-            }
-            first_.push_back(dense_.size());
-        }
-    }
-
     /// The Delaunay triangles obey the laws of all triangles, and their own; and both ways to make them agree.
     std::string broken_delaunay(const typemesh::region& r)
     {
@@ -334,55 +286,11 @@ private:
         return wrong.empty() ? wrong : "Delaunay: " + wrong;
     }
 
-    /// Places farther than the tolerance from all curves are filled exactly where the curves' winding number says so.
-    void sample(typemesh::glyph_id id, double tolerance, double cells, const std::vector<oracle::loop>& kept,
-                glyph_findings& f)
-    {
-        using namespace typemesh;
-        const box& b = outline_.bounds;
-        std::uint64_t state = id * 0x9E37'79B9'7F4A'7C15u + 1;
-        for (int i = 0; i < 20; ++i) {
-            const auto fraction = [&] {
-                state ^= state << 13, state ^= state >> 7, state ^= state << 17;
-                return static_cast<double>(state >> 11) * 0x1p-53;
-            };
-            const grid_point p{static_cast<std::int32_t>(cells * (b.low.x + fraction() * b.width())),
-                               static_cast<std::int32_t>(cells * (b.low.y + fraction() * b.height()))};
-            const point q{double(p.x), double(p.y)};
-            double nearest = 1e300;
-            std::int32_t w = 0;
-            for (const auto& [s, e] : dense_) {
-                const point along = e - s, to = q - s;
-                nearest = (std::min)(nearest, squared_distance(q, s, e));
-                if (s.y <= q.y && e.y > q.y && cross(along, to) > 0) ++w;
-                if (e.y <= q.y && s.y > q.y && cross(along, to) < 0) --w;
-            }
-            if (std::sqrt(nearest) <= 1.01 * tolerance + 1.5) continue;
-            if (oracle::winding(kept, p) != (is_filled(outline_.rule, w) ? 1 : 0)) {
-                f.wrong = "a place is filled wrongly";
-                return;
-            }
-        }
-    }
-
-    static typemesh::point at(const typemesh::curve& c, double t)
-    {
-        using typemesh::lerp;
-        typemesh::point p[4] = {c.p[0], c.p[1], c.p[2], c.p[3]};
-        for (int left = c.degree; left > 0; --left)
-            for (int i = 0; i < left; ++i) p[i] = lerp(p[i], p[i + 1], t);
-        return p[0];
-    }
-
-    struct chord {
-        typemesh::point start, end;
-    };
     typemesh::workspace space_;
     typemesh::outline outline_;
     typemesh::contours loops_;
     typemesh::triangle_list triangles_, delaunay_, by_slabs_;
-    std::vector<chord> dense_;
-    std::vector<std::size_t> first_;  // of each curve
+    typemesh::inspect::curve_chords curves_;
     full_mesh mesh_;
 };
 

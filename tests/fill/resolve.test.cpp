@@ -61,13 +61,6 @@ std::string mistake_on(const test::shape& s, fill_rule rule, int samples = 12)
     if (const error e = monotone{}(*made, space, triangles)) return e.message();
     if (std::string law = test::oracle::broken_law(*made, triangles.view()); !law.empty()) return law;
 
-    std::int32_t left = 1 << 29, right = -left, bottom = left, top = -left;
-    for (const auto& l : s.loops) {
-        for (const grid_point p : l) {
-            left = (std::min)(left, p.x), right = (std::max)(right, p.x);
-            bottom = (std::min)(bottom, p.y), top = (std::max)(top, p.y);
-        }
-    }
     const double area = test::oracle::doubled_filled_area(given, rule),
                  mine = static_cast<double>(test::oracle::doubled_area(kept));
     double length = 0;
@@ -77,17 +70,8 @@ std::string mistake_on(const test::shape& s, fill_rule rule, int samples = 12)
     const bool exact = is_exact(given);
     if (exact ? std::fabs(area - mine) > 1e-9 * (area + 1) : std::fabs(area - mine) > 2 * length + 4)
         return "the area is not what the contours fill";
-    if (right < left) return {};
-    for (int i = 0; i < samples; ++i) {
-        for (int k = 0; k < samples; ++k) {
-            const grid_point p{left + static_cast<std::int32_t>(std::int64_t{right - left} * i / samples),
-                               bottom + static_cast<std::int32_t>(std::int64_t{top - bottom} * k / samples)};
-            const double far_off = test::oracle::distance(given, p);
-            if (exact ? far_off == 0 : far_off < 1.5) continue;
-            const std::int32_t w = test::oracle::winding(kept, p);
-            if (w != (is_filled(rule, test::oracle::winding(given, p)) ? 1 : 0)) return "a place is filled wrongly";
-        }
-    }
+    if (test::oracle::check_fill(given, rule, kept, samples, exact ? 0.0 : 1.5).wrong != 0)
+        return "a place is filled wrongly";
     return {};
 }
 

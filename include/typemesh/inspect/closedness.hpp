@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/inspect/mesh_view.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace typemesh::inspect {
+
+/// How far a mesh is from being closed, once vertices in equal positions are one.
+///
+///           b            The edge a -> b of the left triangle is met by b -> a of the right one. An edge that is not met
+///          /|\           is open. One with more than two faces is crowded: where two solids, or two loops of one, touch
+///         / | \          along it. A mesh whose edges are all met equally often is closed: it has an inside.
+///        /  |  \         .
+///       c---a---d
+struct closedness {
+    std::size_t triangles = 0;
+    std::size_t unmatched_edges = 0;  ///< directed edges that are not met by their reverse equally often
+    std::size_t crowded_edges = 0;    ///< undirected edges with more than two faces
+    std::size_t crowded_slanted = 0;  ///< those among them that are not parallel to the depth
+    std::size_t zero_area = 0;        ///< triangles with two corners in one place
+    std::size_t bad_corners = 0;      ///< triangles with a corner that is no vertex, or not finite
+
+    /// Closed, without a triangle that is none. Crowded edges are no fault of a text whose glyphs or loops touch.
+    [[nodiscard]] constexpr bool is_closed() const noexcept
+    {
+        return unmatched_edges == 0 && zero_area == 0 && bad_corners == 0;
+    }
+};
+
+/// Matches each edge of a mesh with its reverse. Meshes of typemesh are closed glyph by glyph (where merged, group by group),
+/// so both a glyph's triangles alone and those of the whole text are.
+///
+///     depth_axis    along which coordinate (0, 1, 2) the text is extruded
+///
+/// Cost   O(vertices) and O(n log n) for n triangles
+template <class Vertex, class Index, class Position>
+[[nodiscard]] closedness check_closedness(const mesh_view<Vertex, Index, Position>& mesh, int depth_axis = 2)
+{
+    const welded_places places = weld(mesh);
+    closedness found;
+    found.triangles = mesh.triangle_count();
+    std::vector<std::uint64_t> edges;  // from << 32 | to
+    edges.reserve(3 * mesh.triangle_count());
+    for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+        const auto corners = mesh.corners(t);
+        if (!mesh.is_drawable(corners)) {
+            ++found.bad_corners;
+            continue;
+        }
+        const std::uint32_t at[3] = {places.of[corners[0]], places.of[corners[1]], places.of[corners[2]]};
+        if (at[0] == at[1] || at[1] == at[2] || at[2] == at[0]) ++found.zero_area;
+        for (std::size_t k = 0; k < 3; ++k) edges.push_back(std::uint64_t{at[k]} << 32 | at[(k + 1) % 3]);
+    }
+    std::sort(edges.begin(), edges.end());
+    const auto faces = [&](std::uint64_t edge) {
+        const auto range = std::equal_range(edges.begin(), edges.end(), edge);
+        return static_cast<std::size_t>(range.second - range.first);
+    };
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        if (i > 0 && edges[i] == edges[i - 1]) continue;
+        const std::uint64_t reverse = edges[i] << 32 | edges[i] >> 32;
+        const std::size_t here = faces(edges[i]), back = faces(reverse);
+        if (here > back) found.unmatched_edges += here - back;
+        if (here > 1 && edges[i] < reverse) {
+            ++found.crowded_edges;
+            const place along = places.at[edges[i] >> 32] - places.at[edges[i] & 0xFFFF'FFFFu];
+            const double moves[3] = {along.x, along.y, along.z};
+            bool slanted = false;
+            for (int k = 0; k < 3; ++k) slanted |= k != depth_axis && (moves[k] < 0.0 || moves[k] > 0.0);
+            found.crowded_slanted += slanted ? 1u : 0u;
+        }
+    }
+    return found;
+}
+
+}  // namespace typemesh::inspect

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/inspect/mesh_view.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace typemesh::inspect {
+
+/// What Euler's formula counts, once vertices in equal positions are one.
+///
+///     places - edges + triangles = 2 * solids - 2 * holes        of solids that touch neither themselves nor each other:
+///                                                                a letter o has one hole, an i is two solids, an 8 has
+///                                                                two holes
+struct euler_count {
+    std::size_t places = 0;
+    std::size_t edges = 0;  ///< undirected, each once
+    std::size_t triangles = 0;
+    std::size_t solids = 0;  ///< pieces whose places hang together by edges
+
+    [[nodiscard]] constexpr std::int64_t characteristic() const noexcept
+    {
+        return static_cast<std::int64_t>(places) - static_cast<std::int64_t>(edges) + static_cast<std::int64_t>(triangles);
+    }
+    /// How many holes run through closed solids that do not touch.
+    [[nodiscard]] constexpr std::int64_t holes() const noexcept
+    {
+        return static_cast<std::int64_t>(solids) - characteristic() / 2;
+    }
+};
+
+/// Triangles that are not drawable are left out. Cost: O(vertices) and O(n log n) for n triangles
+template <class Vertex, class Index, class Position>
+[[nodiscard]] euler_count count_euler(const mesh_view<Vertex, Index, Position>& mesh)
+{
+    const welded_places places = weld(mesh);
+    euler_count found;
+    found.places = found.solids = places.at.size();
+    std::vector<std::uint64_t> edges;  // the smaller end first
+    for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+        const auto corners = mesh.corners(t);
+        if (!mesh.is_drawable(corners)) continue;
+        ++found.triangles;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint64_t a = places.of[corners[k]], b = places.of[corners[(k + 1) % 3]];
+            edges.push_back((std::min)(a, b) << 32 | (std::max)(a, b));
+        }
+    }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    found.edges = edges.size();
+
+    std::vector<std::uint32_t> above(places.at.size());  // a forest: each piece is a tree, each root stands above itself
+    for (std::size_t i = 0; i < above.size(); ++i) above[i] = static_cast<std::uint32_t>(i);
+    const auto root = [&](std::uint32_t i) {
+        while (above[i] != i) i = above[i] = above[above[i]];
+        return i;
+    };
+    for (const std::uint64_t e : edges) {
+        const std::uint32_t a = root(static_cast<std::uint32_t>(e >> 32)), b = root(static_cast<std::uint32_t>(e));
+        if (a == b) continue;
+        above[a] = b;
+        --found.solids;
+    }
+    return found;
+}
+
+}  // namespace typemesh::inspect

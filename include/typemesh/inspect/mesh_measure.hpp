@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/inspect/mesh_view.hpp>
+
+#include <cmath>
+#include <cstddef>
+
+namespace typemesh::inspect {
+
+/// How large a mesh is, in its own unit.
+struct mesh_measure {
+    double area = 0.0;    ///< of all triangles together
+    double volume = 0.0;  ///< what a closed mesh encloses; negative when it is inside out. Of an open mesh it means nothing
+};
+
+/// In a right-handed frame with counter-clockwise triangles the volume is positive; a mirroring frame and clockwise triangles
+/// turn its sign each (see vertex/frame.hpp). Triangles that are not drawable have no size.
+///
+/// Cost   O(triangles); rounded as sums in double precision are
+template <class Vertex, class Index, class Position>
+[[nodiscard]] mesh_measure measure(const mesh_view<Vertex, Index, Position>& mesh) noexcept
+{
+    mesh_measure sum;
+    place origin;  // one of the corners, which keeps the terms short far from (0, 0, 0)
+    bool begun = false;
+    for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+        const auto corners = mesh.corners(t);
+        if (!mesh.is_drawable(corners)) continue;
+        if (!begun) origin = mesh.position(corners[0]);
+        begun = true;
+        const place a = mesh.position(corners[0]) - origin, b = mesh.position(corners[1]) - origin,
+                    c = mesh.position(corners[2]) - origin;
+        const place normal = cross(b - a, c - a);
+        sum.area += 0.5 * std::sqrt(dot(normal, normal));
+        sum.volume += dot(a, cross(b, c)) / 6.0;
+    }
+    return sum;
+}
+
+}  // namespace typemesh::inspect

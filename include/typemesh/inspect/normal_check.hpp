@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/inspect/mesh_view.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+
+namespace typemesh::inspect {
+
+/// What is wrong with a mesh's normals.
+struct normal_check {
+    std::size_t vertices = 0;         ///< that were looked at: all of the mesh
+    std::size_t not_unit = 0;         ///< normals longer or shorter than 1 by more than was allowed, or not finite
+    double worst_length = 0.0;        ///< the largest difference of a finite normal's length from 1
+    std::size_t triangles = 0;        ///< that have an area, as drawable ones should
+    std::size_t against_winding = 0;  ///< triangles among them that face away from the sum of their corners' normals
+    std::size_t inward_corners = 0;   ///< their corners whose normal points behind the triangle's own plane
+
+    /// Unit length, and out of every wall and cap.
+    [[nodiscard]] constexpr bool is_right() const noexcept
+    {
+        return not_unit == 0 && against_winding == 0 && inward_corners == 0;
+    }
+};
+
+/// Compares normals with the way in which triangles are wound.
+///
+///     normal     how to come to a vertex' normal: a member or a function, as for positions
+///     winding    +1 where dot(cross(b - a, c - a), n) is positive on the outside, -1 where it is negative: the frame's
+///     allowed    how far a length may be from 1: 1e-5 for 32-bit floats, more for packed formats
+///
+/// A corner of shared_normals may lean behind a wall by design, where three faces meet at a needle.
+/// Cost   O(vertices + triangles)
+template <class Vertex, class Index, class Position, class Normal>
+[[nodiscard]] normal_check check_normals(const mesh_view<Vertex, Index, Position>& mesh, const Normal& normal,
+                                         int winding = 1, double allowed = 1e-5) noexcept
+{
+    const auto normal_of = [&](std::size_t v) noexcept { return to_place(std::invoke(normal, mesh.vertex(v))); };
+    normal_check found;
+    found.vertices = mesh.vertex_count();
+    for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+        const place n = normal_of(v);
+        const double off = std::abs(std::sqrt(dot(n, n)) - 1.0);
+        const bool finite = is_finite(n.x) && is_finite(n.y) && is_finite(n.z);
+        if (!finite || off > allowed) ++found.not_unit;
+        if (finite && off > found.worst_length) found.worst_length = off;
+    }
+    for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+        const auto corners = mesh.corners(t);
+        if (!mesh.is_drawable(corners)) continue;
+        const place a = mesh.position(corners[0]);
+        const place face = cross(mesh.position(corners[1]) - a, mesh.position(corners[2]) - a);
+        if (!(dot(face, face) > 0.0)) continue;
+        ++found.triangles;
+        double outward = 0.0;
+        for (const std::size_t v : corners) {
+            const double here = winding * dot(face, normal_of(v));
+            if (!(here >= 0.0)) ++found.inward_corners;
+            outward += here;
+        }
+        if (!(outward > 0.0)) ++found.against_winding;
+    }
+    return found;
+}
+
+}  // namespace typemesh::inspect
