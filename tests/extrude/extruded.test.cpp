@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include <typemesh/extrude/extruded.hpp>
+#include <typemesh/inspect/normal_check.hpp>
 
 #include <limits>
 
@@ -106,11 +107,11 @@ TEMPLATE_TEST_CASE("extruded is closed, faces outward and turns as the frame ask
                             << int(f.winding));
                 const built b = build(s, extruded<TestType>{.texture = texture}, in_em(f));
                 CHECK(open_edges(b) == 0);
-                for (const auto& v : b.vertices) REQUIRE(meshes::length(v.normal) == Approx(1.0).margin(1e-6));
-                for (const auto& t : b.triangles) {
-                    const auto face = face_normal(b, t);
-                    for (const auto v : t) REQUIRE(f.winding * meshes::dot(face, wide(b.vertices[v].normal)) > 0.0);
-                }
+                const auto indices = indices_of(b);
+                const auto normals = check_normals(inspect::mesh_view{b.vertices, indices},
+                                                   [](const auto& v) { return v.normal; }, f.winding, 1e-6);
+                CHECK(normals.is_right());
+                CHECK(normals.triangles == b.triangles.size());
             }
         }
     }

@@ -129,14 +129,20 @@ std::array<double, 3> face_normal(const Mesh& m, const std::array<std::uint32_t,
     return n;
 }
 
+/// The mesh's triangles as one array of indices.
+template <class Mesh>
+std::vector<std::uint32_t> indices_of(const Mesh& m)
+{
+    std::vector<std::uint32_t> all;
+    for (const auto& t : m.triangles) all.insert(all.end(), t.begin(), t.end());
+    return all;
+}
+
 /// Directed edges between welded positions that are not met by their reverse equally often.
 template <class Mesh>
 std::size_t open_edges(const Mesh& m)
 {
-    test::full_mesh plain;
-    for (const auto& v : m.vertices) plain.vertices.push_back({v.position, {}, {}});
-    for (const auto& t : m.triangles) plain.indices.insert(plain.indices.end(), t.begin(), t.end());
-    return test::examine(plain).unmatched_edges;
+    return check_closedness(inspect::mesh_view{m.vertices, indices_of(m)}).unmatched_edges;
 }
 
 inline std::vector<frame> frames()

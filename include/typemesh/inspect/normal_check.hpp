@@ -16,7 +16,7 @@ struct normal_check {
     double worst_length = 0.0;        ///< the largest difference of a finite normal's length from 1
     std::size_t triangles = 0;        ///< that have an area, as drawable ones should
     std::size_t against_winding = 0;  ///< triangles among them that face away from the sum of their corners' normals
-    std::size_t inward_corners = 0;   ///< their corners whose normal points behind the triangle's own plane
+    std::size_t inward_corners = 0;   ///< their corners whose normal does not point out of the triangle's own plane
 
     /// Unit length, and out of every wall and cap.
     [[nodiscard]] constexpr bool is_right() const noexcept
@@ -57,7 +57,7 @@ template <class Vertex, class Index, class Position, class Normal>
         double outward = 0.0;
         for (const std::size_t v : corners) {
             const double here = winding * dot(face, normal_of(v));
-            if (!(here >= 0.0)) ++found.inward_corners;
+            if (!(here > 0.0)) ++found.inward_corners;
             outward += here;
         }
         if (!(outward > 0.0)) ++found.against_winding;
