@@ -5,6 +5,7 @@
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/result.hpp>
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -13,11 +14,14 @@ namespace typemesh {
 /// The integer grid on which a shape is decided: `cells` grid steps to one font unit, a power of two (512 for ordinary
 /// fonts).
 ///
-/// Every grid point is within snap_error() of the point it stands for, and is what is drawn in the end.
+/// Every grid point is within snap_error() of the point it stands for, and is what is drawn in the end, up to the
+/// rounding of 32-bit floats.
 struct grid {
     static constexpr double reach = 0x1p28;  ///< no coordinate lies farther from 0 than this many cells
 
     double cells = 512.0;
+    double units_per_em = 0.0;  ///< what floats are coarse by (see triangulate/triangle_heights.hpp); 0: not known
+    double span = 0.0;          ///< in cells; no two points of the shape are farther apart. 0: not known
 
     /// Half a cell's diagonal, in font units: how far snap() can move a point.
     [[nodiscard]] constexpr double snap_error() const noexcept { return 0.70710678118654757 / cells; }
@@ -30,7 +34,7 @@ struct grid {
 
     /// The grid for an outline: 512 cells a unit where the em has 64 to 65,536 units; for any other em the power of two
     /// that gives it 2^20 to 2^21 cells; halved as often as `around` (a box that holds all control points) needs to
-    /// fit.
+    /// fit. It knows its em and the box' diagonal.
     ///
     /// Fails  error::bad_option: units_per_em is not positive and finite
     ///        error::outline_not_finite: a corner of the box is NaN or infinite
@@ -44,6 +48,7 @@ struct grid {
             while (g.cells * units_per_em < 0x1p20) g.cells *= 2.0;
             while (g.cells * units_per_em >= 0x1p21) g.cells *= 0.5;
         }
+        g.units_per_em = units_per_em;
         if (around.empty()) return g;
         double farthest = 0.0;
         for (const double v : {around.low.x, around.low.y, around.high.x, around.high.y}) {
@@ -55,7 +60,15 @@ struct grid {
             g.cells *= 0.5;
             if (g.cells < 0x1p-40) return error::outline_beyond_grid;
         }
+        g.span_over(around);
         return g;
+    }
+
+    /// No points but those in a box, and what snapping and crossings move them by.
+    void span_over(const box& around) noexcept
+    {
+        const double width = (around.high.x - around.low.x) * cells, height = (around.high.y - around.low.y) * cells;
+        span = std::sqrt(width * width + height * height) + 8.0;
     }
 
 private:

@@ -17,6 +17,13 @@ namespace typemesh {
     return abx * acy - aby * acx;
 }
 
+/// Exact. Budget: differences <= 2^29, their squares <= 2^58, the sum <= 2^59.
+[[nodiscard]] constexpr std::int64_t squared_distance(grid_point a, grid_point b) noexcept
+{
+    const std::int64_t x = std::int64_t{b.x} - a.x, y = std::int64_t{b.y} - a.y;
+    return x * x + y * y;
+}
+
 /// The order of a left-to-right sweep: by x, then by y.
 [[nodiscard]] constexpr bool lexicographic_less(grid_point a, grid_point b) noexcept
 {

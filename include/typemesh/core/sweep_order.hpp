@@ -101,7 +101,7 @@ template <class Key>
                                std::uint32_t place_bits) noexcept
 {
     constexpr std::uint32_t crowd = 16, great_crowd = 256;  // powers of two, to be seen in the union of all sizes
-    const auto bucket_bits = static_cast<std::uint32_t>(std::bit_width(n)) + 1;  // 2 to 4 buckets a point
+    const auto bucket_bits = static_cast<std::uint32_t>(std::bit_width(n));  // 1 to 2 buckets a point
     const std::size_t buckets = std::size_t{1} << bucket_bits;
     const std::uint32_t shift = place_bits > bucket_bits ? place_bits - bucket_bits : 0;
     std::uint16_t first[4 * most_for_buckets];

@@ -8,6 +8,7 @@
 #include <typemesh/fill/touching_walks.hpp>
 #include <typemesh/glyph/stage.hpp>
 #include <typemesh/triangulate/kept_promise.hpp>
+#include <typemesh/triangulate/low_triangles.hpp>
 #include <typemesh/triangulate/triangulator.hpp>
 
 #include <cstddef>
@@ -18,14 +19,32 @@ namespace typemesh {
 
 namespace detail {
 
-/// how(shape, space, out), held to its promise.
+/// The triangles that a triangulator has appended for a region behind the first `before`: held to its promise, and
+/// those too low for 32-bit floats exchanged, unless its diagonals are final. The rule looks at the shape alone, wherever
+/// it will stand. `out` is as it was after an error.
 template <triangulator Triangulator>
-[[nodiscard]] error cut_region(const region& shape, const Triangulator& how, workspace& space, triangle_list& out) noexcept
+[[nodiscard]] error settle_triangles(const region& shape, triangle_list& out, std::size_t before, workspace& space) noexcept
+{
+    const bool is_kept = assert_triangles(shape, out, before);
+    if constexpr (!has_final_diagonals<Triangulator>) {
+        if (is_kept) {
+            if (error e = raise_low_triangles(shape, out.view().subspan(before), space)) {
+                out.truncate(before);
+                return e;
+            }
+        }
+    }
+    return {};
+}
+
+/// how(shape, told..., space, out), settled; `told` is the order of the points or nothing.
+template <triangulator Triangulator, class... Told>
+[[nodiscard]] error cut_region(const region& shape, const Triangulator& how, workspace& space, triangle_list& out,
+                               const Told&... told) noexcept
 {
     const std::size_t before = out.size();
-    if (error e = how(shape, space, out)) return e;
-    assert_triangles(shape, out, before);
-    return {};
+    if (error e = how(shape, told..., space, out)) return e;
+    return settle_triangles<Triangulator>(shape, out, before, space);
 }
 
 /// The order of the points of some loops for a triangulator that can be told; for any other none, and `order` is empty.
@@ -69,7 +88,8 @@ template <proving_triangulator Triangulator>
             if (!proven) walks.undo(loops);
         }
     }
-    if (proven) assert_triangles(*proven, out, before);
+    if (proven)
+        if (error e = settle_triangles<Triangulator>(*proven, out, before, space)) return e;
     return proven;
 }
 
@@ -84,10 +104,7 @@ template <triangulator Triangulator, meeting_judge Judge, stage_observer Observe
     if constexpr (ordered_triangulator<Triangulator>) {
         const auto cut = [&](const region& r, std::span<const std::uint32_t> sorted) noexcept {
             observe(stage::triangulate);
-            const std::size_t before = out.size();
-            if (error e = how(r, sorted, space, out)) return e;
-            assert_triangles(r, out, before);
-            return error{};
+            return cut_region(r, how, space, out, sorted);
         };
         return resolve_then(loops, order, rule, space, judge, cut);
     } else {

@@ -132,6 +132,7 @@ private:
             around.merge({way + s.ink().low, way + s.ink().high});
             g.cells = s.cells() > g.cells ? s.cells() : g.cells;
         }
+        g.units_per_em = run.units_per_em;
         double farthest = 0.0;
         for (const double v : {around.low.x, around.low.y, around.high.x, around.high.y})
             farthest = std::fabs(v) > farthest ? std::fabs(v) : farthest;
@@ -139,6 +140,7 @@ private:
             g.cells *= 0.5;
             if (g.cells < 0x1p-40) return error::outline_beyond_grid;
         }
+        g.span_over(around);
         return g;
     }
 
@@ -163,8 +165,7 @@ private:
         if (!joined) return joined.error();
         observe(stage::triangulate);
         triangles_.clear();
-        if (error e = cut(*joined, space_, triangles_)) return e;
-        detail::assert_triangles(*joined, triangles_, 0);
+        if (error e = detail::cut_region(*joined, cut, space_, triangles_)) return e;
         observe(stage::extrude);
         sides_.clear();
         const auto sizes = raise.plan(*joined, sides_);

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace typemesh::detail {
 
@@ -116,6 +117,14 @@ private:
         return count_;
     }
 
+    struct way {
+        std::int64_t x, y;
+        [[nodiscard]] static way to(grid_point p, grid_point from) noexcept
+        {
+            return {std::int64_t{p.x} - from.x, std::int64_t{p.y} - from.y};
+        }
+    };
+
     /// Triangles from v to every edge of a chain on the opposite side. Returns the edge from v to the chain's end.
     template <std::uint32_t along>
     auto fan(std::uint32_t at, std::uint32_t v, grid_point p) noexcept
@@ -124,8 +133,12 @@ private:
         if (before == 0) return out_.template boundary<1 - along>(links_[at].point, v);
         const auto first = out_.template next_outer<along>();
         auto edge = out_.nobody();
+        way b = way::to(p, links_[at].place);
         do {
-            edge = out_.template cut<along>(links_[before], links_[at], v, p, edge);
+            const way a = way::to(p, links_[before].place);
+            const std::int64_t turn = a.x * b.y - a.y * b.x;  // orientation(a, b, p)
+            edge = out_.template cut<along>(links_[before], links_[at], v, p, along == 0 ? turn : -turn, edge);
+            b = a;
             at = before;
             before = links_[at].before;
         } while (before != 0);
@@ -140,9 +153,10 @@ private:
                                      typename Output::edge edge) noexcept
     {
         for (std::uint32_t before = links_[at].before; before != 0; before = links_[at].before) {
-            const std::int64_t turn = orientation(links_[before].place, links_[at].place, p);
-            if ((on == 0 ? turn : -turn) <= 0) break;
-            edge = out_.template cut<on>(links_[before], links_[at], v, p, edge);
+            const std::int64_t turn = orientation(links_[before].place, links_[at].place, p),
+                               doubled_area = on == 0 ? turn : -turn;
+            if (doubled_area <= 0) break;
+            edge = out_.template cut<on>(links_[before], links_[at], v, p, doubled_area, edge);
             at = before;
         }
         return add(p, v, at, edge);
@@ -153,7 +167,7 @@ private:
     Output out_;
 };
 
-/// Writes triangles one after the other; edges are nothing to it.
+/// Writes triangles one after the other and knows how small the smallest is; edges are nothing to it.
 class triangle_output {
 public:
     struct edge {};
@@ -164,13 +178,17 @@ public:
     explicit triangle_output(triangle* write) noexcept : write_{write} {}
 
     [[nodiscard]] triangle* end() const noexcept { return write_; }
+    /// The least doubled area of all triangles.
+    [[nodiscard]] std::int64_t smallest() const noexcept { return smallest_; }
     [[nodiscard]] static std::uint32_t name(std::uint32_t v) noexcept { return v; }
 
-    /// The triangle of v and the two links a, b of a chain along side `along`; `edge` joins b and v. Returns that of a
-    /// and v.
+    /// The triangle of v and the two links a, b of a chain along side `along`, and its doubled area; `edge` joins b and
+    /// v. Returns that of a and v.
     template <std::uint32_t along, class Link>
-    edge cut(const Link& a, const Link& b, std::uint32_t v, grid_point, edge) noexcept
+    edge cut(const Link& a, const Link& b, std::uint32_t v, grid_point, std::int64_t doubled_area, edge) noexcept
     {
+        if (doubled_area < smallest_) [[unlikely]]
+            smallest_ = doubled_area;
         *write_++ = {a.point, along == 0 ? b.point : v, along == 0 ? v : b.point};
         return {};
     }
@@ -196,6 +214,7 @@ public:
 
 private:
     triangle* write_;
+    std::int64_t smallest_ = (std::numeric_limits<std::int64_t>::max)();
 };
 
 /// Cuts nothing, for a sweep that only proves.

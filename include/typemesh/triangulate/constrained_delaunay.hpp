@@ -38,6 +38,8 @@ namespace typemesh {
 /// Space  at most 220 bytes a point and 128 a loop from `space`, nothing else after `out` has room
 /// Exact  orientation in 64 bits, in-circle in 128 (core/in_circle.hpp)
 struct constrained_delaunay {
+    static constexpr bool has_final_diagonals = true;  ///< low triangles stay, where there are any
+
     /// So many exchanges a triangle may be spent before slabs take over, 1 to 3 being usual and 0 leaving everything to
     /// the slabs. It decides about time, never about triangles.
     std::uint32_t most_flips = 4;

@@ -64,7 +64,7 @@ public:
         [[nodiscard]] std::uint32_t name(std::uint32_t v) const noexcept { return name_[v]; }
 
         template <std::uint32_t along, class Link>
-        edge cut(const Link& a, const Link& b, std::uint32_t v, grid_point, edge to_b) noexcept
+        edge cut(const Link& a, const Link& b, std::uint32_t v, grid_point, std::int64_t, edge to_b) noexcept
         {
             const grid_point at_a = points_[a.point], at_b = points_[b.point], p = points_[v];
             const std::uint32_t t = count_, chain = along == 0 ? t : t + 2, open = along == 0 ? t + 2 : t;

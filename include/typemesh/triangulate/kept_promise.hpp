@@ -51,22 +51,25 @@ private:
     }
 };
 
-/// Holds a triangulator to its promise of the triangles that it has appended to `out` behind the first `before`.
-inline void assert_triangles([[maybe_unused]] const region& shape, [[maybe_unused]] const triangle_list& out,
+/// Holds a triangulator to its promise of the triangles that it has appended to `out` behind the first `before`. False
+/// where that shows them not to be fit for more; builds without asserts believe everything.
+inline bool assert_triangles([[maybe_unused]] const region& shape, [[maybe_unused]] const triangle_list& out,
                              [[maybe_unused]] std::size_t before) noexcept
 {
     [[maybe_unused]] const auto appended = [&]() noexcept {
         return appended_triangles{shape, before < out.size() ? out.view().subspan(before) : std::span<const triangle>{}};
     };
-    [[maybe_unused]] bool readable = true;  // the sentences below would read past the points
-    TYPEMESH_ASSERT(appended().are_as_many_as_promised(),
+    bool readable = true;  // the sentences below would read past the points
+    [[maybe_unused]] bool enough = true, turned = true;
+    TYPEMESH_ASSERT((enough = appended().are_as_many_as_promised()),
                     "a triangulator appended more or fewer triangles than the region's triangle_count()");
     TYPEMESH_ASSERT((readable = appended().are_over_its_points()),
                     "a triangulator appended a triangle with a corner that is no point of the region");
-    TYPEMESH_ASSERT(!readable || appended().turn_left(),
+    TYPEMESH_ASSERT(!readable || (turned = appended().turn_left()),
                     "a triangulator appended a triangle that is flat or does not turn counter-clockwise");
     TYPEMESH_ASSERT(!readable || appended().have_its_area(),
                     "a triangulator appended triangles that do not have the region's area");
+    return readable && enough && turned;
 }
 
 }  // namespace typemesh::detail

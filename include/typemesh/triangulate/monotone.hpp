@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/triangulate/chain_cutter.hpp>
+#include <typemesh/triangulate/low_triangles.hpp>
 #include <typemesh/triangulate/monotone_sweep.hpp>
 #include <typemesh/triangulate/triangulator.hpp>
 
@@ -18,15 +19,18 @@ namespace typemesh {
 ///
 /// Loops in any order, holes need not be told from outer loops, collinear points and vertical edges are nothing
 /// special. No point is dropped and none added: every edge of the loops is an edge of exactly one triangle. The
-/// triangles are as slender as the sweep leaves them; where their shape matters (lighting per vertex, bending) take
-/// another policy.
+/// triangles are as slender as the sweep leaves them, but for those too low for 32-bit floats (see low_triangles.hpp),
+/// whose diagonals are exchanged afterwards; where their shape matters (lighting per vertex, bending) take another
+/// policy.
 ///
 /// Cost   O(n log n); one pass. Only points that open a span are searched for, all others know theirs by their edges.
 /// Space  at most 130 bytes a point from `space`, nothing else after `out` has room
-/// Exact  orientation in 64 bits (see core/orientation.hpp) is the only predicate
+/// Exact  orientation in 64 bits (see core/orientation.hpp) is the only predicate of the sweep, heights in 128
 /// From   de Berg et al., Computational Geometry, 3rd ed. (2008), 3.2 and 3.3; Shamos & Hoey, Geometric intersection
 ///        problems (1976)
 struct monotone {
+    static constexpr bool has_final_diagonals = true;  ///< low triangles are raised here already
+
     /// Relies on the region's promise. Fails with error::out_of_memory, `out` being as it was.
     [[nodiscard]] error operator()(const region& r, workspace& space, triangle_list& out) const noexcept
     {
@@ -38,8 +42,8 @@ struct monotone {
                                    triangle_list& out) const noexcept
     {
         const auto nothing = [](const auto&) noexcept {};
-        return r.is_touching() ? cut<false, true>(r.points(), r.starts(), order, space, out, nothing)
-                               : cut<false, false>(r.points(), r.starts(), order, space, out, nothing);
+        return r.is_touching() ? cut<false, true>(r.points(), r.starts(), r.grid(), order, space, out, nothing)
+                               : cut<false, false>(r.points(), r.starts(), r.grid(), order, space, out, nothing);
     }
 
     /// The region that `loops` bound, its triangles appended to `out`.
@@ -60,7 +64,7 @@ struct monotone {
     {
         region r = region::proven(loops, 0, 0);
         const error e = cut<true, false>(
-            loops.points.view(), loops.starts.view(), order, space, out,
+            loops.points.view(), loops.starts.view(), loops.grid, order, space, out,
             [&](const auto& sweep) noexcept { r = region::proven(loops, sweep.holes(), sweep.outers()); });
         if (e) return e;
         return r;
@@ -74,7 +78,7 @@ struct monotone {
     {
         region r = region::proven(loops, 0, 0);
         const error e = cut<true, true>(
-            loops.points.view(), loops.starts.view(), {}, space, out, [&](const auto& sweep) noexcept {
+            loops.points.view(), loops.starts.view(), loops.grid, {}, space, out, [&](const auto& sweep) noexcept {
                 r = region::proven(loops, sweep.holes(), sweep.outers(), sweep.has_equal_points());
             });
         if (e) return e;
@@ -83,7 +87,7 @@ struct monotone {
 
 private:
     template <bool Proving, bool Touching, class Then>
-    [[nodiscard]] static error cut(std::span<const grid_point> points, std::span<const std::uint32_t> starts,
+    [[nodiscard]] static error cut(std::span<const grid_point> points, std::span<const std::uint32_t> starts, grid cells,
                                    std::span<const std::uint32_t> order, workspace& space, triangle_list& out,
                                    Then&& then) noexcept
     {
@@ -93,9 +97,13 @@ private:
         if (first == nullptr) return error::out_of_memory;
         using cutter = detail::chain_cutter<detail::triangle_output>;
         detail::monotone_sweep<Proving, Touching, cutter> sweep{points, starts, cutter{detail::triangle_output{first}}};
-        const error e = sweep.run(space, order);
-        const triangle* const end = e ? first : sweep.cutter().output().end();
-        out.truncate(before + static_cast<std::size_t>(end - first));
+        error e = sweep.run(space, order);
+        const detail::triangle_output& output = sweep.cutter().output();
+        const std::size_t made = e ? 0 : static_cast<std::size_t>(output.end() - first);
+        const triangle_heights heights{cells};
+        if (made != 0 && output.smallest() < heights.doubled_area_of_low())
+            e = raise_low_triangles(points, starts, heights, {first, made}, space);
+        out.truncate(before + (e ? 0 : made));
         if (!e) then(sweep);
         return e;
     }

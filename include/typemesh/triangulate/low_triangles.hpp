@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/error.hpp>
+#include <typemesh/core/region.hpp>
+#include <typemesh/core/triangle.hpp>
+#include <typemesh/core/workspace.hpp>
+#include <typemesh/triangulate/triangle_heights.hpp>
+#include <typemesh/triangulate/triangle_neighbours.hpp>
+#include <typemesh/triangulate/triangle_patch.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace typemesh {
+
+/// Exchanges diagonals until no triangle is low (see triangle_heights.hpp) that need not be.
+///
+///     a ------------ c ------------ b     c lies hardly below the edge ab: a triangle lower than a float's step,
+///       '-._       low          _.-'      which rounding turns over or flattens. Cut along cd instead, there is none.
+///            '-._           _.-'
+///                 '-. d .-'
+///
+/// A low triangle is looked at together with its neighbours: a polygon of 4 corners, then 5, and so on to 32, always
+/// across the longest edge; each is cut the best way there is, until none of its triangles is low. So a low triangle
+/// remains only where all ways to cut 32 corners round it have one as low, or where so much has been looked through
+/// that it has to end: 64 triangles a point and 2^15 more. Counts, points and the region's own edges stay what they are.
+///
+///     points, starts    as in contours
+///     triangles         any triangulation of the region that they bound, counter-clockwise
+///
+/// Fails with error::out_of_memory; the triangles are a right triangulation then, too.
+/// Cost    about 20 instructions a triangle where none is low, and little more where few are
+/// Space   from `space`: nothing, and where very many are low 32 bytes a triangle
+[[nodiscard]] inline error raise_low_triangles(std::span<const grid_point> points, std::span<const std::uint32_t> starts,
+                                               const triangle_heights& heights, std::span<triangle> triangles,
+                                               workspace& space) noexcept
+{
+    if (heights.doubled_area_of_low() == 0) return {};
+    workspace::scope scratch{space};
+    detail::triangle_neighbours neighbours{points.size(), starts, triangles};
+    detail::triangle_patch patch{points, triangles, heights, neighbours};
+    std::int64_t looks = 64 * static_cast<std::int64_t>(points.size()) + (1 << 15);
+    for (bool again = true; again;) {
+        again = false;
+        for (std::size_t t = 0; t < triangles.size() && looks > 0; ++t) {
+            const triangle& at = triangles[t];
+            if (!heights.is_low(points[at.a], points[at.b], points[at.c])) continue;
+            if (!neighbours.prepare(scratch, space)) return error::out_of_memory;
+            const auto [improved, clear] = patch.raise(static_cast<std::uint32_t>(t), looks);
+            again |= improved && !clear;  // what is low still may have come to lie in another place
+        }
+    }
+    return {};
+}
+
+/// The same for a triangulated region.
+[[nodiscard]] inline error raise_low_triangles(const region& r, std::span<triangle> triangles, workspace& space) noexcept
+{
+    return raise_low_triangles(r.points(), r.starts(), triangle_heights{r.grid()}, triangles, space);
+}
+
+}  // namespace typemesh
