@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: MIT
+
+// Triangles too low for 32-bit floats: exchanged wherever there is another way to cut.
+
+#include <typemesh/fill/fill.hpp>
+#include <typemesh/triangulate/constrained_delaunay.hpp>
+#include <typemesh/triangulate/low_triangles.hpp>
+#include <typemesh/triangulate/monotone.hpp>
+
+#include "support/catch.hpp"
+#include "support/counting_memory.hpp"
+#include "support/regions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+using namespace typemesh;
+
+namespace {
+
+/// A grid on which triangles are low that are lower than so many cells.
+grid grid_of(double low_cells) { return {.cells = 1.0, .units_per_em = low_cells * 0x1p20}; }
+
+/// Small whole numbers only, which doubles square exactly.
+bool is_low(grid_point a, grid_point b, grid_point c, double cells)
+{
+    const auto squared = [](grid_point p, grid_point q) {
+        return std::pow(double(p.x) - q.x, 2) + std::pow(double(p.y) - q.y, 2);
+    };
+    const double longest = (std::max)({squared(a, b), squared(b, c), squared(c, a)});
+    const auto doubled_area = static_cast<double>(orientation(a, b, c));
+    return doubled_area * doubled_area < cells * cells * longest;
+}
+
+std::size_t low_of(std::span<const grid_point> points, std::span<const triangle> triangles, double cells)
+{
+    std::size_t low = 0;
+    for (const triangle t : triangles) low += is_low(points[t.a], points[t.b], points[t.c], cells);
+    return low;
+}
+
+/// The fewest low triangles that a polygon can be cut into, by looking through all its triangulations.
+std::size_t fewest_low(const test::polyline& p, double cells)
+{
+    constexpr std::size_t none = 1'000'000;
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> known;
+    const auto over = [&](const auto& self, std::size_t i, std::size_t j) -> std::size_t {
+        if (j == i + 1) return 0;
+        const auto [at, is_new] = known.try_emplace({i, j}, none);
+        if (!is_new) return at->second;
+        std::size_t best = none;
+        for (std::size_t k = i + 1; k < j; ++k)
+            if (orientation(p[i], p[k], p[j]) > 0)
+                best = (std::min)(best, self(self, i, k) + self(self, k, j) + is_low(p[i], p[k], p[j], cells));
+        return known[{i, j}] = best;
+    };
+    return over(over, 0, p.size() - 1);
+}
+
+/// What is wrong with monotone's triangles of a shape where triangles below so many cells are low; `low` is told how
+/// many there are.
+template <class Triangulator = monotone>
+std::string broken_law(const test::shape& s, double cells, std::size_t& low, Triangulator how = {})
+{
+    contours loops = test::contours_of(s);
+    loops.grid = grid_of(cells);
+    workspace space;
+    const auto filled = fill(loops, fill_rule::non_zero, space);
+    if (!filled) return filled.error() == error::crossing_contours ? "" : filled.error().message();
+    triangle_list out, again;
+    if (!out.push_back({7, 8, 9})) return "no memory";
+    if (const error e = how(*filled, space, out)) return e.message();
+    if (!(out[0] == triangle{7, 8, 9})) return "what was there before is overwritten";
+    if (how(*filled, space, again) || !std::equal(again.begin(), again.end(), out.begin() + 1))
+        return "the second time other triangles";
+    low = low_of(filled->points(), again.view(), cells);
+    return test::oracle::broken_law(*filled, again.view());
+}
+
+/// One fan from the last point, however low its triangles: for convex shapes.
+struct fan {
+    error operator()(const region& r, workspace& space, triangle_list& out) const noexcept
+    {
+        const auto n = static_cast<std::uint32_t>(r.points().size());
+        triangle_list made;
+        for (std::uint32_t i = 0; i + 2 < n; ++i)
+            if (!made.push_back({n - 1, i, i + 1})) return error::out_of_memory;
+        if (error e = raise_low_triangles(r, made.view(), space)) return e;
+        return out.append(made.view()) ? error{} : error{error::out_of_memory};
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a triangle's level tells how often its height has to be doubled to reach 2^-16 em", "[triangulate][low]")
+{
+    const grid g{.cells = 512.0, .units_per_em = 2048.0};  // 2^-20 em is one cell
+    const triangle_heights heights{g};
+    const auto level = [&](std::int32_t length, std::int32_t middle, std::int32_t height) {
+        return heights.level({-length, 0}, {middle, -height}, {length, 0});
+    };
+    for (const std::int32_t length : {40, 1000, 1 << 20, 1 << 27}) {
+        for (const std::int32_t middle : {0, 7, -33}) {
+            CHECK(level(length, middle, 17) == 0);
+            CHECK(level(length, middle, 16) == 0);
+            CHECK(level(length, middle, 15) == 1);
+            CHECK(level(length, middle, 8) == 1);
+            CHECK(level(length, middle, 7) == 2);
+            CHECK(level(length, middle, 2) == 3);
+            CHECK(level(length, middle, 1) == 4);  // just not low
+        }
+    }
+    // Slanted: height times length is the doubled area, 1 here.
+    for (std::uint32_t k = 1; k < 20; ++k) {
+        const std::int32_t far = 1 << k;
+        CHECK(heights.level({0, 0}, {far, 1}, {2 * far + 1, 2}, 1) == (std::min)(12u, 4 + k + 2));
+        CHECK(heights.is_low({0, 0}, {far, 0}, {2 * far + 1, 1}));
+    }
+    CHECK_FALSE(triangle_heights{grid{}}.is_low({0, 0}, {1000, 0}, {2001, 1}));  // no em, nothing is low
+    CHECK(triangle_heights{grid{}}.doubled_area_of_low() == 0);
+}
+
+TEST_CASE("levels are exact for triangles of all sizes", "[triangulate][low]")
+{
+    test::dice d{11};
+    for (int i = 0; i < 20'000; ++i) {
+        const double em = std::ldexp(1.0 + d.fraction(), 14 + d.roll(11));
+        const triangle_heights heights{grid{.cells = 1.0, .units_per_em = em}};
+        const std::int32_t reach = 1 << (3 + d.roll(25));
+        const grid_point a{d.roll(reach) - reach / 2, d.roll(reach) - reach / 2},
+            b{d.roll(reach) - reach / 2, d.roll(reach) - reach / 2};
+        const double along = d.fraction();
+        const grid_point c{static_cast<std::int32_t>(a.x + along * (b.x - a.x)) + d.roll(5) - 2,
+                           static_cast<std::int32_t>(a.y + along * (b.y - a.y)) + d.roll(5) - 2};
+        if (orientation(a, b, c) <= 0) continue;
+        const auto far = [](grid_point p, grid_point q) { return std::hypot(double(p.x) - q.x, double(p.y) - q.y); };
+        const double height = static_cast<double>(orientation(a, b, c)) / (std::max)({far(a, b), far(b, c), far(c, a)});
+        const std::uint32_t level = heights.level(a, b, c);
+        const double whole = std::floor(em);
+        if (level > 0) CHECK(height * std::ldexp(1.0, 15 + static_cast<int>(level)) < whole * (1.0 + 1e-12));
+        if (level < 12) CHECK(height * std::ldexp(1.0, 16 + static_cast<int>(level)) > whole * (1.0 - 1e-12));
+        CHECK(heights.is_low(a, b, c) == (level >= triangle_heights::low));
+    }
+}
+
+TEST_CASE("no triangle of a polygon is low when all its triangulations hold one without", "[triangulate][low]")
+{
+    test::dice d{5};
+    std::size_t raised = 0, unavoidable = 0;
+    for (int i = 0; i < 500; ++i) {
+        const int width = 6 + d.roll(30), n = 4 + d.roll((std::min)(width * width / 4, 26));
+        const test::shape s{"random polygon " + std::to_string(i), {test::random_polygon(n, width, d)}};
+        for (const double cells : {0.25, 0.75, 1.5}) {  // whole numbers of cells an em
+            for (const test::shape& t : {s, test::mirrored(s), test::turned(s, 90.0)}) {
+                std::size_t before = 0, low = 0;
+                contours loops = test::contours_of(t);
+                workspace space;
+                const auto filled = fill(loops, fill_rule::non_zero, space);
+                if (!filled) continue;
+                triangle_list plain;
+                REQUIRE_FALSE(monotone{}(*filled, space, plain));
+                before = low_of(filled->points(), plain.view(), cells);
+                INFO(t << "below " << cells);
+                REQUIRE(broken_law(t, cells, low) == "");
+                const auto points = filled->points();
+                const std::size_t fewest = fewest_low({points.begin(), points.end()}, cells);
+                CHECK((low == 0) == (fewest == 0));
+                raised += before != 0 && low == 0;
+                unavoidable += fewest != 0;
+            }
+        }
+    }
+    CHECK(raised > 150);
+    CHECK(unavoidable > 30);
+}
+
+TEST_CASE("points that lie a cell beside a long edge are cut without low triangles", "[triangulate][low]")
+{
+    // A slanted stem, whose sides have points that rounding puts beside them: as in italics.
+    for (const int count : {1, 2, 5, 20}) {
+        test::polyline stem;
+        for (int i = 0; i <= count + 1; ++i) stem.push_back({200'000 + 300'000 * i / (count + 1) + i % 2, 1'400'000 * i / (count + 1)});
+        for (int i = count + 1; i >= 0; --i) stem.push_back({300'000 * i / (count + 1) - i % 2, 1'400'000 * i / (count + 1)});
+        std::reverse(stem.begin(), stem.end());
+        for (const double degrees : {0.0, 90.0, 180.0, 270.0}) {
+            for (const bool mirror : {false, true}) {
+                const test::shape turned = test::turned({"stem", {stem}}, degrees);
+                std::size_t low = 1;
+                INFO(count << " points a side, " << degrees << " degrees, mirrored " << mirror);
+                CHECK(broken_law(mirror ? test::reversed(test::mirrored(turned)) : turned, 1.0, low) == "");
+                CHECK(low == 0);
+            }
+        }
+    }
+}
+
+TEST_CASE("shapes of all kinds obey the laws where most triangles are low", "[triangulate][low]")
+{
+    for (const test::shape& s : test::generated_regions()) {
+        for (const double cells : {1.0, 30.0}) {
+            for (const double degrees : {0.0, 33.0}) {
+                const test::shape t = test::turned(s, degrees);
+                std::size_t low = 0;
+                INFO(t.name << ", below " << cells);
+                CHECK(broken_law(t, cells, low) == "");
+            }
+        }
+    }
+}
+
+TEST_CASE("a long fan of low triangles is mended, with a table of neighbours", "[triangulate][low]")
+{
+    for (const int n : {40, 200, 3000}) {
+        const test::shape s{"circle", {test::circle(n, 5e6)}};
+        std::size_t low = 1, by_sweep = 1;
+        const double cells = 5e6 * 10.0 / n / n;  // ears are lower by far than what is across, higher than this
+        INFO(n << " points");
+        CHECK(broken_law(s, cells, low, fan{}) == "");
+        CHECK(broken_law(s, cells, by_sweep) == "");
+        CHECK(low <= by_sweep + static_cast<std::size_t>(n) / 20);
+    }
+}
+
+TEST_CASE("low triangles are mended without memory as far as a table is not needed, and say so where it is",
+          "[triangulate][low]")
+{
+    contours loops = test::contours_of(test::shape{"circle", {test::circle(500, 5e6)}});
+    loops.grid = grid_of(2000.0);
+    workspace for_fill;
+    const auto filled = fill(loops, fill_rule::non_zero, for_fill);
+    REQUIRE(filled);
+    for (std::size_t nth = 1;; ++nth) {
+        test::counting_memory memory;
+        workspace space{memory.source()};
+        triangle_list out{memory.source()};
+        REQUIRE(out.push_back({7, 8, 9}));
+        memory.requests = 0;
+        memory.fail_at = nth;
+        const error e = monotone{}(*filled, space, out);
+        const bool was_asked = memory.requests >= nth;
+        memory.fail_at = 0;
+        if (!e) {
+            CHECK(test::oracle::broken_law(*filled, out.view().subspan(1)) == "");
+            if (!was_asked) break;
+            continue;
+        }
+        CHECK(e == error::out_of_memory);
+        CHECK(out.size() == 1);
+        REQUIRE_FALSE(monotone{}(*filled, space, out));
+        CHECK(test::oracle::broken_law(*filled, out.view().subspan(1)) == "");
+    }
+}
+
+TEST_CASE("neighbours are the same looked for and from the table", "[triangulate][low]")
+{
+    for (const test::shape& s : test::generated_regions()) {
+        contours loops = test::contours_of(s);
+        workspace space;
+        const auto filled = fill(loops, fill_rule::non_zero, space);
+        if (!filled || filled->points().size() < 8 || filled->points().size() > 2000) continue;
+        triangle_list out;
+        REQUIRE_FALSE(monotone{}(*filled, space, out));
+        workspace::scope scratch{space};
+        detail::triangle_neighbours some{filled->points().size(), filled->starts(), out.view()},
+            all{filled->points().size(), filled->starts(), out.view()};
+        const auto halves = static_cast<std::uint32_t>(3 * out.size());
+        for (std::uint32_t h = 0; !all.knows_all(); h = (h + 1) % halves) {
+            (void)all.across(h);
+            REQUIRE(all.prepare(scratch, space));
+        }
+        std::size_t boundary = 0;
+        for (std::uint32_t h = 0; h < halves; ++h) {
+            const std::uint32_t g = all.across(h);
+            REQUIRE(some.across(h) == g);
+            boundary += g == detail::triangle_neighbours::none;
+            if (g != detail::triangle_neighbours::none) REQUIRE(all.across(g) == h);
+        }
+        INFO(s.name);
+        CHECK(boundary == filled->points().size());
+    }
+}
+
+TEST_CASE("the constrained Delaunay triangulation keeps its low triangles", "[triangulate][low]")
+{
+    test::dice d{9};
+    for (int i = 0; i < 300; ++i) {
+        const test::shape s{"random", {test::random_polygon(12, 12, d)}};
+        contours plain = test::contours_of(s), told = test::contours_of(s);
+        told.grid = grid_of(3.0);
+        workspace space;
+        const auto a = fill(plain, fill_rule::non_zero, space), b = fill(told, fill_rule::non_zero, space);
+        if (!a) continue;
+        triangle_list first, second;
+        REQUIRE_FALSE(constrained_delaunay{}(*a, space, first));
+        REQUIRE_FALSE(constrained_delaunay{}(*b, space, second));
+        CHECK(std::equal(first.begin(), first.end(), second.begin(), second.end()));
+    }
+    STATIC_REQUIRE(has_final_diagonals<constrained_delaunay>);
+    STATIC_REQUIRE(has_final_diagonals<monotone>);
+    STATIC_REQUIRE_FALSE(has_final_diagonals<fan>);
+}
