@@ -36,7 +36,7 @@ inline constexpr D3D11_INPUT_ELEMENT_DESC layout[] = {
     {"TEXCOORD", 0, DXGI_FORMAT_R32G32_FLOAT, 0, 24, D3D11_INPUT_PER_VERTEX_DATA, 0},
 };
 
-/// Normals and tangents to 1/127; texture coordinates to 1/2048 within [0, 1].
+/// Normals and tangents to 1/127; texture coordinates to 1/2048 of a tile within [0, 1], 1/512 up to 4.
 struct packed_vertex {
     float position[3];
     typemesh::snorm8 normal[4];

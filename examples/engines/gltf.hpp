@@ -11,7 +11,11 @@
 //                    POSITION   unsigned short x 3, normalised, at 0     the node's translation and scale undo it: one
 //                    NORMAL     byte x 3, normalised, at 8               scale for all axes, so normals stay as they are
 //                    TANGENT    byte x 4, normalised, at 12
-//                    TEXCOORD_0 unsigned short x 2, normalised, at 16    for texture_mapping::box, whose u and v lie in [0, 1]
+//                    TEXCOORD_0 unsigned short x 2, normalised, at 16    beyond [0, 1] as in texture_mapping::em, the
+//                                                                        default: the materials' KHR_texture_transform
+//                                                                        undoes it. It belongs to a texture, so each
+//                                                                        material has a white one, of one pixel: what
+//                                                                        you put in its place keeps its transform
 //
 // Indices are unsigned short up to 65,535 vertices (65,535 itself is left out by the format), else unsigned int.
 //
@@ -69,17 +73,59 @@ inline void say(std::string& out, const char* format, auto... values)
     out.append(text, n > 0 ? static_cast<std::size_t>(n) : 0);
 }
 
-/// The materials of the parts that are drawn, in the parts' order: painted, not metal, the sides darker.
+/// A PNG of one white pixel.
+inline constexpr unsigned char white_pixel[] = {
+    0x89, 0x50, 0x4E, 0x47, 0x0D, 0x0A, 0x1A, 0x0A, 0x00, 0x00, 0x00, 0x0D, 0x49, 0x48, 0x44, 0x52,
+    0x00, 0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x01, 0x08, 0x00, 0x00, 0x00, 0x00, 0x3A, 0x7E, 0x9B,
+    0x55, 0x00, 0x00, 0x00, 0x0A, 0x49, 0x44, 0x41, 0x54, 0x78, 0xDA, 0x63, 0xF8, 0x0F, 0x00, 0x01,
+    0x01, 0x01, 0x00, 0x1C, 0xB0, 0x8C, 0x99, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4E, 0x44, 0xAE,
+    0x42, 0x60, 0x82};
+
+/// A sink that only looks: from where to where texture coordinates run, [0, 1] at least.
+struct uv_range {
+    static constexpr auto wants = typemesh::attribute::uv;
+    float2 low{0.0f, 0.0f}, high{1.0f, 1.0f};
+
+    typemesh::error begin(typemesh::mesh_size) noexcept { return {}; }
+    void vertex(const typemesh::surface_point<wants>& s) noexcept
+    {
+        low = {s.uv.x < low.u ? s.uv.x : low.u, s.uv.y < low.v ? s.uv.y : low.v};
+        high = {s.uv.x > high.u ? s.uv.x : high.u, s.uv.y > high.v ? s.uv.y : high.v};
+    }
+    void triangle(std::uint32_t, std::uint32_t, std::uint32_t) noexcept {}
+    void end() noexcept {}
+
+    [[nodiscard]] float2 scale() const noexcept { return {high.u - low.u, high.v - low.v}; }
+    [[nodiscard]] bool is_unit() const noexcept
+    {
+        return !(low.u < 0.0f) && !(low.v < 0.0f) && !(high.u > 1.0f) && !(high.v > 1.0f);
+    }
+    [[nodiscard]] unorm16x2 operator()(typemesh::vec2 uv) const noexcept
+    {
+        return {(uv.x - low.u) / scale().u, (uv.y - low.v) / scale().v};
+    }
+};
+
+/// The materials of the parts that are drawn, in the parts' order: painted, not metal, the sides darker. Where `packed`
+/// texture coordinates go beyond [0, 1] each has a white texture with the transform that undoes them.
 template <class Plan>
-void say_materials(std::string& json, const Plan& plan)
+void say_materials(std::string& json, const Plan& plan, const uv_range* packed)
 {
+    std::string texture;
+    if (packed != nullptr && !packed->is_unit()) {
+        json += R"("images":[{"mimeType":"image/png","bufferView":2}],"textures":[{"source":0}],)";
+        say(texture,
+            R"("baseColorTexture":{"index":0,"extensions":{"KHR_texture_transform":{"offset":[%.9g,%.9g],"scale":[%.9g,%.9g]}}},)",
+            typemesh::as_double(packed->low.u), typemesh::as_double(packed->low.v),
+            typemesh::as_double(packed->scale().u), typemesh::as_double(packed->scale().v));
+    }
     using typemesh::part;
     const char* before = R"("materials":[)";
     for (const part p : typemesh::all_parts) {
         if (plan.range(p).index_count == 0) continue;
         const bool side = p == part::side;
-        say(json, R"(%s{"name":"%s","pbrMetallicRoughness":{"baseColorFactor":%s,"metallicFactor":0,"roughnessFactor":0.45}})",
-            before, side ? "side" : p == part::front ? "front" : "back",
+        say(json, R"(%s{"name":"%s","pbrMetallicRoughness":{%s"baseColorFactor":%s,"metallicFactor":0,"roughnessFactor":0.45}})",
+            before, side ? "side" : p == part::front ? "front" : "back", texture.c_str(),
             side ? "[0.617,0.061,0.03,1]" : "[0.871,0.138,0.051,1]");
         before = ",";
     }
@@ -89,7 +135,8 @@ void say_materials(std::string& json, const Plan& plan)
 /// Where the vertices and indices go, whatever the layout.
 template <class Index, class Plan>
 [[nodiscard]] typemesh::error write_buffer(const Plan& plan, layout how, const typemesh::position_box& box,
-                                           std::span<std::byte> vertices, std::span<Index> indices) noexcept
+                                           const uv_range& uv, std::span<std::byte> vertices,
+                                           std::span<Index> indices) noexcept
 {
     using namespace typemesh;
     const auto turned = []<class T>(T) noexcept {
@@ -109,7 +156,8 @@ template <class Index, class Plan>
             vertices, 0, 20, [box](const surface_point<attribute::position>& s) noexcept { return box(s.position); }),
         stream<attribute::normal, snorm8x3>::in(vertices, 8, 20),
         computed_stream<attribute::tangent, snorm8x4>(vertices, 12, 20, turned(snorm8x4{})),
-        stream<attribute::uv, unorm16x2>::in(vertices, 16, 20)});
+        computed_stream<attribute::uv, unorm16x2>(
+            vertices, 16, 20, [uv](const surface_point<attribute::uv>& s) noexcept { return uv(s.uv); })});
 }
 
 /// Replaces `out`, a container of bytes, by the file; an empty text gives a scene without nodes.
@@ -120,9 +168,15 @@ template <class Plan, class Bytes>
     const mesh_size size = plan.size();
     const bool wide = !index_can_number<std::uint16_t>(size.vertices), packed = how == layout::quantised;
     const std::size_t stride = packed ? 20 : 48, vertex_bytes = stride * size.vertices,
-                      index_bytes = (wide ? 4 : 2) * size.indices(), bytes = (vertex_bytes + index_bytes + 3) / 4 * 4;
+                      index_bytes = (wide ? 4 : 2) * size.indices();
     const auto low = plan.bounds().low, high = plan.bounds().high;
     const position_box box = position_box::cube_around(low, high);
+    uv_range uv;
+    if (packed) {
+        if (error e = plan.write(uv)) return e;
+    }
+    const std::size_t pixel_bytes = uv.is_unit() ? 0 : sizeof white_pixel, pixel_at = vertex_bytes + index_bytes,
+                      bytes = (pixel_at + pixel_bytes + 3) / 4 * 4;
 
     std::string json = R"({"asset":{"version":"2.0","generator":"typemesh"},"scene":0,)";
     if (size.triangles == 0) {
@@ -130,8 +184,9 @@ template <class Plan, class Bytes>
     } else {
         json += R"("scenes":[{"nodes":[0]}],)";
         if (packed)
-            json += R"("extensionsUsed":["KHR_mesh_quantization"],"extensionsRequired":["KHR_mesh_quantization"],)";
-        say_materials(json, plan);
+            say(json, R"("extensionsUsed":["KHR_mesh_quantization"%s],"extensionsRequired":["KHR_mesh_quantization"],)",
+                uv.is_unit() ? "" : R"(,"KHR_texture_transform")");
+        say_materials(json, plan, packed ? &uv : nullptr);
         json += R"("nodes":[{"name":"text","mesh":0)";
         if (packed)
             say(json, R"(,"translation":[%.9g,%.9g,%.9g],"scale":[%.9g,%.9g,%.9g])", box.offset.x, box.offset.y,
@@ -148,8 +203,10 @@ template <class Plan, class Bytes>
         say(json,
             R"(]}],"buffers":[{"byteLength":%zu}],"bufferViews":[{"buffer":0,"byteLength":%zu,"byteStride":%zu,"target":34962},)",
             bytes, vertex_bytes, stride);
-        say(json, R"({"buffer":0,"byteOffset":%zu,"byteLength":%zu,"target":34963}],"accessors":[)", vertex_bytes,
-            index_bytes);
+        say(json, R"({"buffer":0,"byteOffset":%zu,"byteLength":%zu,"target":34963})", vertex_bytes, index_bytes);
+        if (pixel_bytes != 0)
+            say(json, R"(,{"buffer":0,"byteOffset":%zu,"byteLength":%zu})", pixel_at, pixel_bytes);
+        json += R"(],"accessors":[)";
         const auto n = static_cast<unsigned>(size.vertices);
         if (packed) {
             const box_position last = box(high);
@@ -198,11 +255,12 @@ template <class Plan, class Bytes>
     at += json.size();
     word(bytes), word(0x004E'4942);
     std::memset(at, 0, bytes);  // the gaps between attributes, and the end
+    if (pixel_bytes != 0) std::memcpy(at + pixel_at, white_pixel, pixel_bytes);
     const std::span vertices{at, vertex_bytes};
     if (wide)
-        return write_buffer(plan, how, box, vertices,
+        return write_buffer(plan, how, box, uv, vertices,
                             std::span{reinterpret_cast<std::uint32_t*>(at + vertex_bytes), index_bytes / 4});
-    return write_buffer(plan, how, box, vertices,
+    return write_buffer(plan, how, box, uv, vertices,
                         std::span{reinterpret_cast<std::uint16_t*>(at + vertex_bytes), index_bytes / 2});
 }
 

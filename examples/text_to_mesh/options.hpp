@@ -40,7 +40,7 @@ struct options {
     normals_name normals = normals_name::curve;
     std::optional<float> crease;  ///< degrees; each style has a default of its own
     std::optional<typemesh::fill_rule> fill;
-    typemesh::texture_mapping uv = typemesh::texture_mapping::box;
+    typemesh::texture_mapping uv = typemesh::texture_mapping::em;
     bool strict = false;
     bool merge = false;
     bool instances = false;

@@ -142,7 +142,7 @@ TEST_CASE("the mesh is closed and encloses its outline's area times the extrusio
 TEST_CASE("the mesh is text_mesher's own", "[compat]")
 {
     test::toy_font font;
-    text_mesher mesher = text_mesher{font}.with(extruded<>{.depth = 0.4f});
+    text_mesher mesher = text_mesher{font}.with(extruded<>{.depth = 0.4f, .texture = texture_mapping::box});
     full_mesh own;
     REQUIRE(mesher.build(all_glyphs, into(own.vertices, own.indices),
                          {.tolerance = d3dx_tolerance(0.005), .draw_missing = true}));

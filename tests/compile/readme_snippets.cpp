@@ -60,6 +60,8 @@ use(size, error, front);
 auto flat_text = typemesh::text_mesher{*font}.with(typemesh::flat{});
 auto blocky    = typemesh::text_mesher{*font}.with(typemesh::extruded<typemesh::creased_normals>{.depth = 0.5f}).with(typemesh::two_lines{});
     use(flat_text, blocky);
+auto over_the_text = typemesh::text_mesher{*font}.with(typemesh::extruded<>{.texture = typemesh::texture_mapping::box});
+    use(over_the_text);
 
 auto lines = mesher.plan("one\nanother", {.layout = {.align = typemesh::alignment::centre}});
 const typemesh::variation bold[] = {{"wght", 700}};

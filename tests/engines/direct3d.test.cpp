@@ -112,7 +112,7 @@ TEST_CASE("Direct3D 11 gets the vertex of 32 bytes and the packed one, up to the
         mesh.index = numbers<std::uint32_t>(indices.bytes().data(), m);
         engine packed = direct3d;
         packed.off_direction = 0.01;
-        packed.off_uv = 0.001;
+        packed.off_uv = 1e-3;  // half a step of a half from 2 em on
         obeys(mesh, *plan, packed);
     }
 }

@@ -34,7 +34,7 @@ seen read(std::span<const Vertex> vertices)
 engine packed(engine is)
 {
     is.off_direction = 0.0025;
-    is.off_uv = 0.0005;
+    is.off_uv = 1e-3;  // half a step of a half from 2 em on
     return is;
 }
 

@@ -133,21 +133,31 @@ void obeys(const seen& mesh, const Plan& plan, const engine& is)
     CHECK(middle_x < (left + right) / 2);
     CHECK(middle_y < (low + high) / 2);
 
-    // Texture: the square [0, 1] over the text's box, v = 0 where the engine has it.
+    // Texture: a tile an em. On caps by the place in the text, v = 0 where the engine has it; on walls upright, and
+    // everywhere as long as what it lies on.
     if (!mesh.uv.empty()) {
         REQUIRE(mesh.uv.size() == size.vertices);
-        const bounds3 box = plan.bounds();
-        const vec3 extent = test::subtract(box.high, box.low);
-        const auto share = [&](vec3 p, vec3 axis) {
-            const double length = std::abs(along(extent, axis)), d = along(test::subtract(p, box.low), axis);
-            return along(axis, {1, 1, 1}) > 0 ? d / length : 1.0 + d / length;
-        };
         const double off = is.off_uv + is.off_position * 3.0;
-        for (std::size_t i = 0; i < mesh.uv.size(); ++i) {
-            const double u = share(mesh.position[i], is.right), v = share(mesh.position[i], is.up);
-            if (std::abs(mesh.uv[i].x - u) > off || std::abs(mesh.uv[i].y - (is.v_down ? 1.0 - v : v)) > off)
-                FAIL("vertex " << i << " has u " << mesh.uv[i].x << ", v " << mesh.uv[i].y << " for " << u << ", "
-                               << v);
+        for (const part where : all_parts) {
+            const auto range = plan.range(where);
+            for (std::uint32_t i = range.first_vertex; i < range.first_vertex + range.vertex_count; ++i) {
+                const vec3 p = mesh.position[i];
+                const double rise = where == part::side ? 1.0 + along(p, is.toward) / is.em : along(p, is.up) / is.em,
+                             v = is.v_down ? 1.0 - rise : rise, u = along(p, is.right) / is.em;
+                if ((where != part::side && std::abs(as_double(mesh.uv[i].x) - u) > off) ||
+                    std::abs(as_double(mesh.uv[i].y) - v) > off)
+                    FAIL("vertex " << i << " has u " << mesh.uv[i].x << ", v " << mesh.uv[i].y << " for " << u << ", "
+                                   << v);
+            }
+            for (std::uint32_t i = range.first_index; i < range.first_index + range.index_count; ++i) {
+                const std::uint32_t a = mesh.index[i], b = mesh.index[i % 3 == 2 ? i - 2 : i + 1];
+                const vec3 d = test::subtract(mesh.position[b], mesh.position[a]);
+                const double far = std::sqrt(test::dot(d, d)) / is.em,
+                             in_texture = std::hypot(as_double(mesh.uv[b].x) - as_double(mesh.uv[a].x),
+                                                     as_double(mesh.uv[b].y) - as_double(mesh.uv[a].y));
+                if (std::abs(in_texture - far) > 3.0 * off)
+                    FAIL("an edge of " << far << " em has " << in_texture << " in the texture");
+            }
         }
     }
 

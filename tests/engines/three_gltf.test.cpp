@@ -162,7 +162,9 @@ TEST_CASE("a quantised glTF file gives the same mesh back through its node's tra
     REQUIRE_FALSE(engines::gltf::write(*plan, engines::gltf::layout::quantised, file));
     const glb g = open(file);
     CHECK(g.json.find("extensionsRequired\":[\"KHR_mesh_quantization\"]") != std::string::npos);
-    const auto offset = numbers_after(g.json, "translation"), scale = numbers_after(g.json, "scale");
+    const auto offset = numbers_after(g.json, "translation"), scale = numbers_after(g.json.substr(g.json.find("\"nodes\":[{")), "scale");
+    const std::string transform = g.json.substr(g.json.find("\"KHR_texture_transform\":{"));
+    const auto uv_offset = numbers_after(transform, "offset"), uv_scale = numbers_after(transform, "scale");
     REQUIRE(scale[0] == scale[1]);
     REQUIRE(scale[0] == scale[2]);
     seen mesh;
@@ -184,7 +186,8 @@ TEST_CASE("a quantised glTF file gives the same mesh back through its node's tra
         mesh.position.push_back({p[0], p[1], p[2]});
         mesh.normal.push_back({d(v.normal[0]), d(v.normal[1]), d(v.normal[2])});
         mesh.tangent.push_back({d(v.tangent[0]), d(v.tangent[1]), d(v.tangent[2]), d(v.tangent[3])});
-        mesh.uv.push_back({static_cast<float>(v.uv[0]) / 65535.0f, static_cast<float>(v.uv[1]) / 65535.0f});
+        mesh.uv.push_back({static_cast<float>(uv_offset.at(0) + uv_scale.at(0) * v.uv[0] / 65535.0),
+                           static_cast<float>(uv_offset.at(1) + uv_scale.at(1) * v.uv[1] / 65535.0)});
         CHECK(v.position[3] == 0);
         CHECK(v.normal[3] == 0);
     }
@@ -198,7 +201,7 @@ TEST_CASE("a quantised glTF file gives the same mesh back through its node's tra
     engine is = gltf;
     is.off_position = 3e-5;  // half a step of the longest side, 2.6 em
     is.off_direction = 0.01;
-    is.off_uv = 1e-5;
+    is.off_uv = 1e-4;  // half a step of the longest contour, below 8 em
     obeys(mesh, *plan, is);
     if (const char* folder = std::getenv("TYPEMESH_KEEP_GLB")) {  // for gltf-validator
         for (const auto how : {engines::gltf::layout::plain, engines::gltf::layout::quantised}) {
@@ -245,6 +248,27 @@ TEST_CASE("a glTF file has a named material for each part that is drawn, and non
     auto sheet = flattened.plan(word, engines::gltf::options());
     REQUIRE(sheet);
     law(*sheet, {"front"});
+}
+
+TEST_CASE("texture coordinates over the text's box are written as they are into a quantised glTF file", "[engines]")
+{
+    bench b;
+    auto boxed = std::move(b.mesher).with(extruded<>{.texture = texture_mapping::box});
+    auto plan = boxed.plan(word, engines::gltf::options());
+    REQUIRE(plan);
+    std::vector<std::byte> file;
+    REQUIRE_FALSE(engines::gltf::write(*plan, engines::gltf::layout::quantised, file));
+    const glb g = open(file);
+    CHECK(g.json.find("KHR_texture_transform") == std::string::npos);
+    CHECK(g.json.find("\"textures\"") == std::string::npos);
+    std::uint16_t least = 0xFFFF, most = 0;
+    for (std::size_t i = 0; i < plan->size().vertices; ++i) {
+        std::uint16_t u;
+        std::memcpy(&u, g.bin.data() + 20 * i + 16, 2);
+        least = (std::min)(least, u), most = (std::max)(most, u);
+    }
+    CHECK(least == 0);
+    CHECK(most == 0xFFFF);
 }
 
 TEST_CASE("a long text has wide indices in its glTF file, and an empty one no mesh", "[engines]")

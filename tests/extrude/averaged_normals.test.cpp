@@ -43,7 +43,7 @@ void check_equal(vec3 n, point p, double z)
 TEST_CASE("averaged normals are the normalised sums of two walls, none doubled", "[extrude]")
 {
     for (const auto& s : shapes::all()) {
-        const built b = build(s, extruded<averaged_normals>{});
+        const built b = build(s, extruded<averaged_normals>{.texture = texture_mapping::box});
         CHECK(b.announced.vertices == 4 * s.points());
         for (std::uint32_t i = 0; i < s.points(); ++i) {
             const walls w = at(s, i);
@@ -57,7 +57,7 @@ TEST_CASE("creased normals double the corners of the polygon, each wall with its
     for (const float crease : {1.0f, 10.0f, 30.0f, 75.0f, 100.0f}) {
         for (const auto& s : shapes::all()) {
             INFO(s.name << " creased at " << crease);
-            const built b = build(s, extruded<creased_normals>{.normals = {crease}});
+            const built b = build(s, extruded<creased_normals>{.texture = texture_mapping::box, .normals = {crease}});
             std::uint32_t hard = 0;
             for (std::uint32_t i = 0; i < s.points(); ++i) {
                 const walls w = at(s, i);
@@ -75,7 +75,8 @@ TEST_CASE("creased normals double the corners of the polygon, each wall with its
             CHECK(b.announced.vertices == 4 * s.points() + 2 * hard);
         }
     }
-    for (const auto& side : build(shapes::rectangle(), extruded<creased_normals>{.normals = {90.0f}}).sides)
+    const extruded<creased_normals> square{.texture = texture_mapping::box, .normals = {90.0f}};
+    for (const auto& side : build(shapes::rectangle(), square).sides)
         CHECK_FALSE(side.doubled);
 }
 
@@ -121,7 +122,7 @@ TEST_CASE("at the tip of a needle the polygon's styles still give unit normals a
         for (const auto& v : m.vertices) CHECK(meshes::length(v.normal) == Approx(1.0).margin(1e-6));
         return std::vector<surface_point<everything>>{m.vertices};
     };
-    CHECK(tip(extruded<averaged_normals>{})[6 + 2].normal.x == Approx(1.0));
+    CHECK(tip(extruded<averaged_normals>{.texture = texture_mapping::box})[6 + 2].normal.x == Approx(1.0));
     CHECK(tip(extruded<creased_normals>{.normals = {180.0f}}).size() == 12 + 2);
     CHECK(tip(extruded<curve_normals>{.normals = {180.0f}}).size() == 12 + 2);
     CHECK(tip(extruded<shared_normals>{})[1].normal == vec3{0.0f, 0.0f, 1.0f});

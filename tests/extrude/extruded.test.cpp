@@ -72,29 +72,29 @@ TEMPLATE_TEST_CASE("extruded has exactly the vertices and triangles of its style
     }
 }
 
-TEST_CASE("the four styles have 2N, 4N, 4N + 2H and 4N + 2H vertices", "[extrude]")
+TEST_CASE("the four styles have 2N, 4N, 4N + 2H and 4N + 2H vertices, and 2 for each seam", "[extrude]")
 {
     const auto total = [](const built& b) { return b.announced.vertices; };
     // 12 corners, all hard
     const auto e = shapes::letter_e();
     CHECK(total(build(e, extruded<shared_normals>{})) == 24);
-    CHECK(total(build(e, extruded<averaged_normals>{})) == 48);
+    CHECK(total(build(e, extruded<averaged_normals>{})) == 48 + 2);  // and the seam
     CHECK(total(build(e, extruded<creased_normals>{})) == 48 + 24);
     CHECK(total(build(e, extruded<curve_normals>{})) == 48 + 24);
     // 22 points; four corners are hard, bowls join their lines softly
     const auto d = shapes::letter_d();
     CHECK(d.points() == 22);
     CHECK(total(build(d, extruded<shared_normals>{})) == 44);
-    CHECK(total(build(d, extruded<averaged_normals>{})) == 88);
+    CHECK(total(build(d, extruded<averaged_normals>{})) == 88 + 4);
     CHECK(total(build(d, extruded<curve_normals>{})) == 88 + 8);
-    // no hard point at all: em mapping needs one more pair a contour
+    // no hard point at all: em mapping needs one more pair a contour, box mapping none
     const auto o = shapes::ring();
     CHECK(o.points() == 48);
-    CHECK(total(build(o, extruded<curve_normals>{})) == 192);
-    CHECK(total(build(o, extruded<curve_normals>{.texture = texture_mapping::em})) == 192 + 4);
-    CHECK(total(build(d, extruded<curve_normals>{.texture = texture_mapping::em})) == 96);
-    CHECK(total(build(d, extruded<averaged_normals>{.texture = texture_mapping::em})) == 88 + 4);
-    CHECK(total(build(d, extruded<shared_normals>{.texture = texture_mapping::em})) == 44);
+    CHECK(total(build(o, extruded<curve_normals>{})) == 192 + 4);
+    CHECK(total(build(o, extruded<curve_normals>{.texture = texture_mapping::box})) == 192);
+    CHECK(total(build(d, extruded<curve_normals>{.texture = texture_mapping::box})) == 96);
+    CHECK(total(build(d, extruded<averaged_normals>{.texture = texture_mapping::box})) == 88);
+    CHECK(total(build(d, extruded<shared_normals>{.texture = texture_mapping::box})) == 44);
 }
 
 TEMPLATE_TEST_CASE("extruded is closed, faces outward and turns as the frame asks", "[extrude]", shared_normals,

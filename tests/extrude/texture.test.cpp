@@ -42,7 +42,7 @@ TEMPLATE_TEST_CASE("box mapping runs from exactly 0 to exactly 1, on walls by th
         for (const auto& s : shapes::all()) {
             INFO(s.name);
             const placement at = over_box(s, origin);
-            const built b = build(s, extruded<TestType>{}, at);
+            const built b = build(s, extruded<TestType>{.texture = texture_mapping::box}, at);
             vec2 low{2, 2}, high{-1, -1};
             for (const auto& v : b.vertices) {
                 low = {(std::min)(low.x, v.uv.x), (std::min)(low.y, v.uv.y)};
@@ -62,7 +62,8 @@ TEST_CASE("a box without extent gives one coordinate, not NaN", "[extrude]")
 {
     placement at = in_em();
     at.texture_per_cell = {0.0, 0.0};
-    for (const auto& v : build(shapes::rectangle(), extruded<>{}, at).vertices) CHECK(v.uv == vec2{0.0f, 1.0f});
+    for (const auto& v : build(shapes::rectangle(), extruded<>{.texture = texture_mapping::box}, at).vertices)
+        CHECK(v.uv == vec2{0.0f, 1.0f});
 }
 
 TEMPLATE_TEST_CASE("em mapping has one tile an em on caps and walls, within 1 %", "[extrude]", averaged_normals,
@@ -98,12 +99,26 @@ TEMPLATE_TEST_CASE("em mapping has one tile an em on caps and walls, within 1 %"
     }
 }
 
+TEMPLATE_TEST_CASE("by default no triangle's texture is drawn out into a line", "[extrude]", flat,
+                   extruded<averaged_normals>, extruded<creased_normals>, extruded<curve_normals>)
+{
+    for (const auto& s : shapes::all()) {
+        INFO(s.name);
+        const built b = build(s, TestType{});
+        for (const auto& t : b.triangles) {
+            const vec2 p = b.vertices[t[0]].uv, q = b.vertices[t[1]].uv, r = b.vertices[t[2]].uv;
+            CHECK((q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x) != 0.0f);
+        }
+    }
+}
+
 TEST_CASE("the seam of em mapping lies in a hard point where there is one, and u runs once along each contour",
           "[extrude]")
 {
     for (const auto& s : shapes::all()) {
         INFO(s.name);
-        const built b = build(s, extruded<>{.texture = texture_mapping::em}), plain = build(s, extruded<>{});
+        const built b = build(s, extruded<>{.texture = texture_mapping::em}),
+                    plain = build(s, extruded<>{.texture = texture_mapping::box});
         std::uint32_t v = b.first_vertex(part::side);
         for (std::uint32_t k = 0; k < s.contour_count(); ++k) {
             double length = 0.0;

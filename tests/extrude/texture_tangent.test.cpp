@@ -118,7 +118,7 @@ TEST_CASE("box mapping gives walls the tangents of em mapping, since u and v do 
 {
     for (const auto& s : shapes::all()) {
         INFO(s.name);
-        const built b = build(s, extruded<averaged_normals>{}),
+        const built b = build(s, extruded<averaged_normals>{.texture = texture_mapping::box}),
                     e = build(s, extruded<averaged_normals>{.texture = texture_mapping::em});
         std::size_t k = 2 * s.points();  // em mapping may double one point more a contour: its seam
         for (std::size_t i = k; i < b.vertices.size(); ++i, ++k) {

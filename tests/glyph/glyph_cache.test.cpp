@@ -268,7 +268,7 @@ TEST_CASE("settings and policies that shape glyphs differently never share them"
     CHECK(drawn_by(plain().with(extruded<>{.front = false})) == 2);
     CHECK(drawn_by(plain().with(extruded<>{.back = false})) == 2);
     CHECK(drawn_by(plain().with(extruded<>{.side = false})) == 2);
-    CHECK(drawn_by(plain().with(extruded<>{.texture = texture_mapping::em})) == 2);
+    CHECK(drawn_by(plain().with(extruded<>{.texture = texture_mapping::box})) == 2);
     CHECK(drawn_by(plain().with(extruded<>{.normals = {.crease_degrees = 100.0f}})) == 2);
     font.axes = 9;
     CHECK(drawn_by(plain()) == 2);
@@ -276,7 +276,7 @@ TEST_CASE("settings and policies that shape glyphs differently never share them"
     // What matters only to writing is shared.
     CHECK(drawn_by(plain()) == 0);
     CHECK(drawn_by(plain().with(extruded<>{.depth = 3.0f, .centred = true})) == 0);
-    CHECK(drawn_by(plain().with(flat{.texture = texture_mapping::em})) == 0);
+    CHECK(drawn_by(plain().with(flat{.texture = texture_mapping::box})) == 0);
     CHECK(drawn_by(plain(), {.unit = output_unit::pixels, .size = 3.0, .frame = left_handed_z_up}) == 0);
 }
 

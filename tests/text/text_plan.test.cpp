@@ -194,7 +194,7 @@ TEST_CASE("instances of meshes are the placed glyphs, up to rounding", "[text]")
     test::toy_font font;
     const auto frame = GENERATE(right_handed_y_up, left_handed_y_up, right_handed_z_up, left_handed_z_up);
     const auto unit = GENERATE(output_unit::em, output_unit::font_units, output_unit::unit_box);
-    text_mesher mesher{font};
+    auto mesher = text_mesher{font}.with(extruded<>{.texture = texture_mapping::box});
     const auto plan = mesher.plan("oEx oo\nEiE", {.unit = unit, .texture_over = texture_box::glyph, .frame = frame});
     REQUIRE(plan);
     const auto placed = written(*plan);

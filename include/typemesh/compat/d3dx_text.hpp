@@ -84,7 +84,7 @@ public:
     }
     d3dx_text(Font& font, Cache cache, memory source = heap()) noexcept
         : font_{&font},
-          mesher_{text_mesher{font, source}.with(extruder_type{}).with(cache)},
+          mesher_{text_mesher{font, source}.with(extruder_type{.texture = texture_mapping::box}).with(cache)},
           features_{source}
     {
     }

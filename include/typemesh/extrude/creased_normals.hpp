@@ -6,7 +6,8 @@
 
 namespace typemesh {
 
-/// 4N + 2H vertices: as averaged_normals, but a point whose two walls' normals differ by more than the crease angle is
+/// 4N + 2H vertices, and 2 for the seam of each contour without a hard point (extruded.hpp): as
+/// averaged_normals, but a point whose two walls' normals differ by more than the crease angle is
 /// hard: it is doubled, and each wall keeps its own normal.
 ///
 /// It knows the polygon alone, whose turns on coarse curves are as large as those of blunt corners: at 30 degrees and

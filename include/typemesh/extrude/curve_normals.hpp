@@ -8,7 +8,8 @@
 
 namespace typemesh {
 
-/// 4N + 2H vertices: normals exact from the curves that the walls stand for, however coarse the polygon.
+/// 4N + 2H vertices, and 2 for the seam of each contour without a hard point (extruded.hpp): normals
+/// exact from the curves that the walls stand for, however coarse the polygon.
 ///
 ///     inside a curve     soft: one normal, the curve's own; at a cusp or where the curve turns back, as at a joint
 ///     at a joint         hard where the two curves' tangents break by more than the crease angle: doubled, each wall

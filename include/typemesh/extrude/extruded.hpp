@@ -32,12 +32,13 @@ namespace typemesh {
 /// A part that is switched off leaves out its vertices and triangles; only shared_normals and cap_normals keep the
 /// vertices of a cap that its walls stand on.
 ///
-/// plan() cannot know what a vertex will take: it finds the normals and places the seams in any case. Writing computes
-/// only what is asked for.
+/// plan() cannot know what a vertex will take: it finds the normals and places the seams in any case (box mapping has no
+/// seams). Writing computes only what is asked for.
 ///
-///     extruded{}                                     curve_normals, 0.2 em deep
+///     extruded{}                                     curve_normals, 0.2 em deep, a texture tile an em
 ///     extruded<>{.depth = 0.3f}                      the <> is for clang before 17; others do without
 ///     extruded<shared_normals>{.depth = 0.3f}
+///     extruded<>{.texture = texture_mapping::box}    a texture over the whole text instead (texture.hpp)
 ///     extruded<creased_normals>{.normals = {.crease_degrees = 20.0f}}
 ///
 /// Fails  error::bad_option: depth is not positive and finite, or an option of the normals is out of range
@@ -51,7 +52,7 @@ struct extruded {
     bool front = true;
     bool back = true;
     bool side = true;
-    texture_mapping texture = texture_mapping::box;
+    texture_mapping texture = texture_mapping::em;
     [[no_unique_address]] Normals normals = {};
 
     /// See option_bits. Depth matters only to writing, but one that plan() refuses must not find what another kept. The
@@ -87,7 +88,7 @@ struct extruded {
             return e;
         }
         if constexpr (Normals::shares_caps) return sizes(shape, 0);
-        if (texture == texture_mapping::em) measure(shape, mine);
+        if (texture == texture_mapping::em) return sizes(shape, measure(shape, mine));
         std::uint32_t doubled = 0;
         for (std::size_t i = 0; i < n; ++i) doubled += mine[i].doubled;
         return sizes(shape, doubled);
@@ -155,10 +156,10 @@ private:
         return all;
     }
 
-    /// Lengths along each contour, from its first doubled point; where there is none its first point becomes one.
-    static void measure(const region& shape, side_point* sides) noexcept
+    static std::uint32_t measure(const region& shape, side_point* sides) noexcept
     {
-        const auto points = shape.points();
+        const grid_point* points = shape.points().data();
+        std::uint32_t doubled = 0;
         for (std::uint32_t loop = 0; loop < shape.loop_count(); ++loop) {
             const std::uint32_t first = shape.starts()[loop], last = shape.starts()[loop + 1] - 1;
             std::uint32_t seam = first;
@@ -166,14 +167,21 @@ private:
             if (!sides[seam].doubled) seam = first;
             sides[seam].doubled = sides[seam].seam = true;
             double along = 0.0;
-            std::uint32_t i = seam;
-            do {
-                const std::uint32_t next = i == last ? first : i + 1;
-                along += length(way(points[i], points[next]));
-                sides[next].along = static_cast<float>(along);
-                i = next;
-            } while (i != seam);
+            const auto walk = [&](std::uint32_t from, std::uint32_t to) noexcept {
+                for (std::uint32_t i = from; i < to; ++i) {
+                    const grid_point a = points[i], b = points[i + 1];  // below 2^28: differences fit, and cost less so
+                    along += length({static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y)});
+                    sides[i + 1].along = static_cast<float>(along);
+                    doubled += sides[i + 1].doubled;
+                }
+            };
+            walk(seam, last);
+            along += length(way(points[last], points[first]));
+            sides[first].along = static_cast<float>(along);
+            doubled += sides[first].doubled;
+            walk(first, seam);
         }
+        return doubled;
     }
 
     template <attribute Wants, class Axes, class Emit>
@@ -230,6 +238,7 @@ private:
                texture_tangent tangents, Emit& emit) const noexcept
     {
         const bool by_length = texture == texture_mapping::em;
+        const float tiles_per_cell = static_cast<float>(at.em_per_cell);
         const float deep = static_cast<float>(as_double(depth) * at.em_per_depth);  // em
         const float v_top = planar.turned(1.0f), v_bottom = planar.turned(1.0f - deep);
         for (std::size_t i = 0; i < s.points.size(); ++i) {
@@ -246,7 +255,7 @@ private:
             }
             if constexpr (has(Wants, attribute::uv)) {
                 front_point.uv = back_point.uv =
-                    by_length ? vec2{static_cast<float>(as_double(here.along) * at.em_per_cell), v_top} : planar(g);
+                    by_length ? vec2{here.along * tiles_per_cell, v_top} : planar(g);
                 if (by_length) back_point.uv.y = v_bottom;
             }
             if constexpr (has(Wants, attribute::tangent)) {
@@ -291,15 +300,20 @@ private:
     static void join_walls(const solid& s, std::uint32_t first, Emit& emit) noexcept
     {
         std::uint32_t a = first;
+        const auto wall = [&emit](std::uint32_t from, std::uint32_t c) noexcept {
+            emit(from, from + 1, c + 1);
+            emit(from, c + 1, c);
+        };
         for (std::size_t loop = 0; loop + 1 < s.starts.size(); ++loop) {
-            const std::uint32_t begin = s.starts[loop], end = s.starts[loop + 1], start = a;
-            for (std::uint32_t i = begin; i < end; ++i) {
+            const std::uint32_t last = s.starts[loop + 1] - 1, start = a;
+            for (std::uint32_t i = s.starts[loop]; i < last; ++i) {
                 a += s.sides[i].doubled ? 2u : 0u;
-                const std::uint32_t c = i + 1 == end ? start : a + 2;
-                emit(a, a + 1, c + 1);
-                emit(a, c + 1, c);
+                wall(a, a + 2);
                 a += 2;
             }
+            a += s.sides[last].doubled ? 2u : 0u;
+            wall(a, start);
+            a += 2;
         }
     }
 };

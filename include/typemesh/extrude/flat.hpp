@@ -10,7 +10,7 @@ namespace typemesh {
 
 /// The front alone, at z = 0: N vertices and n + 2h - 2c triangles (region.hpp).
 struct flat {
-    texture_mapping texture = texture_mapping::box;
+    texture_mapping texture = texture_mapping::em;
 
     /// See option_bits. Where texture coordinates come from matters only to writing.
     [[nodiscard]] option_bits cache_key() const noexcept { return {}; }

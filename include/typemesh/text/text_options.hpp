@@ -49,7 +49,7 @@ struct text_options {
     double size = 1.0;            ///< what the unit is multiplied by: how large an em is in your world
     double pixels_per_em = 64.0;  ///< for output_unit::pixels alone
     depth_unit depth_in = depth_unit::em;
-    texture_box texture_over = texture_box::text;
+    texture_box texture_over = texture_box::text;  ///< for the `box` texture mapping alone; see texture.hpp
     typemesh::frame frame = right_handed_y_up;
 
     /// Join glyphs whose outlines meet (kerned, cursive or accented ones) to one solid without inner walls: see
