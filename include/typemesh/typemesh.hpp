@@ -26,6 +26,7 @@
 #include <typemesh/discretise/two_lines.hpp>
 
 #include <typemesh/fill/fill.hpp>
+#include <typemesh/fill/outer_of.hpp>
 
 #include <typemesh/triangulate/constrained_delaunay.hpp>
 #include <typemesh/triangulate/monotone.hpp>

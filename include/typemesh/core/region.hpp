@@ -19,6 +19,8 @@ namespace typemesh {
 ///     |             +--<---+    |      n + 2h - 2c triangles over these points
 ///     +------------->-----------+
 ///
+/// Which hole lies in which outer loop is told by outer_of() (fill/outer_of.hpp).
+///
 /// A view: it refers to the contours it was proven from and ends with them. Only fill and a triangulator that proves
 /// make one; proven() is their door, and the promise above is what passes through it.
 class region {
