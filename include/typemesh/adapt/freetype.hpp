@@ -322,7 +322,7 @@ private:
     {
         if (wanted.empty()) return {};
         for (const variation& v : wanted)
-            if (!is_finite(double{v.value})) return error::bad("variations");
+            if (!is_finite(as_double(v.value))) return error::bad("variations");
         FT_MM_Var* axes = nullptr;
         if (!FT_HAS_MULTIPLE_MASTERS(face_) || FT_Get_MM_Var(face_, &axes)) return error::unknown_variation;
 
@@ -338,7 +338,7 @@ private:
             if (i == axes->num_axis)
                 trouble = error::unknown_variation;
             else
-                values[i] = bounded(double{v.value}, axes->axis[i].minimum, axes->axis[i].maximum);
+                values[i] = bounded(as_double(v.value), axes->axis[i].minimum, axes->axis[i].maximum);
         }
         if (!trouble)
             if (const FT_Error code = FT_Set_Var_Design_Coordinates(face_, axes->num_axis, values))

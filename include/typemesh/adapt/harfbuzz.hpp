@@ -167,7 +167,10 @@ private:
         double x_unit, y_unit;  // font units to one of HarfBuzz's
 
         static pen& from(void* data) noexcept { return *static_cast<pen*>(data); }
-        [[nodiscard]] point place(float x, float y) const noexcept { return {x_unit * double{x}, y_unit * double{y}}; }
+        [[nodiscard]] point place(float x, float y) const noexcept
+        {
+            return {x_unit * as_double(x), y_unit * as_double(y)};
+        }
 
         static void move(hb_draw_funcs_t*, void* data, hb_draw_state_t*, float x, float y, void*) noexcept
         {
@@ -303,7 +306,7 @@ private:
         if (wanted.empty()) return {};
         buffer<hb_variation_t> values;
         for (const variation& v : wanted) {
-            if (!is_finite(double{v.value})) return error::bad("variations");
+            if (!is_finite(as_double(v.value))) return error::bad("variations");
             const hb_variation_t value{hb_tag_from_string(v.tag, 4), v.value};
             hb_ot_var_axis_info_t axis;
             if (!hb_ot_var_find_axis_info(hb_font_get_face(font_), value.tag, &axis)) return error::unknown_variation;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/same.hpp>
+
 #include <cmath>
 #include <cstdint>
 
@@ -15,7 +17,7 @@ struct point {
     friend constexpr point operator-(point a, point b) noexcept { return {a.x - b.x, a.y - b.y}; }
     friend constexpr point operator*(double s, point a) noexcept { return {s * a.x, s * a.y}; }
     friend constexpr point operator*(point a, double s) noexcept { return s * a; }
-    friend constexpr bool operator==(point, point) noexcept = default;
+    friend constexpr bool operator==(point a, point b) noexcept { return same(a.x, b.x) && same(a.y, b.y); }
 };
 
 [[nodiscard]] constexpr double dot(point a, point b) noexcept { return a.x * b.x + a.y * b.y; }
@@ -46,7 +48,7 @@ struct vec2 {
     float x = 0.0f;
     float y = 0.0f;
 
-    friend constexpr bool operator==(vec2, vec2) noexcept = default;
+    friend constexpr bool operator==(vec2 a, vec2 b) noexcept { return same(a.x, b.x) && same(a.y, b.y); }
 };
 
 struct vec3 {
@@ -54,7 +56,10 @@ struct vec3 {
     float y = 0.0f;
     float z = 0.0f;
 
-    friend constexpr bool operator==(vec3, vec3) noexcept = default;
+    friend constexpr bool operator==(vec3 a, vec3 b) noexcept
+    {
+        return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z);
+    }
 };
 
 struct vec4 {
@@ -63,7 +68,10 @@ struct vec4 {
     float z = 0.0f;
     float w = 0.0f;
 
-    friend constexpr bool operator==(const vec4&, const vec4&) noexcept = default;
+    friend constexpr bool operator==(const vec4& a, const vec4& b) noexcept
+    {
+        return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z) && same(a.w, b.w);
+    }
 };
 
 }  // namespace typemesh

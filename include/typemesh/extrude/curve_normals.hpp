@@ -89,7 +89,7 @@ private:
             const point n = unit(outward(exact ? line : along));
             return {n, n, false, exact};
         }
-        const tangents t = tangents_at(c, e.t0);
+        const tangents t = tangents_at(c, as_double(e.t0));
         const point start = forth * (forth > 0.0 ? t.after : t.before);
         return wall_after(unit(outward(dot(start, along) > 0.0 ? start : along)), c, e, along);
     }
@@ -100,7 +100,7 @@ private:
     {
         if (c.degree == 1) return {start, start, false, true};
         const double forth = e.t0 <= e.t1 ? 1.0 : -1.0;
-        const tangents t = tangents_at(c, e.t1);
+        const tangents t = tangents_at(c, as_double(e.t1));
         const point end = forth * (forth > 0.0 ? t.before : t.after);
         const bool exact = dot(end, along) > 0.0;
         return {start, unit(outward(exact ? end : along)), t.stops, exact};

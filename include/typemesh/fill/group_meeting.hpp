@@ -25,7 +25,8 @@ struct number_sets {
     }
     void join(std::uint32_t a, std::uint32_t b) noexcept
     {
-        a = root(a), b = root(b);
+        a = root(a);
+        b = root(b);
         parent[a < b ? b : a] = a < b ? a : b;
     }
 };
@@ -51,8 +52,12 @@ struct box_sweep {
         for (const entry& e : entries) {
             const double x0 = static_cast<double>(e.around.low.x), x1 = static_cast<double>(e.around.high.x);
             const double y0 = static_cast<double>(e.around.low.y), y1 = static_cast<double>(e.around.high.y);
-            left = x0 < left ? x0 : left, right = x1 > right ? x1 : right, width += x1 - x0;
-            low = y0 < low ? y0 : low, high = y1 > high ? y1 : high, height += y1 - y0;
+            left = x0 < left ? x0 : left;
+            right = x1 > right ? x1 : right;
+            width += x1 - x0;
+            low = y0 < low ? y0 : low;
+            high = y1 > high ? y1 : high;
+            height += y1 - y0;
         }
         const bool upward = (high - low) * width > (right - left) * height;
         for (entry& e : entries) {
