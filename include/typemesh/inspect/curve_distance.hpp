@@ -65,7 +65,9 @@ struct curve_distance {
     fill_check found;
     std::uint64_t state = seed * 0x9E37'79B9'7F4A'7C15u + 1;
     const auto fraction = [&] {
-        state ^= state << 13, state ^= state >> 7, state ^= state << 17;
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
         return static_cast<double>(state >> 11) * 0x1p-53;
     };
     const box& around = given.bounds();

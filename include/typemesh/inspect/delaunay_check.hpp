@@ -98,7 +98,11 @@ struct delaunay_check {
     const auto add = [&](std::uint64_t p, std::uint64_t q, std::uint32_t apex) {
         sides.push_back({(std::min)(p, q) << 32 | (std::max)(p, q), apex});
     };
-    for (const triangle t : triangles) add(t.a, t.b, t.c), add(t.b, t.c, t.a), add(t.c, t.a, t.b);
+    for (const triangle t : triangles) {
+        add(t.a, t.b, t.c);
+        add(t.b, t.c, t.a);
+        add(t.c, t.a, t.b);
+    }
     std::sort(sides.begin(), sides.end(), [](const side_of_edge& s, const side_of_edge& t) { return s.edge < t.edge; });
     delaunay_check found;
     for (std::size_t i = 1; i < sides.size(); ++i) {

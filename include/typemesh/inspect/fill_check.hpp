@@ -34,8 +34,10 @@ struct fill_check {
     std::int32_t left = 1 << 29, right = -left, bottom = left, top = -left;
     for (const loop l : given) {
         for (const grid_point p : l) {
-            left = (std::min)(left, p.x), right = (std::max)(right, p.x);
-            bottom = (std::min)(bottom, p.y), top = (std::max)(top, p.y);
+            left = (std::min)(left, p.x);
+            right = (std::max)(right, p.x);
+            bottom = (std::min)(bottom, p.y);
+            top = (std::max)(top, p.y);
         }
     }
     fill_check found;

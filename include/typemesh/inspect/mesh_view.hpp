@@ -40,7 +40,7 @@ struct place {
 template <class Vector>
 [[nodiscard]] constexpr place to_place(const Vector& v) noexcept
 {
-    if constexpr (requires { static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z); })
+    if constexpr (requires { static_cast<double>(v.x) + static_cast<double>(v.y) + static_cast<double>(v.z); })
         return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
     else
         return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
