@@ -32,7 +32,7 @@ template <class Matrix>
 inline constexpr bool holds_triples_in_one_piece = (Matrix::ColsAtCompileTime == 3 && bool(Matrix::IsRowMajor)) ||
                                                    (Matrix::RowsAtCompileTime == 3 && !bool(Matrix::IsRowMajor));
 
-/// Sizes the three matrices and fills them: places, normals, triangles. float, and an integer of 32 or 16 bits.
+/// Sizes the three matrices and fills them: places, normals, triangles. float, and any integer.
 template <class Plan, class Places, class Normals, class Triangles>
 [[nodiscard]] typemesh::error write(const Plan& plan, Places& places, Normals& normals, Triangles& triangles)
 {
@@ -44,10 +44,7 @@ template <class Plan, class Places, class Normals, class Triangles>
     struct float3 {
         float x, y, z;
     };
-    using index = std::make_unsigned_t<typename Triangles::Scalar>;  // the same bits
     const mesh_size size = plan.size();
-    if (std::is_signed_v<typename Triangles::Scalar> && size.vertices > static_cast<index>(-1) / 2)
-        return {error::index_overflow, size.vertices};
     const auto fit = [](auto& m, std::size_t n) {
         using extent = decltype(m.rows());
         if constexpr (std::remove_reference_t<decltype(m)>::RowsAtCompileTime == 3)
@@ -56,7 +53,7 @@ template <class Plan, class Places, class Normals, class Triangles>
             m.resize(static_cast<extent>(n), 3);
     };
     fit(places, size.vertices), fit(normals, size.vertices), fit(triangles, size.triangles);
-    return plan.write(stream_sink{std::span{reinterpret_cast<index*>(triangles.data()), size.indices()},
+    return plan.write(stream_sink{std::span{triangles.data(), size.indices()},
                                   stream<attribute::position, float3>{places.data(), size.vertices},
                                   stream<attribute::normal, float3>{normals.data(), size.vertices}});
 }

@@ -40,7 +40,6 @@ struct typemesh::vertex_traits<engines::glm_vertex> {
     static constexpr auto wants = attribute::position | attribute::normal | attribute::tangent | attribute::uv;
     engines::glm_vertex operator()(const surface_point<wants>& s) const noexcept
     {
-        return {
-            to_glm(s.position), to_glm(s.normal), {s.tangent.x, s.tangent.y, s.tangent.z, s.tangent.w}, to_glm(s.uv)};
+        return {to_glm(s.position), to_glm(s.normal), to_glm(s.tangent), to_glm(s.uv)};
     }
 };

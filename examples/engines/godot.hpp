@@ -49,7 +49,7 @@ template <class Plan>
         float x, y, z, w;
     };
     const std::span all_tangents{reinterpret_cast<float4*>(tangents.ptrw()), size.vertices};
-    const std::span indices{reinterpret_cast<std::uint32_t*>(numbers.ptrw()), size.indices()};
+    const std::span indices{numbers.ptrw(), size.indices()};
     if (error e = plan.write(stream_sink{
             indices, stream<attribute::position, godot::Vector3>{places.ptrw(), size.vertices},
             stream<attribute::normal, godot::Vector3>{normals.ptrw(), size.vertices},

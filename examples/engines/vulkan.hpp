@@ -6,6 +6,10 @@
 // space y points down: with the customary flipped viewport (negative height, VK_KHR_maintenance1, core since 1.1) the
 // front faces are VK_FRONT_FACE_COUNTER_CLOCKWISE.
 //
+// VK_FORMAT_A2B10G10R10_SNORM_PACK32 is no format that every device must read vertices from: query
+// vkGetPhysicalDeviceFormatProperties(...).bufferFeatures for VK_FORMAT_FEATURE_VERTEX_BUFFER_BIT once, and where it is
+// missing take snorm8 x 4 instead (VK_FORMAT_R8G8B8A8_SNORM, which every device has; the same 4 bytes).
+//
 // Include <vulkan/vulkan.h> first.
 //
 //     engines::vulkan::room room{mapped_vertices, mapped_indices};          // spans of bytes

@@ -4,9 +4,7 @@
 // The core: text to triangles, nothing third-party. Fonts come in through one of the adapters:
 // <typemesh/adapt/harfbuzz.hpp>, <typemesh/adapt/freetype.hpp>, <typemesh/adapt/directwrite.hpp>, or outlines of your own.
 //
-// Not here, to stay quick to include: the packed formats for vertices (<typemesh/vertex/half.hpp>, normalised, ten_bit,
-// octahedral, octahedral_tangent, position_box, colour), <typemesh/vertex/computed_stream.hpp>, and
-// <typemesh/compat/d3dx_text.hpp>.
+// Not here: <typemesh/compat/d3dx_text.hpp>.
 
 #include <typemesh/core/version.hpp>
 
@@ -32,9 +30,17 @@
 #include <typemesh/triangulate/monotone.hpp>
 #include <typemesh/triangulate/triangle_quality.hpp>
 
+#include <typemesh/vertex/colour.hpp>
+#include <typemesh/vertex/computed_stream.hpp>
 #include <typemesh/vertex/frame.hpp>
 #include <typemesh/vertex/growing_sink.hpp>
+#include <typemesh/vertex/half.hpp>
+#include <typemesh/vertex/normalised.hpp>
+#include <typemesh/vertex/octahedral.hpp>
+#include <typemesh/vertex/octahedral_tangent.hpp>
+#include <typemesh/vertex/position_box.hpp>
 #include <typemesh/vertex/stream_sink.hpp>
+#include <typemesh/vertex/ten_bit.hpp>
 
 #include <typemesh/extrude/averaged_normals.hpp>
 #include <typemesh/extrude/cap_normals.hpp>

@@ -5,6 +5,7 @@
 #include "support/toy_font.hpp"
 
 #include <typemesh/compat/d3dx_text.hpp>
+#include <typemesh/triangulate/constrained_delaunay.hpp>
 #include <typemesh/vertex/growing_sink.hpp>
 
 #include <cmath>
@@ -401,4 +402,31 @@ TEST_CASE("a temporary font and a temporary maker do not compile", "[compat]")
 {
     STATIC_REQUIRE_FALSE(takes_a_temporary<test::toy_font>);
     STATIC_REQUIRE_FALSE(plans_without_a_name<test::toy_font>);
+}
+
+TEST_CASE("another triangulator changes the caps' triangles and nothing else", "[compat]")
+{
+    test::toy_font font;
+    d3dx_text usual{font};
+    auto fair = d3dx_text{font}.with(constrained_delaunay{});
+    static_assert(std::is_same_v<decltype(fair), d3dx_text<test::toy_font, curve_normals, no_cache, constrained_delaunay>>);
+    for (const auto* text : {u"o", u"Eo i", u""}) {
+        const auto a = usual.plan(text), b = fair.plan(text);
+        REQUIRE(a);
+        REQUIRE(b);
+        CHECK(a->size() == b->size());
+        std::vector<d3dx_textured_vertex> first(a->size().vertices), second(b->size().vertices);
+        std::vector<std::uint16_t> old_cut(a->size().indices()), new_cut(b->size().indices());
+        REQUIRE_FALSE(a->write(std::span{first}, std::span{old_cut}));
+        REQUIRE_FALSE(b->write(std::span{second}, std::span{new_cut}));
+        for (std::size_t i = 0; i < first.size(); ++i) {
+            CHECK(first[i].position == second[i].position);
+            CHECK(first[i].normal == second[i].normal);
+            CHECK(first[i].uv == second[i].uv);
+        }
+        const auto walls = a->sides();
+        for (std::size_t i = walls.first_index; i < walls.first_index + walls.index_count; ++i)
+            CHECK(old_cut[i] == new_cut[i]);
+        if (!old_cut.empty()) CHECK_FALSE(old_cut == new_cut);
+    }
 }

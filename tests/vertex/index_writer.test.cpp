@@ -16,10 +16,15 @@ TEST_CASE("the greatest index stays free", "[vertex]")
     CHECK_FALSE(index_can_number<std::uint16_t>(0x1'0000));
     CHECK(index_can_number<std::uint8_t>(255));
     CHECK_FALSE(index_can_number<std::uint8_t>(256));
+    CHECK(index_can_number<int>(0x7FFF'FFFFu));
+    CHECK_FALSE(index_can_number<int>(0x8000'0000u));
+    CHECK(index_can_number<std::int16_t>(0x7FFF));
+    CHECK_FALSE(index_can_number<std::int16_t>(0x8000));
+    CHECK(index_can_number<std::int64_t>(0xFFFF'FFFFu));
 }
 
 TEMPLATE_TEST_CASE("triangles come behind one another in indices of every width, the base added to each", "[vertex]",
-                   std::uint8_t, std::uint16_t, std::uint32_t, std::uint64_t)
+                   std::uint8_t, std::uint16_t, std::uint32_t, std::uint64_t, std::int16_t, std::int32_t, std::int64_t)
 {
     std::vector<TestType> indices(9, TestType{77});
     index_writer<TestType> writer{100};

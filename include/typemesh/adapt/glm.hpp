@@ -2,9 +2,13 @@
 #pragma once
 
 #include <typemesh/core/point.hpp>
+#include <typemesh/vertex/frame.hpp>
 
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 namespace typemesh {
 
@@ -12,11 +16,32 @@ namespace typemesh {
 /// from GLM's.
 [[nodiscard]] inline glm::vec2 to_glm(vec2 v) noexcept { return {v.x, v.y}; }
 [[nodiscard]] inline glm::vec3 to_glm(vec3 v) noexcept { return {v.x, v.y, v.z}; }
+[[nodiscard]] inline glm::vec4 to_glm(vec4 v) noexcept { return {v.x, v.y, v.z, v.w}; }
 [[nodiscard]] inline glm::dvec2 to_glm(point p) noexcept { return {p.x, p.y}; }
 
 /// And back.
 [[nodiscard]] inline vec2 from_glm(const glm::vec2& v) noexcept { return {v.x, v.y}; }
 [[nodiscard]] inline vec3 from_glm(const glm::vec3& v) noexcept { return {v.x, v.y, v.z}; }
+[[nodiscard]] inline vec4 from_glm(const glm::vec4& v) noexcept { return {v.x, v.y, v.z, v.w}; }
 [[nodiscard]] inline point from_glm(const glm::dvec2& v) noexcept { return {v.x, v.y}; }
+
+/// The matrix that moves by `way`: the model matrix of a glyph_instance is translation_matrix(i.translation).
+[[nodiscard]] inline glm::mat4 translation_matrix(vec3 way) noexcept
+{
+    glm::mat4 m{1.0f};
+    m[3] = {way.x, way.y, way.z, 1.0f};
+    return m;
+}
+
+/// Text in the axes of a matrix: its columns are where the text runs, stands and looks. Unit vectors at right angles, as
+/// in every rotation (glm::mat3_cast of a quaternion); they may mirror. Winding and uv are a frame's own defaults.
+[[nodiscard]] inline frame frame_from_glm(const glm::mat3& axes) noexcept
+{
+    frame f;
+    f.right = from_glm(axes[0]);
+    f.up = from_glm(axes[1]);
+    f.toward = from_glm(axes[2]);
+    return f;
+}
 
 }  // namespace typemesh

@@ -17,6 +17,15 @@
 #include <limits>
 #include <utility>
 
+// HB_LEAN, and HB_TINY with it, mean HB_NO_DRAW unless a configuration header of the project's says otherwise. Seen only
+// where HarfBuzz is built with the same macros as this file; a library built so apart from it lacks hb_draw_funcs_create
+// and hb_font_draw_glyph, which the linker tells.
+#if defined(HB_NO_DRAW) || \
+    ((defined(HB_TINY) || defined(HB_LEAN)) && !defined(HB_CONFIG_OVERRIDE_H) && !defined(HB_CONFIG_OVERRIDE_LAST_H))
+#error "typemesh: this HarfBuzz is configured without outlines (HB_TINY, HB_LEAN or HB_NO_DRAW), and text cannot be meshed \
+without: build it with a HB_CONFIG_OVERRIDE_H that has `#undef HB_NO_DRAW`, or take freetype_font."
+#endif
+
 namespace typemesh {
 
 /// A font through HarfBuzz (4.0 or later): shapes text of every script, and draws its outlines; FreeType is not needed.

@@ -68,11 +68,15 @@ struct d3dx_text_options {
 ///
 ///     glyph_cache cache;
 ///     d3dx_text maker{font, cached_in{cache, 1}};
-template <class Font, side_normals Normals = curve_normals, class Cache = no_cache>
+///
+/// Caps are cut by monotone, or by another triangulator:
+///
+///     auto fair = d3dx_text{font}.with(constrained_delaunay{});
+template <class Font, side_normals Normals = curve_normals, class Cache = no_cache, triangulator Triangulator = monotone>
     requires shaper<Font> && outline_source<Font>
 class d3dx_text {
     using extruder_type = extruded<Normals>;
-    using mesher_type = text_mesher<Font, certified, monotone, extruder_type, no_observer, Cache>;
+    using mesher_type = text_mesher<Font, certified, Triangulator, extruder_type, no_observer, Cache>;
 
 public:
     using plan_type = d3dx_text_plan<extruder_type>;
@@ -87,6 +91,27 @@ public:
           mesher_{text_mesher{font, source}.with(extruder_type{.texture = texture_mapping::box}).with(cache)},
           features_{source}
     {
+    }
+
+    /// The same with another triangulator.
+    template <class Policy>
+    [[nodiscard]] auto with(Policy policy) && noexcept
+    {
+        if constexpr (triangulator<Policy>) {
+            return d3dx_text<Font, Normals, Cache, Policy>{font_, std::move(mesher_).with(std::move(policy)),
+                                                           std::move(features_)};
+        } else {
+            static_assert(sizeof(Policy) == 0, "typemesh: with() of a d3dx_text takes a triangulator; everything else is "
+                                               "as Direct3D has it. A text_mesher takes other policies too.");
+            return std::move(*this);
+        }
+    }
+    template <class Policy>
+    d3dx_text&& with(Policy) & noexcept
+    {
+        static_assert(sizeof(Policy) == 0, "typemesh: with() makes another d3dx_text of this one, which ends: write "
+                                           "`d3dx_text{font}.with(...)`, or `std::move(maker).with(...)`.");
+        return std::move(*this);
     }
 
     // The font is referred to: a temporary will not do, nor a result without its `*`.
@@ -154,6 +179,15 @@ public:
     }
 
 private:
+    template <class OtherFont, side_normals OtherNormals, class OtherCache, triangulator OtherTriangulator>
+        requires shaper<OtherFont> && outline_source<OtherFont>
+    friend class d3dx_text;
+
+    d3dx_text(Font* font, mesher_type&& mesher, buffer<feature>&& features) noexcept
+        : font_{font}, mesher_{std::move(mesher)}, features_{std::move(features)}
+    {
+    }
+
     Font* font_;
     mesher_type mesher_;
     buffer<feature> features_;

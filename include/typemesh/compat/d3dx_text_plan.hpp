@@ -66,7 +66,7 @@ public:
     /// Fails  error::buffer_too_small (count = how many elements that array needs)
     ///        error::index_overflow: 16-bit indices number 65,535 vertices; take 32-bit ones for more. Nothing is
     ///        written then.
-    template <class Vertex, std::size_t V, std::unsigned_integral Index, std::size_t I>
+    template <class Vertex, std::size_t V, class Index, std::size_t I>
     error write(std::span<Vertex, V> vertices, std::span<Index, I> indices) const noexcept
     {
         return plan_.write(into(vertices, indices));

@@ -277,7 +277,7 @@ public:
 
     /// The other half: emit(const glyph_instance&) for every glyph, those of mesh 0 first (glyph_mesh::glyph_count of
     /// them), then those of mesh 1, and so on. A mesh moved by the translation is the placed glyph, up to the rounding
-    /// of the sum and to textures that spread over more than the glyph.
+    /// of the sum and to where its textures begin.
     template <class Emit>
     void write_instances(Emit&& emit) const noexcept
     {

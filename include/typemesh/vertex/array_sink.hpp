@@ -21,7 +21,7 @@ namespace typemesh {
 /// Fails in begin(), before anything is written:
 ///        error::buffer_too_small  a span is too short; count = how many elements it needs
 ///        error::index_overflow    Index cannot number base_vertex + vertices; count = that sum
-template <class Vertex, std::unsigned_integral Index, vertex_writer Writer>
+template <class Vertex, class Index, vertex_writer Writer>
 class array_sink {
 public:
     static constexpr attribute wants = Writer::wants;
@@ -88,7 +88,7 @@ consteval void require_vertex_traits() noexcept
 }
 
 /// A sink over two arrays; the writer is the vertex' own vertex_traits.
-template <class Vertex, std::size_t V, std::unsigned_integral Index, std::size_t I>
+template <class Vertex, std::size_t V, class Index, std::size_t I>
 [[nodiscard]] auto into(std::span<Vertex, V> vertices, std::span<Index, I> indices,
                         std::uint32_t base_vertex = 0) noexcept
 {
@@ -97,7 +97,7 @@ template <class Vertex, std::size_t V, std::unsigned_integral Index, std::size_t
 }
 
 /// The same with a writer of your own, which may carry state.
-template <class Vertex, std::size_t V, std::unsigned_integral Index, std::size_t I, vertex_writer Writer>
+template <class Vertex, std::size_t V, class Index, std::size_t I, vertex_writer Writer>
 [[nodiscard]] auto into(std::span<Vertex, V> vertices, std::span<Index, I> indices, Writer writer,
                         std::uint32_t base_vertex = 0) noexcept
 {

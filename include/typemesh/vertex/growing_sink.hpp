@@ -28,7 +28,6 @@ template <sizable_array Vertices, sizable_array Indices, vertex_writer Writer>
 class growing_sink {
     using vertex_type = typename Vertices::value_type;
     using index_type = typename Indices::value_type;
-    static_assert(std::unsigned_integral<index_type>, "typemesh: indices are unsigned: std::uint16_t or std::uint32_t");
 
 public:
     static constexpr attribute wants = Writer::wants;

@@ -7,21 +7,32 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 namespace typemesh {
 
-/// Whether Index can number so many vertices from 0 on. Its greatest value (0xFFFF, 0xFFFFFFFF) is kept free: graphics
-/// interfaces read it as "restart".
-template <std::unsigned_integral Index>
+/// What numbers vertices, wherever indices are written: an integer of 8 to 64 bits, unsigned as graphics interfaces have
+/// it or signed as Eigen, Godot, Qt and VTK do. A bool, a character or an enumeration is none.
+template <class T>
+concept vertex_index =
+    std::integral<T> && !std::is_const_v<T> && !std::same_as<T, bool> && !std::same_as<T, char> &&
+    !std::same_as<T, wchar_t> && !std::same_as<T, char8_t> && !std::same_as<T, char16_t> && !std::same_as<T, char32_t>;
+
+/// Whether Index can number so many vertices from 0 on. Its greatest value (0xFFFF, 0xFFFFFFFF; 0x7FFFFFFF of an int) is
+/// kept free: graphics interfaces read it as "restart".
+template <vertex_index Index>
 [[nodiscard]] constexpr bool index_can_number(std::uint64_t vertices) noexcept
 {
-    return vertices <= (std::numeric_limits<Index>::max)();
+    return vertices <= static_cast<std::uint64_t>((std::numeric_limits<Index>::max)());
 }
 
 /// Writes triangles behind one another as three indices each, a base vertex added to all: each element once, in
 /// ascending order, never read back. What the sinks over memory have in common.
-template <std::unsigned_integral Index>
+template <class Index>
 class index_writer {
+    static_assert(vertex_index<Index>, "typemesh: indices are integers of 8 to 64 bits that can be written, signed or "
+                                       "unsigned: std::uint16_t, std::uint32_t, int and the like.");
+
 public:
     explicit constexpr index_writer(std::uint32_t base_vertex) noexcept : base_{base_vertex} {}
 

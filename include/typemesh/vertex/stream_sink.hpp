@@ -82,7 +82,7 @@ concept vertex_stream = requires(const S& s, std::size_t i, const surface_point<
 ///     stream_sink sink{std::span{indices}, base_vertex, ...};      // base_vertex is added to every index
 ///
 /// Fails in begin(), before anything is written, as array_sink does.
-template <std::unsigned_integral Index, vertex_stream... Streams>
+template <class Index, vertex_stream... Streams>
 class stream_sink {
 public:
     static constexpr attribute wants = (attribute::none | ... | Streams::wants);
