@@ -13,7 +13,9 @@ namespace typemesh {
 /// every triangle's height is more than two of the plan's position_step(). Each part that is drawn has as many. Walls
 /// over such a cap's rim may be flattened with it.
 ///
-/// On the grid no triangle is turned or flat; far from the origin floats are coarser than the grid. Glyphs that stand
+/// On the grid no triangle is turned or flat; floats are coarser than it wherever units per em are no power of two, and
+/// far from the origin everywhere. Within 4 em of it there are none but those that no other diagonals avoid (see
+/// triangulate/low_triangles.hpp), or that a triangulator wants kept (has_final_diagonals). Glyphs that stand
 /// each at an origin of their own (see text_plan::write_meshes) do not suffer from it.
 ///
 /// Cost   O(triangles), computed in double precision from the positions as they are written
