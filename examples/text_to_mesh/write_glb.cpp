@@ -112,7 +112,7 @@ void add_mesh(tinygltf::Model& file, const model& mesh, const model::letter& l, 
     const int uv = add_accessor(file, in.vertex_view, start + 24, l.vertex_count, number, TINYGLTF_TYPE_VEC2);
 
     tinygltf::Mesh made;
-    made.name = l.name;
+    made.name = well_formed(l.name);
     for (std::size_t p = l.first_part; p < l.first_part + l.part_count; ++p) {
         const model::part& part = mesh.parts[p];
         if (part.index_count == 0) continue;

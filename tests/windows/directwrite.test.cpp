@@ -343,6 +343,21 @@ TEST_CASE("plain text is shaped: clusters of either encoding, kerning on and off
     CHECK(shaped(*font, "a\nb\r\nc").lines.size() == 3);
 }
 
+TEST_CASE("spaced letters have no ligatures unless they are asked for by name, and stand apart by as much", "[windows]")
+{
+    auto font = opened(dejavu);
+    REQUIRE(font);
+    glyph_run run;
+    REQUIRE_FALSE(layout(*font, "office", {}, {.letter_spacing = 0.125}, run));
+    REQUIRE(run.glyphs.size() == 6);
+    const glyph_run single = shaped(*font, "office", {.ligatures = false});
+    REQUIRE(single.glyphs.size() == 6);
+    for (std::size_t i = 0; i < 6; ++i)
+        CHECK(run.glyphs[i].origin.x == single.glyphs[i].origin.x + 256.0 * static_cast<double>(i));
+    const feature on[] = {{"liga", 1}};
+    CHECK(shaped(*font, "office", {.features = on, .ligatures = false}).glyphs.size() < 6);
+}
+
 TEST_CASE("right-to-left text comes out from left to right, letters joined", "[windows]")
 {
     auto font = opened(amiri);
