@@ -8,22 +8,28 @@
 //
 //     plain        48 bytes a vertex: floats
 //     quantised    20 bytes a vertex, by KHR_mesh_quantization (required by the file):
-//                    POSITION   unsigned short x 3, normalised, at 0     the node's translation and scale undo it: one
-//                    NORMAL     byte x 3, normalised, at 8               scale for all axes, so normals stay as they are
-//                    TANGENT    byte x 4, normalised, at 12
+//                    POSITION   unsigned short x 3, normalised, at 0     each letter has a box, a mesh and a node of its
+//                    NORMAL     byte x 3, normalised, at 8               own, whose translation and scale undo it: one
+//                    TANGENT    byte x 4, normalised, at 12              scale for all axes, so normals stay as they are
 //                    TEXCOORD_0 unsigned short x 2, normalised, at 16    beyond [0, 1] as in texture_mapping::em, the
 //                                                                        default: the materials' KHR_texture_transform
 //                                                                        undoes it. It belongs to a texture, so each
 //                                                                        material has a white one, of one pixel: what
 //                                                                        you put in its place keeps its transform
 //
+// A step of a quantised letter is 1/65,535 of its longest side; triangles lower than that may be turned over, which
+// turned_by_quantising(plan) counts. The letters share the accessors of all vertices: an importer that copies those for
+// every primitive is better served by plain.
+//
 // Indices are unsigned short up to 65,535 vertices (65,535 itself is left out by the format), else unsigned int.
 //
 //     std::vector<std::byte> glb;
 //     if (typemesh::error e = engines::gltf::write(*plan, engines::gltf::layout::quantised, glb)) return e;
 
+#include <typemesh/core/orientation.hpp>
 #include <typemesh/extrude/part_sizes.hpp>
 #include <typemesh/text/text_options.hpp>
+#include <typemesh/text/text_plan.hpp>
 #include <typemesh/vertex/computed_stream.hpp>
 #include <typemesh/vertex/normalised.hpp>
 #include <typemesh/vertex/position_box.hpp>
@@ -132,11 +138,40 @@ void say_materials(std::string& json, const Plan& plan, const uv_range* packed)
     json += "],";
 }
 
+/// The cube round one letter: the positions of its vertices are numbers in there.
+template <class Plan>
+[[nodiscard]] typemesh::position_box box_of(const Plan& plan, std::size_t glyph) noexcept
+{
+    const typemesh::placement at = plan.place(glyph);
+    const typemesh::glyph_shape& shape = *plan.glyphs()[glyph].shape;
+    const typemesh::vec3 low = at.position(shape.low(), 0.0f), high = at.position(shape.high(), 0.0f);
+    return typemesh::position_box::cube_around({low.x, low.y, plan.bounds().low.z}, {high.x, high.y, plan.bounds().high.z});
+}
+
+/// How many triangles of one cap of every letter turn over or go flat in the quantised layout; walls on their rims may
+/// go flat with them.
+template <class Plan>
+[[nodiscard]] std::uint64_t turned_by_quantising(const Plan& plan) noexcept
+{
+    std::uint64_t turned = 0;
+    for (std::size_t i = 0; i < plan.glyphs().size(); ++i) {
+        const typemesh::placement at = plan.place(i);
+        const typemesh::position_box box = box_of(plan, i);
+        const typemesh::solid& shape = plan.glyphs()[i].shape->form();
+        const auto corner = [&](std::uint32_t point) noexcept {
+            const typemesh::box_position p = box(at.position(shape.points[point], 0.0f));
+            return typemesh::grid_point{p.x.bits, p.y.bits};
+        };
+        for (const typemesh::triangle t : shape.triangles)
+            turned += typemesh::orientation(corner(t.a), corner(t.b), corner(t.c)) > 0 ? 0u : 1u;
+    }
+    return turned;
+}
+
 /// Where the vertices and indices go, whatever the layout.
 template <class Index, class Plan>
-[[nodiscard]] typemesh::error write_buffer(const Plan& plan, layout how, const typemesh::position_box& box,
-                                           const uv_range& uv, std::span<std::byte> vertices,
-                                           std::span<Index> indices) noexcept
+[[nodiscard]] typemesh::error write_buffer(const Plan& plan, layout how, const uv_range& uv,
+                                           std::span<std::byte> vertices, std::span<Index> indices) noexcept
 {
     using namespace typemesh;
     const auto turned = []<class T>(T) noexcept {
@@ -150,14 +185,56 @@ template <class Index, class Plan>
                                       computed_stream<attribute::tangent, float4>(vertices, 24, 48, turned(float4{})),
                                       stream<attribute::uv, float2>::in(vertices, 40, 48)});
     }
-    return plan.write(stream_sink{
-        indices,
-        computed_stream<attribute::position, box_position>(
-            vertices, 0, 20, [box](const surface_point<attribute::position>& s) noexcept { return box(s.position); }),
-        stream<attribute::normal, snorm8x3>::in(vertices, 8, 20),
-        computed_stream<attribute::tangent, snorm8x4>(vertices, 12, 20, turned(snorm8x4{})),
-        computed_stream<attribute::uv, unorm16x2>(
-            vertices, 16, 20, [uv](const surface_point<attribute::uv>& s) noexcept { return uv(s.uv); })});
+    for (std::size_t i = 0; i < plan.glyphs().size(); ++i) {
+        const position_box box = box_of(plan, i);
+        const error e = plan.write(
+            glyph_span{i, i + 1},
+            stream_sink{indices,
+                        computed_stream<attribute::position, box_position>(
+                            vertices, 0, 20,
+                            [box](const surface_point<attribute::position>& s) noexcept { return box(s.position); }),
+                        stream<attribute::normal, snorm8x3>::in(vertices, 8, 20),
+                        computed_stream<attribute::tangent, snorm8x4>(vertices, 12, 20, turned(snorm8x4{})),
+                        computed_stream<attribute::uv, unorm16x2>(
+                            vertices, 16, 20,
+                            [uv](const surface_point<attribute::uv>& s) noexcept { return uv(s.uv); })});
+        if (e) return e;
+    }
+    return {};
+}
+
+/// Nodes and meshes of the quantised layout: a letter each, below one node for the text. The first accessor of indices
+/// is number 4; they follow letter by letter, part by part.
+template <class Plan>
+void say_letters(std::string& json, const Plan& plan)
+{
+    using namespace typemesh;
+    const std::size_t letters = plan.glyphs().size();
+    json += R"("nodes":[{"name":"text","children":[)";
+    for (std::size_t i = 0; i < letters; ++i) say(json, i != 0 ? ",%zu" : "%zu", i + 1);
+    json += "]}";
+    for (std::size_t i = 0; i < letters; ++i) {
+        const position_box box = box_of(plan, i);
+        say(json, R"(,{"mesh":%zu,"name":"glyph %u","translation":[%.9g,%.9g,%.9g],"scale":[%.9g,%.9g,%.9g]})", i,
+            plan.glyphs()[i].id, as_double(box.offset.x), as_double(box.offset.y), as_double(box.offset.z), as_double(box.scale.x),
+            as_double(box.scale.y), as_double(box.scale.z));
+    }
+    json += R"(],"meshes":[)";
+    int accessor = 4;
+    for (std::size_t i = 0; i < letters; ++i) {
+        say(json, R"(%s{"name":"glyph %u","primitives":[)", i != 0 ? "," : "", plan.glyphs()[i].id);
+        int material = 0;
+        const char* before = "";
+        for (const part p : all_parts) {
+            if (plan.range(p).index_count == 0) continue;
+            say(json,
+                R"(%s{"attributes":{"POSITION":0,"NORMAL":1,"TANGENT":2,"TEXCOORD_0":3},"indices":%d,"material":%d})",
+                before, accessor++, material++);
+            before = ",";
+        }
+        json += "]}";
+    }
+    json += "]";
 }
 
 /// Replaces `out`, a container of bytes, by the file; an empty text gives a scene without nodes.
@@ -170,7 +247,6 @@ template <class Plan, class Bytes>
     const std::size_t stride = packed ? 20 : 48, vertex_bytes = stride * size.vertices,
                       index_bytes = (wide ? 4 : 2) * size.indices();
     const auto low = plan.bounds().low, high = plan.bounds().high;
-    const position_box box = position_box::cube_around(low, high);
     uv_range uv;
     if (packed) {
         if (error e = plan.write(uv)) return e;
@@ -187,21 +263,22 @@ template <class Plan, class Bytes>
             say(json, R"("extensionsUsed":["KHR_mesh_quantization"%s],"extensionsRequired":["KHR_mesh_quantization"],)",
                 uv.is_unit() ? "" : R"(,"KHR_texture_transform")");
         say_materials(json, plan, packed ? &uv : nullptr);
-        json += R"("nodes":[{"name":"text","mesh":0)";
-        if (packed)
-            say(json, R"(,"translation":[%.9g,%.9g,%.9g],"scale":[%.9g,%.9g,%.9g])", box.offset.x, box.offset.y,
-                box.offset.z, box.scale.x, box.scale.y, box.scale.z);
-        json += R"(}],"meshes":[{"name":"text","primitives":[)";
-        int accessor = 4;
-        for (const part p : all_parts) {
-            if (plan.range(p).index_count == 0) continue;
-            say(json,
-                R"(%s{"attributes":{"POSITION":0,"NORMAL":1,"TANGENT":2,"TEXCOORD_0":3},"indices":%d,"material":%d})",
-                accessor > 4 ? "," : "", accessor, accessor - 4);
-            ++accessor;
+        if (packed) {
+            say_letters(json, plan);
+        } else {
+            json += R"("nodes":[{"name":"text","mesh":0}],"meshes":[{"name":"text","primitives":[)";
+            int accessor = 4;
+            for (const part p : all_parts) {
+                if (plan.range(p).index_count == 0) continue;
+                say(json,
+                    R"(%s{"attributes":{"POSITION":0,"NORMAL":1,"TANGENT":2,"TEXCOORD_0":3},"indices":%d,"material":%d})",
+                    accessor > 4 ? "," : "", accessor, accessor - 4);
+                ++accessor;
+            }
+            json += "]}]";
         }
         say(json,
-            R"(]}],"buffers":[{"byteLength":%zu}],"bufferViews":[{"buffer":0,"byteLength":%zu,"byteStride":%zu,"target":34962},)",
+            R"(,"buffers":[{"byteLength":%zu}],"bufferViews":[{"buffer":0,"byteLength":%zu,"byteStride":%zu,"target":34962},)",
             bytes, vertex_bytes, stride);
         say(json, R"({"buffer":0,"byteOffset":%zu,"byteLength":%zu,"target":34963})", vertex_bytes, index_bytes);
         if (pixel_bytes != 0)
@@ -209,10 +286,17 @@ template <class Plan, class Bytes>
         json += R"(],"accessors":[)";
         const auto n = static_cast<unsigned>(size.vertices);
         if (packed) {
-            const box_position last = box(high);
+            int last[3] = {0, 0, 0};
+            for (std::size_t i = 0; i < plan.glyphs().size(); ++i) {
+                const placement place = plan.place(i);
+                const vec3 corner = place.position(plan.glyphs()[i].shape->high(), 0.0f);
+                const box_position p = box_of(plan, i)({corner.x, corner.y, high.z});
+                const int bits[3] = {p.x.bits, p.y.bits, p.z.bits};
+                for (std::size_t k = 0; k < 3; ++k) last[k] = bits[k] > last[k] ? bits[k] : last[k];
+            }
             say(json,
                 R"({"bufferView":0,"componentType":5123,"normalized":true,"count":%u,"type":"VEC3","min":[0,0,0],"max":[%d,%d,%d]},)",
-                n, int{last.x.bits}, int{last.y.bits}, int{last.z.bits});
+                n, last[0], last[1], last[2]);
             say(json,
                 R"({"bufferView":0,"byteOffset":8,"componentType":5120,"normalized":true,"count":%u,"type":"VEC3"},)",
                 n);
@@ -230,12 +314,13 @@ template <class Plan, class Bytes>
             say(json, R"({"bufferView":0,"byteOffset":24,"componentType":5126,"count":%u,"type":"VEC4"},)", n);
             say(json, R"({"bufferView":0,"byteOffset":40,"componentType":5126,"count":%u,"type":"VEC2"})", n);
         }
-        for (const part p : all_parts) {
-            const auto range = plan.range(p);
-            if (range.index_count == 0) continue;
+        const auto say_indices = [&](const mesh_range& range) {
+            if (range.index_count == 0) return;
             say(json, R"(,{"bufferView":1,"byteOffset":%zu,"componentType":%d,"count":%u,"type":"SCALAR"})",
                 std::size_t{range.first_index} * (wide ? 4u : 2u), wide ? 5125 : 5123, range.index_count);
-        }
+        };
+        for (std::size_t i = 0; i < (packed ? plan.glyphs().size() : 1); ++i)
+            for (const part p : all_parts) say_indices(packed ? plan.range(i, p) : plan.range(p));
         json += "]}";
     }
     json.resize((json.size() + 3) / 4 * 4, ' ');
@@ -258,9 +343,9 @@ template <class Plan, class Bytes>
     if (pixel_bytes != 0) std::memcpy(at + pixel_at, white_pixel, pixel_bytes);
     const std::span vertices{at, vertex_bytes};
     if (wide)
-        return write_buffer(plan, how, box, uv, vertices,
+        return write_buffer(plan, how, uv, vertices,
                             std::span{reinterpret_cast<std::uint32_t*>(at + vertex_bytes), index_bytes / 4});
-    return write_buffer(plan, how, box, uv, vertices,
+    return write_buffer(plan, how, uv, vertices,
                         std::span{reinterpret_cast<std::uint16_t*>(at + vertex_bytes), index_bytes / 2});
 }
 

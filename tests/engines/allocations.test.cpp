@@ -123,11 +123,10 @@ TEST_CASE("no layout in memory of the caller's takes any other memory", "[engine
     });
     takes_nothing(b, engines::gltf::options(), [&](const auto& plan) {
         using namespace engines::gltf;
-        const auto box = position_box::cube_around(plan.bounds().low, plan.bounds().high);
-        if (error e = write_buffer(plan, engines::gltf::layout::plain, box, {}, std::span<std::byte>{r.a},
+        if (error e = write_buffer(plan, engines::gltf::layout::plain, {}, std::span<std::byte>{r.a},
                                    r.indices<std::uint16_t>()))
             return e;
-        return write_buffer(plan, engines::gltf::layout::quantised, box, {}, std::span<std::byte>{r.a},
+        return write_buffer(plan, engines::gltf::layout::quantised, {}, std::span<std::byte>{r.a},
                             r.indices<std::uint32_t>());
     });
 }
