@@ -23,8 +23,8 @@ struct file_to_write {
     std::span<const unsigned char> bytes;
 };
 
-/// The same for several: none is renamed before all are there. Written in their order, so the file that names the others
-/// comes last.
+/// The same for several: none is renamed before all are there. Written in their order, so the file that names the
+/// others comes last.
 [[nodiscard]] std::string write_atomically(std::span<const file_to_write> files);
 
 }  // namespace text_to_mesh

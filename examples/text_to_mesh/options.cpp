@@ -96,7 +96,10 @@ void add_text_options(CLI::App& app, options& out, raw_values& raw)
 {
     using namespace typemesh;
     app.add_option("TEXT", out.text, "UTF-8; \\n starts a new line, a tab leads to the next tab stop")->required();
-    app.add_option("--font", out.font, "a file: TrueType, OpenType, collection, variable; or an installed family: \"DejaVu Sans:bold\"")->required()->type_name("FONT");
+    app.add_option("--font", out.font,
+                   "a file: TrueType, OpenType, collection, variable; or an installed family: \"DejaVu Sans:bold\"")
+        ->required()
+        ->type_name("FONT");
     add_number(
         app, "--face", "the face's number in a collection", "a whole number",
         [](double n) { return n >= 0.0 && n < 4294967296.0 && n == std::floor(n); },

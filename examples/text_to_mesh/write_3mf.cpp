@@ -52,7 +52,8 @@ struct memory_file {
     }
 };
 
-/// The materials, one a part, and which of them each triangle has. An object whose triangles have some has a default too.
+/// The materials, one a part, and which of them each triangle has. An object whose triangles have some must have a
+/// default too.
 bool paint(NMR::PLib3MFModel* file, NMR::PLib3MFModelMeshObject* object, const model& mesh)
 {
     held<NMR::PLib3MFModelBaseMaterial> materials;

@@ -113,7 +113,7 @@ TEST_CASE("letters that are written joined stay together, their words do not", "
     CHECK_FALSE(is_written_joined(0x4E00));
 }
 
-TEST_CASE("each stretch between tabs is spaced by itself, and stops stay where they are", "[layout][letter_spacing][tab]")
+TEST_CASE("each stretch between tabs is spaced by itself, and stops stay where they are", "[layout][letter_spacing]")
 {
     const layout_options narrow{.letter_spacing = 0.1};
     const glyph_run run = set("abc\tdef", narrow);  // 1500 + 2 x 100 units, then a stop after each 2000
@@ -134,7 +134,8 @@ TEST_CASE("spaced lines are aligned by their new length", "[layout][letter_spaci
     CHECK(set("abc", {.letter_spacing = -5.0}).lines[0].advance == 0.0);
 }
 
-TEST_CASE("a shaper is told to leave out ligatures where letters are spaced, and only there", "[layout][letter_spacing]")
+TEST_CASE("a shaper is told to leave out ligatures where letters are spaced, and nowhere else",
+          "[layout][letter_spacing]")
 {
     letter_shaper font;
     glyph_run run;

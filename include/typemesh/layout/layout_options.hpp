@@ -11,7 +11,7 @@ namespace typemesh {
 struct layout_options {
     alignment align = alignment::left;
     double line_spacing = 1.0;    ///< times the font's own distance between lines; any finite number
-    double tab_width = 4.0;       ///< between tab stops, in spaces; 0: a tab is like other characters (see shape_line())
+    double tab_width = 4.0;       ///< between tab stops, in spaces; 0: a tab is like other characters (shape_line.hpp)
     double letter_spacing = 0.0;  ///< added between letters, in em; any finite number (see letter_spacing.hpp)
 };
 

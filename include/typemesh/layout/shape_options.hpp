@@ -28,7 +28,7 @@ struct shape_options {
     std::string_view language = {};  ///< BCP 47, such as "tr" or "zh-Hant"; empty: none, never the machine's locale
     std::string_view script = {};    ///< ISO 15924, such as "Arab"; empty: found from the text
     std::span<const feature> features = {};  ///< besides those that the script has on by default
-    bool ligatures = true;  ///< the optional ones ("liga", "clig"), unless `features` says more; spaced letters have none
+    bool ligatures = true;  ///< the optional ones ("liga", "clig"), unless `features` names them; none in spaced text
 };
 
 }  // namespace typemesh
