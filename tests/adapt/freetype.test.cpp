@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
+#include "support/type1_mm_font.hpp"
 
 #include <typemesh/adapt/freetype.hpp>
 #include <typemesh/layout/layout.hpp>
@@ -254,4 +255,49 @@ TEST_CASE("a FreeType face that does not open says why", "[adapt][freetype]")
     CHECK(freetype_font::open(font_file(type1).c_str(), {3, {}}).error() == error::no_such_face);
     CHECK(freetype_font::open(font_file("../wine/fonts/courier.ttf").c_str()).error() == error::no_outlines);
     CHECK(freetype_font::open(font_file("../wine/fonts/coure.fon").c_str()).error() == error::no_outlines);
+}
+
+TEST_CASE("FreeType: a Type 1 Multiple Master font is opened with the font's own shares of its masters", "[adapt][freetype]")
+{
+    const struct {
+        const char* vector;
+        double shares[4];
+    } fonts[] = {{"0.12 0.18 0.28 0.42", {0.12, 0.18, 0.28, 0.42}},  // what weight 0.6 and width 0.7 give
+                 {"0.1 0.2 0.3 0.4", {0.1, 0.2, 0.3, 0.4}},          // what no weight and width give
+                 {"0.375 0.125 0.125 0.375", {0.375, 0.125, 0.125, 0.375}},  // nor these, in the middle of both axes
+                 {"0 0 0 1", {0, 0, 0, 1}}};
+    const double widths[] = {100.0, 400.0, 600.0, 1100.0};
+    const auto width_of = [](freetype_font& font) {
+        outline o;
+        REQUIRE_FALSE(record(font, 1, o));
+        CHECK(o.bounds.height() == Catch::Approx(700.0).margin(1.0));
+        return o.bounds.width();
+    };
+    for (const auto& f : fonts) {
+        INFO(f.vector);
+        const auto bytes = test::type1_mm_font(f.vector);
+        auto own = freetype_font::open(bytes);
+        REQUIRE(own);
+        double expected = 0.0;
+        for (int i = 0; i < 4; ++i) expected += f.shares[i] * widths[i];
+        CHECK(width_of(*own) == Catch::Approx(expected).margin(1.0));
+
+        // One axis set: the other stays at its design default, which is what the shares come closest to.
+        const double wide = f.shares[2] + f.shares[3];
+        const variation bold[] = {{"wght", 800.0f}};
+        auto set = freetype_font::open(bytes, {0, bold});
+        REQUIRE(set);
+        CHECK(width_of(*set) == Catch::Approx((1.0 - wide) * widths[1] + wide * widths[3]).margin(1.0));
+
+        // Fonts that draw differently are told apart by a cache, alike as their axes may stand.
+        const variation same_axes[] = {{"wght", static_cast<float>(200.0 + 600.0 * (f.shares[1] + f.shares[3]))},
+                                       {"wdth", static_cast<float>(50.0 + 100.0 * wide)}};
+        auto alike = freetype_font::open(bytes, {0, same_axes});
+        REQUIRE(alike);
+        if (std::abs(width_of(*alike) - width_of(*own)) > 1.5)
+            CHECK(alike->variation_key() != own->variation_key());
+        auto again = freetype_font::open(bytes);
+        REQUIRE(again);
+        CHECK(again->variation_key() == own->variation_key());
+    }
 }

@@ -30,6 +30,10 @@ namespace typemesh {
 ///     auto font = freetype_font::open("NimbusSans-Regular.t1");
 ///     if (!font) return puts(font.error().message());
 ///
+/// A Type 1 Multiple Master font for which no variation is given draws as FreeType opens it: with the font's own shares
+/// of its masters (/WeightVector), which are its default. The design coordinates that FreeType tells as defaults come
+/// as close to those as axes can, and are what axes not named stay at once another is set.
+///
 /// The shaper is unfit for complex scripts and says so (error::needs_shaping). It knows no ligatures, no features but
 /// "kern", and only the old 'kern' table: modern fonts keep their kerning in GPOS, where HarfBuzz finds it.
 ///
@@ -118,6 +122,12 @@ public:
         FT_Fixed axes[64] = {};
         if (!FT_HAS_MULTIPLE_MASTERS(face_) || FT_Get_Var_Blend_Coordinates(face_, 64, axes)) return key;
         for (const FT_Fixed axis : axes) key = mixed_key(key, static_cast<std::uint64_t>(axis));
+#if FREETYPE_MAJOR * 100 + FREETYPE_MINOR >= 210
+        FT_Fixed shares[16] = {};  // Type 1 fonts are opened with shares of their masters that no axes need give
+        FT_UInt masters = 16;
+        if (FT_Get_MM_WeightVector(face_, &masters, shares)) return key;
+        for (const FT_Fixed share : shares) key = mixed_key(key, static_cast<std::uint64_t>(share));
+#endif
         return key;
     }
 
