@@ -30,6 +30,31 @@ bool is_exact(const std::vector<test::oracle::loop>& loops)
     return true;
 }
 
+/// Whether every edge knows which way it runs along the contour edge that it comes from, which has its number as its
+/// curve and t from 0.25 to 0.75: however short, t grows the one way and falls the other. Contours of more than 2^20 cells
+/// have more cells than there are floats for t.
+bool knows_its_way(const region& made, const contours& given)
+{
+    for (const grid_point p : given.points)
+        if (std::abs(p.x) > 1 << 20 || std::abs(p.y) > 1 << 20) return true;
+    for (std::uint32_t l = 0; l < made.loop_count(); ++l) {
+        const std::uint32_t begin = made.starts()[l], end = made.starts()[l + 1];
+        for (std::uint32_t i = begin; i < end; ++i) {
+            const contour_edge e = made.edges()[i];
+            if (!(e.t0 != e.t1) || !(0.25f <= e.t0 && e.t0 <= 0.75f && 0.25f <= e.t1 && e.t1 <= 0.75f)) return false;
+            std::uint32_t c = 0;
+            while (given.starts[c + 1] <= e.curve) ++c;
+            const grid_point from = given.points[e.curve],
+                             to = given.points[e.curve + 1 < given.starts[c + 1] ? e.curve + 1 : given.starts[c]],
+                             a = made.points()[i], b = made.points()[i + 1 < end ? i + 1 : begin];
+            const double x = double(b.x) - a.x, y = double(b.y) - a.y;
+            const double along = x * (double(to.x) - from.x) + y * (double(to.y) - from.y);
+            if (x * x + y * y > 25.0 && (along > 0) != (e.t0 < e.t1)) return false;  // too long for bends to turn it
+        }
+    }
+    return true;
+}
+
 /// What is wrong with what resolve() makes of a shape under a rule; empty when nothing is.
 ///
 /// The walks must be walks, and fill what the contours fill: at every grid point (of `samples` by `samples` round the
@@ -50,6 +75,7 @@ std::string mistake_on(const test::shape& s, fill_rule rule, int samples = 12)
     for (const auto l : kept) ++(test::oracle::doubled_area(l) > 0 ? outers : holes);
     if (holes != made->holes() || outers != made->outers()) return "holes and outer loops are miscounted";
     if (made->edges().size() != made->points().size()) return "not an edge a point";
+    if (!knows_its_way(*made, test::contours_of(s))) return "an edge does not know which way it runs along its curve";
 
     std::vector<std::int64_t> places;
     for (const grid_point p : made->points()) places.push_back(detail::sweep_place(p));

@@ -6,6 +6,7 @@
 #include <typemesh/core/sweep_order.hpp>
 #include <typemesh/core/workspace.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -57,13 +58,20 @@ struct alignas(64) stretch {
         turn = -turn;
     }
 
-    /// The curve's parameter where the stretch is cut in p. Rounded; nothing is decided by it.
+    /// The curve's parameter where the stretch is cut in p. Rounded, and nothing is decided by it but which way the two
+    /// parts run along their curve: it is neither t0 nor t1, though p may lie right beside an end, as long as there is
+    /// a float between them.
     [[nodiscard]] float t_at(grid_point p) const noexcept
     {
         const double dx = static_cast<double>(to.x) - from.x, dy = static_cast<double>(to.y) - from.y;
         const bool by_x = (dx < 0 ? -dx : dx) > (dy < 0 ? -dy : dy);
         const double share = by_x ? (static_cast<double>(p.x) - from.x) / dx : (static_cast<double>(p.y) - from.y) / dy;
-        return static_cast<float>(as_double(source.t0) + (as_double(source.t1) - as_double(source.t0)) * share);
+        const float t = static_cast<float>(as_double(source.t0) + (as_double(source.t1) - as_double(source.t0)) * share);
+        const bool up = source.t0 < source.t1;
+        const float low = up ? source.t0 : source.t1, high = up ? source.t1 : source.t0;
+        if ((low < t && t < high) || p == from || p == to) return t;
+        const float beside = t <= low ? low + (high - low) / 64.0f : high - (high - low) / 64.0f;
+        return low < beside && beside < high ? beside : std::nextafter(low, high);
     }
 };
 

@@ -95,7 +95,7 @@ private:
                 if (p == s.from || p == s.to) return true;
                 stretch part = rest;
                 part.to = p;
-                part.source.t1 = s.t_at(p);
+                part.source.t1 = rest.t_at(p);
                 part.bent = rest.bent = 1;
                 rest.from = p;
                 rest.source.t0 = part.source.t1;
