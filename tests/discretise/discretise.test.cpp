@@ -195,6 +195,25 @@ TEST_CASE("the discretiser gets the tolerance less the snap, but no less than th
     }
 }
 
+TEST_CASE("contours tell the tolerance that they keep, in cells, or none where none is kept", "[discretise]")
+{
+    const outline o = outline_of({{curve::from(quadratic{{0, 0}, {10, 20}, {20, 0}}), curve::from({20, 0}, {10, -5}),
+                                   curve::from({10, -5}, {0, 0})}});
+    contours out;
+    REQUIRE_FALSE(discretise(o, certified{}, 1.5, grid{}, out));
+    CHECK(out.tolerance == 1.5 * 512.0);
+    const std::uint8_t halvings[] = {3, 0, 0};
+    REQUIRE_FALSE(discretise(o, certified{}, 1.5, grid{}, out, halvings));
+    CHECK(out.tolerance == 1.5 * 512.0);
+    REQUIRE_FALSE(discretise(o, certified{}, 1e-300, grid{}, out));
+    CHECK(out.tolerance == 2.0 * grid{}.snap_error() * 512.0);
+    REQUIRE_FALSE(discretise(o, two_lines{}, 1.5, grid{}, out));
+    CHECK(out.tolerance == 0.0);
+    REQUIRE_FALSE(discretise(o, certified{}, 1.5, grid{}, out));
+    out.clear();
+    CHECK(out.tolerance == 0.0);
+}
+
 TEST_CASE("the tolerance is halved for a curve as often as its halvings say, and for no other", "[discretise]")
 {
     const auto bow = [](double x) { return curve::from(quadratic{{x, 0}, {x + 300, 600}, {x + 600, 0}}); };

@@ -169,8 +169,15 @@ public:
             if (!(turn > 0)) return f.wrong = "a triangle is flipped or flat in 32-bit floats", f;
         }
 
+<<<<<<< HEAD
         if (inspect::check_fill(curves_, outline_.rule, kept, allowed, 20, id).wrong != 0)
             return f.wrong = "a place is filled wrongly", f;
+=======
+        if (f.wrong = badly_lit(*made, tolerance * cells->cells); !f.wrong.empty()) return f;
+
+        sample(id, tolerance * cells->cells, cells->cells, kept, f);
+        if (!f.wrong.empty()) return f;
+>>>>>>> cb86edc (curve_normals: no long wall is lit from the side)
 
         glyph_run alone;
         alone.units_per_em = font.units_per_em();
@@ -209,9 +216,40 @@ private:
         }
     };
 
+<<<<<<< HEAD
     using chord = typemesh::inspect::curve_chords::chord;
 
     static double squared_distance(typemesh::point p, typemesh::point start, typemesh::point end)
+=======
+    /// Normals point out of their walls; where a wall is longer than 16 tolerances they are at most 45 degrees off its
+    /// own, and what is not doubled has one.
+    std::string badly_lit(const typemesh::region& made, double tolerance)
+    {
+        using namespace typemesh;
+        constexpr double rounding = 1e-6;  // of normals in 32 bits, to which a right angle or half of one may fall
+        const auto points = made.points();
+        sides_.assign(points.size(), {});
+        if (const error e = curve_normals{}(made, sides_)) return e.message();
+        for (std::size_t l = 0; l + 1 < made.starts().size(); ++l) {
+            const std::uint32_t begin = made.starts()[l], end = made.starts()[l + 1];
+            for (std::uint32_t i = begin; i < end; ++i) {
+                const std::uint32_t next = i + 1 < end ? i + 1 : begin;
+                if (!sides_[i].doubled && !(sides_[i].before == sides_[i].after)) return "a soft point has two normals";
+                const point own = outward(way(points[i], points[next]));
+                for (const vec2 n : {sides_[i].after, sides_[next].before}) {
+                    const double up = dot({n.x, n.y}, own), aside = std::fabs(cross({n.x, n.y}, own));
+                    if (up < -rounding * length(own)) return "a normal points into its wall";
+                    if (length(own) > 16.0 * tolerance && up < aside - rounding * length(own))
+                        return "a long wall is lit from the side";
+                }
+            }
+        }
+        return {};
+    }
+
+    /// The boundary stays within the tolerance of some curve: nearly always of the one that it is said to come from.
+    std::string stray_boundary(const typemesh::region& made, double tolerance)
+>>>>>>> cb86edc (curve_normals: no long wall is lit from the side)
     {
         return typemesh::inspect::curve_chords::squared_distance(p, start, end);
     }
@@ -290,7 +328,13 @@ private:
     typemesh::outline outline_;
     typemesh::contours loops_;
     typemesh::triangle_list triangles_, delaunay_, by_slabs_;
+<<<<<<< HEAD
     typemesh::inspect::curve_chords curves_;
+=======
+    std::vector<chord> dense_;
+    std::vector<std::size_t> first_;  // of each curve
+    std::vector<typemesh::side_point> sides_;
+>>>>>>> cb86edc (curve_normals: no long wall is lit from the side)
     full_mesh mesh_;
 };
 

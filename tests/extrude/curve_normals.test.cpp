@@ -40,6 +40,23 @@ double degrees_between(point a, point b)
 point wide(vec2 v) { return {v.x, v.y}; }
 bool hard(const side_point& s) { return s.doubled; }
 
+/// The largest angle between a wall longer than 16 tolerances and one of its end normals, in degrees.
+double most_aside(const region& r, const std::vector<side_point>& sides)
+{
+    double most = 0.0;
+    for (std::uint32_t loop = 0; loop < r.loop_count(); ++loop) {
+        const std::uint32_t begin = r.starts()[loop], end = r.starts()[loop + 1];
+        for (std::uint32_t i = begin; i < end; ++i) {
+            const std::uint32_t next = i + 1 < end ? i + 1 : begin;
+            const point along = way(r.points()[i], r.points()[next]);
+            if (typemesh::length(along) <= 16.0 * r.tolerance()) continue;
+            for (const vec2 n : {sides[i].after, sides[next].before})
+                most = (std::max)(most, degrees_between(wide(n), outward(along)));
+        }
+    }
+    return most;
+}
+
 /// A closed polygon with its edges' curves given one by one, whatever they are.
 struct loose_shape {
     std::vector<curve> curves;
@@ -289,5 +306,128 @@ TEST_CASE("normals are of unit length and point out of their walls, whatever the
             REQUIRE(typemesh::dot(wide(sides[i].after), outward(out)) > -1e-6 * typemesh::length(out));
             REQUIRE((sides[i].doubled || sides[i].before == sides[i].after));
         }
+    }
+}
+
+namespace {
+
+/// A needle whose tip, at (0, 1), is that of a hairpin: the curve comes from the right, turns within no room at all,
+/// and goes back. Its walls are straight to one unit; at the tip the curve runs down. The points are those at the given t,
+/// and `forth` says whether the curve runs that way or is to be run backwards.
+loose_shape needle(double tolerance, bool forth, const std::vector<float>& inner = {0.5f})
+{
+    const quadratic q{{1000, 2}, {-1000, 1}, {1000, 0}};
+    const curve hairpin = curve::from(forth ? q : quadratic{q.p2, q.p1, q.p0});
+    std::vector<grid_point> points{grid{}.snap(q.p0)};
+    std::vector<contour_edge> edges;
+    float from = 0.0f;
+    const auto side = [forth](float t) { return forth ? t : 1.0f - t; };
+    for (const float t : inner) {
+        points.push_back(grid{}.snap(q.at(static_cast<double>(t))));
+        edges.push_back({0, side(from), side(t)});
+        from = t;
+    }
+    points.push_back(grid{}.snap(q.p2));
+    edges.push_back({0, side(from), side(1.0f)});
+    edges.push_back({1, 0.0f, 1.0f});
+    loose_shape s{points, edges, {hairpin, curve::from(q.p2, q.p0)}};
+    s.loops.tolerance = tolerance * s.loops.grid.cells;
+    return s;
+}
+
+std::vector<side_point> sides_of(const loose_shape& s, const curve_normals& how = {})
+{
+    std::vector<side_point> sides(s.loops.points.size());
+    REQUIRE_FALSE(how(s.made(), sides));
+    return sides;
+}
+
+}  // namespace
+
+TEST_CASE("the tip of a hairpin inside a curve is hard where it would light a long wall from the side", "[extrude]")
+{
+    for (const bool forth : {true, false}) {
+        const auto coarse = needle(1.0, forth);  // both walls are long
+        const auto sharp = sides_of(coarse);
+        CHECK(most_aside(coarse.made(), sharp) < 0.1);
+        CHECK(hard(sharp[1]));
+        CHECK(sharp[1].before == rounded(wall_normal(coarse.loops.points[0], coarse.loops.points[1])));
+        CHECK(sharp[1].after == rounded(wall_normal(coarse.loops.points[1], coarse.loops.points[2])));
+
+        const auto round = needle(1.0, forth, {0.5f, 0.52f});  // the second is 1.6 long, and keeps the curve's normal
+        const auto tip = sides_of(round);
+        CHECK(most_aside(round.made(), tip) < 45.0);
+        CHECK(hard(tip[1]));
+        CHECK(tip[1].before == rounded(wall_normal(round.loops.points[0], round.loops.points[1])));
+        CHECK(tip[1].after == vec2{-1.0f, 0.0f});
+
+        for (const double tolerance : {0.0, 100.0}) {  // not known, or so coarse that no wall is long
+            const auto soft = sides_of(needle(tolerance, forth));
+            CHECK_FALSE(hard(soft[1]));
+            CHECK(soft[1].before == vec2{-1.0f, 0.0f});
+        }
+        CHECK(hard(sides_of(needle(1.0, forth), {89.9f})[1]));
+        CHECK_FALSE(hard(sides_of(needle(1.0, forth), {90.0f})[1]));  // the caller wants it so
+    }
+}
+
+TEST_CASE("a soft joint is hard where its sum would light a long wall from the side", "[extrude]")
+{
+    // The same needle of two curves. Their tangents break by 0 or about 6 degrees in the tip.
+    for (const double aside : {0.0, 0.05}) {
+        loose_shape s{{grid{}.snap({1000, 2}), grid{}.snap({0, 1}), grid{}.snap({1000, 0})},
+                      {{0, 0.0f, 1.0f}, {1, 0.0f, 1.0f}, {2, 0.0f, 1.0f}},
+                      {curve::from(quadratic{{1000, 2}, {0, 1.5}, {0, 1}}),
+                       curve::from(quadratic{{0, 1}, {aside, 0.5}, {1000, 0}}), curve::from({1000, 0}, {1000, 2})}};
+        CHECK_FALSE(hard(sides_of(s)[1]));
+        s.loops.tolerance = 512.0;
+        const auto sides = sides_of(s);
+        CHECK(hard(sides[1]));
+        CHECK(most_aside(s.made(), sides) < 0.1);
+    }
+}
+
+TEST_CASE("a corner that is hard already does not light a long wall from the side", "[extrude]")
+{
+    // The lower wall's curve bends down in its last unit; the right wall is a line.
+    loose_shape s{{grid{}.snap({0, 0}), grid{}.snap({1000, -1}), grid{}.snap({1000, 500}), grid{}.snap({0, 500})},
+                  {{0, 0.0f, 1.0f}, {1, 0.0f, 1.0f}, {2, 0.0f, 1.0f}, {3, 0.0f, 1.0f}},
+                  {curve::from(quadratic{{0, 0}, {1000, 0}, {1000, -1}}), curve::from({1000, -1}, {1000, 500}),
+                   curve::from({1000, 500}, {0, 500}), curve::from({0, 500}, {0, 0})}};
+    CHECK(sides_of(s)[1].before == vec2{-1.0f, 0.0f});  // as long as nobody says the tolerance
+    s.loops.tolerance = 512.0;
+    const auto sides = sides_of(s);
+    CHECK(hard(sides[1]));
+    CHECK(sides[1].before == rounded(wall_normal(s.loops.points[0], s.loops.points[1])));
+    CHECK(sides[1].after == vec2{1.0f, 0.0f});
+}
+
+TEST_CASE("a normal 45 degrees off a long wall stays the curve's, one farther off does not", "[extrude]")
+{
+    for (const double more : {0.0, 0.001}) {  // the curve starts upwards, the chord runs to the upper right
+        loose_shape s{{grid{}.snap({0, 0}), grid{}.snap({1000, 1000}), grid{}.snap({-1000, 1000})},
+                      {{0, 0.0f, 1.0f}, {1, 0.0f, 1.0f}, {2, 0.0f, 1.0f}},
+                      {curve::from(quadratic{{0, 0}, {-more, 1000}, {1000, 1000}}),
+                       curve::from({1000, 1000}, {-1000, 1000}), curve::from({-1000, 1000}, {0, 0})}};
+        s.loops.tolerance = 512.0;
+        const auto sides = sides_of(s);
+        const double off = degrees_between(wide(sides[0].after), outward({1000, 1000}));
+        CHECK(off == Approx(more == 0.0 ? 45.0 : 0.0).margin(1e-4));
+        CHECK(sides[1].before == vec2{0.0f, -1.0f});  // 45 degrees off, either way
+    }
+}
+
+TEST_CASE("an edge whose t does not tell which way it runs follows its curve the way that it goes", "[extrude]")
+{
+    // A bowl, run against its curve; beside t = 1/2 there is an edge of one cell, so short that both its ends have that t.
+    const quadratic bowl{{1000, 0}, {0, -1000}, {-1000, 0}};
+    const grid_point low = grid{}.snap(bowl.at(0.5)), beside{low.x + 1, low.y};
+    const loose_shape s{{grid{}.snap(bowl.p2), low, beside, grid{}.snap(bowl.p0)},
+                        {{0, 1.0f, 0.5f}, {0, 0.5f, 0.5f}, {0, 0.5f, 0.0f}, {1, 0.0f, 1.0f}},
+                        {curve::from(bowl), curve::from(bowl.p0, bowl.p2)}};
+    const auto sides = sides_of(s);
+    for (const int i : {1, 2}) {
+        CHECK_FALSE(hard(sides[static_cast<std::size_t>(i)]));
+        CHECK(sides[static_cast<std::size_t>(i)].before == vec2{0.0f, -1.0f});
     }
 }

@@ -246,7 +246,8 @@ TEST_CASE("merging allocates nothing once it has seen a text of that size", "[te
 TEST_CASE("regions of fonts of different units per em are joined on the finer grid", "[text][merge]")
 {
     const auto square_region = [](contours& loops, workspace& space, std::int32_t size) {
-        loops.points.clear(), loops.edges.clear(), loops.starts.clear();
+        loops.clear();
+        loops.tolerance = 0.001 * size;
         REQUIRE((loops.starts.push_back(0) && loops.starts.push_back(4)));
         for (const grid_point p : {grid_point{0, 0}, {size, 0}, {size, size}, {0, size}})
             REQUIRE((loops.points.push_back(p) && loops.edges.push_back({})));
@@ -266,6 +267,7 @@ TEST_CASE("regions of fonts of different units per em are joined on the finer gr
     REQUIRE(joined);
     CHECK(joined->points().size() == 8);
     CHECK(joined->outers() == 1);
+    CHECK(joined->tolerance() == (std::max)(0.001 * 1024 * 512, 2.048 * (0.001 * 500 * 512)));
     grid_point high{0, 0};
     for (const grid_point p : joined->points()) high = {(std::max)(high.x, p.x), (std::max)(high.y, p.y)};
     CHECK(high == grid_point{1024 * 768, 1024 * 768});  // half an em and a quarter, exactly

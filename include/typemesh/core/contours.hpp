@@ -11,7 +11,8 @@
 namespace typemesh {
 
 /// Where a straight edge comes from: it leaves its first point on `curve` at t0 and reaches the next point at t1.
-/// t0 > t1 where the contour has been turned round and runs against its curve.
+/// t0 > t1 where the contour has been turned round and runs against its curve; the two differ, however short the edge,
+/// as long as floats tell them apart.
 struct contour_edge {
     std::uint32_t curve = 0;
     float t0 = 0.0f;
@@ -32,6 +33,7 @@ struct contours {
     buffer<std::uint32_t> starts;
     std::span<const curve> curves;  ///< not owned: the outline's
     typemesh::grid grid;
+    double tolerance = 0.0;  ///< in cells: how far the edges may be from their curves; 0: nobody says
 
     explicit contours(memory source = heap()) noexcept : points{source}, edges{source}, starts{source} {}
 
@@ -45,6 +47,7 @@ struct contours {
         edges.clear();
         starts.clear();
         curves = {};
+        tolerance = 0.0;
     }
 };
 

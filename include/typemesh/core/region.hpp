@@ -36,6 +36,7 @@ public:
         r.starts_ = loops.starts.view();
         r.curves_ = loops.curves;
         r.grid_ = loops.grid;
+        r.tolerance_ = loops.tolerance;
         r.holes_ = holes;
         r.outers_ = outers;
         r.touching_ = touching;
@@ -47,6 +48,10 @@ public:
     [[nodiscard]] std::span<const std::uint32_t> starts() const noexcept { return starts_; }
     [[nodiscard]] std::span<const curve> curves() const noexcept { return curves_; }
     [[nodiscard]] typemesh::grid grid() const noexcept { return grid_; }
+
+    /// In cells: how far the edges may be from their curves, crossings apart; 0: nobody says (loops made by hand,
+    /// discretisers that keep no tolerance).
+    [[nodiscard]] double tolerance() const noexcept { return tolerance_; }
     [[nodiscard]] std::uint32_t holes() const noexcept { return holes_; }
     [[nodiscard]] std::uint32_t outers() const noexcept { return outers_; }
     [[nodiscard]] std::uint32_t loop_count() const noexcept
@@ -69,6 +74,7 @@ private:
     std::span<const std::uint32_t> starts_;
     std::span<const curve> curves_;
     typemesh::grid grid_;
+    double tolerance_ = 0.0;
     std::uint32_t holes_ = 0;
     std::uint32_t outers_ = 0;
     bool touching_ = false;

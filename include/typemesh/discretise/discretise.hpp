@@ -180,7 +180,8 @@ struct emitted_points {
 ///     curves      the outline, in font units; every control point within the reach of `g` (see grid::fitting)
 ///     how         the discretiser
 ///     tolerance   how far a polyline may be from its curve, in font units, rounding to the grid included
-///     out         its `curves` refer to the outline: keep that as long as `out` is read
+///     out         its `curves` refer to the outline: keep that as long as `out` is read. Its `tolerance` is what the
+///                 discretiser was asked for, halvings apart, if it keeps one
 ///     halvings    for every curve, how often the tolerance is halved for it, 31 times at most; empty: for none
 ///
 /// Points that fall on one grid point with the one before them are merged: the edge before keeps the t at which it
@@ -266,6 +267,7 @@ error discretise(const outline& curves, const D& how, double tolerance, const gr
         return writer.failed() ? writer.failed() : error{error::out_of_memory};
     }
     out.curves = curves.curves.view();
+    if constexpr (keeps_tolerance<D>) out.tolerance = g.cells * (tolerance > 2.0 * snap ? tolerance : 2.0 * snap);
     return {};
 }
 

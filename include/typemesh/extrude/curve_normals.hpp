@@ -6,6 +6,10 @@
 #include <typemesh/extrude/side_normals.hpp>
 #include <typemesh/extrude/wall_normal.hpp>
 
+#include <cmath>
+#include <cstdint>
+#include <span>
+
 namespace typemesh {
 
 /// 4N + 2H vertices, and 2 for the seam of each contour without a hard point (extruded.hpp): normals
@@ -21,6 +25,18 @@ namespace typemesh {
 /// into one of its two walls gives way to the normalised sum of the walls' own. So normals point out of their walls
 /// always.
 ///
+/// No wall longer than 16 tolerances is lit from the side. Where such a normal would be more than 45 degrees off the
+/// wall's own, the wall takes its own, and its point is hard:
+///
+///                    ^ the wall's own             The tip of a hairpin inside a curve, narrower than the tolerance.
+///     n <---- o======|=====================       In the point o the curve runs straight down, so its normal n would
+///             |      long wall                    light the long wall from the side. For the short one below, which
+///             '--._                               leads on round the tip, it is right. The same comes at joints, soft
+///                  '---.._____________            and hard, where a curve bends in its last bit.
+///
+/// The tolerance is the region's; where it is not known no wall counts as long. From a crease angle of 90 degrees on
+/// nothing of this is done: soft joints are then half as far off as that by the caller's wish.
+///
 /// Measured on fonts, breaks at joints are below 8 or above 30 degrees, all but 0.74 % of them.
 struct curve_normals {
     static constexpr bool shares_caps = false;
@@ -33,38 +49,29 @@ struct curve_normals {
     error operator()(const region& shape, std::span<side_point> sides) const noexcept
     {
         if (!is_crease_angle(crease_degrees)) return error::bad("crease_degrees");
-        const double crease = crease_cosine(crease_degrees);
+        const wall_light light{shape, crease_cosine(crease_degrees)};
         const auto points = shape.points();
         const auto edges = shape.edges();
-        const auto curves = shape.curves();
         for (std::uint32_t loop = 0; loop < shape.loop_count(); ++loop) {
             const std::uint32_t first = shape.starts()[loop], last = shape.starts()[loop + 1] - 1;
+            const point closing = way(points[last], points[first]);
+            const wall_end start = light.start(edges[last], closing);
+            wall_end before = light.end(edges[last], closing, start);
             std::uint32_t previous = last;
-            const wall closing = wall_over(curves[edges[last].curve], edges[last], way(points[last], points[first]));
-            wall before = closing;
             for (std::uint32_t i = first; i <= last; ++i) {
-                const contour_edge edge = edges[i];
+                const contour_edge& edge = edges[i];
+                const grid_point next = points[i == last ? first : i + 1];
+                const point along = way(points[i], next);
                 const bool inside =
-                    edge.curve == edges[previous].curve && same(edge.t0, edges[previous].t1) && !before.stops_at_end;
-                const std::uint32_t next = i == last ? first : i + 1;
-                wall after = closing;
-                if (i != last) {
-                    const point along = way(points[i], points[next]);
-                    const bool known = inside && before.exact_end && dot(before.end, outward(along)) > 0.0;
-                    after = known ? wall_after(before.end, curves[edge.curve], edge, along)
-                                  : wall_over(curves[edge.curve], edge, along);
-                }
-                if (before.end == after.start) {
-                    sides[i].before = sides[i].after = rounded(after.start);
-                } else if (!inside && dot(before.end, after.start) < crease) {
-                    sides[i].before = rounded(before.end);
-                    sides[i].after = rounded(after.start);
-                    sides[i].doubled = true;
+                    edge.curve == edges[previous].curve && same(edge.t0, edges[previous].t1) && !before.stops;
+                wall_end after = before;
+                if (inside && before.near && is_near(before.normal, outward(along))) {
+                    sides[i].before = sides[i].after = rounded(before.normal);
                 } else {
-                    sides[i].before = sides[i].after =
-                        rounded(soft(points[previous], points[i], points[next], before.end, after.start));
+                    after = i == last ? start : light.start(edge, along);
+                    light.meet(before, after, {points[previous], points[i], next}, inside, sides[i]);
                 }
-                before = after;
+                if (i != last) before = light.end(edge, along, after);
                 previous = i;
             }
         }
@@ -72,48 +79,102 @@ struct curve_normals {
     }
 
 private:
-    /// One wall's unit normals where its edge starts and ends.
-    struct wall {
-        point start;
-        point end;
-        bool stops_at_end;  ///< the curve stops there, to turn perhaps
-        bool exact_end;     ///< `end` is the curve's normal, not the edge's
+    /// What a wall is lit with where its edge starts or ends.
+    struct wall_end {
+        point normal;
+        bool near;   ///< it is the curve's own, and less than 45 degrees off the wall's
+        bool stops;  ///< the curve stops there, to turn perhaps
     };
 
-    static wall wall_over(const curve& c, contour_edge e, point along) noexcept
-    {
-        const double forth = e.t0 <= e.t1 ? 1.0 : -1.0;
-        if (c.degree == 1) {
-            const point line = forth * (c.p[1] - c.p[0]);
-            const bool exact = dot(line, along) > 0.0;
-            const point n = unit(outward(exact ? line : along));
-            return {n, n, false, exact};
+    /// Three points of a contour, one after another.
+    struct corner {
+        grid_point a, b, c;
+    };
+
+    /// Whether two directions, of any length, are less than 45 degrees apart, as nearly all are that are asked about:
+    /// at 45 degrees the cross product is as large as the dot product.
+    static bool is_near(point a, point b) noexcept { return dot(a, b) > std::fabs(cross(a, b)); }
+
+    class wall_light {
+    public:
+        wall_light(const region& shape, double crease) noexcept : curves_{shape.curves()}, crease_{crease}
+        {
+            const double longest = 16.0 * shape.tolerance();
+            if (longest > 0.0 && crease > 0.0) long_square_ = longest * longest;
         }
-        const tangents t = tangents_at(c, as_double(e.t0));
-        const point start = forth * (forth > 0.0 ? t.after : t.before);
-        return wall_after(unit(outward(dot(start, along) > 0.0 ? start : along)), c, e, along);
-    }
 
-    /// The same where the normal at the start is known, from the wall before that ends in the same place of the same
-    /// curve.
-    static wall wall_after(point start, const curve& c, contour_edge e, point along) noexcept
-    {
-        if (c.degree == 1) return {start, start, false, true};
-        const double forth = e.t0 <= e.t1 ? 1.0 : -1.0;
-        const tangents t = tangents_at(c, as_double(e.t1));
-        const point end = forth * (forth > 0.0 ? t.before : t.after);
-        const bool exact = dot(end, along) > 0.0;
-        return {start, unit(outward(exact ? end : along)), t.stops, exact};
-    }
+        /// Where the wall over an edge that leads `along` starts.
+        [[nodiscard]] wall_end start(const contour_edge& e, point along) const noexcept
+        {
+            const curve& c = curves_[e.curve];
+            const double forth = e.t0 <= e.t1 ? 1.0 : -1.0;
+            if (c.degree == 1) return leading(e, forth * (c.p[1] - c.p[0]), along, false);
+            const tangents t = tangents_at(c, as_double(e.t0));
+            return leading(e, forth * (forth > 0.0 ? t.after : t.before), along, t.stops);
+        }
 
-    /// The one normal of a soft point with two.
-    static point soft(grid_point a, grid_point b, grid_point c, point before, point after) noexcept
-    {
-        const point sum = before + after, wall_in = outward(way(a, b)), wall_out = outward(way(b, c));
-        const bool out_of_both =
-            dot(before, after) > -1.0 + 0x1p-20 && dot(sum, wall_in) > 0.0 && dot(sum, wall_out) > 0.0;
-        return out_of_both ? unit(sum) : joint_normal(a, b, c, unit(wall_in), unit(wall_out));
-    }
+        /// Where the same wall ends.
+        [[nodiscard]] wall_end end(const contour_edge& e, point along, const wall_end& start) const noexcept
+        {
+            const curve& c = curves_[e.curve];
+            if (c.degree == 1) return start;
+            const double forth = e.t0 <= e.t1 ? 1.0 : -1.0;
+            const tangents t = tangents_at(c, as_double(e.t1));
+            return leading(e, forth * (forth > 0.0 ? t.before : t.after), along, t.stops);
+        }
+
+        /// Two walls meet in b, `inside` one curve or at a joint.
+        void meet(const wall_end& before, const wall_end& after, const corner& at, bool inside,
+                  side_point& side) const noexcept
+        {
+            const point in = before.normal, out = after.normal, sum = in + out;
+            if (!inside && dot(in, out) < crease_) {
+                side.before = rounded(before.near ? in : lit(in, at.a, at.b));
+                side.after = rounded(after.near ? out : lit(out, at.b, at.c));
+                side.doubled = true;
+            } else if (is_near(sum, outward(way(at.a, at.b))) && is_near(sum, outward(way(at.b, at.c)))) [[likely]] {
+                side.before = side.after = rounded(in == out ? out : unit(sum));
+            } else {
+                const point n = in == out ? out : soft(at, in, out);
+                side.before = rounded(lit(n, at.a, at.b));
+                side.after = rounded(lit(n, at.b, at.c));
+                side.doubled = !(side.before == side.after);
+            }
+        }
+
+    private:
+        [[nodiscard]] static wall_end leading(const contour_edge& e, point curve_way, point along, bool stops) noexcept
+        {
+            if (is_near(curve_way, along)) [[likely]] return {unit(outward(curve_way)), true, stops};
+            double forward = dot(curve_way, along);
+            if (same(e.t0, e.t1) && forward < 0.0) {  // t does not tell which way the edge runs
+                curve_way = -1.0 * curve_way;
+                forward = -forward;
+            }
+            return {unit(outward(forward > 0.0 ? curve_way : along)), is_near(curve_way, along), stops};
+        }
+
+        /// What the wall from a to b is lit with for a normal n: its own where it is long and n more than 45 degrees off.
+        [[nodiscard]] point lit(point n, grid_point a, grid_point b) const noexcept
+        {
+            const point own = outward(way(a, b));
+            const bool from_the_side = dot(n, own) < std::fabs(cross(n, own)) && dot(own, own) > long_square_;
+            return from_the_side ? unit(own) : n;
+        }
+
+        /// The one normal of a soft point with two.
+        [[nodiscard]] static point soft(const corner& at, point before, point after) noexcept
+        {
+            const point sum = before + after, wall_in = outward(way(at.a, at.b)), wall_out = outward(way(at.b, at.c));
+            const bool out_of_both =
+                dot(before, after) > -1.0 + 0x1p-20 && dot(sum, wall_in) > 0.0 && dot(sum, wall_out) > 0.0;
+            return out_of_both ? unit(sum) : joint_normal(at.a, at.b, at.c, unit(wall_in), unit(wall_out));
+        }
+
+        std::span<const curve> curves_;
+        double crease_;
+        double long_square_ = 0x1p62;  // of the length from which a wall is long; no edge is as long as 2^31 cells
+    };
 };
 static_assert(side_normals<curve_normals>);
 

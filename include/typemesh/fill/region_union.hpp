@@ -23,7 +23,7 @@ namespace typemesh {
 ///
 /// The members' curves are copied and numbered on; edges of the joined region name them. A place that several members'
 /// boundaries share belongs to the first of these. Crossings between members count as real however shallow they are.
-/// Memory stays for the next group.
+/// The tolerance is the members' largest. Memory stays for the next group.
 class region_union {
 public:
     explicit region_union(memory source = heap()) noexcept : loops_{source}, curves_{source}, first_curves_{source} {}
@@ -98,6 +98,7 @@ private:
             if (!loops_.starts.push_back(static_cast<std::uint32_t>(first + r.starts()[loop])))
                 return error::out_of_memory;
         if (!curves_.append(r.curves()) || !first_curves_.push_back(first_curve)) return error::out_of_memory;
+        if (loops_.tolerance < scale * r.tolerance()) loops_.tolerance = scale * r.tolerance();
         return {};
     }
 
