@@ -180,8 +180,10 @@ TEST_CASE("points that lie a cell beside a long edge are cut without low triangl
     // A slanted stem, whose sides have points that rounding puts beside them: as in italics.
     for (const int count : {1, 2, 5, 20}) {
         test::polyline stem;
-        for (int i = 0; i <= count + 1; ++i) stem.push_back({200'000 + 300'000 * i / (count + 1) + i % 2, 1'400'000 * i / (count + 1)});
-        for (int i = count + 1; i >= 0; --i) stem.push_back({300'000 * i / (count + 1) - i % 2, 1'400'000 * i / (count + 1)});
+        for (int i = 0; i <= count + 1; ++i)
+            stem.push_back({200'000 + 300'000 * i / (count + 1) + i % 2, 1'400'000 * i / (count + 1)});
+        for (int i = count + 1; i >= 0; --i)
+            stem.push_back({300'000 * i / (count + 1) - i % 2, 1'400'000 * i / (count + 1)});
         std::reverse(stem.begin(), stem.end());
         for (const double degrees : {0.0, 90.0, 180.0, 270.0}) {
             for (const bool mirror : {false, true}) {

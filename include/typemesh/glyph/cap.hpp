@@ -20,10 +20,11 @@ namespace typemesh {
 namespace detail {
 
 /// The triangles that a triangulator has appended for a region behind the first `before`: held to its promise, and
-/// those too low for 32-bit floats exchanged, unless its diagonals are final. The rule looks at the shape alone, wherever
-/// it will stand. `out` is as it was after an error.
+/// those too low for 32-bit floats exchanged, unless its diagonals are final. The rule looks at the shape alone,
+/// wherever it will stand. `out` is as it was after an error.
 template <triangulator Triangulator>
-[[nodiscard]] error settle_triangles(const region& shape, triangle_list& out, std::size_t before, workspace& space) noexcept
+[[nodiscard]] error settle_triangles(const region& shape, triangle_list& out, std::size_t before,
+                                     workspace& space) noexcept
 {
     const bool is_kept = assert_triangles(shape, out, before);
     if constexpr (!has_final_diagonals<Triangulator>) {

@@ -33,9 +33,9 @@ namespace typemesh {
 /// Fails with error::out_of_memory; the triangles are a right triangulation then, too.
 /// Cost    about 20 instructions a triangle where none is low, and little more where few are
 /// Space   from `space`: nothing, and where very many are low 32 bytes a triangle
-[[nodiscard]] inline error raise_low_triangles(std::span<const grid_point> points, std::span<const std::uint32_t> starts,
-                                               const triangle_heights& heights, std::span<triangle> triangles,
-                                               workspace& space) noexcept
+[[nodiscard]] inline error raise_low_triangles(std::span<const grid_point> points,
+                                               std::span<const std::uint32_t> starts, const triangle_heights& heights,
+                                               std::span<triangle> triangles, workspace& space) noexcept
 {
     if (heights.doubled_area_of_low() == 0) return {};
     workspace::scope scratch{space};
@@ -56,7 +56,8 @@ namespace typemesh {
 }
 
 /// The same for a triangulated region.
-[[nodiscard]] inline error raise_low_triangles(const region& r, std::span<triangle> triangles, workspace& space) noexcept
+[[nodiscard]] inline error raise_low_triangles(const region& r, std::span<triangle> triangles,
+                                               workspace& space) noexcept
 {
     return raise_low_triangles(r.points(), r.starts(), triangle_heights{r.grid()}, triangles, space);
 }

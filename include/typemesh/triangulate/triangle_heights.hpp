@@ -42,11 +42,11 @@ public:
     [[nodiscard]] std::int64_t doubled_area_of_low() const noexcept { return most_low_; }
 
     /// Of a triangle that turns counter-clockwise, or does not matter.
-    [[nodiscard]] std::uint32_t level(grid_point a, grid_point b, grid_point c, std::int64_t doubled_area) const noexcept
+    [[nodiscard]] std::uint32_t level(grid_point a, grid_point b, grid_point c,
+                                      std::int64_t doubled_area) const noexcept
     {
         if (doubled_area >= most_) return 0;
-        const std::int64_t ab = squared_distance(a, b), bc = squared_distance(b, c),
-                           ca = squared_distance(c, a);
+        const std::int64_t ab = squared_distance(a, b), bc = squared_distance(b, c), ca = squared_distance(c, a);
         const std::int64_t longest = ab > bc ? (ab > ca ? ab : ca) : (bc > ca ? bc : ca);
         const detail::two_words right = detail::sum_of_products(em_ * em_, longest, 0, 0);
         const std::int64_t scaled = doubled_area << 16;

@@ -45,8 +45,10 @@ public:
     {
         start(t);
         outcome found{false, false};
-        for (std::uint32_t wanted = 4; looks > 0; wanted += 1 + wanted / 4) {  // corners: 4, 6, 8, 11, 14, 18, 23, 29, 32
-            while (size_ < wanted && grow()) {}
+        for (std::uint32_t wanted = 4; looks > 0;
+             wanted += 1 + wanted / 4) {  // corners: 4, 6, 8, 11, 14, 18, 23, 29, 32
+            while (size_ < wanted && grow()) {
+            }
             const std::uint64_t best = find_best(looks);
             if (best < cost_) {
                 exchange();
@@ -160,7 +162,8 @@ private:
     void exchange() noexcept
     {
         constexpr std::uint32_t none = triangle_neighbours::none;
-        std::uint32_t outside[most], partner[most];  // across each edge; when that is an edge of this polygon, its number
+        std::uint32_t outside[most],
+            partner[most];  // across each edge; when that is an edge of this polygon, its number
         for (std::uint32_t i = 0; i < size_; ++i) {
             outside[i] = neighbours_.knows_all() ? neighbours_.across(edge_[i]) : none;
             partner[i] = size_;
