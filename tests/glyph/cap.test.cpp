@@ -346,3 +346,42 @@ TEST_CASE("cap() of contours that cross says when memory fails, warm it asks for
         if (!was_asked) break;
     }
 }
+
+namespace {
+
+/// Cuts the stem below, and cuts its ears off first, which are low. Final or not.
+template <bool Final>
+struct ears_first {
+    static constexpr bool has_final_diagonals = Final;
+    error operator()(const region&, workspace&, triangle_list& out) const noexcept
+    {
+        constexpr triangle all[] = {{1, 2, 3}, {4, 5, 0}, {0, 1, 3}, {0, 3, 4}};
+        return out.append(all) ? error{} : error{error::out_of_memory};
+    }
+};
+
+}  // namespace
+
+TEST_CASE("cap() exchanges the low triangles of any triangulator but one whose diagonals are final", "[glyph][cap]")
+{
+    // A slanted stem with a point a cell outside of each side.
+    const test::shape stem{
+        "stem",
+        {{{0, 0}, {100'000, 0}, {350'001, 700'000}, {600'000, 1'400'000}, {500'000, 1'400'000}, {249'999, 700'000}}}};
+    const auto low_of = [&](const auto& how) {
+        contours loops = test::contours_of(stem);
+        loops.grid.units_per_em = 8192.0;  // low: below four cells
+        workspace space;
+        triangle_list out;
+        const auto made = cap(loops, fill_rule::non_zero, how, space, out);
+        REQUIRE(made);
+        CHECK(test::oracle::broken_law(*made, out.view()) == "");
+        const triangle_heights heights{loops.grid};
+        std::size_t low = 0;
+        for (const triangle t : out) low += heights.is_low(loops.points[t.a], loops.points[t.b], loops.points[t.c]);
+        return low;
+    };
+    CHECK(low_of(ears_first<true>{}) != 0);
+    CHECK(low_of(ears_first<false>{}) == 0);
+    CHECK(low_of(monotone{}) == 0);
+}
