@@ -9,6 +9,7 @@
 
 #include <typemesh/adapt/freetype.hpp>
 #include <typemesh/adapt/harfbuzz.hpp>
+#include <typemesh/inspect/normal_check.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <cmath>
@@ -103,7 +104,10 @@ TEST_CASE("every glyph of every text of the workload is there and closed, also w
                 CHECK(test::volume(m.vertices, own) > 0.0);
                 ++built;
             }
-            for (const auto& v : m.vertices) REQUIRE(std::fabs(test::dot(v.normal, v.normal) - 1.0) < 1e-5);
+            const auto normals =
+                check_normals(inspect::mesh_view{m.vertices, m.indices}, &test::full_vertex::normal, 1, 5e-6);
+            CHECK(normals.not_unit == 0);
+            if (flipped_triangles(*plan) == 0) CHECK(normals.is_right());
             for (const auto& g : plan->run().glyphs) {
                 if (g.missing) continue;
                 if (is_resolved(*font, g.id, certified{}, tolerance)) resolved.insert(g.id);

@@ -7,7 +7,7 @@
 #include <typemesh/fill/resolve.hpp>
 #include <typemesh/fill/touching_walks.hpp>
 #include <typemesh/glyph/stage.hpp>
-#include <typemesh/triangulate/kept_promise.hpp>
+#include <typemesh/triangulate/appended_triangles.hpp>
 #include <typemesh/triangulate/low_triangles.hpp>
 #include <typemesh/triangulate/triangulator.hpp>
 
