@@ -6,7 +6,6 @@
 #include <typemesh/glyph/glyph_builder.hpp>
 #include <typemesh/fill/region_union.hpp>
 #include <typemesh/text/text_shapes.hpp>
-#include <typemesh/triangulate/appended_triangles.hpp>
 
 #include <cmath>
 #include <cstddef>
