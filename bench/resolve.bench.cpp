@@ -181,7 +181,7 @@ void run(benchmark::State& state, set& s, way w, int passes)
         for (const polygon& p : s.crossing) {
             p.give(loops);
             resolve_effort effort;
-            benchmark::DoNotOptimize(resolve(loops, fill_rule::non_zero, space, &effort));
+            benchmark::DoNotOptimize(resolve(loops, fill_rule::non_zero, space, {.effort = &effort}));
             work += effort.pieces * std::log2(effort.pieces + 1.0);
         }
         state.counters["ns_per_log"] = processor_time(s, loops, space, out) / work;

@@ -77,8 +77,6 @@ TEST_CASE("Contours taken apart are one stretch an edge with length, in order, a
             CHECK((stretch.turn == 1 ? from : to) == stretch.from);
             CHECK((stretch.turn == 1 ? to : from) == stretch.to);
             CHECK(stretch.source.t0 == (stretch.turn == 1 ? 0.25f : 0.75f));
-            CHECK(a.is_at_home(stretch, stretch.from));
-            CHECK(a.is_at_home(stretch, {stretch.to.x + 1, stretch.to.y}));
         }
     }
 }

@@ -48,17 +48,25 @@ TEST_CASE("scaled() is the nearest integer to size * part / whole in 128-bit ari
     for (int i = 0; i < 20'000; ++i) {
         const std::int64_t whole = 1 + any(1 + d.roll(60)), size = any(1 + d.roll(29));
         const std::int64_t part = d.roll(8) == 0 ? whole - any(1 + d.roll(3)) % whole : any(60) % (whole + 1);
-        const std::int64_t up = detail::scaled(size, part, whole), down = detail::scaled(-size, part, whole);
+        const detail::quotient above = detail::scaled(size, part, whole), below = detail::scaled(-size, part, whole);
+        const std::int64_t up = above.nearest(), down = below.nearest();
         INFO(size << " * " << part << " / " << whole);
         REQUIRE(up >= 0);
         REQUIRE(is_nearest(size_of(size), size_of(part), size_of(whole), size_of(up)));
         REQUIRE(down <= 0);
         REQUIRE(is_nearest(size_of(size), size_of(part), size_of(whole), size_of(down)));
-        CHECK(detail::scaled(size, 0, whole) == 0);
-        CHECK(detail::scaled(size, whole, whole) == size);
+        for (const detail::quotient& q : {above, below}) {
+            CHECK(q.rest >= 0);
+            CHECK(q.rest < whole);
+            CHECK(q.is_exact() == (q.rest == 0));
+        }
+        CHECK(detail::scaled(size, 0, whole).nearest() == 0);
+        CHECK(detail::scaled(size, whole, whole).nearest() == size);
     }
-    CHECK(detail::scaled(3, 1, 2) == 2);    // halves go up
-    CHECK(detail::scaled(-3, 1, 2) == -1);
+    CHECK(detail::scaled(3, 1, 2).nearest() == 2);    // halves go up
+    CHECK(detail::scaled(-3, 1, 2).nearest() == -1);
+    CHECK(detail::scaled(-3, 1, 2).floor == -2);
+    CHECK(detail::scaled(3, 1, 2).floor == 1);
 }
 
 TEST_CASE("crossing_of() lies in both boxes, and within half a cell of both lines", "[fill][crossing]")

@@ -64,7 +64,7 @@ std::string mistake_on(const test::shape& s, fill_rule rule, int samples = 12)
     contours loops = test::contours_of(s);
     workspace space;
     resolve_effort effort;
-    const result<region> made = resolve(loops, rule, space, &effort);
+    const result<region> made = resolve(loops, rule, space, {.effort = &effort});
     most_walks = (std::max)(most_walks, effort.walks);
     rounded += effort.rounds != 0;
     ++all_shapes;
@@ -405,7 +405,7 @@ TEST_CASE("resolve_then() tells the order that sweep_order() makes of the region
                     return error{};
                 };
                 every_meeting_stands nobody;
-                const auto made = resolve_then(loops, order, rule, space, nobody, then);
+                const auto made = resolve_then(loops, rule, space, nobody, then, {.order = order});
                 const auto plain = resolve(other, rule, space);
                 REQUIRE(made);
                 REQUIRE(plain);
@@ -425,7 +425,7 @@ TEST_CASE("The error of what follows a region is resolve_then()'s", "[fill][reso
     workspace space;
     every_meeting_stands nobody;
     const auto fails = [](const region& r) noexcept { return r.points().empty() ? error{} : error{error::too_large}; };
-    const auto made = resolve_then(loops, {}, fill_rule::non_zero, space, nobody, fails);
+    const auto made = resolve_then(loops, fill_rule::non_zero, space, nobody, fails);
     REQUIRE_FALSE(made);
     CHECK(made.error() == error::too_large);
 }

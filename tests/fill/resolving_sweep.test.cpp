@@ -57,7 +57,7 @@ TEST_CASE("What a walk believes is an arrangement of closed contours, with the r
 {
     test::dice d{91};
     int believed = 0, bent = 0;
-    for (int i = 0; i < 30'000; ++i) {
+    for (int i = 0; i < 40'000; ++i) {
         test::shape s{"shape " + std::to_string(i), {}};
         const int kind = d.roll(4), width = 4 + d.roll(60), length = 20 + d.roll(2000);
         for (int c = 1 + d.roll(2); c > 0; --c) {

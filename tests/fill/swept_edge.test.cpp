@@ -17,7 +17,7 @@ TEST_CASE("A swept edge holds the points of its box, however it runs", "[fill][s
         const detail::swept_edge e{a, b, 3, 7};
         CHECK(e.stretch == 3);
         CHECK(e.above == 7);
-        CHECK_FALSE(e.fixed);
+        CHECK_FALSE(e.is_bent);
         const grid_point p{d.roll(9), d.roll(9)};
         CHECK(e.holds(p) == ((std::min)(a.x, b.x) <= p.x && p.x <= (std::max)(a.x, b.x) &&
                              (std::min)(a.y, b.y) <= p.y && p.y <= (std::max)(a.y, b.y)));

@@ -50,6 +50,7 @@ public:
         return true;
     }
 
+    [[nodiscard]] std::uint32_t size() const noexcept { return size_; }
     [[nodiscard]] std::uint32_t below(std::uint32_t item) const noexcept { return places_[item].link[0]; }
     [[nodiscard]] std::uint32_t above(std::uint32_t item) const noexcept { return places_[item].link[1]; }
     /// side 0: below, 1: above.

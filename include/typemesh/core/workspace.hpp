@@ -5,7 +5,9 @@
 #include <typemesh/core/memory.hpp>
 
 #include <cstddef>
+#include <cstring>
 #include <new>
+#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -17,9 +19,11 @@ namespace typemesh {
 ///     auto* rank = scratch.take<std::uint32_t>(n);    // n values, not initialised; null when there is no memory
 ///
 /// Blocks never move, so pointers hold until their scope ends. When the outermost scope ends and several blocks were
-/// needed, they are replaced by one of their joint size: after warm-up nothing is allocated. A workspace serves one thread at a time.
+/// needed, they are replaced by one that holds what was taken at a time, at most: after warm-up nothing is allocated.
+/// It stays until trim(). A workspace serves one thread at a time.
 class workspace {
     static constexpr std::size_t alignment = 64;  // a cache line, and enough for any vector register
+    static constexpr std::size_t least = 16 * 1024;  // bytes of a block, or an eighth of all, or what is asked for
 
     struct alignas(alignment) block {
         block* next;
@@ -33,7 +37,8 @@ public:
     workspace(workspace&& other) noexcept
         : source_{other.source_},
           first_{std::exchange(other.first_, nullptr)},
-          current_{std::exchange(other.current_, nullptr)}
+          current_{std::exchange(other.current_, nullptr)},
+          most_{std::exchange(other.most_, 0)}
     {
         TYPEMESH_ASSERT(other.depth_ == 0, "a workspace was moved while a scope was open");
     }
@@ -43,9 +48,10 @@ public:
         std::swap(source_, other.source_);
         std::swap(first_, other.first_);
         std::swap(current_, other.current_);
+        std::swap(most_, other.most_);
         return *this;
     }
-    ~workspace() { release(); }
+    ~workspace() { release(first_); }
 
     /// The memory behind it, for buffers that should draw from the same source.
     [[nodiscard]] memory source() const noexcept { return source_; }
@@ -58,17 +64,33 @@ public:
         return total;
     }
 
+    /// Gives all memory back to its source: after a text of unusual glyphs, say. The next call takes what it needs anew.
+    void trim() noexcept
+    {
+        TYPEMESH_ASSERT(depth_ == 0, "a workspace was trimmed while a scope was open");
+        release(first_);
+        current_ = nullptr;
+        most_ = 0;
+    }
+
     /// A stretch of borrowing; scopes nest.
     class scope {
     public:
         explicit scope(workspace& w) noexcept
-            : workspace_{w}, block_{w.current_}, used_{w.current_ != nullptr ? w.current_->used : 0}
+            : workspace_{w},
+              block_{w.current_},
+              used_{w.current_ != nullptr ? w.current_->used : 0},
+              taken_{w.taken_}
         {
             ++w.depth_;
         }
         scope(const scope&) = delete;
         scope& operator=(const scope&) = delete;
-        ~scope() { workspace_.rewind(block_, used_); }
+        ~scope()
+        {
+            workspace_.rewind(block_, used_, taken_);
+            workspace_.leave();
+        }
 
         /// `count` values that are not initialised, or null when the memory gives none; never null for count = 0 alone.
         template <class T>
@@ -81,28 +103,76 @@ public:
             return static_cast<T*>(workspace_.take_bytes(count * sizeof(T)));
         }
 
+        /// Gives back all that was taken through this scope but these values, which move down to its begin, one array
+        /// behind the other. They are named in the order in which they were taken; no scope within may be open. Asks for
+        /// no memory.
+        template <class... T>
+        void keep(std::span<T>&... kept) noexcept
+        {
+            workspace_.rewind(block_, used_, taken_);
+            (move_down(kept), ...);
+        }
+
     private:
+        template <class T>
+        void move_down(std::span<T>& values) noexcept
+        {
+            static_assert(std::is_trivially_copyable_v<T>);
+            void* const place = workspace_.take_there(values.size_bytes());
+            if (!values.empty()) std::memmove(place, static_cast<const void*>(values.data()), values.size_bytes());
+            values = {static_cast<T*>(place), values.size()};
+        }
+
         workspace& workspace_;
         block* block_;
         std::size_t used_;
+        std::size_t taken_;
     };
 
 private:
+    static constexpr std::size_t rounded(std::size_t bytes) noexcept
+    {
+        return (bytes + alignment - 1) & ~(alignment - 1);
+    }
+
     void* take_bytes(std::size_t wanted) noexcept
     {
-        wanted = (wanted + alignment - 1) & ~(alignment - 1);
+        wanted = rounded(wanted);
         while (current_ == nullptr || wanted > current_->bytes - current_->used) {
-            block* next = current_ == nullptr ? first_ : current_->next;
+            block*& next = current_ == nullptr ? first_ : current_->next;
+            while (next != nullptr && next->bytes < wanted) {  // holds nothing: of a scope that has ended
+                block* small = next;
+                next = small->next;
+                small->next = nullptr;
+                release(small);
+            }
             if (next == nullptr) {
-                const std::size_t doubled = current_ == nullptr ? 16 * 1024 : 2 * current_->bytes;
-                next = make_block(wanted > doubled ? wanted : doubled);
+                const std::size_t held = capacity();
+                const std::size_t usual = held / 8 > least ? held / 8 : least;
+                next = make_block(wanted > usual ? wanted : usual);
                 if (next == nullptr) return nullptr;
-                (current_ == nullptr ? first_ : current_->next) = next;
             }
             current_ = next;
         }
-        void* taken = current_->data() + current_->used;
+        return take_here(wanted);
+    }
+
+    /// Of the blocks that are there; the first one in which it finds room.
+    void* take_there(std::size_t wanted) noexcept
+    {
+        wanted = rounded(wanted);
+        if (current_ == nullptr) current_ = first_;
+        if (current_ == nullptr) return nullptr;  // nothing was ever taken
+        while (wanted > current_->bytes - current_->used) current_ = current_->next;
+        return take_here(wanted);
+    }
+
+    void* take_here(std::size_t wanted) noexcept
+    {
+        void* const taken = current_->data() + current_->used;
         current_->used += wanted;
+        taken_ += wanted;
+        if (taken_ > most_) most_ = taken_;
         return taken;
     }
 
@@ -112,32 +182,38 @@ private:
         return raw == nullptr ? nullptr : new (raw) block{nullptr, bytes, 0};
     }
 
-    void rewind(block* to, std::size_t used) noexcept
+    void rewind(block* to, std::size_t used, std::size_t taken) noexcept
     {
         for (block* b = to == nullptr ? first_ : to->next; b != nullptr; b = b->next) b->used = 0;
         if (to != nullptr) to->used = used;
         current_ = to;
-        if (--depth_ == 0 && first_ != nullptr && first_->next != nullptr) {
-            const std::size_t total = capacity();
-            release();
-            first_ = make_block(total);  // null is fine: the next take tries again
-        }
+        taken_ = taken;
     }
 
-    void release() noexcept
+    void leave() noexcept
     {
-        while (first_ != nullptr) {
-            block* next = first_->next;
-            source_.deallocate(source_.user, first_, sizeof(block) + first_->bytes, alignof(block));
-            first_ = next;
-        }
+        if (--depth_ != 0 || first_ == nullptr || first_->next == nullptr) return;
+        release(first_);
         current_ = nullptr;
+        const std::size_t joint = most_ + most_ / 16;
+        first_ = make_block(joint > least ? rounded(joint) : least);  // null is fine: the next take tries again
+    }
+
+    void release(block*& from) noexcept
+    {
+        while (from != nullptr) {
+            block* next = from->next;
+            source_.deallocate(source_.user, from, sizeof(block) + from->bytes, alignof(block));
+            from = next;
+        }
     }
 
     memory source_;
     block* first_ = nullptr;
     block* current_ = nullptr;
     std::size_t depth_ = 0;
+    std::size_t taken_ = 0;  // now
+    std::size_t most_ = 0;   // at a time
 };
 
 }  // namespace typemesh

@@ -89,6 +89,10 @@ struct arrangement {
         nullptr;  // of the stretches that start in each point: the first, the others follow by `next`
     std::uint32_t point_count = 0;
     const contours* loops = nullptr;  // what was taken apart
+    bool is_bent = false;             // some stretch does not lie on its contour edge
+    std::uint32_t most_active = no_number;  // how many stretches are on the sweep line at a time
+    bool is_rounded = false;          // it was made by snap_rounding: nothing is to be bent
+    bool is_touching = false;         // the boundary of the filled area comes through some point more than once
 
     struct edge {
         grid_point from, to;
@@ -98,15 +102,6 @@ struct arrangement {
     [[nodiscard]] edge home(const stretch& s) const noexcept
     {
         return {loops->points[s.origin], loops->points[s.target]};
-    }
-
-    /// Whether p lies within about one cell of the line of a stretch's contour edge: bending may not lead farther away.
-    /// Exact: |orientation| < 2^61 against |dx| + |dy| <= 2^30.
-    [[nodiscard]] bool is_at_home(const stretch& s, grid_point p) const noexcept
-    {
-        const auto [a, b] = home(s);
-        const std::int64_t dx = std::int64_t{b.x} - a.x, dy = std::int64_t{b.y} - a.y, side = orientation(a, b, p);
-        return (side < 0 ? -side : side) <= (dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy);
     }
 
     /// Room for `most` stretches. What is there already is kept. False when there is no memory.
@@ -120,6 +115,25 @@ struct arrangement {
         if (count != 0) std::memcpy(static_cast<void*>(larger), stretches, count * sizeof(stretch));
         stretches = larger;
         capacity = most;
+        return true;
+    }
+
+    /// The same for pieces that are given, all of them, between given points, which are numbered: there is room for
+    /// `most` pieces and points. False when there is no memory.
+    [[nodiscard]] bool adopt(workspace::scope& scratch, std::span<stretch> pieces, std::span<grid_point> places,
+                             std::size_t most) noexcept
+    {
+        is_rounded = true;
+        stretches = pieces.data();
+        count = static_cast<std::uint32_t>(pieces.size());
+        capacity = static_cast<std::uint32_t>(most);
+        point_count = static_cast<std::uint32_t>(places.size());
+        points = scratch.take<grid_point>(most);
+        spare = scratch.take<grid_point>(most);
+        first = scratch.take<std::uint32_t>(most);
+        if (points == nullptr || spare == nullptr || first == nullptr) return false;
+        for (std::uint32_t i = 0; i < point_count; ++i) points[i] = places[i];
+        list();
         return true;
     }
 

@@ -93,7 +93,7 @@ public:
 
     /// The points that write() writes in the order of a sweep, as sweep_order() would find it; null when there is no
     /// memory. The arrangement's points are sorted by its own sweep.
-    [[nodiscard]] const std::uint32_t* order(const arrangement& a, workspace::scope& scratch) const noexcept
+    [[nodiscard]] std::uint32_t* order(const arrangement& a, workspace::scope& scratch) const noexcept
     {
         const std::uint32_t size = starts_[loop_count_];
         auto* const order = scratch.take<std::uint32_t>(size);

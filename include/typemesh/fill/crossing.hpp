@@ -9,13 +9,23 @@ namespace typemesh {
 
 namespace detail {
 
-/// size * part / whole, rounded to the nearest integer (halves up), for 0 <= part <= whole, whole > 0.
+/// size * part / whole in whole numbers: size * part = floor * whole + rest, 0 <= rest < whole.
+struct quotient {
+    std::int64_t floor;
+    std::int64_t rest;
+    std::int64_t whole;
+    [[nodiscard]] bool is_exact() const noexcept { return rest == 0; }
+    /// Halves up.
+    [[nodiscard]] std::int64_t nearest() const noexcept { return rest >= whole - rest ? floor + 1 : floor; }
+};
+
+/// For 0 <= part <= whole, whole > 0.
 ///
 /// Exact. Budget: |size| < 2^30, whole < 2^61, so the product has up to 91 bits and no word holds it. The quotient is
 /// guessed in floating point; what is left over, which is below 2^63 although its two terms are not, tells by
 /// arithmetic modulo 2^64 how far the guess is off. The guess only has to be good to a few units, so any rounding mode
 /// and compiler flag will do.
-[[nodiscard]] inline std::int64_t scaled(std::int64_t size, std::int64_t part, std::int64_t whole) noexcept
+[[nodiscard]] inline quotient scaled(std::int64_t size, std::int64_t part, std::int64_t whole) noexcept
 {
     auto guess =
         static_cast<std::int64_t>(static_cast<double>(size) * (static_cast<double>(part) / static_cast<double>(whole)));
@@ -23,7 +33,22 @@ namespace detail {
                                           static_cast<std::uint64_t>(guess) * static_cast<std::uint64_t>(whole));
     for (; rest < 0; rest += whole) --guess;
     for (; rest >= whole; rest -= whole) ++guess;
-    return rest >= whole - rest ? guess + 1 : guess;
+    return {guess, rest, whole};
+}
+
+/// Where the inner parts of ab and cd cross: at a + (b - a) * part / whole; whole = 0 when they do not. O(1)
+struct crossing_share {
+    std::int64_t part;
+    std::int64_t whole;
+};
+[[nodiscard]] inline crossing_share share_of(grid_point a, grid_point b, grid_point c, grid_point d) noexcept
+{
+    const std::int64_t abc = orientation(a, b, c), abd = orientation(a, b, d);
+    const std::int64_t cda = orientation(c, d, a), cdb = orientation(c, d, b);
+    if ((abc >= 0) == (abd >= 0) || (cda >= 0) == (cdb >= 0) || abc == 0 || abd == 0 || cda == 0 || cdb == 0)
+        return {0, 0};
+    const std::int64_t part = cda < 0 ? -cda : cda;
+    return {part, part + (cdb < 0 ? -cdb : cdb)};
 }
 
 }  // namespace detail
@@ -39,13 +64,10 @@ namespace detail {
 [[nodiscard]] inline bool crossing_of(grid_point a, grid_point b, grid_point c, grid_point d,
                                       grid_point& nearest) noexcept
 {
-    std::int64_t abc = orientation(a, b, c), abd = orientation(a, b, d);
-    std::int64_t cda = orientation(c, d, a), cdb = orientation(c, d, b);
-    if ((abc >= 0) == (abd >= 0) || (cda >= 0) == (cdb >= 0) || abc == 0 || abd == 0 || cda == 0 || cdb == 0)
-        return false;
-    const std::int64_t part = cda < 0 ? -cda : cda, whole = part + (cdb < 0 ? -cdb : cdb);
-    nearest = {static_cast<std::int32_t>(a.x + detail::scaled(std::int64_t{b.x} - a.x, part, whole)),
-               static_cast<std::int32_t>(a.y + detail::scaled(std::int64_t{b.y} - a.y, part, whole))};
+    const auto [part, whole] = detail::share_of(a, b, c, d);
+    if (whole == 0) return false;
+    nearest = {static_cast<std::int32_t>(a.x + detail::scaled(std::int64_t{b.x} - a.x, part, whole).nearest()),
+               static_cast<std::int32_t>(a.y + detail::scaled(std::int64_t{b.y} - a.y, part, whole).nearest())};
     return true;
 }
 

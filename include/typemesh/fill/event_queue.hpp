@@ -19,11 +19,11 @@ struct event {
 /// Events by place, the first one on top: a binary heap of fixed room.
 class event_queue {
 public:
-    [[nodiscard]] bool open(workspace::scope& scratch, std::uint32_t room) noexcept
+    [[nodiscard]] bool open(workspace::scope& scratch, std::size_t room) noexcept
     {
-        events_ = scratch.take<event>(std::size_t{room} + 1);
+        events_ = scratch.take<event>(room + 1);
         if (events_ == nullptr) return false;
-        room_ = room;
+        room_ = static_cast<std::uint32_t>(room);
         size_ = 0;
         events_[0].place = nowhere;
         return true;

@@ -22,15 +22,19 @@ struct growing {
     /// False when there is no memory; then it is as it was.
     [[nodiscard]] bool add(const T& value) noexcept
     {
-        if (count == room) {
-            const std::size_t more = room == 0 ? 256 : 2 * room;
-            T* const larger = scratch.take<T>(more);
-            if (larger == nullptr) return false;
-            if (count != 0) std::memcpy(static_cast<void*>(larger), values, count * sizeof(T));
-            values = larger;
-            room = more;
-        }
+        if (count == room && !reserve(room == 0 ? 256 : 2 * room)) return false;
         values[count++] = value;
+        return true;
+    }
+
+    /// Room for `more` values, at least as many as there are. False when there is no memory; then it is as it was.
+    [[nodiscard]] bool reserve(std::size_t more) noexcept
+    {
+        T* const larger = scratch.take<T>(more);
+        if (larger == nullptr) return false;
+        if (count != 0) std::memcpy(static_cast<void*>(larger), values, count * sizeof(T));
+        values = larger;
+        room = more;
         return true;
     }
 };

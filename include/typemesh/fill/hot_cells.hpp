@@ -22,8 +22,8 @@ namespace typemesh::detail {
 ///      | 3 .   |  .        |       it when |2 s| < |dx| + |dy| for s = orientation(from, to, p), or when it touches it
 ///      +-------------------+       in the one corner that belongs to it.
 ///
-/// Build  O(m log m) for m points, 30 bytes a point. Query: O(sqrt m) boxes for points that are spread, fewer for
-///        points in a line; O(m) at worst, and O(hits log hits) to put them in order.
+/// Build  O(m log m) for m points, 50 bytes a point. Query: O(sqrt m) boxes for points that are spread, O(m) at worst
+///        (points along the segment, beside it), and O(hits log hits) to put them in order.
 /// Exact  |coordinate| <= 2^28: s < 2^61, its double < 2^62.
 /// From   Morton, A computer oriented geodetic data base (1966)
 class hot_cells {
@@ -33,34 +33,42 @@ class hot_cells {
     static constexpr std::uint32_t leaf = 4;
 
 public:
-    /// False when there is no memory. Points may be given more than once.
-    [[nodiscard]] bool open(std::span<const grid_point> points, workspace::scope& scratch) noexcept
+    /// A point by its number among those given, and whether the segment comes through the point itself.
+    struct hit {
+        std::uint32_t number;
+        bool is_exact;
+    };
+
+    /// False when there is no memory. Each point is given once.
+    [[nodiscard]] bool open(std::span<const grid_point> points, workspace::scope& scratch, workspace& space) noexcept
     {
         count_ = points.size();
         if (count_ == 0) return true;
         leaves_ = std::bit_ceil((count_ + leaf - 1) / leaf);
         points_ = scratch.take<grid_point>(count_);
+        numbers_ = scratch.take<std::uint32_t>(count_);
         boxes_ = scratch.take<box>(2 * leaves_);
-        hits_ = scratch.take<packed_sweep_key>(count_);
-        auto* const keys = scratch.take<wide_sweep_key>(count_);
-        auto* const spare = scratch.take<wide_sweep_key>(count_);
-        if (points_ == nullptr || boxes_ == nullptr || hits_ == nullptr || keys == nullptr || spare == nullptr)
+        hits_ = scratch.take<wide_sweep_key>(count_);
+        workspace::scope sorting{space};
+        auto* const keys = sorting.take<wide_sweep_key>(count_);
+        auto* const spare = sorting.take<wide_sweep_key>(count_);
+        if (points_ == nullptr || numbers_ == nullptr || boxes_ == nullptr || hits_ == nullptr || keys == nullptr ||
+            spare == nullptr)
             return false;
         constexpr std::int32_t lowest = -(1 << 28) - 1;
         for (std::size_t i = 0; i < count_; ++i)
             keys[i] = {spread(points[i].x - lowest) << 1 | spread(points[i].y - lowest), static_cast<std::uint32_t>(i)};
         const wide_sweep_key* const sorted = sort_sweep_keys(keys, spare, count_, 0, 60);
-        std::size_t kept = 0;
-        for (std::size_t i = 0; i < count_; ++i)
-            if (const grid_point p = points[sorted[i].index]; kept == 0 || !(points_[kept - 1] == p))
-                points_[kept++] = p;
-        count_ = kept;
+        for (std::size_t i = 0; i < count_; ++i) {
+            numbers_[i] = sorted[i].index;
+            points_[i] = points[sorted[i].index];
+        }
         for (std::size_t node = 2 * leaves_; --node != 0;) boxes_[node] = node >= leaves_ ? of(node) : both(node);
         return true;
     }
 
-    /// Calls met(p) for every point whose cell the segment comes through, its ends too if they are points, in the order
-    /// in which it does; met() returns false to end that. False when it did. `from` comes before `to` in the sweep.
+    /// Calls met(hit) for every point but its ends whose cell the segment comes through, in the order in which it does;
+    /// met() returns false to end that. False when it did. `from` comes before `to` in the sweep.
     template <class Met>
     [[nodiscard]] bool along(grid_point from, grid_point to, Met&& met) noexcept
     {
@@ -81,9 +89,11 @@ public:
             }
             if (!far_off) {
                 const std::size_t begin = (node - leaves_) * leaf, end = begin + leaf < count_ ? begin + leaf : count_;
-                for (std::size_t i = begin; i < end; ++i)
-                    if (holds(around, points_[i]) && comes_through(from, to, points_[i]))
-                        hits_[hit_count++] = {key(points_[i], dy < 0)};
+                for (std::size_t i = begin; i < end; ++i) {
+                    const grid_point p = points_[i];
+                    if (holds(around, p) && comes_through(from, to, p) && !(p == from) && !(p == to))
+                        hits_[hit_count++] = {key(p, dy < 0), static_cast<std::uint32_t>(i)};
+                }
             }
             while (node % 2 == 1) node /= 2;  // the last of its parent: so far all of that one
             if (node == 0) break;
@@ -96,7 +106,7 @@ public:
                 heap_sort(hits_, hit_count);
         }
         for (std::size_t i = 0; i < hit_count; ++i)
-            if (!met(point_of(hits_[i].word, dy < 0))) return false;
+            if (!met(hit{numbers_[hits_[i].index], orientation(from, to, points_[hits_[i].index]) == 0})) return false;
         return true;
     }
 
@@ -129,12 +139,6 @@ private:
         const auto y = static_cast<std::uint32_t>(p.y) ^ 0x8000'0000u;
         return std::uint64_t{static_cast<std::uint32_t>(p.x) ^ 0x8000'0000u} << 32 | (falling ? ~y : y);
     }
-    [[nodiscard]] static grid_point point_of(std::uint64_t key, bool falling) noexcept
-    {
-        const auto y = static_cast<std::uint32_t>(key);
-        return {static_cast<std::int32_t>(static_cast<std::uint32_t>(key >> 32) ^ 0x8000'0000u),
-                static_cast<std::int32_t>((falling ? ~y : y) ^ 0x8000'0000u)};
-    }
     [[nodiscard]] box of(std::size_t node) const noexcept
     {
         constexpr std::int32_t beyond = 1 << 29;
@@ -156,7 +160,8 @@ private:
 
     grid_point* points_ = nullptr;
     box* boxes_ = nullptr;  // 1: the root; 2 i and 2 i + 1 below i
-    packed_sweep_key* hits_ = nullptr;
+    std::uint32_t* numbers_ = nullptr;  // of the points, as given
+    wide_sweep_key* hits_ = nullptr;
     std::size_t count_ = 0;
     std::size_t leaves_ = 0;
 };

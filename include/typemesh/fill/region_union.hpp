@@ -62,10 +62,10 @@ public:
     /// The region that the members fill together, on this group's memory: it ends with the next begin().
     ///
     /// Fails  as resolve() does
-    [[nodiscard]] result<region> join(workspace& space) noexcept
+    [[nodiscard]] result<region> join(workspace& space, std::uint32_t most_pieces = default_most_pieces) noexcept
     {
         loops_.curves = curves_.view();
-        return resolve(loops_, fill_rule::non_zero, space);
+        return resolve(loops_, fill_rule::non_zero, space, {.most_pieces = most_pieces});
     }
 
     /// The member that a curve of the joined region comes from: 0 for the first that was added.

@@ -3,6 +3,7 @@
 
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/fill_rule.hpp>
+#include <typemesh/core/most_pieces.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/core/workspace.hpp>
@@ -22,76 +23,104 @@ namespace typemesh {
 /// What resolve() did, for those who want to know.
 struct resolve_effort {
     std::uint32_t walks = 0;   ///< sweeps over the arrangement; nearly always one
-    std::uint32_t rounds = 0;  ///< of snap rounding
+    std::uint32_t rounds = 0;  ///< of snap rounding: none or one
     std::uint32_t pieces = 0;  ///< that the edges were cut into: n + k
 };
 
+/// What resolve() is told beside the contours.
+struct resolve_options {
+    std::uint32_t most_pieces = default_most_pieces;  ///< see resolve()
+    std::span<const std::uint32_t> order = {};  ///< of the points, as sweep_order() makes it; empty: not known
+    resolve_effort* effort = nullptr;           ///< where to tell what was done
+};
+
+namespace detail {
+
+/// The contours' edges cut by one walk, or a second; finished: 0 when they do not do, else 1. False when there is no
+/// memory.
+[[nodiscard]] inline bool walk_quickly(const contours& loops, fill_rule rule, workspace& space,
+                                       workspace::scope& scratch, const resolve_options& how, arrangement& a,
+                                       bool& is_done) noexcept
+{
+    const std::size_t n = loops.points.size();
+    is_done = false;
+    if (!a.reserve(scratch, static_cast<std::uint32_t>(n + n / 8 + 48)) || !a.take_apart(loops, space, how.order))
+        return false;
+    for (int walk = 0; walk < 2 && !is_done; ++walk) {
+        resolving_sweep sweep{a, rule};
+        if (!sweep.run(space)) return false;
+        if (how.effort != nullptr) *how.effort = {how.effort->walks + 1, how.effort->rounds, a.count};
+        is_done = !sweep.again && !sweep.partial;
+        if (sweep.full || sweep.rough || sweep.partial) break;
+    }
+    return true;
+}
+
+/// The contours' edges cut by snap rounding, and walked over.
+[[nodiscard]] inline error walk_rounded(const contours& loops, fill_rule rule, workspace& space,
+                                        workspace::scope& scratch, const resolve_options& how,
+                                        arrangement& a) noexcept
+{
+    snap_rounding rounding{loops, how.most_pieces};
+    if (error e = rounding.run(how.order, rule, space, scratch, a)) return e;
+    for (;;) {
+        resolving_sweep sweep{a, rule};
+        if (!sweep.run(space)) return error::out_of_memory;
+        if (how.effort != nullptr) *how.effort = {how.effort->walks + 1, 1, a.count};
+        if (!sweep.again) return {};
+        if (!sweep.full) return error::crossing_contours;
+        a.most_active = no_number;
+        if (!a.reserve(scratch, a.capacity + a.capacity / 2) || !a.put_in_order(space)) return error::out_of_memory;
+    }
+}
+
+}  // namespace detail
+
 /// As resolve() below, for those who know more and want more.
 ///
-///     order   the order of the points, as sweep_order() makes it; empty: not known
 ///     then    error then(r) or error then(r, order): what to do with the region r at once, while the order of its
 ///             points is known, too. Its error is the answer, and `loops` is the region's then. Not asked when there is
 ///             no region.
 template <meeting_judge Judge, class Then>
-[[nodiscard]] result<region> resolve_then(contours& loops, std::span<const std::uint32_t> order, fill_rule rule,
-                                          workspace& space, Judge& judge, Then&& then,
-                                          resolve_effort* effort = nullptr) noexcept
+[[nodiscard]] result<region> resolve_then(contours& loops, fill_rule rule, workspace& space, Judge& judge, Then&& then,
+                                          const resolve_options& how = {}) noexcept
 {
-    constexpr std::uint32_t most_walks = 4, most_rounds = 3;  // in a round
     const std::size_t n = loops.points.size();
     if (n > std::size_t{1} << 29) return error::too_large;
+    if (n > how.most_pieces) return error{error::too_many_pieces, how.most_pieces};
     workspace::scope scratch{space};
     detail::arrangement a;
-    if (!a.reserve(scratch, static_cast<std::uint32_t>(n + n / 2 + 64)) || !a.take_apart(loops, space, order))
-        return error::out_of_memory;
-    std::uint32_t rounds = 0;
-    for (std::uint32_t walks = 0;;) {
-        detail::resolving_sweep sweep{a, rule};
-        if (!sweep.run(space)) return error::out_of_memory;
-        if (effort != nullptr) *effort = {effort->walks + 1, rounds, a.count};
-        if (!sweep.again) {
-            constexpr bool judging = !std::is_same_v<Judge, every_meeting_stands>;
-            const bool touching = judging && sweep.touching, changing = judging && !sweep.touching;
-            bool all_stand = true;
-            if (touching && !detail::judge_touches(a, space, judge, all_stand)) return error::out_of_memory;
-            detail::boundary_walk boundary;
-            const auto watch = [&](const auto& s, const auto& t, grid_point at) noexcept {
-                if (changing && !detail::judge_change(a, s, t, at, judge)) all_stand = false;
-            };
-            if (const error e = boundary.trace(a, scratch, watch)) return e;
-            if (!all_stand) return region{};
-            if (const error e = boundary.write(a, loops)) return e;
-            const region made = region::proven(loops, boundary.holes, boundary.outers, sweep.touching);
-            error e;
-            if constexpr (std::is_invocable_v<Then, const region&>) {
-                e = then(made);
-            } else {
-                const std::uint32_t* const sorted = boundary.order(a, scratch);
-                if (sorted == nullptr) return error::out_of_memory;
-                e = then(made, std::span{sorted, made.points().size()});
-            }
-            if (e) return e;
-            return made;
-        }
-        if (sweep.full && !sweep.astray && rounds == 0 && a.capacity < 12 * n + 256) {
-            walks = 0;
-            if (!a.reserve(scratch, 2 * a.capacity) || !a.take_apart(loops, space, order)) return error::out_of_memory;
-        } else if (rounds > most_rounds) {  // what is left to do bends nothing: it can only lack room
-            if (!sweep.full) return error::crossing_contours;
-            if (a.capacity > std::uint32_t{1} << 29) return error::too_large;
-            if (!a.reserve(scratch, 2 * a.capacity) || !a.put_in_order(space)) return error::out_of_memory;
-        } else if (sweep.full || sweep.astray || ++walks == most_walks) {
-            walks = 0;
-            const std::size_t found = rounds == 0 ? 0 : a.point_count;  // at first what was bent is of no use
-            auto* const hot = scratch.take<grid_point>(found);
-            if (hot == nullptr) return error::out_of_memory;
-            for (std::size_t i = 0; i < found; ++i) hot[i] = a.points[i];
-            if (!a.take_apart(loops, space, order)) return error::out_of_memory;
-            if (!(++rounds > most_rounds ? detail::snap_rounding::run_all(a, scratch, space)
-                                         : detail::snap_rounding::run(a, {hot, found}, scratch, space)))
-                return error::out_of_memory;
-        }
+    bool is_done = false;
+    if (!detail::walk_quickly(loops, rule, space, scratch, how, a, is_done)) return error::out_of_memory;
+    if (!is_done) {
+        scratch.keep();
+        a = {};
+        if (error e = detail::walk_rounded(loops, rule, space, scratch, how, a)) return e;
     }
+    constexpr bool judging = !std::is_same_v<Judge, every_meeting_stands>;
+    const bool touching = judging && a.is_touching, changing = judging && !a.is_touching;
+    bool all_stand = true;
+    if (touching && !detail::judge_touches(a, space, judge, all_stand)) return error::out_of_memory;
+    detail::boundary_walk boundary;
+    const auto watch = [&](const auto& s, const auto& t, grid_point at) noexcept {
+        if (changing && !detail::judge_change(a, s, t, at, judge)) all_stand = false;
+    };
+    if (const error e = boundary.trace(a, scratch, watch)) return e;
+    if (!all_stand) return region{};
+    if (const error e = boundary.write(a, loops)) return e;
+    const region made = region::proven(loops, boundary.holes, boundary.outers, a.is_touching);
+    error e;
+    if constexpr (std::is_invocable_v<Then, const region&>) {
+        scratch.keep();
+        e = then(made);
+    } else {
+        std::span<std::uint32_t> order{boundary.order(a, scratch), made.points().size()};
+        if (order.data() == nullptr) return error::out_of_memory;
+        scratch.keep(order);
+        e = then(made, std::span<const std::uint32_t>{order});
+    }
+    if (e) return e;
+    return made;
 }
 
 /// The region that any closed polylines fill under `rule`, however they cross, touch, overlap or run back on
@@ -110,12 +139,18 @@ template <meeting_judge Judge, class Then>
 /// Crossings are rounded to the grid. The boundary stays within about 1.5 cells of the contours' edges, and farther
 /// from all edges every place is filled as the rule says; where all crossings are grid points, everywhere.
 ///
-/// Fails  error::too_large: more than 2^29 points, or 2^30 pieces; error::out_of_memory. Then `loops` is as it was.
-///        (error::crossing_contours stands for a mistake in here: no input is known that leads to it.)
-/// Cost   O((n + k) log n) for n points and k cuts, about 270 bytes a point from `space`. Where edges run together for
-///        long at a distance below a cell (snap rounding) a cut is a hot cell that an edge comes through, and to find
-///        those takes about sqrt(n + k) steps an edge. Should three rounds of that not do, for which no input is known,
-///        all pairs of edges whose boxes meet are tested: O(n^2) at worst.
+/// What comes out depends on the set of edges alone, as loops, each a cyclic sequence of points: not on where contours
+/// begin, on their order, or on their direction when all are reversed; under even_odd, of each contour's for itself. It
+/// is the snap rounding of the edges (see snap_rounding.hpp); one quick walk makes it where no point lies within about
+/// a cell of an edge that is not its own, which is nearly always. Crossings are rounded half up in x and y, so a mirrored
+/// or turned shape may be rounded otherwise.
+///
+/// Fails  error::too_many_pieces: more than most_pieces points, crossings or pieces; told as soon as it is known, after
+///        O(most_pieces log n) steps. error::too_large: more than 2^29 points. error::out_of_memory. Then `loops` is as
+///        it was. (error::crossing_contours stands for a mistake in here.)
+/// Cost   O((n + k) log n) for n points and k crossings, which may be n^2 / 2, and at most 200 bytes a piece from `space`.
+///        Where snap rounding is needed, two to four times as much, and about sqrt(n + k) steps an edge to find the hot
+///        cells that it comes through; an edge is cut in each of them.
 /// Exact  in 64 bits; from equal grid points every compiler makes the same region (t apart, which is floating point)
 ///
 /// `judge` is told where edges of the contours cross, or one ends on the other, on the boundary of what they fill (see
@@ -123,16 +158,16 @@ template <meeting_judge Judge, class Then>
 /// 15 instructions a point, and the judge's own.
 template <meeting_judge Judge>
 [[nodiscard]] result<region> resolve(contours& loops, fill_rule rule, workspace& space, Judge& judge,
-                                     resolve_effort* effort = nullptr) noexcept
+                                     const resolve_options& how = {}) noexcept
 {
-    return resolve_then(loops, {}, rule, space, judge, [](const region&) noexcept { return error{}; }, effort);
+    return resolve_then(loops, rule, space, judge, [](const region&) noexcept { return error{}; }, how);
 }
 
 [[nodiscard]] inline result<region> resolve(contours& loops, fill_rule rule, workspace& space,
-                                            resolve_effort* effort = nullptr) noexcept
+                                            const resolve_options& how = {}) noexcept
 {
     every_meeting_stands nobody;
-    return resolve(loops, rule, space, nobody, effort);
+    return resolve(loops, rule, space, nobody, how);
 }
 
 }  // namespace typemesh

@@ -8,6 +8,7 @@
 #include <typemesh/fill/arrangement.hpp>
 #include <typemesh/fill/crossing.hpp>
 #include <typemesh/fill/event_queue.hpp>
+#include <typemesh/fill/net_edges.hpp>
 #include <typemesh/fill/ray.hpp>
 #include <typemesh/fill/swept_edge.hpp>
 #include <typemesh/fill/wedge_links.hpp>
@@ -58,9 +59,15 @@ namespace typemesh::detail {
 /// that end there, or where others start, against 2. Where nothing meets, the winding numbers add up.
 ///
 /// To see 2 without walking again: an edge ab is bent through x only if x is within one cell of its line, that is
-/// |orientation(a, b, x)| <= |dx| + |dy|, so all of ax is; and only if every point it was held against was farther
-/// away than that (else it is `fixed`), and once. So none of them changes sides; and a point behind x cannot have been
-/// held against ab yet, or x comes out of order (`late_`) or a second time.
+/// |orientation(a, b, x)| <= |dx| + |dy|, so all of ax is, and once; and if anything is bent, every point was farther
+/// away from the edges right below and right above it than that (else it is `close_`). So none of them changes sides;
+/// and a point behind x cannot have been held against ab yet, or x comes out of order (`late_`) or a second time.
+///
+/// Why it is what snap rounding makes: each cut lies in a cell that the contour's own edge comes through (lead_home). If
+/// that edge came through the cell of a point that it is not cut in, some piece of it would lie within a cell of that
+/// point, and the nearest of all such pairs lie side by side in the status (or in one column: is_close_in_column). And a
+/// crossing that was not found belongs to two edges that come through one point beside it, where more than these two
+/// meet (is_rough). Tested against the definition, pair by pair.
 ///
 /// Why walks would end even without snap rounding: cutting an edge in a grid point of its box leaves two whose widths
 /// and heights add up to its own. So the sum of the widths and heights of all stretches never grows, every stretch has
@@ -71,40 +78,57 @@ namespace typemesh::detail {
 class resolving_sweep {
 public:
     bool again = false;     ///< something may not add up: one more walk is needed
-    bool astray = false;    ///< something was bent away from where it belongs: only snap rounding helps
+    bool rough = false;     ///< something was bent that may not lie where snap rounding leads it: only that helps
+    bool partial = false;   ///< edges cancel each other in part: what crosses them there has not been sought
     bool full = false;      ///< ended early, for there was no room for more stretches
     bool touching = false;  ///< the boundary comes through some point more than once
 
-    explicit resolving_sweep(arrangement& a, fill_rule rule) noexcept : a_{a}, rule_{rule} {}
+    explicit resolving_sweep(arrangement& a, fill_rule rule) noexcept
+        : a_{a}, rule_{rule}, mask_{winding_mask(rule)}
+    {
+    }
 
     /// False when there is no memory; then the arrangement is of no use any more.
     [[nodiscard]] bool run(workspace& space) noexcept
     {
-        workspace::scope scratch{space};
-        const std::uint32_t room = a_.capacity;
-        edges_ = scratch.take<swept_edge>(std::size_t{room} + 1);
-        ends_ = scratch.take<std::uint32_t>(std::size_t{room} + 1);
-        dirty_ = scratch.take<std::uint32_t>(std::size_t{room} + 1);
-        rays_ = scratch.take<ray>(std::size_t{room} + 1);
-        starts_ = scratch.take<std::uint32_t>(std::size_t{room} + 1);
-        hints_ = scratch.take<std::uint32_t>(std::size_t{a_.point_count} + 1);
-        if (edges_ == nullptr || ends_ == nullptr || dirty_ == nullptr || rays_ == nullptr || starts_ == nullptr ||
-            hints_ == nullptr || !status_.open(scratch, room) || !queue_.open(scratch, room))
-            return false;
-        edges_[0] = {};
-        edges_[0].from = edges_[0].to = beyond;
-        std::memset(hints_, 0, a_.point_count * sizeof *hints_);
-        passed_ = 0;
-        sweep();
-        const bool out_of_order = full || late_ || status_.above(0) != 0;
-        again = unsure_ || out_of_order || astray;
+        {
+            workspace::scope scratch{space};
+            if (!open(scratch)) return false;
+            sweep();
+        }
+        const bool out_of_order = full || late_ || unfinished_;
+        a_.is_bent |= bent_;
+        rough = a_.is_rounded ? bent_ : a_.is_bent && (rough_ || close_);
+        again = unsure_ || out_of_order || rough;
         if (out_of_order) return a_.put_in_order(space);
         take_points();
+        a_.is_touching = touching;
         if (again) a_.list();
         return true;
     }
 
 private:
+    [[nodiscard]] bool open(workspace::scope& scratch) noexcept
+    {
+        most_slots_ = a_.count < a_.most_active ? a_.count : a_.most_active;
+        most_starts_ = a_.is_rounded ? most_slots_ : most_slots_ / 4 + 32;
+        const std::size_t slots = std::size_t{most_slots_} + 1, cuts = a_.capacity - a_.count;
+        edges_ = scratch.take<swept_edge>(slots);
+        ends_ = scratch.take<std::uint32_t>(slots);
+        dirty_ = scratch.take<std::uint32_t>(cuts);
+        rays_ = scratch.take<ray>(most_starts_);
+        starts_ = scratch.take<std::uint32_t>(std::size_t{most_starts_} + 2);
+        hints_ = scratch.take<std::uint32_t>(std::size_t{a_.point_count} + 1);
+        if (edges_ == nullptr || ends_ == nullptr || dirty_ == nullptr || rays_ == nullptr || starts_ == nullptr ||
+            hints_ == nullptr || !status_.open(scratch, most_slots_) || !queue_.open(scratch, 2 * cuts + slots / 8))
+            return false;
+        edges_[0] = {};
+        edges_[0].from = edges_[0].to = beyond;
+        std::memset(hints_, 0, a_.point_count * sizeof *hints_);
+        passed_ = 0;
+        return true;
+    }
+
     void take_points() noexcept
     {
         grid_point* const swapped = a_.points;
@@ -118,13 +142,17 @@ private:
         const std::uint32_t count = a_.point_count;
         const grid_point* const points = a_.points;
         std::uint32_t next = 0;
+        constexpr std::int64_t column = std::int64_t{1} << 31;  // points of one x are closer, all others farther apart
         std::int64_t last = sweep_place({-beyond.x, -beyond.y});
         while (!full) {
             grid_point p = next < count ? points[next] : beyond;
             std::int64_t place = sweep_place(p);
             std::uint32_t starting = no_number, slot = 0;
             if (place <= queue_.first_place()) {
-                if (next == count) return;
+                if (next == count) {
+                    unfinished_ = status_.above(0) != 0;
+                    return;
+                }
                 starting = a_.first[next];
                 slot = hints_[next++];
                 if (!(edges_[slot].to == p)) slot = 0;
@@ -147,6 +175,7 @@ private:
                     return;
                 }
                 if (place < last) late_ = true;
+                if (place - last < column && is_close_in_column(starting, point_at(last), p)) close_ = true;
                 a_.spare[passed_++] = p;
                 last = place;
             }
@@ -169,11 +198,11 @@ private:
     void pass(std::uint32_t slot, std::uint32_t starting, grid_point p) noexcept
     {
         const std::uint32_t ending = edges_[slot].stretch, under = status_.below(slot), over = status_.above(slot);
-        edges_[under].fixed |= edges_[slot].is_close[0];
-        edges_[over].fixed |= edges_[slot].is_close[1];
         stretch& before = a_.stretches[ending];
         stretch& s = a_.stretches[starting];
-        unsure_ |= s.turn != before.turn;
+        if (s.turn != before.turn) unsure_ |= differ(s.turn, before.turn);
+        if (s.bent != 0) rough_ |= goes_through(s, p);
+        last_ended_ = ending;
         finish(ending);
         begin(slot, starting, p, before.below);
         if (s.interior >= 0) before.next = starting;
@@ -185,9 +214,9 @@ private:
     /// Holds p against the edges right below and right above it.
     void pass_by(std::uint32_t under, std::uint32_t over, grid_point p) noexcept
     {
-        const auto hold = [&](swept_edge& e, std::int64_t side) noexcept {
+        const auto hold = [&](const swept_edge& e, std::int64_t side) noexcept {
             unsure_ |= side <= 0;
-            e.fixed |= side <= e.reach();
+            close_ |= side <= e.reach();
         };
         if (under != 0) hold(edges_[under], orientation(edges_[under].from, edges_[under].to, p));
         if (over != 0) hold(edges_[over], -orientation(edges_[over].from, edges_[over].to, p));
@@ -232,8 +261,12 @@ private:
             finish(e.stretch);
             ends_[ending_count++] = e.stretch;
         }
+        last_ended_ = ending_count != 0 ? ends_[ending_count - 1] : no_number;
         const std::uint32_t starting_count = order_starts(starting, p);
-        if (full) return;
+        if (full || starting_count > place_count + (most_slots_ - status_.size())) {
+            full = true;
+            return;
+        }
 
         // Those that start take the places of those that end, if these are enough and seem to be right.
         pass_by(under, over, p);
@@ -246,17 +279,20 @@ private:
         }
         wedge_links links{a_.stretches};
         std::int32_t winding = edges_[under].above;
-        std::uint32_t last = under;
+        std::uint32_t last = under, bends = 0;
         for (std::uint32_t i = 0; i < starting_count; ++i) {
             const std::uint32_t here = enough ? status_.above(last) : take_slot(), k = starts_[i];
             begin(here, k, p, winding);
+            bends |= a_.stretches[k].bent;
             winding = edges_[here].above;
             if (!enough) status_.insert_above(last, here);
             if (i != 0 && !is_clear(last, here)) part(last, here);  // one may end near the other
             links.take(k, true);
             last = here;
         }
-        if (winding != (over != 0 ? a_.stretches[edges_[over].stretch].below : 0)) unsure_ = true;
+        if (bends) rough_ |= is_rough(ending_count, starting_count, p);
+        const std::int32_t expected = over != 0 ? a_.stretches[edges_[over].stretch].below : 0;
+        if (winding != expected) unsure_ |= differ(winding, expected);
         for (std::uint32_t i = ending_count; i-- != 0;) links.take(ends_[i], false);
         touching |= links.close();
         if (const std::uint32_t low = status_.above(under); !is_clear(under, low)) part(under, low);
@@ -278,14 +314,55 @@ private:
         status_.erase(slot);
     }
 
-    /// Bent edges cross a little beside where the contours do: takes the contours' crossing if both edges can be cut
-    /// there. So bends do not add up along an edge with many crossings.
-    void lead_home(std::uint32_t low, std::uint32_t high, grid_point& x) const noexcept
+    /// Bent edges cross a little beside where the contours do: takes the contours' crossing. Else, or where the edges
+    /// cannot be cut there, they have left the way that snap rounding leads them.
+    void lead_home(std::uint32_t low, std::uint32_t high, grid_point& x) noexcept
     {
         const auto l = a_.home(a_.stretches[edges_[low].stretch]), h = a_.home(a_.stretches[edges_[high].stretch]);
         grid_point better;
         if (crossing_of(l.from, l.to, h.from, h.to, better) && edges_[low].holds(better) && edges_[high].holds(better))
             x = better;
+        else
+            rough_ = true;
+    }
+
+    /// Whether two winding numbers are not the same to the fill rule.
+    [[nodiscard]] bool differ(std::int32_t a, std::int32_t b) const noexcept { return ((a - b) & mask_) != 0; }
+
+    /// Whether a stretch that starts in p is the rest of one that was bent: a contour's point on it is none of its own.
+    [[nodiscard]] bool goes_through(const stretch& s, grid_point p) const noexcept
+    {
+        return s.bent != 0 && !(a_.loops->points[s.origin] == p) && !(a_.loops->points[s.target] == p);
+    }
+
+    /// Where a bent edge goes through p, the other one that it crosses there must be all else that there is: two edges
+    /// that come through p and cross elsewhere as well would not be found.
+    [[nodiscard]] bool is_rough(std::uint32_t ending_count, std::uint32_t starting_count, grid_point p) const noexcept
+    {
+        const stretch* const all = a_.stretches;
+        bool bends = false;
+        for (std::uint32_t i = 0; i < starting_count; ++i) bends |= goes_through(all[starts_[i]], p);
+        if (!bends) return false;
+        if (ending_count != 2 || starting_count != 2) return true;
+        const std::uint32_t e = all[ends_[0]].origin, f = all[ends_[1]].origin, g = all[starts_[0]].origin,
+                            h = all[starts_[1]].origin;
+        return !((e == g && f == h) || (e == h && f == g));
+    }
+
+    /// Whether an edge that falls from p to the right, or from the left to the point before p in its column, comes
+    /// near the other one of the two: they are not on the sweep line together.
+    [[nodiscard]] bool is_close_in_column(std::uint32_t starting, grid_point before, grid_point p) const noexcept
+    {
+        const auto near = [&](const stretch& s, grid_point q) noexcept {
+            if (s.to.y >= s.from.y) return false;
+            const std::int64_t dx = std::int64_t{s.to.x} - s.from.x, dy = std::int64_t{s.from.y} - s.to.y;
+            const std::int64_t side = orientation(s.from, s.to, q);
+            return (side < 0 ? -side : side) <= dx + dy;
+        };
+        if (last_ended_ != no_number && near(a_.stretches[last_ended_], p)) return true;
+        for (std::uint32_t i = starting; i != no_number; i = a_.stretches[i].next)
+            if (near(a_.stretches[i], before)) return true;
+        return false;
     }
 
     /// The last edge below p.
@@ -315,7 +392,10 @@ private:
     {
         stretch& s = a_.stretches[ending];
         s.end = passed_ - 1;
-        if (late_ && sweep_place(s.to) < sweep_place(s.from)) s.flip();
+        if (late_ && sweep_place(s.to) < sweep_place(s.from)) {
+            s.flip();
+            rough_ = true;
+        }
     }
 
     /// Puts the stretches that start in p into `starts_`, from below to above, each direction once; how many.
@@ -336,19 +416,33 @@ private:
             }
         }
         std::uint32_t count = 0;
-        for (std::uint32_t i = starting; i != no_number; i = all[i].next) rays_[count++] = ray_to(i);
+        for (std::uint32_t i = starting; i != no_number; i = all[i].next) {
+            if (count == most_starts_) {
+                full = true;
+                return 0;
+            }
+            rays_[count++] = ray_to(i);
+        }
         sort_rays(rays_, count);
         std::uint32_t kept = 0;
+        cancelled_ = uneven_ = false;
         for (std::uint32_t i = 1; i < count && !full; ++i) {
             if (rays_[kept].cross(rays_[i]) != 0)
                 rays_[++kept] = rays_[i];
             else
                 rays_[kept].stretch = joined(rays_[kept].stretch, rays_[i].stretch);
         }
+        partial |= cancelled_ && uneven_;
         count = 0;
         for (std::uint32_t i = 0; i <= kept; ++i)
             if (all[rays_[i].stretch].turn != 0) starts_[count++] = rays_[i].stretch;
         return count;
+    }
+
+    [[nodiscard]] bool is_whole(const stretch& s) const noexcept
+    {
+        const auto [a, b] = a_.home(s);
+        return (s.from == a && s.to == b) || (s.from == b && s.to == a);
     }
 
     /// Two stretches that start in one point and in one direction: what they share becomes one of them, which is
@@ -363,6 +457,9 @@ private:
         stretch& shorter = a_.stretches[i];
         stretch& longer = a_.stretches[k];
         const bool equal = shorter.to == longer.to;
+        rough_ |= (shorter.bent | longer.bent) != 0;
+        uneven_ |= !equal;
+        const std::int32_t turn = shorter.turn;
         const float t = equal ? longer.source.t1 : longer.t_at(shorter.to);
         if (longer.source.curve < shorter.source.curve) {
             shorter.source = {longer.source.curve, longer.source.t0, t};
@@ -371,11 +468,15 @@ private:
             shorter.bent |= longer.bent;
         }
         shorter.turn += longer.turn;
+        if ((shorter.turn & mask_) == 0) {
+            partial |= shorter.turn != 0 || !is_whole(shorter) || !is_whole(longer);
+            cancelled_ = true;
+        }
         shorter.interior = longer.interior = 0;  // of a walk before: one of them may be none from now on
         if (equal) {
             longer.turn = 0;
         } else if (queue_.room() == 0) {
-            shorter.turn -= longer.turn;
+            shorter.turn = turn;
             full = true;
         } else {
             longer.from = shorter.to;
@@ -392,12 +493,13 @@ private:
         if (low == 0 || high == 0) return true;
         const bool low_first = sweep_place(edges_[low].to) < sweep_place(edges_[high].to);
         const std::uint32_t change = (low ^ high) & (low_first - 1u);  // a branch would be guessed wrong often
-        swept_edge& shorter = edges_[low ^ change];
+        const swept_edge& shorter = edges_[low ^ change];
         const swept_edge& longer = edges_[high ^ change];
         const std::int64_t turn = orientation(longer.from, longer.to, shorter.to);
         const std::int64_t side = (turn ^ -std::int64_t{low_first}) + low_first;  // low_first ? -turn : turn
-        shorter.is_close[low_first] = side <= longer.reach();
-        return side > 0;
+        if (side > longer.reach()) return true;
+        if (side <= 0) return false;
+        return close_ = true;
     }
 
     /// Two neighbours that are not clear of each other: cuts them where they meet, if that is not where both end.
@@ -440,7 +542,7 @@ private:
         stretch& r = a_.stretches[rest];
         if (sweep_place(r.to) < sweep_place(x)) {
             r.flip();
-            unsure_ = true;
+            unsure_ = rough_ = true;
             queue_.push({sweep_place(r.from), rest, 0});
             queue_.push({sweep_place(x), no_number, slot});
         } else {
@@ -460,10 +562,8 @@ private:
         swept_edge& e = edges_[slot];
         stretch& s = a_.stretches[e.stretch];
         if (const std::int64_t side = orientation(e.from, e.to, x); side != 0) {
-            const bool within = (side < 0 ? -side : side) <= e.reach();
-            unsure_ |= e.fixed || !within;
-            astray |= s.bent ? !a_.is_at_home(s, x) : !within;
-            e.fixed = true;
+            unsure_ |= e.is_bent || (side < 0 ? -side : side) > e.reach();
+            e.is_bent = bent_ = true;
             s.bent = 1;
         }
         const float t = s.t_at(x);
@@ -481,6 +581,7 @@ private:
 
     arrangement& a_;
     fill_rule rule_;
+    std::int32_t mask_;  // of winding numbers
     swept_edge* edges_ = nullptr;
     std::uint32_t* ends_ = nullptr;
     std::uint32_t* dirty_ = nullptr;  // edges that were cut: slots times 2, and 1 to be tested against the edge above
@@ -493,8 +594,16 @@ private:
     std::uint32_t dirty_count_ = 0;
     std::uint32_t slot_count_ = 0;
     std::uint32_t free_slot_ = 0;
+    std::uint32_t most_slots_ = 0;
+    std::uint32_t most_starts_ = 0;  // in one point
+    std::uint32_t last_ended_ = no_number;  // the uppermost in the last point that had any
     bool unsure_ = false;
     bool late_ = false;
+    bool unfinished_ = false;  // edges that nobody took out
+    bool close_ = false;  // a point lies within a cell of an edge that is not its own
+    bool rough_ = false;  // see rough, if anything is bent
+    bool bent_ = false;
+    bool cancelled_ = false, uneven_ = false;  // in this point
 };
 
 }  // namespace typemesh::detail

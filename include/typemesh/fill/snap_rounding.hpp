@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/error.hpp>
 #include <typemesh/core/orientation.hpp>
+#include <typemesh/core/sweep_order.hpp>
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/fill/arrangement.hpp>
-#include <typemesh/fill/crossing.hpp>
 #include <typemesh/fill/crossing_sweep.hpp>
 #include <typemesh/fill/growing.hpp>
 #include <typemesh/fill/hot_cells.hpp>
+#include <typemesh/fill/net_edges.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -15,99 +17,229 @@
 
 namespace typemesh::detail {
 
-/// Cuts all stretches of an arrangement at once where they come through hot cells: snap rounding.
+/// Cuts the edges of contours where they cross, all at once: snap rounding, where something has to be rounded.
 ///
-///      .   .   .   .   .      The cell round a grid point is hot when a stretch ends or two cross in it. Every
-///        +---+   _.-''.       stretch is led through the middle of every hot cell that it comes through. Nothing
-///      . | x-+-''  .   .      moves by more than half a cell in x and y, and no two of the new stretches cross: this
-///     .-'+---+ `-.            is proven in the second paper. More cells may be hot; each only adds a point. Points may
-///      .   .   .   `.  .      come near stretches, or on them; the walk behind it cuts the latter, bending nothing.
+///      .   .   .   .   .      The cell round a grid point is hot when a contour's point lies in it, or two edges cross
+///        +---+   _.-''.       in it. Where an edge comes through a hot point itself it is cut in it. A part of an edge
+///      . | x-+-''  .   .      between two such cuts, if it has to be bent, is led through the middle of every hot cell
+///     .-'+---+ `-.            that it comes through. No part moves by more than half a cell in x and y, and no two of
+///      .   .   .   `.  .      them cross afterwards: this is proven in the second paper.
 ///
-/// The sweep needs less for what real outlines hold, and may need many rounds for long edges that run together at a
-/// distance below a cell; those are for this way. Crossings are found by crossing_sweep, in O((n + k) log n); where it
-/// misses one, a walk over what comes out finds it, and its points are hot in the next round. Only to be certain of an
-/// end, run_all() finds every crossing by testing all pairs whose boxes meet; no input is known that comes so far.
+/// Which parts have to be bent: those that cross others elsewhere than in a grid point; those that come through a hot
+/// cell through whose middle another part is led that did not come through it by itself; and so on. All others stay as
+/// they are. A part that is bent comes to lie beside points whose cells it does not come through, or on them; the walk
+/// behind it cuts it in these, bending nothing.
 ///
-/// Exact in 64 bits: see hot_cells and crossing_of().
+/// All this depends on the set of edges alone: not on where contours begin, nor on their order.
+///
+///     open()      the net edges, their crossings, the hot cells that each comes through
+///     give()      the parts, as an arrangement
+///
+/// Cost   O((n + k) log n) for n points and k crossings, and for each edge a search among the hot cells: about their
+///        number's square root. An edge that comes through many cells of others' crossings is cut in each.
+/// Exact  in 64 bits: see crossing_sweep and hot_cells
 /// From   Hobby, Practical segment intersection with finite precision output (1999); Guibas & Marimont, Rounding
 ///        arrangements dynamically (1998)
 class snap_rounding {
 public:
-    /// Takes the arrangement as take_apart() leaves it and gives it the cut stretches, in order. The cells of its
-    /// points, of its crossings and of `more` are hot. False when there is no memory.
-    [[nodiscard]] static bool run(arrangement& a, std::span<const grid_point> more, workspace::scope& scratch,
-                                  workspace& space) noexcept
+    explicit snap_rounding(const contours& loops, std::uint32_t most_pieces) noexcept
+        : loops_{&loops}, most_{most_pieces}
     {
-        growing<grid_point> hot{scratch};
-        for (const grid_point p : more)
-            if (!hot.add(p)) return false;
-        return crossing_sweep::run(a, scratch, hot) && lead(a, hot, scratch, space);
     }
 
-    /// The same with all crossings in hot cells.
-    [[nodiscard]] static bool run_all(arrangement& a, workspace::scope& scratch, workspace& space) noexcept
+    /// Finds what is to be cut, and makes the pieces an arrangement that lies in `scratch`, which holds nothing else.
+    ///
+    ///     order    of the points, as sweep_order() makes it; empty: not known
+    ///
+    /// Fails  error::too_many_pieces: more than `most_pieces` crossings, or places to cut; as soon as that is known
+    ///        error::out_of_memory
+    [[nodiscard]] error run(std::span<const std::uint32_t> order, fill_rule rule, workspace& space,
+                            workspace::scope& scratch, arrangement& a) noexcept
     {
-        growing<grid_point> hot{scratch};
-        return all_crossings(a, scratch, hot) && lead(a, hot, scratch, space);
+        const std::size_t n = loops_->points.size();
+        edges_ = {scratch.take<net_edge>(n), n};
+        cut_ends_ = {scratch.take<std::uint32_t>(n), n};
+        if (edges_.data() == nullptr || cut_ends_.data() == nullptr) return error::out_of_memory;
+        std::uint32_t count = 0;
+        if (!make_net_edges(*loops_, order, rule, space, edges_.data(), count)) return error::out_of_memory;
+        edges_ = edges_.first(count);
+        cut_ends_ = cut_ends_.first(count);
+        if (error e = find_points(scratch, space)) return e;
+        if (error e = find_cuts(scratch, space)) return e;
+        return cut(scratch, a);
     }
 
 private:
-    [[nodiscard]] static bool all_crossings(const arrangement& a, workspace::scope& scratch,
-                                            growing<grid_point>& out) noexcept
+    /// A hot point as one number, in the sweep order; its lowest bit: whether an edge has to be bent to come through it.
+    [[nodiscard]] static packed_sweep_key hot(grid_point p, bool bends) noexcept
     {
-        auto* const open = scratch.take<std::uint32_t>(a.count);
-        if (open == nullptr) return false;
-        std::uint32_t open_count = 0;
-        for (std::uint32_t v = 0; v < a.point_count; ++v) {
-            for (std::uint32_t i = a.first[v]; i != no_number; i = a.stretches[i].next) {
-                const stretch& s = a.stretches[i];
-                const std::int32_t bottom = s.from.y < s.to.y ? s.from.y : s.to.y,
-                                   top = s.from.y < s.to.y ? s.to.y : s.from.y;
-                std::uint32_t still = 0;
-                for (std::uint32_t k = 0; k < open_count; ++k) {
-                    const stretch& o = a.stretches[open[k]];
-                    if (o.to.x < s.from.x) continue;
-                    open[still++] = open[k];
-                    if ((o.from.y > top && o.to.y > top) || (o.from.y < bottom && o.to.y < bottom)) continue;
-                    grid_point x;
-                    if (crossing_of(s.from, s.to, o.from, o.to, x) && !out.add(x)) return false;
-                }
-                open_count = still;
-                open[open_count++] = i;
-            }
+        return {static_cast<std::uint64_t>(std::int64_t{p.x} + beyond) << 32 |
+                static_cast<std::uint64_t>(std::int64_t{p.y} + beyond) << 1 | std::uint64_t{bends}};
+    }
+    [[nodiscard]] static grid_point point_of(packed_sweep_key key) noexcept
+    {
+        return {static_cast<std::int32_t>(static_cast<std::int64_t>(key.word >> 32) - beyond),
+                static_cast<std::int32_t>(static_cast<std::int64_t>(key.word >> 1 & 0x7FFF'FFFFu) - beyond)};
+    }
+
+    /// Sorts hot points and leaves each once; false when there is no memory.
+    [[nodiscard]] static bool put_in_order(growing<packed_sweep_key>& all, workspace& space) noexcept
+    {
+        if (all.count == 0) return true;
+        workspace::scope sorting{space};
+        auto* const spare = sorting.take<packed_sweep_key>(all.count);
+        if (spare == nullptr) return false;
+        const packed_sweep_key* const sorted = sort_sweep_keys(all.values, spare, all.count, 0, 62);
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < all.count; ++i) {
+            if (kept == 0 || all.values[kept - 1].word >> 1 != sorted[i].word >> 1)
+                all.values[kept++] = sorted[i];
+            else
+                all.values[kept - 1].word |= sorted[i].word;
         }
+        all.count = kept;
         return true;
     }
 
-    /// Leads every stretch through the cells of `hot` and of the ends of all.
-    [[nodiscard]] static bool lead(arrangement& a, growing<grid_point>& hot, workspace::scope& scratch,
-                                   workspace& space) noexcept
+    /// The hot points: all of the contours, and where edges cross.
+    [[nodiscard]] error find_points(workspace::scope& scratch, workspace& space) noexcept
     {
-        for (std::uint32_t i = 0; i < a.point_count; ++i)
-            if (!hot.add(a.points[i])) return false;
-        hot_cells cells;
-        if (!cells.open({hot.values, hot.count}, scratch)) return false;
-        growing<stretch> cut{scratch};
-        for (std::uint32_t i = 0; i < a.count; ++i) {
-            const stretch s = a.stretches[i];
-            stretch rest = s;
-            const auto step = [&](grid_point p) noexcept {
-                if (p == s.from || p == s.to) return true;
-                stretch part = rest;
-                part.to = p;
-                part.source.t1 = rest.t_at(p);
-                part.bent = rest.bent = 1;
-                rest.from = p;
-                rest.source.t0 = part.source.t1;
-                return cut.add(part);
-            };
-            if (!cells.along(s.from, s.to, step) || !cut.add(rest)) return false;
-        }
-        if (cut.count > 0x3FFF'FFFF) return false;
-        a.stretches = cut.values;
-        a.count = static_cast<std::uint32_t>(cut.count);
-        return a.reserve(scratch, a.count + a.count / 4 + 64) && a.put_in_order(space);
+        growing<packed_sweep_key> all{scratch};
+        if (!all.reserve(loops_->points.size() + edges_.size() / 4 + 64)) return error::out_of_memory;
+        for (const grid_point p : loops_->points) all.values[all.count++] = hot(p, false);
+        std::uint32_t crossings = 0;
+        const auto met = [&](grid_point x, bool is_exact) noexcept {
+            const packed_sweep_key key = hot(x, !is_exact);
+            if (++crossings > most_) return false;
+            if (all.values[all.count - 1].word == key.word) return true;
+            if (all.count == all.room) {  // many may lie in one cell
+                if (!put_in_order(all, space)) return false;
+                if (all.count > all.room / 2 && !all.reserve(2 * all.room)) return false;
+            }
+            all.values[all.count++] = key;
+            return true;
+        };
+        if (!crossing_sweep::run(edges_, scratch, space, met))
+            return crossings > most_ ? error{error::too_many_pieces, most_} : error{error::out_of_memory};
+        if (!put_in_order(all, space)) return error::out_of_memory;
+        hot_ = {all.values, all.count};
+        scratch.keep(edges_, cut_ends_, hot_);
+        return {};
     }
+
+    /// For each edge the hot points in which it is cut, one edge behind the other.
+    [[nodiscard]] error find_cuts(workspace::scope& scratch, workspace& space) noexcept
+    {
+        const std::size_t m = hot_.size();
+        auto* const bends = scratch.take<bool>(m);
+        auto* const group = scratch.take<std::uint32_t>(m);
+        hot_cells cells;
+        if (bends == nullptr || group == nullptr) return error::out_of_memory;
+        points_ = {reinterpret_cast<grid_point*>(hot_.data()), m};
+        for (std::size_t i = 0; i < m; ++i) {
+            const packed_sweep_key key = hot_[i];
+            ::new (points_.data() + i) grid_point{point_of(key)};
+            bends[i] = key.word & 1;
+            group[i] = static_cast<std::uint32_t>(i);
+        }
+        if (!cells.open(points_, scratch, space)) return error::out_of_memory;
+
+        growing<std::uint32_t> cuts{scratch};
+        for (std::size_t i = 0; i < edges_.size(); ++i) {
+            const net_edge& e = edges_[i];
+            std::uint32_t last = no_number;  // on the same part
+            const auto step = [&](hot_cells::hit h) noexcept {
+                if (edges_.size() + cuts.count >= most_ || !cuts.add(h.number | (h.is_exact ? exact : 0))) return false;
+                if (!h.is_exact && last != no_number) join(group, bends, last, h.number);
+                last = h.is_exact ? no_number : h.number;
+                return true;
+            };
+            if (!cells.along(e.from, e.to, step))
+                return edges_.size() + cuts.count >= most_ ? error{error::too_many_pieces, most_}
+                                                           : error{error::out_of_memory};
+            cut_ends_[i] = static_cast<std::uint32_t>(cuts.count);
+        }
+        std::uint32_t kept = 0, begin = 0;
+        for (std::uint32_t& end : cut_ends_) {
+            for (; begin < end; ++begin) {
+                const std::uint32_t c = cuts.values[begin];
+                if ((c & exact) != 0 || bends[root(group, c)]) cuts.values[kept++] = c & ~exact;
+            }
+            end = kept;
+        }
+        cuts_ = {cuts.values, kept};
+        scratch.keep(edges_, cut_ends_, points_, cuts_);
+        return {};
+    }
+
+    /// The group of hot points that are bent to when one of them is.
+    [[nodiscard]] static std::uint32_t root(std::uint32_t* group, std::uint32_t i) noexcept
+    {
+        while (group[i] != i) i = group[i] = group[group[i]];
+        return i;
+    }
+    static void join(std::uint32_t* group, bool* bends, std::uint32_t i, std::uint32_t k) noexcept
+    {
+        i = root(group, i);
+        k = root(group, k);
+        const std::uint32_t low = i < k ? i : k;
+        bends[low] = bends[i] || bends[k];
+        group[i] = group[k] = low;
+    }
+
+    [[nodiscard]] error cut(workspace::scope& scratch, arrangement& a) noexcept
+    {
+        const std::size_t count = edges_.size() + cuts_.size(), more = count / 32 + 32;
+        const std::size_t most = (count > points_.size() ? count : points_.size()) + more;
+        std::span<stretch> pieces{scratch.take<stretch>(most), most};
+        if (pieces.data() == nullptr) return error::out_of_memory;
+        std::uint32_t made = 0, next_cut = 0;
+        for (std::size_t i = 0; i < edges_.size(); ++i) {
+            const net_edge& e = edges_[i];
+            const contour_edge source = loops_->edges[e.origin];
+            const bool along = loops_->points[e.origin] == e.from;
+            stretch rest{e.from,   e.to,     number_of(e.from), number_of(e.to), e.turn, 0, source,
+                         e.origin, e.target, no_number,         0,               0};
+            if (!along) rest.source = {source.curve, source.t1, source.t0};
+            for (; next_cut < cut_ends_[i]; ++next_cut) {
+                stretch& s = pieces[made++];
+                s = rest;
+                const grid_point p = points_[cuts_[next_cut]];
+                s.source.t1 = rest.source.t0 = rest.t_at(p);
+                s.end = rest.start = cuts_[next_cut];
+                s.to = rest.from = p;
+                if (s.end < s.start) s.flip();  // upright, in one column of cells
+            }
+            if (rest.end < rest.start) rest.flip();
+            pieces[made++] = rest;
+        }
+        scratch.keep(points_, pieces);
+        a.loops = loops_;
+        // Of an edge, three pieces at a time: upright ones that it falls through, and those before and behind them.
+        a.most_active = 3 * static_cast<std::uint32_t>(edges_.size());
+        return a.adopt(scratch, pieces.first(made), points_, most) ? error{} : error{error::out_of_memory};
+    }
+
+    [[nodiscard]] std::uint32_t number_of(grid_point p) const noexcept
+    {
+        std::size_t low = 0, high = points_.size();
+        while (high - low > 1) {
+            const std::size_t middle = (low + high) / 2;
+            (lexicographic_less(p, points_[middle]) ? high : low) = middle;
+        }
+        return static_cast<std::uint32_t>(low);
+    }
+
+    static constexpr std::int64_t beyond = std::int64_t{1} << 29;
+    static constexpr std::uint32_t exact = 0x8000'0000u;
+
+    const contours* loops_;
+    std::uint32_t most_;
+    std::span<net_edge> edges_;
+    std::span<std::uint32_t> cut_ends_;    // of each edge: where its cuts end
+    std::span<packed_sweep_key> hot_;
+    std::span<grid_point> points_;         // the same
+    std::span<std::uint32_t> cuts_;        // their numbers
 };
 
 }  // namespace typemesh::detail

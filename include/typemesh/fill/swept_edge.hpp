@@ -14,8 +14,7 @@ struct alignas(32) swept_edge {
     std::uint32_t stretch = no_number;
     std::int32_t above = 0;             ///< the winding number right above it
 
-    bool fixed = false;                 ///< a point came near, or it was bent: bending it takes another walk
-    bool is_close[2] = {};              ///< its end to the edge right below, right above, if that one ends later
+    bool is_bent = false;               ///< in this walk: bending it again takes another one
 
     void begin(grid_point a, grid_point b, std::uint32_t s, std::int32_t winding) noexcept
     {
@@ -23,7 +22,7 @@ struct alignas(32) swept_edge {
         to = b;
         stretch = s;
         above = winding;
-        fixed = is_close[0] = is_close[1] = false;
+        is_bent = false;
     }
 
     /// |orientation(from, to, p)| of a point one cell away in x and y. Below 2^31; from is left of to.

@@ -94,10 +94,10 @@ template <proving_triangulator Triangulator>
     return proven;
 }
 
-/// Resolves loops whose points come in `order` (empty: not known) and cuts what they fill into triangles, if the judge
+/// Resolves loops and cuts what they fill into triangles, if the judge
 /// lets all meetings stand.
 template <triangulator Triangulator, meeting_judge Judge, stage_observer Observer>
-[[nodiscard]] result<region> resolve_and_cut(contours& loops, std::span<const std::uint32_t> order, fill_rule rule,
+[[nodiscard]] result<region> resolve_and_cut(contours& loops, const resolve_options& limits, fill_rule rule,
                                              const Triangulator& how, workspace& space, triangle_list& out,
                                              Judge& judge, Observer& observe) noexcept
 {
@@ -107,13 +107,13 @@ template <triangulator Triangulator, meeting_judge Judge, stage_observer Observe
             observe(stage::triangulate);
             return cut_region(r, how, space, out, sorted);
         };
-        return resolve_then(loops, order, rule, space, judge, cut);
+        return resolve_then(loops, rule, space, judge, cut, limits);
     } else {
         const auto cut = [&](const region& r) noexcept {
             observe(stage::triangulate);
             return cut_region(r, how, space, out);
         };
-        return resolve_then(loops, order, rule, space, judge, cut);
+        return resolve_then(loops, rule, space, judge, cut, limits);
     }
 }
 
@@ -156,7 +156,7 @@ template <triangulator Triangulator, stage_observer Observer>
         auto proven = detail::prove_loops(loops, order, how, scratch, space, out);
         if (proven || proven.error().code != error::crossing_contours) return proven;
         every_meeting_stands nobody;
-        return detail::resolve_and_cut(loops, order, rule, how, space, out, nobody, observe);
+        return detail::resolve_and_cut(loops, {.order = order}, rule, how, space, out, nobody, observe);
     } else {
         observe(stage::fill);
         auto filled = fill(loops, rule, space);

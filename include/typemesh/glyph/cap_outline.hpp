@@ -27,16 +27,19 @@ namespace typemesh {
 ///     cells       the grid, see grid::fitting
 ///     loops       the result refers to it, and it to `shape`
 ///     out         triangles are appended; as it was after an error
+///     most_pieces see resolve()
 ///
 /// A region without points where nothing is filled. Fails with what discretise() and cap() fail with.
 /// Cost   outlines that do not meet: that of discretise() and cap(). Each round of the guard costs as much again; there
-///        are hardly ever two, and never more than 12.
+///        are hardly ever two, and never more than 12; the last one begins when the contours have fallen into more
+///        pieces than `most_pieces`, or than four times those of the first round and 2,048. What is doubtful then stands.
 template <discretiser Discretiser, triangulator Triangulator, stage_observer Observer>
 [[nodiscard]] result<region> cap_outline(const outline& shape, fill_rule rule, const Discretiser& how, double tolerance,
                                          const grid& cells, const Triangulator& cut, workspace& space, contours& loops,
-                                         triangle_list& out, Observer& observe, guard_effort* effort = nullptr) noexcept
+                                         triangle_list& out, Observer& observe, guard_effort* effort = nullptr,
+                                         std::uint32_t most_pieces = default_most_pieces) noexcept
 {
-    constexpr std::uint32_t most_rounds = 12;
+    constexpr std::uint32_t most_rounds = 12, few_pieces = 2048, times_as_many = 4;
     if (effort != nullptr) *effort = {};
     observe(stage::discretise);
     if (error e = discretise(shape, how, tolerance, cells, loops)) return e;
@@ -62,13 +65,19 @@ template <discretiser Discretiser, triangulator Triangulator, stage_observer Obs
         auto made = prove();
         if (made || made.error().code != error::crossing_contours) return made;
 
+        std::uint64_t first = 0, spent = 0;  // pieces: of the first round, of all
         crossing_guard guard;
         if (!guard.open(scratch, shape, tolerance, cells)) return error::out_of_memory;
         for (;;) {
             every_meeting_stands nobody;
-            const bool last = guard.effort().rounds == most_rounds;
-            made = last ? detail::resolve_and_cut(loops, order, rule, cut, space, out, nobody, observe)
-                        : detail::resolve_and_cut(loops, order, rule, cut, space, out, guard, observe);
+            const bool last = guard.effort().rounds == most_rounds || spent > times_as_many * first + few_pieces ||
+                              spent > most_pieces;
+            resolve_effort work;
+            const resolve_options limits{most_pieces, order, &work};
+            made = last ? detail::resolve_and_cut(loops, limits, rule, cut, space, out, nobody, observe)
+                        : detail::resolve_and_cut(loops, limits, rule, cut, space, out, guard, observe);
+            if (spent == 0) first = work.pieces;
+            spent += work.pieces;
             const bool content = guard.is_content();
             if (effort != nullptr) *effort = guard.effort();
             if (!made || content) return made;

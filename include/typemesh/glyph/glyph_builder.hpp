@@ -3,6 +3,7 @@
 
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/grid.hpp>
+#include <typemesh/core/most_pieces.hpp>
 #include <typemesh/core/outline.hpp>
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/extrude/extruder.hpp>
@@ -11,6 +12,7 @@
 #include <typemesh/glyph/glyph_shape.hpp>
 
 #include <initializer_list>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -20,6 +22,7 @@ namespace typemesh {
 struct glyph_settings {
     double tolerance = 0.0;              ///< the largest distance between curve and mesh, in em
     std::optional<fill_rule> fill = {};  ///< instead of the outline source's own
+    std::uint32_t most_pieces = default_most_pieces;  ///< that contours which cross may fall into; see resolve()
 };
 
 /// Makes one glyph from its outline: record, discretise, fill, triangulate, and the extruder's count. Holds the scratch
@@ -66,8 +69,19 @@ public:
         const double units_per_em = font.units_per_em();
         const auto fitting = grid::fitting(units_per_em, outline_.bounds);
         if (!fitting) return fitting.error();
-        return region_of(outline_, how.fill.value_or(outline_.rule), how.tolerance * units_per_em, *fitting, flatten,
-                         cut, observe);
+        return region_of(outline_, how.fill.value_or(outline_.rule), how.tolerance * units_per_em, *fitting,
+                         how.most_pieces, flatten, cut, observe);
+    }
+
+    /// Gives all memory back to its source; what was built last goes with it. The next glyph takes what it needs anew.
+    void trim() noexcept
+    {
+        const memory source = space_.source();
+        space_.trim();
+        outline_ = outline{source};
+        loops_ = contours{source};
+        triangles_ = triangle_list{source};
+        sides_ = buffer<side_point>{source};
     }
 
     /// Whether a text may go on without the glyph that met this error.
@@ -75,7 +89,7 @@ public:
     {
         for (const error::kind k :
              {error::unknown_glyph, error::bad_outline, error::outline_not_finite, error::outline_beyond_grid,
-              error::crossing_contours, error::font_library_failed, error::refused_by_user})
+              error::too_many_pieces, error::crossing_contours, error::font_library_failed, error::refused_by_user})
             if (e == k) return true;
         return false;
     }
@@ -103,10 +117,11 @@ private:
     /// it encloses nothing.
     template <class Discretiser, class Triangulator, class Observer>
     result<region> region_of(const outline& curves, fill_rule rule, double tolerance, const grid& g,
-                             const Discretiser& flatten, const Triangulator& cut, Observer& observe) noexcept
+                             std::uint32_t most_pieces, const Discretiser& flatten, const Triangulator& cut, Observer& observe) noexcept
     {
         triangles_.clear();
-        return cap_outline(curves, rule, flatten, tolerance, g, cut, space_, loops_, triangles_, observe);
+        return cap_outline(curves, rule, flatten, tolerance, g, cut, space_, loops_, triangles_, observe, nullptr,
+                           most_pieces);
     }
 
     workspace space_;

@@ -52,6 +52,7 @@ struct shape_context {
     std::uint64_t variation = 0;  ///< what the font itself tells of its variation and face; see variation_of()
     std::uint64_t tolerance = 0;  ///< the bits of the double
     std::uint64_t fill = 0;       ///< 0: the outline source's own rule; else one more than the rule
+    std::uint64_t most_pieces = 0;
     policy_key discretiser, triangulator, extruder;
 
     friend bool operator==(const shape_context&, const shape_context&) noexcept = default;
@@ -65,6 +66,7 @@ struct shape_context {
         mix(variation);
         mix(tolerance);
         mix(fill);
+        mix(most_pieces);
         for (const policy_key* p : {&discretiser, &triangulator, &extruder}) {
             mix(reinterpret_cast<std::uintptr_t>(p->type));
             for (const std::uint64_t word : p->options.words) mix(word);
@@ -84,6 +86,7 @@ template <class Font, class Discretiser, class Triangulator, class Extruder>
     c.variation = variation_of(font);
     c.tolerance = option_bits{how.tolerance}.words[0];
     c.fill = how.fill ? 1 + static_cast<std::uint64_t>(*how.fill) : 0;
+    c.most_pieces = how.most_pieces;
     c.discretiser = key_of(flatten);
     c.triangulator = key_of(cut);
     c.extruder = key_of(raise);

@@ -32,6 +32,9 @@ public:
     {
     }
 
+    /// Gives its scratch memory back to its source.
+    void trim() noexcept { space_.trim(); }
+
     /// Fills all.merged; all.shapes and numbers are given.
     ///
     /// Fails  error::too_large, error::out_of_memory, error::outline_beyond_grid with the group's first glyph
@@ -161,7 +164,13 @@ private:
                 return e;
         }
         observe(stage::fill);
-        const auto joined = union_.join(space_);
+        const auto joined = union_.join(space_, how.most_pieces);
+        if (!joined && joined.error() == error::too_many_pieces) {  // the text goes on without this group
+            glyph_parts none;
+            none.refusal = joined.error();
+            made.shape = all.store.keep(none);
+            return made.shape == nullptr ? error{error::out_of_memory} : error{};
+        }
         if (!joined) return joined.error();
         observe(stage::triangulate);
         triangles_.clear();

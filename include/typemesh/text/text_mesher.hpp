@@ -112,6 +112,14 @@ public:
     [[nodiscard]] Extruder& extruder_policy() noexcept { return extruder_; }
     [[nodiscard]] Observer& observer() noexcept { return observer_; }
 
+    /// Gives the scratch memory that glyphs were built in back to its source: after a text of unusual glyphs, say.
+    /// Plans stay as they are.
+    void trim() noexcept
+    {
+        builder_.trim();
+        merger_.trim();
+    }
+
     /// Shapes, lays out and meshes a text: everything but the writing. Ends the plan before it.
     ///
     /// Glyphs that cannot be built are left out and reported by the plan; empty text and blank glyphs give an empty
@@ -355,7 +363,7 @@ private:
     {
         constexpr bool alone = std::is_same_v<Team, alone_type>;
         const auto ids = shapes_.different.ids();
-        const glyph_settings how{options.tolerance, options.fill};
+        const glyph_settings how{options.tolerance, options.fill, options.most_pieces};
         if constexpr (!alone) {
             TYPEMESH_ASSERT(same(team.units_per_em(), font_->units_per_em()),
                             "the sources of a glyph_team are of another font");
@@ -408,7 +416,7 @@ private:
 
     error merge(const glyph_run& run, const text_options& options) noexcept
     {
-        const glyph_settings how{options.tolerance, options.fill};
+        const glyph_settings how{options.tolerance, options.fill, options.most_pieces};
         return merger_(shapes_, run, builder_, *font_, how, discretiser_, triangulator_, extruder_, observer_);
     }
 

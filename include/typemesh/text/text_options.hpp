@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/fill_rule.hpp>
+#include <typemesh/core/most_pieces.hpp>
 #include <typemesh/discretise/quality.hpp>
 #include <typemesh/layout/layout.hpp>
 #include <typemesh/vertex/frame.hpp>
@@ -44,6 +45,10 @@ struct text_options {
 
     double tolerance = quality::high;    ///< the largest distance between curve and mesh, in em; see quality.hpp
     std::optional<fill_rule> fill = {};  ///< instead of the outline source's own rule
+
+    /// A glyph (or a group of merged ones) whose contours cross so often that their edges fall into more pieces is left
+    /// out and reported, before it takes much time and memory: error::too_many_pieces.
+    std::uint32_t most_pieces = default_most_pieces;
 
     output_unit unit = output_unit::em;
     double size = 1.0;            ///< what the unit is multiplied by: how large an em is in your world

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+//
+// What resolve() takes at most, and how it is held to less.
+
+#include <typemesh/fill/resolve.hpp>
+#include <typemesh/triangulate/monotone.hpp>
+
+#include "support/catch.hpp"
+#include "support/counting_memory.hpp"
+#include "support/regions.hpp"
+
+using namespace typemesh;
+
+namespace {
+
+/// A star of n random points, joined in one go.
+test::shape random_star(int n, int reach, unsigned seed)
+{
+    test::dice d{seed};
+    test::polyline l;
+    for (int i = 0; i < n; ++i) l.push_back({d.roll(2 * reach + 1) - reach, d.roll(2 * reach + 1) - reach});
+    return {"star of " + std::to_string(n) + " within " + std::to_string(reach), {l}};
+}
+
+/// Points on a circle, each joined with the one nearly opposite: every edge crosses nearly all others.
+test::shape round_star(int n, double radius)
+{
+    test::polyline l;
+    for (int i = 0; i < n; ++i) l.push_back(test::on_circle(0, 0, radius, test::turn_once * i * (n / 2) / n));
+    return {"round star of " + std::to_string(n), {l}};
+}
+
+/// Long thin triangles side by side, which slant across each other.
+test::shape needles(int n)
+{
+    test::shape s{"needles", {}};
+    for (int i = 0; i < n; ++i) s.loops.push_back({{0, 3 * i}, {1000, 3 * (n - i)}, {1000, 3 * (n - i) + 2}});
+    return s;
+}
+
+/// Copies of a five-pointed star, each moved a little.
+test::shape stacked(int n)
+{
+    test::shape s{"stacked stars", {}};
+    for (int i = 0; i < n; ++i) {
+        test::polyline l;
+        for (int k = 0; k < 5; ++k) l.push_back(test::on_circle(3 * i, 7 * i, 5000, test::turn_once * 2 * k / 5));
+        s.loops.push_back(l);
+    }
+    return s;
+}
+
+/// Many upright teeth: one edge that crosses them all.
+test::shape comb(int n)
+{
+    test::polyline l;
+    for (int i = 0; i < n; ++i) l.push_back({100 * i, i % 2 == 0 ? 0 : 9000});
+    return {"comb", {l, {{-10, 4000}, {100 * n, 4500}, {100 * n, 4400}}}};
+}
+
+std::vector<test::shape> hostile()
+{
+    return {random_star(700, 200, 1),  random_star(1000, 100'000, 2), round_star(301, 1000), round_star(301, 2e8),
+            needles(120),              stacked(40),                   comb(999),             round_star(101, 20),
+            {"one crossing", {test::circle(800, 100'000, 0, 0), test::circle(5, 2000, 100'000, 0)}}};
+}
+
+}  // namespace
+
+TEST_CASE("resolve() takes at most 200 bytes a piece, cold and warm, and the triangulation behind it too",
+          "[fill][resolve]")
+{
+    for (const test::shape& s : hostile()) {
+        test::counting_memory memory;
+        workspace space{memory.source()};
+        for (int pass = 0; pass < 2; ++pass) {
+            contours loops = test::contours_of(s);
+            triangle_list out;
+            resolve_effort effort;
+            every_meeting_stands nobody;
+            const auto cut = [&](const region& r, std::span<const std::uint32_t> order) noexcept {
+                return monotone{}(r, order, space, out);
+            };
+            REQUIRE(resolve_then(loops, fill_rule::even_odd, space, nobody, cut, {.effort = &effort}));
+            INFO(s.name << ": " << memory.peak << " bytes for " << effort.pieces << " pieces, rounds "
+                        << effort.rounds);
+            CHECK(memory.peak <= 200 * std::size_t{effort.pieces} + 16 * 1024);  // a block is never smaller
+        }
+        space.trim();
+        CHECK(memory.bytes_held == 0);
+        CHECK(space.capacity() == 0);
+    }
+}
+
+TEST_CASE("Contours that fall into more pieces than allowed are refused before memory is taken for them",
+          "[fill][resolve]")
+{
+    for (const test::shape& s : hostile()) {
+        INFO(s.name);
+        test::counting_memory memory;
+        workspace space{memory.source()};
+        contours loops = test::contours_of(s);
+        const std::size_t n = loops.points.size();
+        resolve_effort effort;
+        {
+            contours whole = test::contours_of(s);
+            workspace other;
+            REQUIRE(resolve(whole, fill_rule::non_zero, other, {.effort = &effort}));
+        }
+        const auto most = static_cast<std::uint32_t>(n + n / 2);
+        const auto made = resolve(loops, fill_rule::non_zero, space, {.most_pieces = most});
+        if (effort.pieces <= most) {
+            CHECK(made);
+            continue;
+        }
+        REQUIRE_FALSE(made);
+        CHECK(made.error() == error::too_many_pieces);
+        CHECK(made.error().count == most);
+        CHECK(memory.peak <= 200 * std::size_t{most} + 16 * 1024);
+        const contours before = test::contours_of(s);
+        CHECK(std::equal(loops.points.begin(), loops.points.end(), before.points.begin(), before.points.end()));
+        const auto all = resolve(loops, fill_rule::non_zero, space);
+        CHECK(all);
+    }
+}
+
+TEST_CASE("Random points crowded on a small grid are rounded once", "[fill][resolve]")
+{
+    for (const auto& [n, reach] : {std::pair{700, 200}, std::pair{2000, 1000}, std::pair{300, 10}}) {
+        for (unsigned seed = 1; seed <= 2; ++seed) {
+            const test::shape s = random_star(n, reach, seed);
+            INFO(s.name);
+            contours loops = test::contours_of(s);
+            workspace space;
+            resolve_effort effort;
+            REQUIRE(resolve(loops, fill_rule::non_zero, space, {.effort = &effort}));
+            CHECK(effort.rounds == 1);
+            CHECK(effort.walks <= 4);
+        }
+    }
+}
+
+TEST_CASE("A scope keeps what it is told to and gives back the rest", "[fill][resolve]")
+{
+    test::counting_memory memory;
+    workspace space{memory.source()};
+    workspace::scope scratch{space};
+    auto* const first = scratch.take<std::uint32_t>(1000);
+    std::span<std::uint32_t> a{scratch.take<std::uint32_t>(30'000), 30'000};
+    (void)scratch.take<std::uint64_t>(50'000);
+    std::span<std::uint64_t> b{scratch.take<std::uint64_t>(40'000), 40'000};
+    for (std::uint32_t i = 0; i < a.size(); ++i) a[i] = i;
+    for (std::uint32_t i = 0; i < b.size(); ++i) b[i] = std::uint64_t{i} << 32;
+    const std::size_t requests = memory.requests;
+    scratch.keep(a, b);
+    CHECK(memory.requests == requests);
+    CHECK(a.data() != first + 1000);
+    bool same = true;
+    for (std::uint32_t i = 0; i < a.size(); ++i) same = same && a[i] == i;
+    for (std::uint32_t i = 0; i < b.size(); ++i) same = same && b[i] == std::uint64_t{i} << 32;
+    CHECK(same);
+}
