@@ -6,10 +6,11 @@
 #include <typemesh/core/sweep_status.hpp>
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/fill/arrangement.hpp>
+#include <typemesh/fill/bent_edges.hpp>
 #include <typemesh/fill/crossing.hpp>
 #include <typemesh/fill/event_queue.hpp>
 #include <typemesh/fill/net_edges.hpp>
-#include <typemesh/fill/ray.hpp>
+#include <typemesh/fill/start_order.hpp>
 #include <typemesh/fill/swept_edge.hpp>
 #include <typemesh/fill/wedge_links.hpp>
 
@@ -96,6 +97,8 @@ public:
             if (!open(scratch)) return false;
             sweep();
         }
+        partial = starts_.partial;
+        rough_ |= starts_.rough;
         const bool out_of_order = full || late_ || unfinished_;
         a_.is_bent |= bent_;
         rough = a_.is_rounded ? bent_ : a_.is_bent && (rough_ || close_);
@@ -111,16 +114,14 @@ private:
     [[nodiscard]] bool open(workspace::scope& scratch) noexcept
     {
         most_slots_ = a_.count < a_.most_active ? a_.count : a_.most_active;
-        most_starts_ = a_.is_rounded ? most_slots_ : most_slots_ / 4 + 32;
+        const std::uint32_t starts = a_.is_rounded ? most_slots_ : most_slots_ / 4 + 32;
         const std::size_t slots = std::size_t{most_slots_} + 1, cuts = a_.capacity - a_.count;
         edges_ = scratch.take<swept_edge>(slots);
         ends_ = scratch.take<std::uint32_t>(slots);
         dirty_ = scratch.take<std::uint32_t>(cuts);
-        rays_ = scratch.take<ray>(most_starts_);
-        starts_ = scratch.take<std::uint32_t>(std::size_t{most_starts_} + 2);
         hints_ = scratch.take<std::uint32_t>(std::size_t{a_.point_count} + 1);
-        if (edges_ == nullptr || ends_ == nullptr || dirty_ == nullptr || rays_ == nullptr || starts_ == nullptr ||
-            hints_ == nullptr || !status_.open(scratch, most_slots_) || !queue_.open(scratch, 2 * cuts + slots / 8))
+        if (edges_ == nullptr || ends_ == nullptr || dirty_ == nullptr || hints_ == nullptr ||
+            !starts_.open(scratch, starts) || !status_.open(scratch, most_slots_) || !queue_.open(scratch, 2 * cuts + slots / 8))
             return false;
         edges_[0] = {};
         edges_[0].from = edges_[0].to = beyond;
@@ -175,7 +176,7 @@ private:
                     return;
                 }
                 if (place < last) late_ = true;
-                if (place - last < column && is_close_in_column(starting, point_at(last), p)) close_ = true;
+                if (place - last < column && is_close_in_column(a_, last_ended_, starting, point_at(last), p)) close_ = true;
                 a_.spare[passed_++] = p;
                 last = place;
             }
@@ -201,7 +202,7 @@ private:
         stretch& before = a_.stretches[ending];
         stretch& s = a_.stretches[starting];
         if (s.turn != before.turn) unsure_ |= differ(s.turn, before.turn);
-        if (s.bent != 0) rough_ |= goes_through(s, p);
+        if (s.bent != 0) rough_ |= goes_through(a_, s, p);
         last_ended_ = ending;
         finish(ending);
         begin(slot, starting, p, before.below);
@@ -262,7 +263,8 @@ private:
             ends_[ending_count++] = e.stretch;
         }
         last_ended_ = ending_count != 0 ? ends_[ending_count - 1] : no_number;
-        const std::uint32_t starting_count = order_starts(starting, p);
+        const std::uint32_t starting_count = starts_.put_in_order(starting, p);
+        full |= starts_.full;
         if (full || starting_count > place_count + (most_slots_ - status_.size())) {
             full = true;
             return;
@@ -281,7 +283,7 @@ private:
         std::int32_t winding = edges_[under].above;
         std::uint32_t last = under, bends = 0;
         for (std::uint32_t i = 0; i < starting_count; ++i) {
-            const std::uint32_t here = enough ? status_.above(last) : take_slot(), k = starts_[i];
+            const std::uint32_t here = enough ? status_.above(last) : take_slot(), k = starts_.all()[i];
             begin(here, k, p, winding);
             bends |= a_.stretches[k].bent;
             winding = edges_[here].above;
@@ -290,7 +292,7 @@ private:
             links.take(k, true);
             last = here;
         }
-        if (bends) rough_ |= is_rough(ending_count, starting_count, p);
+        if (bends) rough_ |= is_rough(a_, ends_, ending_count, starts_.all(), starting_count, p);
         const std::int32_t expected = over != 0 ? a_.stretches[edges_[over].stretch].below : 0;
         if (winding != expected) unsure_ |= differ(winding, expected);
         for (std::uint32_t i = ending_count; i-- != 0;) links.take(ends_[i], false);
@@ -329,42 +331,6 @@ private:
     /// Whether two winding numbers are not the same to the fill rule.
     [[nodiscard]] bool differ(std::int32_t a, std::int32_t b) const noexcept { return ((a - b) & mask_) != 0; }
 
-    /// Whether a stretch that starts in p is the rest of one that was bent: a contour's point on it is none of its own.
-    [[nodiscard]] bool goes_through(const stretch& s, grid_point p) const noexcept
-    {
-        return s.bent != 0 && !(a_.loops->points[s.origin] == p) && !(a_.loops->points[s.target] == p);
-    }
-
-    /// Where a bent edge goes through p, the other one that it crosses there must be all else that there is: two edges
-    /// that come through p and cross elsewhere as well would not be found.
-    [[nodiscard]] bool is_rough(std::uint32_t ending_count, std::uint32_t starting_count, grid_point p) const noexcept
-    {
-        const stretch* const all = a_.stretches;
-        bool bends = false;
-        for (std::uint32_t i = 0; i < starting_count; ++i) bends |= goes_through(all[starts_[i]], p);
-        if (!bends) return false;
-        if (ending_count != 2 || starting_count != 2) return true;
-        const std::uint32_t e = all[ends_[0]].origin, f = all[ends_[1]].origin, g = all[starts_[0]].origin,
-                            h = all[starts_[1]].origin;
-        return !((e == g && f == h) || (e == h && f == g));
-    }
-
-    /// Whether an edge that falls from p to the right, or from the left to the point before p in its column, comes
-    /// near the other one of the two: they are not on the sweep line together.
-    [[nodiscard]] bool is_close_in_column(std::uint32_t starting, grid_point before, grid_point p) const noexcept
-    {
-        const auto near = [&](const stretch& s, grid_point q) noexcept {
-            if (s.to.y >= s.from.y) return false;
-            const std::int64_t dx = std::int64_t{s.to.x} - s.from.x, dy = std::int64_t{s.from.y} - s.to.y;
-            const std::int64_t side = orientation(s.from, s.to, q);
-            return (side < 0 ? -side : side) <= dx + dy;
-        };
-        if (last_ended_ != no_number && near(a_.stretches[last_ended_], p)) return true;
-        for (std::uint32_t i = starting; i != no_number; i = a_.stretches[i].next)
-            if (near(a_.stretches[i], before)) return true;
-        return false;
-    }
-
     /// The last edge below p.
     [[nodiscard]] std::uint32_t find(grid_point p) noexcept
     {
@@ -396,94 +362,6 @@ private:
             s.flip();
             rough_ = true;
         }
-    }
-
-    /// Puts the stretches that start in p into `starts_`, from below to above, each direction once; how many.
-    [[nodiscard]] std::uint32_t order_starts(std::uint32_t starting, grid_point p) noexcept
-    {
-        if (starting == no_number) return 0;
-        const stretch* const all = a_.stretches;
-        const auto ray_to = [&](std::uint32_t i) noexcept -> ray { return {all[i].to.x - p.x, all[i].to.y - p.y, i}; };
-        starts_[0] = starting;
-        const std::uint32_t second = all[starting].next;
-        if (second == no_number) return 1;
-        if (all[second].next == no_number) {
-            const std::int64_t turn = ray_to(starting).cross(ray_to(second));
-            if (turn != 0) {
-                starts_[turn < 0] = starting;
-                starts_[turn > 0] = second;
-                return 2;
-            }
-        }
-        std::uint32_t count = 0;
-        for (std::uint32_t i = starting; i != no_number; i = all[i].next) {
-            if (count == most_starts_) {
-                full = true;
-                return 0;
-            }
-            rays_[count++] = ray_to(i);
-        }
-        sort_rays(rays_, count);
-        std::uint32_t kept = 0;
-        cancelled_ = uneven_ = false;
-        for (std::uint32_t i = 1; i < count && !full; ++i) {
-            if (rays_[kept].cross(rays_[i]) != 0)
-                rays_[++kept] = rays_[i];
-            else
-                rays_[kept].stretch = joined(rays_[kept].stretch, rays_[i].stretch);
-        }
-        partial |= cancelled_ && uneven_;
-        count = 0;
-        for (std::uint32_t i = 0; i <= kept; ++i)
-            if (all[rays_[i].stretch].turn != 0) starts_[count++] = rays_[i].stretch;
-        return count;
-    }
-
-    [[nodiscard]] bool is_whole(const stretch& s) const noexcept
-    {
-        const auto [a, b] = a_.home(s);
-        return (s.from == a && s.to == b) || (s.from == b && s.to == a);
-    }
-
-    /// Two stretches that start in one point and in one direction: what they share becomes one of them, which is
-    /// returned, the rest of the longer one the other.
-    [[nodiscard]] std::uint32_t joined(std::uint32_t i, std::uint32_t k) noexcept
-    {
-        if (sweep_place(a_.stretches[k].to) < sweep_place(a_.stretches[i].to)) {
-            const std::uint32_t swapped = i;
-            i = k;
-            k = swapped;
-        }
-        stretch& shorter = a_.stretches[i];
-        stretch& longer = a_.stretches[k];
-        const bool equal = shorter.to == longer.to;
-        rough_ |= (shorter.bent | longer.bent) != 0;
-        uneven_ |= !equal;
-        const std::int32_t turn = shorter.turn;
-        const float t = equal ? longer.source.t1 : longer.t_at(shorter.to);
-        if (longer.source.curve < shorter.source.curve) {
-            shorter.source = {longer.source.curve, longer.source.t0, t};
-            shorter.origin = longer.origin;
-            shorter.target = longer.target;
-            shorter.bent |= longer.bent;
-        }
-        shorter.turn += longer.turn;
-        if ((shorter.turn & mask_) == 0) {
-            partial |= shorter.turn != 0 || !is_whole(shorter) || !is_whole(longer);
-            cancelled_ = true;
-        }
-        shorter.interior = longer.interior = 0;  // of a walk before: one of them may be none from now on
-        if (equal) {
-            longer.turn = 0;
-        } else if (queue_.room() == 0) {
-            shorter.turn = turn;
-            full = true;
-        } else {
-            longer.from = shorter.to;
-            longer.source.t0 = t;
-            queue_.push({sweep_place(longer.from), k, 0});
-        }
-        return i;
     }
 
     /// Whether of two neighbours the one that ends first does so on its own side of the other; notes how close it
@@ -585,17 +463,15 @@ private:
     swept_edge* edges_ = nullptr;
     std::uint32_t* ends_ = nullptr;
     std::uint32_t* dirty_ = nullptr;  // edges that were cut: slots times 2, and 1 to be tested against the edge above
-    ray* rays_ = nullptr;
-    std::uint32_t* starts_ = nullptr;
     std::uint32_t* hints_ = nullptr;  // for every point: a slot whose edge ends there, perhaps
     sweep_status status_;
     event_queue queue_;
+    start_order starts_{a_, queue_, mask_};
     std::uint32_t passed_ = 0;
     std::uint32_t dirty_count_ = 0;
     std::uint32_t slot_count_ = 0;
     std::uint32_t free_slot_ = 0;
     std::uint32_t most_slots_ = 0;
-    std::uint32_t most_starts_ = 0;  // in one point
     std::uint32_t last_ended_ = no_number;  // the uppermost in the last point that had any
     bool unsure_ = false;
     bool late_ = false;
@@ -603,7 +479,6 @@ private:
     bool close_ = false;  // a point lies within a cell of an edge that is not its own
     bool rough_ = false;  // see rough, if anything is bent
     bool bent_ = false;
-    bool cancelled_ = false, uneven_ = false;  // in this point
 };
 
 }  // namespace typemesh::detail

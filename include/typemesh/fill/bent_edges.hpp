@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/orientation.hpp>
+#include <typemesh/fill/arrangement.hpp>
+
+#include <cstdint>
+
+// What tells a walk that bends edges that it may not have done so as snap rounding does: see resolving_sweep.
+
+namespace typemesh::detail {
+
+/// Whether a stretch that starts in p is the rest of one that was bent: a contour's point on it is none of its own.
+[[nodiscard]] inline bool goes_through(const arrangement& a, const stretch& s, grid_point p) noexcept
+{
+    return s.bent != 0 && !(a.loops->points[s.origin] == p) && !(a.loops->points[s.target] == p);
+}
+
+/// Where a bent edge goes through p, the other one that it crosses there must be all else that there is: two edges
+/// that come through p and cross elsewhere as well would not be found.
+[[nodiscard]] inline bool is_rough(const arrangement& a, const std::uint32_t* ends, std::uint32_t ending_count,
+                                   const std::uint32_t* starts, std::uint32_t starting_count, grid_point p) noexcept
+{
+    const stretch* const all = a.stretches;
+    bool bends = false;
+    for (std::uint32_t i = 0; i < starting_count; ++i) bends |= goes_through(a, all[starts[i]], p);
+    if (!bends) return false;
+    if (ending_count != 2 || starting_count != 2) return true;
+    const std::uint32_t e = all[ends[0]].origin, f = all[ends[1]].origin, g = all[starts[0]].origin,
+                        h = all[starts[1]].origin;
+    return !((e == g && f == h) || (e == h && f == g));
+}
+
+/// Whether an edge that falls from p to the right, or from the left to the point before p in its column, comes
+/// near the other one of the two: they are not on the sweep line together.
+[[nodiscard]] inline bool is_close_in_column(const arrangement& a, std::uint32_t last_ended, std::uint32_t starting,
+                                             grid_point before, grid_point p) noexcept
+{
+    const auto near = [&](const stretch& s, grid_point q) noexcept {
+        if (s.to.y >= s.from.y) return false;
+        const std::int64_t dx = std::int64_t{s.to.x} - s.from.x, dy = std::int64_t{s.from.y} - s.to.y;
+        const std::int64_t side = orientation(s.from, s.to, q);
+        return (side < 0 ? -side : side) <= dx + dy;
+    };
+    if (last_ended != no_number && near(a.stretches[last_ended], p)) return true;
+    for (std::uint32_t i = starting; i != no_number; i = a.stretches[i].next)
+        if (near(a.stretches[i], before)) return true;
+    return false;
+}
+
+}  // namespace typemesh::detail

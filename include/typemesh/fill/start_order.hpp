@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/workspace.hpp>
+#include <typemesh/fill/arrangement.hpp>
+#include <typemesh/fill/event_queue.hpp>
+#include <typemesh/fill/ray.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace typemesh::detail {
+
+/// The stretches that start in one point of a walk, from below to above, those that lie upon each other joined.
+class start_order {
+public:
+    bool full = false;     ///< there was no room
+    bool rough = false;    ///< bent stretches lie upon each other
+    bool partial = false;  ///< edges cancel each other in part
+
+    start_order(arrangement& a, event_queue& queue, std::int32_t mask) noexcept : a_{a}, queue_{queue}, mask_{mask} {}
+
+    /// Room for `most` stretches in one point; false when there is no memory.
+    [[nodiscard]] bool open(workspace::scope& scratch, std::uint32_t most) noexcept
+    {
+        most_starts_ = most;
+        rays_ = scratch.take<ray>(most);
+        starts_ = scratch.take<std::uint32_t>(std::size_t{most} + 2);
+        return rays_ != nullptr && starts_ != nullptr;
+    }
+
+    [[nodiscard]] const std::uint32_t* all() const noexcept { return starts_; }
+
+    /// Puts the stretches that start in p into all(), from below to above, each direction once; how many.
+    [[nodiscard]] std::uint32_t put_in_order(std::uint32_t starting, grid_point p) noexcept
+    {
+        if (starting == no_number) return 0;
+        const stretch* const all = a_.stretches;
+        const auto ray_to = [&](std::uint32_t i) noexcept -> ray { return {all[i].to.x - p.x, all[i].to.y - p.y, i}; };
+        starts_[0] = starting;
+        const std::uint32_t second = all[starting].next;
+        if (second == no_number) return 1;
+        if (all[second].next == no_number) {
+            const std::int64_t turn = ray_to(starting).cross(ray_to(second));
+            if (turn != 0) {
+                starts_[turn < 0] = starting;
+                starts_[turn > 0] = second;
+                return 2;
+            }
+        }
+        std::uint32_t count = 0;
+        for (std::uint32_t i = starting; i != no_number; i = all[i].next) {
+            if (count == most_starts_) {
+                full = true;
+                return 0;
+            }
+            rays_[count++] = ray_to(i);
+        }
+        sort_rays(rays_, count);
+        std::uint32_t kept = 0;
+        cancelled_ = uneven_ = false;
+        for (std::uint32_t i = 1; i < count && !full; ++i) {
+            if (rays_[kept].cross(rays_[i]) != 0)
+                rays_[++kept] = rays_[i];
+            else
+                rays_[kept].stretch = joined(rays_[kept].stretch, rays_[i].stretch);
+        }
+        partial |= cancelled_ && uneven_;
+        count = 0;
+        for (std::uint32_t i = 0; i <= kept; ++i)
+            if (all[rays_[i].stretch].turn != 0) starts_[count++] = rays_[i].stretch;
+        return count;
+    }
+
+private:
+    [[nodiscard]] bool is_whole(const stretch& s) const noexcept
+    {
+        const auto [a, b] = a_.home(s);
+        return (s.from == a && s.to == b) || (s.from == b && s.to == a);
+    }
+
+    /// Two stretches that start in one point and in one direction: what they share becomes one of them, which is
+    /// returned, the rest of the longer one the other.
+    [[nodiscard]] std::uint32_t joined(std::uint32_t i, std::uint32_t k) noexcept
+    {
+        if (sweep_place(a_.stretches[k].to) < sweep_place(a_.stretches[i].to)) {
+            const std::uint32_t swapped = i;
+            i = k;
+            k = swapped;
+        }
+        stretch& shorter = a_.stretches[i];
+        stretch& longer = a_.stretches[k];
+        const bool equal = shorter.to == longer.to;
+        rough |= (shorter.bent | longer.bent) != 0;
+        uneven_ |= !equal;
+        const std::int32_t turn = shorter.turn;
+        const float t = equal ? longer.source.t1 : longer.t_at(shorter.to);
+        if (longer.source.curve < shorter.source.curve) {
+            shorter.source = {longer.source.curve, longer.source.t0, t};
+            shorter.origin = longer.origin;
+            shorter.target = longer.target;
+            shorter.bent |= longer.bent;
+        }
+        shorter.turn += longer.turn;
+        if ((shorter.turn & mask_) == 0) {
+            partial |= shorter.turn != 0 || !is_whole(shorter) || !is_whole(longer);
+            cancelled_ = true;
+        }
+        shorter.interior = longer.interior = 0;  // of a walk before: one of them may be none from now on
+        if (equal) {
+            longer.turn = 0;
+        } else if (queue_.room() == 0) {
+            shorter.turn = turn;
+            full = true;
+        } else {
+            longer.from = shorter.to;
+            longer.source.t0 = t;
+            queue_.push({sweep_place(longer.from), k, 0});
+        }
+        return i;
+    }
+
+    arrangement& a_;
+    event_queue& queue_;
+    std::int32_t mask_;  // of winding numbers
+    ray* rays_ = nullptr;
+    std::uint32_t* starts_ = nullptr;
+    std::uint32_t most_starts_ = 0;
+    bool cancelled_ = false, uneven_ = false;  // in this point
+};
+
+}  // namespace typemesh::detail
