@@ -25,27 +25,53 @@ struct tangents {
     bool stops = false;  ///< the derivative vanishes here
 };
 
-[[nodiscard]] inline tangents tangents_at(const curve& c, double t) noexcept
-{
-    const point a = c.p[1] - c.p[0];
-    if (c.degree == 1) return {a, a};
-
-    const point b = c.p[2] - c.p[1];
-    double longest = dot(a, a) > dot(b, b) ? dot(a, a) : dot(b, b);
-    if (c.degree == 2) {
-        const point first = lerp(a, b, t), second = b - a;
-        if (dot(first, first) > longest * 0x1p-40) return {first, first};
-        return {-1.0 * second, second, true};
+/// The derivative of one curve: what its tangents at any t have in common, computed once.
+class hodograph {
+public:
+    hodograph() noexcept = default;
+    explicit hodograph(const curve& c) noexcept : degree_{c.degree}, a_{c.p[1] - c.p[0]}
+    {
+        if (degree_ == 1) return;
+        b_ = c.p[2] - c.p[1];
+        least_ = dot(a_, a_) > dot(b_, b_) ? dot(a_, a_) : dot(b_, b_);
+        if (degree_ == 3) {
+            d_ = c.p[3] - c.p[2];
+            least_ = dot(d_, d_) > least_ ? dot(d_, d_) : least_;
+        }
+        least_ *= 0x1p-40;
     }
-    const point d = c.p[3] - c.p[2];
-    longest = dot(d, d) > longest ? dot(d, d) : longest;
-    const point ab = lerp(a, b, t), bd = lerp(b, d, t), first = lerp(ab, bd, t);
-    if (dot(first, first) > longest * 0x1p-40) return {first, first};
-    const point second = bd - ab;
-    if (dot(second, second) > longest * 0x1p-40) return {-1.0 * second, second, true};
-    const point third = d - 2.0 * b + a;
-    return {third, third, true};
-}
+
+    [[nodiscard]] tangents at(double t) const noexcept
+    {
+        const point first = derivative(t);
+        if (dot(first, first) > least_) [[likely]] return {first, first};
+        return limits(t);
+    }
+
+private:
+    /// Divided by the degree.
+    [[nodiscard]] point derivative(double t) const noexcept
+    {
+        if (degree_ == 1) return a_;
+        const point ab = lerp(a_, b_, t);
+        return degree_ == 2 ? ab : lerp(ab, lerp(b_, d_, t), t);
+    }
+
+    /// Where it vanishes.
+    [[nodiscard]] tangents limits(double t) const noexcept
+    {
+        const point second = degree_ == 2 ? b_ - a_ : lerp(b_, d_, t) - lerp(a_, b_, t);
+        if (degree_ == 2 || dot(second, second) > least_) return {-1.0 * second, second, true};
+        const point third = d_ - 2.0 * b_ + a_;
+        return {third, third, true};
+    }
+
+    std::uint32_t degree_ = 1;
+    point a_, b_, d_;      // the legs of the control polygon
+    double least_ = -1.0;  // what a square that does not vanish is larger than; a line's counts as it is
+};
+
+[[nodiscard]] inline tangents tangents_at(const curve& c, double t) noexcept { return hodograph{c}.at(t); }
 
 /// From which side of t a tangent is taken.
 enum class side_of : std::uint8_t { before, after };

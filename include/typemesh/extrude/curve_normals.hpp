@@ -49,7 +49,7 @@ struct curve_normals {
     error operator()(const region& shape, std::span<side_point> sides) const noexcept
     {
         if (!is_crease_angle(crease_degrees)) return error::bad("crease_degrees");
-        const wall_light light{shape, crease_cosine(crease_degrees)};
+        wall_light light{shape, crease_cosine(crease_degrees)};
         const auto points = shape.points();
         const auto edges = shape.edges();
         for (std::uint32_t loop = 0; loop < shape.loop_count(); ++loop) {
@@ -104,22 +104,23 @@ private:
         }
 
         /// Where the wall over an edge that leads `along` starts.
-        [[nodiscard]] wall_end start(const contour_edge& e, point along) const noexcept
+        [[nodiscard]] wall_end start(const contour_edge& e, point along) noexcept
         {
-            const curve& c = curves_[e.curve];
+            if (&curves_[e.curve] != curve_) {
+                curve_ = &curves_[e.curve];
+                derivative_ = hodograph{*curve_};
+            }
             const double forth = e.t0 <= e.t1 ? 1.0 : -1.0;
-            if (c.degree == 1) return leading(e, forth * (c.p[1] - c.p[0]), along, false);
-            const tangents t = tangents_at(c, as_double(e.t0));
+            const tangents t = derivative_.at(as_double(e.t0));
             return leading(e, forth * (forth > 0.0 ? t.after : t.before), along, t.stops);
         }
 
-        /// Where the same wall ends.
+        /// Where the wall ends that started last, or one that follows it on the same curve.
         [[nodiscard]] wall_end end(const contour_edge& e, point along, const wall_end& start) const noexcept
         {
-            const curve& c = curves_[e.curve];
-            if (c.degree == 1) return start;
+            if (curve_->degree == 1) return start;
             const double forth = e.t0 <= e.t1 ? 1.0 : -1.0;
-            const tangents t = tangents_at(c, as_double(e.t1));
+            const tangents t = derivative_.at(as_double(e.t1));
             return leading(e, forth * (forth > 0.0 ? t.before : t.after), along, t.stops);
         }
 
@@ -172,6 +173,8 @@ private:
         }
 
         std::span<const curve> curves_;
+        const curve* curve_ = nullptr;  // of the wall that started last
+        hodograph derivative_;
         double crease_;
         double long_square_ = 0x1p62;  // of the length from which a wall is long; no edge is as long as 2^31 cells
     };

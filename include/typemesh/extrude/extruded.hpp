@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <type_traits>
 
 namespace typemesh {
@@ -82,7 +83,7 @@ struct extruded {
         const std::size_t before = sides.size();
         side_point* mine = sides.append(n);
         if (mine == nullptr) return error::out_of_memory;
-        for (std::size_t i = 0; i < n; ++i) mine[i] = {};
+        std::memset(static_cast<void*>(mine), 0, n * sizeof *mine);  // all are side_point{}, whose bytes are zero
         if (error e = normals(shape, {mine, n})) {
             sides.truncate(before);
             return e;
@@ -156,6 +157,8 @@ private:
         return all;
     }
 
+    /// Lengths along each contour, from its first doubled point; where there is none its first point becomes one. How many
+    /// are doubled then.
     static std::uint32_t measure(const region& shape, side_point* sides) noexcept
     {
         const grid_point* points = shape.points().data();
