@@ -146,13 +146,18 @@ private:
     private:
         [[nodiscard]] static wall_end leading(const contour_edge& e, point curve_way, point along, bool stops) noexcept
         {
-            if (is_near(curve_way, along)) [[likely]] return {unit(outward(curve_way)), true, stops};
-            double forward = dot(curve_way, along);
-            if (same(e.t0, e.t1) && forward < 0.0) {  // t does not tell which way the edge runs
-                curve_way = -1.0 * curve_way;
-                forward = -forward;
-            }
-            return {unit(outward(forward > 0.0 ? curve_way : along)), is_near(curve_way, along), stops};
+            const bool near = is_near(curve_way, along);
+            if (!near) [[unlikely]]
+                curve_way = set_right(e, curve_way, along);
+            return {unit(outward(curve_way)), near, stops};
+        }
+
+        /// A curve's direction that is not near its edge's: turned round where t does not tell which way the edge runs,
+        /// and the edge's own where the curve leads backwards, or nowhere.
+        [[nodiscard]] static point set_right(const contour_edge& e, point curve_way, point along) noexcept
+        {
+            if (same(e.t0, e.t1) && dot(curve_way, along) < 0.0) curve_way = -1.0 * curve_way;
+            return dot(curve_way, along) > 0.0 ? curve_way : along;
         }
 
         /// What the wall from a to b is lit with for a normal n: its own where it is long and n more than 45 degrees off.
