@@ -169,15 +169,9 @@ public:
             if (!(turn > 0)) return f.wrong = "a triangle is flipped or flat in 32-bit floats", f;
         }
 
-<<<<<<< HEAD
         if (inspect::check_fill(curves_, outline_.rule, kept, allowed, 20, id).wrong != 0)
             return f.wrong = "a place is filled wrongly", f;
-=======
         if (f.wrong = badly_lit(*made, tolerance * cells->cells); !f.wrong.empty()) return f;
-
-        sample(id, tolerance * cells->cells, cells->cells, kept, f);
-        if (!f.wrong.empty()) return f;
->>>>>>> cb86edc (curve_normals: no long wall is lit from the side)
 
         glyph_run alone;
         alone.units_per_em = font.units_per_em();
@@ -216,11 +210,13 @@ private:
         }
     };
 
-<<<<<<< HEAD
     using chord = typemesh::inspect::curve_chords::chord;
 
     static double squared_distance(typemesh::point p, typemesh::point start, typemesh::point end)
-=======
+    {
+        return typemesh::inspect::curve_chords::squared_distance(p, start, end);
+    }
+
     /// Normals point out of their walls; where a wall is longer than 16 tolerances they are at most 45 degrees off its
     /// own, and what is not doubled has one.
     std::string badly_lit(const typemesh::region& made, double tolerance)
@@ -245,13 +241,6 @@ private:
             }
         }
         return {};
-    }
-
-    /// The boundary stays within the tolerance of some curve: nearly always of the one that it is said to come from.
-    std::string stray_boundary(const typemesh::region& made, double tolerance)
->>>>>>> cb86edc (curve_normals: no long wall is lit from the side)
-    {
-        return typemesh::inspect::curve_chords::squared_distance(p, start, end);
     }
 
     /// Where the boundary changes from one curve to another that is not its neighbour, the two contours have a point in
@@ -328,13 +317,8 @@ private:
     typemesh::outline outline_;
     typemesh::contours loops_;
     typemesh::triangle_list triangles_, delaunay_, by_slabs_;
-<<<<<<< HEAD
     typemesh::inspect::curve_chords curves_;
-=======
-    std::vector<chord> dense_;
-    std::vector<std::size_t> first_;  // of each curve
     std::vector<typemesh::side_point> sides_;
->>>>>>> cb86edc (curve_normals: no long wall is lit from the side)
     full_mesh mesh_;
 };
 

@@ -172,7 +172,6 @@ private:
         void* const taken = current_->data() + current_->used;
         current_->used += wanted;
         taken_ += wanted;
-        if (taken_ > most_) most_ = taken_;
         return taken;
     }
 
@@ -187,6 +186,7 @@ private:
         for (block* b = to == nullptr ? first_ : to->next; b != nullptr; b = b->next) b->used = 0;
         if (to != nullptr) to->used = used;
         current_ = to;
+        if (taken_ > most_) most_ = taken_;
         taken_ = taken;
     }
 

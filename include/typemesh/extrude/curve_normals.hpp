@@ -65,7 +65,7 @@ struct curve_normals {
                 const bool inside =
                     edge.curve == edges[previous].curve && same(edge.t0, edges[previous].t1) && !before.stops;
                 wall_end after = before;
-                if (inside && before.near && is_near(before.normal, outward(along))) {
+                if (inside && before.leads && is_near(before.normal, outward(along))) {
                     sides[i].before = sides[i].after = rounded(before.normal);
                 } else {
                     after = i == last ? start : light.start(edge, along);
@@ -82,7 +82,7 @@ private:
     /// What a wall is lit with where its edge starts or ends.
     struct wall_end {
         point normal;
-        bool near;   ///< it is the curve's own, and less than 45 degrees off the wall's
+        bool leads;  ///< it is the curve's own, and less than 45 degrees off the wall's
         bool stops;  ///< the curve stops there, to turn perhaps
     };
 
@@ -130,8 +130,8 @@ private:
         {
             const point in = before.normal, out = after.normal, sum = in + out;
             if (!inside && dot(in, out) < crease_) {
-                side.before = rounded(before.near ? in : lit(in, at.a, at.b));
-                side.after = rounded(after.near ? out : lit(out, at.b, at.c));
+                side.before = rounded(before.leads ? in : lit(in, at.a, at.b));
+                side.after = rounded(after.leads ? out : lit(out, at.b, at.c));
                 side.doubled = true;
             } else if (is_near(sum, outward(way(at.a, at.b))) && is_near(sum, outward(way(at.b, at.c)))) [[likely]] {
                 side.before = side.after = rounded(in == out ? out : unit(sum));

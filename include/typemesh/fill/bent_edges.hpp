@@ -36,15 +36,15 @@ namespace typemesh::detail {
 [[nodiscard]] inline bool is_close_in_column(const arrangement& a, std::uint32_t last_ended, std::uint32_t starting,
                                              grid_point before, grid_point p) noexcept
 {
-    const auto near = [&](const stretch& s, grid_point q) noexcept {
+    const auto comes_near = [&](const stretch& s, grid_point q) noexcept {
         if (s.to.y >= s.from.y) return false;
         const std::int64_t dx = std::int64_t{s.to.x} - s.from.x, dy = std::int64_t{s.from.y} - s.to.y;
         const std::int64_t side = orientation(s.from, s.to, q);
         return (side < 0 ? -side : side) <= dx + dy;
     };
-    if (last_ended != no_number && near(a.stretches[last_ended], p)) return true;
+    if (last_ended != no_number && comes_near(a.stretches[last_ended], p)) return true;
     for (std::uint32_t i = starting; i != no_number; i = a.stretches[i].next)
-        if (near(a.stretches[i], before)) return true;
+        if (comes_near(a.stretches[i], before)) return true;
     return false;
 }
 

@@ -48,12 +48,12 @@ public:
         const std::uint32_t from = origin(h), to = origin(next(h));
         if (to <= from + 1 && to == next_point(from)) return none;
         const std::size_t t = h / 3, count = triangles_.size();
-        for (std::size_t far = 1; far <= t || t + far < count; ++far) {
+        for (std::size_t away = 1; away <= t || t + away < count; ++away) {
             looked_at_ += 2;
-            if (far <= t)
-                if (const std::uint32_t found = half_edge(t - far, to, from); found != none) return found;
-            if (t + far < count)
-                if (const std::uint32_t found = half_edge(t + far, to, from); found != none) return found;
+            if (away <= t)
+                if (const std::uint32_t found = half_edge(t - away, to, from); found != none) return found;
+            if (t + away < count)
+                if (const std::uint32_t found = half_edge(t + away, to, from); found != none) return found;
         }
         return none;
     }
