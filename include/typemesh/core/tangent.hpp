@@ -29,13 +29,14 @@ struct tangents {
 class hodograph {
 public:
     hodograph() noexcept = default;
-    explicit hodograph(const curve& c) noexcept : degree_{c.degree}, a_{c.p[1] - c.p[0]}
+    /// Times `sign`, 1 or -1.
+    explicit hodograph(const curve& c, double sign = 1.0) noexcept : degree_{c.degree}, a_{sign * (c.p[1] - c.p[0])}
     {
         if (degree_ == 1) return;
-        b_ = c.p[2] - c.p[1];
+        b_ = sign * (c.p[2] - c.p[1]);
         least_ = dot(a_, a_) > dot(b_, b_) ? dot(a_, a_) : dot(b_, b_);
         if (degree_ == 3) {
-            d_ = c.p[3] - c.p[2];
+            d_ = sign * (c.p[3] - c.p[2]);
             least_ = dot(d_, d_) > least_ ? dot(d_, d_) : least_;
         }
         least_ *= 0x1p-40;

@@ -57,22 +57,24 @@ struct curve_normals {
             const point closing = way(points[last], points[first]);
             const wall_end start = light.start(edges[last], closing);
             wall_end before = light.end(edges[last], closing, start);
-            std::uint32_t previous = last;
-            for (std::uint32_t i = first; i <= last; ++i) {
+            point arriving = closing;
+            for (std::uint32_t i = first, previous = last; i <= last; previous = i++) {
                 const contour_edge& edge = edges[i];
                 const grid_point next = points[i == last ? first : i + 1];
-                const point along = way(points[i], next);
-                const bool inside =
-                    edge.curve == edges[previous].curve && same(edge.t0, edges[previous].t1) && !before.stops;
+                const point leaving = way(points[i], next);
+                const bool inside = goes_on(edges[previous], edge) && !before.stops;
                 wall_end after = before;
-                if (inside && before.leads && is_near(before.normal, outward(along))) {
+                if (inside && before.leads && is_near(before.normal, outward(leaving))) {
                     sides[i].before = sides[i].after = rounded(before.normal);
                 } else {
-                    after = i == last ? start : light.start(edge, along);
-                    light.meet(before, after, {points[previous], points[i], next}, inside, sides[i]);
+                    after = i == last ? start : light.start(edge, leaving);
+                    const bool may_break = !inside;
+                    if (!light.meet(before, after, {arriving, leaving}, may_break, sides[i]))
+                        light.meet_askew(before, after, {points[previous], points[i], next}, may_break, sides[i]);
                 }
-                if (i != last) before = light.end(edge, along, after);
-                previous = i;
+                if (i == last) break;
+                before = light.end(edge, leaving, after);
+                arriving = leaving;
             }
         }
         return {};
@@ -86,6 +88,11 @@ private:
         bool stops;  ///< the curve stops there, to turn perhaps
     };
 
+    /// The two edges that meet in a point.
+    struct edge_ways {
+        point arriving, leaving;
+    };
+
     /// Three points of a contour, one after another.
     struct corner {
         grid_point a, b, c;
@@ -95,9 +102,16 @@ private:
     /// at 45 degrees the cross product is as large as the dot product.
     static bool is_near(point a, point b) noexcept { return dot(a, b) > std::fabs(cross(a, b)); }
 
+    /// Whether one edge goes on where the other stopped on its curve.
+    static bool goes_on(const contour_edge& stopped, const contour_edge& e) noexcept
+    {
+        return e.curve == stopped.curve && same(e.t0, stopped.t1);
+    }
+
     class wall_light {
     public:
-        wall_light(const region& shape, double crease) noexcept : curves_{shape.curves()}, crease_{crease}
+        wall_light(const region& shape, double crease) noexcept
+            : curves_{shape.curves()}, crease_{crease}
         {
             const double longest = 16.0 * shape.tolerance();
             if (longest > 0.0 && crease > 0.0) long_square_ = longest * longest;
@@ -106,50 +120,71 @@ private:
         /// Where the wall over an edge that leads `along` starts.
         [[nodiscard]] wall_end start(const contour_edge& e, point along) noexcept
         {
-            if (&curves_[e.curve] != curve_) {
-                curve_ = &curves_[e.curve];
-                derivative_ = hodograph{*curve_};
-            }
-            const double forth = e.t0 <= e.t1 ? 1.0 : -1.0;
+            follow(e);
             const tangents t = derivative_.at(as_double(e.t0));
-            return leading(e, forth * (forth > 0.0 ? t.after : t.before), along, t.stops);
+            return leading(e, forth_ ? t.after : t.before, along, t.stops);
         }
 
-        /// Where the wall ends that started last, or one that follows it on the same curve.
-        [[nodiscard]] wall_end end(const contour_edge& e, point along, const wall_end& start) const noexcept
+        /// Where it ends.
+        [[nodiscard]] wall_end end(const contour_edge& e, point along, const wall_end& start) noexcept
         {
-            if (curve_->degree == 1) return start;
-            const double forth = e.t0 <= e.t1 ? 1.0 : -1.0;
+            if (curves_[e.curve].degree == 1) return start;
+            follow(e);
             const tangents t = derivative_.at(as_double(e.t1));
-            return leading(e, forth * (forth > 0.0 ? t.before : t.after), along, t.stops);
+            return leading(e, forth_ ? t.before : t.after, along, t.stops);
         }
 
-        /// Two walls meet in b, `inside` one curve or at a joint.
-        void meet(const wall_end& before, const wall_end& after, const corner& at, bool inside,
-                  side_point& side) const noexcept
+        /// Two walls meet whose edges lead `ways`. False, and nothing done, where one is not lit by its curve alone.
+        [[nodiscard]] bool meet(const wall_end& before, const wall_end& after, const edge_ways& ways, bool may_break,
+                                side_point& side) const noexcept
         {
             const point in = before.normal, out = after.normal, sum = in + out;
-            if (!inside && dot(in, out) < crease_) {
+            if (may_break && dot(in, out) < crease_) {
+                if (!before.leads || !after.leads) return false;
+                side.before = rounded(in);
+                side.after = rounded(out);
+                side.doubled = true;
+                return true;
+            }
+            if (!is_near(sum, outward(ways.arriving)) || !is_near(sum, outward(ways.leaving))) return false;
+            side.before = side.after = rounded(in == out ? out : unit(sum));
+            return true;
+        }
+
+        /// The same for the rest: hairpins, spikes, hooks that the polygon leaves out.
+        void meet_askew(const wall_end& before, const wall_end& after, const corner& at, bool may_break,
+                        side_point& side) const noexcept
+        {
+            const point in = before.normal, out = after.normal;
+            if (may_break && dot(in, out) < crease_) {
                 side.before = rounded(before.leads ? in : lit(in, at.a, at.b));
                 side.after = rounded(after.leads ? out : lit(out, at.b, at.c));
                 side.doubled = true;
-            } else if (is_near(sum, outward(way(at.a, at.b))) && is_near(sum, outward(way(at.b, at.c)))) [[likely]] {
-                side.before = side.after = rounded(in == out ? out : unit(sum));
-            } else {
-                const point n = in == out ? out : soft(at, in, out);
-                side.before = rounded(lit(n, at.a, at.b));
-                side.after = rounded(lit(n, at.b, at.c));
-                side.doubled = !(side.before == side.after);
+                return;
             }
+            const point n = in == out ? out : soft(at, in, out);
+            side.before = rounded(lit(n, at.a, at.b));
+            side.after = rounded(lit(n, at.b, at.c));
+            side.doubled = !(side.before == side.after);
         }
 
     private:
+        /// Takes up the derivative of an edge's curve, along the edge: most edges go on where the one before stopped.
+        void follow(const contour_edge& e) noexcept
+        {
+            const bool forth = e.t0 <= e.t1;
+            if (&curves_[e.curve] == curve_ && forth == forth_) return;
+            curve_ = &curves_[e.curve];
+            forth_ = forth;
+            derivative_ = hodograph{*curve_, forth ? 1.0 : -1.0};
+        }
+
         [[nodiscard]] static wall_end leading(const contour_edge& e, point curve_way, point along, bool stops) noexcept
         {
-            const bool near = is_near(curve_way, along);
-            if (!near) [[unlikely]]
+            const bool leads = is_near(curve_way, along);
+            if (!leads) [[unlikely]]
                 curve_way = set_right(e, curve_way, along);
-            return {unit(outward(curve_way)), near, stops};
+            return {unit(outward(curve_way)), leads, stops};
         }
 
         /// A curve's direction that is not near its edge's: turned round where t does not tell which way the edge runs,
@@ -178,8 +213,9 @@ private:
         }
 
         std::span<const curve> curves_;
-        const curve* curve_ = nullptr;  // of the wall that started last
-        hodograph derivative_;
+        const curve* curve_ = nullptr;  // the one that is followed,
+        bool forth_ = true;             // which way,
+        hodograph derivative_;          // and its derivative that way
         double crease_;
         double long_square_ = 0x1p62;  // of the length from which a wall is long; no edge is as long as 2^31 cells
     };

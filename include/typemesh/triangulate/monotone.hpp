@@ -42,8 +42,9 @@ struct monotone {
                                    triangle_list& out) const noexcept
     {
         const auto nothing = [](const auto&) noexcept {};
-        return r.is_touching() ? cut<false, true>(r.points(), r.starts(), r.grid(), order, space, out, nothing)
-                               : cut<false, false>(r.points(), r.starts(), r.grid(), order, space, out, nothing);
+        const loops_view loops{r.points(), r.starts(), r.grid()};
+        return r.is_touching() ? cut<false, true>(loops, order, space, out, nothing)
+                               : cut<false, false>(loops, order, space, out, nothing);
     }
 
     /// The region that `loops` bound, its triangles appended to `out`.
@@ -64,7 +65,7 @@ struct monotone {
     {
         region r = region::proven(loops, 0, 0);
         const error e = cut<true, false>(
-            loops.points.view(), loops.starts.view(), loops.grid, order, space, out,
+            {loops.points.view(), loops.starts.view(), loops.grid}, order, space, out,
             [&](const auto& sweep) noexcept { r = region::proven(loops, sweep.holes(), sweep.outers()); });
         if (e) return e;
         return r;
@@ -78,7 +79,7 @@ struct monotone {
     {
         region r = region::proven(loops, 0, 0);
         const error e = cut<true, true>(
-            loops.points.view(), loops.starts.view(), loops.grid, {}, space, out, [&](const auto& sweep) noexcept {
+            {loops.points.view(), loops.starts.view(), loops.grid}, {}, space, out, [&](const auto& sweep) noexcept {
                 r = region::proven(loops, sweep.holes(), sweep.outers(), sweep.has_equal_points());
             });
         if (e) return e;
@@ -86,11 +87,18 @@ struct monotone {
     }
 
 private:
+    /// What of contours or of a region the sweep looks at.
+    struct loops_view {
+        std::span<const grid_point> points;
+        std::span<const std::uint32_t> starts;
+        grid cells;
+    };
+
     template <bool Proving, bool Touching, class Then>
-    [[nodiscard]] static error cut(std::span<const grid_point> points, std::span<const std::uint32_t> starts, grid cells,
-                                   std::span<const std::uint32_t> order, workspace& space, triangle_list& out,
-                                   Then&& then) noexcept
+    [[nodiscard]] static error cut(const loops_view& loops, std::span<const std::uint32_t> order, workspace& space,
+                                   triangle_list& out, Then&& then) noexcept
     {
+        const auto [points, starts, cells] = loops;
         if (points.empty()) return error::none;
         const std::size_t before = out.size();
         triangle* const first = out.append(points.size() + 2 * (starts.size() - 1));
