@@ -60,7 +60,8 @@ overlay annotate(const options& o, typemesh::harfbuzz_font& font, const typemesh
     for (const typemesh::placed_glyph& glyph : run.glyphs) {
         if (glyph.missing || record(font, glyph.id, shape) || shape.curves.empty()) continue;
         const auto grid = typemesh::grid::fitting(upem, shape.bounds);
-        if (!grid || discretise(shape, discretiser, o.tolerance * upem, *grid, loops)) continue;
+        const auto lines = [&](const auto& d) { return discretise(shape, d, o.tolerance * upem, *grid, loops); };
+        if (!grid || std::visit(lines, discretiser)) continue;
 
         const auto put = [&](typemesh::point p) {
             return place{{static_cast<float>((glyph.origin.x + p.x) / upem),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "atomic_file.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -50,6 +51,8 @@ std::FILE* open_beside(const fs::path& target, fs::path& temporary)
     return nullptr;
 }
 
+}  // namespace
+
 /// A file on its way: complete beside its target, and not yet in its place.
 class pending_file {
 public:
@@ -64,20 +67,22 @@ public:
     }
 
     /// Both give an empty string, or one sentence.
-    std::string prepare(const file_to_write& file);
+    std::string prepare(const std::string& path, std::span<const unsigned char> bytes);
     std::string finish();
 
+    [[nodiscard]] bool is_device() const { return device_ != nullptr; }
+
 private:
-    const file_to_write* file_ = nullptr;
+    std::string path_;
+    std::vector<unsigned char> for_device_;
     fs::path target_, temporary_;
     fs::file_status before_;
     std::FILE* device_ = nullptr;
 };
 
-std::string pending_file::prepare(const file_to_write& file)
+std::string pending_file::prepare(const std::string& path, std::span<const unsigned char> bytes)
 {
-    file_ = &file;
-    const std::string& path = file.path;
+    path_ = path;
     if (path.empty()) return "The name of the output file is empty.";
 
     // Where the path is a symbolic link, the file it leads to is made or replaced, not the link.
@@ -98,6 +103,7 @@ std::string pending_file::prepare(const file_to_write& file)
         if (opened == nullptr) return sentence(path, "cannot be written", last_error());
         if (!fs::is_regular_file(before_)) {
             device_ = opened;
+            for_device_.assign(bytes.begin(), bytes.end());
             return {};
         }
         std::fclose(opened);
@@ -105,10 +111,14 @@ std::string pending_file::prepare(const file_to_write& file)
 
     std::FILE* opened = open_beside(target_, temporary_);
     if (opened == nullptr) {
+        why = last_error();
         temporary_.clear();
-        return sentence(path, "cannot be written, its folder takes no new file", last_error());
+        const fs::path folder = target_.parent_path();
+        if (!folder.empty() && !fs::exists(folder, ignored))
+            return path + " cannot be written: there is no folder " + folder.string() + ".";
+        return sentence(path, "cannot be written", why);
     }
-    why = write_and_close(opened, file.bytes);
+    why = write_and_close(opened, bytes);
     if (!why && fs::exists(before_)) fs::permissions(temporary_, before_.permissions(), ignored);
     return why ? sentence(path, "cannot be written", why) : std::string{};
 }
@@ -116,32 +126,39 @@ std::string pending_file::prepare(const file_to_write& file)
 std::string pending_file::finish()
 {
     std::error_code why;
-    if (device_ != nullptr) why = write_and_close(std::exchange(device_, nullptr), file_->bytes);
+    if (device_ != nullptr) why = write_and_close(std::exchange(device_, nullptr), for_device_);
     else fs::rename(temporary_, target_, why);
-    if (why) return sentence(file_->path, "cannot be written", why);
+    if (why) return sentence(path_, "cannot be written", why);
     temporary_.clear();
     return {};
 }
 
-}  // namespace
+file_set::file_set() = default;
+file_set::~file_set() = default;
 
-std::string write_atomically(const std::string& path, std::span<const unsigned char> bytes)
-{
-    const file_to_write one[] = {{path, bytes}};
-    return write_atomically(one);
-}
-
-std::string write_atomically(std::span<const file_to_write> files)
+std::string file_set::add(const std::string& path, std::span<const unsigned char> bytes)
 {
 #ifdef SIGXFSZ
     std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is to be an error to report, not the end of the program
 #endif
-    std::vector<pending_file> pending(files.size());
-    for (std::size_t i = 0; i < files.size(); ++i)
-        if (std::string trouble = pending[i].prepare(files[i]); !trouble.empty()) return trouble;
-    for (pending_file& p : pending)
-        if (std::string trouble = p.finish(); !trouble.empty()) return trouble;
+    pending_.push_back(std::make_unique<pending_file>());
+    return pending_.back()->prepare(path, bytes);
+}
+
+std::string file_set::finish()
+{
+    std::stable_partition(pending_.begin(), pending_.end(), [](const auto& p) { return p->is_device(); });
+    for (const auto& p : pending_)
+        if (std::string trouble = p->finish(); !trouble.empty()) return trouble;
+    pending_.clear();
     return {};
+}
+
+std::string write_atomically(const std::string& path, std::span<const unsigned char> bytes)
+{
+    file_set one;
+    std::string trouble = one.add(path, bytes);
+    return trouble.empty() ? one.finish() : trouble;
 }
 
 }  // namespace text_to_mesh

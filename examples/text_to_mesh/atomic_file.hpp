@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace text_to_mesh {
 
@@ -17,14 +19,29 @@ namespace text_to_mesh {
 ///        No temporary is left behind in either case.
 [[nodiscard]] std::string write_atomically(const std::string& path, std::span<const unsigned char> bytes);
 
-/// One of several files that belong together.
-struct file_to_write {
-    std::string path;
-    std::span<const unsigned char> bytes;
-};
+class pending_file;
 
-/// The same for several: none is renamed before all are there. Written in their order, so the file that names the
-/// others comes last.
-[[nodiscard]] std::string write_atomically(std::span<const file_to_write> files);
+/// Files that belong together: all take their places, or none does.
+///
+///     file_set files;
+///     files.add(...), files.add(...)    each is complete beside its place, or refused
+///     files.finish()                    all take their places: devices first, for they alone can be full; then in the
+///                                       order of add(), so the file that names the others comes last
+///
+/// What was not finished is removed by the destructor.
+class file_set {
+public:
+    file_set();
+    ~file_set();
+    file_set(const file_set&) = delete;
+    file_set& operator=(const file_set&) = delete;
+
+    /// Both give what write_atomically() gives.
+    [[nodiscard]] std::string add(const std::string& path, std::span<const unsigned char> bytes);
+    [[nodiscard]] std::string finish();
+
+private:
+    std::vector<std::unique_ptr<pending_file>> pending_;
+};
 
 }  // namespace text_to_mesh

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "annotations.hpp"
+#include "atomic_file.hpp"
 #include "font_file.hpp"
 #include "model.hpp"
 #include "options.hpp"
@@ -20,6 +21,7 @@
 
 #include <cstdio>
 #include <string>
+#include <variant>
 
 template <>
 struct typemesh::vertex_traits<text_to_mesh::model_vertex> {
@@ -83,8 +85,9 @@ typemesh::error write_letters(const Plan& plan, const typemesh::harfbuzz_font& f
     return {};
 }
 
-/// The indices glyph by glyph instead of part by part: STL has no indices, so a reader welds corners by their places,
-/// and letters that touch in an edge are told apart only by which facets come together.
+/// The indices glyph by glyph instead of part by part: STL has no indices, so a reader welds corners by their places.
+/// Letters are merged by default; with --no-merge two that touch in an edge are told apart only by which facets come
+/// together.
 template <class Plan>
 std::vector<std::uint32_t> solid_by_solid(const Plan& plan, const std::vector<std::uint32_t>& indices)
 {
@@ -101,17 +104,17 @@ std::vector<std::uint32_t> solid_by_solid(const Plan& plan, const std::vector<st
 
 /// Gives an empty string, or one sentence.
 template <class Plan>
-std::string write_output(const options& o, const Plan& plan, model& mesh)
+std::string write_output(const options& o, const Plan& plan, model& mesh, file_set& files)
 {
     switch (o.kind) {
-    case file_kind::glb: return write_glb(mesh, o.output);
-    case file_kind::obj: return write_obj(mesh, o.output);
-    case file_kind::ply: return write_ply(mesh, o.output);
-    case file_kind::three_mf: return write_3mf(mesh, o.output);
+    case file_kind::glb: return write_glb(mesh, o.output, files);
+    case file_kind::obj: return write_obj(mesh, o.output, files);
+    case file_kind::ply: return write_ply(mesh, o.output, files);
+    case file_kind::three_mf: return write_3mf(mesh, o.output, files);
     case file_kind::stl: {
         mesh.indices = solid_by_solid(plan, mesh.indices);
         mesh.parts.clear();
-        return write_stl(mesh, o.output);
+        return write_stl(mesh, o.output, files);
     }
     case file_kind::png:
     case file_kind::unknown: break;
@@ -120,7 +123,7 @@ std::string write_output(const options& o, const Plan& plan, model& mesh)
 }
 
 /// The tolerance in em of the picture's own mesh, by the size at which it will be drawn; but what was asked for where
-/// the picture is to show it. `bounds` are those of the text in its own size.
+/// the picture is to show it. `bounds` are those of the text, one em large.
 double picture_tolerance(const options& o, const typemesh::bounds3& bounds, const picture_options& look)
 {
     const bool shows_the_mesh = o.show_triangles || o.show_points || o.show_contours || o.show_normals;
@@ -133,21 +136,25 @@ double picture_tolerance(const options& o, const typemesh::bounds3& bounds, cons
         box.indices.push_back(corner);
     }
     constexpr double error_in_pixels = 0.125;  // half of what is hard to see: lines here are long and their edges sharp
-    return typemesh::tolerance_for_pixels(pixels_per_unit(box, look) * o.size, error_in_pixels);
+    return typemesh::tolerance_for_pixels(pixels_per_unit(box, look), error_in_pixels);
 }
 
-/// Draws the text, one em large, and writes the picture. Gives an empty string, or one sentence.
-std::string draw_picture(const options& o, typemesh::harfbuzz_font& font, const typemesh::bounds3& bounds)
+/// Draws the text, one em large, and prepares the picture. Gives an empty string, or one sentence.
+template <class Discretiser>
+std::string draw_picture(const options& o, typemesh::harfbuzz_font& font, const Discretiser& discretiser,
+                         file_set& files)
 {
     picture_options look;
     look.shading = o.shading;
     look.wireframe = o.show_triangles;
     look.texture = o.checker ? texture::checker : texture::none;
 
-    const chosen_discretiser discretiser = discretiser_of(o, font.units_per_em());
     auto mesher = typemesh::text_mesher{font}.with(discretiser).with(triangulator_of(o)).with(extruder_of(o));
     typemesh::text_options how = text_options_of(o);
     how.size = 1.0;
+    typemesh::bounds3 bounds;  // of a mesh of the picture's size: those of the file's may be too small to be told apart
+    if (const auto first = mesher.plan(o.text, how)) bounds = first->bounds();
+    else return in_words(first.error());
     how.tolerance = picture_tolerance(o, bounds, look);
     auto plan = mesher.plan(o.text, how);
     if (!plan) return in_words(plan.error());
@@ -156,10 +163,70 @@ std::string draw_picture(const options& o, typemesh::harfbuzz_font& font, const 
     int width = 0, height = 0;
     const overlay over = annotate(o, font, plan->run(), plan->glyphs(), discretiser, mesh);
     const auto pixels = draw(mesh, over, look, width, height);
-    return write_png(pixels, width, height, o.picture);
+    return write_png(pixels, width, height, o.picture, files);
 }
 
-/// All of it. Gives an empty string, or one sentence.
+/// What the user is told of a plan. Gives why nothing is written, or an empty string.
+template <class Plan>
+std::string name_warnings(const options& o, const Plan& plan, const typemesh::harfbuzz_font& font)
+{
+    bool warned = name_missing_features(font, o.features);
+    warned = name_losses(plan.report()) || warned;
+    if (!o.output.empty() && !o.instances) {
+        const bool instances_help = o.kind == file_kind::glb && !o.merge;
+        warned = name_flipped_triangles(flipped_triangles(plan), instances_help) || warned;
+    }
+    if (warned && o.strict) return "--strict: nothing is written.";
+    if ((o.output.empty() && o.picture.empty()) || !plan.glyphs().empty()) return {};
+    return plan.report().complete() ? "the text is blank: nothing is written."
+                                    : "nothing of the text can be drawn: nothing is written.";
+}
+
+/// All of it with an open font. Gives an empty string, or one sentence.
+template <class Discretiser>
+std::string run(const options& o, progress& tell, typemesh::harfbuzz_font& font, const Discretiser& discretiser)
+{
+    tell.begin("shaping the text and building its letters");
+    options of_file = o;
+    if (o.kind == file_kind::three_mf) of_file.normals = normals_name::shared;  // see write_3mf()
+    auto mesher = typemesh::text_mesher{font}
+                      .with(discretiser)
+                      .with(triangulator_of(o))
+                      .with(extruder_of(of_file))
+                      .with(stage_clock{.tell = &tell});
+    auto plan = mesher.plan(o.text, text_options_of(o));
+    if (!plan) return in_words(plan.error());
+
+    tell.clear();
+    if (std::string trouble = name_warnings(o, *plan, font); !trouble.empty()) return trouble;
+
+    model mesh;
+    mesh.name = o.text;
+    tell.begin("making " + std::to_string(plan->size().triangles) + " triangles");
+    mesher.observer()(typemesh::stage::extrude);
+    const typemesh::error e = o.instances ? write_letters(*plan, font, mesh) : write_model(*plan, mesh);
+    mesher.observer()(typemesh::stage::idle);
+    if (e) return in_words(e);
+    const typemesh::triangle_quality quality = o.stats ? quality_of_front(mesh) : typemesh::triangle_quality{};
+
+    file_set files;
+    if (!o.output.empty()) {
+        tell.begin("writing " + o.output);
+        if (std::string trouble = write_output(o, *plan, mesh, files); !trouble.empty()) return trouble;
+    }
+    if (!o.picture.empty()) {
+        tell.begin("drawing " + o.picture);
+        if (std::string trouble = draw_picture(o, font, discretiser, files); !trouble.empty()) return trouble;
+    }
+    tell.clear();
+    if (o.stats) {
+        print_stats(*plan, quality, mesher.observer());
+        if (std::fflush(stdout) != 0) return "the statistics cannot be written.";
+    }
+    return files.finish();
+}
+
+/// The same from the font on.
 std::string run(const options& o, progress& tell)
 {
     tell.begin("opening the font");
@@ -169,54 +236,8 @@ std::string run(const options& o, progress& tell)
     auto font = typemesh::harfbuzz_font::open(found.path.c_str(), {.face = o.face.value_or(found.face),
                                                                    .variations = found.variations});
     if (!font) return found.path + ": " + in_words(font.error());
-
-    tell.begin("shaping the text and building its letters");
-    options of_file = o;
-    if (o.kind == file_kind::three_mf) of_file.normals = normals_name::shared;  // see write_3mf()
-    auto mesher = typemesh::text_mesher{*font}
-                      .with(discretiser_of(o, font->units_per_em()))
-                      .with(triangulator_of(o))
-                      .with(extruder_of(of_file))
-                      .with(stage_clock{.tell = &tell});
-    auto plan = mesher.plan(o.text, text_options_of(o));
-    if (!plan) return in_words(plan.error());
-
-    tell.clear();
-    name_missing_features(*font, o.features);
-    const typemesh::text_report& report = plan->report();
-    if (name_losses(report) && o.strict) return "--strict: nothing is written.";
-    const bool draws = !o.output.empty() || !o.picture.empty();
-    if (draws && plan->glyphs().empty())
-        return report.complete() ? "the text is blank: nothing is written."
-                                 : "nothing of the text can be drawn: nothing is written.";
-
-    model mesh;
-    mesh.name = o.text;
-    tell.begin("making " + std::to_string(plan->size().triangles) + " triangles");
-    mesher.observer()(typemesh::stage::extrude);
-    const typemesh::error e = o.instances ? write_letters(*plan, *font, mesh) : write_model(*plan, mesh);
-    mesher.observer()(typemesh::stage::idle);
-    if (e) return in_words(e);
-    const typemesh::triangle_quality quality = o.stats ? quality_of_front(mesh) : typemesh::triangle_quality{};
-
-    if (!o.output.empty()) {
-        if (!o.instances) {
-            tell.clear();
-            name_flipped_triangles(flipped_triangles(*plan));
-        }
-        tell.begin("writing " + o.output);
-        if (std::string trouble = write_output(o, *plan, mesh); !trouble.empty()) return trouble;
-    }
-    if (!o.picture.empty()) {
-        tell.begin("drawing " + o.picture);
-        if (std::string trouble = draw_picture(o, *font, plan->bounds()); !trouble.empty()) return trouble;
-    }
-    tell.clear();
-    if (o.stats) {
-        print_stats(*plan, quality, mesher.observer());
-        if (std::fflush(stdout) != 0) return "the statistics cannot be written";
-    }
-    return {};
+    return std::visit([&](const auto& d) { return run(o, tell, *font, d); },
+                      discretiser_of(o, font->units_per_em()));
 }
 
 }  // namespace

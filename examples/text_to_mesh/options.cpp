@@ -183,7 +183,7 @@ void add_mesh_options(CLI::App& app, options& out, raw_values& raw)
         ->excludes(merged);
     app.add_flag("--instances", out.instances, "in .glb: each different letter once, and a node for each place")
         ->excludes(merged);
-    app.add_flag("--strict", out.strict, "what cannot be drawn or read is an error, and nothing is written");
+    app.add_flag("--strict", out.strict, "every warning is an error, and nothing is written");
 }
 
 void add_output_options(CLI::App& app, options& out, raw_values& raw)

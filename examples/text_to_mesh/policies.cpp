@@ -3,13 +3,17 @@
 
 namespace text_to_mesh {
 
+static_assert(typemesh::keeps_tolerance<typemesh::certified> && !typemesh::keeps_tolerance<unbounded_discretiser>);
+static_assert(typemesh::has_final_diagonals<chosen_triangulator>, "else --triangulator delaunay is not Delaunay's");
+
 chosen_discretiser discretiser_of(const options& o, double units_per_em)
 {
     using typemesh::thesis_quality;
-    if (o.discretiser == discretiser_name::two_lines) return {typemesh::two_lines{}};
+    if (o.discretiser == discretiser_name::two_lines) return unbounded_discretiser{typemesh::two_lines{}};
     if (o.discretiser == discretiser_name::adaptive)
-        return {thesis_quality{static_cast<thesis_quality::preset>(o.quality), units_per_em}};
-    return {typemesh::certified{}};
+        return unbounded_discretiser{
+            thesis_quality{static_cast<thesis_quality::preset>(o.quality), units_per_em}};
+    return typemesh::certified{};
 }
 
 chosen_triangulator triangulator_of(const options& o)

@@ -10,11 +10,13 @@
 namespace text_to_mesh {
 
 // Policies are compile-time types; a program that reads them from a command line makes policies which choose. Each
-// stage chooses for itself, so the stages add up: 3 + 2 + 6 instantiations instead of 3 x 2 x 6.
+// stage chooses for itself, so the stages add up: 3 + 2 + 6 instantiations instead of 3 x 2 x 6. But what a policy says
+// of itself at compile time must hold for all it may choose; where it cannot, a variant of policies is visited.
 
-/// One of the discretisers, chosen at run time.
-struct chosen_discretiser {
-    std::variant<typemesh::certified, typemesh::two_lines, typemesh::thesis_quality> choice;
+/// One of the discretisers that keep no tolerance, chosen at run time.
+struct unbounded_discretiser {
+    static constexpr bool keeps_no_tolerance = true;
+    std::variant<typemesh::two_lines, typemesh::thesis_quality> choice;
 
     template <class Curve, class Emit>
     void operator()(const Curve& curve, double tolerance, Emit&& emit) const noexcept
@@ -23,8 +25,12 @@ struct chosen_discretiser {
     }
 };
 
-/// One of the triangulators, chosen at run time. Both prove, and so does the choice.
+/// For std::visit: a mesher for what keeps a tolerance, and one for what keeps none.
+using chosen_discretiser = std::variant<typemesh::certified, unbounded_discretiser>;
+
+/// One of the triangulators, chosen at run time. Both prove, and so does the choice; the diagonals of both are final.
 struct chosen_triangulator {
+    static constexpr bool has_final_diagonals = true;
     std::variant<typemesh::monotone, typemesh::constrained_delaunay> choice;
 
     [[nodiscard]] typemesh::error operator()(const typemesh::region& r, typemesh::workspace& space,

@@ -36,6 +36,10 @@ bool has_feature(hb_face_t* face, hb_tag_t tag)
 
 std::string in_words(const typemesh::error& e)
 {
+    if (e.code == typemesh::error::mixed_direction)
+        return "at byte " + std::to_string(e.cluster) +
+               " of the text: a line holds both left-to-right and right-to-left text (digits count as left-to-right); "
+               "make two texts of it.";
     std::string where;
     if (e.glyph != typemesh::no_glyph) where = "glyph " + std::to_string(e.glyph);
     if (e.cluster != typemesh::no_cluster)
@@ -53,29 +57,34 @@ bool name_losses(const typemesh::text_report& report)
     if (report.missing > 0)
         std::fprintf(
             stderr,
-            "text_to_mesh: the font has no glyph for %u of %u characters; the first is at byte %u of the text\n",
+            "text_to_mesh: the font has no glyph for %u of %u characters; the first is at byte %u of the text.\n",
             report.missing, report.glyphs, report.first_missing);
     if (report.invalid_units > 0)
         std::fprintf(stderr,
-                     "text_to_mesh: the text is not valid UTF-8 at %u place%s; the first is at byte %u of the text\n",
+                     "text_to_mesh: the text is not valid UTF-8 at %u place%s; the first is at byte %u of the text.\n",
                      report.invalid_units, report.invalid_units == 1 ? "" : "s", report.first_invalid_unit);
     return !report.complete();
 }
 
-void name_missing_features(const typemesh::harfbuzz_font& font, std::span<const typemesh::feature> wanted)
+bool name_missing_features(const typemesh::harfbuzz_font& font, std::span<const typemesh::feature> wanted)
 {
-    for (const typemesh::feature& f : wanted)
-        if (f.value != 0 && !has_feature(hb_font_get_face(font.handle()), hb_tag_from_string(f.tag, 4)))
-            std::fprintf(stderr, "text_to_mesh: the font has no feature %s\n", f.tag);
+    bool missing = false;
+    for (const typemesh::feature& f : wanted) {
+        if (f.value == 0 || has_feature(hb_font_get_face(font.handle()), hb_tag_from_string(f.tag, 4))) continue;
+        std::fprintf(stderr, "text_to_mesh: the font has no feature %s.\n", f.tag);
+        missing = true;
+    }
+    return missing;
 }
 
-void name_flipped_triangles(std::uint64_t flipped)
+bool name_flipped_triangles(std::uint64_t flipped, bool instances_help)
 {
-    if (flipped == 0) return;
+    if (flipped == 0) return false;
     std::fprintf(stderr,
                  "text_to_mesh: %llu triangles of each face are turned over or flat, for 32-bit numbers are too coarse "
-                 "so far from the origin; shorter lines help, and so do --instances\n",
-                 static_cast<unsigned long long>(flipped));
+                 "so far from the origin; shorter lines help%s.\n",
+                 static_cast<unsigned long long>(flipped), instances_help ? ", and so does --instances" : "");
+    return true;
 }
 
 }  // namespace text_to_mesh

@@ -18,10 +18,12 @@ namespace text_to_mesh {
 /// What is not in the mesh; true when something is not.
 bool name_losses(const typemesh::text_report& report);
 
-/// Features that are to be on and that the font has not: neither among its substitutions nor its positions.
-void name_missing_features(const typemesh::harfbuzz_font& font, std::span<const typemesh::feature> wanted);
+/// Features that are to be on and that the font has not: neither among its substitutions nor its positions. True where
+/// there is one.
+bool name_missing_features(const typemesh::harfbuzz_font& font, std::span<const typemesh::feature> wanted);
 
-/// Triangles that 32-bit positions turn over or flatten: typemesh::flipped_triangles.
-void name_flipped_triangles(std::uint64_t flipped);
+/// Triangles that 32-bit positions turn over or flatten: typemesh::flipped_triangles. True where there are some.
+/// `instances_help` where --instances can be given.
+bool name_flipped_triangles(std::uint64_t flipped, bool instances_help);
 
 }  // namespace text_to_mesh

@@ -3,7 +3,6 @@
 
 #ifdef TEXT_TO_MESH_LIB3MF
 
-#include "atomic_file.hpp"
 #include "byte_writer.hpp"
 #include "part_colours.hpp"
 #include "well_formed.hpp"
@@ -111,11 +110,11 @@ bool make(const model& mesh, memory_file& out)
 
 }  // namespace
 
-std::string write_3mf(const model& mesh, const std::string& path)
+std::string write_3mf(const model& mesh, const std::string& path, file_set& files)
 {
     memory_file file;
     if (!make(mesh, file)) return path + " cannot be written: lib3mf refused the mesh.";
-    return write_atomically(path, file.bytes);
+    return files.add(path, file.bytes);
 }
 
 }  // namespace text_to_mesh
@@ -124,7 +123,7 @@ std::string write_3mf(const model& mesh, const std::string& path)
 
 namespace text_to_mesh {
 
-std::string write_3mf(const model&, const std::string& path)
+std::string write_3mf(const model&, const std::string& path, file_set&)
 {
     return path + " cannot be written: this program was built without lib3mf (Debian: lib3mf-dev).";
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "atomic_file.hpp"
 #include "model.hpp"
 
 #include <string>
@@ -14,6 +15,6 @@ namespace text_to_mesh {
 /// 3MF wants every edge met by two triangles.
 ///
 /// Gives  an empty string, or one sentence for the user; see write_atomically. Without lib3mf that is what it says.
-[[nodiscard]] std::string write_3mf(const model& mesh, const std::string& path);
+[[nodiscard]] std::string write_3mf(const model& mesh, const std::string& path, file_set& files);
 
 }  // namespace text_to_mesh

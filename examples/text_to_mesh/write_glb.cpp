@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "write_glb.hpp"
 
-#include "atomic_file.hpp"
 #include "byte_writer.hpp"
 #include "part_colours.hpp"
 #include "studio.hpp"
@@ -159,7 +158,7 @@ void add_scene(tinygltf::Model& file, const model& mesh, const std::string& name
 
 }  // namespace
 
-std::string write_glb(const model& mesh, const std::string& path)
+std::string write_glb(const model& mesh, const std::string& path, file_set& files)
 {
     if (std::uint64_t{mesh.vertices.size()} * 32 + std::uint64_t{mesh.indices.size()} * 4 > 2000000000)
         return path + " cannot be written: the mesh is too large for one GLB file (2 GB).";
@@ -167,7 +166,7 @@ std::string write_glb(const model& mesh, const std::string& path)
     if (mesh.parts.empty() && !mesh.indices.empty()) {
         model whole = mesh;
         whole.parts.push_back({"text", 0, mesh.indices.size()});
-        return write_glb(whole, path);
+        return write_glb(whole, path, files);
     }
 
     const std::string name = mesh.name.empty() ? std::string("text") : well_formed(mesh.name);
@@ -188,7 +187,7 @@ std::string write_glb(const model& mesh, const std::string& path)
     if (!writer.WriteGltfSceneToStream(&file, stream, false, true) || !stream)
         return path + " cannot be written: the glTF library refused the mesh.";
     const std::string bytes = stream.str();
-    return write_atomically(path, {reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()});
+    return files.add(path, {reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()});
 }
 
 }  // namespace text_to_mesh

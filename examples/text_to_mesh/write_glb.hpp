@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "atomic_file.hpp"
 #include "model.hpp"
 
 #include <string>
@@ -14,6 +15,6 @@ namespace text_to_mesh {
 /// whose scene is empty, since glTF knows no empty mesh.
 ///
 /// Gives  an empty string, or one sentence for the user; see write_atomically.
-[[nodiscard]] std::string write_glb(const model& mesh, const std::string& path);
+[[nodiscard]] std::string write_glb(const model& mesh, const std::string& path, file_set& files);
 
 }  // namespace text_to_mesh

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "write_obj.hpp"
 
-#include "atomic_file.hpp"
 #include "byte_writer.hpp"
 #include "part_colours.hpp"
 
@@ -65,7 +64,7 @@ byte_writer materials(const model& mesh)
 
 }  // namespace
 
-std::string write_obj(const model& mesh, const std::string& path)
+std::string write_obj(const model& mesh, const std::string& path, file_set& files)
 {
     byte_writer out;
     out.reserve(mesh.vertices.size() * 90 + mesh.indices.size() * 20 + 256);
@@ -83,11 +82,11 @@ std::string write_obj(const model& mesh, const std::string& path)
     }
     if (mesh.parts.empty()) {
         faces(out, mesh, 0, mesh.indices.size());
-        return write_atomically(path, out.bytes());
+        return files.add(path, out.bytes());
     }
     const byte_writer colours = materials(mesh);
-    const file_to_write both[] = {{material_path.string(), colours.bytes()}, {path, out.bytes()}};
-    return write_atomically(both);
+    std::string trouble = files.add(material_path.string(), colours.bytes());
+    return trouble.empty() ? files.add(path, out.bytes()) : trouble;
 }
 
 }  // namespace text_to_mesh

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "atomic_file.hpp"
 #include "model.hpp"
 
 #include <string>
@@ -12,6 +13,6 @@ namespace text_to_mesh {
 /// written or none.
 ///
 /// Gives  an empty string, or one sentence for the user; see write_atomically.
-[[nodiscard]] std::string write_obj(const model& mesh, const std::string& path);
+[[nodiscard]] std::string write_obj(const model& mesh, const std::string& path, file_set& files);
 
 }  // namespace text_to_mesh

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "write_ply.hpp"
 
-#include "atomic_file.hpp"
 #include "byte_writer.hpp"
 
 namespace text_to_mesh {
 
-std::string write_ply(const model& mesh, const std::string& path)
+std::string write_ply(const model& mesh, const std::string& path, file_set& files)
 {
     byte_writer out;
     const std::size_t triangles = mesh.indices.size() / 3;
@@ -27,7 +26,7 @@ std::string write_ply(const model& mesh, const std::string& path)
         out.u8(3);
         for (std::size_t i = 0; i < 3; ++i) out.u32(mesh.indices[3 * t + i]);
     }
-    return write_atomically(path, out.bytes());
+    return files.add(path, out.bytes());
 }
 
 }  // namespace text_to_mesh

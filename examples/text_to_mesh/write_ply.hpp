@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "atomic_file.hpp"
 #include "model.hpp"
 
 #include <string>
@@ -10,6 +11,6 @@ namespace text_to_mesh {
 /// Writes a binary little-endian PLY: vertices with x y z nx ny nz s t, faces with three indices.
 ///
 /// Gives  an empty string, or one sentence for the user; see write_atomically.
-[[nodiscard]] std::string write_ply(const model& mesh, const std::string& path);
+[[nodiscard]] std::string write_ply(const model& mesh, const std::string& path, file_set& files);
 
 }  // namespace text_to_mesh

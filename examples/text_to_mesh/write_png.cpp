@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "write_png.hpp"
 
-#include "atomic_file.hpp"
 
 #include <vector>
 
@@ -16,7 +15,7 @@
 
 namespace text_to_mesh {
 
-std::string write_png(std::span<const unsigned char> rgb, int width, int height, const std::string& path)
+std::string write_png(std::span<const unsigned char> rgb, int width, int height, const std::string& path, file_set& files)
 {
     if (width <= 0 || height <= 0 || rgb.size() != std::size_t(width) * std::size_t(height) * 3)
         return path + " cannot be written: the picture has no pixels.";
@@ -28,7 +27,7 @@ std::string write_png(std::span<const unsigned char> rgb, int width, int height,
     };
     if (stbi_write_png_to_func(append, &file, width, height, 3, rgb.data(), width * 3) == 0)
         return path + " cannot be written: there is no memory to compress the picture.";
-    return write_atomically(path, file);
+    return files.add(path, file);
 }
 
 }  // namespace text_to_mesh

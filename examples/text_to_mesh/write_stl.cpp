@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "write_stl.hpp"
 
-#include "atomic_file.hpp"
 #include "byte_writer.hpp"
 
 #include <cmath>
@@ -26,7 +25,7 @@ direction facet_normal(const float* a, const float* b, const float* c)
 
 }  // namespace
 
-std::string write_stl(const model& mesh, const std::string& path)
+std::string write_stl(const model& mesh, const std::string& path, file_set& files)
 {
     byte_writer out;
     const std::size_t triangles = mesh.indices.size() / 3;
@@ -47,7 +46,7 @@ std::string write_stl(const model& mesh, const std::string& path)
             for (int i = 0; i < 3; ++i) out.f32(p[i] + 0.0F);  // -0 becomes 0: some readers weld by bits
         out.u16(0);
     }
-    return write_atomically(path, out.bytes());
+    return files.add(path, out.bytes());
 }
 
 }  // namespace text_to_mesh

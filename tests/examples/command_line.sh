@@ -127,6 +127,11 @@ that "letters that are written joined stay joined" cmp -s <(grep '^v ' joined.ob
 expect 0 "" "x" --font $sans --output sized.png.glb --picture sized.png --size 250
 expect 0 "" "x" --font $sans --picture unsized.png
 that "the picture does not depend on the size" cmp -s sized.png unsized.png
+expect 0 "" "Ego" --font $sans --picture unsized.png
+for size in 1e-7 1e-12 1e6; do
+    expect 0 "" "Ego" --font $sans --picture sized.png --size $size
+    that "the picture does not depend on the size $size" cmp -s sized.png unsized.png
+done
 
 # Endings count without regard to case; an OBJ comes with its materials, both or none.
 for kind in GLB Obj sTL PLY; do
@@ -144,6 +149,17 @@ expect 1 "x.obj cannot be written" x --font $sans --output taken/x.obj
 that "no materials without their OBJ" [ ! -e taken/x.mtl ]
 expect 1 "y.mtl cannot be written" x --font $sans --output taken/y.obj
 that "no OBJ without its materials" [ ! -e taken/y.obj ]
+
+# All files of a run take their places, or none does.
+echo old >old.glb
+expect 1 "^text_to_mesh: /nowhere/x.png cannot be written: there is no folder /nowhere\.$" x --font $sans --output old.glb --picture /nowhere/x.png
+that "a picture that fails leaves the old mesh" [ "$(cat old.glb)" = old ]
+if [ -c /dev/full ]; then
+    ln -s /dev/full full.png
+    expect 1 "full.png cannot be written" x --font $sans --output old.glb --picture full.png
+    that "a picture on a full device leaves the old mesh" [ "$(cat old.glb)" = old ]
+fi
+that "no temporary is left" sh -c '! ls -A | grep -F .part'
 
 # Instances: each different letter once, and the same places.
 expect 0 "" "banana bandana" --font $sans --output flat.glb
@@ -206,7 +222,11 @@ expect 0 "the font has no feature zzzz" x --font $sans --feature zzzz --output f
 expect 0 "" x --font $sans --feature zzzz=0 --feature kern --stats
 long=$(printf 'Hamburgefonstiv %.0s' $(seq 400))
 inter=/usr/share/fonts/truetype/inter-vf/Inter.var.ttf
-expect 0 "[0-9]+ triangles of each face are turned over or flat" "$long" --font $inter --output long.ply
+expect 0 "[0-9]+ triangles of each face are turned over or flat.*; shorter lines help\.$" "$long" --font $inter --output long.ply
+expect 0 "shorter lines help, and so does --instances\.$" "$long" --font $inter --output long.glb
+expect 1 "--strict: nothing is written" "$long" --font $inter --output strict.ply --strict
+expect 1 "--strict: nothing is written" x --font $sans --feature zzzz --output strict.ply --strict
+that "--strict makes every warning an error" [ ! -e strict.ply ]
 expect 0 "" "$long" --font $inter --output long.glb --instances
 that "warnings stand in one line each" lines 0
 
@@ -234,7 +254,7 @@ head -c 2000 /dev/urandom >noise.ttf
 expect 1 "not a font" x --font noise.ttf --output x.glb
 expect 1 "no face of that number" x --font $sans --face 7 --output x.glb
 expect 1 "no such variation axis" x --font $sans --variation wght=700 --output x.glb
-expect 1 "at byte 4 of the text: .*left-to-right and right-to-left" "abc مرحبا" --font $arabic --output x.glb
+expect 1 "at byte 4 of the text: .*left-to-right and right-to-left.*; make two texts of it\.$" "abc مرحبا" --font $arabic --output x.glb
 expect 1 "cannot be written" x --font $sans --output /nowhere/x.glb
 that "nothing was half-written" [ ! -e x.glb ]
 

@@ -5,6 +5,7 @@
 
 #include "extruded_ring.hpp"
 #include "scratch_folder.hpp"
+#include "written_alone.hpp"
 
 #include <tiny_gltf.h>
 
@@ -47,7 +48,7 @@ TEST_CASE("a GLB read again holds the same vertices, indices, parts and bounds",
     const std::uint32_t steps = GENERATE(24u, 4095u, 4096u);  // 16 vertices a step: 65520 take 16 bits, 65536 do not
     scratch_folder folder;
     const model ring = extruded_ring(steps);
-    REQUIRE(write_glb(ring, folder.file("ring.glb")) == "");
+    REQUIRE(written_alone(write_glb, ring, folder.file("ring.glb")) == "");
     const tinygltf::Model file = reread(folder.file("ring.glb"));
 
     CHECK(file.asset.generator == "typemesh");
@@ -74,7 +75,7 @@ TEST_CASE("a GLB read again holds the same vertices, indices, parts and bounds",
 TEST_CASE("an empty model gives a GLB with an empty scene", "[write_glb]")
 {
     scratch_folder folder;
-    REQUIRE(write_glb({}, folder.file("empty.glb")) == "");
+    REQUIRE(written_alone(write_glb, model{}, folder.file("empty.glb")) == "");
     const tinygltf::Model file = reread(folder.file("empty.glb"));
     CHECK(file.scenes.size() == 1);
     CHECK(file.scenes[0].nodes.empty());
@@ -87,7 +88,7 @@ TEST_CASE("a name that is not UTF-8 is written with replacement characters", "[w
     scratch_folder folder;
     model ring = extruded_ring(3);
     ring.name = "a\x80\xC3\xA9\xED\xA0\x80\xF4\x90\x80\x80\xE0\x9F\xBF\xC3";
-    REQUIRE(write_glb(ring, folder.file("name.glb")) == "");
+    REQUIRE(written_alone(write_glb, ring, folder.file("name.glb")) == "");
     const std::string r = "\xEF\xBF\xBD";
     CHECK(reread(folder.file("name.glb")).meshes[0].name == "a" + r + "\xC3\xA9" + r + r + r + r + r + r + r + r + r + r + r);
 }
@@ -97,10 +98,10 @@ TEST_CASE("a model without parts is one primitive, and a part without triangles 
     scratch_folder folder;
     model ring = extruded_ring(3);
     ring.parts.clear();
-    REQUIRE(write_glb(ring, folder.file("whole.glb")) == "");
+    REQUIRE(written_alone(write_glb, ring, folder.file("whole.glb")) == "");
     CHECK(indices_of(reread(folder.file("whole.glb"))) == ring.indices);
     ring.parts = {{"front", 0, ring.indices.size()}, {"back", ring.indices.size(), 0}};
-    REQUIRE(write_glb(ring, folder.file("front.glb")) == "");
+    REQUIRE(written_alone(write_glb, ring, folder.file("front.glb")) == "");
     CHECK(reread(folder.file("front.glb")).meshes[0].primitives.size() == 1);
 }
 
@@ -114,7 +115,7 @@ TEST_CASE("the letters of an instanced model are meshes, and their places nodes 
     for (const model::part& p : more.parts) two.parts.push_back({p.name, p.first_index + first_index, p.index_count});
     two.letters = {{"O", 0, first, 0, 3}, {"Q", first, more.vertices.size(), 3, 3}};
     two.places = {{1, {0.5F, 0.0F, 0.0F}}, {0, {1.5F, 2.0F, 0.0F}}, {1, {2.5F, 0.0F, -1.0F}}};
-    REQUIRE(write_glb(two, folder.file("two.glb")) == "");
+    REQUIRE(written_alone(write_glb, two, folder.file("two.glb")) == "");
 
     const tinygltf::Model file = reread(folder.file("two.glb"));
     REQUIRE(file.meshes.size() == 2);

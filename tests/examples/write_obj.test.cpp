@@ -6,6 +6,7 @@
 
 #include "extruded_ring.hpp"
 #include "scratch_folder.hpp"
+#include "written_alone.hpp"
 
 #include <cstdlib>
 #include <sstream>
@@ -18,7 +19,7 @@ TEST_CASE("an OBJ read again holds the same floats, triangles and groups", "[wri
     model ring = extruded_ring();
     ring.vertices[0].uv[0] = 1.0e-7F;
     ring.vertices[1].uv[0] = 12345.678F;
-    REQUIRE(write_obj(ring, folder.file("ring.obj")) == "");
+    REQUIRE(written_alone(write_obj, ring, folder.file("ring.obj")) == "");
 
     std::istringstream in(text_of(folder.file("ring.obj")));
     std::vector<std::vector<float>> v, vt, vn;
@@ -66,14 +67,14 @@ TEST_CASE("an OBJ read again holds the same floats, triangles and groups", "[wri
 TEST_CASE("an empty model gives an OBJ without vertices and faces", "[write_obj]")
 {
     scratch_folder folder;
-    REQUIRE(write_obj({}, folder.file("empty.obj")) == "");
+    REQUIRE(written_alone(write_obj, model{}, folder.file("empty.obj")) == "");
     CHECK(text_of(folder.file("empty.obj")) == "# written by typemesh\no text\n");
 }
 
 TEST_CASE("an OBJ's materials are named after its parts and have the colours of pictures", "[write_obj]")
 {
     scratch_folder folder;
-    REQUIRE(write_obj(extruded_ring(), folder.file("Ring.of.OBJ")) == "");
+    REQUIRE(written_alone(write_obj, extruded_ring(), folder.file("Ring.of.OBJ")) == "");
     std::istringstream in(text_of(folder.file("Ring.of.mtl")));
     std::vector<std::string> names;
     std::vector<int> reds;

@@ -5,6 +5,7 @@
 
 #include "extruded_ring.hpp"
 #include "scratch_folder.hpp"
+#include "written_alone.hpp"
 
 #include <cstring>
 
@@ -14,7 +15,7 @@ TEST_CASE("a PLY read again holds the same vertices and triangles", "[write_ply]
 {
     scratch_folder folder;
     const model ring = extruded_ring();
-    REQUIRE(write_ply(ring, folder.file("ring.ply")) == "");
+    REQUIRE(written_alone(write_ply, ring, folder.file("ring.ply")) == "");
     const std::string file = text_of(folder.file("ring.ply"));
 
     const std::string last = "end_header\n";

@@ -5,6 +5,7 @@
 
 #include "extruded_ring.hpp"
 #include "scratch_folder.hpp"
+#include "written_alone.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +18,7 @@ TEST_CASE("an STL read again is closed, and its facet normals are unit and outwa
 {
     scratch_folder folder;
     const model ring = extruded_ring();
-    REQUIRE(write_stl(ring, folder.file("ring.stl")) == "");
+    REQUIRE(written_alone(write_stl, ring, folder.file("ring.stl")) == "");
     const std::vector<unsigned char> bytes = bytes_of(folder.file("ring.stl"));
 
     const std::size_t triangles = ring.indices.size() / 3;
@@ -59,10 +60,10 @@ TEST_CASE("a triangle without area has a zero normal in an STL, never NaN", "[wr
     line.vertices = std::vector<model_vertex>(3);
     line.vertices[1].position[0] = -0.0F;
     line.indices = {0, 1, 2};
-    REQUIRE(write_stl(line, folder.file("line.stl")) == "");
+    REQUIRE(written_alone(write_stl, line, folder.file("line.stl")) == "");
     const std::vector<unsigned char> bytes = bytes_of(folder.file("line.stl"));
     REQUIRE(bytes.size() == 134);
     CHECK(std::all_of(bytes.begin() + 84, bytes.end(), [](unsigned char b) { return b == 0; }));
-    REQUIRE(write_stl({}, folder.file("empty.stl")) == "");
+    REQUIRE(written_alone(write_stl, model{}, folder.file("empty.stl")) == "");
     CHECK(bytes_of(folder.file("empty.stl")).size() == 84);
 }
