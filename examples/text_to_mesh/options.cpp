@@ -67,7 +67,7 @@ public:
     }
     std::string make_usage(const CLI::App*, std::string name) const override
     {
-        return "Usage: " + name + " TEXT --font FONT --output FILE [options]\n";
+        return "Usage: " + name + " TEXT --font FONT (--output FILE | --picture FILE.png | --stats) [options]\n";
     }
     std::string make_option_opts(const CLI::Option* option) const override
     {
@@ -89,7 +89,7 @@ struct raw_values {
     std::vector<std::string> variations, features, show;
     std::string uv, fill;
     std::optional<double> size;
-    bool no_merge = false;
+    bool no_merge = false, tolerance_given = false, shading_given = false;
 };
 
 void add_text_options(CLI::App& app, options& out, raw_values& raw)
@@ -151,7 +151,7 @@ void add_mesh_options(CLI::App& app, options& out, raw_values& raw)
         app, "--quality", out.quality, "largest distance to the curve: 1/100, 1/160, 1/800 (default high), 1/16000 em",
         {{"low", preset::low}, {"normal", preset::normal}, {"high", preset::high}, {"best", preset::best}});
     add_number(
-        app, "--tolerance", "the same as a number; without either a picture is as fine as its pixels",
+        app, "--tolerance", "the same as a number, for --discretiser certified",
         "a positive number", [](double n) { return n > 0.0; }, [&out](double n) { out.tolerance = n; })
         ->type_name("EM")
         ->excludes(named);
@@ -190,11 +190,11 @@ void add_output_options(CLI::App& app, options& out, raw_values& raw)
 {
     app.add_option("--output", out.output, "the mesh: .glb, .obj (with its .mtl), .stl, .ply or .3mf")
         ->type_name("FILE");
-    app.add_option("--picture", out.picture, "a picture of it")->type_name("FILE.png");
+    app.add_option("--picture", out.picture, "a picture of it, as fine as its pixels, or of the quality given")->type_name("FILE.png");
     add_named<shading>(app, "--shading", out.shading, "of the picture (default phong)",
                        {{"flat", shading::flat}, {"gouraud", shading::gouraud}, {"phong", shading::phong}});
     app.add_option("--show", raw.show,
-                   "on the picture, joined by commas; contours and points of merged letters are those of the whole")
+                   "on the picture, joined by commas; all but control and checker draw the mesh of --output")
         ->delimiter(',')
         ->check(one_of({"triangles", "points", "contours", "control", "normals", "checker"}))
         ->expected(1)
@@ -240,6 +240,12 @@ std::string settle(options& out, const raw_values& raw)
         return "nothing to do: give --output, --picture or --stats";
     if (out.kind == file_kind::three_mf && out.depth == 0.0f)
         return "--depth: must be more than 0 in a .3mf file, which holds solids";
+    if (out.picture.empty() && !raw.show.empty()) return "--show: is for --picture";
+    if (out.picture.empty() && raw.shading_given) return "--shading: is for --picture";
+    if (out.discretiser != discretiser_name::certified && raw.tolerance_given)
+        return "--tolerance: is for --discretiser certified; adaptive goes by --quality, two_lines by neither";
+    if (out.discretiser == discretiser_name::two_lines && out.quality_given)
+        return "--quality: is not for --discretiser two_lines, which makes two lines of every curve";
     if (out.instances && out.kind != file_kind::glb) return "--instances: is for --output FILE.glb";
     out.size = raw.size.value_or(out.kind == file_kind::three_mf ? 10.0 : 1.0);
     out.merge = out.merge || (!raw.no_merge && holds_solids(out.kind));
@@ -271,8 +277,10 @@ std::optional<int> parse(int argc, char** argv, options& out)
     } catch (const CLI::ParseError& wrong) {
         return complain(in_words(wrong, app, argc, argv));
     }
-    out.quality_given = app.count("--tolerance") + app.count("--quality") > 0;
-    if (app.count("--tolerance") == 0) {
+    raw.tolerance_given = app.count("--tolerance") > 0;
+    raw.shading_given = app.count("--shading") > 0;
+    out.quality_given = raw.tolerance_given || app.count("--quality") > 0;
+    if (!raw.tolerance_given) {
         using namespace typemesh;
         constexpr double em[] = {quality::low, quality::normal, quality::high, quality::best};
         out.tolerance = em[static_cast<int>(out.quality)];

@@ -10,6 +10,9 @@
 #include <Model/COM/NMR_DLLInterfaces.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <vector>
 
@@ -80,12 +83,50 @@ bool paint(NMR::PLib3MFModel* file, NMR::PLib3MFModelMeshObject* object, const m
            NMR::lib3mf_defaultpropertyhandler_setbasematerial(usual.object, group, 0) == LIB3MF_OK;
 }
 
-bool make(const model& mesh, memory_file& out)
+/// A coordinate as lib3mf writes it, in millionths of the file's unit.
+std::int64_t written(float coordinate, double units)
+{
+    return std::llround(double{coordinate} * units * 1e6);
+}
+
+/// True where the six decimals that lib3mf writes keep the solid solid: it has a depth, and no two places become one.
+/// `units` to a millimetre.
+bool holds(const model& mesh, double units)
+{
+    struct place {
+        std::array<std::int64_t, 3> written;
+        std::array<float, 3> exact;
+    };
+    std::vector<place> places;
+    places.reserve(mesh.vertices.size());
+    for (const model_vertex& v : mesh.vertices) {
+        const auto& [x, y, z] = v.position;
+        places.push_back({{written(x, units), written(y, units), written(z, units)}, {x, y, z}});
+    }
+    std::sort(places.begin(), places.end(), [](const place& a, const place& b) { return a.written < b.written; });
+    for (std::size_t i = 1; i < places.size(); ++i)
+        if (places[i].written == places[i - 1].written && places[i].exact != places[i - 1].exact) return false;
+    return std::any_of(places.begin(), places.end(),
+                       [&](const place& p) { return p.written[2] != places[0].written[2]; });
+}
+
+/// Millimetres unless only micrometres, a thousand of them, have the digits; 0 where these have not either.
+double units_to_a_millimetre(const model& mesh)
+{
+    for (const double units : {1.0, 1000.0})
+        if (holds(mesh, units)) return units;
+    return 0.0;
+}
+
+bool make(const model& mesh, double units, memory_file& out)
 {
     static_assert(sizeof(NMR::MODELMESHVERTEX) == 12 && sizeof(NMR::MODELMESHTRIANGLE) == 12);
     std::vector<NMR::MODELMESHVERTEX> vertices(mesh.vertices.size());
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-        std::memcpy(&vertices[i], mesh.vertices[i].position, sizeof vertices[i]);
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        float at[3];
+        for (std::size_t c = 0; c < 3; ++c) at[c] = static_cast<float>(double{mesh.vertices[i].position[c]} * units);
+        std::memcpy(&vertices[i], at, sizeof vertices[i]);
+    }
     std::vector<NMR::MODELMESHTRIANGLE> triangles(mesh.indices.size() / 3);
     if (!triangles.empty()) std::memcpy(triangles.data(), mesh.indices.data(), triangles.size() * sizeof triangles[0]);
 
@@ -95,7 +136,8 @@ bool make(const model& mesh, memory_file& out)
     held<NMR::PLib3MFModelWriter> writer;
     const std::string name = mesh.name.empty() ? "text" : well_formed(one_line(mesh.name));
     if (NMR::lib3mf_createmodel(&file.object) != LIB3MF_OK) return false;
-    if (NMR::lib3mf_model_setunit(file.object, NMR::MODELUNIT_MILLIMETER) != LIB3MF_OK) return false;
+    const auto unit = units == 1.0 ? NMR::MODELUNIT_MILLIMETER : NMR::MODELUNIT_MICROMETER;
+    if (NMR::lib3mf_model_setunit(file.object, unit) != LIB3MF_OK) return false;
     if (NMR::lib3mf_model_addmeshobject(file.object, &object.object) != LIB3MF_OK) return false;
     if (NMR::lib3mf_object_setnameutf8(object.object, name.c_str()) != LIB3MF_OK) return false;
     if (NMR::lib3mf_meshobject_setgeometry(object.object, vertices.data(), static_cast<DWORD>(vertices.size()),
@@ -113,7 +155,11 @@ bool make(const model& mesh, memory_file& out)
 std::string write_3mf(const model& mesh, const std::string& path, file_set& files)
 {
     memory_file file;
-    if (!make(mesh, file)) return path + " cannot be written: lib3mf refused the mesh.";
+    const double units = mesh.vertices.empty() ? 1.0 : units_to_a_millimetre(mesh);
+    if (units == 0.0)
+        return path + " cannot be written: --depth or --size is too small for the digits of a 3MF file (six decimals of a "
+                      "micrometre).";
+    if (!make(mesh, units, file)) return path + " cannot be written: lib3mf refused the mesh.";
     return files.add(path, file.bytes);
 }
 

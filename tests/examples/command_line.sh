@@ -101,6 +101,7 @@ expect 0 "" "Bold" --font /usr/share/fonts/truetype/inter-vf/Inter.var.ttf --var
 expect 0 "" "Bold" --font /usr/share/fonts/truetype/inter-vf/Inter.var.ttf --variation wght=100 --output thin.glb
 that "weights differ" [ "$(cksum <bold.glb)" != "$(cksum <thin.glb)" ]
 expect 0 "" --help
+that "the help asks for one of the things to do" grep -qF "(--output FILE | --picture FILE.png | --stats)" out
 that "the help names every option" grep -q -- --triangulator out
 that "the help speaks no word of the library's own" sh -c '! grep -E "TEXT TEXT|REQUIRED|Excludes|TEXT:|OPTIONS\]" out'
 that "the help's lines fit" sh -c '! grep -E ".{121}" out'
@@ -192,6 +193,15 @@ if "$program" x --font $sans --output probe.3mf 2>err; then
         that "a 3MF is painted by its parts" [ "$(grep -cE '<base name="[a-z]+" displaycolor="#[0-9A-F]{6}(FF)?" />' joined.xml)" = 3 ]
     fi
     expect 2 "--depth: must be more than 0" x --font $sans --output x.3mf --depth 0
+    for small in "--depth 1e-11" "--size 1e-9" "--depth 1e-6 --size 1e-6"; do
+        # shellcheck disable=SC2086  # words
+        expect 1 "^text_to_mesh: small.3mf cannot be written: --depth or --size is too small.*\.$" x --font $sans --output small.3mf $small
+        that "a 3MF without a solid is not written: $small" [ ! -e small.3mf ]
+    done
+    expect 0 "" Ego --font $sans --output small.3mf --depth 1e-8
+    if command -v unzip >/dev/null 2>&1; then
+        that "what is too small for millimetres is in micrometres" sh -c 'unzip -p small.3mf 3D/3dmodel.model | grep -q "unit=\"micron\""'
+    fi
 else
     expect 1 "probe.3mf cannot be written: this program was built without lib3mf" x --font $sans --output probe.3mf
     that "nothing is left without lib3mf" [ ! -e probe.3mf ]
@@ -203,6 +213,13 @@ if "$program" x --font "Liberation Sans" --output family.glb 2>err; then
     that "a family's regular style is its file" cmp -s family.glb file.glb
     expect 0 "" x --font "liberation sans:bold" --output bold.glb
     that "a style is another file" differ bold.glb family.glb
+    expect 0 "" x --font "Liberation Sans:oblique" --output bold.glb  # its slanted style is called italic
+    for words in blod zzz wght=700 weight=blod bold:zzz; do
+        expect 1 "^text_to_mesh: Liberation Sans:$words: fontconfig knows no .*\.$" x --font "Liberation Sans:$words" --output x.glb
+    done
+    for words in style=Blod light condensed; do
+        expect 1 "^text_to_mesh: Liberation Sans:$words: no installed font of this family has that .*\.$" x --font "Liberation Sans:$words" --output x.glb
+    done
     expect 1 "^text_to_mesh: Nobodys Sans is neither a file nor an installed family" x --font "Nobodys Sans" --output x.glb
 else
     that "why no family is found" grep -q "Liberation Sans is no file, and this program was built without fontconfig" err
@@ -268,6 +285,11 @@ that "what to do comes after what is wrong" lines 2
 expect 2 "align: must be left, center or right, not middle" x --font $sans --output x.glb --align middle
 expect 2 "show: must be .*checker, not trangles" x --font $sans --output x.glb --show points,trangles
 expect 2 "excludes" x --font $sans --output x.glb --quality low --tolerance 0.1
+expect 2 "--tolerance: is for --discretiser certified" x --font $sans --output x.glb --discretiser adaptive --tolerance 0.1
+expect 2 "--tolerance: is for --discretiser certified" x --font $sans --output x.glb --discretiser two_lines --tolerance 0.1
+expect 2 "--quality: is not for --discretiser two_lines" x --font $sans --output x.glb --discretiser two_lines --quality low
+expect 2 "--show: is for --picture" x --font $sans --output x.glb --show points
+expect 2 "--shading: is for --picture" x --font $sans --output x.glb --shading flat
 expect 2 "feature: must be .*, not ligatures" x --font $sans --output x.glb --feature ligatures
 expect 2 "variation: must be .*, not bold" x --font $sans --output x.glb --variation bold
 expect 2 "nonsense is not an option$" x --font $sans --output x.glb --nonsense
