@@ -165,9 +165,29 @@ without_font() {  # without_font CODE_POINT...
     done
 }
 
+# The code points that no font can have: Unicode keeps the last two of each plane and U+FDD0 to U+FDEF for no character.
+noncharacters() {  # noncharacters CODE_POINT...
+    local code
+    for code in "$@"; do
+        if [ $((16#$code & 65534)) = 65534 ] || { [ $((16#$code)) -ge 64976 ] && [ $((16#$code)) -le 65007 ]; }; then
+            printf ' %s' "$code"
+        fi
+    done
+}
+
 # Where no installed font has all the letters: which are missing, and the first package of their script that is not there.
 explain_missing_font() {  # explain_missing_font CODE_POINT...
-    local script packages families codes font missing package covered='' advice=''
+    local script packages families codes code font missing package covered='' advice='' exhausted='' undrawn='' rest=" $* "
+    codes=$(noncharacters "$@")
+    if [ -n "$codes" ]; then
+        for code in $codes; do rest=${rest/ $code / }; done
+        # shellcheck disable=SC2046,SC2086  # lists of words
+        say "$(printf 'U+%s ' $(printf '%04X ' $(printf '0x%s ' $codes)))is no character: no font has it. Leave it out."
+        # shellcheck disable=SC2086
+        [ -n "${rest// /}" ] && [ -z "$(font_with "" $rest)" ] || return 0
+        # shellcheck disable=SC2086
+        set -- $rest
+    fi
     say "No installed font has all the letters of this text."
     while IFS='|' read -r script packages families codes; do
         # shellcheck disable=SC2086  # a list of words
@@ -178,20 +198,26 @@ explain_missing_font() {  # explain_missing_font CODE_POINT...
         fi
         # shellcheck disable=SC2086
         missing=$(without_font $codes)
-        if [ -n "$missing" ]; then say "Missing: $script,$missing"; else say "Spread over several fonts: $script"; fi
+        if [ -n "$missing" ]; then
+            say "Missing: $script,$missing"
+            undrawn=1
+        else
+            say "Spread over several fonts: $script"
+        fi
         for package in $(say "$packages,fonts-noto-core,fonts-unifont" | tr , ' '); do
             if ! is_installed "$package"; then
                 case " $advice " in *" $package "*) ;; *) advice="$advice $package" ;; esac
                 continue 2
             fi
         done
-        say "All Debian packages known here for it are installed."
+        exhausted="$exhausted, $script"
     done <<END
 $(scripts_of "$@")
 END
+    [ -z "$exhausted" ] || say "All Debian packages known here for these are installed: ${exhausted#, }."
     if [ -n "$advice" ]; then
         say "On Debian: sudo apt-get install$advice"
-    elif [ -n "$covered" ]; then
+    elif [ -n "$covered" ] && [ -z "$undrawn" ]; then
         say "Make several texts of it: ${covered#; }."
     fi
     say "Or name a font: examples/run.sh TEXT --font FILE"
@@ -216,19 +242,52 @@ done
 [ $given != 0 ] || text="Hello world!"
 [ $given -le 1 ] || say "The text is \"$text\"; in quotes it keeps its blanks."
 font=
-output="--output hello.glb"
-picture="--picture hello.png"
+output=hello.glb
+picture=hello.png
+value_of=  # the option that the next word belongs to
 for option in "$@"; do
+    case $value_of in
+        "") ;;
+        *)
+            case $value_of in --output) output=$option ;; --picture) picture=$option ;; esac
+            value_of=
+            continue
+            ;;
+    esac
     case $option in
-        --font | --font=*) font=given ;;
-        --output | --output=*) output= ;;
-        --picture | --picture=*) picture= ;;
-        -h | --help) output= && picture= ;;  # nothing will be written
+        --merge | --no-merge | --instances | --strict | --stats | --version) ;;  # without a value
+        -h | --help) output= && picture= && break ;;                             # nothing will be written
+        --output=*) output=${option#*=} ;;
+        --picture=*) picture=${option#*=} ;;
+        --font=*) font=given ;;
+        --*=*) ;;
+        --) stop "The text stands before all options: examples/run.sh \"Hello\" --depth 0.3" ;;
+        --*)
+            value_of=$option
+            [ "$option" != --font ] || font=given
+            ;;
+        *) stop "The text stands before all options: examples/run.sh \"Hello\" --depth 0.3" ;;
     esac
 done
 
-need_build_folder release
-install_missing c++ cmake ninja pkg-config harfbuzz freetype cli11 tinygltf stb fontconfig font
+program=$typemesh_root/build/release/examples/text_to_mesh
+# True where the program is there and no source is newer.
+is_built() {
+    [ -x "$program" ] && (
+        cd "$typemesh_root"
+        [ -z "$(find examples include cmake CMakeLists.txt CMakePresets.json -type f -newer "$program" 2>/dev/null)" ]
+    )
+}
+
+if (need_build_folder release) >/dev/null 2>&1; then
+    install_missing c++ cmake ninja pkg-config harfbuzz freetype cli11 tinygltf stb fontconfig font
+    to_build=1
+elif is_built; then
+    install_missing fontconfig font
+    to_build=
+else
+    need_build_folder release
+fi
 
 if [ -z "$font" ]; then
     read -r -a codes <<<"$(code_points "$text")" || true
@@ -239,16 +298,24 @@ if [ -z "$font" ]; then
     set -- --font "$font" --face "$face" "$@"
 fi
 
-program=$typemesh_root/build/release/examples/text_to_mesh
-[ -e "$program" ] || say "Building text_to_mesh, once; it usually takes one to three minutes."
-build_preset release text_to_mesh || exit 1
-status=0
-# shellcheck disable=SC2086  # two words or none
-"$program" $output $picture "$@" -- "$text" || status=$?
-if [ $status = 2 ] && [ $given = 0 ]; then
-    say "The text stands before all options: examples/run.sh \"Hello\" --depth 0.3" >&2
+if [ -n "$to_build" ]; then
+    [ -e "$program" ] || say "Building text_to_mesh, once; it usually takes one to three minutes."
+    build_preset release text_to_mesh || exit 1
 fi
-[ $status = 0 ] || exit $status
-for file in ${output#--output} ${picture#--picture}; do
-    say "Wrote $PWD/$file"
+# Written unless named by the caller already.
+for option in "$@"; do
+    case $option in
+        --output | --output=*) own_output=1 ;;
+        --picture | --picture=*) own_picture=1 ;;
+    esac
+done
+[ -n "${own_output:-}" ] || [ -z "$output" ] || set -- --output "$output" "$@"
+[ -n "${own_picture:-}" ] || [ -z "$picture" ] || set -- --picture "$picture" "$@"
+"$program" "$@" -- "$text" || exit $?
+for file in "$output" "$picture"; do
+    case $file in
+        "") ;;
+        /*) say "Wrote $file" ;;
+        *) say "Wrote $PWD/$file" ;;
+    esac
 done

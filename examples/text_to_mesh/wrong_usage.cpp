@@ -61,7 +61,8 @@ std::string in_words(const CLI::ParseError& wrong, CLI::App& app, int argc, char
 {
     if (std::string typo = unknown_option(app, argc, argv); !typo.empty()) return typo;
     if (dynamic_cast<const CLI::ExtrasError*>(&wrong) != nullptr && !app.remaining().empty()) {
-        const std::string unexpected = app.remaining().front();
+        const std::vector<std::string> left = app.remaining();
+        const std::string unexpected = left.size() > 1 && left[0] == "--" ? left[1] : left[0];
         return unexpected + (unexpected[0] == '-' ? " is not an option"
                                                   : " was not expected; a text of several words stands in quotes");
     }

@@ -279,6 +279,7 @@ that "nothing was half-written" [ ! -e x.glb ]
 expect 2 "TEXT" --font $sans --output x.glb
 expect 2 "--font" x --output x.glb
 expect 2 "nothing to do" x --font $sans
+expect 2 "^text_to_mesh: two was not expected" one --font $sans --output x.glb -- two
 expect 2 "must end in .*3mf, not x.fbx" x --font $sans --output x.fbx
 expect 2 "^text_to_mesh: --quality: must be low, normal, high or best, not superb$" x --font $sans --output x.glb --quality superb
 that "what to do comes after what is wrong" lines 2

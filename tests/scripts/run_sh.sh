@@ -32,7 +32,7 @@ mkdir -p "$bin" "$scratch/prefix/include" "$tree"
 for file in examples/run.sh tests/run.sh cmake/setup.sh tests/workload/smoke-fonts.tsv tests/external/common.bash; do
     mkdir -p "$tree/$(dirname "$file")" && cp "$source_tree/$file" "$tree/$file"
 done
-for name in bash sh env awk sed grep cut sort head tail tr od cat mktemp date mkdir rm cp chmod touch sleep dirname basename tee getconf; do
+for name in bash sh env awk sed grep cut sort head tail tr od cat mktemp date mkdir rm cp chmod touch sleep dirname basename tee getconf find; do
     ln -s "$(command -v $name)" "$bin/$name"
 done
 for header in harfbuzz/hb.h ft2build.h glm/vec3.hpp catch2/catch.hpp benchmark/benchmark.h CLI/CLI.hpp tiny_gltf.h stb_image_write.h; do
@@ -124,6 +124,28 @@ check "words without quotes are one text" called '<--depth><0.3><--><Hello World
 check "it is told that they are joined" says 'The text is "Hello World"'
 anew && run examples/run.sh -- --not-an-option
 check "after -- anything is text" called '<--><--not-an-option>$'
+for words in "--depth 0.3 Hello" "Hello --depth 0.3 World" "--strict Hello" "Hello --depth=0.3 World" "Hello --depth 0.3 -- World"; do
+    # shellcheck disable=SC2086  # words
+    anew && run examples/run.sh $words
+    check "$words: text after an option is an error" fails
+    check "$words: it is said what to do" grep -q 'The text stands before all options' "$scratch/err"
+    check "$words: in one line" [ "$(grep -c . "$scratch/err")" = 1 ]
+    check "$words: nothing is begun" called_not 'text_to_mesh|cmake'
+done
+anew && run examples/run.sh Hello --feature -kern --strict --depth 0.3
+check "values and flags are no text" called '<--feature><-kern><--strict><--depth><0.3><--><Hello>$'
+
+# --- examples/run.sh: what it wrote
+anew && run examples/run.sh Hello
+check "it says what it wrote" says "^Wrote $scratch/elsewhere/hello.glb"
+check "the picture too" says "^Wrote $scratch/elsewhere/hello.png"
+again && run examples/run.sh Hello --output "my word.obj" --picture=/tmp/word.png
+check "also by names of one's own" says "^Wrote $scratch/elsewhere/my word.obj"
+check "and absolute ones" says '^Wrote /tmp/word.png'
+check "nothing else is written" says_not 'hello'
+check "names are passed on once" called '<--output><my word.obj><--picture=/tmp/word.png><--><Hello>$'
+again && run examples/run.sh Hello --help
+check "help writes nothing" says_not '^Wrote'
 
 # --- examples/run.sh: fonts
 anew && run examples/run.sh "བོད"
@@ -142,6 +164,18 @@ check "the next package is" says 'apt-get install fonts-unifont$'
 echo fonts-unifont >>"$scratch/installed" && again && run examples/run.sh "བོད"
 check "with all of them installed none is advised" says_not 'apt-get'
 check "there is still a way" says '--font FILE'
+again && run examples/run.sh "A བོད ሰላም"
+check "that all packages are installed is said once" [ "$(grep -c 'packages known here' "$scratch/out" "$scratch/err" | awk -F : '{ n += $2 } END { print n }')" = 1 ]
+check "for all scripts that it is true of" says 'packages known here.*: .*Tibetan, .*Ethiopic|packages known here.*: .*Ethiopic, .*Tibetan'
+check "several texts are not advised where one part has no font" says_not 'several texts'
+for text in $'\U10FFFF' $'A\U1FFFE' $'\uFDD0'; do
+    anew && run examples/run.sh "$text"
+    check "a noncharacter is an error" fails
+    check "no font has it, it is said" says 'U\+(10FFFF|1FFFE|FDD0) is no character: no font has it'
+    check "nothing is to be installed for it" says_not 'apt-get|packages|No installed font'
+done
+anew && run examples/run.sh $'\uFFFF བོད'
+check "what else is missing is still named" says 'Missing: Tibetan'
 anew && echo "/fonts/tibetan.ttf|Noto Serif Tibetan|f00|fff" >>"$scratch/fonts" && run examples/run.sh "བོད"
 check "an installed font is found by its characters" called '<--font></fonts/tibetan.ttf>'
 again && run examples/run.sh "Tibet བོད"
@@ -174,6 +208,13 @@ for script in examples/run.sh tests/run.sh; do
     check "$script: nothing is begun" called_not 'apt-get|cmake'
     rm -f "$tree/build"
 done
+
+anew && run examples/run.sh
+rm -f "$tree/build/release.log" && mkdir "$tree/build/release.log" && again && run examples/run.sh
+check "what is built already is used where the build folder cannot be written" called '<--><Hello world!>$'
+check "nothing is built then" called_not 'cmake'
+sleep 1 && touch "$tree/examples/run.sh" && again && run examples/run.sh
+check "but not where a source is newer" fails
 
 # --- tests/run.sh
 anew && run tests/run.sh
