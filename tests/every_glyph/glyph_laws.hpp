@@ -120,7 +120,8 @@ public:
         no_observer nobody;
         triangles_.clear();
         const auto made = cap_outline(outline_, outline_.rule, certified{}, tolerance, *cells,
-                                      watched_monotone{{}, &given_last}, space_, loops_, triangles_, nobody, &effort);
+                                      watched_monotone{{}, &given_last}, space_, loops_, triangles_, nobody,
+                                      {.effort = &effort});
         if (!made) return f.wrong = std::string{"refused: "} + made.error().message(), f;
         if (loops_.points.empty() && given_last.points.empty()) return f.blank = true, f;
         f.refined = effort.rounds != 0;

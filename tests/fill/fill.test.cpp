@@ -39,6 +39,27 @@ TEST_CASE("fill() leaves contours that do not meet as nest() does, and resolves 
     CHECK(resolved > 500);
 }
 
+TEST_CASE("fill() refuses contours that cross more often than it is told, and no others", "[fill]")
+{
+    const test::polyline square{{0, 0}, {80, 0}, {80, 80}, {0, 80}};
+    const test::shape crossing{"crossing squares", {square, {{40, 40}, {120, 40}, {120, 120}, {40, 120}}}};
+    const test::shape apart{"squares apart", {square, {{90, 40}, {120, 40}, {120, 120}, {90, 120}}}};
+    const auto filled = [](const test::shape& s, std::uint32_t most) {
+        contours loops = test::contours_of(s), given = test::contours_of(s);
+        workspace space;
+        const auto made = fill(loops, fill_rule::non_zero, space, {.most_pieces = most});
+        if (!made) {
+            CHECK(made.error() == error::too_many_pieces);
+            CHECK(made.error().count == most);
+            CHECK(std::equal(loops.points.begin(), loops.points.end(), given.points.begin(), given.points.end()));
+        }
+        return static_cast<bool>(made);
+    };
+    CHECK_FALSE(filled(crossing, 7));
+    CHECK(filled(crossing, 100));
+    CHECK(filled(apart, 7));
+}
+
 TEST_CASE("fill() of nothing is the empty region", "[fill]")
 {
     workspace space;

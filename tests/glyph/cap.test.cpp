@@ -362,6 +362,25 @@ struct ears_first {
 
 }  // namespace
 
+TEMPLATE_TEST_CASE("cap() refuses contours that cross more often than it is told", "[glyph][cap]", monotone,
+                   untold<monotone>)
+{
+    const test::shape crossing{"crossing squares", {{{0, 0}, {80, 0}, {80, 80}, {0, 80}},
+                                                    {{40, 40}, {120, 40}, {120, 120}, {40, 120}}}};
+    const auto capped = [&](const cap_filling& filling) {
+        contours loops = test::contours_of(crossing);
+        workspace space;
+        triangle_list out;
+        const auto made = cap(loops, filling, TestType{}, space, out);
+        if (!made) CHECK(made.error() == error::too_many_pieces);
+        CHECK(static_cast<bool>(made) == (out.size() != 0));
+        return static_cast<bool>(made);
+    };
+    CHECK(capped(fill_rule::non_zero));
+    CHECK(capped({fill_rule::non_zero, {.most_pieces = 100}}));
+    CHECK_FALSE(capped({fill_rule::non_zero, {.most_pieces = 7}}));
+}
+
 TEST_CASE("cap() exchanges the low triangles of any triangulator but one whose diagonals are final", "[glyph][cap]")
 {
     // A slanted stem with a point a cell outside of each side.

@@ -136,7 +136,7 @@ void build(capped& c, const outline& o, double tolerance, fill_rule rule, const 
     REQUIRE(fitting);
     c.cells = fitting->cells;
     const auto made =
-        cap_outline(o, rule, how, tolerance, *fitting, cut, space, c.loops, c.triangles, nobody, &c.effort);
+        cap_outline(o, rule, how, tolerance, *fitting, cut, space, c.loops, c.triangles, nobody, {.effort = &c.effort});
     REQUIRE(made);
     c.made = *made;
 }

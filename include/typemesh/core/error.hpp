@@ -31,7 +31,7 @@ struct [[nodiscard]] error {
         bad_outline,          ///< an outline starts without move(), or the like
         outline_not_finite,   ///< an outline holds NaN or infinity
         outline_beyond_grid,  ///< an outline is too large for the integer grid
-        too_many_pieces,      ///< a glyph's contours cross more often than the caller allows; count = that limit
+        too_many_pieces,      ///< contours cross more often than the caller allows; count = that limit
         crossing_contours,    ///< contours cross, touch or overlap where they must not; count: see triangulator.hpp
         bad_tolerance,        ///< a tolerance is not a positive finite number
         bad_option,           ///< an option is outside its range; `option` names it
@@ -99,7 +99,7 @@ struct [[nodiscard]] error {
         case bad_outline: return "The outline is malformed: a contour must begin with move().";
         case outline_not_finite: return "The outline holds a coordinate that is not a finite number.";
         case outline_beyond_grid: return "The outline is too large for the integer grid.";
-        case too_many_pieces: return "The glyph's contours cross more often than text_options::most_pieces allows.";
+        case too_many_pieces: return "The contours cross more often than most_pieces allows.";
         case crossing_contours: return "Contours of the outline cross, touch or overlap.";
         case bad_tolerance: return "The tolerance is not a positive finite number.";
         case bad_option: return "An option is outside its range.";

@@ -142,8 +142,8 @@ private:
     return sum;
 }
 
-/// What a discretiser has emitted of one curve so far. For TYPEMESH_ASSERT alone: where that looks at nothing, nothing is
-/// kept.
+/// What a discretiser has emitted of one curve so far. For TYPEMESH_ASSERT alone: where that looks at nothing, nothing
+/// is kept.
 struct emitted_points {
     point last = {};
     double t = 0.0;
@@ -160,6 +160,27 @@ struct emitted_points {
     [[nodiscard]] bool ended_at(point end, const grid& g) const noexcept
     {
         return t >= 1.0 && std::abs(last.x - end.x) * g.cells < 1.0 && std::abs(last.y - end.y) * g.cells < 1.0;
+    }
+};
+
+/// Takes what a discretiser emits of one curve to the grid, and from there to the writer.
+struct curve_emitter {
+    contour_writer& writer;
+    const grid& cells;
+    emitted_points& emitted;
+
+    void operator()(point p, double t) const noexcept
+    {
+        TYPEMESH_ASSERT(emitted.take(p, t),
+                        "a discretiser must emit its points with t ascending, above 0 and up to 1");
+        writer.arrive(snapped(p, cells), static_cast<float>(t));
+    }
+
+    [[nodiscard]] static grid_point snapped(point p, const grid& g) noexcept
+    {
+        TYPEMESH_ASSERT(std::abs(p.x) * g.cells <= grid::reach && std::abs(p.y) * g.cells <= grid::reach,
+                        "a discretiser emitted a point outside the grid, or the grid does not fit the outline");
+        return g.snap(p);
     }
 };
 
@@ -215,24 +236,16 @@ error discretise(const outline& curves, const D& how, double tolerance, const gr
         const double finer = tolerance / static_cast<double>(std::uint32_t{1} << times) - snap;
         return finer > snap ? finer : snap;
     };
-    const auto snapped = [&g](point p) noexcept {
-        TYPEMESH_ASSERT(std::abs(p.x) * g.cells <= grid::reach && std::abs(p.y) * g.cells <= grid::reach,
-                        "a discretiser emitted a point outside the grid, or the grid does not fit the outline");
-        return g.snap(p);
-    };
 
     detail::contour_writer writer{out};
     writer.begin(2 * curves.curves.size() + 16);
     const auto walk = [&](std::uint32_t first, std::uint32_t end, std::uint32_t finer) noexcept {
-        writer.begin_contour(snapped(curves.curves[first].start()));
+        writer.begin_contour(detail::curve_emitter::snapped(curves.curves[first].start(), g));
         for (std::uint32_t i = first; i < end; ++i) {
             const curve& q = curves.curves[i];
             writer.begin_curve(i);
-            [[maybe_unused]] detail::emitted_points emitted;
-            const auto emit = [&](point p, double t) noexcept {
-                TYPEMESH_ASSERT(emitted.take(p, t), "a discretiser must emit its points with t ascending, above 0 and up to 1");
-                writer.arrive(snapped(p), static_cast<float>(t));
-            };
+            detail::emitted_points emitted;
+            const detail::curve_emitter emit{writer, g, emitted};
             const std::uint32_t times = finer + (halvings.empty() ? 0u : halvings[i]);
             const double allowed = times == 0 ? rest : halved(times < 31 ? times : 31);
             if (q.degree == 1)
@@ -241,7 +254,8 @@ error discretise(const outline& curves, const D& how, double tolerance, const gr
                 how(q.as_quadratic(), allowed, emit);
             else
                 how(q.as_cubic(), allowed, emit);
-            TYPEMESH_ASSERT(emitted.ended_at(q.end(), g), "a discretiser's last point must be the end of its curve, with t = 1");
+            TYPEMESH_ASSERT(emitted.ended_at(q.end(), g),
+                            "a discretiser's last point must be the end of its curve, with t = 1");
         }
         return writer.end_contour();
     };

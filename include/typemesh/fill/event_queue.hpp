@@ -19,8 +19,10 @@ struct event {
 /// Events by place, the first one on top: a binary heap of fixed room.
 class event_queue {
 public:
+    /// False when there is no memory, or more room is asked for than 32-bit numbers hold.
     [[nodiscard]] bool open(workspace::scope& scratch, std::size_t room) noexcept
     {
+        if (room >= 0xFFFF'FFFFu) return false;
         events_ = scratch.take<event>(room + 1);
         if (events_ == nullptr) return false;
         room_ = static_cast<std::uint32_t>(room);

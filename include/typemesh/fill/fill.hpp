@@ -16,13 +16,17 @@ namespace typemesh {
 ///
 /// Replaces `loops`; nothing may be left: a region without points.
 ///
-/// Fails  error::too_large, error::out_of_memory; then `loops` is as it was
+///     how    where contours meet: see resolve()
+///
+/// Fails  error::too_many_pieces where contours meet: more than how.most_pieces points, crossings or pieces
+///        error::too_large, error::out_of_memory; then `loops` is as it was
 /// Cost   O(n log n), and what resolve() takes where contours meet
-[[nodiscard]] inline result<region> fill(contours& loops, fill_rule rule, workspace& space) noexcept
+[[nodiscard]] inline result<region> fill(contours& loops, fill_rule rule, workspace& space,
+                                         const resolve_options& how = {}) noexcept
 {
     auto nested = nest(loops, rule, space);
     if (nested || nested.error().code != error::crossing_contours) return nested;
-    return resolve(loops, rule, space);
+    return resolve(loops, rule, space, how);
 }
 
 }  // namespace typemesh

@@ -13,7 +13,7 @@
 
 namespace typemesh::detail {
 
-/// The bits of a winding number that a rule looks at: what adds up to 0 in these is as good as nothing.
+/// The bits of a winding number that a rule looks at: what adds up to 0 in these has no effect.
 [[nodiscard]] constexpr std::int32_t winding_mask(fill_rule rule) noexcept
 {
     return rule == fill_rule::even_odd ? 1 : -1;
@@ -25,6 +25,26 @@ struct net_edge {
     std::uint32_t origin, target;  // the contour points that the edge joins whose curve has the lowest number
     std::int32_t turn;             // the winding number right above it less the one right below
 };
+
+/// Gives every point its number among the different ones, in the sweep order. How many there are; false when there is no
+/// memory. `known` is the order of the points, as sweep_order() makes it; empty: not known.
+[[nodiscard]] inline bool number_points(std::span<const grid_point> points, std::span<const std::uint32_t> known,
+                                        workspace& space, std::uint32_t* number, std::uint32_t& different) noexcept
+{
+    workspace::scope scratch{space};
+    const std::uint32_t* order = known.data();
+    if (known.empty()) {
+        auto* const sorted = scratch.take<std::uint32_t>(points.size());
+        if (sorted == nullptr || !sweep_order(points, space, sorted)) return false;
+        order = sorted;
+    }
+    different = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (i == 0 || !(points[order[i - 1]] == points[order[i]])) ++different;
+        number[order[i]] = different - 1;
+    }
+    return true;
+}
 
 /// The edges of contours, each pair of ends once; those that cancel, or have no length, are left out. So the result is
 /// the same wherever contours begin, in whatever order they come, and run all the other way (but for `turn`); under
@@ -47,20 +67,9 @@ struct net_edge {
     auto* const to = scratch.take<std::uint32_t>(n);      // of every edge: the contour point behind it
     auto* const seen = scratch.take<std::uint32_t>(n);    // of every point: the last edge that ends there
     if (number == nullptr || first == nullptr || next == nullptr || to == nullptr || seen == nullptr) return false;
-    const std::uint32_t* order = known.data();
-    if (known.empty()) {
-        auto* const sorted = scratch.take<std::uint32_t>(n);
-        if (sorted == nullptr || !sweep_order(given.points.view(), space, sorted)) return false;
-        order = sorted;
-    }
     std::uint32_t different = 0;
-    for (std::uint32_t i = 0; i < n; ++i) {
-        if (i == 0 || !(place[order[i - 1]] == place[order[i]])) {
-            first[different] = seen[different] = none;
-            ++different;
-        }
-        number[order[i]] = different - 1;
-    }
+    if (!number_points(given.points.view(), known, space, number, different)) return false;
+    for (std::uint32_t i = 0; i < different; ++i) first[i] = seen[i] = none;
     for (std::uint32_t c = 0; c < given.contour_count(); ++c) {
         const std::uint32_t begin = given.starts[c], end = given.starts[c + 1];
         for (std::uint32_t v = begin; v < end; ++v) {
@@ -82,7 +91,10 @@ struct net_edge {
             if (known_one != none && known_one >= begin) {
                 net_edge& e = edges[known_one];
                 e.turn += turn;
-                if (given.edges[v].curve < given.edges[e.origin].curve) e.origin = v, e.target = to[v];
+                if (given.edges[v].curve < given.edges[e.origin].curve) {
+                    e.origin = v;
+                    e.target = to[v];
+                }
                 continue;
             }
             seen[end] = count;

@@ -36,24 +36,24 @@ struct resolve_options {
 
 namespace detail {
 
-/// The contours' edges cut by one walk, or a second; finished: 0 when they do not do, else 1. False when there is no
-/// memory.
-[[nodiscard]] inline bool walk_quickly(const contours& loops, fill_rule rule, workspace& space,
-                                       workspace::scope& scratch, const resolve_options& how, arrangement& a,
-                                       bool& is_done) noexcept
+enum class quick_walk { no_memory, done, not_done };
+
+/// The contours' edges cut by one walk, or a second; not_done when these do not do.
+[[nodiscard]] inline quick_walk walk_quickly(const contours& loops, fill_rule rule, workspace& space,
+                                             workspace::scope& scratch, const resolve_options& how,
+                                             arrangement& a) noexcept
 {
     const std::size_t n = loops.points.size();
-    is_done = false;
     if (!a.reserve(scratch, static_cast<std::uint32_t>(n + n / 8 + 48)) || !a.take_apart(loops, space, how.order))
-        return false;
-    for (int walk = 0; walk < 2 && !is_done; ++walk) {
+        return quick_walk::no_memory;
+    for (int walk = 0; walk < 2; ++walk) {
         resolving_sweep sweep{a, rule};
-        if (!sweep.run(space)) return false;
+        if (!sweep.run(space)) return quick_walk::no_memory;
         if (how.effort != nullptr) *how.effort = {how.effort->walks + 1, how.effort->rounds, a.count};
-        is_done = !sweep.again && !sweep.partial;
+        if (!sweep.again && !sweep.partial) return quick_walk::done;
         if (sweep.full || sweep.rough || sweep.partial) break;
     }
-    return true;
+    return quick_walk::not_done;
 }
 
 /// The contours' edges cut by snap rounding, and walked over.
@@ -69,6 +69,9 @@ namespace detail {
         if (how.effort != nullptr) *how.effort = {how.effort->walks + 1, 1, a.count};
         if (!sweep.again) return {};
         if (!sweep.full) return error::crossing_contours;
+        // The room grows by half until it is twice what may be needed: nothing that may stand takes more.
+        if (a.capacity / 2 > rounding.most_pieces() + 64)
+            return error{error::too_many_pieces, rounding.most_pieces()};
         a.most_active = no_number;
         if (!a.reserve(scratch, a.capacity + a.capacity / 2) || !a.put_in_order(space)) return error::out_of_memory;
     }
@@ -90,9 +93,9 @@ template <meeting_judge Judge, class Then>
     if (n > how.most_pieces) return error{error::too_many_pieces, how.most_pieces};
     workspace::scope scratch{space};
     detail::arrangement a;
-    bool is_done = false;
-    if (!detail::walk_quickly(loops, rule, space, scratch, how, a, is_done)) return error::out_of_memory;
-    if (!is_done) {
+    const auto walked = detail::walk_quickly(loops, rule, space, scratch, how, a);
+    if (walked == detail::quick_walk::no_memory) return error::out_of_memory;
+    if (walked == detail::quick_walk::not_done) {
         scratch.keep();
         a = {};
         if (error e = detail::walk_rounded(loops, rule, space, scratch, how, a)) return e;
@@ -146,7 +149,7 @@ template <meeting_judge Judge, class Then>
 /// or turned shape may be rounded otherwise.
 ///
 /// Fails  error::too_many_pieces: more than most_pieces points, crossings or pieces; told as soon as it is known, after
-///        O(most_pieces log n) steps. error::too_large: more than 2^29 points. error::out_of_memory. Then `loops` is as
+///        O(most_pieces log n) steps; more than 2^30 count as 2^30. error::too_large: more than 2^29 points. error::out_of_memory. Then `loops` is as
 ///        it was. (error::crossing_contours stands for a mistake in here.)
 /// Cost   O((n + k) log n) for n points and k crossings, which may be n^2 / 2, and at most 200 bytes a piece from `space`.
 ///        Where snap rounding is needed, two to four times as much, and about sqrt(n + k) steps an edge to find the hot

@@ -38,7 +38,7 @@ namespace typemesh::detail {
 ///
 /// Afterwards no two stretches have more than an end in common, the winding numbers below them are right, and `next`
 /// joins those that bound the filled area, as boundary_walk tells; or `again` asks for one more walk over what there is
-/// now. In a walk that ends so any step may have been wrong: it cut in wrong places, missed some, and nothing worse,
+/// now, or for snap rounding. In a walk that ends so any step may have been wrong: it cut in wrong places, missed some, and nothing worse,
 /// for whatever is cut, the stretches stay closed contours.
 ///
 /// Why what a walk believes is true. Bending moves an edge by less than a cell, and what the sweep has passed already
@@ -69,10 +69,6 @@ namespace typemesh::detail {
 /// point, and the nearest of all such pairs lie side by side in the status (or in one column: is_close_in_column). And a
 /// crossing that was not found belongs to two edges that come through one point beside it, where more than these two
 /// meet (is_rough). Tested against the definition, pair by pair.
-///
-/// Why walks would end even without snap rounding: cutting an edge in a grid point of its box leaves two whose widths
-/// and heights add up to its own. So the sum of the widths and heights of all stretches never grows, every stretch has
-/// at least 1 of it, and every walk but the last adds a stretch.
 ///
 /// From  Bentley & Ottmann, Algorithms for reporting and counting geometric intersections (1979); Hobby, Practical
 ///       segment intersection with finite precision output (1999)
@@ -223,6 +219,20 @@ private:
         if (over != 0) hold(edges_[over], -orientation(edges_[over].from, edges_[over].to, p));
     }
 
+    /// Whether an edge ends in p; of a point that comes once more also whether it starts there.
+    [[nodiscard]] bool is_here(std::uint32_t slot, grid_point p, bool repeated) const noexcept
+    {
+        return slot != 0 && (edges_[slot].to == p || (repeated && edges_[slot].from == p));
+    }
+
+    /// The edge right below all that end in p, of which one is in `slot`.
+    [[nodiscard]] std::uint32_t below_ending(std::uint32_t slot, grid_point p, bool repeated) const noexcept
+    {
+        std::uint32_t under = status_.below(slot);
+        while (is_here(under, p, repeated)) under = status_.below(under);
+        return under;
+    }
+
     /// Any number of edges ends, any number starts.
     void meet(std::uint32_t slot, std::uint32_t starting, grid_point p, bool repeated) noexcept
     {
@@ -230,20 +240,11 @@ private:
         // that started there the first time start again.
         unsure_ |= repeated;
         grid_point began = p;  // the edge that ended last
-        const auto is_here = [&](std::uint32_t s) noexcept {
-            return s != 0 && (edges_[s].to == p || (repeated && edges_[s].from == p));
-        };
-        std::uint32_t under = 0;
-        if (slot != 0) {
-            under = status_.below(slot);
-            while (is_here(under)) under = status_.below(under);
-        } else {
-            under = find(p);
-        }
+        std::uint32_t under = slot == 0 ? find(p) : below_ending(slot, p, repeated);
         std::uint32_t ending_count = 0, place_count = 0, over = status_.above(under);
         for (; over != 0; over = status_.above(over), ++place_count) {
             const swept_edge& e = edges_[over];
-            if (is_here(over)) {
+            if (is_here(over, p, repeated)) {
                 if (!(e.to == p)) {
                     a_.stretches[e.stretch].next = starting;
                     starting = e.stretch;

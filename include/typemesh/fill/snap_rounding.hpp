@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <new>
 #include <span>
 
 namespace typemesh::detail {
@@ -32,9 +33,6 @@ namespace typemesh::detail {
 ///
 /// All this depends on the set of edges alone: not on where contours begin, nor on their order.
 ///
-///     open()      the net edges, their crossings, the hot cells that each comes through
-///     give()      the parts, as an arrangement
-///
 /// Cost   O((n + k) log n) for n points and k crossings, and for each edge a search among the hot cells: about their
 ///        number's square root. An edge that comes through many cells of others' crossings is cut in each.
 /// Exact  in 64 bits: see crossing_sweep and hot_cells
@@ -42,10 +40,15 @@ namespace typemesh::detail {
 ///        arrangements dynamically (1998)
 class snap_rounding {
 public:
+    static constexpr std::uint32_t most_ever = 1u << 30;  ///< pieces that 32-bit numbers hold with room for more
+
+    /// More `most_pieces` than most_ever are most_ever.
     explicit snap_rounding(const contours& loops, std::uint32_t most_pieces) noexcept
-        : loops_{&loops}, most_{most_pieces}
+        : loops_{&loops}, most_{most_pieces < most_ever ? most_pieces : most_ever}
     {
     }
+
+    [[nodiscard]] std::uint32_t most_pieces() const noexcept { return most_; }
 
     /// Finds what is to be cut, and makes the pieces an arrangement that lies in `scratch`, which holds nothing else.
     ///
@@ -135,10 +138,13 @@ private:
         auto* const group = scratch.take<std::uint32_t>(m);
         hot_cells cells;
         if (bends == nullptr || group == nullptr) return error::out_of_memory;
-        points_ = {reinterpret_cast<grid_point*>(hot_.data()), m};
+        // Each point is made in the place of its key, which is read before.
+        static_assert(sizeof(grid_point) == sizeof(packed_sweep_key) && alignof(grid_point) <= alignof(packed_sweep_key));
+        points_ = {};
         for (std::size_t i = 0; i < m; ++i) {
             const packed_sweep_key key = hot_[i];
-            ::new (points_.data() + i) grid_point{point_of(key)};
+            grid_point* const made = ::new (static_cast<void*>(hot_.data() + i)) grid_point{point_of(key)};
+            if (i == 0) points_ = {made, m};
             bends[i] = key.word & 1;
             group[i] = static_cast<std::uint32_t>(i);
         }
@@ -238,7 +244,7 @@ private:
     std::span<net_edge> edges_;
     std::span<std::uint32_t> cut_ends_;    // of each edge: where its cuts end
     std::span<packed_sweep_key> hot_;
-    std::span<grid_point> points_;         // the same
+    std::span<grid_point> points_;         // the same, in their place
     std::span<std::uint32_t> cuts_;        // their numbers
 };
 

@@ -94,8 +94,7 @@ template <proving_triangulator Triangulator>
     return proven;
 }
 
-/// Resolves loops and cuts what they fill into triangles, if the judge
-/// lets all meetings stand.
+/// Resolves loops and cuts what they fill into triangles, if the judge lets all meetings stand.
 template <triangulator Triangulator, meeting_judge Judge, stage_observer Observer>
 [[nodiscard]] result<region> resolve_and_cut(contours& loops, const resolve_options& limits, fill_rule rule,
                                              const Triangulator& how, workspace& space, triangle_list& out,
@@ -135,6 +134,17 @@ template <proving_triangulator Triangulator>
     return detail::prove_loops(loops, order, how, scratch, space, out);
 }
 
+/// What cap() fills, and how far it may go for it. A fill_rule alone will do:
+///
+///     cap(loops, fill_rule::non_zero, how, space, out)
+///     cap(loops, {fill_rule::non_zero, {.most_pieces = 5000}}, how, space, out)
+struct cap_filling {
+    fill_rule rule;
+    resolve_options resolving;  ///< its `order` is for triangulators that do not prove: the others' proof finds one
+
+    constexpr cap_filling(fill_rule by, const resolve_options& how = {}) noexcept : rule{by}, resolving{how} {}
+};
+
 /// Contours to a proven region and its triangles: fill and triangulate joined.
 ///
 ///     proving triangulator    loops ── prove_loops ───────────────────────────▶ region + triangles
@@ -145,9 +155,11 @@ template <proving_triangulator Triangulator>
 /// points for two at most and a sort. The points of an outline that crosses are sorted once for all three sweeps when
 /// the triangulator can be told of their order. `loops` is turned and compacted in place; the region refers to it.
 /// Triangles are appended to `out`, which is as it was after an error.
+///
+/// Fails  with what fill() and the triangulator fail with, error::too_many_pieces among them
 template <triangulator Triangulator, stage_observer Observer>
-[[nodiscard]] result<region> cap(contours& loops, fill_rule rule, const Triangulator& how, workspace& space,
-                                 triangle_list& out, Observer& observe) noexcept
+[[nodiscard]] result<region> cap(contours& loops, const cap_filling& filling, const Triangulator& how,
+                                 workspace& space, triangle_list& out, Observer& observe) noexcept
 {
     if constexpr (proving_triangulator<Triangulator>) {
         observe(stage::triangulate);
@@ -156,10 +168,12 @@ template <triangulator Triangulator, stage_observer Observer>
         auto proven = detail::prove_loops(loops, order, how, scratch, space, out);
         if (proven || proven.error().code != error::crossing_contours) return proven;
         every_meeting_stands nobody;
-        return detail::resolve_and_cut(loops, {.order = order}, rule, how, space, out, nobody, observe);
+        resolve_options resolving = filling.resolving;
+        resolving.order = order;
+        return detail::resolve_and_cut(loops, resolving, filling.rule, how, space, out, nobody, observe);
     } else {
         observe(stage::fill);
-        auto filled = fill(loops, rule, space);
+        auto filled = fill(loops, filling.rule, space, filling.resolving);
         if (!filled) return filled;
         observe(stage::triangulate);
         if (error e = detail::cut_region(*filled, how, space, out)) return e;
@@ -168,11 +182,11 @@ template <triangulator Triangulator, stage_observer Observer>
 }
 
 template <triangulator Triangulator>
-[[nodiscard]] result<region> cap(contours& loops, fill_rule rule, const Triangulator& how, workspace& space,
-                                 triangle_list& out) noexcept
+[[nodiscard]] result<region> cap(contours& loops, const cap_filling& filling, const Triangulator& how,
+                                 workspace& space, triangle_list& out) noexcept
 {
     no_observer nobody;
-    return cap(loops, rule, how, space, out, nobody);
+    return cap(loops, filling, how, space, out, nobody);
 }
 
 }  // namespace typemesh

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/most_pieces.hpp>
 #include <typemesh/core/outline.hpp>
 #include <typemesh/discretise/discretise.hpp>
 #include <typemesh/fill/crossing_guard.hpp>
@@ -11,6 +12,12 @@
 #include <span>
 
 namespace typemesh {
+
+/// How far cap_outline() may go, and where to tell what its guard did.
+struct cap_limits {
+    std::uint32_t most_pieces = default_most_pieces;  ///< see resolve()
+    guard_effort* effort = nullptr;                   ///< null: nobody wants to know
+};
 
 /// A glyph's curves to the region that they fill, and its triangles: discretise and cap joined, under guard.
 ///
@@ -27,7 +34,6 @@ namespace typemesh {
 ///     cells       the grid, see grid::fitting
 ///     loops       the result refers to it, and it to `shape`
 ///     out         triangles are appended; as it was after an error
-///     most_pieces see resolve()
 ///
 /// A region without points where nothing is filled. Fails with what discretise() and cap() fail with.
 /// Cost   outlines that do not meet: that of discretise() and cap(). Each round of the guard costs as much again; there
@@ -36,16 +42,16 @@ namespace typemesh {
 template <discretiser Discretiser, triangulator Triangulator, stage_observer Observer>
 [[nodiscard]] result<region> cap_outline(const outline& shape, fill_rule rule, const Discretiser& how, double tolerance,
                                          const grid& cells, const Triangulator& cut, workspace& space, contours& loops,
-                                         triangle_list& out, Observer& observe, guard_effort* effort = nullptr,
-                                         std::uint32_t most_pieces = default_most_pieces) noexcept
+                                         triangle_list& out, Observer& observe,
+                                         const cap_limits& limits = {}) noexcept
 {
     constexpr std::uint32_t most_rounds = 12, few_pieces = 2048, times_as_many = 4;
-    if (effort != nullptr) *effort = {};
+    if (limits.effort != nullptr) *limits.effort = {};
     observe(stage::discretise);
     if (error e = discretise(shape, how, tolerance, cells, loops)) return e;
     if (loops.points.empty()) return region{};
     if constexpr (!keeps_tolerance<Discretiser>) {
-        return cap(loops, rule, cut, space, out, observe);
+        return cap(loops, {rule, {.most_pieces = limits.most_pieces}}, cut, space, out, observe);
     } else {
         workspace::scope scratch{space};
         std::span<const std::uint32_t> order;  // of the points, as long as the loops are as they are
@@ -71,15 +77,15 @@ template <discretiser Discretiser, triangulator Triangulator, stage_observer Obs
         for (;;) {
             every_meeting_stands nobody;
             const bool last = guard.effort().rounds == most_rounds || spent > times_as_many * first + few_pieces ||
-                              spent > most_pieces;
+                              spent > limits.most_pieces;
             resolve_effort work;
-            const resolve_options limits{most_pieces, order, &work};
-            made = last ? detail::resolve_and_cut(loops, limits, rule, cut, space, out, nobody, observe)
-                        : detail::resolve_and_cut(loops, limits, rule, cut, space, out, guard, observe);
+            const resolve_options resolving{limits.most_pieces, order, &work};
+            made = last ? detail::resolve_and_cut(loops, resolving, rule, cut, space, out, nobody, observe)
+                        : detail::resolve_and_cut(loops, resolving, rule, cut, space, out, guard, observe);
             if (spent == 0) first = work.pieces;
             spent += work.pieces;
             const bool content = guard.is_content();
-            if (effort != nullptr) *effort = guard.effort();
+            if (limits.effort != nullptr) *limits.effort = guard.effort();
             if (!made || content) return made;
             observe(stage::discretise);
             if (error e = discretise(shape, how, tolerance, cells, loops, guard.halvings())) return e;

@@ -69,8 +69,9 @@ public:
         const double units_per_em = font.units_per_em();
         const auto fitting = grid::fitting(units_per_em, outline_.bounds);
         if (!fitting) return fitting.error();
-        return region_of(outline_, how.fill.value_or(outline_.rule), how.tolerance * units_per_em, *fitting,
-                         how.most_pieces, flatten, cut, observe);
+        triangles_.clear();
+        return cap_outline(outline_, how.fill.value_or(outline_.rule), flatten, how.tolerance * units_per_em, *fitting,
+                           cut, space_, loops_, triangles_, observe, {.most_pieces = how.most_pieces});
     }
 
     /// Gives all memory back to its source; what was built last goes with it. The next glyph takes what it needs anew.
@@ -111,17 +112,6 @@ private:
         made.sizes = *sizes;
         made.cells = filled->grid().cells;
         return {};
-    }
-
-    /// From an outline to the region that it fills and its triangles, `tolerance` in font units. An empty region where
-    /// it encloses nothing.
-    template <class Discretiser, class Triangulator, class Observer>
-    result<region> region_of(const outline& curves, fill_rule rule, double tolerance, const grid& g,
-                             std::uint32_t most_pieces, const Discretiser& flatten, const Triangulator& cut, Observer& observe) noexcept
-    {
-        triangles_.clear();
-        return cap_outline(curves, rule, flatten, tolerance, g, cut, space_, loops_, triangles_, observe, nullptr,
-                           most_pieces);
     }
 
     workspace space_;
