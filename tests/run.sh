@@ -129,7 +129,8 @@ tier_windows() {
 }
 
 # Scripts in tests/external, each run in a scratch folder: 0 passed, 77 skipped with the reason on the last line, anything
-# else failed. They find the tool in TYPEMESH_TEXT_TO_MESH, tests/ in TYPEMESH_TEST_DATA, npm's packages by NODE_PATH.
+# else failed. They find the tool in TYPEMESH_TEXT_TO_MESH, tests/ in TYPEMESH_TEST_DATA, the program of tests/engines in
+# TYPEMESH_TEST_ENGINES, npm's packages by NODE_PATH.
 tier_external() {
     local script name status output modules=$typemesh_root/build/external
     install_missing benchmark
@@ -137,6 +138,11 @@ tier_external() {
     (install_missing fontconfig-dev lib3mf) || say "Going on without them: text_to_mesh takes font files only, or writes no 3MF."
     export TYPEMESH_TEXT_TO_MESH=$typemesh_root/build/release/examples/text_to_mesh
     export TYPEMESH_TEST_DATA=$typemesh_root/tests
+    for script in gcc clang; do  # the first that has built it
+        TYPEMESH_TEST_ENGINES=$typemesh_root/build/$script/tests/typemesh_test_engines
+        [ ! -x "$TYPEMESH_TEST_ENGINES" ] || break
+    done
+    export TYPEMESH_TEST_ENGINES
     mkdir -p "$modules"
     build release
     if command -v npm >/dev/null 2>&1 && [ ! -d "$modules/node_modules/gltf-validator" ]; then

@@ -74,9 +74,12 @@ struct unorm16x2 {
 /// Numbers into text, JSON's way.
 inline void say(std::string& out, const char* format, auto... values)
 {
-    char text[512];
-    const int n = std::snprintf(text, sizeof text, format, values...);
-    out.append(text, n > 0 ? static_cast<std::size_t>(n) : 0);
+    const int length = std::snprintf(nullptr, 0, format, values...);
+    if (length <= 0) return;
+    const std::size_t before = out.size(), more = static_cast<std::size_t>(length);
+    out.resize(before + more + 1);  // snprintf ends with a zero of its own
+    std::snprintf(out.data() + before, more + 1, format, values...);
+    out.resize(before + more);
 }
 
 /// A PNG of one white pixel.

@@ -361,3 +361,11 @@ TEST_CASE("a long text has wide indices in its glTF file, and an empty one no me
     REQUIRE_FALSE(engines::gltf::write(*nothing, engines::gltf::layout::plain, file));
     CHECK(open(file).json.find("meshes") == std::string::npos);
 }
+
+TEST_CASE("a glTF file's text may be longer than any line of it", "[engines][gltf]")
+{
+    const std::string name(3000, 'n');
+    std::string json = "[";
+    engines::gltf::say(json, "\"%s\",%d", name.c_str(), 7);
+    CHECK(json == "[\"" + name + "\",7");
+}

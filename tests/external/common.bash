@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
 # What the scripts of this folder share. They get TYPEMESH_TEXT_TO_MESH (the program) and TYPEMESH_TEST_DATA (the folder
-# tests/) from tests/run.sh, end with 0 when all is well, with 77 after a last line that says why they skip, else with 1.
+# tests/) and TYPEMESH_TEST_ENGINES (the program of tests/engines, where some preset has built it) from tests/run.sh, end with 0 when all is well, with 77 after a last line that says why they skip, else with 1.
 set -u
 scratch=$(mktemp -d) && trap 'rm -rf "$scratch"' EXIT
 failures=0
