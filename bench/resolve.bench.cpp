@@ -18,9 +18,8 @@
 //
 // ns_per_log (resolve): nanoseconds of processor time by N log2 N, where N counts the pieces that the edges are cut
 // into, n + k: flat from 100 to 100,000 points where resolving takes O((n + k) log n). Shapes of these sizes: combs and
-// random stars, alone, doubled and shifted, fans and strips of nearly parallel edges, pinwheels, discs, chords. What
-// rises from 10,000 points on is the memory's latency: the random stars take 10 and 18 ns there and 50 at 100,000, but
-// 137 and 162 instructions by N log2 N at 10,000 and 118 and 193 (one walk more) at 100,000 (callgrind).
+// random stars, alone, doubled and shifted, fans and strips of nearly parallel edges, pinwheels, discs, chords.
+// What rises from 10,000 points on is mostly the memory's latency.
 //
 // Fonts are looked for under $TYPEMESH_FONT_DIR (default /usr/share/fonts); packages fonts-inter-variable,
 // fonts-hosny-amiri, fonts-noto-cjk, fonts-noto-cjk-extra, fonts-wqy-microhei, fonts-liberation.

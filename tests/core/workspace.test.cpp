@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -129,4 +130,74 @@ TEST_CASE("a workspace can be moved between its scopes", "[core][workspace]")
         CHECK(counted.requests == 1);
     }
     CHECK(counted.bytes_held == 0);
+}
+
+TEST_CASE("a scope keeps what it is told to and gives back the rest", "[core][workspace]")
+{
+    test::counting_memory memory;
+    workspace space{memory.source()};
+    workspace::scope scratch{space};
+    auto* const first = scratch.take<std::uint32_t>(1000);
+    std::span<std::uint32_t> a{scratch.take<std::uint32_t>(30'000), 30'000};
+    (void)scratch.take<std::uint64_t>(50'000);
+    std::span<std::uint64_t> b{scratch.take<std::uint64_t>(40'000), 40'000};
+    for (std::uint32_t i = 0; i < a.size(); ++i) a[i] = i;
+    for (std::uint32_t i = 0; i < b.size(); ++i) b[i] = std::uint64_t{i} << 32;
+    const std::size_t requests = memory.requests;
+    scratch.keep(a, b);
+    CHECK(memory.requests == requests);
+    CHECK(a.data() != first + 1000);
+    bool same = true;
+    for (std::uint32_t i = 0; i < a.size(); ++i) same = same && a[i] == i;
+    for (std::uint32_t i = 0; i < b.size(); ++i) same = same && b[i] == std::uint64_t{i} << 32;
+    CHECK(same);
+}
+
+TEST_CASE("what is expected lies in what is left of a block and one more, cold and warm", "[core][workspace]")
+{
+    test::counting_memory counted;
+    workspace space{counted.source()};
+    for (int round = 0; round < 2; ++round) {
+        workspace::scope a{space};
+        REQUIRE(a.take<char>(1000) != nullptr);
+        REQUIRE(a.expect(64 * 2000));
+        const std::size_t before = counted.requests;
+        const char* last = nullptr;
+        std::size_t apart = 0;
+        for (int i = 0; i < 2000; ++i) {
+            const char* const next = a.take<char>(33);
+            REQUIRE(next != nullptr);
+            apart += last != nullptr && next != last + 64;
+            last = next;
+        }
+        CHECK(apart <= 1);  // where what was left of the first block ends
+        CHECK(counted.requests == before);
+        CHECK_FALSE(a.expect(~std::size_t{0}));
+    }
+}
+
+TEST_CASE("a trimmed workspace holds nothing and takes anew what it needs", "[core][workspace]")
+{
+    test::counting_memory counted;
+    workspace space{counted.source()};
+    const auto work = [&] {
+        workspace::scope a{space};
+        for (const std::size_t n : {100u, 100'000u, 1'000'000u}) {
+            auto* const block = a.take<char>(n);
+            REQUIRE(block != nullptr);
+            std::memset(block, 1, n);
+        }
+    };
+    for (int round = 0; round < 3; ++round) {
+        work();
+        CHECK(space.capacity() > 1'000'000);
+        space.trim();
+        CHECK(space.capacity() == 0);
+        CHECK(counted.bytes_held == 0);
+        {
+            workspace::scope little{space};
+            CHECK(little.take<char>(100) != nullptr);
+        }
+        CHECK(space.capacity() < 100'000);  // what was needed once is forgotten
+    }
 }

@@ -62,7 +62,18 @@ std::vector<test::shape> hostile()
 {
     return {random_star(700, 200, 1),  random_star(1000, 100'000, 2), round_star(301, 1000), round_star(301, 2e8),
             needles(120),              stacked(40),                   comb(999),             round_star(101, 20),
-            {"one crossing", {test::circle(800, 100'000, 0, 0), test::circle(5, 2000, 100'000, 0)}}};
+            {"one crossing", {test::circle(800, 100'000, 0, 0), test::circle(5, 2000, 100'000, 0)}},
+            {"one crossing, rounded", {test::circle(6000, 100'000, 0, 0), test::circle(5, 2000, 100'000, 0)}}};
+}
+
+/// Needles side by side, and one that lies across the first of them: as many pieces more as it crosses.
+test::shape crossed_needles(int n, int crossed)
+{
+    test::shape s{"needles crossed by one", {}};
+    for (int i = 0; i < n; ++i)
+        s.loops.push_back({{1000 * i, -100'000}, {1000 * i + 1, 100'001}, {1000 * i + 3, 100'000}});
+    s.loops.push_back({{-5, 0}, {1000 * crossed, 333}, {1000 * crossed, 340}});
+    return s;
 }
 
 }  // namespace
@@ -89,6 +100,28 @@ TEST_CASE("resolve() takes at most 200 bytes a piece, cold and warm, and the tri
         space.trim();
         CHECK(memory.bytes_held == 0);
         CHECK(space.capacity() == 0);
+    }
+}
+
+TEST_CASE("resolve() takes 260 bytes a piece before its blocks are joined, however many pieces are rounded",
+          "[fill][resolve]")
+{
+    for (const int n : {30, 250, 450, 2000}) {
+        for (int crossed = n / 5; crossed <= n; crossed += n / 5) {
+            const test::shape s = crossed_needles(n, crossed);
+            test::counting_memory memory;
+            workspace space{memory.source()};
+            for (int pass = 0; pass < 2; ++pass) {
+                memory.peak = memory.bytes_held;
+                contours loops = test::contours_of(s);
+                resolve_effort effort;
+                REQUIRE(resolve(loops, fill_rule::non_zero, space, {.effort = &effort}));
+                INFO(n << " needles, " << crossed << " crossed: " << memory.peak << " bytes for " << effort.pieces
+                       << " pieces, pass " << pass);
+                const std::size_t blocks = (pass == 0 ? 2 : 1) * std::size_t{16 * 1024};
+                CHECK(memory.peak <= (pass == 0 ? 260 : 200) * std::size_t{effort.pieces} + blocks);
+            }
+        }
     }
 }
 
@@ -140,23 +173,20 @@ TEST_CASE("Random points crowded on a small grid are rounded once", "[fill][reso
     }
 }
 
-TEST_CASE("A scope keeps what it is told to and gives back the rest", "[fill][resolve]")
+TEST_CASE("A limit of one piece less than there are is enough to refuse", "[fill][resolve]")
 {
-    test::counting_memory memory;
-    workspace space{memory.source()};
-    workspace::scope scratch{space};
-    auto* const first = scratch.take<std::uint32_t>(1000);
-    std::span<std::uint32_t> a{scratch.take<std::uint32_t>(30'000), 30'000};
-    (void)scratch.take<std::uint64_t>(50'000);
-    std::span<std::uint64_t> b{scratch.take<std::uint64_t>(40'000), 40'000};
-    for (std::uint32_t i = 0; i < a.size(); ++i) a[i] = i;
-    for (std::uint32_t i = 0; i < b.size(); ++i) b[i] = std::uint64_t{i} << 32;
-    const std::size_t requests = memory.requests;
-    scratch.keep(a, b);
-    CHECK(memory.requests == requests);
-    CHECK(a.data() != first + 1000);
-    bool same = true;
-    for (std::uint32_t i = 0; i < a.size(); ++i) same = same && a[i] == i;
-    for (std::uint32_t i = 0; i < b.size(); ++i) same = same && b[i] == std::uint64_t{i} << 32;
-    CHECK(same);
+    std::vector<test::shape> shapes = hostile();
+    shapes.push_back({"two crossings", {test::circle(400, 100'000, 0, 0), test::circle(400, 100'000, 150'000, 0)}});
+    for (const test::shape& s : shapes) {
+        INFO(s.name);
+        workspace space;
+        resolve_effort effort;
+        contours loops = test::contours_of(s);
+        REQUIRE(resolve(loops, fill_rule::non_zero, space, {.effort = &effort}));
+        loops = test::contours_of(s);
+        const auto made = resolve(loops, fill_rule::non_zero, space, {.most_pieces = effort.pieces - 1});
+        REQUIRE_FALSE(made);
+        CHECK(made.error() == error::too_many_pieces);
+        CHECK(loops.points.size() == test::contours_of(s).points.size());
+    }
 }

@@ -3,6 +3,7 @@
 #include <typemesh/discretise/adaptive_subdivision.hpp>
 #include <typemesh/discretise/certified.hpp>
 #include <typemesh/discretise/two_lines.hpp>
+#include <typemesh/fill/resolve.hpp>
 #include <typemesh/glyph/cap_outline.hpp>
 #include <typemesh/triangulate/monotone.hpp>
 
@@ -384,6 +385,43 @@ TEST_CASE("curves that truly coincide are not made finer", "[cap_outline]")
         build(c, o, tolerance, fill_rule::non_zero);
         CHECK(c.effort.rounds == 0);
         CHECK(broken_law(c, o, tolerance, fill_rule::non_zero) == "");
+    }
+}
+
+TEST_CASE("ninety-six copies of a contour, each moved a little, are made finer in a few rounds only", "[cap_outline]")
+{
+    // The chords of each two copies cross where the curves pass each other; to make them finer makes new ones do so.
+    for (const double shift : {0.02, 0.05}) {
+        std::vector<path> copies;
+        for (int i = 0; i < 96; ++i) copies.push_back(circle({shift * i, shift * i}, 300));
+        const outline o = outline_of(copies);
+        const auto fitting = grid::fitting(1000, o.bounds);
+        REQUIRE(fitting);
+        INFO("moved by " << shift);
+        workspace space;
+        contours loops;
+        triangle_list triangles;
+        no_observer nobody;
+        resolve_effort once;
+        REQUIRE_FALSE(discretise(o, certified{}, tolerance, *fitting, loops));
+        REQUIRE(resolve(loops, fill_rule::non_zero, space, {.effort = &once}));
+
+        guard_effort effort;
+        const auto built = [&](std::uint32_t most_pieces) {
+            triangles.clear();
+            return cap_outline(o, fill_rule::non_zero, certified{}, tolerance, *fitting, monotone{}, space, loops,
+                               triangles, nobody, {.most_pieces = most_pieces, .effort = &effort});
+        };
+        REQUIRE(built(default_most_pieces));
+        CHECK(effort.rounds >= 1);
+        CHECK(effort.rounds <= 5);  // none falls into fewer pieces than the first, four times that is the bound
+        CHECK(effort.pieces >= std::uint64_t{once.pieces} * (effort.rounds + 1));
+
+        for (std::uint32_t most = once.pieces / 2; most < 8 * once.pieces; most += once.pieces) {
+            const auto made = built(most);
+            if (!made) CHECK(made.error() == error::too_many_pieces);
+            CHECK(effort.pieces <= 3 * std::uint64_t{most});  // as much as allowed, one round more, and the last
+        }
     }
 }
 

@@ -103,6 +103,14 @@ public:
             return static_cast<T*>(workspace_.take_bytes(count * sizeof(T)));
         }
 
+        /// Room for the next `bytes` in what is left of this block and one more, not in many, at whose ends something is
+        /// left over. False when there is no memory. No scope within may be open.
+        [[nodiscard]] bool expect(std::size_t bytes) noexcept
+        {
+            scope whole{workspace_};
+            return whole.take<std::byte>(bytes) != nullptr;
+        }
+
         /// Gives back all that was taken through this scope but these values, which move down to its begin, one array
         /// behind the other. They are named in the order in which they were taken; no scope within may be open. Asks for
         /// no memory.

@@ -118,21 +118,20 @@ struct arrangement {
         return true;
     }
 
-    /// The same for pieces that are given, all of them, between given points, which are numbered: there is room for
-    /// `most` pieces and points. False when there is no memory.
-    [[nodiscard]] bool adopt(workspace::scope& scratch, std::span<stretch> pieces, std::span<grid_point> places,
-                             std::size_t most) noexcept
+    /// The same for pieces between numbered points that are given in `scratch`: the first `piece_count` and
+    /// `given_points` of two arrays of one size. False when there is no memory.
+    [[nodiscard]] bool adopt(workspace::scope& scratch, std::span<stretch> pieces, std::uint32_t piece_count,
+                             std::span<grid_point> places, std::uint32_t given_points) noexcept
     {
         is_rounded = true;
         stretches = pieces.data();
-        count = static_cast<std::uint32_t>(pieces.size());
-        capacity = static_cast<std::uint32_t>(most);
-        point_count = static_cast<std::uint32_t>(places.size());
-        points = scratch.take<grid_point>(most);
-        spare = scratch.take<grid_point>(most);
-        first = scratch.take<std::uint32_t>(most);
-        if (points == nullptr || spare == nullptr || first == nullptr) return false;
-        for (std::uint32_t i = 0; i < point_count; ++i) points[i] = places[i];
+        count = piece_count;
+        capacity = static_cast<std::uint32_t>(pieces.size());
+        points = places.data();
+        point_count = given_points;
+        spare = scratch.take<grid_point>(capacity);
+        first = scratch.take<std::uint32_t>(capacity);
+        if (spare == nullptr || first == nullptr) return false;
         list();
         return true;
     }

@@ -198,8 +198,9 @@ private:
         const std::size_t count = edges_.size() + cuts_.size(), more = count / 32 + 32;
         const std::size_t most = (count > points_.size() ? count : points_.size()) + more;
         std::span<stretch> pieces{scratch.take<stretch>(most), most};
-        if (pieces.data() == nullptr) return error::out_of_memory;
-        std::uint32_t made = 0, next_cut = 0;
+        std::span<grid_point> places{scratch.take<grid_point>(most), most};
+        if (pieces.data() == nullptr || places.data() == nullptr) return error::out_of_memory;
+        std::uint32_t made = 0, next_cut = 0, point_count = 0;
         for (std::size_t i = 0; i < edges_.size(); ++i) {
             const net_edge& e = edges_[i];
             const contour_edge source = loops_->edges[e.origin];
@@ -219,11 +220,12 @@ private:
             if (rest.end < rest.start) rest.flip();
             pieces[made++] = rest;
         }
-        scratch.keep(points_, pieces);
+        for (const grid_point p : points_) places[point_count++] = p;
+        scratch.keep(pieces, places);
         a.loops = loops_;
         // Of an edge, three pieces at a time: upright ones that it falls through, and those before and behind them.
         a.most_active = 3 * static_cast<std::uint32_t>(edges_.size());
-        return a.adopt(scratch, pieces.first(made), points_, most) ? error{} : error{error::out_of_memory};
+        return a.adopt(scratch, pieces, made, places, point_count) ? error{} : error{error::out_of_memory};
     }
 
     [[nodiscard]] std::uint32_t number_of(grid_point p) const noexcept

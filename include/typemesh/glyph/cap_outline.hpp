@@ -85,7 +85,10 @@ template <discretiser Discretiser, triangulator Triangulator, stage_observer Obs
             if (spent == 0) first = work.pieces;
             spent += work.pieces;
             const bool content = guard.is_content();
-            if (limits.effort != nullptr) *limits.effort = guard.effort();
+            if (limits.effort != nullptr) {
+                *limits.effort = guard.effort();
+                limits.effort->pieces = spent;
+            }
             if (!made || content) return made;
             observe(stage::discretise);
             if (error e = discretise(shape, how, tolerance, cells, loops, guard.halvings())) return e;
