@@ -23,7 +23,7 @@ namespace typemesh {
 /// It stays until trim(). A workspace serves one thread at a time.
 class workspace {
     static constexpr std::size_t alignment = 64;  // a cache line, and enough for any vector register
-    static constexpr std::size_t least = 16 * 1024;  // bytes of a block, or an eighth of all, or what is asked for
+    static constexpr std::size_t least = 16 * 1024;  // bytes of a block, or what is asked for if that is more
 
     struct alignas(alignment) block {
         block* next;
@@ -113,12 +113,14 @@ public:
 
         /// Gives back all that was taken through this scope but these values, which move down to its begin, one array
         /// behind the other. They are named in the order in which they were taken; no scope within may be open. Asks for
-        /// no memory.
+        /// no memory; blocks that hold nothing go back to their source, so that what is taken next does not lie beside
+        /// them.
         template <class... T>
         void keep(std::span<T>&... kept) noexcept
         {
             workspace_.rewind(block_, used_, taken_);
             (move_down(kept), ...);
+            workspace_.release_empty();
         }
 
     private:
@@ -155,9 +157,7 @@ private:
                 release(small);
             }
             if (next == nullptr) {
-                const std::size_t held = capacity();
-                const std::size_t usual = held / 8 > least ? held / 8 : least;
-                next = make_block(wanted > usual ? wanted : usual);
+                next = make_block(wanted > least ? wanted : least);
                 if (next == nullptr) return nullptr;
             }
             current_ = next;
@@ -198,9 +198,17 @@ private:
         taken_ = taken;
     }
 
+    /// But for the one block that holds all after warm-up.
+    void release_empty() noexcept
+    {
+        const bool is_warm = current_ == nullptr && first_ != nullptr && first_->bytes >= most_;
+        release(is_warm ? first_->next : current_ == nullptr ? first_ : current_->next);
+    }
+
     void leave() noexcept
     {
-        if (--depth_ != 0 || first_ == nullptr || first_->next == nullptr) return;
+        if (--depth_ != 0 || most_ == 0) return;
+        if (first_ != nullptr && first_->next == nullptr && first_->bytes >= most_) return;
         release(first_);
         current_ = nullptr;
         const std::size_t joint = most_ + most_ / 16;

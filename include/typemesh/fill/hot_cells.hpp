@@ -55,9 +55,17 @@ public:
         if (points_ == nullptr || numbers_ == nullptr || boxes_ == nullptr || hits_ == nullptr || keys == nullptr ||
             spare == nullptr)
             return false;
-        constexpr std::int32_t lowest = -(1 << 28) - 1;
-        for (std::size_t i = 0; i < count_; ++i)
-            keys[i] = {spread(points[i].x - lowest) << 1 | spread(points[i].y - lowest), static_cast<std::uint32_t>(i)};
+        box all{points[0].x, points[0].x, points[0].y, points[0].y};
+        for (const grid_point p : points) grow(all, {p.x, p.x, p.y, p.y});
+        // Both sides of the whole take as many bits: else the boxes of a flat shape would be columns of its full height.
+        const int wide = std::bit_width(static_cast<std::uint32_t>(all.right - all.left)),
+                  high = std::bit_width(static_cast<std::uint32_t>(all.top - all.bottom));
+        const int up_x = wide < high ? high - wide : 0, up_y = high < wide ? wide - high : 0;
+        for (std::size_t i = 0; i < count_; ++i) {
+            const auto x = static_cast<std::uint32_t>(points[i].x - all.left) << up_x,
+                       y = static_cast<std::uint32_t>(points[i].y - all.bottom) << up_y;
+            keys[i] = {spread(x) << 1 | spread(y), static_cast<std::uint32_t>(i)};
+        }
         const wide_sweep_key* const sorted = sort_sweep_keys(keys, spare, count_, 0, 60);
         for (std::size_t i = 0; i < count_; ++i) {
             numbers_[i] = sorted[i].index;
@@ -120,9 +128,8 @@ public:
 
 private:
     /// 30 bits to every other bit of 60.
-    [[nodiscard]] static std::uint64_t spread(std::int32_t value) noexcept
+    [[nodiscard]] static std::uint64_t spread(std::uint64_t v) noexcept
     {
-        auto v = static_cast<std::uint64_t>(static_cast<std::uint32_t>(value));
         v = (v | v << 16) & 0x0000'FFFF'0000'FFFFu;
         v = (v | v << 8) & 0x00FF'00FF'00FF'00FFu;
         v = (v | v << 4) & 0x0F0F'0F0F'0F0F'0F0Fu;
@@ -146,16 +153,20 @@ private:
         const std::size_t begin = (node - leaves_) * leaf;
         for (std::size_t i = begin; i < begin + leaf && i < count_; ++i) {
             const grid_point p = points_[i];
-            b = {p.x < b.left ? p.x : b.left, p.x > b.right ? p.x : b.right, p.y < b.bottom ? p.y : b.bottom,
-                 p.y > b.top ? p.y : b.top};
+            grow(b, {p.x, p.x, p.y, p.y});
         }
         return b;
     }
     [[nodiscard]] box both(std::size_t node) const noexcept
     {
-        const box &a = boxes_[2 * node], &b = boxes_[2 * node + 1];
-        return {a.left < b.left ? a.left : b.left, a.right > b.right ? a.right : b.right,
-                a.bottom < b.bottom ? a.bottom : b.bottom, a.top > b.top ? a.top : b.top};
+        box b = boxes_[2 * node];
+        grow(b, boxes_[2 * node + 1]);
+        return b;
+    }
+    static void grow(box& b, const box& more) noexcept
+    {
+        b = {more.left < b.left ? more.left : b.left, more.right > b.right ? more.right : b.right,
+             more.bottom < b.bottom ? more.bottom : b.bottom, more.top > b.top ? more.top : b.top};
     }
 
     grid_point* points_ = nullptr;

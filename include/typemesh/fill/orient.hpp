@@ -41,14 +41,15 @@ inline void reverse_contour(std::span<grid_point> points, std::span<contour_edge
 inline void orient(contours& loops) noexcept
 {
     std::int64_t high = 0, low = 0;  // 2^32 high + low: a sum of 2^32 terms below 2^58 has more than 64 bits
+    const grid_point* const points = loops.points.data();
     for (std::uint32_t c = 0; c < loops.contour_count(); ++c) {
         const std::size_t begin = loops.starts[c], end = loops.starts[c + 1];
         if (begin == end) continue;
-        grid_point p = loops.points[end - 1];
+        grid_point p = points[end - 1];
         for (std::size_t i = begin; i < end;) {
             std::int64_t sum = 0;  // of 16 terms: below 2^62
             for (const std::size_t stop = end - i < 16 ? end : i + 16; i < stop; ++i) {
-                const grid_point q = loops.points[i];
+                const grid_point q = points[i];
                 sum += std::int64_t{p.x} * q.y - std::int64_t{p.y} * q.x;
                 p = q;
             }
