@@ -10,6 +10,7 @@
 
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/inspect/curve_distance.hpp>
+#include <typemesh/inspect/fill_check.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <hb-ot.h>

@@ -4,6 +4,7 @@
 #include <typemesh/discretise/discretise.hpp>
 #include <typemesh/fill/fill.hpp>
 #include <typemesh/inspect/curve_distance.hpp>
+#include <typemesh/inspect/fill_check.hpp>
 #include <typemesh/outline/outline_recorder.hpp>
 
 #include "support/catch.hpp"

@@ -198,7 +198,7 @@ private:
                 if (f.tag[i] < 0x20 || f.tag[i] > 0x7E) return error::bad_feature;
             if (error e = take_feature(f)) return e;
         }
-        for (const feature& f : {feature{"liga", 0}, feature{"clig", 0}})
+        for (const feature& f : no_ligatures)
             if (!wanted.ligatures && !has_feature(f.tag))
                 if (error e = take_feature(f)) return e;
         return vertical ? take_feature({"vert", 1}) : error{};

@@ -112,8 +112,8 @@ private:
     error take_features(const shape_options& wanted) noexcept
     {
         features_.clear();
-        constexpr feature without[] = {{"liga", 0}, {"clig", 0}};  // what is asked for by name comes after and wins
-        for (const feature& f : wanted.ligatures ? std::span<const feature>{} : std::span<const feature>{without})
+        // What is asked for by name comes after and wins.
+        for (const feature& f : wanted.ligatures ? std::span<const feature>{} : std::span<const feature>{no_ligatures})
             if (error e = take_feature(f)) return e;
         for (const feature& f : wanted.features) {
             for (int i = 0; i < 4; ++i)

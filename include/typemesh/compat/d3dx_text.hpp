@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -130,15 +131,16 @@ public:
     [[nodiscard]] result<plan_type> plan(text_view text, const d3dx_text_options& options = {}) & noexcept
     {
         const double em_size = em_size_of(options);
-        using depths = std::numeric_limits<float>;
-        if (!is_finite(options.extrusion) || !(options.extrusion >= as_double((depths::min)()))) return error::bad("extrusion");
-        if (options.extrusion > as_double((depths::max)())) return error::bad("extrusion");
+        using single = std::numeric_limits<float>;
+        const double least = as_double((single::min)()), most = as_double((single::max)());
+        const bool is_float = is_finite(options.extrusion) && options.extrusion >= least && options.extrusion <= most;
+        if (!is_float) return error::bad("extrusion");
         if (!is_finite(options.deviation) || options.deviation < 0.0) return error::bad_tolerance;
         mesher_.extruder_policy().depth = static_cast<float>(options.extrusion);
 
         features_.clear();
         bool room = options.kerning || features_.push_back({"kern", 0});
-        room = room && (options.ligatures || (features_.push_back({"liga", 0}) && features_.push_back({"clig", 0})));
+        room = room && (options.ligatures || features_.append(std::span<const feature>{no_ligatures}));
         if (!room || !features_.append(options.shape.features)) return error::out_of_memory;
 
         text_options how;

@@ -6,9 +6,7 @@
 #include <typemesh/text/text_plan.hpp>
 #include <typemesh/vertex/array_sink.hpp>
 
-#include <concepts>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <type_traits>
 #include <utility>

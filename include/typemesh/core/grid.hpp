@@ -64,7 +64,7 @@ struct grid {
         return g;
     }
 
-    /// No points but those in a box, and what snapping and crossings move them by.
+    /// All points will lie in this box, but for what snapping and crossings move them by.
     void span_over(const box& around) noexcept
     {
         const double width = (around.high.x - around.low.x) * cells, height = (around.high.y - around.low.y) * cells;

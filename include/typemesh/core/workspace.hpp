@@ -19,7 +19,7 @@ namespace typemesh {
 ///     auto* rank = scratch.take<std::uint32_t>(n);    // n values, not initialised; null when there is no memory
 ///
 /// Blocks never move, so pointers hold until their scope ends. When the outermost scope ends and several blocks were
-/// needed, they are replaced by one that holds what was taken at a time, at most: after warm-up nothing is allocated.
+/// needed, one replaces them that holds the most that was ever taken at a time: after warm-up nothing is allocated.
 /// It stays until trim(). A workspace serves one thread at a time.
 class workspace {
     static constexpr std::size_t alignment = 64;  // a cache line, and enough for any vector register

@@ -10,14 +10,14 @@
 
 namespace typemesh::detail {
 
-/// Whether a stretch that starts in p is the rest of one that was bent: a contour's point on it is none of its own.
+/// Whether s is the rest of a bent edge and p is no end of the contour's edge that it comes from.
 [[nodiscard]] inline bool goes_through(const arrangement& a, const stretch& s, grid_point p) noexcept
 {
     return s.bent != 0 && !(a.loops->points[s.origin] == p) && !(a.loops->points[s.target] == p);
 }
 
-/// Where a bent edge goes through p, the other one that it crosses there must be all else that there is: two edges
-/// that come through p and cross elsewhere as well would not be found.
+/// Where a bent edge goes through p, exactly one other edge may do so: with more, two of them could also cross near by
+/// unseen.
 [[nodiscard]] inline bool is_rough(const arrangement& a, const std::uint32_t* ends, std::uint32_t ending_count,
                                    const std::uint32_t* starts, std::uint32_t starting_count, grid_point p) noexcept
 {
@@ -31,8 +31,8 @@ namespace typemesh::detail {
     return !((e == g && f == h) || (e == h && f == g));
 }
 
-/// Whether an edge that falls from p to the right, or from the left to the point before p in its column, comes
-/// near the other one of the two: they are not on the sweep line together.
+/// Two points of one column: an edge that ends in the upper one, or starts there, may come within a cell of the other,
+/// and the two never meet on the sweep line.
 [[nodiscard]] inline bool is_close_in_column(const arrangement& a, std::uint32_t last_ended, std::uint32_t starting,
                                              grid_point before, grid_point p) noexcept
 {

@@ -38,8 +38,8 @@ class crossing_sweep {
     };
 
 public:
-    /// Calls met(x, is_exact) -> bool for every two edges of which inner points cross: x is the nearest grid point.
-    /// Ends when met() says false. False then, and when there is no memory. `edges` are as net_edges makes them.
+    /// Calls met(x, is_exact) -> bool for every two edges that cross between their ends: x is the grid point nearest to
+    /// the crossing. Ends when met() says false. False then, and when there is no memory. `edges` are as net_edges makes them.
     template <class Met>
     [[nodiscard]] static bool run(std::span<const net_edge> edges, workspace::scope& scratch, workspace& space,
                                   Met&& met) noexcept

@@ -16,7 +16,7 @@ namespace typemesh::inspect {
 /// An outline's curves as chords so short that they may stand for the curves: within `error` of them.
 ///
 ///     cells    grid cells a font unit: region::grid().cells
-///     error    in cells: 1/100 of the tolerance that is to be tested, say
+///     error    in cells, above 0: 1/100 of the tolerance that is to be tested, say. A curve gets 2^20 chords at most
 ///
 /// Chord count by Wang's bound. From  R. Goldman, Pyramid Algorithms (2003), 5.6.3
 class curve_chords {
@@ -43,7 +43,7 @@ public:
             for (std::uint32_t k = 0; k + 2 <= c.degree; ++k)
                 bend = (std::max)(bend, length(c.p[k] + c.p[k + 2] - 2.0 * c.p[k + 1]));
             const double wang = std::sqrt(c.degree * (c.degree - 1) * cells * bend / (8.0 * error));
-            const int n = (std::max)(1, static_cast<int>(std::ceil(wang)));
+            const int n = wang < 0x1p20 ? (std::max)(1, static_cast<int>(std::ceil(wang))) : 1 << 20;
             point start = cells * c.p[0];
             for (int i = 1; i <= n; ++i) {
                 const point end = cells * (i == n ? c.end() : at(c, double(i) / n));

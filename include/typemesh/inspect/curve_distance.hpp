@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/core/fill_rule.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/inspect/curve_chords.hpp>
-#include <typemesh/inspect/fill_check.hpp>
-#include <typemesh/inspect/polyline.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace typemesh::inspect {
 
@@ -45,43 +41,6 @@ struct curve_distance {
                 found.farthest = (std::max)(found.farthest, std::sqrt(squared));
             }
         }
-    }
-    return found;
-}
-
-/// Compares what a region fills with what the curves themselves do, by their winding numbers, at places at random in the
-/// outline's box.
-///
-///     given      the curves
-///     kept       the region's loops
-///     allowed    in cells, as above: what lies nearer to a curve is skipped, for either answer is right there
-///     tries      how many places
-///     seed       the same seed gives the same places
-///
-/// Cost   O(tries * (n + chords))
-[[nodiscard]] inline fill_check check_fill(const curve_chords& given, fill_rule rule, const std::vector<loop>& kept,
-                                           double allowed, std::size_t tries = 100, std::uint64_t seed = 1)
-{
-    fill_check found;
-    std::uint64_t state = seed * 0x9E37'79B9'7F4A'7C15u + 1;
-    const auto fraction = [&] {
-        state ^= state << 13;
-        state ^= state >> 7;
-        state ^= state << 17;
-        return static_cast<double>(state >> 11) * 0x1p-53;
-    };
-    const box& around = given.bounds();
-    if (around.empty()) return found;
-    for (std::size_t i = 0; i < tries; ++i) {
-        const double x = around.low.x + fraction() * around.width(), y = around.low.y + fraction() * around.height();
-        const grid_point p{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
-        const point at{double(p.x), double(p.y)};
-        if (!(curve_chords::squared_distance(at, given.all()) > allowed * allowed)) {
-            ++found.skipped;
-            continue;
-        }
-        ++found.places;
-        if (winding(kept, p) != (is_filled(rule, given.winding(at)) ? 1 : 0)) ++found.wrong;
     }
     return found;
 }

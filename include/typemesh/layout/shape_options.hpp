@@ -22,6 +22,9 @@ struct feature {
     std::uint32_t value = 1;
 };
 
+/// What switches the optional ligatures off: see shape_options::ligatures.
+inline constexpr feature no_ligatures[] = {{"liga", 0}, {"clig", 0}};
+
 /// What a shaper is told besides the text.
 struct shape_options {
     typemesh::direction direction = typemesh::direction::automatic;

@@ -1,39 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/core/finite.hpp>
-#include <typemesh/core/same.hpp>
+#include <typemesh/core/error.hpp>
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/text/text_options.hpp>
 #include <typemesh/text/text_shapes.hpp>
 
-#include <cmath>
-#include <limits>
+#include <cstddef>
 
 namespace typemesh {
-
-/// Whether a text so placed can be written in 32-bit floats at all: every position is finite, the cells of the grid are
-/// larger than the smallest normal float (an em has 2^25 of them at most), and so is what lies between two heights.
-///
-/// Fails  error::bad_option: "size", or what the heights are called
-inline error refuse_extremes(const text_placement& placed, const bounds3& bounds, height_range heights,
-                             const char* heights_name) noexcept
-{
-    if (!is_finite(placed.unit_per_em) || !(placed.unit_per_em >= 0x1p-100)) return error::bad("size");
-    const auto is_float = [](double v) noexcept {
-        return is_finite(v) && std::fabs(v) <= as_double((std::numeric_limits<float>::max)());
-    };
-    for (const double h : {heights.low, heights.high})
-        if (!is_float(h * placed.unit_per_depth) || !is_float(h * placed.em_per_depth)) return error::bad(heights_name);
-    const double between = std::fabs(heights.high - heights.low) * placed.unit_per_depth;
-    const bool apart = between >= as_double((std::numeric_limits<float>::min)());
-    if (!same(heights.low, heights.high) && !apart) return error::bad(heights_name);
-    for (const vec3 corner : {bounds.low, bounds.high})
-        for (const float v : {corner.x, corner.y, corner.z})
-            if (!is_finite(as_double(v))) return error::bad("size");
-    return {};
-}
 
 /// What is known of a text only when all its glyphs are: the box of its ink and those of its lines, its unit, and the
 /// bounds of its vertices between two heights, given as the extruder tells them.

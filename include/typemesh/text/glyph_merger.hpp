@@ -33,7 +33,14 @@ public:
     }
 
     /// Gives its scratch memory back to its source.
-    void trim() noexcept { space_.trim(); }
+    void trim() noexcept
+    {
+        const memory source = space_.source();
+        space_.trim();
+        union_ = region_union{source};
+        triangles_ = triangle_list{source};
+        sides_ = buffer<side_point>{source};
+    }
 
     /// Fills all.merged; all.shapes and numbers are given.
     ///

@@ -140,6 +140,12 @@ public:
         return &block_->plans;
     }
 
+    /// Gives the scratch memory that glyphs were built in back to its source. Plans stay as they are.
+    void trim() noexcept
+    {
+        for (std::size_t i = 0; i < block_->count; ++i) members()[i].builder.trim();
+    }
+
     /// Calls task(k, font, builder, store, observer) for each k < n, each with the belongings of its worker. Gives the
     /// error of the lowest k that met one; above it not all may have been called. The observer looks away.
     template <class Task>

@@ -7,6 +7,7 @@
 #include <typemesh/extrude/extruded.hpp>
 #include <typemesh/layout/layout.hpp>
 #include <typemesh/text/arrange.hpp>
+#include <typemesh/text/refuse_extremes.hpp>
 #include <typemesh/glyph/glyph_builder.hpp>
 #include <typemesh/glyph/glyph_cache.hpp>
 #include <typemesh/text/glyph_team.hpp>

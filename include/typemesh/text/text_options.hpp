@@ -13,7 +13,7 @@
 namespace typemesh {
 
 /// In what unit positions are written, before text_options::size multiplies them. x and y as said; z likewise,
-/// unless text_options::depth_in says else.
+/// unless text_options::depth_in says otherwise.
 enum class output_unit : std::uint8_t {
     em,          ///< an em is 1, so that `size` is how large an em is
     font_units,  ///< the font's own units, units_per_em to the em
@@ -37,7 +37,7 @@ enum class texture_box : std::uint8_t { text, line, glyph };
 ///     {.unit = output_unit::unit_box,              a box of [-1, 1], and the back of extruded<>{.depth = 1.0f} at
 ///      .depth_in = depth_unit::output}             z = -1
 ///
-/// Tolerance and depth are given in em, so they grow and shrink with the size; vertices and triangles stay the same.
+/// Tolerance and depth are given in em (depth unless depth_in says otherwise), so they grow and shrink with the size; vertices and triangles stay the same.
 /// What 32-bit floats cannot hold (an em below 2^-100 output units, a coordinate beyond 3.4e38) is error::bad_option.
 struct text_options {
     shape_options shape = {};    ///< direction, language, script, features

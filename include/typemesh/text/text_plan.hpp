@@ -147,8 +147,8 @@ public:
     /// Where one glyph stands, as its extruder is told.
     [[nodiscard]] placement place(std::size_t glyph) const noexcept { return fresh().place(fresh().records[glyph]); }
 
-    /// N and H of the four vertex counts 2N, 4N and 4N + 2H: contour points, and the hard ones among them, whose side
-    /// vertices are doubled. Seams of em mapping are no hard points and come on top. Cost: O(glyphs), and O(points) for H.
+    /// N and H of the vertex counts 2N, 4N and 4N + 2H: contour points, and the hard ones among them, whose side vertices
+    /// are doubled. Seams of em mapping are no hard points and come on top. Cost: O(glyphs), and O(points) for H.
     [[nodiscard]] std::uint64_t contour_points() const noexcept
     {
         std::uint64_t points = 0;

@@ -22,10 +22,10 @@ namespace typemesh {
 ///            '-._           _.-'
 ///                 '-. d .-'
 ///
-/// A low triangle is looked at together with its neighbours: a polygon of 4 corners, then 5, and so on to 32, always
-/// across the longest edge; each is cut the best way there is, until none of its triangles is low. So a low triangle
+/// A low triangle is looked at together with its neighbours: a polygon of 4 corners, then 6, 8, 11 and so on to 32,
+/// always across the longest edge; each is cut the best way there is, until none of its triangles is low. So a low triangle
 /// remains only where all ways to cut 32 corners round it have one as low, or where so much has been looked through
-/// that it has to end: 64 triangles a point and 2^15 more. Counts, points and the region's own edges stay what they are.
+/// that it has to end: 64 triangles a point and 2^15 more, each pass over all of them included. Counts, points and the region's own edges stay what they are.
 ///
 ///     points, starts    as in contours
 ///     triangles         any triangulation of the region that they bound, counter-clockwise
@@ -44,6 +44,7 @@ namespace typemesh {
     std::int64_t looks = 64 * static_cast<std::int64_t>(points.size()) + (1 << 15);
     for (bool again = true; again;) {
         again = false;
+        looks -= static_cast<std::int64_t>(triangles.size());
         for (std::size_t t = 0; t < triangles.size() && looks > 0; ++t) {
             const triangle& at = triangles[t];
             if (!heights.is_low(points[at.a], points[at.b], points[at.c])) continue;

@@ -41,7 +41,7 @@ public:
     /// A triangle whose doubled area is this or more is not low.
     [[nodiscard]] std::int64_t doubled_area_of_low() const noexcept { return most_low_; }
 
-    /// Of a triangle that turns counter-clockwise, or does not matter.
+    /// The level of a triangle that turns counter-clockwise, of which twice the area is known.
     [[nodiscard]] std::uint32_t level(grid_point a, grid_point b, grid_point c,
                                       std::int64_t doubled_area) const noexcept
     {

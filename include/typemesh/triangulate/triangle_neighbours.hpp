@@ -16,7 +16,8 @@ namespace typemesh::detail {
 /// The first questions are answered by looking through the triangles, from the asking one outwards: neighbours are
 /// seldom far in the list. When that has cost as much as a table of all answers would, prepare() makes the table.
 ///
-/// Cost   O(n) for n triangles and any number of questions between two calls of prepare()
+/// Cost   a question O(n) for n triangles without a table, O(1) with it. prepare() makes the table, in O(n), once questions
+///        have looked at 8n triangles: O(n) for all of them when it is called after each few
 /// Space  32 bytes a triangle, once there is a table
 class triangle_neighbours {
 public:

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <typemesh/core/assert.hpp>
+#include <typemesh/core/error.hpp>
 #include <typemesh/vertex/index_writer.hpp>
 #include <typemesh/vertex/ranged_sink.hpp>
 #include <typemesh/vertex/vertex_traits.hpp>
 
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>

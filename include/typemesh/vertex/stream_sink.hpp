@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/assert.hpp>
+#include <typemesh/core/error.hpp>
 #include <typemesh/vertex/array_sink.hpp>
+#include <typemesh/vertex/index_writer.hpp>
 
 #include <concepts>
 #include <cstddef>
