@@ -60,3 +60,14 @@ TEST_CASE("edges of more than two faces are counted, and which of them are not u
     CHECK(lying.crowded_edges == 1);
     CHECK(lying.crowded_slanted == 1);
 }
+
+TEST_CASE("an edge is crowded from three faces on, whichever way they run along it", "[inspect]")
+{
+    const std::vector<place> at{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}};
+    const auto crowded = [&](std::vector<int> indices) { return check_closedness(mesh_view{at, indices}).crowded_edges; };
+    CHECK(crowded({0, 1, 2, 1, 0, 3}) == 0);
+    CHECK(crowded({0, 1, 2, 0, 1, 3}) == 0);  // two, although they do not fit together
+    CHECK(crowded({0, 1, 2, 1, 0, 3, 1, 0, 4}) == 1);
+    CHECK(crowded({1, 0, 2, 0, 1, 3, 0, 1, 4}) == 1);
+    CHECK(crowded({0, 1, 2, 0, 1, 3, 0, 1, 4}) == 1);
+}

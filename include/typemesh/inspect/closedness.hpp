@@ -66,7 +66,7 @@ template <class Vertex, class Index, class Position>
         const std::uint64_t reverse = edges[i] << 32 | edges[i] >> 32;
         const std::size_t here = faces(edges[i]), back = faces(reverse);
         if (here > back) found.unmatched_edges += here - back;
-        if (here > 1 && edges[i] < reverse) {
+        if (here + back > 2 && (edges[i] < reverse || back == 0)) {  // once for both directions
             ++found.crowded_edges;
             const place along = places.at[edges[i] >> 32] - places.at[edges[i] & 0xFFFF'FFFFu];
             const double moves[3] = {along.x, along.y, along.z};
