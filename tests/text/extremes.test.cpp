@@ -154,6 +154,16 @@ TEST_CASE("depths in output units are written as they are, whatever the unit and
             }
 }
 
+TEST_CASE("a depth whose halves fit into floats and whose whole does not is refused for its texture coordinates", "[text]")
+{
+    test::toy_font font;
+    auto mesher = text_mesher{font}.with(extruded<>{.depth = 3e38f, .centred = true});
+    const auto made = mesher.plan("oo", {.unit = output_unit::unit_box, .depth_in = depth_unit::output});
+    REQUIRE_FALSE(made);
+    CHECK(made.error().code == error::bad_option);
+    CHECK(std::string{made.error().option} == "depth");
+}
+
 TEST_CASE("heights that are no numbers are refused", "[text]")
 {
     test::toy_font font;

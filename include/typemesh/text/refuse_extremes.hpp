@@ -25,9 +25,10 @@ inline error refuse_extremes(const text_placement& placed, const bounds3& bounds
     };
     for (const double h : {heights.low, heights.high})
         if (!is_float(h * placed.unit_per_depth) || !is_float(h * placed.em_per_depth)) return error::bad(heights_name);
-    const double between = std::fabs(heights.high - heights.low) * placed.unit_per_depth;
+    const double depth = std::fabs(heights.high - heights.low), between = depth * placed.unit_per_depth;
     const bool apart = between >= as_double((std::numeric_limits<float>::min)());
     if (!same(heights.low, heights.high) && !apart) return error::bad(heights_name);
+    if (!is_float(depth * placed.em_per_depth)) return error::bad(heights_name);  // texture coordinates grow by it
     for (const vec3 corner : {bounds.low, bounds.high})
         for (const float v : {corner.x, corner.y, corner.z})
             if (!is_finite(as_double(v))) return error::bad("size");
