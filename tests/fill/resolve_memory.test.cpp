@@ -78,7 +78,7 @@ test::shape crossed_needles(int n, int crossed)
 
 }  // namespace
 
-TEST_CASE("resolve() takes at most 200 bytes a piece, cold and warm, and the triangulation behind it too",
+TEST_CASE("resolve() takes at most 200 bytes a piece, 210 where it rounds, and the triangulation behind it too",
           "[fill][resolve]")
 {
     for (const test::shape& s : hostile()) {
@@ -95,7 +95,8 @@ TEST_CASE("resolve() takes at most 200 bytes a piece, cold and warm, and the tri
             REQUIRE(resolve_then(loops, fill_rule::even_odd, space, nobody, cut, {.effort = &effort}));
             INFO(s.name << ": " << memory.peak << " bytes for " << effort.pieces << " pieces, rounds "
                         << effort.rounds);
-            CHECK(memory.peak <= 200 * std::size_t{effort.pieces} + 16 * 1024);  // a block is never smaller
+            const std::size_t bytes_a_piece = effort.rounds == 0 ? 200 : 210;  // of the first pass, which is cold
+            CHECK(memory.peak <= bytes_a_piece * effort.pieces + 16 * 1024);   // a block is never smaller
         }
         space.trim();
         CHECK(memory.bytes_held == 0);
@@ -103,7 +104,7 @@ TEST_CASE("resolve() takes at most 200 bytes a piece, cold and warm, and the tri
     }
 }
 
-TEST_CASE("resolve() takes 260 bytes a piece before its blocks are joined, however many pieces are rounded",
+TEST_CASE("resolve() takes 210 bytes a piece before its blocks are joined, however many pieces are rounded",
           "[fill][resolve]")
 {
     for (const int n : {30, 250, 450, 2000}) {
@@ -119,7 +120,7 @@ TEST_CASE("resolve() takes 260 bytes a piece before its blocks are joined, howev
                 INFO(n << " needles, " << crossed << " crossed: " << memory.peak << " bytes for " << effort.pieces
                        << " pieces, pass " << pass);
                 const std::size_t blocks = (pass == 0 ? 2 : 1) * std::size_t{16 * 1024};
-                CHECK(memory.peak <= (pass == 0 ? 260 : 200) * std::size_t{effort.pieces} + blocks);
+                CHECK(memory.peak <= (pass == 0 ? 210 : 200) * std::size_t{effort.pieces} + blocks);
             }
         }
     }

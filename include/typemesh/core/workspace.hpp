@@ -38,7 +38,8 @@ public:
         : source_{other.source_},
           first_{std::exchange(other.first_, nullptr)},
           current_{std::exchange(other.current_, nullptr)},
-          most_{std::exchange(other.most_, 0)}
+          most_{std::exchange(other.most_, 0)},
+          joined_{std::exchange(other.joined_, false)}
     {
         TYPEMESH_ASSERT(other.depth_ == 0, "a workspace was moved while a scope was open");
     }
@@ -49,6 +50,7 @@ public:
         std::swap(first_, other.first_);
         std::swap(current_, other.current_);
         std::swap(most_, other.most_);
+        std::swap(joined_, other.joined_);
         return *this;
     }
     ~workspace() { release(first_); }
@@ -71,6 +73,7 @@ public:
         release(first_);
         current_ = nullptr;
         most_ = 0;
+        joined_ = false;
     }
 
     /// A stretch of borrowing; scopes nest.
@@ -201,7 +204,7 @@ private:
     /// But for the one block that holds all after warm-up.
     void release_empty() noexcept
     {
-        const bool is_warm = current_ == nullptr && first_ != nullptr && first_->bytes >= most_;
+        const bool is_warm = current_ == nullptr && first_ != nullptr && joined_;
         release(is_warm ? first_->next : current_ == nullptr ? first_ : current_->next);
     }
 
@@ -213,6 +216,7 @@ private:
         current_ = nullptr;
         const std::size_t joint = most_ + most_ / 16;
         first_ = make_block(joint > least ? rounded(joint) : least);  // null is fine: the next take tries again
+        joined_ = first_ != nullptr;
     }
 
     void release(block*& from) noexcept
@@ -230,6 +234,7 @@ private:
     std::size_t depth_ = 0;
     std::size_t taken_ = 0;  // now
     std::size_t most_ = 0;   // at a time
+    bool joined_ = false;    // the first block is one that leave() has made
 };
 
 }  // namespace typemesh

@@ -159,7 +159,7 @@ template <meeting_judge Judge, class Then>
 ///        rounding is needed, about five times as much, the first walk included, and about sqrt(n + k) steps an edge to
 ///        find the hot cells that it comes through; an edge is cut in each of them.
 /// Memory at most 200 bytes a piece from `space`, and a block of 16 kB, which is never smaller. Before the workspace has
-///        seen as many pieces they lie in several blocks: up to 260 bytes a piece where snap rounding is needed, and
+///        seen as many pieces they lie in several blocks: up to 210 bytes a piece where snap rounding is needed, and
 ///        32 kB.
 /// Exact  in 64 bits; from equal grid points every compiler makes the same region (t apart, which is floating point)
 ///
