@@ -58,9 +58,11 @@ public:
         box all{points[0].x, points[0].x, points[0].y, points[0].y};
         for (const grid_point p : points) grow(all, {p.x, p.x, p.y, p.y});
         // Both sides of the whole take as many bits: else the boxes of a flat shape would be columns of its full height.
-        const int wide = std::bit_width(static_cast<std::uint32_t>(all.right - all.left)),
-                  high = std::bit_width(static_cast<std::uint32_t>(all.top - all.bottom));
-        const int up_x = wide < high ? high - wide : 0, up_y = high < wide ? wide - high : 0;
+        const auto bits = [](std::int32_t side) noexcept {
+            return static_cast<std::uint32_t>(std::bit_width(static_cast<std::uint32_t>(side)));
+        };
+        const std::uint32_t wide = bits(all.right - all.left), high = bits(all.top - all.bottom);
+        const std::uint32_t up_x = wide < high ? high - wide : 0, up_y = high < wide ? wide - high : 0;
         for (std::size_t i = 0; i < count_; ++i) {
             const auto x = static_cast<std::uint32_t>(points[i].x - all.left) << up_x,
                        y = static_cast<std::uint32_t>(points[i].y - all.bottom) << up_y;
