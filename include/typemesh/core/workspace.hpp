@@ -154,10 +154,10 @@ private:
         while (current_ == nullptr || wanted > current_->bytes - current_->used) {
             block*& next = current_ == nullptr ? first_ : current_->next;
             while (next != nullptr && next->bytes < wanted) {  // holds nothing: of a scope that has ended
-                block* small = next;
-                next = small->next;
-                small->next = nullptr;
-                release(small);
+                block* too_small = next;
+                next = too_small->next;
+                too_small->next = nullptr;
+                release(too_small);
             }
             if (next == nullptr) {
                 next = make_block(wanted > least ? wanted : least);
