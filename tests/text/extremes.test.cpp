@@ -158,7 +158,7 @@ TEST_CASE("a depth whose halves fit into floats and whose whole does not is refu
 {
     test::toy_font font;
     auto mesher = text_mesher{font}.with(extruded<>{.depth = 3e38f, .centred = true});
-    const auto made = mesher.plan("oo", {.unit = output_unit::unit_box, .depth_in = depth_unit::output});
+    const auto made = mesher.plan("ooooooo", {.unit = output_unit::unit_box, .depth_in = depth_unit::output});
     REQUIRE_FALSE(made);
     CHECK(made.error().code == error::bad_option);
     CHECK(std::string{made.error().option} == "depth");
