@@ -32,6 +32,7 @@ int main()
     std::vector<std::uint32_t> indices;
     auto made = mesher.build("Hello world!", typemesh::into(vertices, indices));
     if (!made) return std::puts(made.error().message()), 1;
+    std::printf("%zu vertices, %zu triangles\n", vertices.size(), indices.size() / 3);
     return 0;
 }
 

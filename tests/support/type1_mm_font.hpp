@@ -58,7 +58,7 @@ inline std::vector<std::byte> type1_mm_font(std::string_view vector)
         "] def\n/Blend 3 dict dup begin\n/FontBBox [{0 0 0 0}{0 0 0 0}{1000 1000 1000 1000}{1000 1000 1000 1000}] def\n"
         "/Private 14 dict def\nend def\ncurrentdict end\ncurrentfile eexec\n" +
         encrypted(secret, 55665) + "\n";
-    for (int line = 0; line < 8; ++line) file += std::string(64, '0') + "\n";
+    for (int line = 0; line < 8; ++line) file.append(64, '0').append("\n");
     file += "cleartomark\n";
     const auto* bytes = reinterpret_cast<const std::byte*>(file.data());
     return {bytes, bytes + file.size()};
