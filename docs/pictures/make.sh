@@ -35,3 +35,8 @@ vibes=/usr/share/fonts/truetype/GreatVibes-Regular.ttf
 "$program" "eat" --font $vibes --depth 0 --quality normal --show triangles --picture "$scratch/apart.png"
 "$program" "eat" --font $vibes --depth 0 --quality normal --show triangles --merge --picture "$scratch/merged.png"
 convert "$scratch/apart.png" "$scratch/merged.png" -resize 600x +append merged.png
+
+for triangulator in monotone delaunay; do
+    "$program" "Rag" --font $sans --depth 0 --quality normal --triangulator $triangulator --show triangles --picture "$scratch/$triangulator.png"
+done
+convert "$scratch"/{monotone,delaunay}.png -resize 50% +append triangulators.png

@@ -58,6 +58,8 @@ auto error = plan->write(typemesh::into(mapped_vertices, mapped_indices));      
 auto front = plan->range(typemesh::part::front);            // first_index, index_count, first_vertex, vertex_count
 use(size, error, front);
     }
+auto delaunay = typemesh::text_mesher{*font}.with(typemesh::constrained_delaunay{});
+    use(delaunay);
 auto flat_text = typemesh::text_mesher{*font}.with(typemesh::flat{});
 auto blocky    = typemesh::text_mesher{*font}.with(typemesh::extruded<typemesh::creased_normals>{.depth = 0.5f}).with(typemesh::two_lines{});
     use(flat_text, blocky);
