@@ -6,6 +6,7 @@
 #include <typemesh/outline/outline_recorder.hpp>
 
 #include <limits>
+#include <vector>
 
 using namespace typemesh;
 
@@ -62,6 +63,32 @@ TEST_CASE("an outline is kept as closed chains of curves", "[outline][outline_re
     CHECK(o.curves[2].degree == 3);
     CHECK(o.bounds.low == point{-5, 0});
     CHECK(o.bounds.high == point{10, 10});
+}
+
+TEST_CASE("every curve is kept point for point as it was drawn", "[outline][outline_recorder]")
+{
+    outline o;
+    outline_recorder pen{o};
+    pen.move({0, 0});
+    pen.line({10, 1});
+    pen.quadratic({12, 5}, {9, 11});
+    pen.cubic({7, 13}, {-3, 17}, {-2, 6});  // four points of which no two share a coordinate
+    pen.cubic({-2, 6}, {-7, 3}, {-2, 6});   // a cubic whose second control point alone stands elsewhere
+    REQUIRE(!pen.finish());
+    const std::vector<std::vector<point>> drawn = {{{0, 0}, {10, 1}},
+                                                   {{10, 1}, {12, 5}, {9, 11}},
+                                                   {{9, 11}, {7, 13}, {-3, 17}, {-2, 6}},
+                                                   {{-2, 6}, {-2, 6}, {-7, 3}, {-2, 6}},
+                                                   {{-2, 6}, {0, 0}}};
+    REQUIRE(o.curves.size() == drawn.size());
+    for (std::size_t k = 0; k < drawn.size(); ++k) {
+        const curve& kept = o.curves[k];
+        INFO("curve " << k);
+        REQUIRE(kept.degree + 1u == drawn[k].size());
+        CHECK((std::vector<point>(kept.p, kept.p + kept.degree + 1) == drawn[k]));
+    }
+    CHECK(o.bounds.low == point{-7, 0});
+    CHECK(o.bounds.high == point{12, 17});
 }
 
 TEST_CASE("contours end with close, with the next move, or with the outline", "[outline][outline_recorder]")

@@ -23,6 +23,22 @@ TEST_CASE("a square halved has angles of 45 degrees and an aspect of 2", "[trian
     CHECK(std::abs(q.angle_at(0.5) - 45.0) < 0.06);
 }
 
+TEST_CASE("a share of the angles that ends with a triangle is that triangle's angle, as counting tells",
+          "[triangulate][quality]")
+{
+    const grid_point points[] = {{0, 0}, {1000, 0}, {1000, 100}, {1000, 300}, {1000, 1000}};
+    const triangle triangles[] = {{0, 1, 2}, {0, 1, 4}, {0, 1, 3}, {0, 1, 2}};
+    const double sorted[] = {5.7106, 5.7106, 16.6992, 45.0};  // degrees: atan 0.1, 0.1, 0.3 and 1
+    triangle_quality q;
+    add_triangles<grid_point>(q, points, triangles);
+    for (int counted = 1; counted <= 4; ++counted) {
+        INFO(counted << " of 4");
+        CHECK(std::abs(q.angle_at(counted * 0.25) - sorted[counted - 1]) < 0.06);
+        CHECK(std::abs(q.angle_at(counted * 0.25 - 0.125) - sorted[counted - 1]) < 0.06);
+    }
+    CHECK(std::abs(q.angle_at(0.0) - sorted[0]) < 0.06);
+}
+
 TEST_CASE("quality holds at the ends of the grid, whatever the order of the corners", "[triangulate][quality]")
 {
     constexpr std::int32_t r = 1 << 28;
