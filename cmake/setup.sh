@@ -5,6 +5,7 @@
 
 # One line a need: how to see that it is there, and its package in each place. "-" where there is none or none is needed.
 #   command:A,B  one of these programs      header:A,B  one of these headers      font:A  a font with this character
+#   pkg:A,B      one that pkg-config knows
 needs() {
     cat <<'END'
 # need       is there when                                    Debian             Fedora                 Arch        Homebrew          vcpkg
@@ -33,6 +34,13 @@ admesh       command:admesh                                   admesh            
 openscad     command:openscad                                 openscad           openscad               openscad    openscad          -
 node         command:node                                     nodejs             nodejs                 nodejs      node              -
 npm          command:npm                                      npm                nodejs-npm             npm         node              -
+chromium     command:chromium,chromium-browser,google-chrome  chromium           chromium               chromium    -                 -
+godot3       command:godot3-server                            godot3-server      -                      -           -                 -
+opengl       pkg:gl                                           libgl-dev          mesa-libGL-devel       mesa        -                 -
+openscenegraph pkg:openscenegraph                             libopenscenegraph-dev OpenSceneGraph-devel openscenegraph open-scene-graph -
+irrlicht     header:irrlicht/irrlicht.h                       libirrlicht-dev    irrlicht-devel         irrlicht    irrlicht          -
+ogre         pkg:OGRE                                         libogre-1.12-dev   ogre-devel             -           -                 -
+qt-quick3d   pkg:Qt6Quick3D                                   qt6-quick3d-dev    qt6-qtquick3d-devel    qt6-quick3d qt                -
 END
 }
 
@@ -57,6 +65,7 @@ is_there() {  # is_there KIND:NAME,NAME...
 $(header_folders)
 END
                 ;;
+            pkg:*) ! pkg-config --exists "$name" 2>/dev/null || return 0 ;;
             font:*) ! command -v fc-list >/dev/null 2>&1 || [ -z "$(fc-list ":charset=$name" file)" ] || return 0 ;;
         esac
     done

@@ -15,11 +15,13 @@ Installs what is missing, builds and runs the tests, those of the tier gcc by de
   tsan       the tests that use threads with g++ under the thread sanitizer
   windows    the tests of the core and of DirectWrite as Windows programs (mingw-w64), run under Wine
   external   other people's tools (admesh, OpenSCAD, gltf-validator) read what text_to_mesh writes; the benchmarks are built
+  engines    engines themselves take what the recipes write and draw it: OpenGL, OpenSceneGraph, Irrlicht, OGRE, Qt, VTK;
+             Godot and three.js read what text_to_mesh writes
 --with adds tiers, --only takes these alone, --all takes every tier.
 END
 }
 
-all_tiers="gcc clang sanitize tsan windows external"
+all_tiers="gcc clang sanitize tsan windows external engines"
 tiers=gcc
 more=
 everything=
@@ -128,47 +130,65 @@ tier_windows() {
     test_preset windows
 }
 
-# Scripts in tests/external, each run in a scratch folder: 0 passed, 77 skipped with the reason on the last line, anything
-# else failed. They find the tool in TYPEMESH_TEXT_TO_MESH, tests/ in TYPEMESH_TEST_DATA, the program of tests/engines in
-# TYPEMESH_TEST_ENGINES, npm's packages by NODE_PATH.
-tier_external() {
-    local script name status output modules=$typemesh_root/build/external
-    install_missing benchmark
-    (install_missing admesh openscad node npm) || say "Going on without them: the tests that need them are skipped."
-    (install_missing fontconfig-dev lib3mf) || say "Going on without them: text_to_mesh takes font files only, or writes no 3MF."
+# Runs the scripts of a folder of tests/, each with build/FOLDER as its own: 0 passed, 77 skipped with the reason on the last
+# line, anything else failed. They find the tool in TYPEMESH_TEXT_TO_MESH, tests/ in TYPEMESH_TEST_DATA, the program of
+# tests/engines in TYPEMESH_TEST_ENGINES, npm's packages by NODE_PATH.
+run_scripts() {  # run_scripts FOLDER
+    local script name status output work=$typemesh_root/build/$1
     export TYPEMESH_TEXT_TO_MESH=$typemesh_root/build/release/examples/text_to_mesh
     export TYPEMESH_TEST_DATA=$typemesh_root/tests
     for script in gcc clang; do  # the first that has built it
         TYPEMESH_TEST_ENGINES=$typemesh_root/build/$script/tests/typemesh_test_engines
         [ ! -x "$TYPEMESH_TEST_ENGINES" ] || break
     done
-    export TYPEMESH_TEST_ENGINES
-    mkdir -p "$modules"
-    build release
-    if command -v npm >/dev/null 2>&1 && [ ! -d "$modules/node_modules/gltf-validator" ]; then
-        if ! npm install --prefix "$modules" --no-save --no-audit --no-fund --fetch-retries=1 gltf-validator@2.0.0-dev.3.10 \
-            >"$modules/npm.log" 2>&1; then
-            explain_failure "$modules/npm.log" "npm's registry"
-            say "failed: npm could not install gltf-validator"
-            count 0 1
-        fi
-    fi
-    export NODE_PATH=$modules/node_modules
-    for script in "$typemesh_root"/tests/external/*.sh; do
+    export TYPEMESH_TEST_ENGINES NODE_PATH=$work/node_modules
+    for script in "$typemesh_root/tests/$1"/*.sh; do
         [ -e "$script" ] || continue
-        name=$(basename "$script" .sh)
+        name=$1/$(basename "$script" .sh)
         status=0
-        output=$(cd "$modules" && bash "$script" 2>&1) || status=$?
+        output=$(cd "$work" && bash "$script" 2>&1) || status=$?
         case $status in
-            0) say "passed: external/$name" && count 1 0 ;;
+            0) say "passed: $name" && count 1 0 ;;
             77)
-                skipped="${skipped}skipped: external/$name: $(say "$output" | tail -n 1)
+                skipped="${skipped}skipped: $name: $(say "$output" | tail -n 1)
 "
-                say "skipped: external/$name: $(say "$output" | tail -n 1)"
+                say "skipped: $name: $(say "$output" | tail -n 1)"
                 ;;
-            *) say "$output" "failed: external/$name" && count 0 1 ;;
+            *) say "$output" "failed: $name" && count 0 1 ;;
         esac
     done
+}
+
+# One of npm's packages, in the folder of run_scripts.
+install_npm() {  # install_npm FOLDER PACKAGE VERSION
+    local work=$typemesh_root/build/$1
+    command -v npm >/dev/null 2>&1 && [ ! -d "$work/node_modules/$2" ] || return 0
+    if ! npm install --prefix "$work" --no-save --no-audit --no-fund --fetch-retries=1 "$2@$3" >"$work/npm.log" 2>&1; then
+        explain_failure "$work/npm.log" "npm's registry"
+        say "failed: npm could not install $2"
+        count 0 1
+    fi
+}
+
+tier_external() {
+    install_missing benchmark
+    (install_missing admesh openscad node npm) || say "Going on without them: the tests that need them are skipped."
+    (install_missing fontconfig-dev lib3mf) || say "Going on without them: text_to_mesh takes font files only, or writes no 3MF."
+    mkdir -p "$typemesh_root/build/external"
+    build release
+    install_npm external gltf-validator 2.0.0-dev.3.10
+    run_scripts external
+}
+
+# VTK, 750 MB with all that it needs, is taken where it is there already.
+tier_engines() {
+    (install_missing xvfb opengl openscenegraph irrlicht ogre qt-quick3d) ||
+        say "Going on without them: the tests that need them are skipped."
+    (install_missing godot3 node npm chromium) || say "Going on without them: the tests that need them are skipped."
+    mkdir -p "$typemesh_root/build/engines_run"
+    build release text_to_mesh
+    install_npm engines_run three 0.187.0
+    run_scripts engines_run
 }
 
 trap finish EXIT

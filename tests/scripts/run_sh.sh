@@ -248,8 +248,42 @@ check "a run that cannot set up has failed" says '^0 passed, 1 failed$'
 check "it says that it got no further" says 'broken off while setting up'
 mv "$scratch/ninja" "$bin/ninja"
 
+# --- tests/run.sh: the tiers that are scripts
+for tier in external:external engines:engines_run; do
+    folder=${tier#*:} tier=${tier%:*}
+    mkdir -p "$tree/tests/$folder"
+    # shellcheck disable=SC2016  # for the script
+    printf 'echo "$TYPEMESH_TEXT_TO_MESH|$TYPEMESH_TEST_DATA|$PWD" >>"$scratch/calls"\n' >"$tree/tests/$folder/a.sh"
+    printf 'echo "of no interest"\necho "there is no such engine"\nexit 77\n' >"$tree/tests/$folder/b.sh"
+    anew && run tests/run.sh --only $tier
+    check "$tier: what passes is counted, what is skipped is neither" says '^1 passed, 0 failed$'
+    check "$tier: what is skipped says why, once more at the end" [ "$(grep -c "skipped: $folder/b: there is no such engine" "$scratch/out")" = 2 ]
+    check "$tier: a script that is skipped is no failure" succeeds
+    check "$tier: scripts find the tool and the tests' files, and run in a folder of their own" \
+        called "^$tree/build/release/examples/text_to_mesh\|$tree/tests\|$tree/build/$folder\$"
+    check "$tier: the tool is built first" called 'cmake --build .*build/release'
+    check "$tier: what cannot be installed does not stop the others" says 'Going on without'
+    printf 'echo "a pixel of a back face"\nexit 1\n' >"$tree/tests/$folder/c.sh"
+    again && run tests/run.sh --only $tier
+    check "$tier: a script that fails is counted" says '^1 passed, 1 failed$'
+    check "$tier: all that it has said is shown" says 'a pixel of a back face'
+    check "$tier: the run has failed then" fails
+    rm "$tree/tests/$folder"/[abc].sh
+done
+stand_in npm <<<'exit 1'
+anew && run tests/run.sh --only engines
+check "what npm cannot install is a failure" says '^0 passed, 1 failed$'
+check "it is named" says 'npm could not install three'
+rm "$bin/npm"
+anew && echo 'exit 0' >"$tree/tests/engines_run/a.sh" && run tests/run.sh
+check "engines are not run by default" says_not 'engines_run'
+run tests/run.sh --all
+check "--all runs them" says '^passed: engines_run/a'
+rm -r "$tree/tests/engines_run"
+
 # --- continuous integration
 check "continuous integration names its tiers" grep -qE 'run\.sh --with [a-z,]+$' "$source_tree/.ci/run"
+check "engines are not among them" [ "$(grep -c engines "$source_tree/.ci/run")" = 0 ]
 
 echo "$passed passed, $failed failed"
 [ $failed = 0 ]
