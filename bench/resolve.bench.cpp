@@ -13,8 +13,8 @@
 //     touching     the same of outlines that only touch in points: refused, walked anew and proven, not resolved
 //     all          orient, refuse, resolve, triangulate: the whole way of contours that cross
 //     refuse, resolve, triangulate     its parts, each on its own: it sorts the points, which "all" does once
-//     guarded      the whole way of an outline that crosses, cap_outline() less discretising it once: the judge of
-//                  meetings and its rounds are in it; of_simple: by the same of the simple outlines
+//     guarded      the whole way of an outline that crosses, cap_outline() less discretising it once: the filter of
+//                  intersections and its rounds are in it; of_simple: by the same of the simple outlines
 //
 // ns_per_log (resolve): nanoseconds of processor time by N log2 N, where N counts the pieces that the edges are cut
 // into, n + k: flat from 100 to 100,000 points where resolving takes O((n + k) log n). Shapes of these sizes: combs and

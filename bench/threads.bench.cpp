@@ -101,7 +101,7 @@ void measure(const std::string& name, harfbuzz_font& font, const auto& text, std
     counted_heap memory_of_one, memory_of_many;
     text_mesher alone{font, memory_of_one.source()}, mesher{font, memory_of_many.source()};
     thread_pool pool{workers};
-    auto team = team_of(pool, clone, memory_of_many.source());
+    auto team = workers_of(pool, clone, memory_of_many.source());
     std::vector<vertex> vertices, others;
     std::vector<std::uint32_t> indices, other_indices;
     const auto by_one = [&] {
@@ -120,7 +120,7 @@ void measure(const std::string& name, harfbuzz_font& font, const auto& text, std
         many.keep_best(time_of(by_many));
     }
     watched_worker watched;
-    auto watched_team = team_of(watched, clone);
+    auto watched_team = workers_of(watched, clone);
     double all = time_of([&] { (void)alone.build(text, into(vertices, indices), options, *watched_team); }).cpu;
     watched.seconds = 0.0;
     all = time_of([&] { (void)alone.build(text, into(vertices, indices), options, *watched_team); }).cpu;

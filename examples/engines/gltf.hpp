@@ -146,7 +146,7 @@ template <class Plan>
 [[nodiscard]] typemesh::position_box box_of(const Plan& plan, std::size_t glyph) noexcept
 {
     const typemesh::placement at = plan.place(glyph);
-    const typemesh::glyph_shape& shape = *plan.glyphs()[glyph].shape;
+    const typemesh::built_glyph& shape = *plan.glyphs()[glyph].built;
     const typemesh::vec3 low = at.position(shape.low(), 0.0f), high = at.position(shape.high(), 0.0f);
     return typemesh::position_box::cube_around({low.x, low.y, plan.bounds().low.z}, {high.x, high.y, plan.bounds().high.z});
 }
@@ -160,7 +160,7 @@ template <class Plan>
     for (std::size_t i = 0; i < plan.glyphs().size(); ++i) {
         const typemesh::placement at = plan.place(i);
         const typemesh::position_box box = box_of(plan, i);
-        const typemesh::solid& shape = plan.glyphs()[i].shape->form();
+        const typemesh::solid& shape = plan.glyphs()[i].built->form();
         const auto corner = [&](std::uint32_t point) noexcept {
             const typemesh::box_position p = box(at.position(shape.points[point], 0.0f));
             return typemesh::grid_point{p.x.bits, p.y.bits};
@@ -292,7 +292,7 @@ template <class Plan, class Bytes>
             int last[3] = {0, 0, 0};
             for (std::size_t i = 0; i < plan.glyphs().size(); ++i) {
                 const placement place = plan.place(i);
-                const vec3 corner = place.position(plan.glyphs()[i].shape->high(), 0.0f);
+                const vec3 corner = place.position(plan.glyphs()[i].built->high(), 0.0f);
                 const box_position p = box_of(plan, i)({corner.x, corner.y, high.z});
                 const int bits[3] = {p.x.bits, p.y.bits, p.z.bits};
                 for (std::size_t k = 0; k < 3; ++k) last[k] = bits[k] > last[k] ? bits[k] : last[k];

@@ -40,7 +40,7 @@ void add_loops(overlay& to, const options& o, std::span<const typemesh::grid_poi
 }  // namespace
 
 overlay annotate(const options& o, typemesh::harfbuzz_font& font, const typemesh::glyph_run& run,
-                 std::span<const typemesh::shape_record> shapes, const chosen_discretiser& discretiser,
+                 std::span<const typemesh::drawn_glyph> shapes, const chosen_discretiser& discretiser,
                  const model& mesh)
 {
     overlay drawn;
@@ -80,9 +80,9 @@ overlay annotate(const options& o, typemesh::harfbuzz_font& font, const typemesh
                       [&](typemesh::grid_point p) { return put(grid->place(p)); });
     }
     for (std::size_t k = 0; k < shapes.size() && o.merge; ++k) {
-        const typemesh::shape_record& s = shapes[k];
-        const double unit = s.shape->font_units_per_cell();
-        add_loops(drawn, o, s.shape->form().points, s.shape->form().starts, [&](typemesh::grid_point p) {
+        const typemesh::drawn_glyph& s = shapes[k];
+        const double unit = s.built->font_units_per_cell();
+        add_loops(drawn, o, s.built->form().points, s.built->form().starts, [&](typemesh::grid_point p) {
             return place{{static_cast<float>((s.origin.x + unit * p.x) / upem),
                           static_cast<float>((s.origin.y + unit * p.y) / upem), 0.0f}};
         });

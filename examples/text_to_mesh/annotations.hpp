@@ -14,7 +14,7 @@ namespace text_to_mesh {
 /// stages themselves, called one by one for each glyph of the run; normals from the finished mesh. With --merge
 /// contours and points are those of the finished shapes, of which letters that meet have one.
 [[nodiscard]] overlay annotate(const options& o, typemesh::harfbuzz_font& font, const typemesh::glyph_run& run,
-                               std::span<const typemesh::shape_record> shapes, const chosen_discretiser& discretiser,
+                               std::span<const typemesh::drawn_glyph> shapes, const chosen_discretiser& discretiser,
                                const model& mesh);
 
 }  // namespace text_to_mesh

@@ -7,8 +7,7 @@
 #
 #     include_order.sh [FOLDER]      of headers; include/typemesh without it
 set -eu
-exceptions="compat/d3dx_text.hpp glyph/glyph_builder.hpp glyph/shape_context.hpp"
-exceptions="$exceptions text/glyph_merger.hpp text/glyph_team.hpp text/text_mesher.hpp text/text_shapes.hpp"
+exceptions=""
 
 cd "${1:-$(dirname "$0")/../../include/typemesh}"
 # shellcheck disable=SC2016  # awk's

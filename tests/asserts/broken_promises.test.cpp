@@ -69,7 +69,7 @@ TEST_CASE("a plan whose team has built another, and chunks of another plan, are 
     test::toy_font font;
     text_mesher mesher{font}, other{font};
     one_worker alone;
-    auto team = team_of(alone, [](std::size_t) noexcept { return result<test::toy_font>{test::toy_font{}}; });
+    auto team = workers_of(alone, [](std::size_t) noexcept { return result<test::toy_font>{test::toy_font{}}; });
     auto plan = mesher.plan("E", {}, *team);
     (void)plan->size();
     CHECK(asserted() == "");
@@ -77,7 +77,7 @@ TEST_CASE("a plan whose team has built another, and chunks of another plan, are 
     (void)of_other->size();
     CHECK(asserted() == "");
     (void)plan->size();
-    CHECK(asserted() == "this text_plan is stale: its glyph_team has built another since");
+    CHECK(asserted() == "this text_plan is stale: its glyph_workers has built another since");
 
     text_chunks chunks;
     CHECK_FALSE(chunks.cut(*of_other));

@@ -32,7 +32,7 @@ void plans(text_mesher<toy_font>& mesher, std::span<d3dx_vertex> vertices, std::
     (void)flipped_triangles(plan);
 }
 
-void teams(text_mesher<toy_font>& mesher, result<glyph_team<one_worker, toy_font>>& team,
+void teams(text_mesher<toy_font>& mesher, result<glyph_workers<one_worker, toy_font>>& team,
            std::span<d3dx_vertex> vertices, std::span<std::uint32_t> indices)
 {
     (void)mesher.plan("o", {}, team);

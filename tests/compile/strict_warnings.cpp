@@ -109,7 +109,7 @@ error every_policy(Font& font)
     std::array<d3dx_glyph_metrics, 4> metrics;
     if (error e = plan->metrics(metrics)) return e;
     one_worker alone;
-    auto team = team_of(alone, [&](std::size_t) noexcept { return result{transformed_outlines{font, affine{}}}; });
+    auto team = workers_of(alone, [&](std::size_t) noexcept { return result{transformed_outlines{font, affine{}}}; });
     if (!team) return team.error();
     glyph_run run;
     text_mesher mesher{font};

@@ -15,7 +15,7 @@ struct pair_of_workers {
 using drawings = typemesh::transformed_outlines<const typemesh::recorded_outlines>;
 
 bool plan(typemesh::recorded_outlines& font, const typemesh::glyph_run& run, typemesh::glyph_cache<>& cache,
-          typemesh::glyph_team<pair_of_workers, drawings>& team)
+          typemesh::glyph_workers<pair_of_workers, drawings>& team)
 {
     auto mesher = typemesh::text_mesher{font}.with(typemesh::cached_in{cache, 1});
     return static_cast<bool>(mesher.plan(run, {}, team));

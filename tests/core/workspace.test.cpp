@@ -160,7 +160,7 @@ TEST_CASE("what is expected lies in what is left of a block and one more, cold a
     for (int round = 0; round < 2; ++round) {
         workspace::scope a{space};
         REQUIRE(a.take<char>(1000) != nullptr);
-        REQUIRE(a.expect(64 * 2000));
+        REQUIRE(a.reserve(64 * 2000));
         const std::size_t before = counted.requests;
         const char* last = nullptr;
         std::size_t apart = 0;
@@ -172,7 +172,7 @@ TEST_CASE("what is expected lies in what is left of a block and one more, cold a
         }
         CHECK(apart <= 1);  // where what was left of the first block ends
         CHECK(counted.requests == before);
-        CHECK_FALSE(a.expect(~std::size_t{0}));
+        CHECK_FALSE(a.reserve(~std::size_t{0}));
     }
 }
 

@@ -255,7 +255,7 @@ TEST_CASE("of a long line a box for each letter turns over a tenth of what a box
         };
         std::uint64_t in_file = 0;
         for (std::size_t i = 0; i < plan->glyphs().size(); ++i) {
-            const solid& shape = plan->glyphs()[i].shape->form();
+            const solid& shape = plan->glyphs()[i].built->form();
             const placement at = plan->place(i);
             const std::uint32_t first = plan->range(i, part::front).first_vertex;
             for (const triangle t : shape.triangles) {

@@ -117,7 +117,7 @@ public:
         if (!cells) return f.wrong = cells.error().message(), f;
         const double tolerance = tolerance_em * font.units_per_em();
         seen given_last;
-        guard_effort effort;
+        refinement_effort effort;
         no_observer nobody;
         triangles_.clear();
         const auto made = cap_outline(outline_, outline_.rule, certified{}, tolerance, *cells,
@@ -159,7 +159,7 @@ public:
         if (inspect::check_distance(*made, curves_, allowed).strays != 0)
             return f.wrong = "the boundary strays from all curves", f;
         if (f.resolved && f.unsettled == 0)
-            if (f.wrong = false_meeting(*made, in_cells); !f.wrong.empty()) return f;
+            if (f.wrong = false_intersection(*made, in_cells); !f.wrong.empty()) return f;
 
         for (const triangle t : triangles_) {
             const auto at = [&](std::uint32_t i) {
@@ -233,7 +233,7 @@ private:
             for (std::uint32_t i = begin; i < end; ++i) {
                 const std::uint32_t next = i + 1 < end ? i + 1 : begin;
                 if (!sides_[i].doubled && !(sides_[i].before == sides_[i].after)) return "a soft point has two normals";
-                const point own = outward(way(points[i], points[next]));
+                const point own = outward(delta(points[i], points[next]));
                 for (const vec2 n : {sides_[i].after, sides_[next].before}) {
                     const double up = dot({n.x, n.y}, own), aside = std::fabs(cross({n.x, n.y}, own));
                     if (up < -rounding * length(own)) return "a normal points into its wall";
@@ -247,7 +247,7 @@ private:
 
     /// Where the boundary changes from one curve to another that is not its neighbour, the two contours have a point in
     /// common within four tolerances along both, to 3 % of one.
-    std::string false_meeting(const typemesh::region& made, double tolerance)
+    std::string false_intersection(const typemesh::region& made, double tolerance)
     {
         using namespace typemesh;
         const auto points = made.points();

@@ -81,7 +81,7 @@ TEST_CASE("a square cut into many triangles covers every sample exactly once", "
     CHECK(picture.everywhere(1));
 }
 
-TEST_CASE("a fan around a sample covers it once, whatever its spokes", "[raster]")
+TEST_CASE("a fan around a sample covers it once, whatever its outgoing_edges", "[raster]")
 {
     const raster_point hub{12 * pixel_steps + sample_x[5], 9 * pixel_steps + sample_y[5]};
     const unsigned seed = GENERATE(1u, 2u, 3u);

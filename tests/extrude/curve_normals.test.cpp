@@ -48,7 +48,7 @@ double most_aside(const region& r, const std::vector<side_point>& sides)
         const std::uint32_t begin = r.starts()[loop], end = r.starts()[loop + 1];
         for (std::uint32_t i = begin; i < end; ++i) {
             const std::uint32_t next = i + 1 < end ? i + 1 : begin;
-            const point along = way(r.points()[i], r.points()[next]);
+            const point along = delta(r.points()[i], r.points()[next]);
             if (typemesh::length(along) <= 16.0 * r.tolerance()) continue;
             for (const vec2 n : {sides[i].after, sides[next].before})
                 most = (std::max)(most, degrees_between(wide(n), outward(along)));
@@ -299,7 +299,7 @@ TEST_CASE("normals are of unit length and point out of their walls, whatever the
         REQUIRE_FALSE(curve_normals{crease}(s.made(), sides));
         for (std::size_t i = 0; i < n; ++i) {
             INFO("round " << round << ", point " << i);
-            const point in = way(points[(i + n - 1) % n], points[i]), out = way(points[i], points[(i + 1) % n]);
+            const point in = delta(points[(i + n - 1) % n], points[i]), out = delta(points[i], points[(i + 1) % n]);
             REQUIRE(typemesh::length(wide(sides[i].before)) == Approx(1.0).margin(1e-6));
             REQUIRE(typemesh::length(wide(sides[i].after)) == Approx(1.0).margin(1e-6));
             REQUIRE(typemesh::dot(wide(sides[i].before), outward(in)) > -1e-6 * typemesh::length(in));

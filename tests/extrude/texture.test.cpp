@@ -125,7 +125,7 @@ TEST_CASE("the seam of em mapping lies in a hard point where there is one, and u
             std::uint32_t seams = 0, hard = 0;
             float least = 1e9f, most = -1.0f;
             for (std::uint32_t i = s.loops.starts[k]; i < s.loops.starts[k + 1]; ++i) {
-                length += typemesh::length(way(s.loops.points[i], s.loops.points[s.next(i)])) / 512000.0;
+                length += typemesh::length(delta(s.loops.points[i], s.loops.points[s.next(i)])) / 512000.0;
                 seams += b.sides[i].seam;
                 hard += plain.sides[i].doubled;
                 if (b.sides[i].seam) CHECK(b.sides[i].doubled);

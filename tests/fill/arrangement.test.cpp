@@ -27,8 +27,8 @@ bool is_closed(const detail::arrangement& a)
 {
     std::map<std::int64_t, int> sum;
     for (std::uint32_t i = 0; i < a.count; ++i) {
-        sum[detail::sweep_place(a.stretches[i].from)] += a.stretches[i].turn;
-        sum[detail::sweep_place(a.stretches[i].to)] -= a.stretches[i].turn;
+        sum[detail::sweep_place(a.segments[i].from)] += a.segments[i].winding_delta;
+        sum[detail::sweep_place(a.segments[i].to)] -= a.segments[i].winding_delta;
     }
     for (const auto& [place, turns] : sum)
         if (turns != 0) return false;
@@ -41,8 +41,8 @@ bool is_in_order(const detail::arrangement& a)
         if (!lexicographic_less(a.points[i - 1], a.points[i])) return false;
     std::vector<int> listed(a.count, 0);
     for (std::uint32_t v = 0; v < a.point_count; ++v) {
-        for (std::uint32_t i = a.first[v]; i != detail::no_number; i = a.stretches[i].next) {
-            const detail::stretch& s = a.stretches[i];
+        for (std::uint32_t i = a.first[v]; i != detail::no_number; i = a.segments[i].next) {
+            const detail::segment& s = a.segments[i];
             if (s.start != v || !(s.from == a.points[v]) || !(s.to == a.points[s.end])) return false;
             if (!lexicographic_less(s.from, s.to)) return false;
             ++listed[i];
@@ -53,7 +53,7 @@ bool is_in_order(const detail::arrangement& a)
 
 }  // namespace
 
-TEST_CASE("Contours taken apart are one stretch an edge with length, in order, and closed", "[fill][arrangement]")
+TEST_CASE("Contours taken apart are one segment an edge with length, in order, and closed", "[fill][arrangement]")
 {
     test::dice d{61};
     for (int i = 0; i < 2000; ++i) {
@@ -63,7 +63,7 @@ TEST_CASE("Contours taken apart are one stretch an edge with length, in order, a
         workspace::scope scratch{space};
         detail::arrangement a;
         REQUIRE(a.reserve(scratch, 64));
-        REQUIRE(a.take_apart(loops, space));
+        REQUIRE(a.from_contours(loops, space));
         std::uint32_t edges = 0;
         for (const auto& l : s.loops)
             for (std::size_t k = 0; k < l.size(); ++k) edges += !(l[k] == l[(k + 1) % l.size()]);
@@ -72,16 +72,16 @@ TEST_CASE("Contours taken apart are one stretch an edge with length, in order, a
         REQUIRE(is_in_order(a));
         CHECK(is_closed(a));
         for (std::uint32_t k = 0; k < a.count; ++k) {
-            const detail::stretch& stretch = a.stretches[k];
-            const auto [from, to] = a.home(stretch);
-            CHECK((stretch.turn == 1 ? from : to) == stretch.from);
-            CHECK((stretch.turn == 1 ? to : from) == stretch.to);
-            CHECK(stretch.source.t0 == (stretch.turn == 1 ? 0.25f : 0.75f));
+            const detail::segment& segment = a.segments[k];
+            const auto [from, to] = a.home(segment);
+            CHECK((segment.winding_delta == 1 ? from : to) == segment.from);
+            CHECK((segment.winding_delta == 1 ? to : from) == segment.to);
+            CHECK(segment.source.t0 == (segment.winding_delta == 1 ? 0.25f : 0.75f));
         }
     }
 }
 
-TEST_CASE("Stretches flipped and cut at random are in order again afterwards, those without a turn gone",
+TEST_CASE("Segments flipped and cut at random are in order again afterwards, those without a turn gone",
           "[fill][arrangement]")
 {
     test::dice d{62};
@@ -91,18 +91,18 @@ TEST_CASE("Stretches flipped and cut at random are in order again afterwards, th
         workspace::scope scratch{space};
         detail::arrangement a;
         REQUIRE(a.reserve(scratch, 64));
-        REQUIRE(a.take_apart(loops, space));
+        REQUIRE(a.from_contours(loops, space));
         std::uint32_t cancelled = 0;
         if (a.count != 0 && d.roll(2) == 0) {  // an edge and its reverse
-            a.stretches[a.count] = a.stretches[0];
-            a.stretches[0].turn = 0;
-            a.stretches[a.count].turn = 0;
+            a.segments[a.count] = a.segments[0];
+            a.segments[0].winding_delta = 0;
+            a.segments[a.count].winding_delta = 0;
             ++a.count;
             cancelled = 2;
         }
         const std::uint32_t before = a.count;
         for (std::uint32_t k = 0; k < a.count; ++k)
-            if (d.roll(2) == 0) a.stretches[k].flip();
+            if (d.roll(2) == 0) a.segments[k].flip();
         REQUIRE(a.reserve(scratch, 100));  // keeps what is there
         REQUIRE(a.put_in_order(space));
         CHECK(a.count == before - cancelled);
@@ -112,14 +112,14 @@ TEST_CASE("Stretches flipped and cut at random are in order again afterwards, th
 
 TEST_CASE("t_at() goes linearly along the longer side, place and point_at() undo each other", "[fill][arrangement]")
 {
-    detail::stretch s{{-4, 8}, {4, -8}, 0, 1, 1, 0, {5, 0.0f, 1.0f}, 0, 0, 0, 0, 0};
+    detail::segment s{{-4, 8}, {4, -8}, 0, 1, 1, 0, {5, 0.0f, 1.0f}, 0, 0, 0, 0, 0};
     CHECK(s.t_at({-4, 8}) == 0.0f);
     CHECK(s.t_at({0, 0}) == 0.5f);
     CHECK(s.t_at({4, -8}) == 1.0f);
     s.flip();
     CHECK(s.from == grid_point{4, -8});
     CHECK(s.t_at({2, -4}) == 0.75f);
-    CHECK(s.turn == -1);
+    CHECK(s.winding_delta == -1);
     test::dice d{63};
     for (int i = 0; i < 1000; ++i) {
         const grid_point p{d.roll(1 << 29) - (1 << 28), d.roll(1 << 29) - (1 << 28)};

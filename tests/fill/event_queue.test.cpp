@@ -35,8 +35,8 @@ TEST_CASE("Events come by place, whatever is pushed between, and none is lost", 
                 const auto first = std::min_element(waiting.begin(), waiting.end());
                 REQUIRE(e.place == *first);
                 CHECK(e.slot == static_cast<std::uint32_t>(e.place & 0xFF));
-                REQUIRE(is_waiting[e.stretch]);
-                is_waiting[e.stretch] = false;
+                REQUIRE(is_waiting[e.segment]);
+                is_waiting[e.segment] = false;
                 waiting.erase(first);
                 queue.pop();
             }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/core/sweep_order.hpp>
+#include <typemesh/sweep/sweep_order.hpp>
 #include <typemesh/fill/resolve.hpp>
 #include <typemesh/triangulate/monotone.hpp>
 
@@ -229,7 +229,7 @@ TEST_CASE("resolve() makes regions of doubled, shifted and wound-up shapes", "[f
     }
 }
 
-TEST_CASE("loops that touch in a point stay in their wedge of interior", "[fill][resolve]")
+TEST_CASE("loops that touch in a point stay in their sector of interior", "[fill][resolve]")
 {
     struct touching {
         const char* name;
@@ -404,7 +404,7 @@ TEST_CASE("resolve_then() tells the order that sweep_order() makes of the region
                     CHECK(std::equal(sorted.begin(), sorted.end(), expected.begin(), expected.end()));
                     return error{};
                 };
-                every_meeting_stands nobody;
+                every_intersection_stands nobody;
                 const auto made = resolve_then(loops, rule, space, nobody, then, {.order = order});
                 const auto plain = resolve(other, rule, space);
                 REQUIRE(made);
@@ -423,7 +423,7 @@ TEST_CASE("The error of what follows a region is resolve_then()'s", "[fill][reso
 {
     contours loops = test::contours_of({test::square(0, 0, 8), test::square(4, 4, 8)});
     workspace space;
-    every_meeting_stands nobody;
+    every_intersection_stands nobody;
     const auto fails = [](const region& r) noexcept { return r.points().empty() ? error{} : error{error::too_large}; };
     const auto made = resolve_then(loops, fill_rule::non_zero, space, nobody, fails);
     REQUIRE_FALSE(made);

@@ -88,7 +88,7 @@ TEST_CASE("resolve() takes at most 200 bytes a piece, 210 where it rounds, and t
             contours loops = test::contours_of(s);
             triangle_list out;
             resolve_effort effort;
-            every_meeting_stands nobody;
+            every_intersection_stands nobody;
             const auto cut = [&](const region& r, std::span<const std::uint32_t> order) noexcept {
                 return monotone{}(r, order, space, out);
             };

@@ -13,35 +13,35 @@ namespace {
 
 /// What is wrong with an arrangement that a walk believes in; empty when nothing is.
 ///
-/// No two stretches may have more than an end in common, the turns must be those of closed contours, and the winding
+/// No two segments may have more than an end in common, the turns must be those of closed contours, and the winding
 /// number below each must be what counting along a ray gives, just below its middle.
 std::string mistake_in(const detail::arrangement& a)
 {
-    std::vector<detail::stretch> all;
+    std::vector<detail::segment> all;
     for (std::uint32_t i = 0; i < a.count; ++i)
-        if (a.stretches[i].turn != 0) all.push_back(a.stretches[i]);
+        if (a.segments[i].winding_delta != 0) all.push_back(a.segments[i]);
     std::map<std::int64_t, int> closed;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        const detail::stretch& s = all[i];
-        if (!lexicographic_less(s.from, s.to)) return "a stretch runs to the left";
-        closed[detail::sweep_place(s.from)] += s.turn;
-        closed[detail::sweep_place(s.to)] -= s.turn;
+        const detail::segment& s = all[i];
+        if (!lexicographic_less(s.from, s.to)) return "a segment runs to the left";
+        closed[detail::sweep_place(s.from)] += s.winding_delta;
+        closed[detail::sweep_place(s.to)] -= s.winding_delta;
         for (std::size_t k = i + 1; k < all.size(); ++k) {
-            const detail::stretch& o = all[k];
+            const detail::segment& o = all[k];
             if (!test::oracle::meet(s.from, s.to, o.from, o.to)) continue;
             const bool aa = s.from == o.from, ab = s.from == o.to, ba = s.to == o.from, bb = s.to == o.to;
-            if (aa + ab + ba + bb != 1) return "two stretches meet";
+            if (aa + ab + ba + bb != 1) return "two segments meet";
             const grid_point p = aa || ab ? s.from : s.to, q = aa || ab ? s.to : s.from, r = aa || ba ? o.to : o.from;
-            if (test::oracle::lies_on(q, p, r) || test::oracle::lies_on(r, p, q)) return "two stretches overlap";
+            if (test::oracle::lies_on(q, p, r) || test::oracle::lies_on(r, p, q)) return "two segments overlap";
         }
         if (s.from.x == s.to.x) continue;  // below an upright one is right of it
-        // Straight down from its middle (doubled coordinates): every stretch below it counts.
+        // Straight down from its middle (doubled coordinates): every segment below it counts.
         const grid_point middle{s.from.x + s.to.x, s.from.y + s.to.y};
         std::int32_t winding = 0;
         for (std::size_t k = 0; k < all.size(); ++k) {
             const grid_point from{2 * all[k].from.x, 2 * all[k].from.y}, to{2 * all[k].to.x, 2 * all[k].to.y};
             if (k != i && from.x <= middle.x && middle.x < to.x && test::oracle::side(from, to, middle) > 0)
-                winding += all[k].turn;
+                winding += all[k].winding_delta;
         }
         if (winding != s.below) return "a winding number is wrong";
     }
@@ -77,13 +77,13 @@ TEST_CASE("What a walk believes is an arrangement of closed contours, with the r
         workspace::scope scratch{space};
         detail::arrangement a;
         REQUIRE(a.reserve(scratch, 500));
-        REQUIRE(a.take_apart(loops, space));
+        REQUIRE(a.from_contours(loops, space));
         for (int walk = 0; walk < 4; ++walk) {
             detail::resolving_sweep sweep{a, d.roll(2) == 0 ? fill_rule::non_zero : fill_rule::even_odd};
             REQUIRE(sweep.run(space));
             if (sweep.again) continue;
             ++believed;
-            for (std::uint32_t k = 0; k < a.count; ++k) bent += a.stretches[k].bent != 0 && walk == 0;
+            for (std::uint32_t k = 0; k < a.count; ++k) bent += a.segments[k].bent != 0 && walk == 0;
             const std::string mistake = mistake_in(a);
             if (!mistake.empty()) {
                 INFO(s);
@@ -110,7 +110,7 @@ TEST_CASE("Contours of ordinary size nearly always need one walk although every 
         workspace::scope scratch{space};
         detail::arrangement a;
         REQUIRE(a.reserve(scratch, 2000));
-        REQUIRE(a.take_apart(loops, space));
+        REQUIRE(a.from_contours(loops, space));
         detail::resolving_sweep sweep{a, fill_rule::non_zero};
         REQUIRE(sweep.run(space));
         once += !sweep.again;
@@ -128,7 +128,7 @@ TEST_CASE("A walk without room says so and leaves closed contours", "[fill][reso
         workspace::scope scratch{space};
         detail::arrangement a;
         REQUIRE(a.reserve(scratch, room));
-        REQUIRE(a.take_apart(loops, space));
+        REQUIRE(a.from_contours(loops, space));
         detail::resolving_sweep sweep{a, fill_rule::non_zero};
         REQUIRE(sweep.run(space));
         CHECK(sweep.full);
@@ -136,8 +136,8 @@ TEST_CASE("A walk without room says so and leaves closed contours", "[fill][reso
         CHECK(a.count <= room);
         std::map<std::int64_t, int> closed;
         for (std::uint32_t i = 0; i < a.count; ++i) {
-            closed[detail::sweep_place(a.stretches[i].from)] += a.stretches[i].turn;
-            closed[detail::sweep_place(a.stretches[i].to)] -= a.stretches[i].turn;
+            closed[detail::sweep_place(a.segments[i].from)] += a.segments[i].winding_delta;
+            closed[detail::sweep_place(a.segments[i].to)] -= a.segments[i].winding_delta;
         }
         for (const auto& [place, turns] : closed) CHECK(turns == 0);
     }

@@ -26,7 +26,7 @@ std::vector<piece> rounded(const test::shape& s)
     REQUIRE_FALSE(rounding.run({}, fill_rule::non_zero, space, scratch, a));
     std::vector<piece> pieces;
     for (std::uint32_t i = 0; i < a.count; ++i)
-        pieces.push_back({a.stretches[i].from, a.stretches[i].to, a.home(a.stretches[i])});
+        pieces.push_back({a.segments[i].from, a.segments[i].to, a.home(a.segments[i])});
     detail::resolving_sweep sweep{a, fill_rule::non_zero};
     REQUIRE(sweep.run(space));
     CHECK_FALSE(sweep.again);
@@ -131,8 +131,8 @@ TEST_CASE("The sweep that swaps neighbours ends when it is told to", "[fill][cro
     CHECK(calls == 3);
 }
 
-TEST_CASE("A segment comes through exactly the hot cells that trying all of them finds, in its own order",
-          "[fill][hot_cells]")
+TEST_CASE("A segment comes through exactly the hot pixels that trying all of them finds, in its own order",
+          "[fill][hot_pixels]")
 {
     test::dice d{83};
     for (int i = 0; i < 600; ++i) {
@@ -143,7 +143,7 @@ TEST_CASE("A segment comes through exactly the hot cells that trying all of them
         points.erase(std::unique(points.begin(), points.end()), points.end());
         workspace space;
         workspace::scope scratch{space};
-        detail::hot_cells cells;
+        detail::hot_pixels cells;
         REQUIRE(cells.open(points, scratch, space));
         for (int k = 0; k < 20; ++k) {
             grid_point a{d.roll(width), d.roll(width)}, b{d.roll(width), d.roll(width)};
@@ -153,14 +153,14 @@ TEST_CASE("A segment comes through exactly the hot cells that trying all of them
             if (lexicographic_less(b, a)) std::swap(a, b);
             if (a == b) continue;
             std::vector<grid_point> met, expected;
-            REQUIRE(cells.along(a, b, [&](detail::hot_cells::hit h) noexcept {
+            REQUIRE(cells.along(a, b, [&](detail::hot_pixels::hit h) noexcept {
                 met.push_back(points[h.number]);
                 CHECK(h.is_exact == (test::oracle::side(a, b, met.back()) == 0));
                 return true;
             }));
             for (const grid_point p : points) {
                 if (p == a || p == b || p.x < a.x || p.x > b.x || p.y < (std::min)(a.y, b.y) || p.y > (std::max)(a.y, b.y)) continue;
-                if (detail::hot_cells::comes_through(a, b, p)) expected.push_back(p);
+                if (detail::hot_pixels::comes_through(a, b, p)) expected.push_back(p);
             }
             std::sort(expected.begin(), expected.end(), [&](grid_point p, grid_point q) {
                 return p.x != q.x ? p.x < q.x : a.y <= b.y ? p.y < q.y : q.y < p.y;
@@ -168,7 +168,7 @@ TEST_CASE("A segment comes through exactly the hot cells that trying all of them
             REQUIRE(met == expected);
         }
     }
-    CHECK(detail::hot_cells::comes_through({0, 0}, {4, 2}, {1, 0}));  // the corner of a half-open cell: from one side
-    CHECK_FALSE(detail::hot_cells::comes_through({0, 0}, {2, 2}, {1, 0}));
-    CHECK_FALSE(detail::hot_cells::comes_through({0, 0}, {2, 2}, {0, 1}));
+    CHECK(detail::hot_pixels::comes_through({0, 0}, {4, 2}, {1, 0}));  // the corner of a half-open cell: from one side
+    CHECK_FALSE(detail::hot_pixels::comes_through({0, 0}, {2, 2}, {1, 0}));
+    CHECK_FALSE(detail::hot_pixels::comes_through({0, 0}, {2, 2}, {0, 1}));
 }

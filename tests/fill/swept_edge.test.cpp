@@ -15,7 +15,7 @@ TEST_CASE("A swept edge holds the points of its box, however it runs", "[fill][s
         grid_point a{d.roll(9), d.roll(9)}, b{d.roll(9), d.roll(9)};
         if (lexicographic_less(b, a)) std::swap(a, b);
         const detail::swept_edge e{a, b, 3, 7};
-        CHECK(e.stretch == 3);
+        CHECK(e.segment == 3);
         CHECK(e.above == 7);
         CHECK_FALSE(e.is_bent);
         const grid_point p{d.roll(9), d.roll(9)};
@@ -59,7 +59,7 @@ TEST_CASE("Rays are sorted from below to above, equal ones by number", "[fill][r
             for (std::size_t i = 1; i < rays.size(); ++i) {
                 const double below = std::atan2(rays[i - 1].y, rays[i - 1].x), above = std::atan2(rays[i].y, rays[i].x);
                 if (std::fabs(below - above) < 1e-12)
-                    CHECK(rays[i - 1].stretch < rays[i].stretch);
+                    CHECK(rays[i - 1].segment < rays[i].segment);
                 else
                     CHECK(below < above);
             }

@@ -187,16 +187,16 @@ TEMPLATE_LIST_TEST_CASE("patterns of squares and rhombs that touch in corners ar
     CHECK(touching > 20'000);
 }
 
-TEMPLATE_LIST_TEST_CASE("any number of wedges round one point is proven, walked as one loop or as many", "[glyph][cap]",
+TEMPLATE_LIST_TEST_CASE("any number of sectors round one point is proven, walked as one loop or as many", "[glyph][cap]",
                         triangulators)
 {
-    for (int wedges = 2; wedges <= 40; ++wedges) {
+    for (int sectors = 2; sectors <= 40; ++sectors) {
         for (const bool one_loop : {true, false}) {
-            test::shape s{"wedges " + std::to_string(wedges), {}};
+            test::shape s{"sectors " + std::to_string(sectors), {}};
             if (one_loop) s.loops.emplace_back();
-            for (int k = 0; k < wedges; ++k) {
-                const auto a = test::on_circle(0, 0, 1e5, test::turn_once * (k + 0.1) / wedges),
-                           b = test::on_circle(0, 0, 1e5, test::turn_once * (k + 0.6) / wedges);
+            for (int k = 0; k < sectors; ++k) {
+                const auto a = test::on_circle(0, 0, 1e5, test::turn_once * (k + 0.1) / sectors),
+                           b = test::on_circle(0, 0, 1e5, test::turn_once * (k + 0.6) / sectors);
                 if (!one_loop) s.loops.emplace_back();
                 test::polyline& l = s.loops.back();
                 l.insert(l.end(), {{0, 0}, a, b});
@@ -205,7 +205,7 @@ TEMPLATE_LIST_TEST_CASE("any number of wedges round one point is proven, walked 
             touching = proven_fast = 0;
             CHECK(mistake_in_any_position<TestType>(s) == "");
             CHECK(touching == 24);
-            s.loops.push_back(test::square(-300'000, -300'000, 600'000));  // the wedges become holes
+            s.loops.push_back(test::square(-300'000, -300'000, 600'000));  // the sectors become holes
             for (std::size_t k = 0; k + 1 < s.loops.size(); ++k) s.loops[k] = test::reversed(s.loops[k]);
             touching = proven_fast = 0;
             CHECK(mistake_in_any_position<TestType>(s) == "");

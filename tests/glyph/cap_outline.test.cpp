@@ -123,7 +123,7 @@ struct capped {
     contours loops;
     triangle_list triangles;
     region made;
-    guard_effort effort;
+    refinement_effort effort;
     double cells = 0;
 };
 
@@ -406,7 +406,7 @@ TEST_CASE("ninety-six copies of a contour, each moved a little, are made finer i
         REQUIRE_FALSE(discretise(o, certified{}, tolerance, *fitting, loops));
         REQUIRE(resolve(loops, fill_rule::non_zero, space, {.effort = &once}));
 
-        guard_effort effort;
+        refinement_effort effort;
         const auto built = [&](std::uint32_t most_pieces) {
             triangles.clear();
             return cap_outline(o, fill_rule::non_zero, certified{}, tolerance, *fitting, monotone{}, space, loops,

@@ -46,9 +46,9 @@ bool same_bits(const full_mesh& a, const full_mesh& b)
 }
 
 /// Parts of a made-up glyph with `points` points.
-glyph_parts parts_of(const std::vector<grid_point>& points)
+glyph_draft parts_of(const std::vector<grid_point>& points)
 {
-    glyph_parts parts;
+    glyph_draft parts;
     parts.form.points = points;
     return parts;
 }
@@ -58,7 +58,7 @@ std::size_t bytes_of(std::size_t points)
 {
     const std::vector<grid_point> some(points);
     glyph_cache cache;
-    const glyph_shape* s = cache.keep({}, 0, parts_of(some));
+    const built_glyph* s = cache.keep({}, 0, parts_of(some));
     cache.release({&s, 1});
     return cache.statistics().bytes;
 }
@@ -69,22 +69,22 @@ TEST_CASE("what is kept is found under its own key and no other", "[text]")
 {
     glyph_cache cache;
     const std::vector<grid_point> points{{1, 2}, {3, 4}, {-5, 6}};
-    shape_context here;
-    const glyph_shape* kept = cache.keep(here, 7, parts_of(points));
+    glyph_context here;
+    const built_glyph* kept = cache.keep(here, 7, parts_of(points));
     REQUIRE(kept != nullptr);
     CHECK(std::equal(points.begin(), points.end(), kept->form().points.begin(), kept->form().points.end()));
     CHECK(kept->form().points.data() != points.data());
 
-    const glyph_shape* found = cache.find(here, 7);
+    const built_glyph* found = cache.find(here, 7);
     CHECK(found == kept);
     CHECK(cache.find(here, 8) == nullptr);
-    std::vector<shape_context> others(12, here);
+    std::vector<glyph_context> others(12, here);
     others[0].font = 1, others[1].variation = 1, others[2].tolerance = 1, others[3].fill = 1;
     for (int i = 0; i < 4; ++i) others[4 + static_cast<std::size_t>(i)].discretiser.options.words[i] = 1;
     others[8].discretiser.type = &points, others[9].triangulator.type = &points, others[10].extruder.type = &points;
     others[11].extruder.options.words[3] = 1;
-    for (const shape_context& c : others) CHECK(cache.find(c, 7) == nullptr);
-    const glyph_shape* pinned[] = {kept, found};
+    for (const glyph_context& c : others) CHECK(cache.find(c, 7) == nullptr);
+    const built_glyph* pinned[] = {kept, found};
     cache.release(pinned);
     CHECK(cache.statistics().hits == 1);
     CHECK(cache.statistics().misses == 13);
@@ -96,7 +96,7 @@ TEST_CASE("the bound holds for what is not pinned, and what was released longest
     const std::size_t each = bytes_of(10);
     const std::vector<grid_point> points(10);
     glyph_cache cache{3 * each};
-    const glyph_shape* shapes[5];
+    const built_glyph* shapes[5];
     for (glyph_id id = 0; id < 5; ++id) shapes[id] = cache.keep({}, id, parts_of(points));
     CHECK(cache.statistics().entries == 5);  // pinned: none may go
     CHECK(cache.statistics().pinned_bytes == 5 * each);
@@ -109,14 +109,14 @@ TEST_CASE("the bound holds for what is not pinned, and what was released longest
     CHECK(cache.find({}, 0) == nullptr);
     CHECK(cache.find({}, 1) == nullptr);
 
-    const glyph_shape* two = cache.find({}, 2);  // used again: now 3 is the oldest
+    const built_glyph* two = cache.find({}, 2);  // used again: now 3 is the oldest
     REQUIRE(two != nullptr);
     cache.release({&two, 1});
-    const glyph_shape* nine = cache.keep({}, 9, parts_of(points));
+    const built_glyph* nine = cache.keep({}, 9, parts_of(points));
     cache.release({&nine, 1});
     CHECK(cache.find({}, 3) == nullptr);
     for (const glyph_id id : {2u, 4u, 9u}) {
-        const glyph_shape* s = cache.find({}, id);
+        const built_glyph* s = cache.find({}, id);
         CHECK(s != nullptr);
         cache.release({&s, 1});
     }
@@ -130,16 +130,16 @@ TEST_CASE("a pinned shape stays where it is while all others go", "[text]")
 {
     const std::vector<grid_point> points(10, grid_point{3, 4});
     glyph_cache cache{0};
-    const glyph_shape* first = cache.keep({}, 0, parts_of(points));
+    const built_glyph* first = cache.keep({}, 0, parts_of(points));
     for (glyph_id id = 1; id < 2000; ++id) {
-        const glyph_shape* s = cache.keep({}, id, parts_of(points));
+        const built_glyph* s = cache.keep({}, id, parts_of(points));
         REQUIRE(s != nullptr);
         cache.release({&s, 1});
     }
     cache.clear();
     CHECK(cache.statistics().entries == 1);
     CHECK(first->form().points[9] == grid_point{3, 4});
-    const glyph_shape* again = cache.find({}, 0);  // two pins now
+    const built_glyph* again = cache.find({}, 0);  // two pins now
     CHECK(again == first);
     cache.release({&first, 1});
     CHECK(cache.statistics().pinned == 1);
@@ -151,7 +151,7 @@ TEST_CASE("of two who build the same glyph the second gets the first one's", "[t
 {
     const std::vector<grid_point> points(10);
     glyph_cache cache;
-    const glyph_shape* both[] = {cache.keep({}, 5, parts_of(points)), cache.keep({}, 5, parts_of(points))};
+    const built_glyph* both[] = {cache.keep({}, 5, parts_of(points)), cache.keep({}, 5, parts_of(points))};
     CHECK(both[0] == both[1]);
     CHECK(cache.statistics().entries == 1);
     cache.release(both);
@@ -165,19 +165,19 @@ TEST_CASE("memory that fails at any request leaves a cache as it was", "[text]")
         test::counting_memory counted{.fail_at = n};
         {
             glyph_cache cache{std::size_t{64} << 20, counted.source()};
-            std::vector<const glyph_shape*> kept;
+            std::vector<const built_glyph*> kept;
             for (glyph_id id = 0; id < 1000; ++id) {
-                const glyph_shape* s = cache.keep({}, id, parts_of(points));
+                const built_glyph* s = cache.keep({}, id, parts_of(points));
                 if (s != nullptr) kept.push_back(s);
             }
             CHECK(cache.statistics().entries == kept.size());
             for (std::size_t id = 0; id < kept.size(); ++id) {
-                const glyph_shape* s = cache.find({}, static_cast<glyph_id>(id));
+                const built_glyph* s = cache.find({}, static_cast<glyph_id>(id));
                 CHECK(s == kept[id]);
                 cache.release({&s, 1});
             }
             counted.fail_at = 0;
-            const glyph_shape* late = cache.keep({}, 5000, parts_of(points));
+            const built_glyph* late = cache.keep({}, 5000, parts_of(points));
             CHECK(late != nullptr);
             kept.push_back(late);
             cache.release(kept);
@@ -400,10 +400,10 @@ TEST_CASE("a cache is of use without a mesher", "[text]")
     glyph_builder builder;
     no_observer nobody;
     const glyph_settings how{.tolerance = 0.01};
-    const shape_context context = context_of(1, font, how, certified{}, monotone{}, flat{});
+    const glyph_context context = context_of(1, font, how, certified{}, monotone{}, flat{});
     const auto parts = builder.build(font, 2, how, certified{}, monotone{}, flat{}, nobody);
     REQUIRE(parts);
-    const glyph_shape* e = cache.keep(context, 2, *parts);
+    const built_glyph* e = cache.keep(context, 2, *parts);
     REQUIRE(e != nullptr);
     CHECK(e->form().points.size() == 12);
     CHECK(e->form().triangles.size() == 10);

@@ -16,7 +16,7 @@ std::string broken(const std::vector<test::polyline>& loops) { return check_boun
 
 }  // namespace
 
-TEST_CASE("walks that keep to their wedges pass, and each fault that is planted in one shows", "[inspect]")
+TEST_CASE("walks that keep to their sectors pass, and each fault that is planted in one shows", "[inspect]")
 {
     const test::polyline box = test::square(0, 0, 10), beside = test::square(10, 10, 10);
     CHECK(broken({box, beside}) == "");                                                  // a common corner
@@ -31,8 +31,8 @@ TEST_CASE("walks that keep to their wedges pass, and each fault that is planted 
 
     // A hole that touches its outer loop joins it; two squares that touch in a corner stay apart.
     CHECK(broken({{{0, 0}, {5, 0}, {3, 4}, {7, 4}, {5, 0}, {10, 0}, {10, 10}, {0, 10}}}) == "");
-    CHECK(broken({{{0, 0}, {5, 0}, {7, 4}, {3, 4}, {5, 0}, {10, 0}, {10, 10}, {0, 10}}}) == "a walk leaves its wedge");
-    CHECK(broken({{{0, 0}, {10, 0}, {10, 10}, {20, 10}, {20, 20}, {10, 20}, {10, 10}, {0, 10}}}) == "a walk leaves its wedge");
+    CHECK(broken({{{0, 0}, {5, 0}, {7, 4}, {3, 4}, {5, 0}, {10, 0}, {10, 10}, {0, 10}}}) == "a walk leaves its sector");
+    CHECK(broken({{{0, 0}, {10, 0}, {10, 10}, {20, 10}, {20, 20}, {10, 20}, {10, 10}, {0, 10}}}) == "a walk leaves its sector");
     const test::polyline across{{5, 5}, {15, 5}, {15, 8}};
     CHECK(check_boundary({across, box}).crossings == 2);
 }

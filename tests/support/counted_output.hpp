@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Output that watches how it is written: every element once, in ascending order within its stretch, none outside.
+// Output that watches how it is written: every element once, in ascending order within its subrange, none outside.
 
 #include "support/mesh_laws.hpp"
 
@@ -34,12 +34,12 @@ struct counted_output {
     }
 };
 
-/// A sink of a stretch: counts writes, and those that would fall outside.
-class counted_stretch {
+/// A sink of a subrange: counts writes, and those that would fall outside.
+class counted_segment {
 public:
     static constexpr auto wants = typemesh::vertex_traits<full_vertex>::wants;
 
-    counted_stretch(counted_output& to, typemesh::mesh_range range) noexcept
+    counted_segment(counted_output& to, typemesh::mesh_range range) noexcept
         : to_{&to}, vertex_{range.first_vertex}, vertices_end_{vertex_ + range.vertex_count}, index_{range.first_index},
           indices_end_{index_ + range.index_count}
     {
@@ -69,7 +69,7 @@ private:
 /// The sink itself, written as the concepts' comments ask for.
 class counted_sink {
 public:
-    static constexpr auto wants = counted_stretch::wants;
+    static constexpr auto wants = counted_segment::wants;
 
     explicit counted_sink(counted_output& to) noexcept : to_{&to}, all_{to, {}} {}
 
@@ -80,14 +80,14 @@ public:
         return {};
     }
     typemesh::error begin_chunks(typemesh::mesh_size exact, std::uint32_t) noexcept { return begin(exact); }
-    [[nodiscard]] counted_stretch stretch(typemesh::mesh_range range) const noexcept { return {*to_, range}; }
+    [[nodiscard]] counted_segment subrange(typemesh::mesh_range range) const noexcept { return {*to_, range}; }
     void vertex(const typemesh::surface_point<wants>& s) noexcept { all_.vertex(s); }
     void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept { all_.triangle(a, b, c); }
     void end() noexcept {}
 
 private:
     counted_output* to_;
-    counted_stretch all_;
+    counted_segment all_;
 };
 static_assert(typemesh::chunked_sink<counted_sink>);
 

@@ -199,7 +199,7 @@ TEST_CASE("a group too wide for the fine grid is merged on a coarser one", "[tex
     auto plan = mesher.plan(run, {.merge = true});
     REQUIRE(plan);
     REQUIRE(plan->glyphs().size() == 1);
-    CHECK(plan->glyphs()[0].shape->cells() < 512.0);
+    CHECK(plan->glyphs()[0].built->cells() < 512.0);
     CHECK(plan->members(0).size() == glyphs.size());
     full_mesh m;
     REQUIRE_FALSE(plan->write(into(m.vertices, m.indices)));

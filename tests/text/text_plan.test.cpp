@@ -279,12 +279,12 @@ TEST_CASE("triangles higher than two steps are never flipped by rounding, and al
         const auto plan = mesher.plan(run, {.frame = frame});
         REQUIRE(plan);
         std::uint64_t thin = 0;
-        for (const shape_record& s : plan->glyphs()) {
-            const solid& shape = s.shape->form();
+        for (const drawn_glyph& s : plan->glyphs()) {
+            const solid& shape = s.built->form();
             for (const triangle t : shape.triangles) {
-                const point a = grid{s.shape->cells()}.place(shape.points[t.a]),
-                            b = grid{s.shape->cells()}.place(shape.points[t.b]),
-                            c = grid{s.shape->cells()}.place(shape.points[t.c]);
+                const point a = grid{s.built->cells()}.place(shape.points[t.a]),
+                            b = grid{s.built->cells()}.place(shape.points[t.b]),
+                            c = grid{s.built->cells()}.place(shape.points[t.c]);
                 const double longest = std::fmax(length(b - a), std::fmax(length(c - b), length(a - c)));
                 thin += cross(b - a, c - a) / longest / 1000.0 <= 2.0 * plan->position_step() ? 1u : 0u;
             }

@@ -58,7 +58,7 @@ void check_teams(Mesher& mesher, const std::string& text, const Clone& clone, co
     for (const std::size_t workers : {1u, 2u, 3u, 8u}) {
         INFO(workers << " workers");
         thread_pool pool{workers};
-        auto team = team_of(pool, clone);
+        auto team = workers_of(pool, clone);
         REQUIRE(team);
         for (int round = 0; round < 2; ++round) {
             auto plan = mesher.plan(text, options, *team);
@@ -177,7 +177,7 @@ TEST_CASE("a cache serves several teams and meshers while another thread throws 
         auto own = harfbuzz_font::wrap(handle);
         auto mesher = text_mesher{*own}.with(cached_in{cache, 1});
         thread_pool pool{2};
-        auto team = team_of(pool, [&](std::size_t) noexcept { return harfbuzz_font::wrap(handle); });
+        auto team = workers_of(pool, [&](std::size_t) noexcept { return harfbuzz_font::wrap(handle); });
         for (int round = 0; round < 8; ++round) {
             full_mesh m;
             auto plan = mesher.plan(text, {}, *team);
@@ -211,7 +211,7 @@ TEST_CASE("memory that fails in one of several workers gives a clear error, and 
     std::size_t failures = 0;
     for (std::size_t n = 2; n < 400; ++n) {
         shared_memory counted;
-        auto team = team_of(
+        auto team = workers_of(
             pool, [&](std::size_t) noexcept { return harfbuzz_font::wrap(font.handle()); }, counted.source());
         REQUIRE(team);
         counted.fail_at = n;
@@ -237,7 +237,7 @@ TEST_CASE("a shared cache whose memory fails gives a clear error, and keeps its 
     auto font = open("truetype/dejavu/DejaVuSans.ttf");
     const std::string text = "The quick brown fox jumps over the lazy dog.";
     thread_pool pool{3};
-    auto team = team_of(pool, [&](std::size_t) noexcept { return harfbuzz_font::wrap(font.handle()); });
+    auto team = workers_of(pool, [&](std::size_t) noexcept { return harfbuzz_font::wrap(font.handle()); });
     REQUIRE(team);
     full_mesh expected;
     text_mesher plain{font};

@@ -42,14 +42,14 @@ static_assert(mesh_sink<tape> && !ranged_sink<tape>);
 static_assert(mesh_sink<array_sink<vec3, std::uint16_t, owning_writer>> &&
               !ranged_sink<array_sink<vec3, std::uint16_t, owning_writer>>);
 
-TEST_CASE("stretches written backwards make the mesh, and nothing else is touched", "[vertex][ranged]")
+TEST_CASE("subranges written backwards make the mesh, and nothing else is touched", "[vertex][ranged]")
 {
     std::vector<vec3> vertices(12, vec3{-1, -1, -1});
     std::vector<std::uint16_t> indices(14, 999);
     array sink{std::span{vertices}.subspan(1, 10), std::span{indices}.subspan(1, 12), position_writer{}, 100u};
     REQUIRE_FALSE(sink.begin({10, 4}));
     for (const std::uint32_t k : {1u, 0u}) {
-        auto piece = sink.stretch({5 * k, 5, 6 * k, 6});
+        auto piece = sink.subrange({5 * k, 5, 6 * k, 6});
         for (std::uint32_t i = 0; i < 5; ++i) {
             surface_point<attribute::position> s;
             s.position.x = static_cast<float>(5 * k + i);

@@ -41,8 +41,8 @@ std::vector<joined_text> joined_texts()
 std::vector<std::vector<grid_point>> placed_outlines(const auto& plan)
 {
     std::vector<std::vector<grid_point>> loops;
-    for (const shape_record& s : plan.glyphs()) {
-        const auto& form = s.shape->form();
+    for (const drawn_glyph& s : plan.glyphs()) {
+        const auto& form = s.built->form();
         for (std::size_t l = 0; l + 1 < form.starts.size(); ++l) {
             loops.emplace_back();
             for (std::uint32_t k = form.starts[l]; k < form.starts[l + 1]; ++k) {

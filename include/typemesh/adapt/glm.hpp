@@ -26,10 +26,10 @@ namespace typemesh {
 [[nodiscard]] inline point from_glm(const glm::dvec2& v) noexcept { return {v.x, v.y}; }
 
 /// The matrix that moves by `way`: the model matrix of a glyph_instance is translation_matrix(i.translation).
-[[nodiscard]] inline glm::mat4 translation_matrix(vec3 way) noexcept
+[[nodiscard]] inline glm::mat4 translation_matrix(vec3 by) noexcept
 {
     glm::mat4 m{1.0f};
-    m[3] = {way.x, way.y, way.z, 1.0f};
+    m[3] = {by.x, by.y, by.z, 1.0f};
     return m;
 }
 

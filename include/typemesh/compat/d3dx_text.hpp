@@ -8,8 +8,8 @@
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/memory.hpp>
 #include <typemesh/extrude/extruded.hpp>
-#include <typemesh/layout/shaper.hpp>
 #include <typemesh/glyph/glyph_cache.hpp>
+#include <typemesh/layout/shaper.hpp>
 #include <typemesh/text/text_mesher.hpp>
 
 #include <concepts>

@@ -85,7 +85,7 @@ public:
 
     /// One for every unit of the text. A character's metrics stand at its first unit; what has no glyph of its own
     /// (the other units of a character, later letters of a ligature, line breaks) gets zeros. A glyph's advance is the
-    /// way to the glyph after it, so kerning is in it.
+    /// step to the glyph after it, so kerning is in it.
     ///
     /// Fails  error::buffer_too_small: fewer than metrics_size(), which is `count`; nothing is written then
     error metrics(std::span<d3dx_glyph_metrics> out) const noexcept
@@ -104,17 +104,17 @@ public:
                 while (next < glyphs.size() && glyphs[next].cluster == cluster) ++next;
                 box ink;
                 for (; next_drawn < drawn.size() && drawn[next_drawn].glyph < line.first_glyph + next; ++next_drawn)
-                    ink.merge(text_shapes::ink_of(drawn[next_drawn]));
+                    ink.merge(text_glyphs::ink_of(drawn[next_drawn]));
 
                 d3dx_glyph_metrics m;
-                const point way = next < glyphs.size() ? glyphs[next].origin - pen
+                const point step = next < glyphs.size() ? glyphs[next].origin - pen
                                                        : rest_of(line, pen - glyphs.front().origin);
                 if (!ink.empty()) {
                     m.box_width = in_output(ink.width());
                     m.box_height = in_output(ink.height());
                     m.origin = {in_output(ink.low.x - pen.x), in_output(ink.high.y - pen.y)};
                 }
-                (vertical_ ? m.advance_y : m.advance_x) = in_output(vertical_ ? way.y : way.x);
+                (vertical_ ? m.advance_y : m.advance_x) = in_output(vertical_ ? step.y : step.x);
                 if (cluster < text_size_) out[cluster] = m;
             }
         }

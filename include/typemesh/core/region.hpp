@@ -10,7 +10,7 @@ namespace typemesh {
 
 /// A filled area of the plane, proven: boundary walks with the interior on the left, outer loops counter-clockwise,
 /// holes clockwise, no two edges crossing or overlapping, no spike, no repeated neighbour. A point may be visited more
-/// than once (see is_touching), by walks that each keep to their own wedge of interior there; no point lies within
+/// than once (see is_touching), by walks that each keep to their own sector of interior there; no point lies within
 /// another's edge.
 ///
 ///     +-------------<-----------+      points, edges, starts, curves as in contours

@@ -108,7 +108,7 @@ public:
 
         /// Room for the next `bytes` in what is left of this block and one more, not in many, at whose ends something is
         /// left over. False when there is no memory. No scope within may be open.
-        [[nodiscard]] bool expect(std::size_t bytes) noexcept
+        [[nodiscard]] bool reserve(std::size_t bytes) noexcept
         {
             scope whole{workspace_};
             return whole.take<std::byte>(bytes) != nullptr;

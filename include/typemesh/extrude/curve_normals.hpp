@@ -54,14 +54,14 @@ struct curve_normals {
         const auto edges = shape.edges();
         for (std::uint32_t loop = 0; loop < shape.loop_count(); ++loop) {
             const std::uint32_t first = shape.starts()[loop], last = shape.starts()[loop + 1] - 1;
-            const point closing = way(points[last], points[first]);
+            const point closing = delta(points[last], points[first]);
             const wall_end start = light.start(edges[last], closing);
             wall_end before = light.end(edges[last], closing, start);
             point arriving = closing;
             for (std::uint32_t i = first, previous = last; i <= last; previous = i++) {
                 const contour_edge& edge = edges[i];
                 const grid_point next = points[i == last ? first : i + 1];
-                const point leaving = way(points[i], next);
+                const point leaving = delta(points[i], next);
                 const bool inside = goes_on(edges[previous], edge) && !before.stops;
                 wall_end after = before;
                 if (inside && before.leads && is_near(before.normal, outward(leaving))) {
@@ -198,7 +198,7 @@ private:
         /// What the wall from a to b is lit with for a normal n: its own where it is long and n more than 45 degrees off.
         [[nodiscard]] point lit(point n, grid_point a, grid_point b) const noexcept
         {
-            const point own = outward(way(a, b));
+            const point own = outward(delta(a, b));
             const bool from_the_side = dot(n, own) < std::fabs(cross(n, own)) && dot(own, own) > long_square_;
             return from_the_side ? unit(own) : n;
         }
@@ -206,7 +206,7 @@ private:
         /// The one normal of a soft point with two.
         [[nodiscard]] static point soft(const corner& at, point before, point after) noexcept
         {
-            const point sum = before + after, wall_in = outward(way(at.a, at.b)), wall_out = outward(way(at.b, at.c));
+            const point sum = before + after, wall_in = outward(delta(at.a, at.b)), wall_out = outward(delta(at.b, at.c));
             const bool out_of_both =
                 dot(before, after) > -1.0 + 0x1p-20 && dot(sum, wall_in) > 0.0 && dot(sum, wall_out) > 0.0;
             return out_of_both ? unit(sum) : joint_normal(at.a, at.b, at.c, unit(wall_in), unit(wall_out));

@@ -188,7 +188,7 @@ private:
                 }
             };
             walk(seam, last);
-            along += length(way(points[last], points[first]));
+            along += length(delta(points[last], points[first]));
             sides[first].along = static_cast<float>(along);
             doubled += sides[first].doubled;
             walk(first, seam);

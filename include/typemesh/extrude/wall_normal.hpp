@@ -13,7 +13,7 @@ namespace typemesh {
 [[nodiscard]] constexpr point outward(point direction) noexcept { return {direction.y, -direction.x}; }
 
 /// The way from one grid point to another, in cells; exact.
-[[nodiscard]] constexpr point way(grid_point from, grid_point to) noexcept
+[[nodiscard]] constexpr point delta(grid_point from, grid_point to) noexcept
 {
     return {static_cast<double>(to.x) - from.x, static_cast<double>(to.y) - from.y};
 }
@@ -22,7 +22,7 @@ namespace typemesh {
 [[nodiscard]] inline point unit(point v) noexcept { return (1.0 / length(v)) * v; }
 
 /// The unit normal of the wall over the edge from a to b, which differ.
-[[nodiscard]] inline point wall_normal(grid_point a, grid_point b) noexcept { return unit(outward(way(a, b))); }
+[[nodiscard]] inline point wall_normal(grid_point a, grid_point b) noexcept { return unit(outward(delta(a, b))); }
 
 [[nodiscard]] constexpr vec2 rounded(point v) noexcept { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
 

@@ -3,8 +3,8 @@
 
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/orientation.hpp>
-#include <typemesh/core/sweep_order.hpp>
 #include <typemesh/core/workspace.hpp>
+#include <typemesh/sweep/sweep_order.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -30,16 +30,16 @@ inline constexpr std::uint32_t no_number = 0xFFFF'FFFFu;
 
 /// A straight piece of the contours, from left to right, and what it separates.
 ///
-/// Several edges that lie upon each other are one stretch; when they cancel, its turn is 0 and it is none at all. It
+/// Several edges that lie upon each other are one segment; when they cancel, its winding delta is 0 and it is none at all. It
 /// fills one cache line.
-struct alignas(64) stretch {
+struct alignas(64) segment {
     grid_point from, to;       // from before to in the sweep order, but see resolving_sweep::cut
     std::uint32_t start, end;  // the numbers of these two points
-    std::int32_t turn;         // the winding number right above it less the one right below
+    std::int32_t winding_delta;         // the winding number right above it less the one right below
     std::int32_t below;        // the winding number right below, once the sweep has met it
     contour_edge source;       // t0 belongs to `from`, t1 to `to`
     std::uint32_t origin, target;  // the contour points that the edge it was cut from joins
-    std::uint32_t next;    // before the sweep: the next that starts in the same point; behind it: see boundary_walk
+    std::uint32_t next;    // before the sweep: the next that starts in the same point; behind it: see boundary_cycles
     std::uint32_t bent;    // 1: it may lie beside that contour edge, by a cell or so
     std::int32_t interior;  // once the sweep has met it, 1: the filled area lies right above it only, -1: right below
                             // it only, 0: it bounds nothing
@@ -55,10 +55,10 @@ struct alignas(64) stretch {
         const float t = source.t0;
         source.t0 = source.t1;
         source.t1 = t;
-        turn = -turn;
+        winding_delta = -winding_delta;
     }
 
-    /// The curve's parameter where the stretch is cut in p. Rounded, and nothing is decided by it but which way the two
+    /// The curve's parameter where the segment is cut in p. Rounded, and nothing is decided by it but which way the two
     /// parts run along their curve: it is neither t0 nor t1, though p may lie right beside an end, as long as there is
     /// a float between them.
     [[nodiscard]] float t_at(grid_point p) const noexcept
@@ -75,22 +75,22 @@ struct alignas(64) stretch {
     }
 };
 
-/// Contours taken apart into stretches between numbered points: the material that is cut until no two stretches cross.
+/// Contours taken apart into segments between numbered points: the material that is cut until no two segments cross.
 ///
 /// Whatever is cut, flipped or joined, the turns add up to closed contours: in every point as much comes in as goes
 /// out.
 struct arrangement {
-    stretch* stretches = nullptr;
+    segment* segments = nullptr;
     std::uint32_t count = 0;
     std::uint32_t capacity = 0;
-    grid_point* points = nullptr;  // all different, in the sweep order; room for as many as there may be stretches
+    grid_point* points = nullptr;  // all different, in the sweep order; room for as many as there may be segments
     grid_point* spare = nullptr;   // of the same size
     std::uint32_t* first =
-        nullptr;  // of the stretches that start in each point: the first, the others follow by `next`
+        nullptr;  // of the segments that start in each point: the first, the others follow by `next`
     std::uint32_t point_count = 0;
     const contours* loops = nullptr;  // what was taken apart
-    bool is_bent = false;             // some stretch does not lie on its contour edge
-    std::uint32_t most_active = no_number;  // how many stretches are on the sweep line at a time
+    bool is_bent = false;             // some segment does not lie on its contour edge
+    std::uint32_t most_active = no_number;  // how many segments are on the sweep line at a time
     bool is_rounded = false;          // it was made by snap_rounding: nothing is to be bent
     bool is_touching = false;         // the boundary of the filled area comes through some point more than once
 
@@ -98,33 +98,33 @@ struct arrangement {
         grid_point from, to;
     };
 
-    /// The contour edge that a stretch was cut from.
-    [[nodiscard]] edge home(const stretch& s) const noexcept
+    /// The contour edge that a segment was cut from.
+    [[nodiscard]] edge home(const segment& s) const noexcept
     {
         return {loops->points[s.origin], loops->points[s.target]};
     }
 
-    /// Room for `most` stretches. What is there already is kept. False when there is no memory.
+    /// Room for `most` segments. What is there already is kept. False when there is no memory.
     [[nodiscard]] bool reserve(workspace::scope& scratch, std::uint32_t most) noexcept
     {
-        auto* const larger = scratch.take<stretch>(most);
+        auto* const larger = scratch.take<segment>(most);
         points = scratch.take<grid_point>(most);
         spare = scratch.take<grid_point>(most);
         first = scratch.take<std::uint32_t>(most);
         if (larger == nullptr || points == nullptr || spare == nullptr || first == nullptr) return false;
-        if (count != 0) std::memcpy(static_cast<void*>(larger), stretches, count * sizeof(stretch));
-        stretches = larger;
+        if (count != 0) std::memcpy(static_cast<void*>(larger), segments, count * sizeof(segment));
+        segments = larger;
         capacity = most;
         return true;
     }
 
     /// The same for pieces between numbered points that are given in `scratch`: the first `piece_count` and
     /// `given_points` of two arrays of one size. False when there is no memory.
-    [[nodiscard]] bool adopt(workspace::scope& scratch, std::span<stretch> pieces, std::uint32_t piece_count,
+    [[nodiscard]] bool adopt(workspace::scope& scratch, std::span<segment> pieces, std::uint32_t piece_count,
                              std::span<grid_point> places, std::uint32_t given_points) noexcept
     {
         is_rounded = true;
-        stretches = pieces.data();
+        segments = pieces.data();
         count = piece_count;
         capacity = static_cast<std::uint32_t>(pieces.size());
         points = places.data();
@@ -139,7 +139,7 @@ struct arrangement {
     /// Takes contours apart; edges without length vanish. Needs capacity >= given.points.size(),
     /// and `given` to stay while the arrangement is cut. `known` is the order of the points, as sweep_order() makes it;
     /// empty: not known.
-    [[nodiscard]] bool take_apart(const contours& given, workspace& space,
+    [[nodiscard]] bool from_contours(const contours& given, workspace& space,
                                   std::span<const std::uint32_t> known = {}) noexcept
     {
         loops = &given;
@@ -165,7 +165,7 @@ struct arrangement {
         }
         point_count = different;
         std::uint32_t made = 0;
-        stretch* const all = stretches;
+        segment* const all = segments;
         const contour_edge* const edges = given.edges.data();
         for (std::uint32_t c = 0; c < given.contour_count(); ++c) {
             const std::uint32_t begin = given.starts[c], end = given.starts[c + 1];
@@ -176,9 +176,9 @@ struct arrangement {
                 const contour_edge e = edges[v];
                 void* const here = all + made;  // made in place: a copy of what has just been written stalls
                 if (i < k)
-                    ::new (here) stretch{place[v], place[w], i, k, 1, 0, e, v, w, first[i], 0, 0};
+                    ::new (here) segment{place[v], place[w], i, k, 1, 0, e, v, w, first[i], 0, 0};
                 else
-                    ::new (here) stretch{place[w], place[v], k, i, -1, 0, {e.curve, e.t1, e.t0}, v, w, first[k], 0, 0};
+                    ::new (here) segment{place[w], place[v], k, i, -1, 0, {e.curve, e.t1, e.t0}, v, w, first[k], 0, 0};
                 first[i < k ? i : k] = made++;
             }
         }
@@ -186,14 +186,14 @@ struct arrangement {
         return true;
     }
 
-    /// Numbers the points anew and lists the stretches by where they start; drops those that are none.
+    /// Numbers the points anew and lists the segments by where they start; drops those that are none.
     [[nodiscard]] bool put_in_order(workspace& space) noexcept
     {
         std::uint32_t kept = 0;
         for (std::uint32_t i = 0; i < count; ++i) {
-            if (stretches[i].turn == 0) continue;
-            stretches[kept] = stretches[i];
-            if (sweep_place(stretches[kept].to) < sweep_place(stretches[kept].from)) stretches[kept].flip();
+            if (segments[i].winding_delta == 0) continue;
+            segments[kept] = segments[i];
+            if (sweep_place(segments[kept].to) < sweep_place(segments[kept].from)) segments[kept].flip();
             ++kept;
         }
         count = kept;
@@ -203,15 +203,15 @@ struct arrangement {
         auto* const both = scratch.take<grid_point>(ends);
         if (order == nullptr || both == nullptr) return false;
         for (std::uint32_t i = 0; i < count; ++i) {
-            both[2 * i] = stretches[i].from;
-            both[2 * i + 1] = stretches[i].to;
+            both[2 * i] = segments[i].from;
+            both[2 * i + 1] = segments[i].to;
         }
         if (!sweep_order({both, ends}, space, order)) return false;
         point_count = 0;
         for (std::size_t i = 0; i < ends; ++i) {
             const grid_point p = both[order[i]];
             if (point_count == 0 || !(points[point_count - 1] == p)) points[point_count++] = p;
-            stretch& s = stretches[order[i] / 2];
+            segment& s = segments[order[i] / 2];
             (order[i] % 2 == 0 ? s.start : s.end) = point_count - 1;
         }
         list();
@@ -222,8 +222,8 @@ struct arrangement {
     {
         for (std::uint32_t i = 0; i < point_count; ++i) first[i] = no_number;
         for (std::uint32_t i = 0; i < count; ++i) {
-            stretch& s = stretches[i];
-            if (s.turn == 0) continue;
+            segment& s = segments[i];
+            if (s.winding_delta == 0) continue;
             s.next = first[s.start];
             first[s.start] = i;
         }

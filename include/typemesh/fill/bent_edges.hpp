@@ -11,7 +11,7 @@
 namespace typemesh::detail {
 
 /// Whether s is the rest of a bent edge and p is no end of the contour's edge that it comes from.
-[[nodiscard]] inline bool goes_through(const arrangement& a, const stretch& s, grid_point p) noexcept
+[[nodiscard]] inline bool goes_through(const arrangement& a, const segment& s, grid_point p) noexcept
 {
     return s.bent != 0 && !(a.loops->points[s.origin] == p) && !(a.loops->points[s.target] == p);
 }
@@ -21,7 +21,7 @@ namespace typemesh::detail {
 [[nodiscard]] inline bool is_rough(const arrangement& a, const std::uint32_t* ends, std::uint32_t ending_count,
                                    const std::uint32_t* starts, std::uint32_t starting_count, grid_point p) noexcept
 {
-    const stretch* const all = a.stretches;
+    const segment* const all = a.segments;
     bool bends = false;
     for (std::uint32_t i = 0; i < starting_count; ++i) bends |= goes_through(a, all[starts[i]], p);
     if (!bends) return false;
@@ -36,15 +36,15 @@ namespace typemesh::detail {
 [[nodiscard]] inline bool is_close_in_column(const arrangement& a, std::uint32_t last_ended, std::uint32_t starting,
                                              grid_point before, grid_point p) noexcept
 {
-    const auto comes_near = [&](const stretch& s, grid_point q) noexcept {
+    const auto comes_near = [&](const segment& s, grid_point q) noexcept {
         if (s.to.y >= s.from.y) return false;
         const std::int64_t dx = std::int64_t{s.to.x} - s.from.x, dy = std::int64_t{s.from.y} - s.to.y;
         const std::int64_t side = orientation(s.from, s.to, q);
         return (side < 0 ? -side : side) <= dx + dy;
     };
-    if (last_ended != no_number && comes_near(a.stretches[last_ended], p)) return true;
-    for (std::uint32_t i = starting; i != no_number; i = a.stretches[i].next)
-        if (comes_near(a.stretches[i], before)) return true;
+    if (last_ended != no_number && comes_near(a.segments[last_ended], p)) return true;
+    for (std::uint32_t i = starting; i != no_number; i = a.segments[i].next)
+        if (comes_near(a.segments[i], before)) return true;
     return false;
 }
 

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <typemesh/core/orientation.hpp>
-#include <typemesh/core/sweep_order.hpp>
-#include <typemesh/core/sweep_status.hpp>
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/fill/crossing.hpp>
 #include <typemesh/fill/net_edges.hpp>
+#include <typemesh/sweep/sweep_order.hpp>
+#include <typemesh/sweep/sweep_status.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -30,7 +30,7 @@ namespace typemesh::detail {
 /// From   Bentley & Ottmann, Algorithms for reporting and counting geometric intersections (1979); Boissonnat &
 ///        Preparata, Robust plane sweep for intersecting segments (2000)
 class crossing_sweep {
-    struct meeting {
+    struct intersection {
         std::int64_t place;
         grid_point nearest;
         std::uint32_t low;  // the slot of the lower edge; the other is right above it
@@ -62,7 +62,7 @@ private:
         const std::size_t n = edges_.size();
         edge_in_ = scratch.take<std::uint32_t>(n + 1);
         slot_of_ = scratch.take<std::uint32_t>(n);
-        heap_ = scratch.take<meeting>(n + 1);
+        heap_ = scratch.take<intersection>(n + 1);
         place_in_heap_ = scratch.take<std::uint32_t>(n + 1);
         by_end_ = scratch.take<std::uint32_t>(n);
         if (edge_in_ == nullptr || slot_of_ == nullptr || heap_ == nullptr || place_in_heap_ == nullptr ||
@@ -126,11 +126,11 @@ private:
         look_up_from(under);
     }
 
-    /// The first of all meetings: its edges change places.
+    /// The first of all intersections: its edges change places.
     template <class Met>
     [[nodiscard]] bool swap(Met&& met) noexcept
     {
-        const meeting first = heap_[1];
+        const intersection first = heap_[1];
         const std::uint32_t low = first.low, high = status_.above(low), rising = edge_in_[low];
         edge_in_[low] = edge_in_[high];
         edge_in_[high] = rising;
@@ -155,7 +155,7 @@ private:
         if (whole == 0 || orientation(h.from, h.to, l.to) < 0) return;
         const quotient x = scaled(std::int64_t{l.to.x} - l.from.x, part, whole);
         const quotient y = scaled(std::int64_t{l.to.y} - l.from.y, part, whole);
-        meeting m;
+        intersection m;
         m.nearest = {static_cast<std::int32_t>(l.from.x + x.nearest()),
                      static_cast<std::int32_t>(l.from.y + y.nearest())};
         m.place = (2 * (l.from.x + x.floor) + !x.is_exact()) * (std::int64_t{1} << 32) +
@@ -170,7 +170,7 @@ private:
         const std::uint32_t at = place_in_heap_[low];
         if (at == 0) return;
         place_in_heap_[low] = 0;
-        const meeting last = heap_[heap_size_--];
+        const intersection last = heap_[heap_size_--];
         if (at > heap_size_) return;
         if (at > 1 && last.place < heap_[at / 2].place)
             rise(at, last);
@@ -178,17 +178,17 @@ private:
             sink(at, last);
     }
 
-    void put(std::uint32_t at, const meeting& m) noexcept
+    void put(std::uint32_t at, const intersection& m) noexcept
     {
         heap_[at] = m;
         place_in_heap_[m.low] = at;
     }
-    void rise(std::uint32_t at, const meeting& m) noexcept
+    void rise(std::uint32_t at, const intersection& m) noexcept
     {
         for (; at > 1 && m.place < heap_[at / 2].place; at /= 2) put(at, heap_[at / 2]);
         put(at, m);
     }
-    void sink(std::uint32_t at, const meeting& m) noexcept
+    void sink(std::uint32_t at, const intersection& m) noexcept
     {
         for (std::uint32_t child = 2 * at; child <= heap_size_; child = 2 * at) {
             if (child < heap_size_ && heap_[child + 1].place < heap_[child].place) ++child;
@@ -204,8 +204,8 @@ private:
     std::uint32_t* edge_in_ = nullptr;  // of every slot; the next free one of a free slot
     std::uint32_t* slot_of_ = nullptr;
     std::uint32_t* by_end_ = nullptr;   // the edges in the order of their ends
-    meeting* heap_ = nullptr;           // from 1; the first one on top
-    std::uint32_t* place_in_heap_ = nullptr;  // of the meeting of each slot; 0: none
+    intersection* heap_ = nullptr;           // from 1; the first one on top
+    std::uint32_t* place_in_heap_ = nullptr;  // of the intersection of each slot; 0: none
     std::uint32_t heap_size_ = 0;
     std::uint32_t slot_count_ = 0;
     std::uint32_t free_slot_ = 0;

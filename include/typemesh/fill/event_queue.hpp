@@ -12,7 +12,7 @@ namespace typemesh::detail {
 /// Something that a sweep will meet at a point that it did not know before.
 struct event {
     std::int64_t place;     ///< of the point, as sweep_place()
-    std::uint32_t stretch;  ///< that starts there, or no_number
+    std::uint32_t segment;  ///< that starts there, or no_number
     std::uint32_t slot;     ///< in the status, of an edge that may end there; 0: none
 };
 

@@ -4,8 +4,8 @@
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/fill_rule.hpp>
 #include <typemesh/core/point.hpp>
-#include <typemesh/core/sweep_order.hpp>
 #include <typemesh/core/workspace.hpp>
+#include <typemesh/sweep/sweep_order.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -23,7 +23,7 @@ namespace typemesh::detail {
 struct net_edge {
     grid_point from, to;           // from before to in the sweep order
     std::uint32_t origin, target;  // the contour points that the edge joins whose curve has the lowest number
-    std::int32_t turn;             // the winding number right above it less the one right below
+    std::int32_t winding_delta;             // the winding number right above it less the one right below
 };
 
 /// Gives every point its number among the different ones, in the sweep order. How many there are; false when there is no
@@ -47,7 +47,7 @@ struct net_edge {
 }
 
 /// The edges of contours, each pair of ends once; those that cancel, or have no length, are left out. So the result is
-/// the same wherever contours begin, in whatever order they come, and run all the other way (but for `turn`); under
+/// the same wherever contours begin, in whatever order they come, and run all the other way (but for `winding_delta`); under
 /// even_odd also for each contour that runs the other way.
 ///
 /// `edges` has room for as many as there are points, and is ordered by where they start. How many there are; none and
@@ -86,11 +86,11 @@ struct net_edge {
         for (std::uint32_t v = first[start]; v != none; v = next[v]) {
             const bool along = number[v] == start;
             const std::uint32_t end = along ? number[to[v]] : number[v];
-            const std::int32_t turn = along ? 1 : -1;
+            const std::int32_t winding_delta = along ? 1 : -1;
             const std::uint32_t known_one = seen[end];
             if (known_one != none && known_one >= begin) {
                 net_edge& e = edges[known_one];
-                e.turn += turn;
+                e.winding_delta += winding_delta;
                 if (given.edges[v].curve < given.edges[e.origin].curve) {
                     e.origin = v;
                     e.target = to[v];
@@ -98,12 +98,12 @@ struct net_edge {
                 continue;
             }
             seen[end] = count;
-            edges[count++] = along ? net_edge{place[v], place[to[v]], v, to[v], turn}
-                                   : net_edge{place[to[v]], place[v], v, to[v], turn};
+            edges[count++] = along ? net_edge{place[v], place[to[v]], v, to[v], winding_delta}
+                                   : net_edge{place[to[v]], place[v], v, to[v], winding_delta};
         }
         std::uint32_t kept = begin;
         for (std::uint32_t i = begin; i < count; ++i)
-            if ((edges[i].turn & mask) != 0) edges[kept++] = edges[i];
+            if ((edges[i].winding_delta & mask) != 0) edges[kept++] = edges[i];
         count = kept;
         for (std::uint32_t v = first[start]; v != none; v = next[v])
             seen[number[v] == start ? number[to[v]] : number[v]] = none;

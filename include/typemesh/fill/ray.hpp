@@ -2,16 +2,16 @@
 #pragma once
 
 #include <typemesh/core/point.hpp>
-#include <typemesh/core/sweep_order.hpp>
+#include <typemesh/sweep/sweep_order.hpp>
 
 #include <cstdint>
 
 namespace typemesh::detail {
 
-/// A stretch as it leaves a point to the right: sorted, from below to above.
+/// A segment as it leaves a point to the right: sorted, from below to above.
 struct ray {
     std::int32_t x, y;  // to its other end: x > 0, or x = 0 and y > 0, both below 2^29 + 1 in size
-    std::uint32_t stretch;
+    std::uint32_t segment;
 
     /// Positive when `other` lies above, zero when both have one direction. Exact: products below 2^59, their
     /// difference below 2^60.
@@ -22,7 +22,7 @@ struct ray {
     [[nodiscard]] bool before(ray other) const noexcept
     {
         const std::int64_t turn = cross(other);
-        return turn > 0 || (turn == 0 && stretch < other.stretch);
+        return turn > 0 || (turn == 0 && segment < other.segment);
     }
 };
 

@@ -8,8 +8,8 @@
 #include <typemesh/core/result.hpp>
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/fill/arrangement.hpp>
-#include <typemesh/fill/boundary_walk.hpp>
-#include <typemesh/fill/meeting.hpp>
+#include <typemesh/fill/boundary_cycles.hpp>
+#include <typemesh/fill/intersection.hpp>
 #include <typemesh/fill/resolving_sweep.hpp>
 #include <typemesh/fill/snap_rounding.hpp>
 
@@ -46,8 +46,8 @@ enum class quick_walk { no_memory, done, not_done };
     const std::size_t n = loops.points.size();
     constexpr std::size_t bytes_a_piece = 144;  // of the arrangement (84) and its walk
     const std::size_t most = n + n / 8 + 48;
-    if (!scratch.expect(bytes_a_piece * most) || !a.reserve(scratch, static_cast<std::uint32_t>(most)) ||
-        !a.take_apart(loops, space, how.order))
+    if (!scratch.reserve(bytes_a_piece * most) || !a.reserve(scratch, static_cast<std::uint32_t>(most)) ||
+        !a.from_contours(loops, space, how.order))
         return quick_walk::no_memory;
     for (int walk = 0; walk < 2; ++walk) {
         resolving_sweep sweep{a, rule};
@@ -87,8 +87,8 @@ enum class quick_walk { no_memory, done, not_done };
 ///     then    error then(r) or error then(r, order): what to do with the region r at once, while the order of its
 ///             points is known, too. Its error is the answer, and `loops` is the region's then. Not asked when there is
 ///             no region.
-template <meeting_judge Judge, class Then>
-[[nodiscard]] result<region> resolve_then(contours& loops, fill_rule rule, workspace& space, Judge& judge, Then&& then,
+template <intersection_filter Filter, class Then>
+[[nodiscard]] result<region> resolve_then(contours& loops, fill_rule rule, workspace& space, Filter& filter, Then&& then,
                                           const resolve_options& how = {}) noexcept
 {
     const std::size_t n = loops.points.size();
@@ -104,13 +104,13 @@ template <meeting_judge Judge, class Then>
         if (error e = detail::walk_rounded(loops, rule, space, scratch, how, a)) return e;
     }
     if (a.count > how.most_pieces) return error{error::too_many_pieces, how.most_pieces};
-    constexpr bool judging = !std::is_same_v<Judge, every_meeting_stands>;
+    constexpr bool judging = !std::is_same_v<Filter, every_intersection_stands>;
     const bool touching = judging && a.is_touching, changing = judging && !a.is_touching;
     bool all_stand = true;
-    if (touching && !detail::judge_touches(a, space, judge, all_stand)) return error::out_of_memory;
-    detail::boundary_walk boundary;
+    if (touching && !detail::filter_touches(a, space, filter, all_stand)) return error::out_of_memory;
+    detail::boundary_cycles boundary;
     const auto watch = [&](const auto& s, const auto& t, grid_point at) noexcept {
-        if (changing && !detail::judge_change(a, s, t, at, judge)) all_stand = false;
+        if (changing && !detail::filter_change(a, s, t, at, filter)) all_stand = false;
     };
     if (const error e = boundary.trace(a, scratch, watch)) return e;
     if (!all_stand) return region{};
@@ -136,7 +136,7 @@ template <meeting_judge Judge, class Then>
 ///      .------.                .------.            Crossings, corners on edges, shared edges, doubled contours,
 ///      |   .--|---.            |      '---.        spikes, edges without length, contours of one point, any nesting,
 ///      |   |  |   |     ->     |          |        any winding number. In every point where boundaries touch, a walk
-///      '---|--'   |            '---.      |        stays in its own wedge of interior: a hole that touches its outer
+///      '---|--'   |            '---.      |        stays in its own sector of interior: a hole that touches its outer
 ///          '------'                '------'        loop joins it, holes that touch become one, outer loops stay apart.
 ///
 /// Replaces `loops`; nothing may be left: a region without points. Edges keep the curve and t that they come from
@@ -157,26 +157,26 @@ template <meeting_judge Judge, class Then>
 ///        error::out_of_memory. Then `loops` is as it was. (error::crossing_contours stands for a mistake in here.)
 /// Cost   O((n + k) log n) for n points and k crossings, which may be n^2 / 2: 50 to 70 ns a piece for letters. Where snap
 ///        rounding is needed, about five times as much, the first walk included, and about sqrt(n + k) steps an edge to
-///        find the hot cells that it comes through; an edge is cut in each of them.
+///        find the hot pixels that it comes through; an edge is cut in each of them.
 /// Memory at most 200 bytes a piece from `space`, and a block of 16 kB, which is never smaller. Before the workspace has
 ///        seen as many pieces they lie in several blocks: up to 210 bytes a piece where snap rounding is needed, and
 ///        32 kB.
 /// Exact  in 64 bits; from equal grid points every compiler makes the same region (t apart, which is floating point)
 ///
-/// `judge` is told where edges of the contours cross, or one ends on the other, on the boundary of what they fill (see
-/// meeting.hpp). Where it does not let one stand, the answer is a region without points, and `loops` is as it was. About
-/// 15 instructions a point, and the judge's own.
-template <meeting_judge Judge>
-[[nodiscard]] result<region> resolve(contours& loops, fill_rule rule, workspace& space, Judge& judge,
+/// `filter` is told where edges of the contours cross, or one ends on the other, on the boundary of what they fill (see
+/// intersection.hpp). Where it does not let one stand, the answer is a region without points, and `loops` is as it was. About
+/// 15 instructions a point, and the filter's own.
+template <intersection_filter Filter>
+[[nodiscard]] result<region> resolve(contours& loops, fill_rule rule, workspace& space, Filter& filter,
                                      const resolve_options& how = {}) noexcept
 {
-    return resolve_then(loops, rule, space, judge, [](const region&) noexcept { return error{}; }, how);
+    return resolve_then(loops, rule, space, filter, [](const region&) noexcept { return error{}; }, how);
 }
 
 [[nodiscard]] inline result<region> resolve(contours& loops, fill_rule rule, workspace& space,
                                             const resolve_options& how = {}) noexcept
 {
-    every_meeting_stands nobody;
+    every_intersection_stands nobody;
     return resolve(loops, rule, space, nobody, how);
 }
 

@@ -3,16 +3,16 @@
 
 #include <typemesh/core/fill_rule.hpp>
 #include <typemesh/core/orientation.hpp>
-#include <typemesh/core/sweep_status.hpp>
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/fill/arrangement.hpp>
 #include <typemesh/fill/bent_edges.hpp>
 #include <typemesh/fill/crossing.hpp>
 #include <typemesh/fill/event_queue.hpp>
 #include <typemesh/fill/net_edges.hpp>
+#include <typemesh/fill/sector_links.hpp>
 #include <typemesh/fill/start_order.hpp>
 #include <typemesh/fill/swept_edge.hpp>
-#include <typemesh/fill/wedge_links.hpp>
+#include <typemesh/sweep/sweep_status.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -21,7 +21,7 @@
 
 namespace typemesh::detail {
 
-/// One walk from left to right over an arrangement that cuts stretches where they cross, touch or overlap.
+/// One walk from left to right over an arrangement that cuts segments where they cross, touch or overlap.
 ///
 /// The sweep line crosses edges, ordered from below to above. Two that become neighbours are tested once: the one that
 /// ends first must end on its own side of the other. Where it does not, both are cut where they cross, at the nearest
@@ -36,10 +36,10 @@ namespace typemesh::detail {
 /// and take the places of those that end; those that lie upon each other are joined, the longer one cut at the end of
 /// the shorter one.
 ///
-/// Afterwards no two stretches have more than an end in common, the winding numbers below them are right, and `next`
-/// joins those that bound the filled area, as boundary_walk tells; or `again` asks for one more walk over what there is
+/// Afterwards no two segments have more than an end in common, the winding numbers below them are right, and `next`
+/// joins those that bound the filled area, as boundary_cycles tells; or `again` asks for one more walk over what there is
 /// now, or for snap rounding. In a walk that ends so any step may have been wrong: it cut in wrong places, missed some, and nothing worse,
-/// for whatever is cut, the stretches stay closed contours.
+/// for whatever is cut, the segments stay closed contours.
 ///
 /// Why what a walk believes is true. Bending moves an edge by less than a cell, and what the sweep has passed already
 /// may then lie on its other side. So every point p is held against the edges right below and right above it when the
@@ -52,8 +52,8 @@ namespace typemesh::detail {
 ///     3  no two edges that ended next to each other had begun together: all that end in a point lie side by side in
 ///        the status, so to remember the one before is enough.
 ///
-/// Let X be the first place where final stretches meet otherwise than in common ends; left of X the status is in order.
-/// If X is no end of a stretch, two neighbours e below f cross there (they do not begin together in one direction: till
+/// Let X be the first place where final segments meet otherwise than in common ends; left of X the status is in order.
+/// If X is no end of a segment, two neighbours e below f cross there (they do not begin together in one direction: till
 /// one of them ends nothing can come between them, and ending in the same place breaks 3, in different places 2).
 /// Behind X nothing can be put between them, for what is above e is above f; so the one that ends first does so on the
 /// wrong side of the other, its neighbour, against 2. If X is an end p, an edge that goes through it lies next to those
@@ -77,7 +77,7 @@ public:
     bool again = false;     ///< something may not add up: one more walk is needed
     bool rough = false;     ///< something was bent that may not lie where snap rounding leads it: only that helps
     bool partial = false;   ///< edges cancel each other in part: what crosses them there has not been sought
-    bool full = false;      ///< ended early, for there was no room for more stretches
+    bool full = false;      ///< ended early, for there was no room for more segments
     bool touching = false;  ///< the boundary comes through some point more than once
 
     explicit resolving_sweep(arrangement& a, fill_rule rule) noexcept
@@ -159,9 +159,9 @@ private:
             }
             for (; queue_.first_place() == place; queue_.pop()) {
                 const event e = queue_.top();
-                if (e.stretch != no_number) {
-                    a_.stretches[e.stretch].next = starting;
-                    starting = e.stretch;
+                if (e.segment != no_number) {
+                    a_.segments[e.segment].next = starting;
+                    starting = e.segment;
                 }
                 if (edges_[e.slot].to == p) slot = e.slot;
             }
@@ -178,7 +178,7 @@ private:
             }
             const bool passes = slot != 0 && starting != no_number;
             const bool alone = (edges_[status_.below(slot)].to == p) + (edges_[status_.above(slot)].to == p) == 0;
-            if (passes && alone && a_.stretches[starting].next == no_number && !repeated)
+            if (passes && alone && a_.segments[starting].next == no_number && !repeated)
                 pass(slot, starting, p);
             else
                 meet(slot, starting, p, repeated);
@@ -194,10 +194,10 @@ private:
     /// One edge ends, one starts: the usual case.
     void pass(std::uint32_t slot, std::uint32_t starting, grid_point p) noexcept
     {
-        const std::uint32_t ending = edges_[slot].stretch, under = status_.below(slot), over = status_.above(slot);
-        stretch& before = a_.stretches[ending];
-        stretch& s = a_.stretches[starting];
-        if (s.turn != before.turn) unsure_ |= differ(s.turn, before.turn);
+        const std::uint32_t ending = edges_[slot].segment, under = status_.below(slot), over = status_.above(slot);
+        segment& before = a_.segments[ending];
+        segment& s = a_.segments[starting];
+        if (s.winding_delta != before.winding_delta) unsure_ |= differ(s.winding_delta, before.winding_delta);
         if (s.bent != 0) rough_ |= goes_through(a_, s, p);
         last_ended_ = ending;
         finish(ending);
@@ -246,22 +246,22 @@ private:
             const swept_edge& e = edges_[over];
             if (is_here(over, p, repeated)) {
                 if (!(e.to == p)) {
-                    a_.stretches[e.stretch].next = starting;
-                    starting = e.stretch;
+                    a_.segments[e.segment].next = starting;
+                    starting = e.segment;
                     continue;
                 }
             } else if (slot == 0 && orientation(e.from, e.to, p) == 0 && is_between(e.from, p, e.to)) {
                 const std::uint32_t rest = a_.count;
                 if (!split(over, p)) return;
-                a_.stretches[rest].next = starting;
+                a_.segments[rest].next = starting;
                 starting = rest;
             } else {
                 break;
             }
             unsure_ |= e.from == began;
             began = e.from;
-            finish(e.stretch);
-            ends_[ending_count++] = e.stretch;
+            finish(e.segment);
+            ends_[ending_count++] = e.segment;
         }
         last_ended_ = ending_count != 0 ? ends_[ending_count - 1] : no_number;
         const std::uint32_t starting_count = starts_.put_in_order(starting, p);
@@ -280,13 +280,13 @@ private:
             over = status_.above(under);
             pass_by(under, over, p);
         }
-        wedge_links links{a_.stretches};
+        sector_links links{a_.segments};
         std::int32_t winding = edges_[under].above;
         std::uint32_t last = under, bends = 0;
         for (std::uint32_t i = 0; i < starting_count; ++i) {
             const std::uint32_t here = enough ? status_.above(last) : take_slot(), k = starts_.all()[i];
             begin(here, k, p, winding);
-            bends |= a_.stretches[k].bent;
+            bends |= a_.segments[k].bent;
             winding = edges_[here].above;
             if (!enough) status_.insert_above(last, here);
             if (i != 0 && !is_clear(last, here)) part(last, here);  // one may end near the other
@@ -294,7 +294,7 @@ private:
             last = here;
         }
         if (bends) rough_ |= is_rough(a_, ends_, ending_count, starts_.all(), starting_count, p);
-        const std::int32_t expected = over != 0 ? a_.stretches[edges_[over].stretch].below : 0;
+        const std::int32_t expected = over != 0 ? a_.segments[edges_[over].segment].below : 0;
         if (winding != expected) unsure_ |= differ(winding, expected);
         for (std::uint32_t i = ending_count; i-- != 0;) links.take(ends_[i], false);
         touching |= links.close();
@@ -321,7 +321,7 @@ private:
     /// cannot be cut there, they have left the way that snap rounding leads them.
     void lead_home(std::uint32_t low, std::uint32_t high, grid_point& x) noexcept
     {
-        const auto l = a_.home(a_.stretches[edges_[low].stretch]), h = a_.home(a_.stretches[edges_[high].stretch]);
+        const auto l = a_.home(a_.segments[edges_[low].segment]), h = a_.home(a_.segments[edges_[high].segment]);
         grid_point better;
         if (crossing_of(l.from, l.to, h.from, h.to, better) && edges_[low].holds(better) && edges_[high].holds(better))
             x = better;
@@ -346,8 +346,8 @@ private:
 
     void begin(std::uint32_t slot, std::uint32_t starting, grid_point p, std::int32_t winding) noexcept
     {
-        stretch& s = a_.stretches[starting];
-        const std::int32_t above = winding + s.turn;
+        segment& s = a_.segments[starting];
+        const std::int32_t above = winding + s.winding_delta;
         s.start = passed_ - 1;
         s.below = winding;
         s.interior = int{is_filled(rule_, above)} - int{is_filled(rule_, winding)};
@@ -357,7 +357,7 @@ private:
 
     void finish(std::uint32_t ending) noexcept
     {
-        stretch& s = a_.stretches[ending];
+        segment& s = a_.segments[ending];
         s.end = passed_ - 1;
         if (late_ && sweep_place(s.to) < sweep_place(s.from)) {
             s.flip();
@@ -387,7 +387,7 @@ private:
         const swept_edge &l = edges_[low], &h = edges_[high];
         if (l.to == h.to) return;
         if (grid_point x; crossing_of(l.from, l.to, h.from, h.to, x)) {
-            if (a_.stretches[l.stretch].bent || a_.stretches[h.stretch].bent) lead_home(low, high, x);
+            if (a_.segments[l.segment].bent || a_.segments[h.segment].bent) lead_home(low, high, x);
             if (cut(low, x, 0)) (void)cut(high, x, 1);
             return;
         }
@@ -418,7 +418,7 @@ private:
         }
         if (!split(slot, x)) return false;
         const std::uint32_t rest = a_.count - 1;
-        stretch& r = a_.stretches[rest];
+        segment& r = a_.segments[rest];
         if (sweep_place(r.to) < sweep_place(x)) {
             r.flip();
             unsure_ = rough_ = true;
@@ -431,7 +431,7 @@ private:
         return true;
     }
 
-    /// The edge in a slot ends in x from now on; its rest is the last stretch of all. False when there is no room.
+    /// The edge in a slot ends in x from now on; its rest is the last segment of all. False when there is no room.
     [[nodiscard]] bool split(std::uint32_t slot, grid_point x) noexcept
     {
         if (a_.count == a_.capacity || queue_.room() < 2) {
@@ -439,14 +439,14 @@ private:
             return false;
         }
         swept_edge& e = edges_[slot];
-        stretch& s = a_.stretches[e.stretch];
+        segment& s = a_.segments[e.segment];
         if (const std::int64_t side = orientation(e.from, e.to, x); side != 0) {
             unsure_ |= e.is_bent || (side < 0 ? -side : side) > e.reach();
             e.is_bent = bent_ = true;
             s.bent = 1;
         }
         const float t = s.t_at(x);
-        ::new (a_.stretches + a_.count++) stretch{x, s.to, no_number, s.end, s.turn,
+        ::new (a_.segments + a_.count++) segment{x, s.to, no_number, s.end, s.winding_delta,
                                                 0,         {s.source.curve, t, s.source.t1},
                                                 s.origin,  s.target, no_number, s.bent,   0};
         s.to = x;

@@ -4,9 +4,9 @@
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/orientation.hpp>
-#include <typemesh/core/sweep_order.hpp>
-#include <typemesh/core/sweep_status.hpp>
 #include <typemesh/core/workspace.hpp>
+#include <typemesh/sweep/sweep_order.hpp>
+#include <typemesh/sweep/sweep_status.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -24,7 +24,7 @@ struct contour_sides {
 /// what every contour separates.
 ///
 /// The sweep line crosses edges, ordered from below to above. Every point is tested against the edge below and the edge
-/// above it, strictly; that finds every meeting (the reason is told in triangulate/monotone_sweep.hpp). The winding
+/// above it, strictly; that finds every intersection (the reason is told in triangulate/monotone_sweep.hpp). The winding
 /// numbers on the two sides of a contour are known where the sweep first meets it: from the edge right below.
 ///
 ///        k ---------------     outside of l = above that edge of k = inside or outside of k, as that edge runs

@@ -3,13 +3,13 @@
 
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/orientation.hpp>
-#include <typemesh/core/sweep_order.hpp>
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/fill/arrangement.hpp>
 #include <typemesh/fill/crossing_sweep.hpp>
 #include <typemesh/fill/growing.hpp>
-#include <typemesh/fill/hot_cells.hpp>
+#include <typemesh/fill/hot_pixels.hpp>
 #include <typemesh/fill/net_edges.hpp>
+#include <typemesh/sweep/sweep_order.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +22,7 @@ namespace typemesh::detail {
 ///
 ///      .   .   .   .   .      The cell round a grid point is hot when a contour's point lies in it, or two edges cross
 ///        +---+   _.-''.       in it. Where an edge comes through a hot point itself it is cut in it. A part of an edge
-///      . | x-+-''  .   .      between two such cuts, if it has to be bent, is led through the middle of every hot cell
+///      . | x-+-''  .   .      between two such cuts, if it has to be bent, is led through the middle of every hot pixel
 ///     .-'+---+ `-.            that it comes through. No part moves by more than half a cell in x and y, and no two of
 ///      .   .   .   `.  .      them cross afterwards: this is proven in the second paper.
 ///
@@ -33,9 +33,9 @@ namespace typemesh::detail {
 ///
 /// All this depends on the set of edges alone: not on where contours begin, nor on their order.
 ///
-/// Cost   O((n + k) log n) for n points and k crossings, and for each edge a search among the hot cells: about their
+/// Cost   O((n + k) log n) for n points and k crossings, and for each edge a search among the hot pixels: about their
 ///        number's square root. An edge that comes through many cells of others' crossings is cut in each.
-/// Exact  in 64 bits: see crossing_sweep and hot_cells
+/// Exact  in 64 bits: see crossing_sweep and hot_pixels
 /// From   Hobby, Practical segment intersection with finite precision output (1999); Guibas & Marimont, Rounding
 ///        arrangements dynamically (1998)
 class snap_rounding {
@@ -136,7 +136,7 @@ private:
         const std::size_t m = hot_.size();
         auto* const bends = scratch.take<bool>(m);
         auto* const group = scratch.take<std::uint32_t>(m);
-        hot_cells cells;
+        hot_pixels cells;
         if (bends == nullptr || group == nullptr) return error::out_of_memory;
         // Each point is made in the place of its key, which is read before.
         static_assert(sizeof(grid_point) == sizeof(packed_sweep_key) && alignof(grid_point) <= alignof(packed_sweep_key));
@@ -154,7 +154,7 @@ private:
         for (std::size_t i = 0; i < edges_.size(); ++i) {
             const net_edge& e = edges_[i];
             std::uint32_t last = no_number;  // on the same part
-            const auto step = [&](hot_cells::hit h) noexcept {
+            const auto step = [&](hot_pixels::hit h) noexcept {
                 if (edges_.size() + cuts.count >= most_ || !cuts.add(h.number | (h.is_exact ? exact : 0))) return false;
                 if (!h.is_exact && last != no_number) join(group, bends, last, h.number);
                 last = h.is_exact ? no_number : h.number;
@@ -197,7 +197,7 @@ private:
     {
         const std::size_t count = edges_.size() + cuts_.size(), more = count / 32 + 32;
         const std::size_t most = (count > points_.size() ? count : points_.size()) + more;
-        std::span<stretch> pieces{scratch.take<stretch>(most), most};
+        std::span<segment> pieces{scratch.take<segment>(most), most};
         std::span<grid_point> places{scratch.take<grid_point>(most), most};
         if (pieces.data() == nullptr || places.data() == nullptr) return error::out_of_memory;
         std::uint32_t made = 0, next_cut = 0, point_count = 0;
@@ -205,11 +205,11 @@ private:
             const net_edge& e = edges_[i];
             const contour_edge source = loops_->edges[e.origin];
             const bool along = loops_->points[e.origin] == e.from;
-            stretch rest{e.from,   e.to,     number_of(e.from), number_of(e.to), e.turn, 0, source,
+            segment rest{e.from,   e.to,     number_of(e.from), number_of(e.to), e.winding_delta, 0, source,
                          e.origin, e.target, no_number,         0,               0};
             if (!along) rest.source = {source.curve, source.t1, source.t0};
             for (; next_cut < cut_ends_[i]; ++next_cut) {
-                stretch& s = pieces[made++];
+                segment& s = pieces[made++];
                 s = rest;
                 const grid_point p = points_[cuts_[next_cut]];
                 s.source.t1 = rest.source.t0 = rest.t_at(p);

@@ -11,16 +11,16 @@
 
 namespace typemesh::detail {
 
-/// The stretches that start in one point of a walk, from below to above, those that lie upon each other joined.
+/// The segments that start in one point of a walk, from below to above, those that lie upon each other joined.
 class start_order {
 public:
     bool full = false;     ///< there was no room
-    bool rough = false;    ///< bent stretches lie upon each other
+    bool rough = false;    ///< bent segments lie upon each other
     bool partial = false;  ///< edges cancel each other in part
 
     start_order(arrangement& a, event_queue& queue, std::int32_t mask) noexcept : a_{a}, queue_{queue}, mask_{mask} {}
 
-    /// Room for `most` stretches in one point; false when there is no memory.
+    /// Room for `most` segments in one point; false when there is no memory.
     [[nodiscard]] bool open(workspace::scope& scratch, std::uint32_t most) noexcept
     {
         most_starts_ = most;
@@ -31,11 +31,11 @@ public:
 
     [[nodiscard]] const std::uint32_t* all() const noexcept { return starts_; }
 
-    /// Puts the stretches that start in p into all(), from below to above, each direction once; how many.
+    /// Puts the segments that start in p into all(), from below to above, each direction once; how many.
     [[nodiscard]] std::uint32_t put_in_order(std::uint32_t starting, grid_point p) noexcept
     {
         if (starting == no_number) return 0;
-        const stretch* const all = a_.stretches;
+        const segment* const all = a_.segments;
         const auto ray_to = [&](std::uint32_t i) noexcept -> ray { return {all[i].to.x - p.x, all[i].to.y - p.y, i}; };
         starts_[0] = starting;
         const std::uint32_t second = all[starting].next;
@@ -63,37 +63,37 @@ public:
             if (rays_[kept].cross(rays_[i]) != 0)
                 rays_[++kept] = rays_[i];
             else
-                rays_[kept].stretch = joined(rays_[kept].stretch, rays_[i].stretch);
+                rays_[kept].segment = joined(rays_[kept].segment, rays_[i].segment);
         }
         partial |= cancelled_ && uneven_;
         count = 0;
         for (std::uint32_t i = 0; i <= kept; ++i)
-            if (all[rays_[i].stretch].turn != 0) starts_[count++] = rays_[i].stretch;
+            if (all[rays_[i].segment].winding_delta != 0) starts_[count++] = rays_[i].segment;
         return count;
     }
 
 private:
-    [[nodiscard]] bool is_whole(const stretch& s) const noexcept
+    [[nodiscard]] bool is_whole(const segment& s) const noexcept
     {
         const auto [a, b] = a_.home(s);
         return (s.from == a && s.to == b) || (s.from == b && s.to == a);
     }
 
-    /// Two stretches that start in one point and in one direction: what they share becomes one of them, which is
+    /// Two segments that start in one point and in one direction: what they share becomes one of them, which is
     /// returned, the rest of the longer one the other.
     [[nodiscard]] std::uint32_t joined(std::uint32_t i, std::uint32_t k) noexcept
     {
-        if (sweep_place(a_.stretches[k].to) < sweep_place(a_.stretches[i].to)) {
+        if (sweep_place(a_.segments[k].to) < sweep_place(a_.segments[i].to)) {
             const std::uint32_t swapped = i;
             i = k;
             k = swapped;
         }
-        stretch& shorter = a_.stretches[i];
-        stretch& longer = a_.stretches[k];
+        segment& shorter = a_.segments[i];
+        segment& longer = a_.segments[k];
         const bool equal = shorter.to == longer.to;
         rough |= (shorter.bent | longer.bent) != 0;
         uneven_ |= !equal;
-        const std::int32_t turn = shorter.turn;
+        const std::int32_t winding_delta = shorter.winding_delta;
         const float t = equal ? longer.source.t1 : longer.t_at(shorter.to);
         if (longer.source.curve < shorter.source.curve) {
             shorter.source = {longer.source.curve, longer.source.t0, t};
@@ -101,16 +101,16 @@ private:
             shorter.target = longer.target;
             shorter.bent |= longer.bent;
         }
-        shorter.turn += longer.turn;
-        if ((shorter.turn & mask_) == 0) {
-            partial |= shorter.turn != 0 || !is_whole(shorter) || !is_whole(longer);
+        shorter.winding_delta += longer.winding_delta;
+        if ((shorter.winding_delta & mask_) == 0) {
+            partial |= shorter.winding_delta != 0 || !is_whole(shorter) || !is_whole(longer);
             cancelled_ = true;
         }
         shorter.interior = longer.interior = 0;  // of a walk before: one of them may be none from now on
         if (equal) {
-            longer.turn = 0;
+            longer.winding_delta = 0;
         } else if (queue_.room() == 0) {
-            shorter.turn = turn;
+            shorter.winding_delta = winding_delta;
             full = true;
         } else {
             longer.from = shorter.to;

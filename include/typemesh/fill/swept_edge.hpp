@@ -11,7 +11,7 @@ namespace typemesh::detail {
 /// An edge while the sweep line crosses it.
 struct alignas(32) swept_edge {
     grid_point from, to;
-    std::uint32_t stretch = no_number;
+    std::uint32_t segment = no_number;
     std::int32_t above = 0;             ///< the winding number right above it
 
     bool is_bent = false;               ///< in this walk: bending it again takes another one
@@ -20,7 +20,7 @@ struct alignas(32) swept_edge {
     {
         from = a;
         to = b;
-        stretch = s;
+        segment = s;
         above = winding;
         is_bent = false;
     }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/core/sweep_order.hpp>
 #include <typemesh/fill/fill.hpp>
 #include <typemesh/fill/orient.hpp>
 #include <typemesh/fill/resolve.hpp>
-#include <typemesh/fill/touching_walks.hpp>
+#include <typemesh/fill/touching_cycles.hpp>
 #include <typemesh/glyph/stage.hpp>
+#include <typemesh/sweep/sweep_order.hpp>
 #include <typemesh/triangulate/appended_triangles.hpp>
 #include <typemesh/triangulate/low_triangles.hpp>
 #include <typemesh/triangulate/triangulator.hpp>
@@ -83,7 +83,7 @@ template <proving_triangulator Triangulator>
     if constexpr (touching_triangulator<Triangulator>) {
         if (!proven && proven.error().code == error::crossing_contours && proven.error().count != 0) {
             workspace::scope linking{space};
-            touching_walks walks;
+            touching_cycles walks;
             if (error e = walks.link(loops, linking, space, order)) return e;
             proven = how.prove_touching(loops, space, out);
             if (!proven) walks.undo(loops);
@@ -94,11 +94,11 @@ template <proving_triangulator Triangulator>
     return proven;
 }
 
-/// Resolves loops and cuts what they fill into triangles, if the judge lets all meetings stand.
-template <triangulator Triangulator, meeting_judge Judge, stage_observer Observer>
+/// Resolves loops and cuts what they fill into triangles, if the filter lets all intersections stand.
+template <triangulator Triangulator, intersection_filter Filter, stage_observer Observer>
 [[nodiscard]] result<region> resolve_and_cut(contours& loops, const resolve_options& limits, fill_rule rule,
                                              const Triangulator& how, workspace& space, triangle_list& out,
-                                             Judge& judge, Observer& observe) noexcept
+                                             Filter& filter, Observer& observe) noexcept
 {
     observe(stage::fill);
     if constexpr (ordered_triangulator<Triangulator>) {
@@ -106,13 +106,13 @@ template <triangulator Triangulator, meeting_judge Judge, stage_observer Observe
             observe(stage::triangulate);
             return cut_region(r, how, space, out, sorted);
         };
-        return resolve_then(loops, rule, space, judge, cut, limits);
+        return resolve_then(loops, rule, space, filter, cut, limits);
     } else {
         const auto cut = [&](const region& r) noexcept {
             observe(stage::triangulate);
             return cut_region(r, how, space, out);
         };
-        return resolve_then(loops, rule, space, judge, cut, limits);
+        return resolve_then(loops, rule, space, filter, cut, limits);
     }
 }
 
@@ -167,7 +167,7 @@ template <triangulator Triangulator, stage_observer Observer>
         std::span<const std::uint32_t> order;
         auto proven = detail::prove_loops(loops, order, how, scratch, space, out);
         if (proven || proven.error().code != error::crossing_contours) return proven;
-        every_meeting_stands nobody;
+        every_intersection_stands nobody;
         resolve_options resolving = filling.resolving;
         resolving.order = order;
         return detail::resolve_and_cut(loops, resolving, filling.rule, how, space, out, nobody, observe);

@@ -4,9 +4,9 @@
 #include <typemesh/core/most_pieces.hpp>
 #include <typemesh/core/outline.hpp>
 #include <typemesh/discretise/discretise.hpp>
-#include <typemesh/fill/crossing_guard.hpp>
 #include <typemesh/fill/nest.hpp>
 #include <typemesh/glyph/cap.hpp>
+#include <typemesh/glyph/crossing_refinement.hpp>
 
 #include <cstdint>
 #include <span>
@@ -16,7 +16,7 @@ namespace typemesh {
 /// How far cap_outline() may go, and where to tell what its guard did.
 struct cap_limits {
     std::uint32_t most_pieces = default_most_pieces;  ///< see resolve()
-    guard_effort* effort = nullptr;                   ///< null: nobody wants to know
+    refinement_effort* effort = nullptr;                   ///< null: nobody wants to know
 };
 
 /// A glyph's curves to the region that they fill, and its triangles: discretise and cap joined, under guard.
@@ -27,7 +27,7 @@ struct cap_limits {
 ///                  └── these curves finer ─── guard ─┘  chords meet where curves do not
 ///
 /// Where the chords of two curves cross or touch and the curves do not, or do so more than 4 tolerances away, these
-/// curves are discretised finer (see crossing_guard.hpp), and all is done again: often the outline is simple then.
+/// curves are discretised finer (see crossing_refinement.hpp), and all is done again: often the outline is simple then.
 /// A discretiser that keeps no tolerance is not asked again.
 ///
 ///     tolerance   in font units
@@ -72,10 +72,10 @@ template <discretiser Discretiser, triangulator Triangulator, stage_observer Obs
         if (made || made.error().code != error::crossing_contours) return made;
 
         std::uint64_t first = 0, spent = 0;  // pieces: of the first round, of all
-        crossing_guard guard;
+        crossing_refinement guard;
         if (!guard.open(scratch, shape, tolerance, cells)) return error::out_of_memory;
         for (;;) {
-            every_meeting_stands nobody;
+            every_intersection_stands nobody;
             const bool last = guard.effort().rounds == most_rounds || spent > times_as_many * first + few_pieces ||
                               spent > limits.most_pieces;
             resolve_effort work;

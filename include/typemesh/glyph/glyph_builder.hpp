@@ -7,12 +7,12 @@
 #include <typemesh/core/outline.hpp>
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/extrude/extruder.hpp>
-#include <typemesh/outline/outline_recorder.hpp>
+#include <typemesh/glyph/built_glyph.hpp>
 #include <typemesh/glyph/cap_outline.hpp>
-#include <typemesh/glyph/glyph_shape.hpp>
+#include <typemesh/outline/outline_recorder.hpp>
 
-#include <initializer_list>
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <utility>
 
@@ -43,11 +43,11 @@ public:
     /// Fails  with what concerns more than the glyph: error::out_of_memory, bad_option, bad_tolerance, too_large
     template <outline_source Font, discretiser Discretiser, triangulator Triangulator, extruder Extruder,
               stage_observer Observer>
-    [[nodiscard]] result<glyph_parts> build(Font& font, glyph_id id, const glyph_settings& how,
+    [[nodiscard]] result<glyph_draft> build(Font& font, glyph_id id, const glyph_settings& how,
                                             const Discretiser& flatten, const Triangulator& cut, const Extruder& raise,
                                             Observer& observe) noexcept
     {
-        glyph_parts made;
+        glyph_draft made;
         error e = try_to_build(font, id, how, flatten, cut, raise, observe, made);
         if (e && !concerns_the_glyph_alone(e)) return e;
         if (e) made = {};
@@ -98,7 +98,7 @@ public:
 private:
     template <class Font, class Discretiser, class Triangulator, class Extruder, class Observer>
     error try_to_build(Font& font, glyph_id id, const glyph_settings& how, const Discretiser& flatten,
-                       const Triangulator& cut, const Extruder& raise, Observer& observe, glyph_parts& made) noexcept
+                       const Triangulator& cut, const Extruder& raise, Observer& observe, glyph_draft& made) noexcept
     {
         const auto filled = build_region(font, id, how, flatten, cut, observe);
         if (!filled) return filled.error();

@@ -3,8 +3,8 @@
 
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/buffer.hpp>
-#include <typemesh/glyph/glyph_shape.hpp>
-#include <typemesh/glyph/shape_context.hpp>
+#include <typemesh/glyph/built_glyph.hpp>
+#include <typemesh/glyph/glyph_context.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -41,7 +41,7 @@ struct cache_statistics {
 ///     glyph_cache cache;                                             // 64 MiB, for one thread
 ///     auto mesher = text_mesher{font}.with(cached_in{cache, 1});     // 1: your number for this font
 ///
-/// Shapes are told apart by glyph and shape_context: font, variation, tolerance, fill rule, policies with their
+/// Shapes are told apart by glyph and glyph_context: font, variation, tolerance, fill rule, policies with their
 /// options. Blank glyphs and refusals are kept as well, so nothing is tried twice.
 ///
 /// What find() and keep() give is pinned: it stays, unchanged and where it is, until release(), whatever others do. The
@@ -53,7 +53,7 @@ struct cache_statistics {
 template <cache_lock Lock = no_lock>
 class glyph_cache {
     struct entry {
-        shape_context context;
+        glyph_context context;
         std::uint64_t hash;
         glyph_id id;
         std::uint32_t pins;
@@ -63,7 +63,7 @@ class glyph_cache {
         entry* older;
     };
     static constexpr std::size_t alignment =
-        alignof(entry) > alignof(glyph_shape) ? alignof(entry) : alignof(glyph_shape);
+        alignof(entry) > alignof(built_glyph) ? alignof(entry) : alignof(built_glyph);
     static constexpr std::size_t header = (sizeof(entry) + alignment - 1) / alignment * alignment;
 
     class locked {
@@ -91,13 +91,13 @@ public:
     }
 
     /// A glyph's shape, pinned; null when it is not here.
-    [[nodiscard]] const glyph_shape* find(const shape_context& context, glyph_id id) noexcept
+    [[nodiscard]] const built_glyph* find(const glyph_context& context, glyph_id id) noexcept
     {
         return find(context, context.hash(), id);
     }
 
     /// The same for many glyphs of one context: `hash` is context.hash().
-    [[nodiscard]] const glyph_shape* find(const shape_context& context, std::uint64_t hash, glyph_id id) noexcept
+    [[nodiscard]] const built_glyph* find(const glyph_context& context, std::uint64_t hash, glyph_id id) noexcept
     {
         const locked until_end{lock_};
         entry* e = look_up(context, mixed_key(hash, id), id);
@@ -109,12 +109,12 @@ public:
 
     /// Keeps a copy of the parts and gives it, pinned. Where another thread was quicker, its shape is given and nothing
     /// kept. Null when the memory gives none; then all is as it was.
-    [[nodiscard]] const glyph_shape* keep(const shape_context& context, glyph_id id, const glyph_parts& parts) noexcept
+    [[nodiscard]] const built_glyph* keep(const glyph_context& context, glyph_id id, const glyph_draft& parts) noexcept
     {
         return keep(context, context.hash(), id, parts);
     }
-    [[nodiscard]] const glyph_shape* keep(const shape_context& context, std::uint64_t hash, glyph_id id,
-                                          const glyph_parts& parts) noexcept
+    [[nodiscard]] const built_glyph* keep(const glyph_context& context, std::uint64_t hash, glyph_id id,
+                                          const glyph_draft& parts) noexcept
     {
         const locked until_end{lock_};
         hash = mixed_key(hash, id);
@@ -123,7 +123,7 @@ public:
             return shape_of(e);
         }
         if (numbers_.entries >= buckets_.size() && !grow() && buckets_.empty()) return nullptr;
-        const std::size_t bytes = header + glyph_shape::bytes_for(parts);
+        const std::size_t bytes = header + built_glyph::bytes_for(parts);
         void* block = source_.allocate(source_.user, bytes, alignment);
         if (block == nullptr) return nullptr;
         entry*& bucket = bucket_of(hash);
@@ -133,17 +133,17 @@ public:
         ++numbers_.pinned;
         numbers_.bytes += bytes;
         numbers_.pinned_bytes += bytes;
-        return glyph_shape::make(static_cast<std::byte*>(block) + header, parts);
+        return built_glyph::make(static_cast<std::byte*>(block) + header, parts);
     }
 
     /// Takes one pin from each of these, which find() or keep() gave; nulls are passed over. They count as used just
     /// now, the last one last.
-    void release(std::span<const glyph_shape* const> shapes) noexcept
+    void release(std::span<const built_glyph* const> shapes) noexcept
     {
         const locked until_end{lock_};
-        for (const glyph_shape* shape : shapes) {
-            if (shape == nullptr) continue;
-            entry* e = entry_of(shape);
+        for (const built_glyph* built : shapes) {
+            if (built == nullptr) continue;
+            entry* e = entry_of(built);
             TYPEMESH_ASSERT(e->pins != 0, "a shape was released more often than pinned");
             if (--e->pins != 0) continue;
             --numbers_.pinned;
@@ -179,18 +179,18 @@ public:
     }
 
 private:
-    static const glyph_shape* shape_of(entry* e) noexcept
+    static const built_glyph* shape_of(entry* e) noexcept
     {
-        return std::launder(reinterpret_cast<const glyph_shape*>(reinterpret_cast<std::byte*>(e) + header));
+        return std::launder(reinterpret_cast<const built_glyph*>(reinterpret_cast<std::byte*>(e) + header));
     }
-    static entry* entry_of(const glyph_shape* shape) noexcept
+    static entry* entry_of(const built_glyph* built) noexcept
     {
-        auto* block = reinterpret_cast<std::byte*>(const_cast<glyph_shape*>(shape)) - header;
+        auto* block = reinterpret_cast<std::byte*>(const_cast<built_glyph*>(built)) - header;
         return std::launder(reinterpret_cast<entry*>(block));
     }
     entry*& bucket_of(std::uint64_t hash) noexcept { return buckets_[hash & (buckets_.size() - 1)]; }
 
-    entry* look_up(const shape_context& context, std::uint64_t hash, glyph_id id) noexcept
+    entry* look_up(const glyph_context& context, std::uint64_t hash, glyph_id id) noexcept
     {
         if (buckets_.empty()) return nullptr;
         entry* e = bucket_of(hash);

@@ -11,14 +11,14 @@
 namespace typemesh::inspect {
 
 /// What keeps loops from being boundary walks of an area, as region.hpp promises: they may touch in points, in which each
-/// keeps to its own wedge of interior. Of pairs of edges that meet as they must not, each is counted.
+/// keeps to its own sector of interior. Of pairs of edges that meet as they must not, each is counted.
 struct boundary_check {
     std::size_t short_loops = 0;      ///< of fewer than three points
     std::size_t repeated_points = 0;  ///< a point twice in a row
     std::size_t spikes = 0;           ///< where a loop doubles back
     std::size_t crossings = 0;        ///< pairs of edges that cross, or touch elsewhere than in a common end
     std::size_t overlaps = 0;         ///< pairs of edges that are one, or lie upon each other
-    std::size_t strays = 0;           ///< pairs of edges through a common point, where a walk leaves its wedge
+    std::size_t strays = 0;           ///< pairs of edges through a common point, where a walk leaves its sector
 
     /// What is wrong first, in words; "" when nothing is.
     [[nodiscard]] constexpr const char* broken() const noexcept
@@ -28,7 +28,7 @@ struct boundary_check {
         if (spikes != 0) return "a spike";
         if (crossings != 0) return "two edges cross or touch within";
         if (overlaps != 0) return "two edges overlap";
-        if (strays != 0) return "a walk leaves its wedge";
+        if (strays != 0) return "a walk leaves its sector";
         return "";
     }
 };
@@ -53,7 +53,7 @@ namespace detail {
 }
 
 /// An edge a -> b of a loop, with the points before and after it.
-struct walked_edge {
+struct cycle_edge {
     grid_point before, a, b, after;
 
     [[nodiscard]] constexpr std::int32_t left() const noexcept { return (std::min)(a.x, b.x); }
@@ -61,7 +61,7 @@ struct walked_edge {
 };
 
 /// Two edges of the same or of different loops that may meet.
-constexpr void compare(const walked_edge& e, const walked_edge& f, boundary_check& found) noexcept
+constexpr void compare(const cycle_edge& e, const cycle_edge& f, boundary_check& found) noexcept
 {
     if (!meet(e.a, e.b, f.a, f.b)) return;
     const bool aa = e.a == f.a, ab = e.a == f.b, ba = e.b == f.a, bb = e.b == f.b;
@@ -89,9 +89,9 @@ constexpr void compare(const walked_edge& e, const walked_edge& f, boundary_chec
 /// Tries all pairs of edges whose ranges of x meet.
 [[nodiscard]] inline boundary_check check_boundary(const std::vector<loop>& loops)
 {
-    using detail::walked_edge;
+    using detail::cycle_edge;
     boundary_check found;
-    std::vector<walked_edge> edges;
+    std::vector<cycle_edge> edges;
     for (const loop l : loops) {
         const std::size_t n = l.size();
         if (n < 3) {
@@ -100,14 +100,14 @@ constexpr void compare(const walked_edge& e, const walked_edge& f, boundary_chec
         }
         for (std::size_t i = 0; i < n; ++i) edges.push_back({l[(i + n - 1) % n], l[i], l[(i + 1) % n], l[(i + 2) % n]});
     }
-    for (const walked_edge& e : edges) {
+    for (const cycle_edge& e : edges) {
         if (e.a == e.b)
             ++found.repeated_points;
         else if (e.a == e.after || lies_on(e.after, e.a, e.b) || lies_on(e.a, e.b, e.after))
             ++found.spikes;
     }
     if (*found.broken() != '\0') return found;  // what is compared below needs edges that have a length and a direction
-    std::sort(edges.begin(), edges.end(), [](const walked_edge& p, const walked_edge& q) { return p.left() < q.left(); });
+    std::sort(edges.begin(), edges.end(), [](const cycle_edge& p, const cycle_edge& q) { return p.left() < q.left(); });
     for (std::size_t i = 0; i < edges.size(); ++i)
         for (std::size_t j = i + 1; j < edges.size() && edges[j].left() <= edges[i].right(); ++j)
             detail::compare(edges[i], edges[j], found);

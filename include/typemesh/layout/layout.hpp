@@ -50,9 +50,9 @@ error layout(Shaper& shaper, text_view text, const shape_options& how, const lay
         text_line line;
         line.first_glyph = static_cast<std::uint32_t>(run.glyphs.size());
         if (begin < end) {
-            const auto way = shape_line(shaper, text, begin, end, how, options, run);
-            if (!way) return fail(way.error());
-            line.advance = places.advance(*way);
+            const auto advance = shape_line(shaper, text, begin, end, how, options, run);
+            if (!advance) return fail(advance.error());
+            line.advance = places.advance(*advance);
         }
         if (run.glyphs.size() > 0xFFFF'FFFFu) return fail(error::too_large);
         line.glyph_count = static_cast<std::uint32_t>(run.glyphs.size()) - line.first_glyph;

@@ -13,17 +13,17 @@ namespace typemesh {
 /// Where the lines of a text stand; see layout().
 class line_places {
 public:
-    line_places(const line_metrics& metrics, double units_per_em, direction way, const layout_options& options) noexcept
-        : vertical_{way == direction::top_to_bottom}, align_{options.align}
+    line_places(const line_metrics& metrics, double units_per_em, direction flow, const layout_options& options) noexcept
+        : vertical_{flow == direction::top_to_bottom}, align_{options.align}
     {
         const double measured = metrics.ascender - metrics.descender + metrics.gap;
         distance_ = (measured > 0.0 ? measured : units_per_em) * options.line_spacing;
     }
 
     /// How far a line runs, from the way of its pen; never negative.
-    [[nodiscard]] double advance(point way) const noexcept
+    [[nodiscard]] double advance(point total) const noexcept
     {
-        const double along = vertical_ ? -way.y : way.x;
+        const double along = vertical_ ? -total.y : total.x;
         return along > 0.0 ? along : 0.0;
     }
 

@@ -36,16 +36,16 @@ namespace detail {
 
 /// shaper.shape(text, first, last, how, run), held to its promise.
 template <shaper Shaper>
-result<point> shape_stretch(Shaper& shaper, text_view text, std::size_t first, std::size_t last,
+result<point> shape_segment(Shaper& shaper, text_view text, std::size_t first, std::size_t last,
                             const shape_options& how, glyph_run& run) noexcept
 {
     [[maybe_unused]] const std::size_t glyphs = run.glyphs.size(), missing = run.missing;
-    const result<point> way = shaper.shape(text, first, last, how, run);
-    TYPEMESH_ASSERT(!way || come_from(run, glyphs, first, last),
+    const result<point> advance = shaper.shape(text, first, last, how, run);
+    TYPEMESH_ASSERT(!advance || come_from(run, glyphs, first, last),
                     "a shaper gave a glyph a cluster outside of the text that it was asked for");
-    TYPEMESH_ASSERT(!way || missing_from(run, glyphs) == run.missing - missing,
+    TYPEMESH_ASSERT(!advance || missing_from(run, glyphs) == run.missing - missing,
                     "a shaper must flag each missing glyph and count it in the run");
-    return way;
+    return advance;
 }
 
 /// How far a space moves the pen along a line. The run is left as it was.
@@ -55,12 +55,12 @@ result<double> space_advance(Shaper& shaper, const shape_options& how, glyph_run
     const std::size_t glyphs = run.glyphs.size();
     const auto missing = run.missing;
     const auto first_missing = run.first_missing;
-    const result<point> way = shaper.shape(text_view{" "}, 0, 1, how, run);
+    const result<point> advance = shaper.shape(text_view{" "}, 0, 1, how, run);
     run.glyphs.truncate(glyphs);
     run.missing = missing;
     run.first_missing = first_missing;
-    if (!way) return way.error();
-    return how.direction == direction::top_to_bottom ? -way->y : way->x;
+    if (!advance) return advance.error();
+    return how.direction == direction::top_to_bottom ? -advance->y : advance->x;
 }
 
 /// The direction in which what stands between two tabs is set, in a line of tabs that is read to the left or not. Each
@@ -93,16 +93,16 @@ template <shaper Shaper>
 result<point> shape_spaced(Shaper& shaper, text_view text, std::size_t first, std::size_t last,
                            const shape_options& how, const layout_options& options, glyph_run& run) noexcept
 {
-    if (is_zero(options.letter_spacing)) return shape_stretch(shaper, text, first, last, how, run);
+    if (is_zero(options.letter_spacing)) return shape_segment(shaper, text, first, last, how, run);
     shape_options single = how;
     single.ligatures = false;  // a letter in two would stand closer to itself than to others
     const std::size_t before = run.glyphs.size();
-    const result<point> way = shape_stretch(shaper, text, first, last, single, run);
-    if (!way) return way;
+    const result<point> advance = shape_segment(shaper, text, first, last, single, run);
+    if (!advance) return advance;
     const bool down = how.direction == direction::top_to_bottom;
     const double longer = space_letters(text, last, options.letter_spacing * shaper.units_per_em(), down,
                                         run.glyphs.view().subspan(before));
-    return *way + (down ? point{0.0, 0.0 - longer} : point{longer, 0.0});
+    return *advance + (down ? point{0.0, 0.0 - longer} : point{longer, 0.0});
 }
 
 }  // namespace detail
@@ -148,9 +148,9 @@ result<point> shape_line(Shaper& shaper, text_view text, std::size_t first, std:
             const std::size_t before = run.glyphs.size();
             shape_options own = how;
             if (!down) own.direction = detail::between_tabs(how.direction, line, to_the_left, text, begin, end);
-            const result<point> way = detail::shape_spaced(shaper, text, begin, end, own, options, run);
-            if (!way) return way.error();
-            const double length = down ? -way->y : way->x;
+            const result<point> advance = detail::shape_spaced(shaper, text, begin, end, own, options, run);
+            if (!advance) return advance.error();
+            const double length = down ? -advance->y : advance->x;
             const double start = to_the_left ? 0.0 - (pen + length) : pen;
             const std::span<placed_glyph> glyphs = run.glyphs.view().subspan(before);
             for (placed_glyph& g : glyphs) g.origin = g.origin + (down ? point{0.0, 0.0 - start} : point{start, 0.0});

@@ -49,13 +49,13 @@ public:
                 l.worker = static_cast<std::uint32_t>(worker);
                 l.first = own.glyphs.size();
                 if (l.begin == l.end) continue;
-                const auto way = shape_line(shaper_of(worker), text, l.begin, l.end, how, options, own);
-                if (!way) {
-                    l.trouble = way.error();
+                const auto advance = shape_line(shaper_of(worker), text, l.begin, l.end, how, options, own);
+                if (!advance) {
+                    l.trouble = advance.error();
                     return;  // of this block no later line matters
                 }
                 l.count = own.glyphs.size() - l.first;
-                l.advance = places.advance(*way);
+                l.advance = places.advance(*advance);
             }
             block& of_it = blocks_[b];
             of_it.missing = own.missing;

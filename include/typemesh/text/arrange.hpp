@@ -4,8 +4,8 @@
 #include <typemesh/core/error.hpp>
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/layout/glyph_run.hpp>
+#include <typemesh/text/text_glyphs.hpp>
 #include <typemesh/text/text_options.hpp>
-#include <typemesh/text/text_shapes.hpp>
 
 #include <cstddef>
 
@@ -15,7 +15,7 @@ namespace typemesh {
 /// bounds of its vertices between two heights, given as the extruder tells them.
 ///
 /// Fails  error::out_of_memory
-inline error arrange(text_shapes& all, const glyph_run& run, const text_options& options, double units_per_em,
+inline error arrange(text_glyphs& all, const glyph_run& run, const text_options& options, double units_per_em,
                      height_range heights) noexcept
 {
     const bool by_line = options.texture_over == texture_box::line;
@@ -25,8 +25,8 @@ inline error arrange(text_shapes& all, const glyph_run& run, const text_options&
         if (boxes == nullptr) return error::out_of_memory;
         for (std::size_t i = 0; i < lines; ++i) boxes[i] = {};
     }
-    for (const shape_record& s : all.records) {
-        const box ink = text_shapes::ink_of(s);
+    for (const drawn_glyph& s : all.records) {
+        const box ink = text_glyphs::ink_of(s);
         all.ink.merge(ink);
         if (by_line) all.line_boxes[s.line].merge(ink);
     }
@@ -52,17 +52,17 @@ inline error arrange(text_shapes& all, const glyph_run& run, const text_options&
     placed.unit_per_em = placed.unit_per_font_unit * units_per_em;
     placed.unit_per_depth = options.depth_in == depth_unit::output ? 1.0 : placed.unit_per_em;
     placed.em_per_depth = options.depth_in == depth_unit::output ? 1.0 / placed.unit_per_em : 1.0;
-    placed.texture_per_font_unit = text_shapes::texture_over(all.ink);
+    placed.texture_per_font_unit = text_glyphs::texture_over(all.ink);
 
     placement at;
     at.unit_per_depth = placed.unit_per_depth;
     at.frame = placed.frame;
     const float bottom = at.height(heights.low), top = at.height(heights.high);
     const bool along_axes = placed.frame.is_along_axes();
-    for (const shape_record& s : all.records) {
-        at.pen = s.shape->cells() * (s.origin - placed.centre);
-        at.unit_per_cell = placed.unit_per_font_unit * s.shape->font_units_per_cell();
-        const grid_point low = s.shape->low(), high = s.shape->high();
+    for (const drawn_glyph& s : all.records) {
+        at.pen = s.built->cells() * (s.origin - placed.centre);
+        at.unit_per_cell = placed.unit_per_font_unit * s.built->font_units_per_cell();
+        const grid_point low = s.built->low(), high = s.built->high();
         const vec3 corner = at.position(low, bottom);
         if (&s == all.records.begin()) all.bounds = {corner, corner};
         all.bounds.add(corner);

@@ -28,18 +28,18 @@ template <extruder Extruder>
     const auto cross = [](vector a, vector b) noexcept {
         return vector{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
     };
-    const auto way = [](vector a, vector b) noexcept { return vector{b.x - a.x, b.y - a.y, b.z - a.z}; };
+    const auto delta = [](vector a, vector b) noexcept { return vector{b.x - a.x, b.y - a.y, b.z - a.z}; };
     const auto wide = [](vec3 v) noexcept { return vector{as_double(v.x), as_double(v.y), as_double(v.z)}; };
     std::uint64_t flipped = 0;
     for (std::size_t i = 0; i < plan.glyphs().size(); ++i) {
         const placement at = plan.place(i);
         const frame& f = at.frame;
         const vector facing = cross(wide(f.right), wide(f.up));
-        const solid& shape = plan.glyphs()[i].shape->form();
-        for (const triangle t : shape.triangles) {
-            const vector a = wide(at.position(shape.points[t.a], 0.0f)), b = wide(at.position(shape.points[t.b], 0.0f)),
-                         c = wide(at.position(shape.points[t.c], 0.0f));
-            const vector normal = cross(way(a, b), way(a, c));
+        const solid& form = plan.glyphs()[i].built->form();
+        for (const triangle t : form.triangles) {
+            const vector a = wide(at.position(form.points[t.a], 0.0f)), b = wide(at.position(form.points[t.b], 0.0f)),
+                         c = wide(at.position(form.points[t.c], 0.0f));
+            const vector normal = cross(delta(a, b), delta(a, c));
             const bool upright = normal.x * facing.x + normal.y * facing.y + normal.z * facing.z > 0.0;
             flipped += upright ? 0u : 1u;
         }

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <typemesh/core/same.hpp>
-#include <typemesh/fill/group_meeting.hpp>
-#include <typemesh/glyph/glyph_builder.hpp>
+#include <typemesh/fill/group_intersection.hpp>
 #include <typemesh/fill/region_union.hpp>
-#include <typemesh/text/text_shapes.hpp>
+#include <typemesh/glyph/glyph_builder.hpp>
+#include <typemesh/text/text_glyphs.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -45,12 +45,12 @@ public:
     /// Fills all.merged; all.shapes and numbers are given.
     ///
     /// Fails  error::too_large, error::out_of_memory, error::outline_beyond_grid with the group's first glyph
-    /// Cost   O(n log n) for n glyphs, and a comparison of every two whose boxes lie side by side (see group_meeting()).
+    /// Cost   O(n log n) for n glyphs, and a comparison of every two whose boxes lie side by side (see group_intersection()).
     ///        For every group its members' outlines are flattened and filled once more, and resolve(), the triangulator
     ///        and the extruder work on the points of all of them. Glyphs that meet no other cost the comparison alone
     template <outline_source Font, discretiser Discretiser, triangulator Triangulator, extruder Extruder,
               stage_observer Observer>
-    error operator()(text_shapes& all, const glyph_run& run, glyph_builder& builder, Font& font,
+    error operator()(text_glyphs& all, const glyph_run& run, glyph_builder& builder, Font& font,
                      const glyph_settings& how, const Discretiser& flatten, const Triangulator& cut,
                      const Extruder& raise, Observer& observe) noexcept
     {
@@ -98,17 +98,17 @@ private:
     }
 
     /// The grid of nearly all glyphs.
-    static double finest(const text_shapes& all) noexcept
+    static double finest(const text_glyphs& all) noexcept
     {
         double cells = 0.0;
         for (std::size_t k = 0; k < all.different.ids().size(); ++k) {
-            const glyph_shape* s = all.shapes[k];
+            const built_glyph* s = all.pinned[k];
             if (!s->form().points.empty() && s->cells() > cells) cells = s->cells();
         }
         return cells;
     }
 
-    error find_groups(const text_shapes& all, const glyph_run& run, std::span<std::uint32_t> first_of) noexcept
+    error find_groups(const text_glyphs& all, const glyph_run& run, std::span<std::uint32_t> first_of) noexcept
     {
         workspace::scope scratch{space_};
         auto* loops = scratch.take<placed_loops>(first_of.size());
@@ -117,7 +117,7 @@ private:
         for (std::size_t i = 0; i < first_of.size(); ++i) {
             loops[i] = {};
             if (all.numbers[i] == glyph_set::no_room) continue;
-            const glyph_shape& s = *all.shapes[all.numbers[i]];
+            const built_glyph& s = *all.pinned[all.numbers[i]];
             const point origin = run.glyphs[i].origin;
             constexpr double farthest = 0x1p48;
             const bool stands = std::fabs(origin.x) * cells <= farthest && std::fabs(origin.y) * cells <= farthest;
@@ -125,11 +125,11 @@ private:
             const pen at = snapped(origin, cells);
             loops[i] = {s.form().points, s.form().starts, at.x, at.y};
         }
-        return group_meeting({loops, first_of.size()}, first_of, space_);
+        return group_intersection({loops, first_of.size()}, first_of, space_);
     }
 
     /// The finest grid onto which all members fit, seen from the first one's pen.
-    static result<grid> grid_for(const text_shapes& all, const glyph_run& run,
+    static result<grid> grid_for(const text_glyphs& all, const glyph_run& run,
                                  std::span<const std::uint32_t> members) noexcept
     {
         const point first = run.glyphs[members[0]].origin;
@@ -137,9 +137,9 @@ private:
         grid g;
         g.cells = 0.0;
         for (const std::uint32_t m : members) {
-            const glyph_shape& s = *all.shapes[all.numbers[m]];
-            const point way = run.glyphs[m].origin - first;
-            around.merge({way + s.ink().low, way + s.ink().high});
+            const built_glyph& s = *all.pinned[all.numbers[m]];
+            const point offset = run.glyphs[m].origin - first;
+            around.merge({offset + s.ink().low, offset + s.ink().high});
             g.cells = s.cells() > g.cells ? s.cells() : g.cells;
         }
         g.units_per_em = run.units_per_em;
@@ -155,7 +155,7 @@ private:
     }
 
     template <class Font, class Discretiser, class Triangulator, class Extruder, class Observer>
-    error join(merged_group& made, text_shapes& all, const glyph_run& run, std::span<const std::uint32_t> members,
+    error join(merged_group& made, text_glyphs& all, const glyph_run& run, std::span<const std::uint32_t> members,
                glyph_builder& builder, Font& font, const glyph_settings& how, const Discretiser& flatten,
                const Triangulator& cut, const Extruder& raise, Observer& observe) noexcept
     {
@@ -164,19 +164,19 @@ private:
         union_.begin(*onto);
         const pen first = snapped(run.glyphs[members[0]].origin, onto->cells);
         for (const std::uint32_t m : members) {
-            const auto shape = builder.build_region(font, run.glyphs[m].id, how, flatten, cut, observe);
-            if (!shape) return shape.error();
+            const auto filled = builder.build_region(font, run.glyphs[m].id, how, flatten, cut, observe);
+            if (!filled) return filled.error();
             const pen at = snapped(run.glyphs[m].origin, onto->cells);
-            if (error e = union_.add(*shape, onto->cells / shape->grid().cells, at.x - first.x, at.y - first.y))
+            if (error e = union_.add(*filled, onto->cells / filled->grid().cells, at.x - first.x, at.y - first.y))
                 return e;
         }
         observe(stage::fill);
         const auto joined = union_.join(space_, how.most_pieces);
         if (!joined && joined.error() == error::too_many_pieces) {  // the text goes on without this group
-            glyph_parts none;
+            glyph_draft none;
             none.refusal = joined.error();
-            made.shape = all.store.keep(none);
-            return made.shape == nullptr ? error{error::out_of_memory} : error{};
+            made.built = all.store.keep(none);
+            return made.built == nullptr ? error{error::out_of_memory} : error{};
         }
         if (!joined) return joined.error();
         observe(stage::triangulate);
@@ -187,7 +187,7 @@ private:
         const auto sizes = raise.plan(*joined, sides_);
         if (!sizes) return sizes.error();
 
-        made.shape = all.store.keep({{joined->points(), joined->starts(), triangles_.view(), sides_.view()},
+        made.built = all.store.keep({{joined->points(), joined->starts(), triangles_.view(), sides_.view()},
                                      *sizes,
                                      onto->cells,
                                      {}});
@@ -195,7 +195,7 @@ private:
         made.first_owner = static_cast<std::uint32_t>(all.merged.owners.size());
         const auto edges = joined->edges();
         std::uint32_t* owners = all.merged.owners.append(edges.size());
-        if (made.shape == nullptr || (owners == nullptr && !edges.empty())) return error::out_of_memory;
+        if (made.built == nullptr || (owners == nullptr && !edges.empty())) return error::out_of_memory;
         for (std::size_t i = 0; i < edges.size(); ++i) owners[i] = members[union_.member_of(edges[i].curve)];
         return {};
     }

@@ -4,7 +4,7 @@
 #include <typemesh/core/glyph_id.hpp>
 #include <typemesh/core/point.hpp>
 #include <typemesh/extrude/part_sizes.hpp>
-#include <typemesh/glyph/glyph_shape.hpp>
+#include <typemesh/glyph/built_glyph.hpp>
 
 #include <cstdint>
 
@@ -12,14 +12,14 @@ namespace typemesh {
 
 /// One of a text's different glyphs, drawn glyph_count times: for instanced drawing.
 struct glyph_mesh {
-    const glyph_shape* shape = nullptr;
+    const built_glyph* built = nullptr;
     glyph_id id = no_glyph;
     std::uint32_t first_vertex = 0;    ///< where it begins in what write_meshes() writes
     std::uint32_t first_index = 0;
     std::uint32_t first_instance = 0;  ///< its place among what write_instances() emits
     std::uint32_t glyph_count = 0;     ///< how many instances there are
     std::uint32_t first_glyph = 0;     ///< the first and the last of them among the text's glyphs; the others hang
-    std::uint32_t last_glyph = 0;      ///< together by shape_record::next_alike
+    std::uint32_t last_glyph = 0;      ///< together by drawn_glyph::next_alike
 };
 
 /// One occurrence of a glyph_mesh: every position of the mesh is moved by `translation`, and nothing else changes.

@@ -3,7 +3,7 @@
 
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/first_where.hpp>
-#include <typemesh/glyph/glyph_shape.hpp>
+#include <typemesh/glyph/built_glyph.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -16,7 +16,7 @@ inline constexpr std::uint32_t shared_glyph = 0xFFFF'FFFFu;
 
 /// Some glyphs that are merged to one shape.
 struct merged_group {
-    const glyph_shape* shape = nullptr;
+    const built_glyph* built = nullptr;
     point origin;                    ///< font units: that of its first glyph, rounded to the grid
     std::uint32_t first_member = 0;  ///< into merged_glyphs::members
     std::uint32_t member_count = 0;
@@ -50,14 +50,14 @@ struct merged_glyphs {
     }
     [[nodiscard]] std::span<const std::uint32_t> owners_of(const merged_group& g) const noexcept
     {
-        return owners.view().subspan(g.first_owner, g.shape->form().points.size());
+        return owners.view().subspan(g.first_owner, g.built->form().points.size());
     }
 
     /// Whose a cap triangle is: the one glyph's whose outline all edges at its three corners follow, or shared_glyph.
     [[nodiscard]] std::uint32_t owner_of(const merged_group& g, const triangle& t) const noexcept
     {
         const auto owner = owners_of(g);
-        const auto starts = g.shape->form().starts;
+        const auto starts = g.built->form().starts;
         const std::uint32_t first = owner[t.a];
         for (const std::uint32_t corner : {t.a, t.b, t.c}) {
             const std::size_t loop = range_of(starts, corner);

@@ -3,7 +3,7 @@
 
 #include <typemesh/core/first_where.hpp>
 #include <typemesh/extrude/extrude.hpp>
-#include <typemesh/text/text_shapes.hpp>
+#include <typemesh/text/text_glyphs.hpp>
 #include <typemesh/vertex/ranged_sink.hpp>
 
 #include <cstddef>
@@ -20,7 +20,7 @@ namespace typemesh {
 class mesh_layout {
 public:
     /// The glyphs [first, last).
-    mesh_layout(const text_shapes& all, std::size_t first, std::size_t last) noexcept
+    mesh_layout(const text_glyphs& all, std::size_t first, std::size_t last) noexcept
         : all_{&all}, first_{first}, last_{last}, before_{before(first)}, starts_{sizes().starts()}
     {
     }
@@ -45,8 +45,8 @@ public:
     void vertices(part p, std::size_t first, std::size_t last, const Extruder& how, Sink& sink) const noexcept
     {
         for (std::size_t g = first; g < last; ++g) {
-            const shape_record& s = all_->records[g];
-            write_vertices(p, s.shape->planned(), how, all_->place(s), sink);
+            const drawn_glyph& s = all_->records[g];
+            write_vertices(p, s.built->planned(), how, all_->place(s), sink);
         }
     }
 
@@ -56,9 +56,9 @@ public:
     {
         const bool turned = all_->placed.frame.turns_triangles();
         for (std::size_t g = first; g < last; ++g) {
-            const shape_record& s = all_->records[g];
+            const drawn_glyph& s = all_->records[g];
             const first_vertices at = starts_.vertices + (s.before.vertices - before_.vertices);
-            write_triangles(p, s.shape->planned(), how, at, turned, sink);
+            write_triangles(p, s.built->planned(), how, at, turned, sink);
         }
     }
 
@@ -71,7 +71,7 @@ public:
     }
 
     /// Emits share `k` of `shares`, which are about equal in what they cost: whole glyphs of one part or of several,
-    /// each part's as a stretch of its own. All shares together are the mesh.
+    /// each part's as a subrange of its own. All shares together are the mesh.
     template <extruder Extruder, ranged_sink Sink>
     void share(std::size_t k, std::size_t shares, const Extruder& how, const Sink& sink) const noexcept
     {
@@ -86,7 +86,7 @@ public:
                               to = glyph_at(p, end > start ? end - start : 0);
             start += work(own, p);
             if (from >= to) continue;
-            auto piece = sink.stretch(range(p, from, to));
+            auto piece = sink.subrange(range(p, from, to));
             vertices(p, from, to, how, piece);
             triangles(p, from, to, how, piece);
         }
@@ -112,7 +112,7 @@ private:
                            [&](std::size_t g) noexcept { return work(before(g) - before_, p) >= wanted; });
     }
 
-    const text_shapes* all_;
+    const text_glyphs* all_;
     std::size_t first_;
     std::size_t last_;
     part_sizes before_;

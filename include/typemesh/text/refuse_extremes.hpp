@@ -5,7 +5,7 @@
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/same.hpp>
 #include <typemesh/extrude/extruder.hpp>
-#include <typemesh/text/text_shapes.hpp>
+#include <typemesh/text/text_glyphs.hpp>
 
 #include <cmath>
 #include <limits>

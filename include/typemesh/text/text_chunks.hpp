@@ -3,7 +3,7 @@
 
 #include <typemesh/core/executor.hpp>
 #include <typemesh/core/result.hpp>
-#include <typemesh/text/split_shapes.hpp>
+#include <typemesh/text/split_glyphs.hpp>
 #include <typemesh/text/text_plan.hpp>
 
 #include <cstddef>
@@ -72,7 +72,7 @@ public:
         if (most < 3) return error::bad("most");
         const error e = cut_all(plan.fresh(), plan.extruder_, most);
         if (e) clear();
-        from_ = plan.shapes_;
+        from_ = plan.glyphs_;
         generation_ = plan.generation_;
         return e;
     }
@@ -107,9 +107,9 @@ public:
     error write(const text_plan<Extruder>& plan, Sink&& sink, Executor& workers) const noexcept
     {
         if (error e = sink.begin_chunks(size(), largest_)) return e;
-        const text_shapes& all = fresh(plan);
+        const text_glyphs& all = fresh(plan);
         workers.run(chunks_.size(), [&, this](std::size_t k, std::size_t) noexcept {
-            auto part_of_it = std::as_const(sink).stretch(chunks_[k].range());
+            auto part_of_it = std::as_const(sink).subrange(chunks_[k].range());
             emit(all, chunks_[k], plan.extruder_, part_of_it);
         });
         sink.end();
@@ -147,22 +147,22 @@ public:
 
 private:
     template <class Plan>
-    const text_shapes& fresh(const Plan& plan) const noexcept
+    const text_glyphs& fresh(const Plan& plan) const noexcept
     {
-        TYPEMESH_ASSERT(chunks_.empty() || (plan.shapes_ == from_ && plan.generation_ == generation_),
+        TYPEMESH_ASSERT(chunks_.empty() || (plan.glyphs_ == from_ && plan.generation_ == generation_),
                         "these text_chunks were cut from another plan");
         return plan.fresh();
     }
 
     template <extruder Extruder>
-    error cut_all(const text_shapes& all, const Extruder& how, std::uint32_t most) noexcept
+    error cut_all(const text_glyphs& all, const Extruder& how, std::uint32_t most) noexcept
     {
         const std::size_t count = all.records.size();
         for (std::size_t first = 0; first < count;) {
             std::size_t last = first;
             std::uint64_t held = 0;
             while (last < count) {
-                const std::uint64_t more = all.records[last].shape->sizes().vertices.total();
+                const std::uint64_t more = all.records[last].built->sizes().vertices.total();
                 if (held + more > most) break;
                 held += more;
                 ++last;
@@ -179,11 +179,11 @@ private:
     }
 
     template <extruder Extruder>
-    error split(const text_shapes& all, std::size_t glyph, const Extruder& how, std::uint32_t most) noexcept
+    error split(const text_glyphs& all, std::size_t glyph, const Extruder& how, std::uint32_t most) noexcept
     {
         std::uint32_t piece = pieces_.size();
         const bool turned = all.placed.frame.turns_triangles();
-        if (error e = pieces_.split(*all.records[glyph].shape, how, turned, most)) return e;
+        if (error e = pieces_.split(*all.records[glyph].built, how, turned, most)) return e;
         for (; piece < pieces_.size(); ++piece)
             if (error e = add(pieces_.sizes(piece), glyph, glyph + 1, piece)) return e;
         return {};
@@ -201,21 +201,21 @@ private:
     }
 
     template <extruder Extruder, mesh_sink Sink>
-    void emit(const text_shapes& all, const text_chunk& c, const Extruder& how, Sink& sink) const noexcept
+    void emit(const text_glyphs& all, const text_chunk& c, const Extruder& how, Sink& sink) const noexcept
     {
         if (c.piece == text_chunk::whole_glyphs) {
             mesh_layout{all, c.first_glyph, std::size_t{c.first_glyph} + c.glyph_count}.everything(how, sink);
             return;
         }
-        const shape_record& s = all.records[c.first_glyph];
-        pieces_.write(c.piece, *s.shape, how, all.place(s), sink);
+        const drawn_glyph& s = all.records[c.first_glyph];
+        pieces_.write(c.piece, *s.built, how, all.place(s), sink);
     }
 
     buffer<text_chunk> chunks_;
-    split_shapes pieces_;
+    split_glyphs pieces_;
     mesh_size total_;
     std::uint32_t largest_ = 0;
-    const text_shapes* from_ = nullptr;
+    const text_glyphs* from_ = nullptr;
     std::uint64_t generation_ = 0;
 };
 

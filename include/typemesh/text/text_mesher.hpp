@@ -5,16 +5,16 @@
 #include <typemesh/core/same.hpp>
 #include <typemesh/discretise/certified.hpp>
 #include <typemesh/extrude/extruded.hpp>
-#include <typemesh/layout/layout.hpp>
-#include <typemesh/text/arrange.hpp>
-#include <typemesh/text/refuse_extremes.hpp>
 #include <typemesh/glyph/glyph_builder.hpp>
 #include <typemesh/glyph/glyph_cache.hpp>
-#include <typemesh/text/glyph_team.hpp>
+#include <typemesh/layout/layout.hpp>
+#include <typemesh/text/arrange.hpp>
 #include <typemesh/text/glyph_merger.hpp>
+#include <typemesh/text/glyph_workers.hpp>
+#include <typemesh/text/refuse_extremes.hpp>
+#include <typemesh/text/text_glyphs.hpp>
 #include <typemesh/text/text_options.hpp>
 #include <typemesh/text/text_plan.hpp>
-#include <typemesh/text/text_shapes.hpp>
 #include <typemesh/triangulate/monotone.hpp>
 
 #include <cmath>
@@ -56,7 +56,7 @@ public:
     using plan_type = text_plan<Extruder>;
 
     explicit text_mesher(Font& font, memory source = heap()) noexcept
-        : font_{&font}, builder_{source}, merger_{source}, run_{source}, shapes_{source}
+        : font_{&font}, builder_{source}, merger_{source}, run_{source}, glyphs_{source}
     {
     }
 
@@ -64,7 +64,7 @@ public:
     text_mesher(const Font&&, memory = heap(), detail::keep_the_font_in_a_variable = {}) = delete;
     template <std::same_as<Font> Made>
     explicit text_mesher(const result<Made>&, memory source = heap()) noexcept
-        : builder_{source}, merger_{source}, run_{source}, shapes_{source}
+        : builder_{source}, merger_{source}, run_{source}, glyphs_{source}
     {
         (void)refuse_result<Made>();
     }
@@ -137,12 +137,12 @@ public:
     /// The same from shaped text; no shaper is needed. The run must stay as it is while the plan is used.
     [[nodiscard]] result<plan_type> plan(const glyph_run& run, const text_options& options = {}) & noexcept
     {
-        shapes_.clear();
+        glyphs_.clear();
         alone_type alone{*this};
         return plan_run(run, options, alone);
     }
 
-    /// Both by a team of workers (see glyph_team.hpp), whose sources stand in for the mesher's font when lines are
+    /// Both by a team of workers (see glyph_workers.hpp), whose sources stand in for the mesher's font when lines are
     /// shaped and glyphs built. The plan is the same, to the bit; of several errors that of the lowest glyph is told. It
     /// lies in the team, which must outlive it. A cache needs a real lock.
     ///
@@ -150,16 +150,16 @@ public:
     /// alone. Merging (text_options::merge) is done by one worker.
     template <executor Executor, outline_source Source>
     [[nodiscard]] result<plan_type> plan(text_view text, const text_options& options,
-                                         glyph_team<Executor, Source>& team) & noexcept
+                                         glyph_workers<Executor, Source>& team) & noexcept
         requires shaper<Font>
     {
         return plan_text(text, options, team);
     }
     template <executor Executor, outline_source Source>
     [[nodiscard]] result<plan_type> plan(const glyph_run& run, const text_options& options,
-                                         glyph_team<Executor, Source>& team) & noexcept
+                                         glyph_workers<Executor, Source>& team) & noexcept
     {
-        shapes_.clear();
+        glyphs_.clear();
         return plan_run(run, options, team);
     }
 
@@ -199,17 +199,17 @@ public:
         return made->report();
     }
 
-    /// The same by a team of workers. The sink is written by all of them if it takes stretches (see ranged_sink).
+    /// The same by a team of workers. The sink is written by all of them if it takes subranges (see ranged_sink).
     template <class Text, class Sink, executor Executor, outline_source Source>
         requires mesh_sink<std::remove_reference_t<Sink>>
     result<text_report> build(const Text& text, Sink&& sink, const text_options& options,
-                              glyph_team<Executor, Source>& team) noexcept
+                              glyph_workers<Executor, Source>& team) noexcept
     {
         auto made = plan(text, options, team);
         if (!made) return made.error();
         observer_(stage::extrude);
         error e;
-        if constexpr (ranged_sink<std::remove_reference_t<Sink>>) e = made->write(sink, team.workers());
+        if constexpr (ranged_sink<std::remove_reference_t<Sink>>) e = made->write(sink, team.pool());
         else e = made->write(sink);
         observer_(stage::idle);
         if (e) return e;
@@ -232,13 +232,13 @@ private:
     template <outline_source, discretiser, triangulator, extruder, stage_observer, class>
     friend class text_mesher;
 
-    text_mesher(Font* font, glyph_builder&& builder, glyph_merger&& merger, glyph_run&& run, text_shapes&& shapes,
+    text_mesher(Font* font, glyph_builder&& builder, glyph_merger&& merger, glyph_run&& run, text_glyphs&& glyphs,
                 Discretiser d, Triangulator t, Extruder e, Observer w, Cache cache) noexcept
         : font_{font},
           builder_{std::move(builder)},
           merger_{std::move(merger)},
           run_{std::move(run)},
-          shapes_{std::move(shapes)},
+          glyphs_{std::move(glyphs)},
           discretiser_{std::move(d)},
           triangulator_{std::move(t)},
           extruder_{std::move(e)},
@@ -251,7 +251,7 @@ private:
     auto changed(D d, T t, E e, W w, C cache) noexcept
     {
         return text_mesher<Font, D, T, E, W, C>{
-            font_,        std::move(builder_), std::move(merger_), std::move(run_), std::move(shapes_),
+            font_,        std::move(builder_), std::move(merger_), std::move(run_), std::move(glyphs_),
             std::move(d), std::move(t),        std::move(e),       std::move(w),    cache};
     }
 
@@ -274,7 +274,7 @@ private:
         error each(std::size_t n, const Task& task) noexcept
         {
             for (std::size_t k = 0; k < n; ++k)
-                if (error e = task(k, *mesher.font_, mesher.builder_, mesher.shapes_.store, mesher.observer_)) return e;
+                if (error e = task(k, *mesher.font_, mesher.builder_, mesher.glyphs_.store, mesher.observer_)) return e;
             return {};
         }
     };
@@ -282,7 +282,7 @@ private:
     template <class Team>
     result<plan_type> plan_text(text_view text, const text_options& options, Team& team) noexcept
     {
-        shapes_.clear();
+        glyphs_.clear();
         observer_(stage::shape);
         if (error e = team.layout(*font_, text, options.shape, options.layout, run_)) return stop(e);
         return plan_run(run_, options, team);
@@ -303,7 +303,7 @@ private:
                         "the glyph_run was made for a font of other units per em");
         TYPEMESH_ASSERT(options.frame.is_orthonormal(), "a frame's axes must be unit vectors at right angles");
 
-        text_report& report = shapes_.report;
+        text_report& report = glyphs_.report;
         report.missing = run.missing;
         report.first_missing = run.first_missing;
         report.invalid_units = run.invalid_units;
@@ -311,18 +311,18 @@ private:
 
         error e = extruder_options();
         if (!e) e = collect(run, options);
-        if (!e) e = build_shapes(options, team);
+        if (!e) e = build_glyphs(options, team);
         if (!e && options.merge) e = merge(run, options);
-        if (!e) e = place_shapes(run);
+        if (!e) e = place_glyphs(run);
         const height_range heights = extruder_.heights();
-        if (!e) e = arrange(shapes_, run, options, font_->units_per_em(), heights);
-        if (!e) e = refuse_extremes(shapes_.placed, shapes_.bounds, heights, heights_name());
+        if (!e) e = arrange(glyphs_, run, options, font_->units_per_em(), heights);
+        if (!e) e = refuse_extremes(glyphs_.placed, glyphs_.bounds, heights, heights_name());
         if (e) {
-            shapes_.shapes.release();
+            glyphs_.pinned.release();
             return stop(e);
         }
         observer_(stage::idle);
-        return plan_type{shapes_, run, extruder_};
+        return plan_type{glyphs_, run, extruder_};
     }
 
     /// Whether the extruder refuses its options: told for a text without letters too.
@@ -346,13 +346,13 @@ private:
     {
         const std::size_t count = run.glyphs.size();
         if (count >= not_drawn) return error::too_large;
-        std::uint32_t* numbers = shapes_.numbers.append(count);
+        std::uint32_t* numbers = glyphs_.numbers.append(count);
         if (numbers == nullptr && count != 0) return error::out_of_memory;
         for (std::size_t i = 0; i < count; ++i) {
             const placed_glyph& glyph = run.glyphs[i];
             numbers[i] = not_drawn;
             if (glyph.missing && !options.draw_missing) continue;
-            numbers[i] = options.reuse ? shapes_.different.number_of(glyph.id) : shapes_.different.append(glyph.id);
+            numbers[i] = options.reuse ? glyphs_.different.number_of(glyph.id) : glyphs_.different.append(glyph.id);
             if (numbers[i] == glyph_set::no_room) return error::out_of_memory;
         }
         return {};
@@ -360,57 +360,57 @@ private:
 
     /// Finds or builds each different glyph.
     template <class Team>
-    error build_shapes(const text_options& options, Team& team) noexcept
+    error build_glyphs(const text_options& options, Team& team) noexcept
     {
         constexpr bool alone = std::is_same_v<Team, alone_type>;
-        const auto ids = shapes_.different.ids();
+        const auto ids = glyphs_.different.ids();
         const glyph_settings how{options.tolerance, options.fill, options.most_pieces};
         if constexpr (!alone) {
             TYPEMESH_ASSERT(same(team.units_per_em(), font_->units_per_em()),
-                            "the sources of a glyph_team are of another font");
+                            "the sources of a glyph_workers are of another font");
             observer_(stage::outline);
         }
         if constexpr (!std::is_same_v<Cache, no_cache>) {
             static_assert(alone || !std::is_same_v<decltype(cache_), cached_in<no_lock>>,
-                          "typemesh: a glyph_team needs a glyph_cache with a lock: glyph_cache<mutex_lock> (see "
+                          "typemesh: a glyph_workers needs a glyph_cache with a lock: glyph_cache<mutex_lock> (see "
                           "typemesh/adapt/threads.hpp), or a lock of your own.");
             if (options.reuse) {
                 auto& cache = *cache_.cache;
-                if (!shapes_.shapes.expect(ids.size(), &cache)) return error::out_of_memory;
-                const shape_context context =
+                if (!glyphs_.pinned.reserve(ids.size(), &cache)) return error::out_of_memory;
+                const glyph_context context =
                     context_of(cache_.font, *font_, how, discretiser_, triangulator_, extruder_);
                 const std::uint64_t hash = context.hash();
                 return each_shape(
                     ids, how, team, [&](glyph_id id) noexcept { return cache.find(context, hash, id); },
-                    [&](glyph_id id, const glyph_parts& parts, shape_store&) noexcept {
+                    [&](glyph_id id, const glyph_draft& parts, glyph_store&) noexcept {
                         return cache.keep(context, hash, id, parts);
                     });
             }
         }
-        if (!shapes_.shapes.expect(ids.size())) return error::out_of_memory;
+        if (!glyphs_.pinned.reserve(ids.size())) return error::out_of_memory;
         if constexpr (!alone) {
-            shapes_.lent.now = team.begin_plan();
-            shapes_.lent.then = *shapes_.lent.now;
+            glyphs_.lent.now = team.begin_plan();
+            glyphs_.lent.then = *glyphs_.lent.now;
         }
         return each_shape(
-            ids, how, team, [](glyph_id) noexcept { return static_cast<const glyph_shape*>(nullptr); },
-            [](glyph_id, const glyph_parts& parts, shape_store& store) noexcept { return store.keep(parts); });
+            ids, how, team, [](glyph_id) noexcept { return static_cast<const built_glyph*>(nullptr); },
+            [](glyph_id, const glyph_draft& parts, glyph_store& store) noexcept { return store.keep(parts); });
     }
 
     template <class Team, class Find, class Keep>
     error each_shape(std::span<const glyph_id> ids, const glyph_settings& how, Team& team, const Find& find,
                      const Keep& keep) noexcept
     {
-        return team.each(ids.size(), [&](std::size_t k, auto& font, glyph_builder& builder, shape_store& store,
+        return team.each(ids.size(), [&](std::size_t k, auto& font, glyph_builder& builder, glyph_store& store,
                                          auto& observe) noexcept -> error {
-            const glyph_shape* shape = find(ids[k]);
-            if (shape == nullptr) {
+            const built_glyph* built = find(ids[k]);
+            if (built == nullptr) {
                 const auto parts = builder.build(font, ids[k], how, discretiser_, triangulator_, extruder_, observe);
                 if (!parts) return parts.error();
-                shape = keep(ids[k], *parts, store);
-                if (shape == nullptr) return error::out_of_memory;
+                built = keep(ids[k], *parts, store);
+                if (built == nullptr) return error::out_of_memory;
             }
-            shapes_.shapes.set(k, shape);
+            glyphs_.pinned.set(k, built);
             return {};
         });
     }
@@ -418,45 +418,45 @@ private:
     error merge(const glyph_run& run, const text_options& options) noexcept
     {
         const glyph_settings how{options.tolerance, options.fill, options.most_pieces};
-        return merger_(shapes_, run, builder_, *font_, how, discretiser_, triangulator_, extruder_, observer_);
+        return merger_(glyphs_, run, builder_, *font_, how, discretiser_, triangulator_, extruder_, observer_);
     }
 
     /// Puts each glyph of the run at its place, a group of merged ones at that of the first.
-    error place_shapes(const glyph_run& run) noexcept
+    error place_glyphs(const glyph_run& run) noexcept
     {
-        text_report& report = shapes_.report;
-        const merged_glyphs& merged = shapes_.merged;
+        text_report& report = glyphs_.report;
+        const merged_glyphs& merged = glyphs_.merged;
         report.glyphs = static_cast<std::uint32_t>(run.glyphs.size());
-        if (!shapes_.expect_records(run.glyphs.size())) return error::out_of_memory;
+        if (!glyphs_.reserve_records(run.glyphs.size())) return error::out_of_memory;
         std::uint32_t line = 0, group = 0;
         for (std::uint32_t i = 0; i < run.glyphs.size(); ++i) {
             while (line + 1 < run.lines.size() && i >= run.lines[line + 1].first_glyph) ++line;
-            const std::uint32_t number = shapes_.numbers[i];
+            const std::uint32_t number = glyphs_.numbers[i];
             if (number == not_drawn || (!merged.first_of.empty() && merged.first_of[i] != i)) continue;
             const placed_glyph& glyph = run.glyphs[i];
-            shape_record s;
-            s.shape = shapes_.shapes[number];
+            drawn_glyph s;
+            s.built = glyphs_.pinned[number];
             s.origin = glyph.origin;
             s.id = glyph.id;
             s.cluster = glyph.cluster;
             s.line = line;
             s.glyph = i;
             if (group < merged.groups.size() && merged.members_of(merged.groups[group]).front() == i) {
-                s.shape = merged.groups[group].shape;
+                s.built = merged.groups[group].built;
                 s.origin = merged.groups[group].origin;
                 s.merged = group++;
             }
             error refusal = misplaced(s.origin);
-            if (!refusal) refusal = s.shape->refusal();
+            if (!refusal) refusal = s.built->refusal();
             if (refusal) {
                 if (report.refused++ == 0) report.first_refusal = refusal.at(glyph.id, glyph.cluster);
-            } else if (s.shape->is_blank()) {
+            } else if (s.built->is_blank()) {
                 ++report.blank;
-            } else if (error e = shapes_.place_shape(s, number)) {
+            } else if (error e = glyphs_.place_glyph(s, number)) {
                 return e;
             }
         }
-        shapes_.number_meshes();
+        glyphs_.number_meshes();
         return {};
     }
 
@@ -473,7 +473,7 @@ private:
     glyph_builder builder_;
     glyph_merger merger_;
     glyph_run run_;
-    text_shapes shapes_;
+    text_glyphs glyphs_;
     [[no_unique_address]] Discretiser discretiser_{};
     [[no_unique_address]] Triangulator triangulator_{};
     [[no_unique_address]] Extruder extruder_{};

@@ -6,7 +6,7 @@
 #include <typemesh/extrude/extrude.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/text/mesh_layout.hpp>
-#include <typemesh/text/text_shapes.hpp>
+#include <typemesh/text/text_glyphs.hpp>
 #include <typemesh/vertex/ranged_sink.hpp>
 
 #include <cmath>
@@ -32,19 +32,19 @@ struct glyph_span {
 ///
 /// Move-only. It refers to its mesher, which must outlive it; a move of the mesher ends it, and so does the mesher's
 /// next plan() (using it then is asserted). Until its end the shapes that it took from a glyph_cache stay where they
-/// are, whoever throws out others; those that a glyph_team built lie in the team. Only glyphs that have triangles are
+/// are, whoever throws out others; those that a glyph_workers built lie in the team. Only glyphs that have triangles are
 /// counted among glyphs().
 template <extruder Extruder>
 class text_plan {
     friend class text_chunks;
 
 public:
-    text_plan(text_shapes& shapes, const glyph_run& run, const Extruder& extruder) noexcept
-        : shapes_{&shapes}, run_{&run}, extruder_{extruder}, generation_{shapes.generation.number}
+    text_plan(text_glyphs& glyphs, const glyph_run& run, const Extruder& extruder) noexcept
+        : glyphs_{&glyphs}, run_{&run}, extruder_{extruder}, generation_{glyphs.generation.number}
     {
     }
     text_plan(text_plan&& other) noexcept
-        : shapes_{std::exchange(other.shapes_, nullptr)},
+        : glyphs_{std::exchange(other.glyphs_, nullptr)},
           run_{other.run_},
           extruder_{std::move(other.extruder_)},
           generation_{other.generation_}
@@ -52,7 +52,7 @@ public:
     }
     text_plan& operator=(text_plan&& other) noexcept
     {
-        std::swap(shapes_, other.shapes_);
+        std::swap(glyphs_, other.glyphs_);
         std::swap(run_, other.run_);
         std::swap(extruder_, other.extruder_);
         std::swap(generation_, other.generation_);
@@ -60,7 +60,7 @@ public:
     }
     ~text_plan()
     {
-        if (shapes_ != nullptr && shapes_->generation.number == generation_) shapes_->shapes.release();
+        if (glyphs_ != nullptr && glyphs_->generation.number == generation_) glyphs_->pinned.release();
     }
 
     /// Exactly how many vertices and triangles write() will emit.
@@ -94,15 +94,15 @@ public:
     }
 
     /// The glyphs in the mesh, in drawing order.
-    [[nodiscard]] std::span<const shape_record> glyphs() const noexcept { return fresh().records.view(); }
+    [[nodiscard]] std::span<const drawn_glyph> glyphs() const noexcept { return fresh().records.view(); }
 
     /// Which glyphs of the run one of glyphs() stands for: itself alone, or all that text_options::merge joined to it,
     /// ascending. glyph < glyphs().size().
     [[nodiscard]] std::span<const std::uint32_t> members(std::size_t glyph) const noexcept
     {
-        const shape_record& s = fresh().records[glyph];
-        if (s.merged == shape_record::none) return {&s.glyph, 1};
-        return shapes_->merged.members_of(shapes_->merged.groups[s.merged]);
+        const drawn_glyph& s = fresh().records[glyph];
+        if (s.merged == drawn_glyph::none) return {&s.glyph, 1};
+        return glyphs_->merged.members_of(glyphs_->merged.groups[s.merged]);
     }
 
     /// Whose a triangle is: the place in the run of the one glyph whose outline all contour edges at its corners follow
@@ -112,11 +112,11 @@ public:
     ///     triangle    the place in range(glyph, p), below index_count / 3
     [[nodiscard]] std::uint32_t owner(std::size_t glyph, part p, std::uint32_t triangle) const noexcept
     {
-        const shape_record& s = fresh().records[glyph];
-        if (s.merged == shape_record::none) return s.glyph;
-        const merged_group& group = shapes_->merged.groups[s.merged];
-        if (p == part::side) return shapes_->merged.owners_of(group)[triangle / 2];
-        return shapes_->merged.owner_of(group, s.shape->form().triangles[triangle]);
+        const drawn_glyph& s = fresh().records[glyph];
+        if (s.merged == drawn_glyph::none) return s.glyph;
+        const merged_group& group = glyphs_->merged.groups[s.merged];
+        if (p == part::side) return glyphs_->merged.owners_of(group)[triangle / 2];
+        return glyphs_->merged.owner_of(group, s.built->form().triangles[triangle]);
     }
 
     /// What is not in the mesh, and why.
@@ -136,7 +136,7 @@ public:
     /// by more than half of it. What is thinner than two such steps may fall together; see flipped_triangles.hpp.
     [[nodiscard]] double position_step() const noexcept
     {
-        const text_shapes& all = fresh();
+        const text_glyphs& all = fresh();
         float farthest = 0.0f;
         for (const vec3 corner : {all.bounds.low, all.bounds.high})
             for (const float v : {corner.x, corner.y, corner.z}) farthest = std::fabs(v) > farthest ? std::fabs(v) : farthest;
@@ -152,14 +152,14 @@ public:
     [[nodiscard]] std::uint64_t contour_points() const noexcept
     {
         std::uint64_t points = 0;
-        for (const shape_record& s : fresh().records) points += s.shape->form().points.size();
+        for (const drawn_glyph& s : fresh().records) points += s.built->form().points.size();
         return points;
     }
     [[nodiscard]] std::uint64_t hard_edges() const noexcept
     {
         std::uint64_t hard = 0;
-        for (const shape_record& r : fresh().records)
-            for (const side_point& s : r.shape->form().sides)
+        for (const drawn_glyph& r : fresh().records)
+            for (const side_point& s : r.built->form().sides)
                 hard += s.doubled && !(s.seam && s.before == s.after) ? 1u : 0u;
         return hard;
     }
@@ -176,7 +176,7 @@ public:
         return {};
     }
 
-    /// The same by several workers, in equal shares; the output is the same to the bit. The sink must take stretches
+    /// The same by several workers, in equal shares; the output is the same to the bit. The sink must take subranges
     /// (see ranged_sink), as those over arrays and containers do. A share is written ascending.
     template <class Sink, executor Executor>
         requires ranged_sink<std::remove_reference_t<Sink>>
@@ -210,7 +210,7 @@ public:
         const mesh_layout all = whole();
         if (error e = sink.begin(all.size())) return e;
         for (const part p : all_parts) {
-            auto piece = std::as_const(sink).stretch(range(some, p));
+            auto piece = std::as_const(sink).subrange(range(some, p));
             all.vertices(p, some.first, some.last, extruder_, piece);
             all.triangles(p, some.first, some.last, extruder_, piece);
         }
@@ -242,7 +242,7 @@ public:
     [[nodiscard]] mesh_size meshes_size() const noexcept
     {
         mesh_size all;
-        for (const glyph_mesh& m : meshes()) all = all + m.shape->sizes().total();
+        for (const glyph_mesh& m : meshes()) all = all + m.built->sizes().total();
         return all;
     }
 
@@ -250,7 +250,7 @@ public:
     [[nodiscard]] mesh_range mesh_part(std::size_t mesh, part p) const noexcept
     {
         const glyph_mesh& m = fresh().meshes[mesh];
-        return m.shape->sizes().range(p, m.first_vertex, m.first_index);
+        return m.built->sizes().range(p, m.first_vertex, m.first_index);
     }
 
     /// For instanced drawing: every different glyph once, standing at the output's origin.
@@ -262,14 +262,14 @@ public:
         requires mesh_sink<std::remove_reference_t<Sink>>
     error write_meshes(Sink&& sink) const noexcept
     {
-        const text_shapes& all = fresh();
+        const text_glyphs& all = fresh();
         if (error e = sink.begin(meshes_size())) return e;
         for (const glyph_mesh& m : all.meshes)
-            for (const part p : all_parts) write_vertices(p, m.shape->planned(), extruder_, all.place(m), sink);
+            for (const part p : all_parts) write_vertices(p, m.built->planned(), extruder_, all.place(m), sink);
         const bool turned = all.placed.frame.turns_triangles();
         for (const glyph_mesh& m : all.meshes) {
-            const first_vertices first = m.shape->sizes().vertices.starts(m.first_vertex);
-            for (const part p : all_parts) write_triangles(p, m.shape->planned(), extruder_, first, turned, sink);
+            const first_vertices first = m.built->sizes().vertices.starts(m.first_vertex);
+            for (const part p : all_parts) write_triangles(p, m.built->planned(), extruder_, first, turned, sink);
         }
         sink.end();
         return {};
@@ -281,23 +281,23 @@ public:
     template <class Emit>
     void write_instances(Emit&& emit) const noexcept
     {
-        const text_shapes& all = fresh();
+        const text_glyphs& all = fresh();
         for (std::uint32_t mesh = 0; mesh < all.meshes.size(); ++mesh) {
-            for (std::uint32_t i = all.meshes[mesh].first_glyph; i != shape_record::none; i = all.records[i].next_alike) {
-                const shape_record& s = all.records[i];
+            for (std::uint32_t i = all.meshes[mesh].first_glyph; i != drawn_glyph::none; i = all.records[i].next_alike) {
+                const drawn_glyph& s = all.records[i];
                 emit(glyph_instance{all.translation_of(s), mesh, i, s.id, s.cluster});
             }
         }
     }
 
 private:
-    const text_shapes& fresh() const noexcept
+    const text_glyphs& fresh() const noexcept
     {
-        TYPEMESH_ASSERT(shapes_ != nullptr, "a text_plan was used that has been moved away");
-        TYPEMESH_ASSERT(shapes_->generation.number == generation_,
+        TYPEMESH_ASSERT(glyphs_ != nullptr, "a text_plan was used that has been moved away");
+        TYPEMESH_ASSERT(glyphs_->generation.number == generation_,
                         "this text_plan is stale: its mesher has made another plan or was moved since");
-        TYPEMESH_ASSERT(shapes_->lent.are_there(), "this text_plan is stale: its glyph_team has built another since");
-        return *shapes_;
+        TYPEMESH_ASSERT(glyphs_->lent.are_there(), "this text_plan is stale: its glyph_workers has built another since");
+        return *glyphs_;
     }
 
     [[nodiscard]] mesh_layout whole() const noexcept { return {fresh(), 0, fresh().records.size()}; }
@@ -310,7 +310,7 @@ private:
         return worth < 8 * workers ? static_cast<std::size_t>(worth) : 8 * workers;
     }
 
-    text_shapes* shapes_;
+    text_glyphs* glyphs_;
     const glyph_run* run_;
     Extruder extruder_;
     std::uint64_t generation_;

@@ -117,9 +117,9 @@ private:
         return count_;
     }
 
-    struct way {
+    struct delta {
         std::int64_t x, y;
-        [[nodiscard]] static way to(grid_point p, grid_point from) noexcept
+        [[nodiscard]] static delta to(grid_point p, grid_point from) noexcept
         {
             return {std::int64_t{p.x} - from.x, std::int64_t{p.y} - from.y};
         }
@@ -133,9 +133,9 @@ private:
         if (before == 0) return out_.template boundary<1 - along>(links_[at].point, v);
         const auto first = out_.template next_outer<along>();
         auto edge = out_.nobody();
-        way b = way::to(p, links_[at].place);
+        delta b = delta::to(p, links_[at].place);
         do {
-            const way a = way::to(p, links_[before].place);
+            const delta a = delta::to(p, links_[before].place);
             const std::int64_t turn = a.x * b.y - a.y * b.x;  // orientation(a, b, p)
             edge = out_.template cut<along>(links_[before], links_[at], v, p, along == 0 ? turn : -turn, edge);
             b = a;

@@ -71,8 +71,8 @@ struct monotone {
         return r;
     }
 
-    /// The same for loops that may come through a point more than once, each time with a wedge of interior of its own
-    /// (see fill/touching_walks.hpp). Fails as prove() does, also where a visit does not keep to its wedge. About
+    /// The same for loops that may come through a point more than once, each time with a sector of interior of its own
+    /// (see fill/touching_cycles.hpp). Fails as prove() does, also where a visit does not keep to its sector. About
     /// 40 bytes a point more from `space`.
     [[nodiscard]] result<region> prove_touching(const contours& loops, workspace& space,
                                                 triangle_list& out) const noexcept

@@ -4,10 +4,10 @@
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/orientation.hpp>
-#include <typemesh/core/sweep_order.hpp>
-#include <typemesh/core/sweep_status.hpp>
-#include <typemesh/core/wedges.hpp>
 #include <typemesh/core/workspace.hpp>
+#include <typemesh/sweep/sectors.hpp>
+#include <typemesh/sweep/sweep_order.hpp>
+#include <typemesh/sweep/sweep_status.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -29,17 +29,17 @@ namespace typemesh::detail {
 /// leaves no room for a new span (tested), or lies between two edges that end there (then they are not neighbours).
 /// Doubling back shows where the two edges start.
 ///
-/// When `Touching`, a proven region may come through a point more than once, each time with a wedge of interior of its
-/// own. Think of every such point as moved a little into its wedge: then all points differ, and the sweep meets them in
+/// When `Touching`, a proven region may come through a point more than once, each time with a sector of interior of its
+/// own. Think of every such point as moved a little into its sector: then all points differ, and the sweep meets them in
 /// this order:
 ///
 ///     .        ends            :::\ /:::   passes      ---.::::   a merge, or   ::::.---   starts
-///     :::>.    (wedge on the   ::: x :::   (above,        p :::   a split       ::: p      (wedge on the    .<:::
+///     :::>.    (sector on the   ::: x :::   (above,        p :::   a split       ::: p      (sector on the    .<:::
 ///     '        left)           :::/ \:::   below)      ---'::::                 ::::'---   right)
 ///
 /// Only starts must be told where they belong between edges that begin in the point itself: by their angle.
 ///
-/// `Proving` and `Touching`: first the edges round every such point are sorted by their angles. They must bound wedges,
+/// `Proving` and `Touching`: first the edges round every such point are sorted by their angles. They must bound sectors,
 /// no two in one direction, and every visit must have its own. Then one test is less strict: an edge may come through p
 /// from outside its span when it begins or ends there. The argument above holds still, X being the first place where
 /// loops meet otherwise than in common ends. If X is no vertex: the two edges that cross there have no other point in
@@ -50,7 +50,7 @@ namespace typemesh::detail {
 /// first visit that opens there meets no edge from X yet. Left of X the order of edges that end in X is that of their
 /// angles, and behind X passes, splits and starts leave those that begin there in it, for at most two visits pass, one
 /// below and one above all that start, and at most one splits or merges; so the status is right behind X.
-/// Whether starts are outside and splits inside is tested by edges that X is no end of, or told by the wedges.
+/// Whether starts are outside and splits inside is tested by edges that X is no end of, or told by the sectors.
 template <bool Proving, bool Touching, class Cutter>
 class monotone_sweep {
     struct vertex {
@@ -138,14 +138,14 @@ private:
     {
         const std::size_t n = points_.size();
         auto* const ordered = scratch.take<std::uint32_t>(n);
-        spoke* const spokes = Proving ? scratch.take<spoke>(2 * n) : nullptr;
-        if (ordered == nullptr || (Proving && spokes == nullptr)) return error::out_of_memory;
+        outgoing_edge* const outgoing_edges = Proving ? scratch.take<outgoing_edge>(2 * n) : nullptr;
+        if (ordered == nullptr || (Proving && outgoing_edges == nullptr)) return error::out_of_memory;
         for (std::size_t begin = 0, end = 1; begin < n; begin = end++) {
             while (end < n && points_[order[end]] == points_[order[begin]]) ++end;
             if (end - begin == 1) continue;
             equal_points_ = true;
             if constexpr (Proving)
-                if (!are_wedges({order + begin, end - begin}, spokes)) return error::crossing_contours;
+                if (!are_sectors({order + begin, end - begin}, outgoing_edges)) return error::crossing_contours;
             std::size_t k = begin;
             for (std::uint32_t rank = 0; rank < 4; ++rank)
                 for (std::size_t i = begin; i < end; ++i)
@@ -155,17 +155,17 @@ private:
         return error::none;
     }
 
-    /// Whether every visit of a point has a wedge of its own, and no two meet.
-    [[nodiscard]] bool are_wedges(std::span<const std::uint32_t> visits, spoke* spokes) const noexcept
+    /// Whether every visit of a point has a sector of its own, and no two meet.
+    [[nodiscard]] bool are_sectors(std::span<const std::uint32_t> visits, outgoing_edge* outgoing_edges) const noexcept
     {
         std::size_t count = 0;
         for (const std::uint32_t v : visits) {
-            spokes[count++] = spoke::to(points_[vertices_[v].right[0]], points_[v], v, true);
-            spokes[count++] = spoke::to(points_[vertices_[v].right[1]], points_[v], v, false);
+            outgoing_edges[count++] = outgoing_edge::to(points_[vertices_[v].right[0]], points_[v], v, true);
+            outgoing_edges[count++] = outgoing_edge::to(points_[vertices_[v].right[1]], points_[v], v, false);
         }
-        if (!sort_into_wedges(spokes, count)) return false;
+        if (!sort_into_sectors(outgoing_edges, count)) return false;
         for (std::size_t i = 0; i < count; i += 2)
-            if (spokes[i].visit != spokes[i + 1].visit) return false;
+            if (outgoing_edges[i].visit != outgoing_edges[i + 1].visit) return false;
         return true;
     }
 

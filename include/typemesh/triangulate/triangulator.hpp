@@ -18,7 +18,7 @@ namespace typemesh {
 ///     t(r, space, out)    appends r.triangle_count() triangles of indices into r.points() to `out`
 ///
 /// The region is proven: see region.hpp for what may be relied on. Its walks may come through a point more than once
-/// (is_touching), each time with a wedge of interior of its own, and each visit is a point of its own here. Every edge
+/// (is_touching), each time with a sector of interior of its own, and each visit is a point of its own here. Every edge
 /// of the region must be an edge of exactly one triangle, so that the walls that are put up on it meet the caps without
 /// a crack; no triangle may have area zero.
 /// What can be told of the triangles at once (their number, corners, turn and area) is asserted.
@@ -54,8 +54,8 @@ concept ordered_triangulator = proving_triangulator<T> && requires(const T& t, c
 
 /// A proving triangulator that can also be given loops which come through a point more than once.
 ///
-///     t.prove_touching(loops, space, out)    as prove(). In each such point every walk must keep to a wedge of interior
-///                                            of its own (see fill/touching_walks.hpp), which is proven too.
+///     t.prove_touching(loops, space, out)    as prove(). In each such point every walk must keep to a sector of interior
+///                                            of its own (see fill/touching_cycles.hpp), which is proven too.
 template <class T>
 concept touching_triangulator = proving_triangulator<T> && requires(const T& t, const contours& loops, workspace& space, triangle_list& out) {
     { t.prove_touching(loops, space, out) } noexcept -> std::same_as<result<region>>;

@@ -36,7 +36,7 @@ public:
     /// See chunked_sink: Index need only number the vertices of one chunk.
     error begin_chunks(mesh_size exact, std::uint32_t most) noexcept { return begin_numbering(exact, most); }
     /// See ranged_sink.
-    [[nodiscard]] array_sink stretch(mesh_range range) const noexcept
+    [[nodiscard]] array_sink subrange(mesh_range range) const noexcept
         requires std::is_copy_constructible_v<Writer>
     {
         array_sink part = *this;

@@ -44,7 +44,7 @@ public:
     /// See chunked_sink: the indices' type need only number the vertices of one chunk.
     error begin_chunks(mesh_size exact, std::uint32_t most) noexcept { return begin_numbering(exact, most); }
     /// See ranged_sink.
-    [[nodiscard]] growing_sink stretch(mesh_range range) const noexcept
+    [[nodiscard]] growing_sink subrange(mesh_range range) const noexcept
         requires std::is_copy_constructible_v<Writer>
     {
         growing_sink part = *this;

@@ -5,7 +5,7 @@
 
 namespace typemesh {
 
-/// A stretch of the output: vertices [first_vertex, first_vertex + vertex_count), indices likewise.
+/// A subrange of the output: vertices [first_vertex, first_vertex + vertex_count), indices likewise.
 struct mesh_range {
     std::uint32_t first_vertex = 0;
     std::uint32_t vertex_count = 0;

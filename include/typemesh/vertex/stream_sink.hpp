@@ -103,7 +103,7 @@ public:
     /// See chunked_sink: Index need only number the vertices of one chunk.
     error begin_chunks(mesh_size exact, std::uint32_t most) noexcept { return begin_numbering(exact, most); }
     /// See ranged_sink.
-    [[nodiscard]] stream_sink stretch(mesh_range range) const noexcept
+    [[nodiscard]] stream_sink subrange(mesh_range range) const noexcept
         requires(std::is_copy_constructible_v<Streams> && ...)
     {
         stream_sink part = *this;
@@ -113,7 +113,7 @@ public:
     }
     void vertex(const surface_point<wants>& p) noexcept
     {
-        TYPEMESH_ASSERT(has_room_for(next_vertex_ + 1), "more vertices were written than the sink has room for");
+        TYPEMESH_ASSERT(can_hold(next_vertex_ + 1), "more vertices were written than the sink has room for");
         std::apply(
             [&](const auto&... s) { (s.put(next_vertex_, only<std::remove_cvref_t<decltype(s)>::wants>(p)), ...); },
             streams_);
@@ -132,13 +132,13 @@ private:
     {
         if (error e = index_.numbers(vertices)) return e;
         if (exact.indices() > indices_.size()) return error::short_of("indices", exact.indices());
-        if (!has_room_for(exact.vertices)) return error::short_of("vertices", exact.vertices);
+        if (!can_hold(exact.vertices)) return error::short_of("vertices", exact.vertices);
         next_vertex_ = 0;
         index_.start(indices_.data());
         return {};
     }
 
-    [[nodiscard]] bool has_room_for(std::uint64_t vertices) const noexcept
+    [[nodiscard]] bool can_hold(std::uint64_t vertices) const noexcept
     {
         return std::apply([&](const auto&... s) { return ((vertices <= s.capacity) && ...); }, streams_);
     }

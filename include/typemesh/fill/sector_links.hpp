@@ -7,22 +7,22 @@
 
 namespace typemesh::detail {
 
-/// Links the boundary of the filled area through a point: `next` of a stretch that comes in is the one that goes out
+/// Links the boundary of the filled area through a point: `next` of a segment that comes in is the one that goes out
 /// with the interior between them. Round the point, counter-clockwise, the interior follows every one that goes out.
 ///
 ///     ::::: out      in :::::      in, then out, on either side
 ///     ------------p----------
-class wedge_links {
+class sector_links {
 public:
-    explicit wedge_links(stretch* stretches) noexcept : stretches_{stretches} {}
+    explicit sector_links(segment* segments) noexcept : segments_{segments} {}
 
-    /// Takes the stretches counter-clockwise: those that start in the point from below to above, then those that end
+    /// Takes the segments counter-clockwise: those that start in the point from below to above, then those that end
     /// there from above to below.
     void take(std::uint32_t i, bool starts) noexcept
     {
-        const std::int32_t interior = stretches_[i].interior;
+        const std::int32_t interior = segments_[i].interior;
         if (interior == 0) return;
-        if (last_goes_out_) stretches_[i].next = last_;
+        if (last_goes_out_) segments_[i].next = last_;
         last_ = i;
         last_goes_out_ = (interior > 0) == starts;
         if (first_ == no_number) {
@@ -35,12 +35,12 @@ public:
     /// After the last one. True when the boundary comes through the point more than once.
     [[nodiscard]] bool close() noexcept
     {
-        if (last_goes_out_ && !first_goes_out_) stretches_[first_].next = last_;
+        if (last_goes_out_ && !first_goes_out_) segments_[first_].next = last_;
         return out_count_ > 1;
     }
 
 private:
-    stretch* stretches_;
+    segment* segments_;
     std::uint32_t first_ = no_number, last_ = no_number, out_count_ = 0;
     bool first_goes_out_ = false, last_goes_out_ = false;
 };

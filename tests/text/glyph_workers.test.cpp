@@ -66,7 +66,7 @@ TEMPLATE_TEST_CASE("a team makes and writes the same mesh as one worker alone", 
     const text_options options{.reuse = GENERATE(true, false)};
     const std::size_t workers = GENERATE(1u, 2u, 3u, 8u);
     test::scrambled_workers several{workers};
-    auto team = team_of(several, another_font);
+    auto team = workers_of(several, another_font);
     REQUIRE(team);
 
     auto expected = mesher.plan(text, options);
@@ -114,7 +114,7 @@ TEST_CASE("shares of a text cover it, each ascending and each element once", "[t
     }
 }
 
-TEST_CASE("every sink over memory is written in stretches as it is in one piece", "[text][team]")
+TEST_CASE("every sink over memory is written in subranges as it is in one piece", "[text][team]")
 {
     test::toy_font font;
     text_mesher mesher{font};
@@ -165,7 +165,7 @@ TEST_CASE("of several workers' errors that of the lowest glyph is told", "[text]
     REQUIRE(expected.error() == error::bad_option);
     for (std::uint32_t seed = 1; seed < 20; ++seed) {
         test::scrambled_workers several{3, seed};
-        auto team = team_of(several, another_font);
+        auto team = workers_of(several, another_font);
         REQUIRE(team);
         const auto plan = mesher.plan(text, {}, *team);
         CHECK(plan.error() == error::bad_option);
@@ -181,11 +181,11 @@ TEST_CASE("a source that cannot be made makes no team, and the others end", "[te
         if (worker == 2) return error{error::unreadable_file, worker};
         return another_font(worker);
     };
-    CHECK(team_of(several, third_fails, counted.source()).error() == error::unreadable_file);
+    CHECK(workers_of(several, third_fails, counted.source()).error() == error::unreadable_file);
     CHECK(counted.bytes_held == 0);
 
     counted.fail_at = counted.requests + 1;
-    CHECK(team_of(several, another_font, counted.source()).error() == error::out_of_memory);
+    CHECK(workers_of(several, another_font, counted.source()).error() == error::out_of_memory);
 }
 
 TEST_CASE("a team's memory that fails at any request gives a clear error and leaves both usable", "[text][team]")
@@ -199,7 +199,7 @@ TEST_CASE("a team's memory that fails at any request gives a clear error and lea
     for (std::size_t n = 2; n < 300; ++n) {  // the first request is the team itself
         test::counting_memory counted{.fail_at = n, .fail_once = once};
         test::scrambled_workers several{3};
-        auto team = team_of(several, another_font, counted.source());
+        auto team = workers_of(several, another_font, counted.source());
         REQUIRE(team);
         full_mesh m = {{{}, {}}, {7}};
         auto made = mesher.build("oEix", into(m.vertices, m.indices), {}, *team);
@@ -224,7 +224,7 @@ TEST_CASE("the same text built by the same workers again allocates nothing", "[t
         test::toy_font font;
         text_mesher mesher{font, own.source()};
         test::scrambled_workers several{3};
-        auto team = team_of(several, another_font, counted.source());
+        auto team = workers_of(several, another_font, counted.source());
         REQUIRE(team);
         full_mesh m;
         // Who gets which glyph changes with the seed: all have had all before counting.
@@ -246,13 +246,13 @@ TEST_CASE("a plan outlives a move of its team, and a cache holds what a team has
     REQUIRE(mesher.build("oEi", into(expected.vertices, expected.indices)));
 
     test::scrambled_workers several{3};
-    auto team = team_of(several, another_font);
+    auto team = workers_of(several, another_font);
     REQUIRE(team);
     {
         auto plan = mesher.plan("oEi", {}, *team);
         REQUIRE(plan);
         auto moved = std::move(*team);
-        REQUIRE_FALSE(plan->write(into(m.vertices, m.indices), moved.workers()));
+        REQUIRE_FALSE(plan->write(into(m.vertices, m.indices), moved.pool()));
         CHECK(same(m, expected));
         *team = std::move(moved);
     }
@@ -285,7 +285,7 @@ TEST_CASE("one set of drawings serves a whole team where reading changes nothing
     for (cluster_id i = 0; i < 50; ++i) REQUIRE(run.glyphs.push_back({i % 2, i, {20.0 * i, 0}}));
     test::scrambled_workers several{2};
     using shared = transformed_outlines<const recorded_outlines>;
-    auto team = team_of(several, [&](std::size_t) noexcept { return result<shared>{shared{shapes, affine{}}}; });
+    auto team = workers_of(several, [&](std::size_t) noexcept { return result<shared>{shared{shapes, affine{}}}; });
     REQUIRE(team);
     text_mesher mesher{shapes};
     full_mesh expected, m;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/fill/touching_walks.hpp>
+#include <typemesh/fill/touching_cycles.hpp>
 
 #include "support/catch.hpp"
 #include "support/regions.hpp"
@@ -35,7 +35,7 @@ bool equal(const contours& a, const contours& b)
 
 }  // namespace
 
-TEST_CASE("Walking anew keeps every directed edge, is done after one time, and can be undone", "[fill][touching_walks]")
+TEST_CASE("Walking anew keeps every directed edge, is done after one time, and can be undone", "[fill][touching_cycles]")
 {
     test::dice d{611};
     int linked = 0, changed = 0;
@@ -51,7 +51,7 @@ TEST_CASE("Walking anew keeps every directed edge, is done after one time, and c
         contours loops = test::contours_of(s);
         workspace space;
         workspace::scope scratch{space};
-        touching_walks walks, again;
+        touching_cycles walks, again;
         INFO(s);
         if (const error e = walks.link(loops, scratch, space)) {
             REQUIRE(e == error::crossing_contours);
@@ -71,13 +71,13 @@ TEST_CASE("Walking anew keeps every directed edge, is done after one time, and c
     CHECK(changed > 100);
 }
 
-TEST_CASE("Contours without equal points are not walked anew", "[fill][touching_walks]")
+TEST_CASE("Contours without equal points are not walked anew", "[fill][touching_cycles]")
 {
     for (const test::shape& s : {test::shape{"a square", {test::square(0, 0, 9)}}, test::shape{"nothing", {}}}) {
         contours loops = test::contours_of(s);
         workspace space;
         workspace::scope scratch{space};
-        touching_walks walks;
+        touching_cycles walks;
         CHECK(walks.link(loops, scratch, space) == error::crossing_contours);
     }
 }

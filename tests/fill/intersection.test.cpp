@@ -16,13 +16,13 @@ using namespace typemesh;
 
 namespace {
 
-/// Writes down what it is asked, curves in ascending order, and refuses the meetings in one point.
+/// Writes down what it is asked, curves in ascending order, and refuses the intersections in one point.
 struct witness {
     std::set<std::tuple<std::int32_t, std::int32_t, std::uint32_t, std::uint32_t>> told;
     grid_point refused{1'000'000, 0};
     bool is_sound = true;
 
-    bool operator()(const meeting& m) noexcept
+    bool operator()(const intersection& m) noexcept
     {
         is_sound = is_sound && !(m.a.ends_in(m.at) && m.b.ends_in(m.at));
         const auto [low, high] = std::minmax(m.a.source.curve, m.b.source.curve);
@@ -49,7 +49,7 @@ const test::polyline over_its_corner{{4, 4}, {12, 4}, {12, 12}, {4, 12}};
 
 }  // namespace
 
-TEST_CASE("a judge is told of crossings and of corners on edges, not of corners", "[fill][meeting]")
+TEST_CASE("a filter is told of crossings and of corners on edges, not of corners", "[fill][intersection]")
 {
     CHECK(ask({square}).told.empty());
     CHECK(ask({square, {{2, 2}, {2, 6}, {6, 6}, {6, 2}}}).told.empty());
@@ -66,18 +66,18 @@ TEST_CASE("a judge is told of crossings and of corners on edges, not of corners"
               .told.empty());
 }
 
-TEST_CASE("a judge is told where edges come together that cancel", "[fill][meeting]")
+TEST_CASE("a filter is told where edges come together that cancel", "[fill][intersection]")
 {
     //   0,8 .---------. 8,8       The lower edge of the square and a part of the other contour's upper edge run
-    //       |         |           against each other and leave no stretch. Only the ends of that part tell of it.
+    //       |         |           against each other and leave no segment. Only the ends of that part tell of it.
     //   0,0 '===.=====x----. 12,0
     //       2,0 '----------' -4
     CHECK(ask({square, {{12, 0}, {2, 0}, {2, -4}, {12, -4}}}).told ==
           decltype(witness::told){{2, 0, 0, 5}, {8, 0, 1, 4}});
 }
 
-TEST_CASE("a judge is told of loops that touch, but not where more than 16 edges come through one point",
-          "[fill][meeting]")
+TEST_CASE("a filter is told of loops that touch, but not where more than 16 edges come through one point",
+          "[fill][intersection]")
 {
     const auto fan = [](int blades) {  // triangles that share a corner
         std::vector<test::polyline> all;
@@ -103,7 +103,7 @@ TEST_CASE("a judge is told of loops that touch, but not where more than 16 edges
                        [](const auto& t) { return std::get<0>(t) == 0 && std::get<1>(t) == 0; }));
 }
 
-TEST_CASE("where a judge refuses, all are asked none the less, and the contours stay as they were", "[fill][meeting]")
+TEST_CASE("where a filter refuses, all are asked none the less, and the contours stay as they were", "[fill][intersection]")
 {
     contours loops = test::contours_of({square, over_its_corner});
     const std::vector<grid_point> before(loops.points.begin(), loops.points.end());

@@ -13,22 +13,22 @@ namespace typemesh::detail {
 
 /// Walks the boundary of the filled area and writes it down as loops.
 ///
-/// Of a finished arrangement, the stretches with the interior on one side only are the boundary, run so that it lies on
-/// the left. Where boundaries touch, the walk stays in the wedge of interior that it is in:
+/// Of a finished arrangement, the segments with the interior on one side only are the boundary, run so that it lies on
+/// the left. Where boundaries touch, the walk stays in the sector of interior that it is in:
 ///
-///      ::: \     / :::     What comes in along 1 goes out along 2, with the wedge of interior on the left of both
+///      ::: \     / :::     What comes in along 1 goes out along 2, with the sector of interior on the left of both
 ///      ::: 2\   /3 :::     between them; 3 goes out along 4. So two outer loops that touch stay two, a hole that
 ///      ::::: \ / :::::     touches its outer loop joins it, and two holes that touch become one.
 ///      :::::: x ::::::
 ///      ::::: / \ :::::
 ///      ::: 1/   \4 :::
 ///      ::: /     \ :::
-class boundary_walk {
+class boundary_cycles {
 public:
     std::uint32_t holes = 0;
     std::uint32_t outers = 0;
 
-    /// Goes round all loops once and remembers them in `scratch`. watch(s, t, p) is told of every two stretches that
+    /// Goes round all loops once and remembers them in `scratch`. watch(s, t, p) is told of every two segments that
     /// follow each other, s before t, in the point p. Of use once in an arrangement: what was walked is marked.
     ///
     /// Fails with error::out_of_memory. Links that do not close, which a finished arrangement cannot have, would be
@@ -40,7 +40,7 @@ public:
         places_ = scratch.take<std::uint32_t>(a.count);
         starts_ = scratch.take<std::uint32_t>(a.count / 3 + 2);
         if (steps_ == nullptr || places_ == nullptr || starts_ == nullptr) return error::out_of_memory;
-        stretch* const all = a.stretches;
+        segment* const all = a.segments;
         const std::uint32_t count = a.count;
         std::uint32_t size = 0;
         for (std::uint32_t i = 0; i < count; ++i) {
@@ -49,7 +49,7 @@ public:
             const std::uint32_t begin = starts_[loop_count_++] = size;
             std::uint32_t k = i;
             do {
-                stretch& s = all[k];
+                segment& s = all[k];
                 const bool along = s.interior > 0;
                 if (s.interior == 0 || s.next >= count) return error::crossing_contours;
                 s.interior = 0;  // walked
@@ -80,7 +80,7 @@ public:
         grid_point* const points = loops.points.append(size);
         contour_edge* const edges = loops.edges.append(size);
         for (std::uint32_t i = 0; i < size; ++i) {
-            const stretch& s = a.stretches[steps_[i] / 2];
+            const segment& s = a.segments[steps_[i] / 2];
             const std::uint32_t back = steps_[i] % 2;
             const grid_point ends[2] = {s.from, s.to};
             const float t[2] = {s.source.t0, s.source.t1};
@@ -112,7 +112,7 @@ public:
     }
 
 private:
-    std::uint32_t* steps_ = nullptr;   // a stretch's number times 2, and 1 where it is run from right to left
+    std::uint32_t* steps_ = nullptr;   // a segment's number times 2, and 1 where it is run from right to left
     std::uint32_t* places_ = nullptr;  // the number of the point where each step begins
     std::uint32_t* starts_ = nullptr;  // of the loops among the steps
     std::uint32_t loop_count_ = 0;

@@ -5,7 +5,7 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/extrude/extrude.hpp>
-#include <typemesh/glyph/glyph_shape.hpp>
+#include <typemesh/glyph/built_glyph.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -18,9 +18,9 @@ namespace typemesh {
 ///
 /// Pieces take the extruder's triangles in its own order (front, back, side), each as many as fit. Vertices that no
 /// triangle uses are left out.
-class split_shapes {
+class split_glyphs {
 public:
-    explicit split_shapes(memory source) noexcept
+    explicit split_glyphs(memory source) noexcept
         : used_{source}, triangles_{source}, pieces_{source}, place_{source}
     {
     }
@@ -42,10 +42,10 @@ public:
     /// Cost   O(n + t) for n vertices and t triangles, and for each piece the numbers between its least vertex and its
     ///        greatest, in each part
     template <extruder Extruder>
-    error split(const glyph_shape& shape, const Extruder& how, bool turned, std::uint32_t most) noexcept
+    error split(const built_glyph& built, const Extruder& how, bool turned, std::uint32_t most) noexcept
     {
-        const auto [vertices, triangles] = shape.sizes().total();
-        const first_vertices first = shape.sizes().vertices.starts();
+        const auto [vertices, triangles] = built.sizes().total();
+        const first_vertices first = built.sizes().vertices.starts();
         if (vertices > 0xFFFF'FFFEu || triangles_.size() + triangles > 0xFFFF'FFFFu) return error::too_large;
         place_.clear();
         std::uint32_t* place = place_.append(static_cast<std::size_t>(vertices));
@@ -56,7 +56,7 @@ public:
         collector to{*this, first, most};
         for (const part p : all_parts) {
             to.now = p;
-            write_triangles(p, shape.planned(), how, first, turned, to);
+            write_triangles(p, built.planned(), how, first, turned, to);
         }
         to.close();
         return to.trouble;
@@ -65,14 +65,14 @@ public:
     /// Writes one piece of the shape that it was split from: all vertices, then all triangles. The numbers that the
     /// triangles get count from 0.
     template <extruder Extruder, mesh_sink Sink>
-    void write(std::size_t number, const glyph_shape& shape, const Extruder& how, const placement& at,
+    void write(std::size_t number, const built_glyph& built, const Extruder& how, const placement& at,
                Sink& sink) const noexcept
     {
         const piece& one = pieces_[number];
         picker<Sink> to{sink, used_.view().subspan(one.first_used, one.used_count)};
         for (const part p : all_parts) {
-            if (one.sizes.vertices[p] != 0) write_vertices(p, shape.planned(), how, at, to);
-            else to.number += shape.sizes().vertices[p];
+            if (one.sizes.vertices[p] != 0) write_vertices(p, built.planned(), how, at, to);
+            else to.number += built.sizes().vertices[p];
         }
         for (const triangle t : triangles_.view().subspan(one.first_triangle, one.triangle_count))
             sink.triangle(t.a, t.b, t.c);
@@ -91,7 +91,7 @@ private:
     struct collector {
         static constexpr attribute wants = attribute::none;
 
-        split_shapes& to;
+        split_glyphs& to;
         first_vertices first;
         std::uint32_t most;
         part now = part::front;

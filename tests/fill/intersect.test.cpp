@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/fill/meet.hpp>
+#include <typemesh/fill/intersect.hpp>
 #include <typemesh/fill/resolve.hpp>
 
 #include "support/catch.hpp"
@@ -75,7 +75,7 @@ test::shape random_shape(test::dice& d, int width, int scale)
 TEST_CASE("two regions do not meet exactly when their union is both of them unchanged", "[fill][meet]")
 {
     test::dice d{77};
-    int meeting = 0, apart = 0;
+    int intersection = 0, apart = 0;
     for (int i = 0; i < 60'000; ++i) {
         const int scale = 1 << d.roll(6);
         const owned_region a{random_shape(d, 5, scale), fill_rule::even_odd},
@@ -93,9 +93,9 @@ TEST_CASE("two regions do not meet exactly when their union is both of them unch
                                joined.made.outers() == a.made.outers() + b.made.outers() && !joined.made.is_touching();
         INFO(both);
         CHECK(do_meet(a.at(0, 0), b.at(x, y)) == !unchanged);
-        ++(unchanged ? apart : meeting);
+        ++(unchanged ? apart : intersection);
     }
-    CHECK(meeting > 2000);
+    CHECK(intersection > 2000);
     CHECK(apart > 2000);
 }
 

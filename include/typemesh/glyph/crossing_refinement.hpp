@@ -6,7 +6,7 @@
 #include <typemesh/core/grid.hpp>
 #include <typemesh/core/outline.hpp>
 #include <typemesh/core/workspace.hpp>
-#include <typemesh/fill/meeting.hpp>
+#include <typemesh/fill/intersection.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -15,24 +15,24 @@
 
 namespace typemesh {
 
-/// What a crossing_guard did for one glyph.
-struct guard_effort {
+/// What a crossing_refinement did for one glyph.
+struct refinement_effort {
     std::uint32_t rounds = 0;      ///< how often curves were discretised finer
     std::uint32_t curves = 0;      ///< how many of them
-    std::uint32_t unsettled = 0;   ///< meetings that stand only because their curves cannot be made finer
+    std::uint32_t unsettled = 0;   ///< intersections that stand only because their curves cannot be made finer
     std::uint64_t pieces = 0;      ///< that the contours fell into, those of all rounds together: see cap_outline()
 };
 
-/// Tells the meetings of chords that their curves have as well from those that only discretising made, and which curves
+/// Tells the intersections of chords that their curves have as well from those that only discretising made, and which curves
 /// to discretise finer for the latter.
 ///
 ///     curves      ``---..__        ``---..__       Two curves that pass each other, or cross at a small angle: their
 ///                 ___...---```     ___......___    chords may cross where the curves do not, or far from there.
 ///
 ///     chords      \__    __/       \___   ____
-///                    \/\/              \_/     x   meeting
+///                    \/\/              \_/     x   intersection
 ///
-/// A meeting x stands when
+/// A intersection x stands when
 ///
 ///   1. both edges are lines, or the curves have the same control points (in either direction); or x is a point of the
 ///      one curve and the other is a line: it is there as drawn
@@ -52,12 +52,12 @@ struct guard_effort {
 /// Else both curves are wanted finer: so often that their strips fit into the gap between them, or that the crossing
 /// comes near enough, once at least.
 ///
-/// Cost  a square root a steep meeting; up to a microsecond any other. Decided in double precision from grid points
+/// Cost  a square root a steep intersection; up to a microsecond any other. Decided in double precision from grid points
 ///       and control points: results can differ between compilers only where a distance is its bound to 15 digits.
-class crossing_guard {
+class crossing_refinement {
 public:
     static constexpr std::uint8_t most_halvings = 6;
-    static constexpr double farthest = 4.0;  ///< how far a meeting may be from the curves' own, in tolerances
+    static constexpr double farthest = 4.0;  ///< how far a intersection may be from the curves' own, in tolerances
 
     /// False when there is no memory. `shape` must stay.
     ///
@@ -83,9 +83,9 @@ public:
     {
         return {halvings_, shape_->curves.size()};
     }
-    [[nodiscard]] const guard_effort& effort() const noexcept { return effort_; }
+    [[nodiscard]] const refinement_effort& effort() const noexcept { return effort_; }
 
-    /// True when no meeting since the last call was refused; else makes the curves finer that want it.
+    /// True when no intersection since the last call was refused; else makes the curves finer that want it.
     [[nodiscard]] bool is_content() noexcept
     {
         if (doubts_ == 0) return true;
@@ -98,8 +98,8 @@ public:
         return false;
     }
 
-    /// Whether a meeting may stand (models meeting_judge).
-    [[nodiscard]] bool operator()(const meeting& m) noexcept
+    /// Whether a intersection may stand (models intersection_filter).
+    [[nodiscard]] bool operator()(const intersection& m) noexcept
     {
         const std::uint32_t i = m.a.source.curve, k = m.b.source.curve;
         const curve& a = shape_->curves[i];
@@ -122,7 +122,7 @@ public:
 
 private:
     static constexpr double snap = 0.70710678118654757;  // half a cell's diagonal
-    static constexpr double slack = 2.0;  // cells: what rounding of the meeting and bending of edges may add
+    static constexpr double slack = 2.0;  // cells: what rounding of the intersection and bending of edges may add
 
     struct place {
         std::uint32_t curve;
@@ -146,7 +146,7 @@ private:
         return x * x + y * y;
     }
 
-    [[nodiscard]] bool is_sure(const meeting& m, double da, double db) const noexcept
+    [[nodiscard]] bool is_sure(const intersection& m, double da, double db) const noexcept
     {
         const point u{static_cast<double>(m.a.to.x) - m.a.from.x, static_cast<double>(m.a.to.y) - m.a.from.y};
         const point v{static_cast<double>(m.b.to.x) - m.b.from.x, static_cast<double>(m.b.to.y) - m.b.from.y};
@@ -187,8 +187,8 @@ private:
         return levels;
     }
 
-    /// How many halvings a meeting asks for; 0: it stands.
-    [[nodiscard]] std::uint32_t missing_levels(const meeting& m, double strips) const noexcept
+    /// How many halvings a intersection asks for; 0: it stands.
+    [[nodiscard]] std::uint32_t missing_levels(const intersection& m, double strips) const noexcept
     {
         const point x{static_cast<double>(m.at.x), static_cast<double>(m.at.y)};
         const double allowed = farthest * tolerance_ + slack;
@@ -219,7 +219,7 @@ private:
         return levels_for(apart > 0.5 ? strips / apart : 2.0);
     }
 
-    [[nodiscard]] static place place_of(const meeting::edge& e, grid_point at) noexcept
+    [[nodiscard]] static place place_of(const intersection::edge& e, grid_point at) noexcept
     {
         const double whole = std::sqrt(squared_distance(e.from, e.to));
         const double share = whole > 0.0 ? std::sqrt(squared_distance(e.from, at)) / whole : 0.0;
@@ -291,8 +291,8 @@ private:
     double cells_ = 1.0;
     double tolerance_ = 0.0;  // in cells
     std::uint32_t doubts_ = 0;
-    guard_effort effort_;
+    refinement_effort effort_;
 };
-static_assert(meeting_judge<crossing_guard>);
+static_assert(intersection_filter<crossing_refinement>);
 
 }  // namespace typemesh

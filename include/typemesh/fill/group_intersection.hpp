@@ -3,8 +3,8 @@
 
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/error.hpp>
-#include <typemesh/core/sweep_order.hpp>
-#include <typemesh/fill/meet.hpp>
+#include <typemesh/fill/intersect.hpp>
+#include <typemesh/sweep/sweep_order.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -82,11 +82,11 @@ struct box_sweep {
 ///
 /// Fails  error::too_large: 2^32 - 1 regions or more; error::out_of_memory
 /// Cost   O(n log n) and a comparison of every two regions whose boxes lie side by side; see meet()
-[[nodiscard]] inline error group_meeting(std::span<const placed_loops> all, std::span<std::uint32_t> group,
+[[nodiscard]] inline error group_intersection(std::span<const placed_loops> all, std::span<std::uint32_t> group,
                                          workspace& space) noexcept
 {
     const std::size_t n = all.size();
-    TYPEMESH_ASSERT(group.size() == n, "group_meeting() gives one number for each region");
+    TYPEMESH_ASSERT(group.size() == n, "group_intersection() gives one number for each region");
     if (n >= 0xFFFF'FFFFu) return error::too_large;
     workspace::scope scratch{space};
     auto* entries = scratch.take<detail::box_sweep::entry>(n);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/fill/boundary_walk.hpp>
+#include <typemesh/fill/boundary_cycles.hpp>
 #include <typemesh/fill/resolving_sweep.hpp>
 
 #include "support/catch.hpp"
@@ -23,11 +23,11 @@ walked walk(const std::vector<test::polyline>& given, fill_rule rule)
     workspace::scope scratch{space};
     detail::arrangement a;
     REQUIRE(a.reserve(scratch, 400));
-    REQUIRE(a.take_apart(loops, space));
+    REQUIRE(a.from_contours(loops, space));
     detail::resolving_sweep sweep{a, rule};
     REQUIRE(sweep.run(space));
     REQUIRE_FALSE(sweep.again);
-    detail::boundary_walk boundary;
+    detail::boundary_cycles boundary;
     REQUIRE_FALSE(boundary.trace(a, scratch, [](const auto&, const auto&, grid_point) {}));
     REQUIRE_FALSE(boundary.write(a, loops));
     walked w{{}, boundary.holes, boundary.outers};
@@ -39,8 +39,8 @@ std::vector<test::oracle::loop> views(const walked& w) { return {w.loops.begin()
 
 }  // namespace
 
-TEST_CASE("A walk stays in its wedge: outer loops that touch stay apart, holes that touch are one",
-          "[fill][boundary_walk]")
+TEST_CASE("A walk stays in its sector: outer loops that touch stay apart, holes that touch are one",
+          "[fill][boundary_cycles]")
 {
     const test::polyline around{{0, 0}, {8, 0}, {8, 8}, {0, 8}};
     const walked two = walk({test::square(0, 0, 4), test::square(4, 4, 4)}, fill_rule::non_zero);
@@ -60,7 +60,7 @@ TEST_CASE("A walk stays in its wedge: outer loops that touch stay apart, holes t
     CHECK(joined.loops[0].size() == 7);
 }
 
-TEST_CASE("Any number of wedges round one point are told apart", "[fill][boundary_walk]")
+TEST_CASE("Any number of sectors round one point are told apart", "[fill][boundary_cycles]")
 {
     // A windmill of n triangles round (0, 0), which alternate with holes of a square round them.
     const test::polyline rim{{9, 0}, {9, 4}, {9, 9}, {4, 9}, {0, 9}, {-4, 9}, {-9, 9}, {-9, 4},
@@ -83,7 +83,7 @@ TEST_CASE("Any number of wedges round one point are told apart", "[fill][boundar
 }
 
 TEST_CASE("The boundary encloses what is filled and nothing else, where all crossings are grid points",
-          "[fill][boundary_walk]")
+          "[fill][boundary_cycles]")
 {
     test::dice d{71};
     for (int i = 0; i < 3000; ++i) {

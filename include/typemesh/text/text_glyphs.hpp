@@ -3,12 +3,12 @@
 
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/extrude/placement.hpp>
+#include <typemesh/glyph/built_glyph.hpp>
+#include <typemesh/glyph/glyph_store.hpp>
+#include <typemesh/glyph/pinned_glyphs.hpp>
 #include <typemesh/text/glyph_set.hpp>
-#include <typemesh/glyph/glyph_shape.hpp>
 #include <typemesh/text/instances.hpp>
 #include <typemesh/text/merged_glyphs.hpp>
-#include <typemesh/glyph/pinned_shapes.hpp>
-#include <typemesh/glyph/shape_store.hpp>
 #include <typemesh/text/text_options.hpp>
 #include <typemesh/text/text_report.hpp>
 
@@ -31,14 +31,14 @@ struct bounds3 {
 
 /// One glyph of the mesh: who it is, what it looks like and where it stands. Or several that are merged to one shape:
 /// then the first of them.
-struct shape_record {
-    const glyph_shape* shape = nullptr;
+struct drawn_glyph {
+    const built_glyph* built = nullptr;
     point origin;  ///< font units
     glyph_id id = no_glyph;
     cluster_id cluster = no_cluster;
     std::uint32_t line = 0;
     std::uint32_t glyph = 0;              ///< its place in the run
-    std::uint32_t merged = none;          ///< its place in text_shapes::merged.groups, or none
+    std::uint32_t merged = none;          ///< its place in text_glyphs::merged.groups, or none
     std::uint32_t mesh = 0;               ///< which of the text's meshes it is an instance of
     std::uint32_t next_alike = none;      ///< the next record of that mesh, or none
     part_sizes before = {};               ///< the counts of all glyphs before it
@@ -62,12 +62,12 @@ struct text_placement {
 
 /// By what a plan knows whether its shapes are still those that it was made of: another number after every clear() and
 /// every move, out of them or into them.
-struct shapes_generation {
+struct plan_generation {
     std::uint64_t number = 0;
 
-    shapes_generation() noexcept = default;
-    shapes_generation(shapes_generation&& other) noexcept : number{other.number++} {}
-    shapes_generation& operator=(shapes_generation&& other) noexcept
+    plan_generation() noexcept = default;
+    plan_generation(plan_generation&& other) noexcept : number{other.number++} {}
+    plan_generation& operator=(plan_generation&& other) noexcept
     {
         number += ++other.number;
         return *this;
@@ -75,7 +75,7 @@ struct shapes_generation {
 };
 
 /// By what a plan knows whether shapes that lie elsewhere are still there: a number that another plan changes.
-struct lent_shapes {
+struct lent_glyphs {
     const std::uint64_t* now = nullptr;  ///< null: nothing lies elsewhere
     std::uint64_t then = 0;
 
@@ -84,27 +84,27 @@ struct lent_shapes {
 
 /// All of one text: its different glyphs, each meshed once, and its glyphs, each at its place. What a plan measured and
 /// write() reads.
-struct text_shapes {
+struct text_glyphs {
     glyph_set different;                 ///< the glyphs that the text asks for
-    pinned_shapes shapes;                ///< theirs, blank and refused ones included
+    pinned_glyphs pinned;                ///< theirs, blank and refused ones included
     buffer<std::uint32_t> numbers;       ///< for each glyph of the run, which of them it is
-    shape_store store;                   ///< where shapes lie that no cache keeps, and no glyph_team
-    lent_shapes lent;                    ///< those that a glyph_team keeps
+    glyph_store store;                   ///< where shapes lie that no cache keeps, and no glyph_workers
+    lent_glyphs lent;                    ///< those that a glyph_workers keeps
     merged_glyphs merged;                ///< and glyphs that are drawn together
-    buffer<std::uint32_t> mesh_of;       ///< for each of the different glyphs, which mesh it is, or shape_record::none
+    buffer<std::uint32_t> mesh_of;       ///< for each of the different glyphs, which mesh it is, or drawn_glyph::none
     buffer<glyph_mesh> meshes;           ///< those of the different glyphs that are drawn
-    buffer<shape_record> records;        ///< what is drawn
+    buffer<drawn_glyph> records;        ///< what is drawn
     buffer<box> line_boxes;              ///< in font units; filled for texture_box::line alone
     box ink;                             ///< around all records, font units
     part_sizes totals;
     text_placement placed;
     text_report report;
     bounds3 bounds;
-    shapes_generation generation;
+    plan_generation generation;
 
-    explicit text_shapes(memory source) noexcept
+    explicit text_glyphs(memory source) noexcept
         : different{source},
-          shapes{source},
+          pinned{source},
           numbers{source},
           store{source},
           merged{source},
@@ -118,7 +118,7 @@ struct text_shapes {
     void clear() noexcept
     {
         different.clear();
-        shapes.clear();
+        pinned.clear();
         numbers.clear();
         store.clear();
         lent = {};
@@ -135,31 +135,31 @@ struct text_shapes {
     }
 
     /// Room for so many glyphs of the run to be placed. False when the memory gives none.
-    [[nodiscard]] bool expect_records(std::size_t count) noexcept
+    [[nodiscard]] bool reserve_records(std::size_t count) noexcept
     {
         const std::size_t kinds = different.ids().size();
         if (!records.reserve(count) || !meshes.reserve(kinds + merged.groups.size()) || !mesh_of.reserve(kinds))
             return false;
-        for (std::size_t i = 0; i < kinds; ++i) mesh_of.push_back_unchecked(shape_record::none);
+        for (std::size_t i = 0; i < kinds; ++i) mesh_of.push_back_unchecked(drawn_glyph::none);
         return true;
     }
 
-    /// Puts a shape that is neither blank nor refused at its place, after expect_records(); `number` says which of the
+    /// Puts a shape that is neither blank nor refused at its place, after reserve_records(); `number` says which of the
     /// different glyphs it is; merged ones make a mesh of their own. What hangs on other records (mesh, next_alike,
     /// before) is found here.
     /// Fails with error::too_large where 32 bits do not suffice; then all is as it was.
-    error place_shape(shape_record s, std::uint32_t number) noexcept
+    error place_glyph(drawn_glyph s, std::uint32_t number) noexcept
     {
-        const part_sizes& sizes = s.shape->sizes();
+        const part_sizes& sizes = s.built->sizes();
         if (!(totals.total() + sizes.total()).fits_32_bits()) return error::too_large;
         s.before = totals;
         const auto self = static_cast<std::uint32_t>(records.size());
-        const bool merges = s.merged != shape_record::none;
-        s.mesh = merges ? shape_record::none : mesh_of[number];
-        if (s.mesh == shape_record::none) {
+        const bool merges = s.merged != drawn_glyph::none;
+        s.mesh = merges ? drawn_glyph::none : mesh_of[number];
+        if (s.mesh == drawn_glyph::none) {
             s.mesh = static_cast<std::uint32_t>(meshes.size());
             const glyph_id id = merges ? no_glyph : s.id;
-            meshes.push_back_unchecked({.shape = s.shape, .id = id, .first_glyph = self, .last_glyph = self});
+            meshes.push_back_unchecked({.built = s.built, .id = id, .first_glyph = self, .last_glyph = self});
             if (!merges) mesh_of[number] = s.mesh;
         }
         glyph_mesh& mesh = meshes[s.mesh];
@@ -178,7 +178,7 @@ struct text_shapes {
             m.first_vertex = vertex;
             m.first_index = index;
             m.first_instance = instance;
-            const mesh_size own = m.shape->sizes().total();
+            const mesh_size own = m.built->sizes().total();
             vertex += static_cast<std::uint32_t>(own.vertices);
             index += static_cast<std::uint32_t>(own.indices());
             instance += m.glyph_count;
@@ -186,12 +186,12 @@ struct text_shapes {
     }
 
     /// A glyph's own box, in font units, seen from the text's origin.
-    [[nodiscard]] static box ink_of(const shape_record& s) noexcept
+    [[nodiscard]] static box ink_of(const drawn_glyph& s) noexcept
     {
-        return {s.origin + s.shape->ink().low, s.origin + s.shape->ink().high};
+        return {s.origin + s.built->ink().low, s.origin + s.built->ink().high};
     }
 
-    [[nodiscard]] placement place(const shape_record& s) const noexcept
+    [[nodiscard]] placement place(const drawn_glyph& s) const noexcept
     {
         point low = ink.low, per_font_unit = placed.texture_per_font_unit;
         if (placed.texture_over != texture_box::text) {
@@ -199,8 +199,8 @@ struct text_shapes {
             low = over.low;
             per_font_unit = texture_over(over);
         }
-        placement at = place(*s.shape, s.origin, placed.centre, low, per_font_unit);
-        at.glyph = s.merged == shape_record::none ? s.id : no_glyph;
+        placement at = place(*s.built, s.origin, placed.centre, low, per_font_unit);
+        at.glyph = s.merged == drawn_glyph::none ? s.id : no_glyph;
         at.cluster = s.cluster;
         return at;
     }
@@ -208,8 +208,8 @@ struct text_shapes {
     /// A mesh for itself, at the output's origin: textures spread over its own box.
     [[nodiscard]] placement place(const glyph_mesh& m) const noexcept
     {
-        const box& own = m.shape->ink();
-        placement at = place(*m.shape, {}, {}, own.low, texture_over(own));
+        const box& own = m.built->ink();
+        placement at = place(*m.built, {}, {}, own.low, texture_over(own));
         at.glyph = m.id;
         return at;
     }
@@ -221,7 +221,7 @@ struct text_shapes {
     }
 
     /// How a record's glyph is moved from where its mesh stands alone.
-    [[nodiscard]] vec3 translation_of(const shape_record& s) const noexcept
+    [[nodiscard]] vec3 translation_of(const drawn_glyph& s) const noexcept
     {
         placement at;
         at.unit_per_cell = placed.unit_per_font_unit;
@@ -233,10 +233,10 @@ struct text_shapes {
 private:
     /// No division here: this runs for each part of each glyph. Cells are a power of two, so that multiplying with them
     /// or with their inverse is exact.
-    [[nodiscard]] placement place(const glyph_shape& shape, point origin, point centre, point texture_low,
+    [[nodiscard]] placement place(const built_glyph& built, point origin, point centre, point texture_low,
                                   point texture_per_font_unit) const noexcept
     {
-        const double cells = shape.cells(), per_cell = shape.font_units_per_cell();
+        const double cells = built.cells(), per_cell = built.font_units_per_cell();
         placement at;
         at.pen = cells * (origin - centre);
         at.unit_per_cell = placed.unit_per_font_unit * per_cell;

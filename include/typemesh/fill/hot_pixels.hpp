@@ -2,8 +2,8 @@
 #pragma once
 
 #include <typemesh/core/orientation.hpp>
-#include <typemesh/core/sweep_order.hpp>
 #include <typemesh/core/workspace.hpp>
+#include <typemesh/sweep/sweep_order.hpp>
 
 #include <bit>
 #include <cstddef>
@@ -26,7 +26,7 @@ namespace typemesh::detail {
 ///        (points along the segment, beside it), and O(hits log hits) to put them in order.
 /// Exact  |coordinate| <= 2^28: s < 2^61, its double < 2^62.
 /// From   Morton, A computer oriented geodetic data base (1966)
-class hot_cells {
+class hot_pixels {
     struct box {
         std::int32_t left, right, bottom, top;
     };

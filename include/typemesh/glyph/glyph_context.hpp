@@ -3,8 +3,8 @@
 
 #include <typemesh/core/fill_rule.hpp>
 #include <typemesh/core/option_bits.hpp>
-#include <typemesh/outline/variation_key.hpp>
 #include <typemesh/glyph/glyph_builder.hpp>
+#include <typemesh/outline/variation_key.hpp>
 
 #include <concepts>
 #include <cstdint>
@@ -47,7 +47,7 @@ template <class Policy>
 }
 
 /// Everything that a shape depends on but its glyph: two texts may share shapes exactly when theirs are equal.
-struct shape_context {
+struct glyph_context {
     std::uint64_t font = 0;       ///< the caller's number for the font
     std::uint64_t variation = 0;  ///< what the font itself tells of its variation and face; see variation_of()
     std::uint64_t tolerance = 0;  ///< the bits of the double
@@ -55,7 +55,7 @@ struct shape_context {
     std::uint64_t most_pieces = 0;
     policy_key discretiser, triangulator, extruder;
 
-    friend bool operator==(const shape_context&, const shape_context&) noexcept = default;
+    friend bool operator==(const glyph_context&, const glyph_context&) noexcept = default;
 
     /// A number that is mostly another for another context.
     [[nodiscard]] std::uint64_t hash() const noexcept
@@ -77,11 +77,11 @@ struct shape_context {
 
 /// The context of shapes that glyph_builder makes with these policies.
 template <class Font, class Discretiser, class Triangulator, class Extruder>
-[[nodiscard]] shape_context context_of(std::uint64_t font_number, const Font& font, const glyph_settings& how,
+[[nodiscard]] glyph_context context_of(std::uint64_t font_number, const Font& font, const glyph_settings& how,
                                        const Discretiser& flatten, const Triangulator& cut,
                                        const Extruder& raise) noexcept
 {
-    shape_context c;
+    glyph_context c;
     c.font = font_number;
     c.variation = variation_of(font);
     c.tolerance = option_bits{how.tolerance}.words[0];

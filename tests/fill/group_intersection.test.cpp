@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/fill/group_meeting.hpp>
+#include <typemesh/fill/group_intersection.hpp>
 
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
@@ -23,14 +23,14 @@ struct tiles {
     {
         std::vector<std::uint32_t> group(all.size(), 99);
         workspace space{source};
-        REQUIRE_FALSE(group_meeting(all, group, space));
+        REQUIRE_FALSE(group_intersection(all, group, space));
         return group;
     }
 };
 
 }  // namespace
 
-TEST_CASE("groups are the classes of the relation that two regions meet, closed under chains", "[fill][group_meeting]")
+TEST_CASE("groups are the classes of the relation that two regions meet, closed under chains", "[fill][group_intersection]")
 {
     test::dice d{31};
     for (int round = 0; round < 300; ++round) {
@@ -56,7 +56,7 @@ TEST_CASE("groups are the classes of the relation that two regions meet, closed 
     }
 }
 
-TEST_CASE("a chain over many lines is one group, whichever way the page is longer", "[fill][group_meeting]")
+TEST_CASE("a chain over many lines is one group, whichever way the page is longer", "[fill][group_intersection]")
 {
     for (const bool upward : {false, true}) {
         tiles t{10};
@@ -65,7 +65,7 @@ TEST_CASE("a chain over many lines is one group, whichever way the page is longe
     }
 }
 
-TEST_CASE("group_meeting() reports that memory ran out, at whichever request", "[fill][group_meeting]")
+TEST_CASE("group_intersection() reports that memory ran out, at whichever request", "[fill][group_intersection]")
 {
     tiles t{10};
     for (int i = 0; i < 2000; ++i) t.add(i * 10, 0);
@@ -75,7 +75,7 @@ TEST_CASE("group_meeting() reports that memory ran out, at whichever request", "
         test::counting_memory counted;
         counted.fail_at = fail_at;
         workspace space{counted.source()};
-        const error e = group_meeting(t.all, group, space);
+        const error e = group_intersection(t.all, group, space);
         if (!e) break;
         CHECK(e.code == error::out_of_memory);
         ++failures;

@@ -15,7 +15,7 @@
 namespace typemesh {
 
 /// What building one glyph gave, while it still lies in the builder's scratch memory: see glyph_builder.
-struct glyph_parts {
+struct glyph_draft {
     solid form;           ///< all empty for a blank glyph and for one that is refused
     part_sizes sizes;     ///< what the extruder will write of it
     double cells = 512.0; ///< its grid's cells a font unit
@@ -24,28 +24,28 @@ struct glyph_parts {
 
 /// Everything of one glyph that does not depend on where it stands, in one block of memory, never changed once made.
 ///
-///     block   [ glyph_shape | points | starts | triangles | sides ]      form() refers to the rest of the block
+///     block   [ built_glyph | points | starts | triangles | sides ]      form() refers to the rest of the block
 ///
 /// A blank glyph has a shape without points, a refused one carries its error: asking again costs no more than for
 /// others. Shapes may be read from any number of threads.
-class glyph_shape {
+class built_glyph {
 public:
-    /// How long a block the parts need; alignof(glyph_shape) is its alignment.
-    [[nodiscard]] static std::size_t bytes_for(const glyph_parts& parts) noexcept
+    /// How long a block the parts need; alignof(built_glyph) is its alignment.
+    [[nodiscard]] static std::size_t bytes_for(const glyph_draft& parts) noexcept
     {
         const solid& s = parts.form;
-        return sizeof(glyph_shape) + s.points.size_bytes() + s.starts.size_bytes() + s.triangles.size_bytes() +
+        return sizeof(built_glyph) + s.points.size_bytes() + s.starts.size_bytes() + s.triangles.size_bytes() +
                s.sides.size_bytes();
     }
 
     /// Copies the parts into a block of bytes_for(parts) bytes. Nothing needs to be destroyed later.
-    [[nodiscard]] static glyph_shape* make(void* block, const glyph_parts& parts) noexcept
+    [[nodiscard]] static built_glyph* make(void* block, const glyph_draft& parts) noexcept
     {
-        return new (block) glyph_shape{parts};
+        return new (block) built_glyph{parts};
     }
 
-    glyph_shape(const glyph_shape&) = delete;
-    glyph_shape& operator=(const glyph_shape&) = delete;
+    built_glyph(const built_glyph&) = delete;
+    built_glyph& operator=(const built_glyph&) = delete;
 
     /// As its extruder gets it back.
     [[nodiscard]] const solid& form() const noexcept { return form_; }
@@ -65,7 +65,7 @@ public:
     [[nodiscard]] bool is_blank() const noexcept { return form_.points.empty() && !refusal_; }
 
 private:
-    explicit glyph_shape(const glyph_parts& parts) noexcept
+    explicit built_glyph(const glyph_draft& parts) noexcept
         : sizes_{parts.sizes}, cells_{parts.cells}, font_units_per_cell_{1.0 / parts.cells}, refusal_{parts.refusal}
     {
         std::byte* free = reinterpret_cast<std::byte*>(this + 1);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <typemesh/core/memory.hpp>
-#include <typemesh/glyph/glyph_shape.hpp>
+#include <typemesh/glyph/built_glyph.hpp>
 
 #include <cstddef>
 #include <new>
@@ -13,26 +13,26 @@ namespace typemesh {
 /// Where the shapes of one text lie that no cache keeps: blocks that never move, given up all at once and used again
 /// for the next text. When several blocks were needed, they are replaced by one of their joint size: after warm-up
 /// nothing is allocated.
-class shape_store {
+class glyph_store {
     struct block {
         block* next;
         std::size_t bytes;  // behind the header
         [[nodiscard]] std::byte* data() noexcept { return reinterpret_cast<std::byte*>(this) + header; }
     };
     static constexpr std::size_t alignment =
-        alignof(glyph_shape) > alignof(block) ? alignof(glyph_shape) : alignof(block);
+        alignof(built_glyph) > alignof(block) ? alignof(built_glyph) : alignof(block);
     static constexpr std::size_t header = (sizeof(block) + alignment - 1) / alignment * alignment;
 
 public:
-    explicit shape_store(memory source) noexcept : source_{source} {}
-    shape_store(shape_store&& other) noexcept
+    explicit glyph_store(memory source) noexcept : source_{source} {}
+    glyph_store(glyph_store&& other) noexcept
         : source_{other.source_},
           newest_{std::exchange(other.newest_, nullptr)},
           used_{std::exchange(other.used_, 0)},
           total_{std::exchange(other.total_, 0)}
     {
     }
-    shape_store& operator=(shape_store&& other) noexcept
+    glyph_store& operator=(glyph_store&& other) noexcept
     {
         std::swap(source_, other.source_);
         std::swap(newest_, other.newest_);
@@ -40,19 +40,19 @@ public:
         std::swap(total_, other.total_);
         return *this;
     }
-    ~shape_store() { release(); }
+    ~glyph_store() { release(); }
 
     /// A shape of these parts, or null when the memory gives none.
-    [[nodiscard]] const glyph_shape* keep(const glyph_parts& parts) noexcept
+    [[nodiscard]] const built_glyph* keep(const glyph_draft& parts) noexcept
     {
-        const std::size_t bytes = (glyph_shape::bytes_for(parts) + alignment - 1) / alignment * alignment;
+        const std::size_t bytes = (built_glyph::bytes_for(parts) + alignment - 1) / alignment * alignment;
         if (newest_ == nullptr || bytes > newest_->bytes - used_) {
             const std::size_t more = total_ / 4 > 16 * 1024 ? total_ / 4 : 16 * 1024;  // never much more than is needed
             if (!add_block(bytes > more ? bytes : more)) return nullptr;
         }
         void* place = newest_->data() + used_;
         used_ += bytes;
-        return glyph_shape::make(place, parts);
+        return built_glyph::make(place, parts);
     }
 
     /// Ends all shapes.

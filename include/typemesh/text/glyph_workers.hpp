@@ -4,12 +4,12 @@
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/executor.hpp>
 #include <typemesh/core/result.hpp>
+#include <typemesh/glyph/glyph_builder.hpp>
+#include <typemesh/glyph/glyph_store.hpp>
+#include <typemesh/glyph/stage.hpp>
 #include <typemesh/layout/layout.hpp>
 #include <typemesh/layout/shared_layout.hpp>
 #include <typemesh/outline/outline_source.hpp>
-#include <typemesh/glyph/glyph_builder.hpp>
-#include <typemesh/glyph/shape_store.hpp>
-#include <typemesh/glyph/stage.hpp>
 
 #include <concepts>
 #include <cstddef>
@@ -37,7 +37,7 @@ concept source_maker = requires(C& clone, std::size_t worker) {
 };
 
 /// The workers that shape a text's lines and build its glyphs side by side: an executor, and for each of its workers an
-/// outline source, scratch memory, and room for the shapes that it makes. See team_of().
+/// outline source, scratch memory, and room for the shapes that it makes. See workers_of().
 ///
 /// Move-only. It refers to its executor. One plan at a time lies in it: the next plan() that is given the team ends the
 /// one before, whichever mesher made it, unless a glyph_cache holds the shapes.
@@ -46,11 +46,11 @@ concept source_maker = requires(C& clone, std::size_t worker) {
 ///          text. Who builds which glyph is open, so a worker may need more than the last time until each has built
 ///          most of what there is.
 template <executor Executor, outline_source Source>
-class glyph_team {
+class glyph_workers {
     struct alignas(64) member {  // a cache line: what one worker changes is not in another's way
         Source font;
         glyph_builder builder;
-        shape_store store;
+        glyph_store store;
         glyph_run lines;
         error trouble;
         std::size_t trouble_at;
@@ -67,32 +67,32 @@ class glyph_team {
 public:
     /// Fails  with the first error of clone(); error::out_of_memory
     template <source_maker Clone>
-    [[nodiscard]] static result<glyph_team> make(Executor& workers, Clone&& clone, memory source = heap()) noexcept
+    [[nodiscard]] static result<glyph_workers> make(Executor& workers, Clone&& clone, memory source = heap()) noexcept
     {
         const std::size_t count = workers.workers();
         TYPEMESH_ASSERT(count != 0, "an executor without workers was given");
         const std::size_t bytes = header + count * sizeof(member);
         void* raw = source.allocate(source.user, bytes, alignof(member));
         if (raw == nullptr) return error::out_of_memory;
-        glyph_team team{workers, source, new (raw) block{source}, bytes};
+        glyph_workers team{workers, source, new (raw) block{source}, bytes};
         for (; team.block_->count < count; ++team.block_->count) {
             const std::size_t worker = team.block_->count;
             auto made = clone(worker);
             if (!made) return made.error();
             new (team.members() + worker)
-                member{std::move(*made), glyph_builder{source}, shape_store{source}, glyph_run{source}, {}, 0};
+                member{std::move(*made), glyph_builder{source}, glyph_store{source}, glyph_run{source}, {}, 0};
         }
-        return result<glyph_team>{std::move(team)};
+        return result<glyph_workers>{std::move(team)};
     }
 
-    glyph_team(glyph_team&& other) noexcept
+    glyph_workers(glyph_workers&& other) noexcept
         : executor_{other.executor_},
           source_{other.source_},
           block_{std::exchange(other.block_, nullptr)},
           bytes_{other.bytes_}
     {
     }
-    glyph_team& operator=(glyph_team&& other) noexcept
+    glyph_workers& operator=(glyph_workers&& other) noexcept
     {
         std::swap(executor_, other.executor_);
         std::swap(source_, other.source_);
@@ -100,7 +100,7 @@ public:
         std::swap(bytes_, other.bytes_);
         return *this;
     }
-    ~glyph_team()
+    ~glyph_workers()
     {
         if (block_ == nullptr) return;
         for (std::size_t i = block_->count; i-- > 0;) members()[i].~member();
@@ -109,7 +109,7 @@ public:
     }
 
     /// Who carries out the tasks, for writing the plan with the same workers.
-    [[nodiscard]] Executor& workers() noexcept { return *executor_; }
+    [[nodiscard]] Executor& pool() noexcept { return *executor_; }
 
     /// The font units to an em of its sources.
     [[nodiscard]] double units_per_em() noexcept { return members()[0].font.units_per_em(); }
@@ -169,7 +169,7 @@ public:
     }
 
 private:
-    glyph_team(Executor& workers, memory source, block* b, std::size_t bytes) noexcept
+    glyph_workers(Executor& workers, memory source, block* b, std::size_t bytes) noexcept
         : executor_{&workers}, source_{source}, block_{b}, bytes_{bytes}
     {
     }
@@ -188,17 +188,17 @@ private:
 /// A team of an executor's workers, each with a source of its own:
 ///
 ///     thread_pool pool;                                                                // adapt/threads.hpp
-///     auto team = team_of(pool, [&](std::size_t) noexcept { return harfbuzz_font::wrap(font.handle()); });
+///     auto team = workers_of(pool, [&](std::size_t) noexcept { return harfbuzz_font::wrap(font.handle()); });
 ///     if (!team) return puts(team.error().message());
 ///     auto plan = mesher.plan(text, options, *team);
 ///     if (plan) plan->write(into(vertices, indices), pool);
 ///
-/// Fails  as glyph_team::make() does
+/// Fails  as glyph_workers::make() does
 template <executor Executor, source_maker Clone>
-[[nodiscard]] auto team_of(Executor& workers, Clone&& clone, memory source = heap()) noexcept
+[[nodiscard]] auto workers_of(Executor& workers, Clone&& clone, memory source = heap()) noexcept
 {
     using source_type = std::remove_cvref_t<decltype(*clone(std::size_t{0}))>;
-    return glyph_team<Executor, source_type>::make(workers, clone, source);
+    return glyph_workers<Executor, source_type>::make(workers, clone, source);
 }
 
 }  // namespace typemesh

@@ -3,9 +3,9 @@
 
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/error.hpp>
-#include <typemesh/core/sweep_order.hpp>
-#include <typemesh/core/wedges.hpp>
 #include <typemesh/core/workspace.hpp>
+#include <typemesh/sweep/sectors.hpp>
+#include <typemesh/sweep/sweep_order.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -14,8 +14,8 @@
 
 namespace typemesh {
 
-/// Walks contours that share points anew, so that in each of these a walk stays in its own wedge of interior: what
-/// boundary_walk does, for contours that only touch in points and have the interior on their left.
+/// Walks contours that share points anew, so that in each of these a walk stays in its own sector of interior: what
+/// boundary_cycles does, for contours that only touch in points and have the interior on their left.
 ///
 ///     .---------<--------.         .---------<--------.         The hole touches the outer loop: one walk through all.
 ///     |    .---->---.    |         |    .---->---.    |         Points and edges stay what they are and are put in
@@ -25,12 +25,12 @@ namespace typemesh {
 ///
 /// Whatever the contours do elsewhere, the same edges run the same way, so all winding numbers are what they were.
 /// Nothing is proven: that is for a triangulator that knows of such points (see triangulator.hpp).
-class touching_walks {
+class touching_cycles {
 public:
     /// Changes `loops` in place. What is needed to undo that lives in `scratch`. `known` is the order of the points, as
     /// sweep_order() makes it; empty: not known.
     ///
-    /// Fails  error::crossing_contours: no two points are equal, or round some point the edges do not bound wedges:
+    /// Fails  error::crossing_contours: no two points are equal, or round some point the edges do not bound sectors:
     ///        two run in one direction, or the interior is not on the left of all
     ///        error::out_of_memory
     /// In both cases `loops` is as it was.
@@ -52,9 +52,9 @@ public:
             for (std::size_t i = begin; i < end; ++i) order[visits++] = order[i];
         }
         if (visits == 0) return error::crossing_contours;
-        auto* const spokes = scratch.take<spoke>(2 * most);
+        auto* const outgoing_edges = scratch.take<outgoing_edge>(2 * most);
         auto* const behind = scratch.take<std::uint32_t>(n);  // the point that a walk comes to next
-        if (spokes == nullptr || behind == nullptr) return error::out_of_memory;
+        if (outgoing_edges == nullptr || behind == nullptr) return error::out_of_memory;
         for (std::uint32_t c = 0; c < loops.contour_count(); ++c) {
             const std::uint32_t begin = loops.starts[c], end = loops.starts[c + 1];
             for (std::uint32_t v = begin; v < end; ++v) behind[v] = v + 1;
@@ -67,14 +67,14 @@ public:
             const std::size_t count = 2 * (end - begin);
             for (std::size_t i = begin; i < end; ++i) {
                 const auto [previous, next] = neighbours(loops, order[i]);
-                spokes[2 * (i - begin)] = spoke::to(place[next], p, order[i], true);
-                spokes[2 * (i - begin) + 1] = spoke::to(place[previous], p, previous, false);
+                outgoing_edges[2 * (i - begin)] = outgoing_edge::to(place[next], p, order[i], true);
+                outgoing_edges[2 * (i - begin) + 1] = outgoing_edge::to(place[previous], p, previous, false);
             }
-            if (!sort_into_wedges(spokes, count)) return error::crossing_contours;
+            if (!sort_into_sectors(outgoing_edges, count)) return error::crossing_contours;
             for (std::size_t i = 0; i < count; i += 2) {
-                std::uint32_t& next = behind[spokes[i + 1].visit];
-                changed |= next != spokes[i].visit;
-                next = spokes[i].visit;
+                std::uint32_t& next = behind[outgoing_edges[i + 1].visit];
+                changed |= next != outgoing_edges[i].visit;
+                next = outgoing_edges[i].visit;
             }
         }
         return changed ? walk(loops, behind, scratch) : error{};

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/glyph/built_glyph.hpp>
+
+#include <cstddef>
+#include <span>
+#include <utility>
+
+namespace typemesh {
+
+/// The shapes of a text's different glyphs, by number, and the cache that must hold them still meanwhile, if one does.
+class pinned_glyphs {
+public:
+    explicit pinned_glyphs(memory source = heap()) noexcept : glyphs_{source} {}
+    pinned_glyphs(pinned_glyphs&& other) noexcept
+        : glyphs_{std::move(other.glyphs_)}, cache_{std::exchange(other.cache_, nullptr)}, release_{other.release_}
+    {
+    }
+    pinned_glyphs& operator=(pinned_glyphs&& other) noexcept
+    {
+        glyphs_.swap(other.glyphs_);
+        std::swap(cache_, other.cache_);
+        std::swap(release_, other.release_);
+        return *this;
+    }
+    ~pinned_glyphs() { release(); }
+
+    /// Room for `count` shapes, all null as yet. Those that are set must be pinned in `cache`, which outlives this.
+    /// False when the memory gives none.
+    template <class Cache>
+    [[nodiscard]] bool reserve(std::size_t count, Cache* cache) noexcept
+    {
+        if (!reserve(count)) return false;
+        cache_ = cache;
+        release_ = [](void* held, std::span<const built_glyph* const> glyphs) noexcept {
+            static_cast<Cache*>(held)->release(glyphs);
+        };
+        return true;
+    }
+    /// The same for shapes that nobody pins.
+    [[nodiscard]] bool reserve(std::size_t count) noexcept
+    {
+        clear();
+        if (!glyphs_.reserve(count)) return false;
+        for (std::size_t i = 0; i < count; ++i) glyphs_.push_back_unchecked(nullptr);
+        return true;
+    }
+
+    void set(std::size_t number, const built_glyph* built) noexcept { glyphs_[number] = built; }
+    [[nodiscard]] const built_glyph* operator[](std::size_t number) const noexcept { return glyphs_[number]; }
+
+    /// Gives the pins back; the shapes must not be read any more.
+    void release() noexcept
+    {
+        if (cache_ != nullptr) release_(std::exchange(cache_, nullptr), glyphs_.view());
+    }
+
+    void clear() noexcept
+    {
+        release();
+        glyphs_.clear();
+    }
+
+private:
+    buffer<const built_glyph*> glyphs_;
+    void* cache_ = nullptr;
+    void (*release_)(void* cache, std::span<const built_glyph* const> glyphs) noexcept = nullptr;
+};
+
+}  // namespace typemesh
