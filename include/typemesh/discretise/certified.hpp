@@ -47,17 +47,18 @@ struct certified {
         if (!(dot(b, e) >= 0.0)) [[unlikely]]
             return wild(raised(q), tolerance, emit);
 
-        tolerance *= 1.0 - 0x1p-20;
+        tolerance *= kept_share;
         const double tt = tolerance * tolerance;
         const point c = q.p2 - q.p0, a = e - b;
-        const double k = cross(b, e), bend = dot(a, a);
+        const double k = cross(b, e), bend = quadratic_bend * dot(a, a);
         if (k * k <= 4.0 * tt * dot(c, c)) return emit(q.p2, 1.0);
-        if (bend <= 256.0 * tt) {  // Wang's bound is 2
+        if (bend <= pieces(2) * tt) {
             emit(0.25 * (q.p0 + q.p2) + 0.5 * q.p1, 0.5);
             return emit(q.p2, 1.0);
         }
         const detail::quadratic_chords chords{q.p0, b, a, k * k, tt};
-        walk(chords, detail::share_table<8>{chords, 0.0, 1.0, tolerance}, 0.0, 1.0, bend / (16.0 * tt), emit);
+        const detail::share_table<8> shares{chords, 0.0, 1.0, tolerance};
+        walker{chords, tolerance, bend, emit}.walk(shares, 0.0, 1.0);
         emit(q.p2, 1.0);
     }
 
@@ -69,29 +70,38 @@ struct certified {
         if (!(dot(l0, l1) >= 0.0 && dot(l1, l2) >= 0.0 && dot(l0, l2) >= 0.0)) [[unlikely]]
             return wild(q, tolerance, emit);
 
-        tolerance *= 1.0 - 0x1p-20;
+        tolerance *= kept_share;
         const double tt = tolerance * tolerance;
         const point s0 = l1 - l0, s1 = l2 - l1;
         const detail::cubic_chords<true> chords{q.p0, 3.0 * l0, 3.0 * s0, s1 - s0, tt};
         if (chords.fits_exactly(0.0, 1.0)) return emit(q.p3, 1.0);
-        const double bend = 0.5625 * greater(dot(s0, s0), dot(s1, s1));
-        if (bend <= 16.0 * tt || (bend <= 40.0 * tt && chords.fits(0.0, 0.5) && chords.fits(0.5, 1.0))) {
+        const double bend = cubic_bend * greater(dot(s0, s0), dot(s1, s1));
+        if (bend <= pieces(2) * tt || (bend <= halves_tried * tt && chords.fits(0.0, 0.5) && chords.fits(0.5, 1.0))) {
             emit(0.125 * (q.p0 + q.p3) + 0.375 * (q.p1 + q.p2), 0.5);
             return emit(q.p3, 1.0);
         }
-        if (bend <= 256.0 * tt && few(chords, bend <= 81.0 * tt ? 3 : 4, emit)) return emit(q.p3, 1.0);
-        part(chords, 0.0, 1.0, tolerance, bend, emit);
+        if (bend <= pieces(4) * tt && few(chords, bend <= pieces(3) * tt ? 3 : 4, emit)) return emit(q.p3, 1.0);
+        walker{chords, tolerance, bend, emit}.between(0.0, 1.0);
         emit(q.p3, 1.0);
     }
 
 private:
-    [[nodiscard]] static double greater(double a, double b) noexcept { return a > b ? a : b; }
+    static constexpr double kept_share = 1.0 - 0x1p-20;  // of the tolerance; the rest is left to rounding
 
-    /// Pieces no longer than this are good; see walk() for `wang4`.
-    [[nodiscard]] static double sure_step(double wang4) noexcept
-    {
-        return greater(1.0 / std::sqrt(std::sqrt(wang4)), shortest_step);
-    }
+    // Wang's bound for n pieces, without a root: bend <= pieces(n) * tolerance². The bend is the greatest squared second
+    // difference of the control points, times (d(d-1)/8)² for the degree d.
+    static constexpr double quadratic_bend = 0.0625, cubic_bend = 0.5625;
+    [[nodiscard]] static constexpr double pieces(int n) noexcept { return double(n) * n * n * n; }
+
+    static constexpr double halves_tried = 40.0;  // as pieces(2.5): up to here two equal pieces often do
+    static constexpr double few_samples = 1024.0, some_samples = 0x1p17;  // pieces(5.7), pieces(19): see between()
+
+    /// How far a chord across an inflection reaches to either side, in shares; and what of its last share a curve must
+    /// leave over before a piece is saved. Fitted to real fonts.
+    static constexpr float reach = 0.93f;
+    static constexpr float two_will_do = 2.04f;  // shares that two pieces mostly hold; fitted likewise
+
+    [[nodiscard]] static double greater(double a, double b) noexcept { return a > b ? a : b; }
 
     /// The inner points where Wang's bound is `most`, 3 or 4, without a table: most curves of text. The errors of the
     /// two halves tell how many points each wants, and a density that leans from one to the other where these are.
@@ -102,12 +112,12 @@ private:
         if (chords.turns_over()) return false;
         const float left = chords.inverse_share(0.0, 0.5), right = chords.inverse_share(0.5, 1.0);
         const float sum = left + right, product = left * right;  // sum over product: how many pieces, nearly
-        if (sum > (static_cast<float>(most) - 0.93f) * product) {
+        if (sum > (static_cast<float>(most) - reach) * product) {
             const double step = most == 3 ? 1.0 / 3.0 : 0.25;
             for (int i = 1; i < most; ++i) emit(chords.at(step * i), step * i);
             return true;
         }
-        if (sum <= 2.04f * product) {
+        if (sum <= two_will_do * product) {
             const float half = left < right ? 0.25f + 0.25f * left / right : 0.75f - 0.25f * right / left;
             const double t = static_cast<double>(half);
             if (!(chords.fits_exactly(0.0, t) && chords.fits_exactly(t, 1.0))) return false;
@@ -132,152 +142,184 @@ private:
         return true;
     }
 
-    /// The inner points of (from, to), with a finer table where more points will be wanted.
+    /// Sets the inner points of pieces of one curve.
     template <class Chords, class Emit>
-    static void part(const Chords& chords, double from, double to, double tolerance, double bend, Emit& emit) noexcept
-    {
-        const double tt = tolerance * tolerance;
-        if (bend < 1024.0 * tt)  // Wang's bound is below 5.7; so asked because the root would come late
-            part(chords, detail::share_table<4>{chords, from, to, tolerance}, from, to, tolerance, bend, emit);
-        else if (bend < 0x1p17 * tt)  // below 19
-            part(chords, detail::share_table<8>{chords, from, to, tolerance}, from, to, tolerance, bend, emit);
-        else
-            part(chords, detail::share_table<16>{chords, from, to, tolerance}, from, to, tolerance, bend, emit);
-    }
-
-    template <class Chords, class Shares, class Emit>
-    static void part(const Chords& chords, const Shares& shares, double from, double to, double tolerance, double bend,
-                     Emit& emit) noexcept
-    {
-        const double middle = chords.inflection(from, to);
-        if (middle > from && walk_over(chords, shares, from, middle, to, emit)) return;
-        walk(chords, shares, from, to, bend / (tolerance * tolerance), emit);
-    }
-
-    /// A chord across an inflection can be long, for the curve is first on its one side, then on its other:
-    /// 2 * 0.93 shares where the inflection is in its middle. Counts on that, and gives up where it comes to nothing.
-    template <class Chords, class Shares, class Emit>
-    static bool walk_over(const Chords& chords, const Shares& shares, double from, double middle, double to,
-                          Emit& emit) noexcept
-    {
-        constexpr int most = 16;
-        constexpr float reach = 0.93f, stretch = 2.0f * reach;
-        const float whole = shares.whole();
-        if (!(whole < static_cast<float>(most))) return false;
-        const float centre = shares.share_of(middle);
-        const float low = centre > reach ? centre - reach : 0.0f,
-                    high = centre + reach < whole ? centre + reach : whole;
-        const float spared = (high - low) * (1.0f - 1.0f / stretch), wanted = whole - spared;
-        const int pieces = wanted > 1.0f ? static_cast<int>(wanted) + 1 : 2;
-        if (static_cast<float>(pieces) >= whole) return false;  // no gain
-
-        const float share = (whole - spared) / static_cast<float>(pieces);
-        double t[most + 1];
-        t[0] = from;
-        for (int i = 1; i < pieces; ++i) {
-            const float even = share * static_cast<float>(i);
-            t[i] = shares.t_of(even < low ? even : even + spared < high ? low + (even - low) * stretch : even + spared);
+    class walker {
+    public:
+        walker(const Chords& chords, double tolerance, double bend, Emit& emit) noexcept
+            : chords_{chords}, tolerance_{tolerance}, bend_{bend}, emit_{emit}
+        {
         }
-        t[pieces] = to;
-        bool good = true;
-        for (int i = 0; i < pieces; ++i) good = good & (t[i] < t[i + 1]) & chords.fits_exactly(t[i], t[i + 1]);
-        if (!good) return false;
-        for (int i = 1; i < pieces; ++i) emit(chords.at(t[i]), t[i]);
-        return true;
-    }
 
-    /// `wang4`: Wang's bound for the whole curve, not rounded, to the fourth power.
-    template <class Chords, class Shares, class Emit>
-    static void walk(const Chords& chords, const Shares& shares, double from, double to, double wang4,
-                     Emit& emit) noexcept
-    {
-        const float whole = shares.whole();
-        const int pieces = !(whole < 65536.0f) ? 65536 : whole > 1.0f ? static_cast<int>(whole) + 1 : 2;
-        const double count = static_cast<double>(pieces), length = to - from;
-        const double cc = count * count, ll = length * length;  // powers, for the root of wang4 would come late
-        if (!(cc * cc < wang4 * (ll * ll))) {                   // no fewer than Wang's bound: nothing to prove
-            const int most = static_cast<int>(std::ceil((to - from) / sure_step(wang4)));
+        /// The inner points of (from, to), with a finer table where more points will be wanted.
+        void between(double from, double to) const noexcept
+        {
+            const double tt = tolerance_ * tolerance_;
+            if (bend_ < few_samples * tt)  // so asked because the root would come late
+                between(detail::share_table<4>{chords_, from, to, tolerance_}, from, to);
+            else if (bend_ < some_samples * tt)
+                between(detail::share_table<8>{chords_, from, to, tolerance_}, from, to);
+            else
+                between(detail::share_table<16>{chords_, from, to, tolerance_}, from, to);
+        }
+
+        template <class Shares>
+        void walk(const Shares& shares, double from, double to) const noexcept
+        {
+            constexpr int most = 65536;
+            const double wang4 = bend_ / (tolerance_ * tolerance_);  // Wang's bound to the fourth power, for the curve
+            const float whole = shares.whole();
+            const int pieces = !(whole < static_cast<float>(most)) ? most : whole > 1.0f ? static_cast<int>(whole) + 1 : 2;
+            const double count = static_cast<double>(pieces), length = to - from;
+            const double cc = count * count, ll = length * length;  // powers, for the root of wang4 would come late
+            if (!(cc * cc < wang4 * (ll * ll)))                     // no fewer than Wang's bound: nothing to prove
+                return walk_evenly(from, to, sure_step(wang4));
+            const float share = whole / static_cast<float>(pieces);
+
+            constexpr int chunk = 16;  // points are set, measured and emitted in three short loops, quicker than in one
+            double t[chunk + 1];
+            t[0] = from;
+            for (int done = 0;;) {
+                const int left = pieces - done, now = left <= chunk ? left : chunk;
+                for (int i = 1; i <= now; ++i) t[i] = shares.t_of(share * static_cast<float>(done + i));
+                if (now == left) t[now] = to;
+                bool good = t[now] <= to;
+                for (int i = 0; i < now; ++i) good = good & (t[i] < t[i + 1]) & chords_.fits(t[i], t[i + 1]);
+                if (!good) [[unlikely]]
+                    return walk_carefully(shares, {t[0], share * static_cast<float>(done), left}, to, sure_step(wang4));
+                const int inner = now == left ? now - 1 : now;
+                for (int i = 1; i <= inner; ++i) emit_(chords_.at(t[i]), t[i]);
+                if (now == left) return;
+                t[0] = t[now];
+                done += now;
+            }
+        }
+
+    private:
+        struct progress {
+            double t;     // the last point
+            float spent;  // the share of the curve up to there
+            int pieces;   // that the rest is shared out to
+        };
+
+        template <class Shares>
+        void between(const Shares& shares, double from, double to) const noexcept
+        {
+            const double middle = chords_.inflection(from, to);
+            if (middle > from && walk_over(shares, from, middle, to)) return;
+            walk(shares, from, to);
+        }
+
+        /// Pieces no longer than this are good.
+        [[nodiscard]] static double sure_step(double wang4) noexcept
+        {
+            return greater(1.0 / std::sqrt(std::sqrt(wang4)), shortest_step);
+        }
+
+        void walk_evenly(double from, double to, double sure) const noexcept
+        {
+            const int most = static_cast<int>(std::ceil((to - from) / sure));
             const double step = (to - from) / most;
             for (int i = 1; i < most; ++i) {
                 const double t = from + step * i;
-                emit(chords.at(t), t);
+                emit_(chords_.at(t), t);
             }
-            return;
         }
-        const float share = whole / static_cast<float>(pieces);
 
-        constexpr int chunk = 16;  // points are set, measured and emitted in three short loops, quicker than in one
-        double t[chunk + 1];
-        t[0] = from;
-        for (int done = 0;;) {
-            const int left = pieces - done, now = left <= chunk ? left : chunk;
-            for (int i = 1; i <= now; ++i) t[i] = shares.t_of(share * static_cast<float>(done + i));
-            if (now == left) t[now] = to;
-            bool good = t[now] <= to;
-            for (int i = 0; i < now; ++i) good = good & (t[i] < t[i + 1]) & chords.fits(t[i], t[i + 1]);
-            if (!good) [[unlikely]]
-                return walk_carefully(chords, shares, t[0], share * static_cast<float>(done), left, to,
-                                      sure_step(wang4), emit);
-            const int inner = now == left ? now - 1 : now;
-            for (int i = 1; i <= inner; ++i) emit(chords.at(t[i]), t[i]);
-            if (now == left) return;
-            t[0] = t[now];
-            done += now;
+        /// A chord across an inflection can be long, for the curve is first on its one side, then on its other: two
+        /// reaches where the inflection is in its middle. Counts on that, and gives up where it comes to nothing.
+        template <class Shares>
+        bool walk_over(const Shares& shares, double from, double middle, double to) const noexcept
+        {
+            constexpr int most = 16;
+            constexpr float stretch = 2.0f * reach;
+            const float whole = shares.whole();
+            if (!(whole < static_cast<float>(most))) return false;
+            const float centre = shares.share_of(middle);
+            const float low = centre > reach ? centre - reach : 0.0f,
+                        high = centre + reach < whole ? centre + reach : whole;
+            const float spared = (high - low) * (1.0f - 1.0f / stretch), wanted = whole - spared;
+            const int pieces = wanted > 1.0f ? static_cast<int>(wanted) + 1 : 2;
+            if (static_cast<float>(pieces) >= whole) return false;  // no gain
+
+            const float share = (whole - spared) / static_cast<float>(pieces);
+            double t[most + 1];
+            t[0] = from;
+            for (int i = 1; i < pieces; ++i) {
+                const float even = share * static_cast<float>(i);
+                t[i] = shares.t_of(even < low             ? even
+                                   : even + spared < high ? low + (even - low) * stretch
+                                                          : even + spared);
+            }
+            t[pieces] = to;
+            bool good = true;
+            for (int i = 0; i < pieces; ++i) good = good & (t[i] < t[i + 1]) & chords_.fits_exactly(t[i], t[i + 1]);
+            if (!good) return false;
+            for (int i = 1; i < pieces; ++i) emit_(chords_.at(t[i]), t[i]);
+            return true;
         }
-    }
 
-    /// One piece at a time: the longest that is good, but no longer than its share of the rest.
-    template <class Chords, class Shares, class Emit>
-    static void walk_carefully(const Chords& chords, const Shares& shares, double u, float spent, int pieces, double to,
-                               double sure, Emit& emit) noexcept
-    {
-        for (;;) {
-            float aim = spent + (shares.whole() - spent) / static_cast<float>(pieces);
-            double v = pieces > 1 ? shares.t_of(aim) : to;
-            v = v < to ? v : to;
-            bool as_aimed = true;
-            for (int tries = 0;; ++tries) {
-                if (!(v - u > sure) || tries > 8) {
-                    v = u + sure;
-                    as_aimed = false;
-                    break;
+        /// One piece at a time: the longest that is good, but no longer than its share of the rest.
+        template <class Shares>
+        void walk_carefully(const Shares& shares, progress at, double to, double sure) const noexcept
+        {
+            for (;;) {
+                float aim = at.spent + (shares.whole() - at.spent) / static_cast<float>(at.pieces);
+                const double aimed = at.pieces > 1 ? shares.t_of(aim) : to;
+                const auto [v, as_aimed] = longest_good(at.t, aimed < to ? aimed : to, sure);
+                if (!(v < to)) return;
+                emit_(chords_.at(v), v);
+                if (as_aimed) {
+                    --at.pieces;
+                } else {
+                    aim = shares.share_of(v);
+                    const float rest = shares.whole() - aim;
+                    at.pieces = rest > 1.0f ? static_cast<int>(rest) + 1 : 1;
                 }
-                const double excess = chords.excess(u, v);
-                if (excess <= 1.0) break;
-                const double shrink =
-                    0.998 / std::sqrt(std::sqrt(excess));  // errors grow with the square of the length
-                v = u + (v - u) * greater(shrink, 0.25);
-                as_aimed = false;
+                at.t = v;
+                at.spent = aim;
             }
-            if (!(v < to)) return;
-            emit(chords.at(v), v);
-            u = v;
-            if (as_aimed) {
-                --pieces;
-            } else {
-                aim = shares.share_of(v);
-                const float rest = shares.whole() - aim;
-                pieces = rest > 1.0f ? static_cast<int>(rest) + 1 : 1;
-            }
-            spent = aim;
         }
-    }
+
+        struct piece_end {
+            double t;
+            bool as_aimed;
+        };
+
+        /// Where the piece from u on may end, at v or before. Errors grow with the square of the length.
+        [[nodiscard]] piece_end longest_good(double u, double v, double sure) const noexcept
+        {
+            constexpr int most_tries = 8;
+            constexpr double least_shrink = 0.25, less_than_computed = 0.998;
+            for (int tries = 0; v - u > sure && tries <= most_tries; ++tries) {
+                const double excess = chords_.excess(u, v);
+                if (excess <= 1.0) return {v, tries == 0};
+                v = u + (v - u) * greater(less_than_computed / std::sqrt(std::sqrt(excess)), least_shrink);
+            }
+            return {u + sure, false};
+        }
+
+        const Chords& chords_;
+        double tolerance_;
+        double bend_;
+        Emit& emit_;
+    };
 
     /// A curve that turns by more than 90 degrees, or that may stop and turn: cut where it does.
     template <class Emit>
     static void wild(const cubic& q, double tolerance, Emit& emit) noexcept
     {
-        tolerance *= 1.0 - 0x1p-20;
+        tolerance *= kept_share;
         const point l0 = q.p1 - q.p0, l1 = q.p2 - q.p1, l2 = q.p3 - q.p2, s0 = l1 - l0, s1 = l2 - l1;
         const detail::cubic_chords<false> chords{q.p0, 3.0 * l0, 3.0 * s0, s1 - s0, tolerance * tolerance};
-        const double bend = 0.5625 * greater(dot(s0, s0), dot(s1, s1));
+        const double bend = cubic_bend * greater(dot(s0, s0), dot(s1, s1));
         double stops[4];
         const int count = find_stops(q, stops);
         stops[count] = 1.0;
         double from = 0.0;
         for (int i = 0; i <= count; ++i) {
             const double to = stops[i];
-            if (!(chords.excess(from, to) <= 1.0)) part(chords, from, to, tolerance, bend, emit);
+            if (!(chords.excess(from, to) <= 1.0)) walker{chords, tolerance, bend, emit}.between(from, to);
             if (i < count) emit(q.at(to), to);
             from = to;
         }
@@ -290,6 +332,10 @@ private:
     /// are bisected, a few steps at first: hardly any of them is a stop.
     [[nodiscard]] static int find_stops(const cubic& q, double (&stops)[4]) noexcept
     {
+        constexpr int most_steps = 64, early = 10;
+        constexpr double hardly_slow = 0x1p-14;  // of the longest leg's square: after the early steps B'/3 moves by less
+                                                 // than 2^-8 of that leg
+        constexpr double at_an_end = 0x1p-20;
         const point d0 = q.p1 - q.p0, l1 = q.p2 - q.p1, l2 = q.p3 - q.p2;
         const point d1 = l1 - d0, d2 = (l2 - l1) - d1;  // B'/3 = d0 + 2 d1 t + d2 t²
         const double g0 = dot(d0, d1), g1 = 2.0 * dot(d1, d1) + dot(d0, d2), g2 = 3.0 * dot(d1, d2), g3 = dot(d2, d2);
@@ -321,16 +367,15 @@ private:
             double low = border[i], high = border[i + 1];
             const bool rising = slope(low) < 0.0;
             if (rising == (slope(high) < 0.0)) continue;
-            for (int step = 0; step < 64; ++step) {
+            for (int step = 0; step < most_steps; ++step) {
                 const double mid = 0.5 * (low + high);
-                if (step == 10 && speed(mid) > longest * 0x1p-14)
-                    break;  // B'/3 moves by less than 2^-8 of the longest leg
+                if (step == early && speed(mid) > longest * hardly_slow) break;
                 if (!(mid > low && mid < high)) break;
                 ((slope(mid) < 0.0) == rising ? low : high) = mid;
             }
             const double stop = speed(low) < speed(high) ? low : high;
             const double stored = static_cast<double>(static_cast<float>(stop));
-            const bool inside = stop > 0x1p-20 && stop < 1.0 - 0x1p-20 && (count == 0 || stop > stops[count - 1]);
+            const bool inside = stop > at_an_end && stop < 1.0 - at_an_end && (count == 0 || stop > stops[count - 1]);
             if (inside && tangents_at(curve::from(q), stored).stops) stops[count++] = stop;
         }
         return count;

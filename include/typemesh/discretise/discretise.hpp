@@ -193,6 +193,81 @@ struct curve_emitter {
     return area > 4.0 || area < -4.0;
 }
 
+/// Flattens the contours of one outline, one after the other.
+template <discretiser D>
+class contour_flattener {
+public:
+    static constexpr std::uint32_t most_halvings = 31;
+
+    contour_flattener(const outline& curves, const D& how, double tolerance, const grid& g,
+                      std::span<const std::uint8_t> halvings, contour_writer& writer) noexcept
+        : curves_{curves},
+          how_{how},
+          tolerance_{tolerance},
+          cells_{g},
+          halvings_{halvings},
+          writer_{writer},
+          snap_{g.snap_error()},
+          rest_{tolerance - snap_ > snap_ ? tolerance - snap_ : snap_}
+    {
+    }
+
+    /// The contour of the curves [first, end), finer where it would lose its area; false when nothing is left of it.
+    [[nodiscard]] bool flatten(std::uint32_t first, std::uint32_t end) noexcept
+    {
+        bool left = flatten(first, end, 0);
+        const auto contour = curves_.curves.view().subspan(first, end - first);
+        if (writer_.is_flat() && has_curved_area(contour, cells_)) [[unlikely]] {
+            for (std::uint32_t finer = 1; finer < most_halvings && !writer_.failed(); ++finer) {
+                const bool last = !(halved(finer) > snap_);
+                writer_.drop_contour();
+                left = flatten(first, end, finer);
+                if (last || !writer_.is_flat()) break;
+            }
+        }
+        return left;
+    }
+
+private:
+    [[nodiscard]] bool flatten(std::uint32_t first, std::uint32_t end, std::uint32_t finer) noexcept
+    {
+        writer_.begin_contour(curve_emitter::snapped(curves_.curves[first].start(), cells_));
+        for (std::uint32_t i = first; i < end; ++i) {
+            const curve& q = curves_.curves[i];
+            writer_.begin_curve(i);
+            emitted_points emitted;
+            const curve_emitter emit{writer_, cells_, emitted};
+            const std::uint32_t times = finer + (halvings_.empty() ? 0u : halvings_[i]);
+            const double allowed = times == 0 ? rest_ : halved(times < most_halvings ? times : most_halvings);
+            if (q.degree == 1)
+                emit(q.p[1], 1.0);
+            else if (q.degree == 2)
+                how_(q.as_quadratic(), allowed, emit);
+            else
+                how_(q.as_cubic(), allowed, emit);
+            TYPEMESH_ASSERT(emitted.ended_at(q.end(), cells_),
+                            "a discretiser's last point must be the end of its curve, with t = 1");
+        }
+        return writer_.end_contour();
+    }
+
+    /// What the discretiser is given after so many halvings.
+    [[nodiscard]] double halved(std::uint32_t times) const noexcept
+    {
+        const double finer = tolerance_ / static_cast<double>(std::uint32_t{1} << times) - snap_;
+        return finer > snap_ ? finer : snap_;
+    }
+
+    const outline& curves_;
+    const D& how_;
+    double tolerance_;
+    const grid& cells_;
+    std::span<const std::uint8_t> halvings_;
+    contour_writer& writer_;
+    double snap_;
+    double rest_;  // halved(0)
+};
+
 }  // namespace detail
 
 /// Turns an outline's curves into closed polylines on the grid. What `out` held before is forgotten; its storage is
@@ -231,48 +306,14 @@ error discretise(const outline& curves, const D& how, double tolerance, const gr
     if (curves.curves.size() > 0xFFFF'FFFFu) return error::too_large;
     if (curves.contour_count() == 0) return {};
 
-    const double snap = g.snap_error(), rest = tolerance - snap > snap ? tolerance - snap : snap;
-    const auto halved = [=](std::uint32_t times) noexcept {
-        const double finer = tolerance / static_cast<double>(std::uint32_t{1} << times) - snap;
-        return finer > snap ? finer : snap;
-    };
-
     detail::contour_writer writer{out};
     writer.begin(2 * curves.curves.size() + 16);
-    const auto walk = [&](std::uint32_t first, std::uint32_t end, std::uint32_t finer) noexcept {
-        writer.begin_contour(detail::curve_emitter::snapped(curves.curves[first].start(), g));
-        for (std::uint32_t i = first; i < end; ++i) {
-            const curve& q = curves.curves[i];
-            writer.begin_curve(i);
-            detail::emitted_points emitted;
-            const detail::curve_emitter emit{writer, g, emitted};
-            const std::uint32_t times = finer + (halvings.empty() ? 0u : halvings[i]);
-            const double allowed = times == 0 ? rest : halved(times < 31 ? times : 31);
-            if (q.degree == 1)
-                emit(q.p[1], 1.0);
-            else if (q.degree == 2)
-                how(q.as_quadratic(), allowed, emit);
-            else
-                how(q.as_cubic(), allowed, emit);
-            TYPEMESH_ASSERT(emitted.ended_at(q.end(), g),
-                            "a discretiser's last point must be the end of its curve, with t = 1");
-        }
-        return writer.end_contour();
-    };
+    detail::contour_flattener<D> contour{curves, how, tolerance, g, halvings, writer};
     bool listed = out.starts.push_back(0);
     for (std::uint32_t c = 0; c < curves.contour_count() && listed && !writer.failed(); ++c) {
         const std::uint32_t first = curves.starts[c], end = curves.starts[c + 1];
         if (first == end) continue;
-        bool left = walk(first, end, 0);
-        const auto contour = curves.curves.view().subspan(first, end - first);
-        if (writer.is_flat() && detail::has_curved_area(contour, g)) [[unlikely]] {
-            for (std::uint32_t finer = 1; finer < 31 && !writer.failed(); ++finer) {
-                const bool last = !(halved(finer) > snap);
-                writer.drop_contour();
-                left = walk(first, end, finer);
-                if (last || !writer.is_flat()) break;
-            }
-        }
+        const bool left = contour.flatten(first, end);
         if (left) listed = out.starts.push_back(static_cast<std::uint32_t>(writer.size()));
     }
     writer.end();
@@ -281,7 +322,8 @@ error discretise(const outline& curves, const D& how, double tolerance, const gr
         return writer.failed() ? writer.failed() : error{error::out_of_memory};
     }
     out.curves = curves.curves.view();
-    if constexpr (keeps_tolerance<D>) out.tolerance = g.cells * (tolerance > 2.0 * snap ? tolerance : 2.0 * snap);
+    const double least = 2.0 * g.snap_error();
+    if constexpr (keeps_tolerance<D>) out.tolerance = g.cells * (tolerance > least ? tolerance : least);
     return {};
 }
 
