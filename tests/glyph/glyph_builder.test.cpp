@@ -34,8 +34,8 @@ TEST_CASE("a trimmed builder holds nothing, and builds the same glyph again", "[
     glyph_builder builder{memory.source()};
     no_observer nobody;
     const auto built = [&](glyph_id id) {
-        const auto parts = builder.build(font, id, {.tolerance = quality::best}, certified{}, monotone{},
-                                         extruded<>{}, nobody);
+        const auto parts = builder.build(font, id, {.tolerance = quality::best},
+                                         policies{certified{}, monotone{}, extruded<>{}, nobody});
         REQUIRE(parts);
         REQUIRE_FALSE(parts->refusal);
         return kept_parts{parts->form};

@@ -400,8 +400,9 @@ TEST_CASE("a cache is of use without a mesher", "[text]")
     glyph_builder builder;
     no_observer nobody;
     const glyph_settings how{.tolerance = 0.01};
-    const glyph_context context = context_of(1, font, how, certified{}, monotone{}, flat{});
-    const auto parts = builder.build(font, 2, how, certified{}, monotone{}, flat{}, nobody);
+    const policies with{certified{}, monotone{}, flat{}, nobody};
+    const glyph_context context = context_of(1, font, how, with);
+    const auto parts = builder.build(font, 2, how, with);
     REQUIRE(parts);
     const built_glyph* e = cache.keep(context, 2, *parts);
     REQUIRE(e != nullptr);

@@ -9,6 +9,7 @@
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/glyph/built_glyph.hpp>
 #include <typemesh/glyph/cap_outline.hpp>
+#include <typemesh/glyph/policies.hpp>
 #include <typemesh/outline/outline_recorder.hpp>
 
 #include <cstdint>
@@ -29,7 +30,7 @@ struct glyph_settings {
 /// memory that this takes, which stays for the next glyph. A builder serves one thread at a time.
 ///
 ///     glyph_builder builder;
-///     auto parts = builder.build(font, id, {.tolerance = quality::high}, certified{}, monotone{}, flat{}, nobody);
+///     auto parts = builder.build(font, id, {.tolerance = quality::high}, policies{certified{}, monotone{}, flat{}, nobody});
 class glyph_builder {
 public:
     explicit glyph_builder(memory source = heap()) noexcept
@@ -41,14 +42,12 @@ public:
     /// here: its parts are empty and carry the reason.
     ///
     /// Fails  with what concerns more than the glyph: error::out_of_memory, bad_option, bad_tolerance, too_large
-    template <outline_source Font, discretiser Discretiser, triangulator Triangulator, extruder Extruder,
-              stage_observer Observer>
+    template <outline_source Font, class... Policy>
     [[nodiscard]] result<glyph_draft> build(Font& font, glyph_id id, const glyph_settings& how,
-                                            const Discretiser& flatten, const Triangulator& cut, const Extruder& raise,
-                                            Observer& observe) noexcept
+                                            const policies<Policy...>& with) noexcept
     {
         glyph_draft made;
-        error e = try_to_build(font, id, how, flatten, cut, raise, observe, made);
+        error e = try_to_build(font, id, how, with, made);
         if (e && !concerns_the_glyph_alone(e)) return e;
         if (e) made = {};
         made.refusal = e;
@@ -58,20 +57,20 @@ public:
     /// The region that the glyph fills, in this builder until its next call; an empty one for a blank glyph.
     ///
     /// Fails  with whatever the glyph met
-    template <outline_source Font, discretiser Discretiser, triangulator Triangulator, stage_observer Observer>
+    template <outline_source Font, class... Policy>
     [[nodiscard]] result<region> build_region(Font& font, glyph_id id, const glyph_settings& how,
-                                              const Discretiser& flatten, const Triangulator& cut,
-                                              Observer& observe) noexcept
+                                              const policies<Policy...>& with) noexcept
     {
-        observe(stage::outline);
+        with.observe(stage::outline);
         if (error e = record(font, id, outline_)) return e;
         if (outline_.curves.empty()) return region{};
         const double units_per_em = font.units_per_em();
         const auto fitting = grid::fitting(units_per_em, outline_.bounds);
         if (!fitting) return fitting.error();
         triangles_.clear();
-        return cap_outline(outline_, how.fill.value_or(outline_.rule), flatten, how.tolerance * units_per_em, *fitting,
-                           cut, space_, loops_, triangles_, observe, {.most_pieces = how.most_pieces});
+        return cap_outline(outline_, how.fill.value_or(outline_.rule), with.flatten, how.tolerance * units_per_em,
+                           *fitting, with.cut, space_, loops_, triangles_, with.observe,
+                           {.most_pieces = how.most_pieces});
     }
 
     /// Gives all memory back to its source; what was built last goes with it. The next glyph takes what it needs anew.
@@ -96,17 +95,17 @@ public:
     }
 
 private:
-    template <class Font, class Discretiser, class Triangulator, class Extruder, class Observer>
-    error try_to_build(Font& font, glyph_id id, const glyph_settings& how, const Discretiser& flatten,
-                       const Triangulator& cut, const Extruder& raise, Observer& observe, glyph_draft& made) noexcept
+    template <class Font, class... Policy>
+    error try_to_build(Font& font, glyph_id id, const glyph_settings& how, const policies<Policy...>& with,
+                       glyph_draft& made) noexcept
     {
-        const auto filled = build_region(font, id, how, flatten, cut, observe);
+        const auto filled = build_region(font, id, how, with);
         if (!filled) return filled.error();
         if (filled->points().empty()) return {};
 
-        observe(stage::extrude);
+        with.observe(stage::extrude);
         sides_.clear();
-        const auto sizes = raise.plan(*filled, sides_);
+        const auto sizes = with.raise.plan(*filled, sides_);
         if (!sizes) return sizes.error();
         made.form = {filled->points(), filled->starts(), triangles_.view(), sides_.view()};
         made.sizes = *sizes;

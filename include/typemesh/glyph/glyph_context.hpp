@@ -76,10 +76,9 @@ struct glyph_context {
 };
 
 /// The context of shapes that glyph_builder makes with these policies.
-template <class Font, class Discretiser, class Triangulator, class Extruder>
+template <class Font, class... Policy>
 [[nodiscard]] glyph_context context_of(std::uint64_t font_number, const Font& font, const glyph_settings& how,
-                                       const Discretiser& flatten, const Triangulator& cut,
-                                       const Extruder& raise) noexcept
+                                       const policies<Policy...>& with) noexcept
 {
     glyph_context c;
     c.font = font_number;
@@ -87,9 +86,9 @@ template <class Font, class Discretiser, class Triangulator, class Extruder>
     c.tolerance = option_bits{how.tolerance}.words[0];
     c.fill = how.fill ? 1 + static_cast<std::uint64_t>(*how.fill) : 0;
     c.most_pieces = how.most_pieces;
-    c.discretiser = key_of(flatten);
-    c.triangulator = key_of(cut);
-    c.extruder = key_of(raise);
+    c.discretiser = key_of(with.flatten);
+    c.triangulator = key_of(with.cut);
+    c.extruder = key_of(with.raise);
     return c;
 }
 

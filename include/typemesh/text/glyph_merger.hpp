@@ -48,13 +48,11 @@ public:
     /// Cost   O(n log n) for n glyphs, and a comparison of every two whose boxes lie side by side (see group_intersection()).
     ///        For every group its members' outlines are flattened and filled once more, and resolve(), the triangulator
     ///        and the extruder work on the points of all of them. Glyphs that meet no other cost the comparison alone
-    template <outline_source Font, discretiser Discretiser, triangulator Triangulator, extruder Extruder,
-              stage_observer Observer>
+    template <outline_source Font, class... Policy>
     error operator()(text_glyphs& all, const glyph_run& run, glyph_builder& builder, Font& font,
-                     const glyph_settings& how, const Discretiser& flatten, const Triangulator& cut,
-                     const Extruder& raise, Observer& observe) noexcept
+                     const glyph_settings& how, const policies<Policy...>& with) noexcept
     {
-        observe(stage::fill);
+        with.observe(stage::fill);
         const std::size_t count = run.glyphs.size();
         workspace::scope scratch{space_};
         auto* next = scratch.take<std::uint32_t>(count);  // the next glyph of the same group; at its last one: count
@@ -63,6 +61,7 @@ public:
         if (count != 0 && (next == nullptr || last == nullptr || first_of == nullptr)) return error::out_of_memory;
         if (error e = find_groups(all, run, {first_of, count})) return e;
 
+        const auto region_of = [&](glyph_id id) noexcept { return builder.build_region(font, id, how, with); };
         const auto none = static_cast<std::uint32_t>(count);
         for (std::uint32_t i = 0; i < count; ++i) {
             next[i] = none;
@@ -74,11 +73,10 @@ public:
             const auto first_member = static_cast<std::uint32_t>(all.merged.members.size());
             for (std::uint32_t k = i; k != none; k = next[k])
                 if (!all.merged.members.push_back(k)) return error::out_of_memory;
-            const std::span<const std::uint32_t> members = all.merged.members.view().subspan(first_member);
             merged_group made;
             made.first_member = first_member;
-            made.member_count = static_cast<std::uint32_t>(members.size());
-            if (error e = join(made, all, run, members, builder, font, how, flatten, cut, raise, observe))
+            made.member_count = static_cast<std::uint32_t>(all.merged.members.size()) - first_member;
+            if (error e = join(made, all, run, region_of, how.most_pieces, with))
                 return e.at(run.glyphs[i].id, run.glyphs[i].cluster);
             if (!all.merged.groups.push_back(made)) return error::out_of_memory;
         }
@@ -154,24 +152,25 @@ private:
         return g;
     }
 
-    template <class Font, class Discretiser, class Triangulator, class Extruder, class Observer>
-    error join(merged_group& made, text_glyphs& all, const glyph_run& run, std::span<const std::uint32_t> members,
-               glyph_builder& builder, Font& font, const glyph_settings& how, const Discretiser& flatten,
-               const Triangulator& cut, const Extruder& raise, Observer& observe) noexcept
+    /// The group's members, whose regions region_of(glyph_id) builds, as one glyph.
+    template <class Region, class... Policy>
+    error join(merged_group& made, text_glyphs& all, const glyph_run& run, const Region& region_of,
+               std::uint32_t most_pieces, const policies<Policy...>& with) noexcept
     {
+        const std::span<const std::uint32_t> members = all.merged.members_of(made);
         const auto onto = grid_for(all, run, members);
         if (!onto) return onto.error();
         union_.begin(*onto);
         const pen first = snapped(run.glyphs[members[0]].origin, onto->cells);
         for (const std::uint32_t m : members) {
-            const auto filled = builder.build_region(font, run.glyphs[m].id, how, flatten, cut, observe);
+            const auto filled = region_of(run.glyphs[m].id);
             if (!filled) return filled.error();
             const pen at = snapped(run.glyphs[m].origin, onto->cells);
             if (error e = union_.add(*filled, onto->cells / filled->grid().cells, at.x - first.x, at.y - first.y))
                 return e;
         }
-        observe(stage::fill);
-        const auto joined = union_.join(space_, how.most_pieces);
+        with.observe(stage::fill);
+        const auto joined = union_.join(space_, most_pieces);
         if (!joined && joined.error() == error::too_many_pieces) {  // the text goes on without this group
             glyph_draft none;
             none.refusal = joined.error();
@@ -179,12 +178,12 @@ private:
             return made.built == nullptr ? error{error::out_of_memory} : error{};
         }
         if (!joined) return joined.error();
-        observe(stage::triangulate);
+        with.observe(stage::triangulate);
         triangles_.clear();
-        if (error e = detail::cut_region(*joined, cut, space_, triangles_)) return e;
-        observe(stage::extrude);
+        if (error e = detail::cut_region(*joined, with.cut, space_, triangles_)) return e;
+        with.observe(stage::extrude);
         sides_.clear();
-        const auto sizes = raise.plan(*joined, sides_);
+        const auto sizes = with.raise.plan(*joined, sides_);
         if (!sizes) return sizes.error();
 
         made.built = all.store.keep({{joined->points(), joined->starts(), triangles_.view(), sides_.view()},

@@ -232,13 +232,14 @@ private:
     template <outline_source, discretiser, triangulator, extruder, stage_observer, class>
     friend class text_mesher;
 
-    text_mesher(Font* font, glyph_builder&& builder, glyph_merger&& merger, glyph_run&& run, text_glyphs&& glyphs,
-                Discretiser d, Triangulator t, Extruder e, Observer w, Cache cache) noexcept
-        : font_{font},
-          builder_{std::move(builder)},
-          merger_{std::move(merger)},
-          run_{std::move(run)},
-          glyphs_{std::move(glyphs)},
+    /// What `before` holds, with these policies.
+    template <class Before>
+    text_mesher(Before&& before, Discretiser d, Triangulator t, Extruder e, Observer w, Cache cache) noexcept
+        : font_{before.font_},
+          builder_{std::move(before.builder_)},
+          merger_{std::move(before.merger_)},
+          run_{std::move(before.run_)},
+          glyphs_{std::move(before.glyphs_)},
           discretiser_{std::move(d)},
           triangulator_{std::move(t)},
           extruder_{std::move(e)},
@@ -250,9 +251,14 @@ private:
     template <class D, class T, class E, class W, class C>
     auto changed(D d, T t, E e, W w, C cache) noexcept
     {
-        return text_mesher<Font, D, T, E, W, C>{
-            font_,        std::move(builder_), std::move(merger_), std::move(run_), std::move(glyphs_),
-            std::move(d), std::move(t),        std::move(e),       std::move(w),    cache};
+        return text_mesher<Font, D, T, E, W, C>{std::move(*this), std::move(d), std::move(t),
+                                                std::move(e),     std::move(w), cache};
+    }
+
+    template <class Observing>
+    [[nodiscard]] auto policies_for(Observing& observe) const noexcept
+    {
+        return policies{discretiser_, triangulator_, extruder_, observe};
     }
 
     error stop(error e) noexcept
@@ -378,7 +384,7 @@ private:
                 auto& cache = *cache_.cache;
                 if (!glyphs_.pinned.reserve(ids.size(), &cache)) return error::out_of_memory;
                 const glyph_context context =
-                    context_of(cache_.font, *font_, how, discretiser_, triangulator_, extruder_);
+                    context_of(cache_.font, *font_, how, policies_for(observer_));
                 const std::uint64_t hash = context.hash();
                 return each_shape(
                     ids, how, team, [&](glyph_id id) noexcept { return cache.find(context, hash, id); },
@@ -405,7 +411,7 @@ private:
                                          auto& observe) noexcept -> error {
             const built_glyph* built = find(ids[k]);
             if (built == nullptr) {
-                const auto parts = builder.build(font, ids[k], how, discretiser_, triangulator_, extruder_, observe);
+                const auto parts = builder.build(font, ids[k], how, policies_for(observe));
                 if (!parts) return parts.error();
                 built = keep(ids[k], *parts, store);
                 if (built == nullptr) return error::out_of_memory;
@@ -418,7 +424,7 @@ private:
     error merge(const glyph_run& run, const text_options& options) noexcept
     {
         const glyph_settings how{options.tolerance, options.fill, options.most_pieces};
-        return merger_(glyphs_, run, builder_, *font_, how, discretiser_, triangulator_, extruder_, observer_);
+        return merger_(glyphs_, run, builder_, *font_, how, policies_for(observer_));
     }
 
     /// Puts each glyph of the run at its place, a group of merged ones at that of the first.

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/discretise/discretiser.hpp>
+#include <typemesh/extrude/extruder.hpp>
+#include <typemesh/glyph/stage.hpp>
+#include <typemesh/triangulate/triangulator.hpp>
+
+namespace typemesh {
+
+/// What a glyph is built with: one of each policy, and who is passed the stages. It refers to them; none is copied.
+///
+///     no_observer nobody;
+///     const policies with{certified{}, monotone{}, flat{}, nobody};
+template <discretiser Discretiser, triangulator Triangulator, extruder Extruder, stage_observer Observer>
+struct policies {
+    const Discretiser& flatten;
+    const Triangulator& cut;
+    const Extruder& raise;
+    Observer& observe;
+};
+
+template <class Discretiser, class Triangulator, class Extruder, class Observer>
+policies(const Discretiser&, const Triangulator&, const Extruder&, Observer&)
+    -> policies<Discretiser, Triangulator, Extruder, Observer>;
+
+}  // namespace typemesh

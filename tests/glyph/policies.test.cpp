@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "support/catch.hpp"
+#include "support/toy_font.hpp"
+
+#include <typemesh/glyph/glyph_builder.hpp>
+#include <typemesh/glyph/policies.hpp>
+#include <typemesh/typemesh.hpp>
+
+#include <type_traits>
+#include <vector>
+
+using namespace typemesh;
+
+namespace {
+
+/// Cannot be copied: it writes down what it is passed.
+struct stage_list {
+    std::vector<stage> seen;
+
+    stage_list() = default;
+    stage_list(const stage_list&) = delete;
+    void operator()(stage now) noexcept { seen.push_back(now); }
+};
+
+}  // namespace
+
+TEST_CASE("policies refer to what they are made of", "[glyph]")
+{
+    const certified flatten;
+    const monotone cut;
+    const extruded<> raise{.depth = 0.5f};
+    stage_list observe;
+    const policies with{flatten, cut, raise, observe};
+    static_assert(std::is_same_v<decltype(with), const policies<certified, monotone, extruded<>, stage_list>>);
+    CHECK(&with.flatten == &flatten);
+    CHECK(&with.cut == &cut);
+    CHECK(&with.raise == &raise);
+    CHECK(&with.observe == &observe);
+
+    test::toy_font font;
+    glyph_builder builder;
+    REQUIRE(builder.build(font, 2, {.tolerance = 0.01}, with));
+    CHECK(observe.seen == std::vector{stage::outline, stage::discretise, stage::triangulate, stage::extrude});
+}
