@@ -82,9 +82,9 @@ frame->write_instances([&](const typemesh::glyph_instance& i) noexcept { draw(i.
 
     {
 typemesh::thread_pool pool;                                  // as many workers as the machine has
-auto team = typemesh::workers_of(pool, [&](std::size_t) noexcept { return typemesh::harfbuzz_font::wrap(font->handle()); });
-if (!team) return std::puts(team.error().message()), 1;      // FreeType: open the file again for each worker
-auto plan = mesher.plan(text, {}, *team);
+auto workers = typemesh::workers_of(pool, [&](std::size_t) noexcept { return typemesh::harfbuzz_font::wrap(font->handle()); });
+if (!workers) return std::puts(workers.error().message()), 1;   // FreeType: open the file again for each worker
+auto plan = mesher.plan(text, {}, *workers);
 if (!plan) return std::puts(plan.error().message()), 1;
 auto error = plan->write(typemesh::into(vertices, indices), pool);
     use(error);
