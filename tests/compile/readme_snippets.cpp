@@ -103,7 +103,7 @@ for (const auto& c : chunks.view()) draw(c.range().first_index, c.range().index_
 void laws(const std::vector<vertex>& vertices, const std::vector<std::uint32_t>& indices)
 {
 typemesh::inspect::mesh_view mesh{vertices, indices};            // or {vertices, indices, &my_vertex::place}
-assert(check_closedness(mesh).is_closed());                      // every directed edge is met by its reverse
+assert(check_closedness(mesh).is_closed());                      // every directed edge is matched by its reverse
 assert(check_normals(mesh, &vertex::normal).is_right());         // of unit length, out of their walls
     use(mesh);
 }
