@@ -40,7 +40,7 @@ int main(int argc, char** argv)
     if (error e = plan->write(into(std::span{vertices}, std::span{indices}))) return std::puts(e.message()), 1;
 
     const char* names[] = {"front", "back", "side"};
-    for (const part p : all_parts) {
+    for (const part p : plan->parts()) {
         const mesh_range r = plan->range(p);
         std::printf("%-5s  indices %6u + %6u    vertices %6u + %6u\n", names[int(p)], r.first_index, r.index_count, r.first_vertex,
                     r.vertex_count);

@@ -130,7 +130,7 @@ void say_materials(std::string& json, const Plan& plan, const uv_range* packed)
     }
     using typemesh::part;
     const char* before = R"("materials":[)";
-    for (const part p : typemesh::all_parts) {
+    for (const part p : plan.parts()) {
         if (plan.range(p).index_count == 0) continue;
         const bool side = p == part::side;
         say(json, R"(%s{"name":"%s","pbrMetallicRoughness":{%s"baseColorFactor":%s,"metallicFactor":0,"roughnessFactor":0.45}})",
@@ -228,7 +228,7 @@ void say_letters(std::string& json, const Plan& plan)
         say(json, R"(%s{"name":"glyph %u","primitives":[)", i != 0 ? "," : "", plan.glyphs()[i].id);
         int material = 0;
         const char* before = "";
-        for (const part p : all_parts) {
+        for (const part p : plan.parts()) {
             if (plan.range(p).index_count == 0) continue;
             say(json,
                 R"(%s{"attributes":{"POSITION":0,"NORMAL":1,"TANGENT":2,"TEXCOORD_0":3},"indices":%d,"material":%d})",
@@ -271,7 +271,7 @@ template <class Plan, class Bytes>
         } else {
             json += R"("nodes":[{"name":"text","mesh":0}],"meshes":[{"name":"text","primitives":[)";
             int accessor = 4;
-            for (const part p : all_parts) {
+            for (const part p : plan.parts()) {
                 if (plan.range(p).index_count == 0) continue;
                 say(json,
                     R"(%s{"attributes":{"POSITION":0,"NORMAL":1,"TANGENT":2,"TEXCOORD_0":3},"indices":%d,"material":%d})",
@@ -323,7 +323,7 @@ template <class Plan, class Bytes>
                 std::size_t{range.first_index} * (wide ? 4u : 2u), wide ? 5125 : 5123, range.index_count);
         };
         for (std::size_t i = 0; i < (packed ? plan.glyphs().size() : 1); ++i)
-            for (const part p : all_parts) say_indices(packed ? plan.range(i, p) : plan.range(p));
+            for (const part p : plan.parts()) say_indices(packed ? plan.range(i, p) : plan.range(p));
         json += "]}";
     }
     json.resize((json.size() + 3) / 4 * 4, ' ');

@@ -59,7 +59,7 @@ template <class Plan>
 typemesh::error write_model(const Plan& plan, model& out)
 {
     if (const typemesh::error e = plan.write(typemesh::into(out.vertices, out.indices))) return e;
-    for (const typemesh::part p : typemesh::all_parts) add_part(out, p, plan.range(p));
+    for (const typemesh::part p : plan.parts()) add_part(out, p, plan.range(p));
     return {};
 }
 
@@ -72,7 +72,7 @@ typemesh::error write_letters(const Plan& plan, const typemesh::harfbuzz_font& f
         char name[64];
         hb_font_glyph_to_string(font.handle(), plan.meshes()[m].id, name, sizeof name);
         model::letter l{name, plan.meshes()[m].first_vertex, 0, out.parts.size(), 0};
-        for (const typemesh::part p : typemesh::all_parts) {
+        for (const typemesh::part p : plan.parts()) {
             add_part(out, p, plan.mesh_part(m, p));
             l.vertex_count += plan.mesh_part(m, p).vertex_count;
         }
@@ -94,7 +94,7 @@ std::vector<std::uint32_t> solid_by_solid(const Plan& plan, const std::vector<st
     std::vector<std::uint32_t> ordered;
     ordered.reserve(indices.size());
     for (std::size_t g = 0; g < plan.glyphs().size(); ++g) {
-        for (const typemesh::part p : typemesh::all_parts) {
+        for (const typemesh::part p : plan.parts()) {
             const auto first = indices.begin() + plan.range(g, p).first_index;
             ordered.insert(ordered.end(), first, first + plan.range(g, p).index_count);
         }

@@ -109,7 +109,7 @@ void obeys(const seen& mesh, const Plan& plan, const engine& is)
     CHECK(test::examine(welded, mesh.index).unmatched_edges == 0);
 
     // In place: front at depth 0, in the unit asked for, readable from where the text looks to.
-    for (const part where : all_parts) {
+    for (const part where : plan.parts()) {
         const auto range = plan.range(where);
         REQUIRE(range.vertex_count > 0);
         for (std::uint32_t i = range.first_vertex; i < range.first_vertex + range.vertex_count; ++i) {
@@ -138,7 +138,7 @@ void obeys(const seen& mesh, const Plan& plan, const engine& is)
     if (!mesh.uv.empty()) {
         REQUIRE(mesh.uv.size() == size.vertices);
         const double off = is.off_uv + is.off_position * 3.0;
-        for (const part where : all_parts) {
+        for (const part where : plan.parts()) {
             const auto range = plan.range(where);
             for (std::uint32_t i = range.first_vertex; i < range.first_vertex + range.vertex_count; ++i) {
                 const vec3 p = mesh.position[i];

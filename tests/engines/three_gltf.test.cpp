@@ -181,7 +181,7 @@ TEST_CASE("a quantised glTF file gives the same mesh back through its nodes' tra
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         REQUIRE(nodes[i].scale[0] == nodes[i].scale[1]);
         REQUIRE(nodes[i].scale[0] == nodes[i].scale[2]);
-        for (const part where : all_parts) {
+        for (const part where : plan->parts()) {
             const mesh_range range = plan->range(i, where);
             for (std::uint32_t k = 0; k < range.vertex_count; ++k) letter_of.at(range.first_vertex + k) = i;
         }

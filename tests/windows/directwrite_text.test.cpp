@@ -36,7 +36,7 @@ test::full_mesh meshed(directwrite_text& text)
     REQUIRE_FALSE(plan->write(into(m.vertices, m.indices)));
     for (std::size_t g = 0; g < plan->glyphs().size(); ++g) {
         std::vector<std::uint32_t> own;
-        for (const part p : all_parts) {
+        for (const part p : plan->parts()) {
             const mesh_range r = plan->range(g, p);
             own.insert(own.end(), m.indices.begin() + r.first_index, m.indices.begin() + r.first_index + r.index_count);
         }

@@ -82,7 +82,7 @@ TEST_CASE("merged texts are closed, each glyph in one group, and as large as the
                 groups += merged->members(g).size() > 1;
                 for (const std::uint32_t member : merged->members(g)) CHECK(drawn.insert(member).second);
                 std::vector<std::uint32_t> own;
-                for (const part p : all_parts) {
+                for (const part p : merged->parts()) {
                     const mesh_range r = merged->range(g, p);
                     own.insert(own.end(), m.indices.begin() + r.first_index,
                                m.indices.begin() + r.first_index + r.index_count);

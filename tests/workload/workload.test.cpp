@@ -91,7 +91,7 @@ TEST_CASE("every glyph of every text of the workload is there and closed, also w
             for (std::size_t g = 0; g < plan->glyphs().size(); ++g) {
                 present.insert(plan->glyphs()[g].id);
                 std::vector<std::uint32_t> own;
-                for (const part p : all_parts) {
+                for (const part p : plan->parts()) {
                     const mesh_range r = plan->range(g, p);
                     own.insert(own.end(), m.indices.begin() + r.first_index,
                                m.indices.begin() + r.first_index + r.index_count);

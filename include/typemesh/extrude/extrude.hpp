@@ -79,9 +79,9 @@ error extrude(const region& shape, std::span<const triangle> cap, const Extruder
 
     const solid s{shape.points(), shape.starts(), cap, sides.view()};
     const planned_solid planned{s, *sizes};
-    for (const part p : all_parts) write_vertices(p, planned, how, at, sink);
+    for (const part p : parts_of<Extruder>) write_vertices(p, planned, how, at, sink);
     const bool turned = at.frame.turns_triangles();
-    for (const part p : all_parts) write_triangles(p, planned, how, sizes->vertices.starts(), turned, sink);
+    for (const part p : parts_of<Extruder>) write_triangles(p, planned, how, sizes->vertices.starts(), turned, sink);
     sink.end();
     return {};
 }

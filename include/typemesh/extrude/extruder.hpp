@@ -10,7 +10,9 @@
 #include <typemesh/vertex/surface_point.hpp>
 
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace typemesh {
 
@@ -28,6 +30,17 @@ struct ignore_surface {
     }
     constexpr void operator()(std::uint32_t, std::uint32_t, std::uint32_t) const noexcept {}
 };
+
+/// How many parts an extruder writes: its part_count, or front, back and side.
+template <class E>
+inline constexpr std::size_t part_count_of = 3;
+template <class E>
+    requires requires { E::part_count; }
+inline constexpr std::size_t part_count_of<E> = E::part_count;
+
+/// These parts.
+template <class E>
+inline constexpr std::span<const part> parts_of = std::span{all_parts}.first(part_count_of<E>);
 
 /// Puts a filled region up into space.
 ///

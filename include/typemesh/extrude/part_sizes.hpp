@@ -12,7 +12,7 @@ namespace typemesh {
 
 /// One number for each part.
 struct part_counts {
-    std::uint32_t of[3] = {};
+    std::uint32_t of[most_parts] = {};
 
     [[nodiscard]] constexpr std::uint32_t operator[](part p) const noexcept { return of[static_cast<std::size_t>(p)]; }
     [[nodiscard]] constexpr std::uint32_t& operator[](part p) noexcept { return of[static_cast<std::size_t>(p)]; }
@@ -20,21 +20,32 @@ struct part_counts {
     /// Part by part, modulo 2^32.
     friend constexpr part_counts operator+(const part_counts& a, const part_counts& b) noexcept
     {
-        return {{a.of[0] + b.of[0], a.of[1] + b.of[1], a.of[2] + b.of[2]}};
+        part_counts sum;
+        for (std::size_t i = 0; i < most_parts; ++i) sum.of[i] = a.of[i] + b.of[i];
+        return sum;
     }
     friend constexpr part_counts operator-(const part_counts& a, const part_counts& b) noexcept
     {
-        return {{a.of[0] - b.of[0], a.of[1] - b.of[1], a.of[2] - b.of[2]}};
+        part_counts rest;
+        for (std::size_t i = 0; i < most_parts; ++i) rest.of[i] = a.of[i] - b.of[i];
+        return rest;
     }
     friend constexpr bool operator==(const part_counts&, const part_counts&) noexcept = default;
 
     /// All parts together.
-    [[nodiscard]] constexpr std::uint64_t total() const noexcept { return std::uint64_t{of[0]} + of[1] + of[2]; }
+    [[nodiscard]] constexpr std::uint64_t total() const noexcept
+    {
+        std::uint64_t sum = 0;
+        for (const std::uint32_t count : of) sum += count;
+        return sum;
+    }
 
     /// Where each part begins when the parts lie behind one another, the first at `first`; modulo 2^32.
     [[nodiscard]] constexpr part_counts starts(std::uint32_t first = 0) const noexcept
     {
-        return {{first, first + of[0], first + of[0] + of[1]}};
+        part_counts begin;
+        for (std::size_t i = 0; i < most_parts; first += of[i++]) begin.of[i] = first;
+        return begin;
     }
 };
 

@@ -66,8 +66,8 @@ public:
     template <extruder Extruder, mesh_sink Sink>
     void everything(const Extruder& how, Sink& sink) const noexcept
     {
-        for (const part p : all_parts) vertices(p, first_, last_, how, sink);
-        for (const part p : all_parts) triangles(p, first_, last_, how, sink);
+        for (const part p : parts_of<Extruder>) vertices(p, first_, last_, how, sink);
+        for (const part p : parts_of<Extruder>) triangles(p, first_, last_, how, sink);
     }
 
     /// Emits share `k` of `shares`, which are about equal in what they cost: whole glyphs of one part or of several,
@@ -77,11 +77,11 @@ public:
     {
         const part_sizes own = sizes();
         std::uint64_t all = 0;
-        for (const part p : all_parts) all += work(own, p);
+        for (const part p : parts_of<Extruder>) all += work(own, p);
         const std::uint64_t begin = all / shares * k + all % shares * k / shares,
                             end = all / shares * (k + 1) + all % shares * (k + 1) / shares;
         std::uint64_t start = 0;  // the work of the parts before
-        for (const part p : all_parts) {
+        for (const part p : parts_of<Extruder>) {
             const std::size_t from = glyph_at(p, begin > start ? begin - start : 0),
                               to = glyph_at(p, end > start ? end - start : 0);
             start += work(own, p);

@@ -54,7 +54,7 @@ public:
         for (std::size_t i = 0; i < vertices; ++i) place[i] = unused;
 
         collector to{*this, first, most};
-        for (const part p : all_parts) {
+        for (const part p : parts_of<Extruder>) {
             to.now = p;
             write_triangles(p, built.planned(), how, first, turned, to);
         }
@@ -70,7 +70,7 @@ public:
     {
         const piece& one = pieces_[number];
         picker<Sink> to{sink, used_.view().subspan(one.first_used, one.used_count)};
-        for (const part p : all_parts) {
+        for (const part p : parts_of<Extruder>) {
             if (one.sizes.vertices[p] != 0) write_vertices(p, built.planned(), how, at, to);
             else to.number += built.sizes().vertices[p];
         }
@@ -96,8 +96,8 @@ private:
         std::uint32_t most;
         part now = part::front;
         piece open = {{}, 0, 0, to.used_.size(), to.triangles_.size()};
-        std::uint32_t lowest[3] = {unused, unused, unused};   // of the vertices that the open piece uses, in each part
-        std::uint32_t highest[3] = {};
+        std::uint32_t lowest[most_parts] = {};  // of the vertices that the open piece uses, in each part of which it
+        std::uint32_t highest[most_parts] = {}; // uses any
         error trouble = {};
 
         error begin(mesh_size) noexcept { return {}; }
@@ -123,9 +123,9 @@ private:
             if (to.place_[v] != unused) return;
             to.place_[v] = 0;
             ++open.used_count;
-            const part p = v >= first[part::side] ? part::side : v >= first[part::back] ? part::back : part::front;
-            ++open.sizes.vertices[p];
-            const auto k = static_cast<std::size_t>(p);
+            std::size_t k = most_parts - 1;
+            while (v < first.of[k]) --k;
+            if (open.sizes.vertices.of[k]++ == 0) lowest[k] = highest[k] = v;
             if (v < lowest[k]) lowest[k] = v;
             if (v > highest[k]) highest[k] = v;
         }
@@ -141,14 +141,13 @@ private:
             }
             std::uint32_t* place = to.place_.data();
             std::uint32_t number = 0;
-            for (std::size_t k = 0; k < 3; ++k) {
-                for (std::uint32_t v = lowest[k]; v != unused && v <= highest[k]; ++v) {
+            for (std::size_t k = 0; k < most_parts; ++k) {
+                if (open.sizes.vertices.of[k] == 0) continue;
+                for (std::uint32_t v = lowest[k]; v <= highest[k]; ++v) {
                     if (place[v] == unused) continue;
                     used[number] = v;
                     place[v] = number++;
                 }
-                lowest[k] = unused;
-                highest[k] = 0;
             }
             for (typemesh::triangle& t : to.triangles_.view().subspan(open.first_triangle))
                 t = {place[t.a], place[t.b], place[t.c]};

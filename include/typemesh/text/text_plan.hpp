@@ -66,6 +66,9 @@ public:
     /// Exactly how many vertices and triangles write() will emit.
     [[nodiscard]] mesh_size size() const noexcept { return whole().size(); }
 
+    /// The parts that its extruder writes: front, back and side, and what else there may be.
+    [[nodiscard]] static constexpr std::span<const part> parts() noexcept { return parts_of<Extruder>; }
+
     /// Where one part lies in the output.
     [[nodiscard]] mesh_range range(part p) const noexcept { return whole().range(p); }
 
@@ -116,6 +119,7 @@ public:
         if (s.merged == drawn_glyph::none) return s.glyph;
         const merged_group& group = glyphs_->merged.groups[s.merged];
         if (p == part::side) return glyphs_->merged.owners_of(group)[triangle / 2];
+        if (p > part::side) return shared_glyph;
         return glyphs_->merged.owner_of(group, s.built->form().triangles[triangle]);
     }
 
@@ -209,7 +213,7 @@ public:
     {
         const mesh_layout all = whole();
         if (error e = sink.begin(all.size())) return e;
-        for (const part p : all_parts) {
+        for (const part p : parts_of<Extruder>) {
             auto piece = std::as_const(sink).subrange(range(some, p));
             all.vertices(p, some.first, some.last, extruder_, piece);
             all.triangles(p, some.first, some.last, extruder_, piece);
@@ -265,11 +269,11 @@ public:
         const text_glyphs& all = fresh();
         if (error e = sink.begin(meshes_size())) return e;
         for (const glyph_mesh& m : all.meshes)
-            for (const part p : all_parts) write_vertices(p, m.built->planned(), extruder_, all.place(m), sink);
+            for (const part p : parts_of<Extruder>) write_vertices(p, m.built->planned(), extruder_, all.place(m), sink);
         const bool turned = all.placed.frame.turns_triangles();
         for (const glyph_mesh& m : all.meshes) {
             const first_vertices first = m.built->sizes().vertices.starts(m.first_vertex);
-            for (const part p : all_parts) write_triangles(p, m.built->planned(), extruder_, first, turned, sink);
+            for (const part p : parts_of<Extruder>) write_triangles(p, m.built->planned(), extruder_, first, turned, sink);
         }
         sink.end();
         return {};
