@@ -49,7 +49,7 @@ struct text_options {
     std::optional<fill_rule> fill = {};  ///< instead of the outline source's own rule
 
     /// A glyph (or a group of merged ones) whose contours cross so often that their edges fall into more pieces is left
-    /// out and reported: error::too_many_pieces. Bounds memory; a glyph made for it takes up to ten seconds below.
+    /// out and reported: error::too_many_pieces. This bounds memory; a hostile glyph below it may still take ten seconds.
     std::uint32_t most_pieces = default_most_pieces;
 
     output_unit unit = output_unit::em;
