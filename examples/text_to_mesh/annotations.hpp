@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "model.hpp"
 #include "options.hpp"
 #include "policies.hpp"
 

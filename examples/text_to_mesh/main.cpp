@@ -4,7 +4,7 @@
 #include "font_file.hpp"
 #include "model.hpp"
 #include "options.hpp"
-#include "picture.hpp"
+#include "picture/picture.hpp"
 #include "policies.hpp"
 #include "progress.hpp"
 #include "report.hpp"

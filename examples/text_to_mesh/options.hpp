@@ -2,7 +2,7 @@
 #pragma once
 
 #include "file_kind.hpp"
-#include "picture.hpp"
+#include "picture/picture_options.hpp"
 
 #include <typemesh/typemesh.hpp>
 

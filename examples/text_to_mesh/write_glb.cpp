@@ -3,7 +3,7 @@
 
 #include "byte_writer.hpp"
 #include "part_colours.hpp"
-#include "studio.hpp"
+#include "picture/srgb.hpp"
 #include "well_formed.hpp"
 
 #include <tiny_gltf.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 
-#include "text_to_mesh/picture.hpp"
+#include "text_to_mesh/picture/picture.hpp"
 
 #include "extruded_ring.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 
-#include "text_to_mesh/raster.hpp"
+#include "text_to_mesh/picture/raster.hpp"
 
 #include <bit>
 #include <random>

@@ -3,7 +3,7 @@
 
 #include "camera.hpp"
 #include "model.hpp"
-#include "picture.hpp"
+#include "picture_options.hpp"
 
 #include <cmath>
 

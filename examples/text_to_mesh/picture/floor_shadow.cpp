@@ -1,27 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include "studio.hpp"
+#include "floor_shadow.hpp"
 
 #include "raster.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
 
 namespace text_to_mesh {
 namespace {
-
-double power_of_two(double x, int doublings)
-{
-    for (int i = 0; i < doublings; ++i) x *= x;
-    return x;
-}
-
-double smooth(double from, double to, double x)
-{
-    const double t = clamp01((x - from) / (to - from));
-    return t * t * (3.0 - 2.0 * t);
-}
 
 /// Three passes of a running mean come near a bell curve. `stride` steps along a line, `lines` of them `next` apart.
 void blur(std::vector<float>& map, std::size_t count, std::size_t stride, std::size_t lines, std::size_t next,
@@ -45,51 +35,7 @@ void blur(std::vector<float>& map, std::size_t count, std::size_t stride, std::s
     }
 }
 
-const std::array<double, 256>& linear_table()
-{
-    static const std::array<double, 256> table = [] {
-        std::array<double, 256> t{};
-        for (std::size_t i = 0; i < 256; ++i) {
-            const double s = double(i) / 255.0;
-            t[i] = s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
-        }
-        return t;
-    }();
-    return table;
-}
-
 }  // namespace
-
-light studio_light(vec3 n, vec3 seen)
-{
-    static const vec3 key = normalised({0.22, 0.52, 0.82});
-    static const vec3 fill = normalised({-0.90, 0.25, 0.35});
-    static const vec3 other = normalised({0.95, 0.10, 0.10});
-    const auto lambert = [&](vec3 l) { return (std::max)(0.0, dot(n, l)); };
-
-    light out;
-    const vec3 sky{0.46, 0.48, 0.52}, floor{0.24, 0.22, 0.21};
-    out.diffuse = mix(floor, sky, 0.5 + 0.5 * n.y) + (0.66 * lambert(key)) * vec3{1.0, 0.985, 0.96} +
-                  (0.42 * lambert(fill)) * vec3{0.93, 0.97, 1.0} + (0.18 * lambert(other)) * vec3{1.0, 0.97, 0.93};
-
-    // Gloss: a tall soft box mirrored in rounded walls, more of it where the wall is seen edge on, and the lamp's own
-    // highlight.
-    const double edge = 1.0 - clamp01(seen.z);
-    const double fresnel = 0.035 + 0.35 * edge * edge * edge * edge * edge;
-    const vec3 mirrored{2.0 * seen.z * seen.x, 2.0 * seen.z * seen.y, 2.0 * seen.z * seen.z - 1.0};
-    const double box = smooth(0.45, 0.80, mirrored.y) +
-                       0.5 * smooth(0.55, 0.90, std::fabs(mirrored.x)) * smooth(-0.5, 0.2, mirrored.y);
-    static const vec3 half = normalised({-0.25, 0.72, 0.65});
-    const double highlight = 0.10 * power_of_two((std::max)(0.0, dot(seen, half)), 5);
-    out.gloss = (highlight + fresnel * box) * vec3{1.0, 0.99, 0.97};
-    return out;
-}
-
-vec3 studio_backdrop(double height)
-{
-    static const unsigned char top[3] = {247, 248, 250}, bottom[3] = {222, 226, 231};
-    return mix(to_linear(top), to_linear(bottom), smooth(0.0, 1.0, height));
-}
 
 floor_shadow::floor_shadow(const model& mesh)
 {
@@ -154,31 +100,6 @@ double floor_shadow::light_along(vec3 eye, vec3 ray) const
     const double upper = double{cell[0]} * (1.0 - fx) + double{cell[1]} * fx;
     const double lower = double{cell[columns_]} * (1.0 - fx) + double{cell[columns_ + 1]} * fx;
     return 1.0 - (upper * (1.0 - fz) + lower * fz);
-}
-
-vec3 to_linear(const unsigned char (&rgb)[3])
-{
-    const auto& table = linear_table();
-    return {table[rgb[0]], table[rgb[1]], table[rgb[2]]};
-}
-
-unsigned char to_srgb(double value)
-{
-    static const std::array<unsigned char, 4097> coarse = [] {
-        std::array<unsigned char, 4097> t{};
-        for (std::size_t i = 0; i < t.size(); ++i) {
-            const double v = double(i) / 4096.0;
-            t[i] = static_cast<unsigned char>(255.0 *
-                                              (v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055));
-        }
-        return t;
-    }();
-    // The table rounds down; the last step is decided in linear light, halfway between two neighbours' codes.
-    const auto& linear = linear_table();
-    const double v = clamp01(value);
-    std::size_t code = coarse[static_cast<std::size_t>(v * 4096.0)];
-    while (code < 255 && v > 0.5 * (linear[code] + linear[code + 1])) ++code;
-    return static_cast<unsigned char>(code);
 }
 
 }  // namespace text_to_mesh

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "view.hpp"
 
+#include "view_fit.hpp"
+
 #include <algorithm>
 #include <optional>
 
