@@ -2,13 +2,15 @@
 #
 # cmake -P page_links.cmake
 #
-# Fails unless every relative link of README.md, CONTRIBUTING.md, CHANGELOG.md and docs/ leads to a file, and every
-# #anchor to a heading of the page it names.
+# Fails unless every relative link of README.md, CONTRIBUTING.md, CHANGELOG.md and docs/ leads to a file, every #anchor
+# to a heading of the page it names, and every `name.hpp` stands for a header, with the room that it is named with.
 
 cmake_minimum_required(VERSION 3.20)
 
 get_filename_component(root ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)
 file(GLOB pages ${root}/*.md ${root}/docs/*.md)
+file(GLOB_RECURSE headers RELATIVE ${root} ${root}/include/*.hpp ${root}/examples/*.hpp)
+list(TRANSFORM headers PREPEND "/")
 
 # As GitHub makes anchors: small letters and digits stay, blanks become hyphens, other characters go.
 function(anchors_of page result)
@@ -55,10 +57,19 @@ foreach(page IN LISTS pages)
             endif()
         endif()
     endforeach()
+    string(REGEX MATCHALL "`[a-z_0-9/]+[.]hpp`" names "${text}")
+    list(REMOVE_DUPLICATES names)
+    foreach(header IN LISTS names)
+        math(EXPR count "${count} + 1")
+        string(REPLACE "`" "" header "${header}")
+        if(NOT "${headers};" MATCHES "/${header};")
+            string(APPEND broken "\n    ${name}: ${header}")
+        endif()
+    endforeach()
 endforeach()
 if(count LESS 50)
     message(FATAL_ERROR "Only ${count} links were found: are the pages read correctly?")
 elseif(broken)
     message(FATAL_ERROR "These links lead nowhere:${broken}")
 endif()
-message("${count} links lead somewhere")
+message("${count} links and names of headers lead somewhere")
