@@ -49,7 +49,7 @@ struct text_options {
     std::optional<fill_rule> fill = {};  ///< instead of the outline source's own rule
 
     /// A glyph (or a group of merged ones) whose contours cross so often that their edges fall into more pieces is left
-    /// out and reported: error::too_many_pieces. This bounds memory; a hostile glyph below it may still take ten seconds.
+    /// out and reported: error::too_many_pieces. This bounds memory; a hostile glyph may still take ten seconds.
     std::uint32_t most_pieces = default_most_pieces;
 
     output_unit unit = output_unit::em;
