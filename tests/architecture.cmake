@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
-# Includes go downward only; a room sees itself and the rooms named here, nothing else.
+# Includes go downward only; a room sees itself and the rooms named here, nothing else. Headers lie in the namespace that
+# keeps versions and ways of compiling apart (core/version.hpp).
 cmake_minimum_required(VERSION 3.20)
 
 set(sees_core "")
@@ -38,6 +39,15 @@ foreach(header IN LISTS headers)
             message(SEND_ERROR "include/typemesh/${header}: ${room} is no room of the house (see tests/architecture.cmake)")
         elseif(NOT seen STREQUAL room AND NOT seen IN_LIST sees_${room})
             message(SEND_ERROR "include/typemesh/${header}: ${room} may not include ${target}")
+        endif()
+    endforeach()
+    string(FIND "${lines}" "<typemesh/" seen)
+    file(STRINGS ${root}/${header} opened REGEX "^namespace ")
+    foreach(line IN LISTS opened)
+        if(line MATCHES "^namespace typemesh" AND NOT line MATCHES "^namespace typemesh::inline TYPEMESH_ABI(::[a-z_]+)? {$")
+            message(SEND_ERROR "include/typemesh/${header}: write `namespace typemesh::inline TYPEMESH_ABI {`")
+        elseif(seen EQUAL -1 AND NOT header STREQUAL "core/version.hpp")  # the macro comes by any header of the library
+            message(SEND_ERROR "include/typemesh/${header}: TYPEMESH_ABI needs `#include <typemesh/core/version.hpp>`")
         endif()
     endforeach()
     list(APPEND rooms ${room})

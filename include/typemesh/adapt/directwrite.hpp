@@ -17,7 +17,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Which member of a family: its weight (100 to 900), its width, its slant.
 struct directwrite_style {
@@ -261,4 +261,4 @@ private:
 
 static_assert(outline_source<directwrite_font> && shaper<directwrite_font>);
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

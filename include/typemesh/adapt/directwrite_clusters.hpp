@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-namespace typemesh::detail {
+namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// From DirectWrite's map, which gives the first glyph of each unit's cluster (never falling, in both directions), the
 /// first unit of each glyph's cluster.
@@ -29,4 +29,4 @@ inline void invert_cluster_map(std::span<const std::uint16_t> map, std::span<std
     return is_control || unit == 0x2028 || unit == 0x2029 || is_default_ignorable(unit);
 }
 
-}  // namespace typemesh::detail
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// What an HRESULT of DirectWrite means here: none for success, error::out_of_memory, unreadable_file, not_a_font, else
 /// font_library_failed with the HRESULT as an unsigned number in `count`.
@@ -116,4 +116,4 @@ private:
 
 }  // namespace detail
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace typemesh::detail {
+namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// What a face of DirectWrite draws, in 64 bits for a variation_key(). Where DirectWrite does not tell it, the key is
 /// one of its own, that no other has.
@@ -122,4 +122,4 @@ private:
     bool is_told_ = true;
 };
 
-}  // namespace typemesh::detail
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

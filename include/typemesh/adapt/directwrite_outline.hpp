@@ -12,7 +12,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
@@ -143,4 +143,4 @@ error draw_glyph(IDWriteFontFace* face, double units_per_em, double scale, bool 
 
 }  // namespace detail
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -5,7 +5,7 @@
 
 #include <dwrite.h>
 
-namespace typemesh::detail {
+namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// What an IDWriteTextLayout draws into, in device-independent pixels: hands on what it is given, lets inline objects
 /// draw themselves, and keeps the first error.
@@ -84,4 +84,4 @@ private:
     int depth_ = 0;  // of inline objects that draw
 };
 
-}  // namespace typemesh::detail
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

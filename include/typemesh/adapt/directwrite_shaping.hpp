@@ -17,7 +17,7 @@
 #include <string_view>
 #include <utility>
 
-namespace typemesh::detail {
+namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// A tag as DirectWrite writes it, the first letter in the lowest byte; short ones are filled with spaces.
 [[nodiscard]] inline std::uint32_t directwrite_tag(const char (&tag)[5]) noexcept
@@ -382,4 +382,4 @@ private:
     buffer<std::uint32_t> sources_;
 };
 
-}  // namespace typemesh::detail
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

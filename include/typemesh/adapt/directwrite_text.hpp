@@ -21,7 +21,7 @@
 #include <cstdint>
 #include <span>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// An inline object of a layout: where it stands, y up. Borrowed from the directwrite_text, like its glyphs.
 struct directwrite_object {
@@ -457,4 +457,4 @@ private:
 
 static_assert(outline_source<directwrite_text>);
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

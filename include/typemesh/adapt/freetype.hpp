@@ -22,7 +22,7 @@
 #include <limits>
 #include <utility>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// A font through FreeType (2.9 or later): outlines of all that FreeType opens (TrueType, CFF, CFF2, Type 1, ...), and
 /// a plain shaper: character map, advances and kerning, for text that needs no more.
@@ -394,4 +394,4 @@ private:
 
 static_assert(outline_source<freetype_font> && shaper<freetype_font>);
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -10,7 +10,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// The library's vectors as GLM's: for vertex writers (`v.position = to_glm(s.position)`), and for drawing outlines
 /// from GLM's.
@@ -44,4 +44,4 @@ namespace typemesh {
     return f;
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -26,7 +26,7 @@
 without: build it with a HB_CONFIG_OVERRIDE_H that has `#undef HB_NO_DRAW`, or take freetype_font."
 #endif
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// A font through HarfBuzz (4.0 or later): shapes text of every script, and draws its outlines; FreeType is not needed.
 ///
@@ -356,4 +356,4 @@ private:
 
 static_assert(outline_source<harfbuzz_font> && shaper<harfbuzz_font>);
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -16,7 +16,7 @@
 #include <span>
 #include <utility>
 
-namespace typemesh::detail {
+namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// Shapes one line with one font through HarfBuzz, piece by piece: see harfbuzz_font::shape(). Move-only; one that has
 /// not been opened can only be opened.
@@ -235,4 +235,4 @@ private:
     buffer<piece> pieces_;
 };
 
-}  // namespace typemesh::detail
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

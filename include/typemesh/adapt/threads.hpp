@@ -12,7 +12,7 @@
 #include <new>
 #include <thread>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// An executor on std::thread: threads that are made once and wait for work.
 ///
@@ -153,4 +153,4 @@ private:
     std::mutex mutex_;
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

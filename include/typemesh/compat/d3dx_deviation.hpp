@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-namespace typemesh {
+#include <typemesh/core/version.hpp>
+
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// The tolerance in em (the greatest true distance between curve and mesh) that takes the place of a deviation of
 /// D3DXCreateText, in em as well: half the deviation, at most 0.0175.
@@ -30,4 +32,4 @@ namespace typemesh {
     return deviation < 2.0 * coarsest ? 0.5 * deviation : coarsest;
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

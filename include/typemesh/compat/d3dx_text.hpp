@@ -20,7 +20,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// What measures 1 in the output.
 enum class d3dx_size : std::uint8_t {
@@ -206,4 +206,4 @@ d3dx_text(Font&, cached_in<Lock>) -> d3dx_text<Font, curve_normals, cached_in<Lo
 template <class Font, cache_lock Lock>
 d3dx_text(Font&, cached_in<Lock>, memory) -> d3dx_text<Font, curve_normals, cached_in<Lock>>;
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// The fields of Windows' GLYPHMETRICSFLOAT in its order: 24 bytes that may be copied into one. In output units.
 ///
@@ -136,4 +136,4 @@ private:
     bool vertical_;
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -3,7 +3,7 @@
 
 #include <typemesh/vertex/vertex_traits.hpp>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// The vertex of D3DXCreateText's meshes: D3DFVF_XYZ | D3DFVF_NORMAL, 24 bytes.
 struct d3dx_vertex {
@@ -37,4 +37,4 @@ struct vertex_traits<d3dx_textured_vertex> {
 
 static_assert(mesh_vertex<d3dx_vertex> && mesh_vertex<d3dx_textured_vertex>);
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

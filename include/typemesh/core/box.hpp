@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// The smallest upright rectangle around some points. Empty (low above high) until the first point comes.
 struct box {
@@ -31,4 +31,4 @@ struct box {
     }
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

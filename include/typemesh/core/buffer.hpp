@@ -12,7 +12,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// A growing array of plain values over `memory`, whose growth can fail without an exception.
 ///
@@ -152,4 +152,4 @@ private:
     memory source_;
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <span>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Where a straight edge comes from: it leaves its first point on `curve` at t0 and reaches the next point at t1.
 /// t0 > t1 where the contour has been turned round and runs against its curve; the two differ, however short the edge,
@@ -51,4 +51,4 @@ struct contours {
     }
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// A Bézier curve of degree two: p0, one control point, p2.
 struct quadratic {
@@ -53,4 +53,4 @@ struct curve {
     }
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

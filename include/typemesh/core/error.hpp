@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <span>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// What went wrong, where, and how much of it: the only way this library reports trouble. Nothing throws.
 ///
@@ -144,4 +144,4 @@ inline const char* describe(const error& e, std::span<char> out) noexcept
     return out.data();
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

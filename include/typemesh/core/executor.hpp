@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/version.hpp>
+
 #include <concepts>
 #include <cstddef>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// What an executor is tried with.
 struct ignore_tasks {
@@ -40,4 +42,4 @@ struct one_worker {
 };
 static_assert(executor<one_worker>);
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/version.hpp>
+
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Which places closed contours fill, told by the winding number w: how often they run round a place, counter-clockwise
 /// positive.
@@ -17,4 +19,4 @@ enum class fill_rule : std::uint8_t {
     return (winding & (rule == fill_rule::non_zero ? -1 : 1)) != 0;
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/version.hpp>
+
 #include <cstdint>
 #include <cstring>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// True for every number but NaN and the infinities; read from the bits, so it holds under -ffast-math too.
 [[nodiscard]] inline bool is_finite(double value) noexcept
@@ -14,4 +16,4 @@ namespace typemesh {
     return (bits & 0x7FF0'0000'0000'0000u) != 0x7FF0'0000'0000'0000u;
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

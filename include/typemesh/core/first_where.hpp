@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/version.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// The first i in [first, last) for which `holds(i)` is true, or last where it is for none. If it holds for one i it
 /// must for all behind it.
@@ -33,4 +35,4 @@ template <class Holds>
     return first_where(1, starts.size(), [&](std::size_t k) noexcept { return starts[k] > i; }) - 1;
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

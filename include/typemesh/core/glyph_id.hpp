@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/version.hpp>
+
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// A glyph's number inside its font; 0 is the font's own "missing glyph" (.notdef).
 using glyph_id = std::uint32_t;
@@ -15,4 +17,4 @@ using cluster_id = std::uint32_t;
 inline constexpr glyph_id no_glyph = 0xFFFF'FFFFu;
 inline constexpr cluster_id no_cluster = 0xFFFF'FFFFu;
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// The integer grid on which a shape is decided: `cells` grid steps to one font unit, a power of two (512 for ordinary
 /// fonts).
@@ -83,4 +83,4 @@ private:
     }
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/version.hpp>
+
 #include <cstddef>
 #include <new>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Where scratch memory comes from: three pointers, so that no container and no signature needs an allocator parameter.
 ///
@@ -29,4 +31,4 @@ struct memory {
             }};
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/version.hpp>
+
 #include <cstdint>
 #include <cstring>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// The options of a policy as bits, by which results that were kept are told apart: up to four numbers.
 ///
@@ -43,4 +45,4 @@ private:
     }
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

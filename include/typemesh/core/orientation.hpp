@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Twice the signed area of the triangle a, b, c: positive when they turn counter-clockwise, zero exactly when in line.
 ///
@@ -30,4 +30,4 @@ namespace typemesh {
     return a.x != b.x ? a.x < b.x : a.y < b.y;
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

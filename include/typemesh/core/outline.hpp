@@ -8,7 +8,7 @@
 
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// One glyph's closed contours as curves, in font units.
 ///
@@ -36,4 +36,4 @@ struct outline {
     }
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

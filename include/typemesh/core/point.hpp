@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// A place or a direction in the plane, in font units unless said otherwise; x to the right, y up.
 struct point {
@@ -74,4 +74,4 @@ struct vec4 {
     }
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

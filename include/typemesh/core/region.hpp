@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// A filled area of the plane, proven: boundary walks with the interior on the left, outer loops counter-clockwise,
 /// holes clockwise, no two edges crossing or overlapping, no spike, no repeated neighbour. A point may be visited more
@@ -80,4 +80,4 @@ private:
     bool touching_ = false;
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

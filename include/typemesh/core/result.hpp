@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// A value, or the error that kept it from being made.
 ///
@@ -53,4 +53,4 @@ constexpr error refuse_result() noexcept
     return error::bad_option;
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/version.hpp>
+
 #include <concepts>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Whether two numbers are equal, as == says: never for NaN. Said by name where the same number is meant and not one
 /// near by, so that compilers may warn of every other == between floating-point numbers (-Wfloat-equal).
@@ -20,4 +22,4 @@ template <std::floating_point T>
     return same(value, T{0});
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// The directions in which a curve arrives at t and leaves it, as t grows. Neither is of unit length; they are zero
 /// only for a curve that is one point.
@@ -84,4 +84,4 @@ enum class side_of : std::uint8_t { before, after };
     return side == side_of::before ? both.before : both.after;
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Three indices into a region's points, counter-clockwise.
 struct triangle {
@@ -18,4 +18,4 @@ struct triangle {
 
 using triangle_list = buffer<triangle>;
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

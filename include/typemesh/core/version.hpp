@@ -4,3 +4,16 @@
 #define TYPEMESH_VERSION_MAJOR 0
 #define TYPEMESH_VERSION_MINOR 1
 #define TYPEMESH_VERSION_PATCH 0
+
+/// The inline namespace round everything: typemesh::vec3 is typemesh::v0_1_0::vec3. Where units of one program have
+/// different versions of the library, or are compiled in different ways (with asserts or without, with
+/// typemesh::compiled or without), neither runs the other's functions; the linker refuses to pass objects between them.
+#if defined(NDEBUG) && defined(TYPEMESH_COMPILED)
+#define TYPEMESH_ABI v0_1_0_compiled
+#elif defined(NDEBUG)
+#define TYPEMESH_ABI v0_1_0
+#elif defined(TYPEMESH_COMPILED)
+#define TYPEMESH_ABI v0_1_0_checked_compiled
+#else
+#define TYPEMESH_ABI v0_1_0_checked
+#endif

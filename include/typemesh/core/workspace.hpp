@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Scratch memory that stages borrow and give back in the order of a stack, and that stays for the next call.
 ///
@@ -237,4 +237,4 @@ private:
     bool joined_ = false;    // the first block is one that leave() has made
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// The recursive halving of the thesis, word for word, for those who want its meshes again.
 ///
@@ -125,4 +125,4 @@ private:
 };
 static_assert(discretiser<adaptive_subdivision>);
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// The default discretiser: as few chords as the tolerance allows, or nearly, and every one of them proven.
 ///
@@ -383,4 +383,4 @@ private:
 };
 static_assert(discretiser<certified>);
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace typemesh::detail {
+namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// z^(-1/4) within 0.11 % for normal z > 0, without a root or a division: a first guess from the exponent's bits, and
 /// one step of Newton's whose two constants were fitted together with the guess. Some large number for z = 0.
@@ -291,4 +291,4 @@ private:
     float sum_[count + 1], inverse_[count], lean_[count];
 };
 
-}  // namespace typemesh::detail
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <span>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
@@ -327,4 +327,4 @@ error discretise(const outline& curves, const D& how, double tolerance, const gr
     return {};
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

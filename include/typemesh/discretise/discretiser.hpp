@@ -3,7 +3,7 @@
 
 #include <typemesh/core/curve.hpp>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// An `emit` that does nothing: what the concept below is tried with.
 struct ignore_points {
@@ -46,4 +46,4 @@ inline constexpr bool keeps_tolerance = [] {
         return true;
 }();
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

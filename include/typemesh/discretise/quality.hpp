@@ -3,7 +3,7 @@
 
 #include <typemesh/core/finite.hpp>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// How smooth curves become: the greatest distance between a curve and its chords, in em. Multiply by the font's units
 /// per em for a tolerance in font units.
@@ -33,4 +33,4 @@ inline constexpr double best = 1.0 / 16000;
     return is_finite(tolerance) ? tolerance : 0.0;
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -8,7 +8,7 @@
 
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// The four qualities of the thesis, word for word, for a font of so many units per em:
 ///
@@ -60,4 +60,4 @@ private:
 };
 static_assert(discretiser<thesis_quality>);
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -3,7 +3,7 @@
 
 #include <typemesh/discretise/discretiser.hpp>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Every curve becomes two lines that meet at t = 1/2: the lowest quality of the thesis, word for word.
 ///
@@ -26,4 +26,4 @@ struct two_lines {
 };
 static_assert(discretiser<two_lines>);
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -4,7 +4,7 @@
 #include <typemesh/extrude/side_normals.hpp>
 #include <typemesh/extrude/wall_normal.hpp>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// 4N vertices, and 2 for each contour's seam (extruded.hpp): caps flat, and a wall vertex' normal is the
 /// normalised sum of the unit normals of its two walls. Smooth everywhere, so corners are rounded off and flat walls beside them shaded unevenly.
@@ -31,4 +31,4 @@ struct averaged_normals {
 };
 static_assert(side_normals<averaged_normals>);
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -3,7 +3,7 @@
 
 #include <typemesh/extrude/placement.hpp>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// A placement made ready for many points, for any frame: just what placement itself computes.
 class free_axes {
@@ -57,4 +57,4 @@ void with_axes(const placement& at, F&& f) noexcept
         f(free_axes{at});
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

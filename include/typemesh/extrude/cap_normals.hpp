@@ -3,7 +3,7 @@
 
 #include <typemesh/extrude/side_normals.hpp>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// 2N vertices: walls stand on the caps' own vertices, and every normal is a cap's, straight forward or straight back.
 /// Lit, the walls look like the caps' edges smeared over the depth: for meshes that are drawn unlit or in one colour,
@@ -19,4 +19,4 @@ struct cap_normals {
 };
 static_assert(side_normals<cap_normals>);
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

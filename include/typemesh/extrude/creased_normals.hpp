@@ -4,7 +4,7 @@
 #include <typemesh/extrude/side_normals.hpp>
 #include <typemesh/extrude/wall_normal.hpp>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// 4N + 2H vertices, and 2 for the seam of each contour without a hard point (extruded.hpp): as
 /// averaged_normals, but a point whose two walls' normals differ by more than the crease angle is
@@ -50,4 +50,4 @@ struct creased_normals {
 };
 static_assert(side_normals<creased_normals>);
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <span>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// 4N + 2H vertices, and 2 for the seam of each contour without a hard point (extruded.hpp): normals
 /// exact from the curves that the walls stand for, however coarse the polygon.
@@ -222,4 +222,4 @@ private:
 };
 static_assert(side_normals<curve_normals>);
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -6,7 +6,7 @@
 #include <typemesh/extrude/planned_sink.hpp>
 #include <typemesh/vertex/mesh_sink.hpp>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Emits a solid's vertices of one part into a sink, and tells them their glyph, cluster and part where the sink wants
 /// these.
@@ -86,4 +86,4 @@ error extrude(const region& shape, std::span<const triangle> cap, const Extruder
     return {};
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

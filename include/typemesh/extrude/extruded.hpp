@@ -17,7 +17,7 @@
 #include <cstring>
 #include <type_traits>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// A front, a back and walls between them.
 ///
@@ -332,4 +332,4 @@ private:
 
 static_assert(extruder<extruded<>>);
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

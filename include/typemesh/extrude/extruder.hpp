@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <span>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// The heights between which a mesh lies, in em; the front is the higher.
 struct height_range {
@@ -68,4 +68,4 @@ concept extruder = requires(const E& e, const region& r, buffer<side_point>& sid
     { e.triangles(p, s, first, emit) } noexcept;
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

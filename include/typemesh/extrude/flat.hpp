@@ -6,7 +6,7 @@
 #include <typemesh/extrude/texture.hpp>
 #include <typemesh/extrude/texture_tangent.hpp>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// The front alone, at z = 0: N vertices and n + 2h - 2c triangles (region.hpp).
 struct flat {
@@ -56,4 +56,4 @@ struct flat {
 };
 static_assert(extruder<flat>);
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// One number for each part.
 struct part_counts {
@@ -82,4 +82,4 @@ struct part_sizes {
     }
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Where a shape stands and in which unit it is written: from grid cells to the caller's coordinates.
 ///
@@ -81,4 +81,4 @@ private:
     }
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-namespace typemesh::detail {
+namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// Stands between an extruder and the sink, for the vertices of one part of a solid: counts them, and passes on no more
 /// than were planned, so that no sink is written past its end. Where asserts look at nothing it only passes on.
@@ -63,4 +63,4 @@ struct planned_triangles {
     }
 };
 
-}  // namespace typemesh::detail
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

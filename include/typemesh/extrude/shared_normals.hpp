@@ -4,7 +4,7 @@
 #include <typemesh/extrude/side_normals.hpp>
 #include <typemesh/extrude/wall_normal.hpp>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// 2N vertices: walls stand on the caps' own vertices, whose normal is the normalised sum of the unit normals of the
 /// cap and the two walls that meet there; parts that are switched off do not count. As small as cap_normals; caps look
@@ -30,4 +30,4 @@ struct shared_normals {
 };
 static_assert(side_normals<shared_normals>);
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

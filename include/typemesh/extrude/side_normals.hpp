@@ -9,7 +9,7 @@
 #include <concepts>
 #include <span>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// How the walls of an extruded shape are lit, and so which contour points need a vertex pair for each of their two
 /// walls.
@@ -29,4 +29,4 @@ concept side_normals = requires(const S& s, const region& shape, std::span<side_
     { s(shape, sides) } noexcept -> std::same_as<error>;
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

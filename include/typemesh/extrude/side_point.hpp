@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// What an extruder's plan() learnt about one contour point, kept so that writing need not compute it twice.
 ///
@@ -21,4 +21,4 @@ struct side_point {
     bool seam = false;     ///< `along` starts here at 0 again: for the wall after; such a point is doubled
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -7,7 +7,7 @@
 
 #include <span>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// One planned shape, as an extruder gets it back to write it.
 ///
@@ -30,4 +30,4 @@ struct planned_solid {
 /// The index of a shape's first vertex in each part of the whole mesh.
 using first_vertices = part_counts;
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

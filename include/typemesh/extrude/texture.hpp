@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Where texture coordinates come from. v grows upwards, or downwards as 1 - v where the frame says
 /// uv_origin::top_left.
@@ -47,4 +47,4 @@ private:
     float sign_;
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Tangents of the texture mappings, in closed form: no triangle is looked at, and nothing is averaged.
 ///
@@ -63,4 +63,4 @@ private:
     float sign_ = 1.0f;
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// A direction turned to the right: out of the interior, which lies on the left of every edge. Not of unit length.
 [[nodiscard]] constexpr point outward(point direction) noexcept { return {direction.y, -direction.x}; }
@@ -56,4 +56,4 @@ namespace typemesh {
     return is_finite(as_double(degrees)) && degrees >= 0.0f && degrees <= 180.0f;
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -13,7 +13,7 @@
 #include <new>
 #include <span>
 
-namespace typemesh::detail {
+namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// A point's place in the sweep order, by x and then by y, as one number.
 [[nodiscard]] constexpr std::int64_t sweep_place(grid_point p) noexcept
@@ -230,4 +230,4 @@ struct arrangement {
     }
 };
 
-}  // namespace typemesh::detail
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

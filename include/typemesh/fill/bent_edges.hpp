@@ -8,7 +8,7 @@
 
 // What tells a walk that bends edges that it may not have done so as snap rounding does: see resolving_sweep.
 
-namespace typemesh::detail {
+namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// Whether s is the rest of a bent edge and p is no end of the contour's edge that it comes from.
 [[nodiscard]] inline bool goes_through(const arrangement& a, const segment& s, grid_point p) noexcept
@@ -48,4 +48,4 @@ namespace typemesh::detail {
     return false;
 }
 
-}  // namespace typemesh::detail
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace typemesh::detail {
+namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// Walks the boundary of the filled area and writes it down as loops.
 ///
@@ -118,4 +118,4 @@ private:
     std::uint32_t loop_count_ = 0;
 };
 
-}  // namespace typemesh::detail
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <span>
 
-namespace typemesh::detail {
+namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// Finds every place where edges cross, exactly, without cutting them: a sweep that swaps neighbours.
 ///
@@ -211,4 +211,4 @@ private:
     std::uint32_t free_slot_ = 0;
 };
 
-}  // namespace typemesh::detail
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

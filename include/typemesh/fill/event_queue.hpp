@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace typemesh::detail {
+namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// Something that a sweep will meet at a point that it did not know before.
 struct event {
@@ -69,4 +69,4 @@ private:
     std::uint32_t room_ = 0;
 };
 
-}  // namespace typemesh::detail
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

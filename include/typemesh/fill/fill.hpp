@@ -9,7 +9,7 @@
 #include <typemesh/fill/nest.hpp>
 #include <typemesh/fill/resolve.hpp>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// The region that any contours fill under `rule`: nest() where they do not meet, which is found out on the way and
 /// leaves their points as they are, else resolve().
@@ -29,4 +29,4 @@ namespace typemesh {
     return resolve(loops, rule, space, how);
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

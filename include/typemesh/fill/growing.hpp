@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstring>
 
-namespace typemesh::detail {
+namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// An array of plain values in scratch memory that grows by doubling; what it grew out of stays taken until the scope
 /// ends.
@@ -39,4 +39,4 @@ struct growing {
     }
 };
 
-}  // namespace typemesh::detail
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

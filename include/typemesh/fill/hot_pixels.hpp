@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <span>
 
-namespace typemesh::detail {
+namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// Grid points in a tree of boxes, to find those whose cells a segment comes through.
 ///
@@ -179,4 +179,4 @@ private:
     std::size_t leaves_ = 0;
 };
 
-}  // namespace typemesh::detail
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

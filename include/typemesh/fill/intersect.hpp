@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <span>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// The loops of a region, set down on a grid that it shares with others: a point p lies at p + (x, y),
 /// which may be any place up to 2^60.
@@ -157,4 +157,4 @@ bool any_edge(const placed_loops& l, Use&& use) noexcept
     return cross || detail::any_loop_inside(a, b, box_b) || detail::any_loop_inside(b, a, box_a);
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

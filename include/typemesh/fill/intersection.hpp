@@ -8,7 +8,7 @@
 #include <concepts>
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Two edges of the contours, and the grid point where they cross or where one of them ends on the other.
 ///
@@ -109,4 +109,4 @@ template <intersection_filter Filter>
 
 }  // namespace detail
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// The region that contours which do not meet fill under `rule`, whatever way they run and however they lie in each
 /// other.
@@ -69,4 +69,4 @@ namespace typemesh {
     return region::proven(loops, holes, kept - holes);
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <span>
 
-namespace typemesh::detail {
+namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// The bits of a winding number that a rule looks at: what adds up to 0 in these has no effect.
 [[nodiscard]] constexpr std::int32_t winding_mask(fill_rule rule) noexcept
@@ -111,4 +111,4 @@ struct net_edge {
     return true;
 }
 
-}  // namespace typemesh::detail
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

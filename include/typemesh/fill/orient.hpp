@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <span>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Turns one contour round in place: the same first point's neighbours swap roles, every edge runs against its curve.
 ///
@@ -64,4 +64,4 @@ inline void orient(contours& loops) noexcept
     }
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace typemesh::detail {
+namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// A segment as it leaves a point to the right: sorted, from below to above.
 struct ray {
@@ -35,4 +35,4 @@ inline void sort_rays(ray* rays, std::uint32_t count) noexcept
         heap_sort(rays, count);
 }
 
-}  // namespace typemesh::detail
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Regions of several glyphs, set down on one grid and joined to one region.
 ///
@@ -107,4 +107,4 @@ private:
     buffer<std::uint32_t> first_curves_;  // of each member
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

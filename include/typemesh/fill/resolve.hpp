@@ -18,7 +18,7 @@
 #include <span>
 #include <type_traits>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// What resolve() did, for those who want to know.
 struct resolve_effort {
@@ -180,4 +180,4 @@ template <intersection_filter Filter>
     return resolve(loops, rule, space, nobody, how);
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

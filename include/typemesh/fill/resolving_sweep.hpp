@@ -19,7 +19,7 @@
 #include <cstring>
 #include <new>
 
-namespace typemesh::detail {
+namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// One walk from left to right over an arrangement that cuts segments where they cross, touch or overlap.
 ///
@@ -482,4 +482,4 @@ private:
     bool bent_ = false;
 };
 
-}  // namespace typemesh::detail
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace typemesh::detail {
+namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// Links the boundary of the filled area through a point: `next` of a segment that comes in is the one that goes out
 /// with the interior between them. Round the point, counter-clockwise, the interior follows every one that goes out.
@@ -45,4 +45,4 @@ private:
     bool first_goes_out_ = false, last_goes_out_ = false;
 };
 
-}  // namespace typemesh::detail
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace typemesh::detail {
+namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// What a contour that meets no other separates.
 struct contour_sides {
@@ -168,4 +168,4 @@ private:
     std::uint32_t free_slot_ = 0;
 };
 
-}  // namespace typemesh::detail
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

@@ -16,7 +16,7 @@
 #include <new>
 #include <span>
 
-namespace typemesh::detail {
+namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// Cuts the edges of contours where they cross, all at once: snap rounding, where something has to be rounded.
 ///
@@ -250,4 +250,4 @@ private:
     std::span<std::uint32_t> cuts_;        // their numbers
 };
 
-}  // namespace typemesh::detail
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace typemesh::detail {
+namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// The segments that start in one point of a walk, from below to above, those that lie upon each other joined.
 class start_order {
@@ -129,4 +129,4 @@ private:
     bool cancelled_ = false, uneven_ = false;  // in this point
 };
 
-}  // namespace typemesh::detail
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

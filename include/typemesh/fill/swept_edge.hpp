@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace typemesh::detail {
+namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// An edge while the sweep line crosses it.
 struct alignas(32) swept_edge {
@@ -40,4 +40,4 @@ struct alignas(32) swept_edge {
     }
 };
 
-}  // namespace typemesh::detail
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

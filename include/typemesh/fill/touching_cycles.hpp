@@ -12,7 +12,7 @@
 #include <span>
 #include <utility>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Walks contours that share points anew, so that in each of these a walk stays in its own sector of interior: what
 /// boundary_cycles does, for contours that only touch in points and have the interior on their left.
@@ -146,4 +146,4 @@ private:
     std::size_t start_count_ = 0;
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

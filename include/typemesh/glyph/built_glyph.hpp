@@ -12,7 +12,7 @@
 #include <new>
 #include <span>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// What building one glyph gave, while it still lies in the builder's scratch memory: see glyph_builder.
 struct glyph_draft {
@@ -103,4 +103,4 @@ private:
     error refusal_;
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

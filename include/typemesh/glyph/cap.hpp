@@ -15,7 +15,7 @@
 #include <cstdint>
 #include <span>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
@@ -189,4 +189,4 @@ template <triangulator Triangulator>
     return cap(loops, filling, how, space, out, nobody);
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <span>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// How far cap_outline() may go, and where to tell what its guard did.
 struct cap_limits {
@@ -98,4 +98,4 @@ template <discretiser Discretiser, triangulator Triangulator, stage_observer Obs
     }
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <span>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// What a crossing_refinement did for one glyph.
 struct refinement_effort {
@@ -295,4 +295,4 @@ private:
 };
 static_assert(intersection_filter<crossing_refinement>);
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -17,7 +17,7 @@
 #include <optional>
 #include <utility>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// What a glyph is asked for with, beside the policies.
 struct glyph_settings {
@@ -120,4 +120,4 @@ private:
     buffer<side_point> sides_;
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

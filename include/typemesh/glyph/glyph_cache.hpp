@@ -11,7 +11,7 @@
 #include <new>
 #include <span>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// How a cache is kept from being used by two threads at a time.
 template <class L>
@@ -284,4 +284,4 @@ template <cache_lock Lock>
 inline constexpr bool is_cache<cached_in<Lock>> = true;
 }  // namespace detail
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

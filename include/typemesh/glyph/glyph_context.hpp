@@ -11,7 +11,7 @@
 #include <optional>
 #include <type_traits>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 /// A place in memory for each type, whose address tells it from all others. Not const: linkers may merge constants.
@@ -92,4 +92,4 @@ template <class Font, class... Policy>
     return c;
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

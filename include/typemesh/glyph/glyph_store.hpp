@@ -8,7 +8,7 @@
 #include <new>
 #include <utility>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Where the shapes of one text lie that no cache keeps: blocks that never move, given up all at once and used again
 /// for the next text. When several blocks were needed, they are replaced by one of their joint size: after warm-up
@@ -92,4 +92,4 @@ private:
     std::size_t total_ = 0;    // of all
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -8,7 +8,7 @@
 #include <span>
 #include <utility>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// The shapes of a text's different glyphs, by number, and the cache that must hold them still meanwhile, if one does.
 class pinned_glyphs {
@@ -69,4 +69,4 @@ private:
     void (*release_)(void* cache, std::span<const built_glyph* const> glyphs) noexcept = nullptr;
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -6,7 +6,7 @@
 #include <typemesh/glyph/stage.hpp>
 #include <typemesh/triangulate/triangulator.hpp>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// What a glyph is built with: one of each policy, and who is passed the stages. It refers to them; none is copied.
 ///
@@ -24,4 +24,4 @@ template <class Discretiser, class Triangulator, class Extruder, class Observer>
 policies(const Discretiser&, const Triangulator&, const Extruder&, Observer&)
     -> policies<Discretiser, Triangulator, Extruder, Observer>;
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/version.hpp>
+
 #include <concepts>
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// The stages of a text's way, in order. `idle` comes when a call of the mesher ends.
 enum class stage : std::uint8_t { shape, outline, discretise, fill, triangulate, extrude, idle };
@@ -24,4 +26,4 @@ struct no_observer {
     constexpr void operator()(stage) const noexcept {}
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace typemesh::inspect {
+namespace typemesh::inline TYPEMESH_ABI::inspect {
 
 /// What keeps loops from being boundary walks of an area, as region.hpp promises: they may touch in points, in which each
 /// keeps to its own sector of interior. Of pairs of edges that meet as they must not, each is counted.
@@ -114,4 +114,4 @@ constexpr void compare(const cycle_edge& e, const cycle_edge& f, boundary_check&
     return found;
 }
 
-}  // namespace typemesh::inspect
+}  // namespace typemesh::inline TYPEMESH_ABI::inspect

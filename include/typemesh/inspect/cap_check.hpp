@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace typemesh::inspect {
+namespace typemesh::inline TYPEMESH_ABI::inspect {
 
 /// How the triangles of a cap differ from what covers a region once: n + 2h - 2c triangles, each strictly
 /// counter-clockwise; the region's area exactly; each edge of the region an edge of one triangle, in its own direction; each
@@ -96,4 +96,4 @@ struct cap_check {
     return found;
 }
 
-}  // namespace typemesh::inspect
+}  // namespace typemesh::inline TYPEMESH_ABI::inspect

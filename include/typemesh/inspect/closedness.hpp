@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace typemesh::inspect {
+namespace typemesh::inline TYPEMESH_ABI::inspect {
 
 /// How far a mesh is from being closed, once vertices in equal positions are one.
 ///
@@ -78,4 +78,4 @@ template <class Vertex, class Index, class Position>
     return found;
 }
 
-}  // namespace typemesh::inspect
+}  // namespace typemesh::inline TYPEMESH_ABI::inspect

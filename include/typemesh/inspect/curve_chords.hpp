@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace typemesh::inspect {
+namespace typemesh::inline TYPEMESH_ABI::inspect {
 
 /// An outline's curves as chords so short that they may stand for the curves: within `error` of them.
 ///
@@ -106,4 +106,4 @@ private:
     box bounds_;
 };
 
-}  // namespace typemesh::inspect
+}  // namespace typemesh::inline TYPEMESH_ABI::inspect

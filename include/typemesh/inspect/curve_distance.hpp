@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace typemesh::inspect {
+namespace typemesh::inline TYPEMESH_ABI::inspect {
 
 /// How far a region's boundary is from the curves that it stands for, in cells (region::grid().cells a font unit).
 struct curve_distance {
@@ -45,4 +45,4 @@ struct curve_distance {
     return found;
 }
 
-}  // namespace typemesh::inspect
+}  // namespace typemesh::inline TYPEMESH_ABI::inspect

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace typemesh::inspect {
+namespace typemesh::inline TYPEMESH_ABI::inspect {
 
 namespace detail {
 
@@ -120,4 +120,4 @@ struct delaunay_check {
     return found;
 }
 
-}  // namespace typemesh::inspect
+}  // namespace typemesh::inline TYPEMESH_ABI::inspect

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace typemesh::inspect {
+namespace typemesh::inline TYPEMESH_ABI::inspect {
 
 /// What Euler's formula counts, once vertices in equal positions are one.
 ///
@@ -68,4 +68,4 @@ template <class Vertex, class Index, class Position>
     return found;
 }
 
-}  // namespace typemesh::inspect
+}  // namespace typemesh::inline TYPEMESH_ABI::inspect

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace typemesh::inspect {
+namespace typemesh::inline TYPEMESH_ABI::inspect {
 
 /// Places that were tried, and whether the right ones are filled.
 struct fill_check {
@@ -101,4 +101,4 @@ struct fill_check {
     return found;
 }
 
-}  // namespace typemesh::inspect
+}  // namespace typemesh::inline TYPEMESH_ABI::inspect

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace typemesh::inspect {
+namespace typemesh::inline TYPEMESH_ABI::inspect {
 
 namespace detail {
 
@@ -149,4 +149,4 @@ struct led_loops {
     return led;
 }
 
-}  // namespace typemesh::inspect
+}  // namespace typemesh::inline TYPEMESH_ABI::inspect

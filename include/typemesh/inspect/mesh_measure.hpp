@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace typemesh::inspect {
+namespace typemesh::inline TYPEMESH_ABI::inspect {
 
 /// How large a mesh is, in its own unit.
 struct mesh_measure {
@@ -38,4 +38,4 @@ template <class Vertex, class Index, class Position>
     return sum;
 }
 
-}  // namespace typemesh::inspect
+}  // namespace typemesh::inline TYPEMESH_ABI::inspect

@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace typemesh::inspect {
+namespace typemesh::inline TYPEMESH_ABI::inspect {
 
 /// A position or a direction of a mesh, in the mesh's own unit and axes.
 struct place {
@@ -170,4 +170,4 @@ template <class Vertex, class Index, class Position>
     return welded;
 }
 
-}  // namespace typemesh::inspect
+}  // namespace typemesh::inline TYPEMESH_ABI::inspect

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <functional>
 
-namespace typemesh::inspect {
+namespace typemesh::inline TYPEMESH_ABI::inspect {
 
 /// What is wrong with a mesh's normals.
 struct normal_check {
@@ -65,4 +65,4 @@ template <class Vertex, class Index, class Position, class Normal>
     return found;
 }
 
-}  // namespace typemesh::inspect
+}  // namespace typemesh::inline TYPEMESH_ABI::inspect

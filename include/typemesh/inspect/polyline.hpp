@@ -14,7 +14,7 @@
 // What is true of closed polylines on the grid, found by trying everything: slow, plain, and without a line in common with
 // the stages that it judges.
 
-namespace typemesh::inspect {
+namespace typemesh::inline TYPEMESH_ABI::inspect {
 
 /// A closed polyline: its last point joins its first. |coordinate| <= 2^28.
 using loop = std::span<const grid_point>;
@@ -115,4 +115,4 @@ using loop = std::span<const grid_point>;
     return nearest;
 }
 
-}  // namespace typemesh::inspect
+}  // namespace typemesh::inline TYPEMESH_ABI::inspect

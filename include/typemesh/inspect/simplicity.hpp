@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace typemesh::inspect {
+namespace typemesh::inline TYPEMESH_ABI::inspect {
 
 /// Whether any two edges cross, touch or overlap (neighbours: more than their common point), or a loop has one or two
 /// points. All pairs of edges whose boxes meet are tried.
@@ -71,4 +71,4 @@ struct separated {
     return true;
 }
 
-}  // namespace typemesh::inspect
+}  // namespace typemesh::inline TYPEMESH_ABI::inspect

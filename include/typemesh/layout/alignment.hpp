@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/version.hpp>
+
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Where a line lies against the origin: its left edge, its middle or its right edge stands at x = 0, whatever the
 /// other lines do, so a text can be placed by its anchor. Columns likewise: their top, middle or bottom stands at y =
@@ -16,4 +18,4 @@ namespace typemesh {
 /// Left and right are meant as on paper: right-to-left text does not swap them.
 enum class alignment : std::uint8_t { left, centre, right };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

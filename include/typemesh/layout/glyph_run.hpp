@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// One glyph at its place: `origin` is where the glyph's own (0, 0) goes, in font units, y up.
 struct placed_glyph {
@@ -50,4 +50,4 @@ struct glyph_run {
     }
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -5,7 +5,7 @@
 #include <typemesh/layout/line_places.hpp>
 #include <typemesh/layout/shape_line.hpp>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Sets a text: cuts it at its line breaks (line_break_at; they leave no glyph), has every line shaped and puts it in
 /// its place.
@@ -66,4 +66,4 @@ error layout(Shaper& shaper, text_view text, const shape_options& how, const lay
     return {};
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

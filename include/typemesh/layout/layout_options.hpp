@@ -5,7 +5,7 @@
 #include <typemesh/core/finite.hpp>
 #include <typemesh/layout/alignment.hpp>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// How shaped lines are put together.
 struct layout_options {
@@ -24,4 +24,4 @@ struct layout_options {
     return {};
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

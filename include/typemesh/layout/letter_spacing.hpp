@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <span>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// True for the characters of scripts whose letters are written joined: Arabic, Syriac, N'Ko, Mandaic, Mongolian,
 /// Phags-pa and their kin. By blocks of Unicode 15.
@@ -57,4 +57,4 @@ inline double space_letters(text_view text, std::size_t last, double distance, b
     return moved;
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

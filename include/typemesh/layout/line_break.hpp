@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// How many units of a line break stand at text[i]: 0 where none does.
 ///
@@ -24,4 +24,4 @@ namespace typemesh {
     return text.unit(i + 2) == 0xA8 || text.unit(i + 2) == 0xA9 ? 3 : 0;
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -8,7 +8,7 @@
 
 #include <cstddef>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Where the lines of a text stand; see layout().
 class line_places {
@@ -41,4 +41,4 @@ private:
     double distance_;
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

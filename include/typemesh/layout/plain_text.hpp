@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
@@ -59,4 +59,4 @@ template <std::size_t N>
     return c >= 0x00AD && detail::holds(ranges, c);
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

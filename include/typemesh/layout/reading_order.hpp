@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// What a character says of the direction in which its line is read.
 enum class reading : std::uint8_t {
@@ -135,4 +135,4 @@ struct line_reading {
     return line_reading::nowhere;
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -14,7 +14,7 @@
 #include <span>
 #include <utility>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
@@ -170,4 +170,4 @@ result<point> shape_line(Shaper& shaper, text_view text, std::size_t first, std:
     return down ? point{0.0, 0.0 - pen} : point{pen, 0.0};
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

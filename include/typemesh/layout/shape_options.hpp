@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/version.hpp>
+
 #include <cstdint>
 #include <span>
 #include <string_view>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// The direction in which a line is set.
 enum class direction : std::uint8_t {
@@ -34,4 +36,4 @@ struct shape_options {
     bool ligatures = true;  ///< the optional ones ("liga", "clig"), unless `features` names them; none in spaced text
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -9,7 +9,7 @@
 #include <concepts>
 #include <cstddef>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// A font's own measures for lines, in font units, y up.
 ///
@@ -45,4 +45,4 @@ concept shaper = requires(S& s, text_view text, std::size_t i, const shape_optio
     { s.shape(text, i, i, o, run) } noexcept -> std::same_as<result<point>>;
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

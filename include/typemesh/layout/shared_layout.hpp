@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <span>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// What layout() does, its lines shaped by several workers, each with a shaper and a run of its own. The result is the
 /// same, the error that of the first line that met one. Keeps its memory for the next text.
@@ -160,4 +160,4 @@ private:
     buffer<block> blocks_;
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

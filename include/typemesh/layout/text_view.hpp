@@ -9,7 +9,7 @@
 #include <string_view>
 #include <type_traits>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 enum class encoding : std::uint8_t { utf8, utf16 };
 
@@ -89,4 +89,4 @@ constexpr error refuse_text() noexcept
     return error::bad_option;
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// One code point as it was read, and where the next one begins.
 struct code_point {
@@ -59,4 +59,4 @@ struct code_point {
 
 [[nodiscard]] inline code_point decode(text_view text, std::size_t i) noexcept { return decode(text, i, text.size()); }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

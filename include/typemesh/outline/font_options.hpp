@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/version.hpp>
+
 #include <cstdint>
 #include <span>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// One axis of a variable font set to a value, such as {"wght", 700}: four letters of the axis, its own unit.
 /// Values beyond the axis' range are brought to its end, as OpenType says; axes not named keep their default.
@@ -19,4 +21,4 @@ struct font_options {
     std::span<const variation> variations = {};  ///< error::unknown_variation where the font has no such axis
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

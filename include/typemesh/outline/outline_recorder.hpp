@@ -7,7 +7,7 @@
 #include <typemesh/outline/outline_sink.hpp>
 #include <typemesh/outline/outline_source.hpp>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// The sink that keeps an outline as curves (core/outline.hpp): the first step of every mesh.
 ///
@@ -110,4 +110,4 @@ error record(Source& source, glyph_id id, outline& out) noexcept
     return recorder.finish();
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

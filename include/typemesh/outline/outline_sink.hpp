@@ -3,7 +3,7 @@
 
 #include <typemesh/core/point.hpp>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Takes an outline in five calls, in font units, y up.
 ///
@@ -27,4 +27,4 @@ struct ignore_outline {
     constexpr void close() noexcept {}
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -7,7 +7,7 @@
 
 #include <concepts>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Turns a glyph id into an outline: a font, or a set of drawings of your own.
 ///
@@ -22,4 +22,4 @@ concept outline_source = requires(S& s, glyph_id id, ignore_outline& sink) {
     { s.outline(id, sink) } noexcept -> std::same_as<error>;
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -6,7 +6,7 @@
 #include <typemesh/outline/outline_recorder.hpp>
 #include <typemesh/outline/outline_source.hpp>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// An outline source of your own drawings: logos, icons, a test's shapes.
 ///
@@ -87,4 +87,4 @@ private:
 
 static_assert(outline_source<recorded_outlines>);
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -6,7 +6,7 @@
 
 #include <cstring>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// x' = xx x + xy y + dx,  y' = yx x + yy y + dy, in font units.
 struct affine {
@@ -65,4 +65,4 @@ private:
     affine map_;
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

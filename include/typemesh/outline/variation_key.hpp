@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/version.hpp>
+
 #include <concepts>
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// What an outline source tells of the state in which it draws (the axes of a variable font, a transformation), by its
 /// member `std::uint64_t variation_key() const noexcept`: where two states draw differently the numbers differ. 0 where
@@ -25,4 +27,4 @@ template <class Source>
     return key ^ key >> 32;
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

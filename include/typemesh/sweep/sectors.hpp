@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// An edge as it leaves or reaches a point through which closed polylines come more than once.
 struct outgoing_edge {
@@ -59,4 +59,4 @@ struct outgoing_edge {
     return true;
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -10,7 +10,7 @@
 #include <cstring>
 #include <span>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
@@ -190,4 +190,4 @@ template <class Key>
                                               : sorted_by(detail::wide_sweep_key{});
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

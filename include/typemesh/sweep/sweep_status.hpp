@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// What a sweep line crosses, ordered from below to above: a linked list while it is short, with express lanes (a skip
 /// list) once it is long.
@@ -143,4 +143,4 @@ private:
     std::uint32_t found_[most_lanes + 1] = {};
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

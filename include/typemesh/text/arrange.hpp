@@ -9,7 +9,7 @@
 
 #include <cstddef>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// What is known of a text only when all its glyphs are: the box of its ink and those of its lines, its unit, and the
 /// bounds of its vertices between two heights, given as the extruder tells them.
@@ -75,4 +75,4 @@ inline error arrange(text_glyphs& all, const glyph_run& run, const text_options&
     return {};
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

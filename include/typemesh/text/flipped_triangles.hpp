@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// How many triangles of the caps the rounding of placed positions to 32-bit floats turns over or flattens: none where
 /// every triangle's height is more than two of the plan's position_step(). Each part that is drawn has as many. Walls
@@ -52,4 +52,4 @@ std::uint64_t flipped_triangles(const result<Plan>&) noexcept
     return refuse_result<Plan>() ? 0u : 1u;
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <span>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Joins the glyphs of a text whose outlines meet, group by group, to shapes of their own:
 ///
@@ -205,4 +205,4 @@ private:
     buffer<side_point> sides_;
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

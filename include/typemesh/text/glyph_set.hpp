@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <span>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// The different glyphs of a text, numbered from 0 in the order in which they came.
 ///
@@ -74,4 +74,4 @@ private:
     buffer<std::uint32_t> slots_;  // number + 1, or 0: free
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -18,7 +18,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Makes the outline source of one worker: clone(worker) gives a result<Source>, for each worker once.
 ///
@@ -201,4 +201,4 @@ template <executor Executor, source_maker Clone>
     return glyph_workers<Executor, source_type>::make(workers, clone, source);
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -8,7 +8,7 @@
 
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// One of a text's different glyphs, drawn glyph_count times: for instanced drawing.
 struct glyph_mesh {
@@ -31,4 +31,4 @@ struct glyph_instance {
     cluster_id cluster = no_cluster;
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <span>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Which glyph a triangle of merged glyphs belongs to, when it is not one's alone.
 inline constexpr std::uint32_t shared_glyph = 0xFFFF'FFFFu;
@@ -68,4 +68,4 @@ struct merged_glyphs {
     }
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

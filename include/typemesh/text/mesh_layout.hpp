@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Where each of some neighbouring glyphs of a text lies, when these alone make a mesh, and how they are written there.
 ///
@@ -119,4 +119,4 @@ private:
     part_sizes starts_;
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

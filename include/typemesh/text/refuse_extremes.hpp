@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Whether a text so placed can be written in 32-bit floats at all: every position is finite, the cells of the grid are
 /// larger than the smallest normal float (an em has 2^25 of them at most), and so is what lies between two heights.
@@ -35,4 +35,4 @@ inline error refuse_extremes(const text_placement& placed, const bounds3& bounds
     return {};
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -5,7 +5,7 @@
 #include <typemesh/outline/outline_source.hpp>
 #include <typemesh/outline/variation_key.hpp>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// A shaper and an outline source that go together: text shaped by one library, drawn by another. Both must outlive it
 /// and speak of the same font, with the same units per em.
@@ -35,4 +35,4 @@ private:
     Source* draws_;
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

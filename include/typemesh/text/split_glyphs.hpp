@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <span>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Shapes with more vertices than a mesh may have, split into pieces that fit: for each piece the numbers of the
 /// vertices that it uses, ascending, and its triangles over these. What lies in several pieces is repeated.
@@ -185,4 +185,4 @@ private:
     buffer<std::uint32_t> place_;  // scratch of split(): for each of the shape's vertices, its number in the piece
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -12,7 +12,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// One chunk of a text: where it lies in the output, and what of the text it holds.
 struct text_chunk {
@@ -219,4 +219,4 @@ private:
     std::uint64_t generation_ = 0;
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

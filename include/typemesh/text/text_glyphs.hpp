@@ -15,7 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// The box around all vertices, in the caller's frame and unit. Both corners zero for an empty mesh.
 struct bounds3 {
@@ -251,4 +251,4 @@ private:
     }
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -25,7 +25,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {  // named by the compiler where a temporary is refused
 struct keep_the_font_in_a_variable {};
@@ -497,4 +497,4 @@ text_mesher(const Font&&) -> text_mesher<Font>;  // chosen only to be refused: s
 template <class Font>
 text_mesher(const result<Font>&, memory = heap()) -> text_mesher<Font>;
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// In what unit positions are written, before text_options::size multiplies them. x and y as said; z likewise,
 /// unless text_options::depth_in says otherwise.
@@ -71,4 +71,4 @@ struct text_options {
     bool draw_missing = false;
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -17,7 +17,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Neighbouring glyphs of a plan: glyphs [first, last).
 struct glyph_span {
@@ -320,4 +320,4 @@ private:
     std::uint64_t generation_;
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// What happened to a text's glyphs: what is not in the mesh, and why. A text that lost glyphs is still built.
 struct text_report {
@@ -25,4 +25,4 @@ struct text_report {
     }
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

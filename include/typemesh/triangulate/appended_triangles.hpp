@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <span>
 
-namespace typemesh::detail {
+namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// What a triangulator has appended for a region, held against what triangulator.hpp asks of it. For TYPEMESH_ASSERT:
 /// O(points + triangles), so release builds never call it.
@@ -72,4 +72,4 @@ inline bool assert_triangles([[maybe_unused]] const region& shape, [[maybe_unuse
     return readable && enough && turned;
 }
 
-}  // namespace typemesh::detail
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

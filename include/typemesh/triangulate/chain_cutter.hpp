@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace typemesh::detail {
+namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// What a sweep has seen of each span of interior and could not cut into triangles yet: a chain of points along its
 /// lower (0) or its upper (1) side.
@@ -231,4 +231,4 @@ struct no_cutter {
     static void finish(const chains&, std::uint32_t, grid_point) noexcept {}
 };
 
-}  // namespace typemesh::detail
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <span>
 
-namespace typemesh::detail {
+namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// Loops with the points left out that only smooth them, and the order in which those come back: from coarse to fine,
 /// each halving a stretch.
@@ -115,4 +115,4 @@ private:
     std::uint32_t first_of_level_[levels + 1];
 };
 
-}  // namespace typemesh::detail
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

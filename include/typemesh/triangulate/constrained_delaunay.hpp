@@ -15,7 +15,7 @@
 #include <span>
 #include <utility>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// The triangulator for good triangles: the constrained Delaunay triangulation of the region, exact and unique.
 ///
@@ -149,4 +149,4 @@ private:
 
 static_assert(touching_triangulator<constrained_delaunay> && ordered_triangulator<constrained_delaunay>);
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -6,7 +6,7 @@
 
 #include <cstddef>
 
-namespace typemesh::detail {
+namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// Keeps a triangulation Delaunay: exchanges diagonals until no edge wants it, from edges that are on a stack.
 ///
@@ -165,4 +165,4 @@ private:
     bool overflow_ = false;
 };
 
-}  // namespace typemesh::detail
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

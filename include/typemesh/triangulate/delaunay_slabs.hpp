@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <span>
 
-namespace typemesh::detail {
+namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// The constrained Delaunay triangulation of a region by dividing and conquering: O(n log n) whatever the region is.
 ///
@@ -268,4 +268,4 @@ private:
     std::uint32_t half_ = 0;  // how many points each of its halves holds
 };
 
-}  // namespace typemesh::detail
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

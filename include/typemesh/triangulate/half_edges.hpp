@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <span>
 
-namespace typemesh::detail {
+namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// Triangles that know their neighbours: for each directed edge of a triangle, where it begins and the same edge seen
 /// from the other side.
@@ -208,4 +208,4 @@ private:
     std::uint32_t count_ = 0;
 };
 
-}  // namespace typemesh::detail
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <span>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Exchanges diagonals until no triangle is low (see triangle_heights.hpp) that need not be.
 ///
@@ -63,4 +63,4 @@ namespace typemesh {
     return raise_low_triangles(r.points(), r.starts(), triangle_heights{r.grid()}, triangles, space);
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <span>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// The fast triangulator: one sweep from left to right, and proof on the way that the loops bound a region.
 ///
@@ -119,4 +119,4 @@ private:
 
 static_assert(touching_triangulator<monotone> && ordered_triangulator<monotone>);
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

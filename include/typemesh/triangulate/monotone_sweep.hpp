@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <span>
 
-namespace typemesh::detail {
+namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// The sweep behind the triangulators: goes over the spans of interior from left to right, lets `Cutter` cut them into
 /// triangles (see chain_cutter.hpp) and, when `Proving`, finds out whether the loops bound a region at all.
@@ -356,4 +356,4 @@ private:
     bool equal_points_ = false;
 };
 
-}  // namespace typemesh::detail
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace typemesh::detail {
+namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// What lies in a span of interior between two points that follow each other in it.
 ///
@@ -81,4 +81,4 @@ private:
     std::uint32_t count_ = 0;
 };
 
-}  // namespace typemesh::detail
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

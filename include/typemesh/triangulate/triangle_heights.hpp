@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// How low the triangles of a shape are, measured by its em: a *low* triangle is lower than 2^-20 em, which is one cell
 /// at 2048 units per em.
@@ -76,4 +76,4 @@ private:
     std::int64_t most_low_;
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <span>
 
-namespace typemesh::detail {
+namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// Who lies across an edge, for triangles that do not say. Half-edge 3t + k runs from corner k of triangle t to the
 /// next corner.
@@ -129,4 +129,4 @@ private:
     std::size_t looked_at_ = 0;
 };
 
-}  // namespace typemesh::detail
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

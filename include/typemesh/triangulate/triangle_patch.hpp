@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <span>
 
-namespace typemesh::detail {
+namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// A polygon of neighbouring triangles that grows triangle by triangle and can be cut anew, the best way there is.
 ///
@@ -212,4 +212,4 @@ private:
     std::uint8_t apex_[most][most];
 };
 
-}  // namespace typemesh::detail
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

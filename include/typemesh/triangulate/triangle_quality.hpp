@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <span>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// How good triangles are to light and to bend, gathered over one glyph or over many.
 ///
@@ -93,4 +93,4 @@ void add_triangles(triangle_quality& q, std::span<const Point> points, std::span
     return q;
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

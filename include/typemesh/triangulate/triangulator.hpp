@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <span>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Cuts a region into counter-clockwise triangles over its own points; adds no point and drops none.
 ///
@@ -72,4 +72,4 @@ inline constexpr bool has_final_diagonals = [] {
         return false;
 }();
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -13,7 +13,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Writes whole vertices and indices into two arrays of the caller's, mapped GPU memory included: each element once, in
 /// ascending order, never read back. Both hold still until end(). base_vertex is added to every index.
@@ -113,4 +113,4 @@ template <class Vertex, class Index, class... More>
     return into(std::span<Vertex>{}, std::span<Index>{});
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// A colour of four bytes, red first in memory (R8G8B8A8, GL_RGBA). Made from numbers between 0 and 1.
 struct rgba8 {
@@ -44,4 +44,4 @@ struct part_colours {
     }
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

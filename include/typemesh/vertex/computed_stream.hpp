@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// An array of anything that follows from a point: element i is what `make` returns for vertex i. For stream_sink.
 ///
@@ -61,4 +61,4 @@ template <class T, std::size_t N>
     });
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

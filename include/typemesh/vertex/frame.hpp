@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Where texture coordinate v = 0 lies: at the top (Direct3D, Vulkan, glTF, Unreal) or at the bottom (OpenGL, Unity).
 enum class uv_origin : std::uint8_t { top_left, bottom_left };
@@ -81,4 +81,4 @@ inline constexpr frame right_handed_z_up{.up = {0.0f, 0.0f, 1.0f}, .toward = {0.
 inline constexpr frame left_handed_z_up{
     .right = {0.0f, 1.0f, 0.0f}, .up = {0.0f, 0.0f, 1.0f}, .toward = {-1.0f, 0.0f, 0.0f}};
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -12,7 +12,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// A container that can be sized and lies in one piece: std::vector, and those of most engines.
 template <class C>
@@ -119,4 +119,4 @@ template <sizable_array Vertices, sizable_array Indices, vertex_writer Writer>
     return growing_sink<Vertices, Indices, Writer>{vertices, indices, std::move(writer), base_vertex};
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/version.hpp>
+
 #include <cstdint>
 #include <cstring>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// A number of 16 bits, IEEE 754 binary16: 1 sign, 5 bits of exponent, 11 significant bits; 65,504 is the largest and
 /// 2^-24 the smallest above 0. What graphics interfaces call half or float16.
@@ -67,4 +69,4 @@ private:
 };
 static_assert(sizeof(half) == 2);
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -9,7 +9,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// What numbers vertices, wherever indices are written: an integer of 8 to 64 bits, unsigned as graphics interfaces have
 /// it or signed as Eigen, Godot, Qt and VTK do. A bool, a character or an enumeration is none.
@@ -64,4 +64,4 @@ private:
     std::uint64_t base_;  // not as wide as an index: else each one that is stored might be the base, which is read anew
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/version.hpp>
+
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// A subrange of the output: vertices [first_vertex, first_vertex + vertex_count), indices likewise.
 struct mesh_range {
@@ -15,4 +17,4 @@ struct mesh_range {
     friend constexpr bool operator==(const mesh_range&, const mesh_range&) noexcept = default;
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <type_traits>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// How much a mesh holds, exactly. Both stay below 2^32.
 struct mesh_size {
@@ -59,4 +59,4 @@ constexpr error refuse_arrays() noexcept
     return error::bad_option;
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/version.hpp>
+
 #include <concepts>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// A number between -1 and 1 (signed Integer) or 0 and 1 (unsigned) as a whole number: what graphics interfaces call
 /// snorm and unorm.
@@ -60,4 +62,4 @@ using unorm8 = normalised<std::uint8_t>;
 using unorm16 = normalised<std::uint16_t>;
 static_assert(sizeof(snorm8) == 1 && sizeof(unorm16) == 2);
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

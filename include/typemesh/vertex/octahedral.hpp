@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <type_traits>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// A unit vector as two numbers, by the octahedron around the origin, its lower half folded out:
 ///
@@ -101,4 +101,4 @@ using octahedral16 = octahedral<snorm8>;
 using octahedral32 = octahedral<snorm16>;
 static_assert(sizeof(octahedral16) == 2 && sizeof(octahedral32) == 4);
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <type_traits>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// A tangent and its sign in the room of an octahedral vector: the sign is y's lowest bit, 1 for -1, and of the steps
 /// of y those are used that have it.
@@ -39,4 +39,4 @@ using octahedral_tangent16 = octahedral_tangent<snorm8>;
 using octahedral_tangent32 = octahedral_tangent<snorm16>;
 static_assert(sizeof(octahedral_tangent32) == 4);
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/version.hpp>
+
 #include <cstddef>
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// The parts of a mesh that may carry materials of their own. In the output each part's vertices lie together, and so
 /// do each part's indices, in this order.
@@ -17,4 +19,4 @@ inline constexpr std::size_t most_parts = 8;
 /// Every part that a mesh may have. One that its extruder does not have is empty; text_plan::parts() leaves it out.
 inline constexpr part all_parts[most_parts] = {part::front, part::back, part::side, part{3}, part{4}, part{5}, part{6}, part{7}};
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -4,7 +4,7 @@
 #include <typemesh/core/point.hpp>
 #include <typemesh/vertex/normalised.hpp>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// A position as three numbers from 0 to 1, relative to a box.
 struct box_position {
@@ -90,4 +90,4 @@ private:
     double steps_z_ = 0.0;
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

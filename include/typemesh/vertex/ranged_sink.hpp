@@ -7,7 +7,7 @@
 #include <concepts>
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// A sink that can be written in subranges, in any order and by several threads at a time: what lies in memory can,
 /// what must come in order (a file) cannot.
@@ -37,4 +37,4 @@ concept chunked_sink = ranged_sink<S> && requires(S& s, mesh_size exact, std::ui
     { s.begin_chunks(exact, most) } noexcept -> std::same_as<error>;
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -14,7 +14,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// How many elements of so many bytes fit into memory, `stride` bytes apart; the last needs no room behind it.
 [[nodiscard]] constexpr std::size_t elements_in(std::size_t bytes, std::size_t element, std::size_t stride) noexcept
@@ -154,4 +154,4 @@ stream_sink(std::span<Index, I>, Streams...) -> stream_sink<Index, Streams...>;
 template <class Index, std::size_t I, std::integral Base, class... Streams>
 stream_sink(std::span<Index, I>, Base, Streams...) -> stream_sink<Index, Streams...>;
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

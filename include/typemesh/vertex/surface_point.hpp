@@ -6,7 +6,7 @@
 #include <typemesh/vertex/attribute.hpp>
 #include <typemesh/vertex/part.hpp>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Stands where an attribute was not asked for: using it is a compile error that carries this name.
 template <attribute A>
@@ -123,4 +123,4 @@ template <attribute Fewer, attribute Wants>
     return fewer;
 }
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Three numbers of 10 bits and one of 2 in 32 bits, x lowest:
 ///
@@ -72,4 +72,4 @@ private:
     }
 };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -6,7 +6,7 @@
 #include <concepts>
 #include <type_traits>
 
-namespace typemesh {
+namespace typemesh::inline TYPEMESH_ABI {
 
 /// Makes a vertex of yours from a point of the surface.
 ///
@@ -42,4 +42,4 @@ concept mesh_vertex = vertex_writer<vertex_traits<V>> &&
                           { w(s) } -> std::convertible_to<V>;
                       };
 
-}  // namespace typemesh
+}  // namespace typemesh::inline TYPEMESH_ABI
