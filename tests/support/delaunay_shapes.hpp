@@ -24,7 +24,7 @@ struct meshed {
 
 /// Fills and triangulates a shape: the triangles as a set, and the first law that they break. Without laws only shapes whose
 /// loops do not meet: crossings are rounded to the grid, which turning and scaling change.
-inline meshed mesh_of(const shape& s, typemesh::constrained_delaunay way = {}, bool lawful = true)
+inline meshed mesh_of(const shape& s, typemesh::constrained_delaunay how = {}, bool lawful = true)
 {
     using namespace typemesh;
     contours loops = contours_of(s);
@@ -32,7 +32,7 @@ inline meshed mesh_of(const shape& s, typemesh::constrained_delaunay way = {}, b
     const result<region> filled = lawful ? fill(loops, fill_rule::non_zero, space) : nest(loops, fill_rule::non_zero, space);
     if (!filled) return {filled.error() == error::crossing_contours ? "" : filled.error().message(), {}};
     triangle_list out;
-    if (const error e = delta(*filled, space, out)) return {e.message(), {}};
+    if (const error e = how(*filled, space, out)) return {e.message(), {}};
     meshed m{"", oracle::as_set(filled->points(), out.view())};
     if (lawful) m.mistake = oracle::broken_law(*filled, out.view());
     if (m.mistake.empty()) m.mistake = oracle::broken_delaunay(*filled, out.view());
