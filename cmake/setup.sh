@@ -41,6 +41,8 @@ openscenegraph pkg:openscenegraph                             libopenscenegraph-
 irrlicht     header:irrlicht/irrlicht.h                       libirrlicht-dev    irrlicht-devel         irrlicht    irrlicht          -
 ogre         pkg:OGRE                                         libogre-1.12-dev   ogre-devel             -           -                 -
 qt-quick3d   pkg:Qt6Quick3D                                   qt6-quick3d-dev    qt6-qtquick3d-devel    qt6-quick3d qt                -
+qt-qml       pkg:Qt6Quick                                     qt6-declarative-dev qt6-qtdeclarative-devel qt6-declarative -           -
+qt-shaders   pkg:Qt6ShaderTools                               qt6-shadertools-dev qt6-qtshadertools-devel qt6-shadertools -           -
 END
 }
 

@@ -182,7 +182,7 @@ tier_external() {
 
 # VTK, 750 MB with all that it needs, is taken where it is there already.
 tier_engines() {
-    (install_missing xvfb opengl openscenegraph irrlicht ogre qt-quick3d) ||
+    (install_missing xvfb opengl openscenegraph irrlicht ogre qt-quick3d qt-qml qt-shaders) ||
         say "Going on without them: the tests that need them are skipped."
     (install_missing godot3 node npm chromium) || say "Going on without them: the tests that need them are skipped."
     mkdir -p "$typemesh_root/build/engines_run"

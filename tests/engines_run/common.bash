@@ -22,6 +22,11 @@ compile_cpp() {  # compile_cpp PROGRAM STANDARD SOURCE_OR_FLAG...
         $(pkg-config --cflags harfbuzz) -o "$program" "$@" || { fail "$program does not compile" && exit 1; }
 }
 
+# What pkg-config says of packages, for compile_cpp, which is strict with our own headers alone.
+flags_of() {  # flags_of PACKAGE...
+    pkg-config --cflags --libs "$@" | sed 's/\(^\| \)-I/\1-isystem /g'
+}
+
 # A program of Catch2's test cases. Its main() is compiled once in build/engines.
 compile_tests() {  # compile_tests PROGRAM SOURCE_OR_FLAG...
     local main=$PWD/catch_main.o program=$1
@@ -38,7 +43,7 @@ compile_tests() {  # compile_tests PROGRAM SOURCE_OR_FLAG...
 # A display without a screen, drawn by Mesa's llvmpipe, for as long as the script runs.
 open_display() {
     command -v Xvfb >/dev/null 2>&1 || skip "Xvfb is not installed"
-    Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp >"$scratch/xvfb" 2>&1 3>"$scratch/display" &
+    Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp -extension MIT-SHM >"$scratch/xvfb" 2>&1 3>"$scratch/display" &
     # shellcheck disable=SC2064  # this process
     trap "kill $! 2>/dev/null; rm -rf '$scratch'" EXIT
     local wait
