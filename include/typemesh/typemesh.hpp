@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The core: text to triangles, nothing third-party. Fonts come in through one of the adapters:
-// <typemesh/adapt/harfbuzz.hpp>, <typemesh/adapt/freetype.hpp>, <typemesh/adapt/directwrite.hpp>, or outlines of your own.
+// The core: text to triangles, without third-party headers. Fonts come in through one of the adapters,
+// <typemesh/adapt/harfbuzz.hpp>, <typemesh/adapt/freetype.hpp> or <typemesh/adapt/directwrite.hpp>, or through outlines
+// of your own.
 //
-// Not here: <typemesh/compat/d3dx_text.hpp>.
+// Not included: <typemesh/compat/d3dx_text.hpp>.
 
 #include <typemesh/core/version.hpp>
 

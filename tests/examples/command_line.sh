@@ -269,7 +269,7 @@ expect 1 "cannot be opened or read" x --font /nowhere/font.ttf --output x.glb
 that "one line is enough" lines 1
 head -c 2000 /dev/urandom >noise.ttf
 expect 1 "not a font" x --font noise.ttf --output x.glb
-expect 1 "no face of that number" x --font $sans --face 7 --output x.glb
+expect 1 "no face with that number" x --font $sans --face 7 --output x.glb
 expect 1 "no such variation axis" x --font $sans --variation wght=700 --output x.glb
 expect 1 "at byte 4 of the text: .*left-to-right and right-to-left.*; make two texts of it\.$" "abc مرحبا" --font $arabic --output x.glb
 expect 1 "cannot be written" x --font $sans --output /nowhere/x.glb

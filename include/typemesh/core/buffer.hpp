@@ -14,14 +14,13 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A growing array of plain values over `memory`, whose growth can fail without an exception.
+/// A growing array of trivially copyable values over `memory`, whose growth can fail without an exception.
 ///
-/// Everything that grows returns false (or null) when the memory gives none, and then nothing has changed.
-/// clear() keeps the storage: after warm-up nothing is allocated. Growing moves the elements: spans and pointers into
-/// it end.
+/// Everything that grows returns false (or null) when memory runs out, and then nothing has changed. clear() keeps the
+/// storage: after warm-up nothing is allocated. Growth moves the elements and invalidates spans and pointers to them.
 template <class T>
 class buffer {
-    static_assert(std::is_trivially_copyable_v<T>, "a typemesh::buffer holds plain values that can be copied as bytes");
+    static_assert(std::is_trivially_copyable_v<T>, "a typemesh::buffer holds values that can be copied as bytes");
 
 public:
     explicit buffer(memory source = heap()) noexcept : source_{source} {}
@@ -68,18 +67,18 @@ public:
 
     void clear() noexcept { size_ = 0; }
 
-    /// Forgets all elements from index `size` on.
+    /// Removes all elements from index `size` on.
     void truncate(std::size_t size) noexcept
     {
         TYPEMESH_ASSERT(size <= size_, "truncate() cannot grow a buffer");
         size_ = size;
     }
 
-    /// Storage for `wanted` elements in all, so that growing up to that many neither fails nor moves them.
+    /// Makes the capacity at least `wanted`: growth up to that size then neither fails nor moves the elements.
     [[nodiscard]] bool reserve(std::size_t wanted) noexcept { return wanted <= capacity_ || grow(wanted); }
 
-    /// Room for `count` more elements, not initialised; null when there is no memory (or, for count = 0, no storage
-    /// yet).
+    /// Appends `count` uninitialised elements and returns the first; null when memory runs out (or, for count = 0, when
+    /// there is no storage yet).
     [[nodiscard]] T* append(std::size_t count) noexcept
     {
         if (count > capacity_ - size_ && !grow_by(count)) return nullptr;
@@ -88,7 +87,7 @@ public:
         return first;
     }
 
-    /// Copies of `values`, which may lie in this very buffer.
+    /// Appends copies of `values`, which may lie in this very buffer.
     [[nodiscard]] bool append(std::span<const T> values) noexcept
     {
         if (values.empty()) return true;

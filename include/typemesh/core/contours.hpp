@@ -10,21 +10,22 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Where a straight edge comes from: it leaves its first point on `curve` at t0 and reaches the next point at t1.
-/// t0 > t1 where the contour has been turned round and runs against its curve; the two differ, however short the edge,
-/// as long as floats tell them apart.
+/// Where a straight edge comes from: its first point lies at t0 of `curve`, its second at t1. t0 > t1 where the contour
+/// has been reversed and runs against its curve. The two differ, however short the edge, as long as floats can tell
+/// them apart.
 struct contour_edge {
     std::uint32_t curve = 0;
     float t0 = 0.0f;
     float t1 = 1.0f;
 };
 
-/// Closed polylines on the grid: what a discretiser leaves and fill reads. Nothing is proven of them; see region.
+/// Closed polylines on the grid: what a discretiser makes of curves by flattening them, and what fill reads. Nothing is
+/// proven about them; see region.
 ///
-///     points   [ first contour | second contour | ... ]            last point joins the first again
+///     points   [ first contour | second contour | ... ]            each contour's last point is joined to its first
 ///     edges    edges[i] runs from points[i] to the next point of the same contour
 ///     starts   [ 0 | first point of each further contour | ... | points.size() ]
-///     curves   the curves that edges name
+///     curves   the curves that the edges refer to
 ///
 /// Every contour has at least 3 points and no two equal neighbours.
 struct contours {
@@ -33,7 +34,7 @@ struct contours {
     buffer<std::uint32_t> starts;
     std::span<const curve> curves;  ///< not owned: the outline's
     typemesh::grid grid;
-    double tolerance = 0.0;  ///< in cells: how far the edges may be from their curves; 0: nobody says
+    double tolerance = 0.0;  ///< in cells: how far the edges may be from their curves; 0: unknown
 
     explicit contours(memory source = heap()) noexcept : points{source}, edges{source}, starts{source} {}
 

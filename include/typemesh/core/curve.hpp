@@ -28,7 +28,7 @@ struct cubic {
     }
 };
 
-/// The same curve, one degree higher.
+/// The same curve as a cubic: degree elevation.
 [[nodiscard]] constexpr cubic raised(const quadratic& q) noexcept
 {
     return {q.p0, lerp(q.p0, q.p1, 2.0 / 3.0), lerp(q.p2, q.p1, 2.0 / 3.0), q.p2};

@@ -10,9 +10,9 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What went wrong, where, and how much of it: the only way this library reports trouble. Nothing throws.
+/// What went wrong and where: the only way this library reports failure. Nothing throws.
 ///
-/// `return error::out_of_memory;` makes one; `if (error e = ...)` asks for one; `message()` is a plain sentence.
+/// `return error::out_of_memory;` makes one; `if (error e = ...)` tests for one; `message()` is a plain sentence.
 struct [[nodiscard]] error {
     enum kind : std::uint8_t {
         none,
@@ -21,36 +21,36 @@ struct [[nodiscard]] error {
         index_overflow,       ///< the index type cannot number the vertices; count = how many there are
         too_large,            ///< more than 2^32 - 1 vertices, points or characters
         unreadable_file,      ///< the file cannot be opened or read
-        not_a_font,           ///< the bytes are no font that the font library understands
-        no_such_face,         ///< the file has no face of that number; count = how many it has
-        no_such_family,       ///< no font of that family is installed, or in the collection given
-        no_outlines,          ///< a font of bitmaps only, or not scalable
+        not_a_font,           ///< the font library does not recognise the bytes as a font
+        no_such_face,         ///< the file has no face with that number; count = how many it has
+        no_such_family,       ///< no font of that family is installed or in the given collection
+        no_outlines,          ///< the font holds bitmaps only, or is not scalable
         unknown_glyph,        ///< the font has no such glyph, or its outline cannot be loaded
         unknown_variation,    ///< the font has no such axis
         bad_feature,          ///< the tag of an OpenType feature is not four printable ASCII characters
-        bad_outline,          ///< an outline starts without move(), or the like
-        outline_not_finite,   ///< an outline holds NaN or infinity
+        bad_outline,          ///< a contour does not start with move(), or the like
+        outline_not_finite,   ///< an outline contains NaN or infinity
         outline_beyond_grid,  ///< an outline is too large for the integer grid
         too_many_pieces,      ///< contours cross more often than the caller allows; count = that limit
         crossing_contours,    ///< contours cross, touch or overlap where they must not; count: see triangulator.hpp
         bad_tolerance,        ///< a tolerance is not a positive finite number
         bad_option,           ///< an option is outside its range; `option` names it
         mixed_direction,      ///< one line holds left-to-right and right-to-left text
-        needs_shaping,        ///< the plain shaper was given a script that it would set wrongly
-        font_library_failed,  ///< FreeType, HarfBuzz or DirectWrite refused; count = its own error number, if it has one
+        needs_shaping,        ///< the plain shaper cannot set this script correctly
+        font_library_failed,  ///< FreeType, HarfBuzz or DirectWrite refused; count = its own error number, if any
         refused_by_user,      ///< for policies of the caller's own
     };
 
     kind code = none;
     glyph_id glyph = no_glyph;        ///< the glyph concerned, or no_glyph
-    cluster_id cluster = no_cluster;  ///< its place in the caller's text, or no_cluster
-    std::uint64_t count = 0;          ///< meaning beside each code
-    const char* option = nullptr;     ///< what a bad_option is called in the code, or what is buffer_too_small
+    cluster_id cluster = no_cluster;  ///< its position in the caller's text, or no_cluster
+    std::uint64_t count = 0;          ///< its meaning stands beside each code
+    const char* option = nullptr;     ///< the name of the bad option, or of what is too small
 
     constexpr error() noexcept = default;
     constexpr error(kind k, std::uint64_t how_many = 0) noexcept : code{k}, count{how_many} {}
 
-    /// error::bad_option, by name; the text lives as long as the program.
+    /// error::bad_option with the option's name, which must live as long as the program.
     [[nodiscard]] static constexpr error bad(const char* option) noexcept
     {
         error e = bad_option;
@@ -58,7 +58,7 @@ struct [[nodiscard]] error {
         return e;
     }
 
-    /// error::buffer_too_small: how many elements of what are needed.
+    /// error::buffer_too_small: `needed` elements of `what` are needed.
     [[nodiscard]] static constexpr error short_of(const char* what, std::uint64_t needed) noexcept
     {
         error e{buffer_too_small, needed};
@@ -70,7 +70,7 @@ struct [[nodiscard]] error {
     [[nodiscard]] explicit constexpr operator bool() const noexcept { return code != none; }
     friend constexpr bool operator==(const error& e, kind k) noexcept { return e.code == k; }
 
-    /// The same error, said of this glyph.
+    /// The same error, attributed to this glyph.
     [[nodiscard]] constexpr error at(glyph_id g, cluster_id c) const noexcept
     {
         error e = *this;
@@ -79,19 +79,20 @@ struct [[nodiscard]] error {
         return e;
     }
 
-    /// One sentence, without numbers. Never null; the text lives as long as the program.
+    /// One sentence, without numbers. Never null; it lives as long as the program.
     [[nodiscard]] constexpr const char* message() const noexcept
     {
         switch (code) {
         case none: return "No error.";
         case out_of_memory: return "The memory source has no more memory.";
         case buffer_too_small: return "The caller's buffer is too small for the mesh.";
-        case index_overflow: return "The index type is too small to number the mesh's vertices; use 32-bit ones, or text_chunks.";
+        case index_overflow:
+            return "The index type cannot number so many vertices; use 32-bit indices, or text_chunks.";
         case too_large: return "The text is too large: points, vertices and indices are numbered with 32 bits.";
         case unreadable_file: return "The font file cannot be opened or read.";
         case not_a_font: return "The data is not a font, or is damaged.";
-        case no_such_face: return "The font file has no face of that number.";
-        case no_such_family: return "No font of this family is installed, or in the collection given.";
+        case no_such_face: return "The font file has no face with that number.";
+        case no_such_family: return "No font of this family is installed or in the given collection.";
         case no_outlines: return "The font has no outlines (it holds bitmaps only).";
         case unknown_glyph: return "The font has no such glyph, or its outline cannot be loaded.";
         case unknown_variation: return "The font has no such variation axis.";
@@ -106,17 +107,17 @@ struct [[nodiscard]] error {
         case mixed_direction:
             return "A line holds both left-to-right and right-to-left text; shape its runs one by one.";
         case needs_shaping:
-            return "The text needs a real shaper (HarfBuzz, DirectWrite): character map and kerning do not set its "
+            return "The text needs a real shaper (HarfBuzz, DirectWrite): a character map and kerning cannot set its "
                    "script.";
         case font_library_failed: return "The font library refused the request.";
-        case refused_by_user: return "A policy of the caller refused.";
+        case refused_by_user: return "A policy of the caller's own refused.";
         }
         return "Unknown error.";
     }
 };
 
-/// Writes the sentence with its numbers into `out`, always ended by a zero and cut where it does not fit (200
-/// characters hold any); returns out.data(), or "" when `out` is empty.
+/// Writes the sentence with its numbers into `out`, always zero-terminated and truncated where it does not fit (200
+/// characters always suffice); returns out.data(), or "" when `out` is empty.
 ///
 /// "glyph 37, cluster 4: Contours of the outline cross, touch or overlap."
 inline const char* describe(const error& e, std::span<char> out) noexcept

@@ -8,22 +8,22 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What an executor is tried with.
+/// The task that the concept `executor` is checked with.
 struct ignore_tasks {
     constexpr void operator()(std::size_t, std::size_t) const noexcept {}
 };
 
-/// Carries out tasks, in several threads or in one: a job system of the caller's, or thread_pool
-/// (adapt/threads.hpp). The library makes no thread by itself.
+/// Runs tasks, in several threads or in one: a job system of the caller's, or thread_pool (adapt/threads.hpp). The
+/// library itself starts no threads.
 ///
-///     x.workers()       how many tasks may be under way at a time, at least 1; the same as long as x lives
+///     x.workers()       how many tasks may run at a time, at least 1; constant for the life of x
 ///     x.run(n, task)    calls task(i, worker) once for each i < n, in any order, worker < workers(), and returns when
-///                       all calls have; n may be 0
+///                       all calls have returned; n may be 0
 ///
-/// The compiler looks at the signatures. The author promises the rest: of one run(), two calls with the same worker
-/// never overlap, so that what is kept for a worker is used by one thread at a time; what was written before run() is
-/// seen by the tasks, and what they wrote after it. Tasks are noexcept, may be called through a const reference, and
-/// do not call run() of the same executor.
+/// The compiler checks the signatures. The author promises the rest: within one run(), two calls with the same worker
+/// never overlap, so that per-worker state is used by one thread at a time; the tasks see what was written before
+/// run(), and the caller sees afterwards what they wrote. Tasks are noexcept, may be called through a const reference,
+/// and do not call run() of the same executor.
 template <class X>
 concept executor = requires(X& x, std::size_t n, const ignore_tasks& task) {
     { x.workers() } noexcept -> std::convertible_to<std::size_t>;

@@ -7,8 +7,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Which places closed contours fill, told by the winding number w: how often they run round a place, counter-clockwise
-/// positive.
+/// Which points closed contours fill, decided by the winding number w: how often the contours wind around the point,
+/// counter-clockwise positive.
 enum class fill_rule : std::uint8_t {
     non_zero,  ///< filled where w != 0: what TrueType, CFF and PostScript mean
     even_odd,  ///< filled where w is odd

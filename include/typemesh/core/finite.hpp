@@ -8,7 +8,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// True for every number but NaN and the infinities; read from the bits, so it holds under -ffast-math too.
+/// True for every number but NaN and the infinities. Reads the bits, so it works under -ffast-math too.
 [[nodiscard]] inline bool is_finite(double value) noexcept
 {
     std::uint64_t bits = 0;

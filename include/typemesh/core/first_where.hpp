@@ -9,8 +9,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The first i in [first, last) for which `holds(i)` is true, or last where it is for none. If it holds for one i it
-/// must for all behind it.
+/// The first i in [first, last) for which `holds(i)` is true, or last if there is none: binary search. Where `holds` is
+/// true for one i it must be true for all greater ones.
 ///
 /// Cost   O(log(last - first))
 template <class Holds>
@@ -24,12 +24,12 @@ template <class Holds>
     return first;
 }
 
-/// Which of some ranges that lie behind one another holds i, the ranges being given by their starts, ascending:
+/// Which of several consecutive ranges contains i; the ranges are given by their starts, ascending:
 ///
-///     starts   [ 0 | first of range 1 | first of range 2 | ... ]      one more, where the last range ends, is of no
-///                                                                     account while i lies before it
+///     starts   [ 0 | first of range 1 | first of range 2 | ... ]      a final entry, the end of the last range, makes
+///                                                                     no difference while i lies before it
 ///
-/// Of several that start at one place, all but the last being empty, it is the last. Needs starts[0] <= i.
+/// Of ranges with the same start, of which all but the last are empty, it is the last. Needs starts[0] <= i.
 [[nodiscard]] constexpr std::size_t range_of(std::span<const std::uint32_t> starts, std::uint32_t i) noexcept
 {
     return first_where(1, starts.size(), [&](std::size_t k) noexcept { return starts[k] > i; }) - 1;

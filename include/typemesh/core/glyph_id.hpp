@@ -7,7 +7,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A glyph's number inside its font; 0 is the font's own "missing glyph" (.notdef).
+/// A glyph's number in its font; 0 is the font's own "missing glyph" (.notdef).
 using glyph_id = std::uint32_t;
 
 /// Where in the caller's text a glyph comes from: an offset in the caller's own units

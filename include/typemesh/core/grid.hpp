@@ -11,17 +11,17 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The integer grid on which a shape is decided: `cells` grid steps to one font unit, a power of two (512 for ordinary
-/// fonts).
+/// The integer grid on which all geometry is decided: `cells` grid steps per font unit, a power of two (512 for
+/// ordinary fonts).
 ///
-/// Every grid point is within snap_error() of the point it stands for, and is what is drawn in the end, up to the
-/// rounding of 32-bit floats.
+/// Every grid point is within snap_error() of the point it stands for, and is what is drawn in the end, up to rounding
+/// to 32-bit floats.
 struct grid {
-    static constexpr double reach = 0x1p28;  ///< no coordinate lies farther from 0 than this many cells
+    static constexpr double reach = 0x1p28;  ///< no coordinate is farther from 0 than this many cells
 
     double cells = 512.0;
-    double units_per_em = 0.0;  ///< what floats are coarse by (see triangulate/triangle_heights.hpp); 0: not known
-    double span = 0.0;          ///< in cells; no two points of the shape are farther apart. 0: not known
+    double units_per_em = 0.0;  ///< relates cells to the em (see triangulate/triangle_heights.hpp); 0: unknown
+    double span = 0.0;          ///< in cells; no two points are farther apart. 0: unknown
 
     /// Half a cell's diagonal, in font units: how far snap() can move a point.
     [[nodiscard]] constexpr double snap_error() const noexcept { return 0.70710678118654757 / cells; }
@@ -29,16 +29,16 @@ struct grid {
     /// The nearest grid point. Needs |p| * cells <= reach.
     [[nodiscard]] grid_point snap(point p) const noexcept { return {nearest(p.x * cells), nearest(p.y * cells)}; }
 
-    /// The place of a grid point in font units; exact.
+    /// The position of a grid point in font units; exact.
     [[nodiscard]] constexpr point place(grid_point g) const noexcept { return {g.x / cells, g.y / cells}; }
 
-    /// The grid for an outline: 512 cells a unit where the em has 64 to 65,536 units; for any other em the power of two
-    /// that gives it 2^20 to 2^21 cells; halved as often as `around` (a box that holds all control points) needs to
-    /// fit. It knows its em and the box' diagonal.
+    /// The grid for an outline: 512 cells per unit where the em has 64 to 65,536 units; for any other em the power of
+    /// two that gives it 2^20 to 2^21 cells; halved until `around` (a box that holds all control points) fits. It
+    /// stores the em and the box's diagonal.
     ///
     /// Fails  error::bad_option: units_per_em is not positive and finite
     ///        error::outline_not_finite: a corner of the box is NaN or infinite
-    ///        error::outline_beyond_grid: not even 2^-40 cells a unit would fit
+    ///        error::outline_beyond_grid: not even 2^-40 cells per unit would fit
     [[nodiscard]] static result<grid> fitting(double units_per_em, const box& around) noexcept
     {
         const bool sensible = is_finite(units_per_em) && units_per_em > 0x1p-40 && units_per_em < 0x1p40;
@@ -64,7 +64,7 @@ struct grid {
         return g;
     }
 
-    /// All points will lie in this box, but for what snapping and crossings move them by.
+    /// Sets `span` for points that all lie in this box, or as far outside as snapping and crossings move them.
     void span_over(const box& around) noexcept
     {
         const double width = (around.high.x - around.low.x) * cells, height = (around.high.y - around.low.y) * cells;
@@ -72,8 +72,8 @@ struct grid {
     }
 
 private:
-    /// Round half to even by the layout of doubles: 2^52 + 2^51 leaves the integer in the lowest bits. 1 ns less than
-    /// lrint, and no compiler flag can fold it away, for the bits are read as an integer.
+    /// Rounds half to even: adding 2^52 + 2^51 to a double leaves the integer in its lowest bits. 1 ns faster than
+    /// lrint, and no compiler flag can fold it away, since the bits are read as an integer.
     [[nodiscard]] static std::int32_t nearest(double v) noexcept
     {
         const double shifted = v + 0x1.8p52;

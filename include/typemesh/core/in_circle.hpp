@@ -15,7 +15,7 @@ struct two_words {
     std::uint64_t low;
 };
 
-/// p * q in two words, by multiplying halves; for compilers without a 128-bit type. Needs |each| < 2^62.
+/// p * q in two words, by multiplying halves: for compilers without a 128-bit type. Needs |each| < 2^62.
 [[nodiscard]] constexpr two_words product_in_halves(std::int64_t p, std::int64_t q) noexcept
 {
     const std::uint64_t u = static_cast<std::uint64_t>(p < 0 ? -p : p);
@@ -51,11 +51,11 @@ struct two_words {
 
 }  // namespace detail
 
-/// Where d lies by the circle through a, b, c, which turn counter-clockwise: 1 inside, 0 on it, -1 outside.
+/// Where d lies relative to the circle through a, b, c (counter-clockwise): 1 inside, 0 on it, -1 outside.
 ///
-///       c             The angles over the chord ab, at c and at d: d lies on the circle when they sum to 180 degrees,
-///     /   \           so when sin(c + d) = 0. With cross and dot for sine and cosine, that is two products and a sum
-///    a-----b          instead of a determinant of degree four.
+///       c             The chord ab is seen from c and from d under two angles: d lies on the circle when they sum to
+///     /   \           180 degrees, that is when sin(c + d) = 0. With cross and dot for sine and cosine, that is two
+///    a-----b          products and a sum instead of a determinant of degree four.
 ///     \   /
 ///       d
 ///
@@ -75,13 +75,14 @@ struct two_words {
     return static_cast<std::int64_t>(sum.high) < 0 ? 1 : (sum.high | sum.low) != 0 ? -1 : 0;
 }
 
-/// Whether of the quadrilateral a, d, b, c (counter-clockwise, cut by ab into two triangles) the other diagonal, dc,
-/// is the Delaunay one. Of four points on one circle, it is the diagonal that leaves the lexicographically smallest.
+/// Whether the Delaunay diagonal of the quadrilateral a, d, b, c (counter-clockwise, cut by ab into two triangles) is
+/// the other one, dc. Of four cocircular points, the Delaunay diagonal is the one that ends at the lexicographically
+/// smallest.
 ///
-/// When that is so, the quadrilateral is strictly convex: the diagonals can be exchanged. Taken edge by edge, the rule
-/// for ties makes all free diagonals of a cell of co-circular points leave its smallest point: it is what remains when
-/// the smaller point is lowered by infinitely more than every greater one on the paraboloid whose lower hull is the
-/// triangulation.
+/// If so, the quadrilateral is strictly convex and the edge can be flipped. Applied edge by edge, the rule for ties
+/// makes all free diagonals of a cell of cocircular points fan out from its smallest point. It is a symbolic
+/// perturbation: on the paraboloid whose lower hull is the triangulation, each point is lowered by infinitely more than
+/// every greater one.
 [[nodiscard]] constexpr bool prefers_other_diagonal(grid_point a, grid_point b, grid_point c, grid_point d) noexcept
 {
     const std::int64_t acx = std::int64_t{a.x} - c.x, acy = std::int64_t{a.y} - c.y, bcx = std::int64_t{b.x} - c.x,

@@ -10,9 +10,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// Where scratch memory comes from: three pointers, so that no container and no signature needs an allocator parameter.
 ///
-/// `allocate` returns at least `bytes` bytes aligned to `alignment` (a power of two), or null: the call under way then
-/// ends with error::out_of_memory and leaves everything usable. `deallocate` gets the same numbers back.
-/// One memory is used from one thread at a time unless its author says more.
+/// `allocate` returns at least `bytes` bytes aligned to `alignment` (a power of two), or null: the call that needed
+/// them then fails with error::out_of_memory and leaves everything usable. `deallocate` gets the same size and
+/// alignment. One memory is used by one thread at a time unless its author allows more.
 struct memory {
     void* user = nullptr;
     void* (*allocate)(void* user, std::size_t bytes, std::size_t alignment) noexcept = nullptr;

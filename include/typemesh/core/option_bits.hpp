@@ -8,15 +8,15 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The options of a policy as bits, by which results that were kept are told apart: up to four numbers.
+/// A policy's options as bits, which tell cached results apart: up to four numbers.
 ///
 ///     struct my_discretiser {
 ///         double distance;
 ///         int levels;
 ///         option_bits cache_key() const noexcept { return {distance, levels}; }
 ///
-/// Two policies of one type that can give different results must have different bits; options that do not matter
-/// for what is kept are best left out. A policy with more state than fits may count its changes.
+/// Two policies of one type that can give different results must have different bits; options that do not affect what
+/// is cached are best left out. A policy with more state than fits may count its changes.
 struct option_bits {
     std::uint64_t words[4] = {};
 

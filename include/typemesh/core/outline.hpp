@@ -12,14 +12,14 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// One glyph's closed contours as curves, in font units.
 ///
-///     curves   [ first contour's curves | second contour's | ... ]
-///     starts   [ 0 | first curve of each further contour | ... | curves.size() ]; empty without a contour
+///     curves   [ curves of the first contour | of the second | ... ]
+///     starts   [ 0 | first curve of each further contour | ... | curves.size() ]; empty if there is no contour
 ///
 /// In a contour each curve begins where the one before it ends, and the last ends where the first began.
 struct outline {
     buffer<curve> curves;
     buffer<std::uint32_t> starts;
-    box bounds;  ///< around all control points
+    box bounds;  ///< of all control points
     fill_rule rule = fill_rule::non_zero;
 
     explicit outline(memory source = heap()) noexcept : curves{source}, starts{source} {}

@@ -8,7 +8,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A place or a direction in the plane, in font units unless said otherwise; x to the right, y up.
+/// A position or a direction in the plane, in font units unless said otherwise; x to the right, y up.
 struct point {
     double x = 0.0;
     double y = 0.0;
@@ -27,23 +27,23 @@ struct point {
 /// a at s = 0, b at s = 1.
 [[nodiscard]] constexpr point lerp(point a, point b, double s) noexcept { return (1.0 - s) * a + s * b; }
 
-/// A place on the integer grid on which every decision is made (see grid.hpp); |coordinate| <= 2^28.
+/// A position on the integer grid on which every decision is made (see grid.hpp); |coordinate| <= 2^28.
 struct grid_point {
     std::int32_t x = 0;
     std::int32_t y = 0;
 
-    /// Without a branch: sweeps compare points that are equal about as often as not.
+    /// Without a branch: sweeps compare equal points about as often as different ones.
     friend constexpr bool operator==(grid_point a, grid_point b) noexcept
     {
         return ((a.x ^ b.x) | (a.y ^ b.y)) == 0;
     }
 };
 
-/// A float in double precision, which is exact: said by name, so that compilers may warn of every other float that
-/// becomes a double (-Wdouble-promotion).
+/// A float as a double, which is exact: named, so that compilers may warn about every other conversion from float to
+/// double (-Wdouble-promotion).
 [[nodiscard]] constexpr double as_double(float value) noexcept { return static_cast<double>(value); }
 
-/// Two, three and four 32-bit floats: what leaves the library.
+/// Two, three and four 32-bit floats: the types of the output.
 struct vec2 {
     float x = 0.0f;
     float y = 0.0f;

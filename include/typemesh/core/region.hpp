@@ -8,10 +8,10 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A filled area of the plane, proven: boundary walks with the interior on the left, outer loops counter-clockwise,
-/// holes clockwise, no two edges crossing or overlapping, no spike, no repeated neighbour. A point may be visited more
-/// than once (see is_touching), by walks that each keep to their own sector of interior there; no point lies within
-/// another's edge.
+/// A filled area of the plane, proven valid: boundary cycles with the interior on their left, outer loops
+/// counter-clockwise, holes clockwise; no two edges cross or overlap, no point lies inside an edge, there are no spikes
+/// and no equal consecutive points. Cycles may pass through a point more than once (see is_touching), each time along a
+/// sector of interior of their own.
 ///
 ///     +-------------<-----------+      points, edges, starts, curves as in contours
 ///     |  outer      +--->--+    |
@@ -19,10 +19,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     |             +--<---+    |      n + 2h - 2c triangles over these points
 ///     +------------->-----------+
 ///
-/// Which hole lies in which outer loop is told by outer_of() (fill/outer_of.hpp).
+/// outer_of() (fill/outer_of.hpp) tells which outer loop a hole lies in.
 ///
-/// A view: it refers to the contours it was proven from and ends with them. Only fill and a triangulator that proves
-/// make one; proven() is their door, and the promise above is what passes through it.
+/// A view: it refers to the contours it was proven from and lives no longer than they do. Only fill and proving
+/// triangulators make one, through proven(); whoever calls that vouches for all of the above.
 class region {
 public:
     region() noexcept = default;
@@ -49,7 +49,7 @@ public:
     [[nodiscard]] std::span<const curve> curves() const noexcept { return curves_; }
     [[nodiscard]] typemesh::grid grid() const noexcept { return grid_; }
 
-    /// In cells: how far the edges may be from their curves, crossings apart; 0: nobody says (loops made by hand,
+    /// In cells: how far the edges may be from their curves, except at crossings; 0: unknown (loops made by hand,
     /// discretisers that keep no tolerance).
     [[nodiscard]] double tolerance() const noexcept { return tolerance_; }
     [[nodiscard]] std::uint32_t holes() const noexcept { return holes_; }
@@ -59,10 +59,10 @@ public:
         return starts_.empty() ? 0u : static_cast<std::uint32_t>(starts_.size() - 1);
     }
 
-    /// Whether the walks come through some point more than once. If not, all points are different.
+    /// Whether the cycles pass through some point more than once. If not, all points are distinct.
     [[nodiscard]] bool is_touching() const noexcept { return touching_; }
 
-    /// n + 2h - 2c, below 2^32 for every region that fits into memory of 32-bit numbers.
+    /// n + 2h - 2c; below 2^32 for every region that fits into 32-bit memory.
     [[nodiscard]] std::uint32_t triangle_count() const noexcept
     {
         return static_cast<std::uint32_t>(points_.size()) + 2 * holes_ - 2 * outers_;

@@ -9,7 +9,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A value, or the error that kept it from being made.
+/// A value, or the error that prevented it.
 ///
 ///     if (auto made = f()) use(*made); else puts(made.error().message());
 template <class T>
@@ -36,7 +36,7 @@ public:
 private:
     T* checked() noexcept
     {
-        TYPEMESH_ASSERT(value_.has_value(), "the value of a failed result was asked for; test it with `if` first");
+        TYPEMESH_ASSERT(value_.has_value(), "the value of a failed result was used; test it with `if` first");
         return &*value_;
     }
 
@@ -44,7 +44,7 @@ private:
     typemesh::error error_;
 };
 
-/// For overloads that stand where a value is taken, so that a forgotten `*` is told in a sentence.
+/// For overloads beside those that take a value, so that a forgotten `*` is reported in one sentence.
 template <class T>
 constexpr error refuse_result() noexcept
 {

@@ -7,8 +7,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Whether two numbers are equal, as == says: never for NaN. Said by name where the same number is meant and not one
-/// near by, so that compilers may warn of every other == between floating-point numbers (-Wfloat-equal).
+/// Whether two numbers are equal, as == says: never for NaN. Named, for where exact equality is meant, so that
+/// compilers may warn about every other == between floating-point numbers (-Wfloat-equal).
 template <std::floating_point T>
 [[nodiscard]] constexpr bool same(T a, T b) noexcept
 {

@@ -8,13 +8,13 @@
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// The directions in which a curve arrives at t and leaves it, as t grows. Neither is of unit length; they are zero
-/// only for a curve that is one point.
+/// only if the curve is a single point.
 ///
-/// The two differ only where the curve stops and turns, at a cusp or a reversal. Where the derivative vanishes (there,
-/// and at handles of zero length) they are its one-sided limits:
+/// The two differ only at a cusp or a reversal, where the curve stops and turns back. Where the derivative vanishes
+/// (there, and at handles of zero length) they are its one-sided limits:
 ///
 ///        after                B(t) = B + B'h + B''h²/2 + B'''h³/6: the first term that does not vanish
-///     \  ↑  /                 tells the direction; from before, even terms turn their sign.
+///     \  ↑  /                 gives the direction; before t, the even terms change sign.
 ///      \ | /
 ///       \|/   <- cusp: before and after are opposite
 ///
@@ -25,11 +25,11 @@ struct tangents {
     bool stops = false;  ///< the derivative vanishes here
 };
 
-/// The derivative of one curve: what its tangents at any t have in common, computed once.
+/// The derivative of one curve: what its tangents have in common at all t, computed once.
 class hodograph {
 public:
     hodograph() noexcept = default;
-    /// Times `sign`, 1 or -1.
+    /// Multiplied by `sign`, 1 or -1.
     explicit hodograph(const curve& c, double sign = 1.0) noexcept : degree_{c.degree}, a_{sign * (c.p[1] - c.p[0])}
     {
         if (degree_ == 1) return;
@@ -58,7 +58,7 @@ private:
         return degree_ == 2 ? ab : lerp(ab, lerp(b_, d_, t), t);
     }
 
-    /// Where it vanishes.
+    /// Where the derivative vanishes.
     [[nodiscard]] tangents limits(double t) const noexcept
     {
         const point second = degree_ == 2 ? b_ - a_ : lerp(b_, d_, t) - lerp(a_, b_, t);
@@ -69,7 +69,7 @@ private:
 
     std::uint32_t degree_ = 1;
     point a_, b_, d_;      // the legs of the control polygon
-    double least_ = -1.0;  // what a square that does not vanish is larger than; a line's counts as it is
+    double least_ = -1.0;  // a derivative vanishes unless its square is greater; a line's never does
 };
 
 [[nodiscard]] inline tangents tangents_at(const curve& c, double t) noexcept { return hodograph{c}.at(t); }

@@ -5,9 +5,9 @@
 #define TYPEMESH_VERSION_MINOR 1
 #define TYPEMESH_VERSION_PATCH 0
 
-/// The inline namespace round everything: typemesh::vec3 is typemesh::v0_1_0::vec3. Where units of one program have
+/// The inline namespace around everything: typemesh::vec3 is typemesh::v0_1_0::vec3. Where the units of one program use
 /// different versions of the library, or are compiled in different ways (with asserts or without, with
-/// typemesh::compiled or without), neither runs the other's functions; the linker refuses to pass objects between them.
+/// typemesh::compiled or without), none runs another's functions; the linker refuses to pass objects between them.
 #if defined(NDEBUG) && defined(TYPEMESH_COMPILED)
 #define TYPEMESH_ABI v0_1_0_compiled
 #elif defined(NDEBUG)

@@ -13,17 +13,17 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Scratch memory that stages borrow and give back in the order of a stack, and that stays for the next call.
+/// Scratch memory that stages take and give back as on a stack, and that is kept for the next call.
 ///
-///     workspace::scope scratch{space};                // gives back at its end all that was taken through it
-///     auto* rank = scratch.take<std::uint32_t>(n);    // n values, not initialised; null when there is no memory
+///     workspace::scope scratch{space};                // when it ends, it gives back all that was taken through it
+///     auto* rank = scratch.take<std::uint32_t>(n);    // n values, not initialised; null when memory runs out
 ///
-/// Blocks never move, so pointers hold until their scope ends. When the outermost scope ends and several blocks were
-/// needed, one replaces them that holds the most that was ever taken at a time: after warm-up nothing is allocated.
-/// It stays until trim(). A workspace serves one thread at a time.
+/// Blocks never move: pointers stay valid until their scope ends. When the outermost scope ends and several blocks were
+/// needed, one block replaces them, as large as the most that was ever taken at a time: after warm-up nothing is
+/// allocated. It is kept until trim(). A workspace serves one thread at a time.
 class workspace {
     static constexpr std::size_t alignment = 64;  // a cache line, and enough for any vector register
-    static constexpr std::size_t least = 16 * 1024;  // bytes of a block, or what is asked for if that is more
+    static constexpr std::size_t least = 16 * 1024;  // bytes per block; more if more is taken at once
 
     struct alignas(alignment) block {
         block* next;
@@ -66,7 +66,7 @@ public:
         return total;
     }
 
-    /// Gives all memory back to its source: after a text of unusual glyphs, say. The next call takes what it needs anew.
+    /// Gives all memory back to its source, after a text of unusual glyphs for example. The next call allocates anew.
     void trim() noexcept
     {
         TYPEMESH_ASSERT(depth_ == 0, "a workspace was trimmed while a scope was open");
@@ -76,7 +76,7 @@ public:
         joined_ = false;
     }
 
-    /// A stretch of borrowing; scopes nest.
+    /// Gives back, when it ends, all that was taken through it; scopes nest.
     class scope {
     public:
         explicit scope(workspace& w) noexcept
@@ -95,7 +95,7 @@ public:
             workspace_.leave();
         }
 
-        /// `count` values that are not initialised, or null when the memory gives none; never null for count = 0 alone.
+        /// `count` uninitialised values, or null when memory runs out; never null merely because count = 0.
         template <class T>
         [[nodiscard]] T* take(std::size_t count) noexcept
         {
@@ -106,18 +106,17 @@ public:
             return static_cast<T*>(workspace_.take_bytes(count * sizeof(T)));
         }
 
-        /// Room for the next `bytes` in what is left of this block and one more, not in many, at whose ends something is
-        /// left over. False when there is no memory. No scope within may be open.
+        /// Makes sure that the next `bytes` bytes fit into the rest of this block and one more, instead of into many
+        /// blocks, each with an unused rest. False when memory runs out. No inner scope may be open.
         [[nodiscard]] bool reserve(std::size_t bytes) noexcept
         {
             scope whole{workspace_};
             return whole.take<std::byte>(bytes) != nullptr;
         }
 
-        /// Gives back all that was taken through this scope but these values, which move down to its begin, one array
-        /// behind the other. They are named in the order in which they were taken; no scope within may be open. Asks for
-        /// no memory; blocks that hold nothing go back to their source, so that what is taken next does not lie beside
-        /// them.
+        /// Gives back all that was taken through this scope except these values, which move down to where it began, one
+        /// array behind the other. List them in the order in which they were taken; no inner scope may be open. Takes
+        /// no memory. Empty blocks go back to their source, so that what is taken next does not come on top of them.
         template <class... T>
         void keep(std::span<T>&... kept) noexcept
         {
@@ -153,7 +152,7 @@ private:
         wanted = rounded(wanted);
         while (current_ == nullptr || wanted > current_->bytes - current_->used) {
             block*& next = current_ == nullptr ? first_ : current_->next;
-            while (next != nullptr && next->bytes < wanted) {  // holds nothing: of a scope that has ended
+            while (next != nullptr && next->bytes < wanted) {  // empty, left over from a scope that has ended
                 block* too_small = next;
                 next = too_small->next;
                 too_small->next = nullptr;
@@ -168,7 +167,7 @@ private:
         return take_here(wanted);
     }
 
-    /// Of the blocks that are there; the first one in which it finds room.
+    /// From existing blocks: the first one with enough space.
     void* take_there(std::size_t wanted) noexcept
     {
         wanted = rounded(wanted);
@@ -201,7 +200,7 @@ private:
         taken_ = taken;
     }
 
-    /// But for the one block that holds all after warm-up.
+    /// Except the one block that holds everything after warm-up.
     void release_empty() noexcept
     {
         const bool is_warm = current_ == nullptr && first_ != nullptr && joined_;
