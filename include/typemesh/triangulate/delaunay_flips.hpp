@@ -50,8 +50,8 @@ public:
     /// Makes p a point of the boundary between `before` and the point after it, in a mesh that is Delaunay and stays
     /// so.
     ///
-    /// False when that cannot be done: p is hidden from the boundary edge, or the budget is spent. Then the mesh is of
-    /// no use any more.
+    /// False when p is hidden from the boundary edge, when the budget is spent, and seldom for a p beyond the edge's
+    /// triangle that is not hidden. Then the mesh is of no use any more.
     [[nodiscard]] bool insert(std::uint32_t before, std::uint32_t p) noexcept
     {
         const std::uint32_t h = mesh_.boundary_from(before), h1 = half_edges::next(h), h2 = half_edges::previous(h);
