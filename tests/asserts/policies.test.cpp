@@ -247,8 +247,8 @@ TEST_CASE("an extruder that emits more or fewer than it planned is told so, and 
 
 TEST_CASE("a sink that is written past its end, or before it has begun, tells so", "[asserts]")
 {
-    const std::string vertices = "more vertices were written than the sink has room for",
-                      triangles = "more triangles were written than the sink has room for";
+    const std::string vertices = "more vertices were written than the sink can hold",
+                      triangles = "more triangles were written than the sink can hold";
     // Memory lies behind what the sinks are told of: the sentence comes, and nothing breaks.
     std::array<corner, 4> corners;
     std::array<std::uint16_t, 12> indices;

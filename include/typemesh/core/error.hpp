@@ -139,8 +139,8 @@ inline const char* describe(const error& e, std::span<char> out) noexcept
     else if (*what != '\0')
         std::snprintf(how_many, sizeof how_many, " (%s)", what);
     std::size_t size = 0;
-    for (const char* part : {static_cast<const char*>(where), e.message(), static_cast<const char*>(how_many)})
-        while (*part != '\0' && size + 1 < out.size()) out[size++] = *part++;
+    for (const char* words : {static_cast<const char*>(where), e.message(), static_cast<const char*>(how_many)})
+        while (*words != '\0' && size + 1 < out.size()) out[size++] = *words++;
     out[size] = '\0';
     return out.data();
 }

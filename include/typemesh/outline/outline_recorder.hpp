@@ -11,11 +11,11 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// The sink that keeps an outline as curves (core/outline.hpp): the first step of every mesh.
 ///
-/// Curves of length zero are dropped, open contours are closed with a line, contours without a curve leave no trace, not
-/// even in the bounds. After the first trouble all further calls are ignored; finish() tells it.
+/// Curves of length zero are dropped, and so are contours without a curve, from the bounds too; open contours are
+/// closed with a line. After the first error all further calls are ignored; finish() returns it.
 class outline_recorder {
 public:
-    /// Starts to record into `out`, which is emptied first and must outlive the recorder.
+    /// Starts recording into `out`, which is emptied first and must outlive the recorder.
     explicit outline_recorder(outline& out) noexcept : out_{out} { out_.clear(); }
 
     void move(point p) noexcept
@@ -61,8 +61,8 @@ public:
         else if (!out_.starts.push_back(end)) trouble_ = error::out_of_memory;
     }
 
-    /// Closes what is open and says how it went: error::outline_not_finite, error::bad_outline (a contour that does not
-    /// begin with move), error::out_of_memory, error::too_large, or none.
+    /// Closes the last contour and returns how it went: error::outline_not_finite, error::bad_outline (a contour that
+    /// does not begin with move), error::out_of_memory, error::too_large, or none.
     error finish() noexcept
     {
         close();
@@ -90,17 +90,17 @@ private:
     outline& out_;
     point start_;
     point current_;
-    box bounds_before_;  // of the contours before this one
+    box bounds_before_;  // of the contours before the current one
     bool open_ = false;
     error trouble_;
 };
 
 static_assert(outline_sink<outline_recorder>);
 
-/// Reads one glyph of a source into `out`, fill rule included. The stage in one call.
+/// Reads one glyph of a source into `out`, with its fill rule: the whole stage in one call.
 ///
-/// Fails with the source's own error (error::unknown_glyph, ...), else as finish() does; what `out` holds then means
-/// nothing.
+/// Fails with the source's own error (error::unknown_glyph, ...), else as finish() does; `out` then holds nothing
+/// meaningful.
 template <outline_source Source>
 error record(Source& source, glyph_id id, outline& out) noexcept
 {

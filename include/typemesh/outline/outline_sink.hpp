@@ -5,10 +5,10 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Takes an outline in five calls, in font units, y up.
+/// Takes an outline in five kinds of call, in font units, y up.
 ///
-/// Every contour begins with move() and ends with close(), or with the next move(), or with the outline's end;
-/// whichever it is, it is closed, with a straight line where its last point is not its first.
+/// Every contour begins with move() and ends with close(), with the next move(), or with the outline's end. In each
+/// case it is closed, with a straight line if its last point is not its first.
 template <class S>
 concept outline_sink = requires(S& s, point p) {
     { s.move(p) } noexcept;
@@ -18,7 +18,7 @@ concept outline_sink = requires(S& s, point p) {
     { s.close() } noexcept;
 };
 
-/// A sink that forgets everything: what outline_source is tried with.
+/// A sink that discards everything: the concept outline_source is checked with it.
 struct ignore_outline {
     constexpr void move(point) noexcept {}
     constexpr void line(point) noexcept {}

@@ -8,7 +8,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// An outline source of your own drawings: logos, icons, a test's shapes.
+/// An outline source of your own drawings: logos, icons, figures for a test.
 ///
 ///     recorded_outlines icons{1000.0};                              // units per em
 ///     auto id = icons.add([](outline_sink auto& pen) {
@@ -27,8 +27,8 @@ public:
     {
     }
 
-    /// Calls draw(sink) once and keeps what it draws; gives its id. A failed add leaves the set as it was. Errors: see
-    /// outline_recorder.
+    /// Calls draw(sink) once and keeps what it draws; returns its id. A failed add() leaves the set unchanged. Errors:
+    /// see outline_recorder.
     template <class Draw>
     result<glyph_id> add(Draw&& draw) noexcept
     {

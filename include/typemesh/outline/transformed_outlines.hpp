@@ -19,8 +19,8 @@ struct affine {
     }
 };
 
-/// A source whose outlines are another's, transformed: slanted (`{.xy = 0.2}`), condensed, mirrored. Advances are not
-/// touched. The other source must outlive it.
+/// A source whose outlines are another's, transformed: slanted (`{.xy = 0.2}`), condensed, mirrored. Advances stay the
+/// same. The other source must outlive it.
 template <outline_source Source>
 class transformed_outlines {
 public:

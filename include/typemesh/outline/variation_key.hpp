@@ -8,9 +8,10 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What an outline source tells of the state in which it draws (the axes of a variable font, a transformation), by its
-/// member `std::uint64_t variation_key() const noexcept`: where two states draw differently the numbers differ. 0 where
-/// it has no such member. The state is mixed into 64 bits; two of them in a million million share a number.
+/// The state in which an outline source draws (the axes of a variable font, a transformation), as the number that its
+/// member `std::uint64_t variation_key() const noexcept` returns: different for states that draw differently. 0 if it
+/// has no such member. The number is a 64-bit hash: that two of a million states share one has odds of about
+/// one in 37 million.
 template <class Source>
 [[nodiscard]] std::uint64_t variation_of(const Source& source) noexcept
 {
@@ -20,7 +21,7 @@ template <class Source>
         return 0;
 }
 
-/// One number more in a key: an odd multiple and a shift, so that order and place count.
+/// Mixes one more number into a key: an odd multiple and a shift, so that order and position count.
 [[nodiscard]] constexpr std::uint64_t mixed_key(std::uint64_t key, std::uint64_t number) noexcept
 {
     key = (key ^ number) * 0x9E37'79B9'7F4A'7C15u;

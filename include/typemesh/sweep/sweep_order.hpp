@@ -14,15 +14,15 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// A point's place in the sweep order and its index, in one word: x - left | y - bottom | index, as many bits each as
-/// needed.
+/// A point's position in the sweep order and its index, in one word: x - left | y - bottom | index, each with as many
+/// bits as needed.
 struct packed_sweep_key {
     std::uint64_t word;
     [[nodiscard]] std::uint64_t place(std::uint32_t index_bits) const noexcept { return word >> index_bits; }
     [[nodiscard]] bool before(packed_sweep_key other) const noexcept { return word < other.word; }
 };
 
-/// The same for shapes whose coordinates leave no room for the index.
+/// The same for coordinates that leave no bits for the index.
 struct wide_sweep_key {
     std::uint64_t word;
     std::uint32_t index;
@@ -66,7 +66,7 @@ void heap_sort(Key* keys, std::size_t n) noexcept
     }
 }
 
-/// Least significant digit first, 11 bits a pass. Returns where the sorted keys lie: `a` or `b`.
+/// Least significant digit first, 11 bits per pass. Returns where the sorted keys are: `a` or `b`.
 template <class Key>
 [[nodiscard]] Key* radix_sort(Key* a, Key* b, std::size_t n, std::uint32_t index_bits,
                               std::uint32_t place_bits) noexcept
@@ -93,15 +93,15 @@ template <class Key>
 
 inline constexpr std::size_t most_for_buckets = 2048;  // points; beyond, the radix sort is faster (measured)
 
-/// One pass into buckets by the leading bits, then insertion: what glyphs take. Where many points share a bucket (they
-/// stand in one column) that bucket is sorted on its own first; where very many do, all go the way of large shapes.
-/// Returns where the sorted keys lie: `a` or `b`. Needs 1 <= n <= most_for_buckets.
+/// One pass into buckets by the leading bits, then insertion sort: for points of glyphs. Where many points share a
+/// bucket (as points in one column do), that bucket is sorted on its own first; where very many do, radix sort takes
+/// over. Returns where the sorted keys are: `a` or `b`. Needs 1 <= n <= most_for_buckets.
 template <class Key>
 [[nodiscard]] Key* bucket_sort(Key* a, Key* b, std::size_t n, std::uint32_t index_bits,
                                std::uint32_t place_bits) noexcept
 {
-    constexpr std::uint32_t crowd = 16, great_crowd = 256;  // powers of two, to be seen in the union of all sizes
-    const auto bucket_bits = static_cast<std::uint32_t>(std::bit_width(n));  // 1 to 2 buckets a point
+    constexpr std::uint32_t crowd = 16, great_crowd = 256;  // powers of two: the bitwise or of all sizes shows them
+    const auto bucket_bits = static_cast<std::uint32_t>(std::bit_width(n));  // 1 to 2 buckets per point
     const std::size_t buckets = std::size_t{1} << bucket_bits;
     const std::uint32_t shift = place_bits > bucket_bits ? place_bits - bucket_bits : 0;
     std::uint16_t first[4 * most_for_buckets];
@@ -127,7 +127,7 @@ template <class Key>
     return b;
 }
 
-/// Where the sorted keys lie: `keys` or `spare`.
+/// Returns where the sorted keys are: `keys` or `spare`.
 template <class Key>
 [[nodiscard]] const Key* sort_sweep_keys(Key* keys, Key* spare, std::size_t n, std::uint32_t index_bits,
                                          std::uint32_t place_bits) noexcept
@@ -145,8 +145,9 @@ template <class Key>
 /// The indices of `points` in the order of a left-to-right sweep: by x, then y, then index. `order` holds points.size()
 /// values.
 ///
-/// False when `space` has no memory. O(n log n) at worst; O(n) passes over 64-bit keys in practice, about half of what
-/// std::sort takes on glyphs. Scratch: 16 bytes a point (32 where x, y and index together need more than 64 bits).
+/// False when memory runs out. O(n log n) at worst; in practice O(n) passes over 64-bit keys, in about half the time
+/// that std::sort takes on glyphs. Scratch: 16 bytes per point (32 where x, y and index together need more than 64
+/// bits).
 [[nodiscard]] inline bool sweep_order(std::span<const grid_point> points, workspace& space,
                                       std::uint32_t* order) noexcept
 {

@@ -9,20 +9,19 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What a sweep line crosses, ordered from below to above: a linked list while it is short, with express lanes (a skip
-/// list) once it is long.
+/// What a sweep line crosses, ordered from bottom to top: a linked list while it is short, a skip list once it is long.
 ///
 ///     lane 2   head ------------------------------> 7 -----------------> head
 ///     lane 1   head ----------> 4 ----------------> 7 ------> 1 -------> head
 ///     items    0 ---> 3 ------> 4 ---> 9 ---> 2 --> 7 ------> 1 --> 8 -> 0
 ///
-/// Items are numbers that the sweep gives out, from 1; 0 stands for what lies below and above all. Items that are
-/// already there when the lanes open stay without: they are at most `lanes_from`, so a search still takes O(log n)
-/// steps. Heights come from a generator with a fixed seed: equal input, equal steps.
+/// Items are numbers that the sweep assigns, from 1; 0 stands for what lies below and above all. Items that are already
+/// there when the first lane opens get no tower: they are at most `lanes_from`, so a search still takes O(log n) steps.
+/// Tower heights come from a generator with a fixed seed: equal input, equal steps.
 /// From  W. Pugh, Skip lists: a probabilistic alternative to balanced trees (1990)
 class sweep_status {
-    static constexpr std::uint32_t lanes_from = 16;  ///< items without a lane; 8 to 48 measure alike
-    static constexpr std::uint32_t most_lanes = 11;  ///< every fourth item rises: 4^11 items
+    static constexpr std::uint32_t lanes_from = 16;  ///< items without a lane; 8 to 48 are equally fast
+    static constexpr std::uint32_t most_lanes = 11;  ///< every fourth item rises to the next: 4^11 items
 
     struct place {
         std::uint32_t link[2];  // below, above
@@ -35,7 +34,7 @@ class sweep_status {
     };
 
 public:
-    /// Room for the items 1 to `most_items`; false when there is no memory. About 18 bytes an item.
+    /// Takes memory for the items 1 to `most_items`, about 18 bytes per item; false when memory runs out.
     [[nodiscard]] bool open(workspace::scope& scratch, std::size_t most_items) noexcept
     {
         places_ = scratch.take<place>(most_items + 1);
@@ -59,9 +58,8 @@ public:
         return places_[item].link[side];
     }
 
-    /// The last item that `lies_below(item)`, else 0. The answers must be true for the first items and false for the
-    /// others; where they are not, some item is found whose answer was true and whose next one's was false.
-    /// lies_below(0) is false.
+    /// The last item for which `lies_below(item)` is true, else 0. It must be true for the first items and false for
+    /// the others; otherwise the item found is one for which it is true but not for the next. lies_below(0) is false.
     template <class LiesBelow>
     [[nodiscard]] std::uint32_t last_below(const LiesBelow& lies_below) noexcept
     {
@@ -80,7 +78,7 @@ public:
         return item;
     }
 
-    /// Puts `item` right above `under`, which the last search found, or which was put right above what it found.
+    /// Inserts `item` right above `under`, which the last search found, or which was inserted right above its result.
     void insert_above(std::uint32_t under, std::uint32_t item) noexcept
     {
         const std::uint32_t over = places_[under].link[1];
@@ -127,7 +125,7 @@ private:
             stops_[s] = {item, {before, after}, down};
             stops_[before].link[1] = s;
             stops_[after].link[0] = s;
-            found_[lane] = s;  // so that a second item may follow the same search
+            found_[lane] = s;  // so that a second item may be inserted after the same search
             places_[item].tower = down = s;
         }
     }

@@ -16,7 +16,7 @@
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// Writes whole vertices and indices into two arrays of the caller's, mapped GPU memory included: each element once, in
-/// ascending order, never read back. Both hold still until end(). base_vertex is added to every index.
+/// ascending order, never read back. Both arrays must stay in place until end(). base_vertex is added to every index.
 ///
 /// Fails in begin(), before anything is written:
 ///        error::buffer_too_small  a span is too short; count = how many elements it needs
@@ -33,27 +33,27 @@ public:
     }
 
     error begin(mesh_size exact) noexcept { return begin_numbering(exact, exact.vertices); }
-    /// See chunked_sink: Index need only number the vertices of one chunk.
+    /// See chunked_sink: Index need only be wide enough for the vertices of one chunk.
     error begin_chunks(mesh_size exact, std::uint32_t most) noexcept { return begin_numbering(exact, most); }
     /// See ranged_sink.
     [[nodiscard]] array_sink subrange(mesh_range range) const noexcept
         requires std::is_copy_constructible_v<Writer>
     {
-        array_sink part = *this;
-        part.next_vertex_ += range.first_vertex;
-        part.index_.skip(range.first_index);
-        return part;
+        array_sink sub = *this;
+        sub.next_vertex_ += range.first_vertex;
+        sub.index_.skip(range.first_index);
+        return sub;
     }
     void vertex(const surface_point<wants>& s) noexcept
     {
         TYPEMESH_ASSERT(next_vertex_ != nullptr && next_vertex_ < vertices_.data() + vertices_.size(),
-                        "more vertices were written than the sink has room for");
+                        "more vertices were written than the sink can hold");
         *next_vertex_++ = writer_(s);
     }
     void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept
     {
         TYPEMESH_ASSERT(index_.fits_before(indices_.data() + indices_.size()),
-                        "more triangles were written than the sink has room for");
+                        "more triangles were written than the sink can hold");
         index_.triangle(a, b, c);
     }
     void end() noexcept {}
@@ -76,7 +76,7 @@ private:
     [[no_unique_address]] Writer writer_;
 };
 
-/// Asks for the missing specialisation by name.
+/// Names the missing specialisation in a compile error.
 template <class Vertex>
 consteval void require_vertex_traits() noexcept
 {
@@ -87,7 +87,7 @@ consteval void require_vertex_traits() noexcept
         "see typemesh/vertex/vertex_traits.hpp.");
 }
 
-/// A sink over two arrays; the writer is the vertex' own vertex_traits.
+/// A sink over two arrays; the writer is the vertex type's own vertex_traits.
 template <class Vertex, std::size_t V, class Index, std::size_t I>
 [[nodiscard]] auto into(std::span<Vertex, V> vertices, std::span<Index, I> indices,
                         std::uint32_t base_vertex = 0) noexcept
@@ -96,7 +96,7 @@ template <class Vertex, std::size_t V, class Index, std::size_t I>
     return array_sink<Vertex, Index, vertex_traits<Vertex>>{vertices, indices, {}, base_vertex};
 }
 
-/// The same with a writer of your own, which may carry state.
+/// The same with a writer of your own, which may have state.
 template <class Vertex, std::size_t V, class Index, std::size_t I, vertex_writer Writer>
 [[nodiscard]] auto into(std::span<Vertex, V> vertices, std::span<Index, I> indices, Writer writer,
                         std::uint32_t base_vertex = 0) noexcept
@@ -104,11 +104,11 @@ template <class Vertex, std::size_t V, class Index, std::size_t I, vertex_writer
     return array_sink<Vertex, Index, Writer>{vertices, indices, std::move(writer), base_vertex};
 }
 
-// Pointers, which know no size.
+// Pointers carry no size.
 template <class Vertex, class Index, class... More>
 [[nodiscard]] auto into(Vertex*, Index*, More...) noexcept
 {
-    static_assert(sizeof(Vertex) == 0, "typemesh: into() must know how much room there is: of pointers make "
+    static_assert(sizeof(Vertex) == 0, "typemesh: into() must know the sizes: replace the pointers by "
                                        "`std::span{vertices, how_many}` and `std::span{indices, how_many}`.");
     return into(std::span<Vertex>{}, std::span<Index>{});
 }

@@ -8,7 +8,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A colour of four bytes, red first in memory (R8G8B8A8, GL_RGBA). Made from numbers between 0 and 1.
+/// A colour of four bytes, red first in memory (R8G8B8A8, GL_RGBA). Made from numbers from 0 to 1.
 struct rgba8 {
     unorm8 r;
     unorm8 g;
@@ -30,8 +30,8 @@ struct bgra8 {
     friend constexpr bool operator==(const bgra8&, const bgra8&) noexcept = default;
 };
 
-/// One colour (or whatever a T is) for each part: hand it to a writer that wants attribute::part, and call it with
-/// s.part. A constant needs no such thing: keep it in the writer.
+/// One colour (or any other T) per part, for a writer that wants attribute::part: call it with s.part. A single colour
+/// for all parts is simply a member of the writer.
 template <class T = rgba8>
 struct part_colours {
     T front;

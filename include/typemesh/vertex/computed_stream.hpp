@@ -10,7 +10,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// An array of anything that follows from a point: element i is what `make` returns for vertex i. For stream_sink.
+/// An array of anything computed from surface points: element i is what `make` returns for vertex i. For stream_sink.
 ///
 ///     make(surface_point<Wants>) noexcept -> element
 ///
@@ -43,7 +43,7 @@ template <attribute Wants, class T, std::size_t N, class Make>
     return computed_elements<Wants, T, Make>{elements.data(), elements.size(), sizeof(T), std::move(make)};
 }
 
-/// A stream of Ts in some bytes, the first `offset` bytes behind their begin, `bytes_apart` bytes from one to the next.
+/// A stream of Ts in a block of bytes: the first `offset` bytes from its start, then one every `bytes_apart` bytes.
 template <attribute Wants, class T, class Make>
 [[nodiscard]] auto computed_stream(std::span<std::byte> bytes, std::size_t offset, std::size_t bytes_apart,
                                    Make make) noexcept
@@ -52,7 +52,7 @@ template <attribute Wants, class T, class Make>
     return computed_elements<Wants, T, Make>{place.data, place.capacity, bytes_apart, std::move(make)};
 }
 
-/// The same element for every vertex: a colour, a material's number.
+/// The same element for every vertex: a colour, a material number.
 template <class T, std::size_t N>
 [[nodiscard]] constexpr auto constant_stream(std::span<T, N> elements, T value) noexcept
 {

@@ -11,15 +11,15 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Where texture coordinate v = 0 lies: at the top (Direct3D, Vulkan, glTF, Unreal) or at the bottom (OpenGL, Unity).
 enum class uv_origin : std::uint8_t { top_left, bottom_left };
 
-/// The caller's coordinate system: where the text's own directions point in it, and which way its triangles must turn.
+/// The caller's coordinate system: where the text's own directions point in it, and the winding of its triangles.
 ///
-///        up                       Text runs along `right`, stands along `up` and looks along `toward` (the front cap's
+///        up                       Text runs along `right`, stands along `up` and faces `toward` (the front cap's
 ///         |   the text's front    normal). The three are unit vectors at right angles; they may be left-handed.
 ///         |
 ///         +------ right           winding: the sign of dot(cross(b - a, c - a), normal) for a triangle a, b, c,
 ///        /                        computed in these very coordinates. +1 for OpenGL, glTF, Direct3D and Unity; -1 for
-///     toward                      Godot. It says what "clockwise" leaves open: a left-handed frame by itself turns no
-///                                 triangle.
+///     toward                      Godot. Unlike "clockwise" it is unambiguous: a left-handed frame by itself reverses
+///                                 no triangle.
 struct frame {
     vec3 right{1.0f, 0.0f, 0.0f};
     vec3 up{0.0f, 1.0f, 0.0f};
@@ -27,7 +27,7 @@ struct frame {
     std::int8_t winding = 1;
     uv_origin uv = uv_origin::top_left;
 
-    /// Whether the three are left-handed among themselves, in the order right, up, toward: a negative determinant.
+    /// Whether right, up, toward, in this order, are left-handed: their determinant is negative.
     [[nodiscard]] constexpr bool mirrors() const noexcept
     {
         const float determinant = right.x * (up.y * toward.z - up.z * toward.y) -
@@ -36,11 +36,11 @@ struct frame {
         return determinant < 0.0f;
     }
 
-    /// Whether two corners of each triangle must be exchanged: the mapping mirrors, or the winding asked for is
-    /// negative.
+    /// Whether two corners of each triangle must be swapped: either the frame mirrors or the winding is negative, but
+    /// not both.
     [[nodiscard]] constexpr bool turns_triangles() const noexcept { return mirrors() != (winding < 0); }
 
-    /// Whether the three are unit vectors at right angles, but for rounding.
+    /// Whether the three are unit vectors at right angles, up to rounding.
     [[nodiscard]] constexpr bool is_orthonormal() const noexcept
     {
         const auto product = [](vec3 a, vec3 b) noexcept { return a.x * b.x + a.y * b.y + a.z * b.z; };
@@ -51,7 +51,7 @@ struct frame {
                is(product(right, up), 0.0f) && is(product(up, toward), 0.0f) && is(product(toward, right), 0.0f);
     }
 
-    /// Whether each of the three points along a coordinate axis, forwards or backwards.
+    /// Whether each of the three is parallel to a coordinate axis, in either direction.
     [[nodiscard]] constexpr bool is_along_axes() const noexcept
     {
         const auto one = [](vec3 v) noexcept {
@@ -76,8 +76,8 @@ inline constexpr frame left_handed_y_up{.toward = {0.0f, 0.0f, -1.0f}};
 /// Right-handed, z up, front towards -y: Blender, CAD.
 inline constexpr frame right_handed_z_up{.up = {0.0f, 0.0f, 1.0f}, .toward = {0.0f, -1.0f, 0.0f}};
 
-/// Left-handed, z up, front towards -x, text along +y: Unreal's axes (see its own pages for the winding that it
-/// expects).
+/// Left-handed, z up, front towards -x, text along +y: Unreal's axes (see Unreal's own documentation for the winding
+/// that it expects).
 inline constexpr frame left_handed_z_up{
     .right = {0.0f, 1.0f, 0.0f}, .up = {0.0f, 0.0f, 1.0f}, .toward = {-1.0f, 0.0f, 0.0f}};
 

@@ -14,7 +14,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A container that can be sized and lies in one piece: std::vector, and those of most engines.
+/// A contiguous container that can be resized: std::vector, and those of most engines.
 template <class C>
 concept sizable_array = requires(C& c, std::size_t n) {
     typename C::value_type;
@@ -22,11 +22,11 @@ concept sizable_array = requires(C& c, std::size_t n) {
     { c.data() } -> std::same_as<typename C::value_type*>;
 };
 
-/// Sizes two containers of the caller's to fit, then writes as array_sink does. What they held before is replaced. They
-/// are referred to until end(). base_vertex is added to every index.
+/// Resizes two containers of the caller's to fit, then writes as array_sink does. Their old elements are replaced. It
+/// refers to them until end(). base_vertex is added to every index.
 ///
-/// A container that throws when memory fails gives error::out_of_memory (where exceptions are on), both then being as
-/// they were if they have reserve().
+/// A container that throws when memory runs out gives error::out_of_memory (where exceptions are on); both are then
+/// unchanged if they have reserve().
 template <sizable_array Vertices, sizable_array Indices, vertex_writer Writer>
 class growing_sink {
     using vertex_type = typename Vertices::value_type;
@@ -41,27 +41,27 @@ public:
     }
 
     error begin(mesh_size exact) noexcept { return begin_numbering(exact, exact.vertices); }
-    /// See chunked_sink: the indices' type need only number the vertices of one chunk.
+    /// See chunked_sink: the index type need only be wide enough for the vertices of one chunk.
     error begin_chunks(mesh_size exact, std::uint32_t most) noexcept { return begin_numbering(exact, most); }
     /// See ranged_sink.
     [[nodiscard]] growing_sink subrange(mesh_range range) const noexcept
         requires std::is_copy_constructible_v<Writer>
     {
-        growing_sink part = *this;
-        part.next_vertex_ += range.first_vertex;
-        part.index_.skip(range.first_index);
-        return part;
+        growing_sink sub = *this;
+        sub.next_vertex_ += range.first_vertex;
+        sub.index_.skip(range.first_index);
+        return sub;
     }
     void vertex(const surface_point<wants>& s) noexcept
     {
         TYPEMESH_ASSERT(next_vertex_ != nullptr && next_vertex_ < vertices_->data() + vertices_->size(),
-                        "more vertices were written than the sink has room for");
+                        "more vertices were written than the sink can hold");
         *next_vertex_++ = writer_(s);
     }
     void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept
     {
         TYPEMESH_ASSERT(index_.fits_before(indices_->data() + indices_->size()),
-                        "more triangles were written than the sink has room for");
+                        "more triangles were written than the sink can hold");
         index_.triangle(a, b, c);
     }
     void end() noexcept {}
@@ -104,7 +104,7 @@ private:
     [[no_unique_address]] Writer writer_;
 };
 
-/// A sink that sizes two containers: `std::vector<my_vertex>` and `std::vector<std::uint32_t>`, or the like.
+/// A sink that resizes two containers: `std::vector<my_vertex>` and `std::vector<std::uint32_t>`, or the like.
 template <sizable_array Vertices, sizable_array Indices>
 [[nodiscard]] auto into(Vertices& vertices, Indices& indices, std::uint32_t base_vertex = 0) noexcept
 {

@@ -8,13 +8,13 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A number of 16 bits, IEEE 754 binary16: 1 sign, 5 bits of exponent, 11 significant bits; 65,504 is the largest and
-/// 2^-24 the smallest above 0. What graphics interfaces call half or float16.
+/// A 16-bit number, IEEE 754 binary16: 1 sign bit, 5 exponent bits, 11 significant bits. 65,504 is the largest and
+/// 2^-24 the smallest above 0. Graphics interfaces call it half or float16.
 ///
-///     struct my_vertex { float position[3]; half uv[2]; };    // {..., {s.uv.x, s.uv.y}} converts by itself
+///     struct my_vertex { float position[3]; half uv[2]; };    // {..., {s.uv.x, s.uv.y}} converts implicitly
 ///
-/// A float is rounded to the nearest, to the even one of two equally near; 65,520 and more become infinity, NaN stays
-/// NaN. Back to float is exact. Done on the bits, so compiler switches for fast arithmetic change nothing.
+/// A float is rounded to nearest, ties to even; 65,520 and more become infinity, NaN stays NaN. Conversion back to
+/// float is exact. Done on the bits, so compiler switches for fast arithmetic change nothing.
 struct half {
     std::uint16_t bits;
 
@@ -34,7 +34,7 @@ struct half {
         if (exponent == 0x1F) return as_float(sign | 0x7F80'0000u | fraction << 13);
         if (exponent != 0) return as_float(sign | (exponent + 112) << 23 | fraction << 13);
         const float tiny = static_cast<float>(fraction) * 0x1p-24f;
-        std::uint32_t size;  // the sign as a bit: -ffast-math drops that of a zero
+        std::uint32_t size;  // the sign is added as a bit: -ffast-math drops that of a zero
         std::memcpy(&size, &tiny, sizeof size);
         return as_float(sign | size);
     }
@@ -55,7 +55,7 @@ private:
         b &= 0x7FFF'FFFFu;
         if (b > 0x7F80'0000u) return static_cast<std::uint16_t>(sign | 0x7E00u | (b >> 13 & 0x3FFu));  // NaN
         if (b >= 0x4780'0000u) return static_cast<std::uint16_t>(sign | 0x7C00u);                      // from 2^16
-        if (b >= 0x3880'0000u) {  // from 2^-14: the exponent's bias changes, a carry runs into it as it should
+        if (b >= 0x3880'0000u) {  // from 2^-14: changes the exponent's bias; a carry into the exponent is correct
             b += 0xC800'0FFFu + (b >> 13 & 1u);
             return static_cast<std::uint16_t>(sign | b >> 13);
         }

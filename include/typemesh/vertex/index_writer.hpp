@@ -11,23 +11,23 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What numbers vertices, wherever indices are written: an integer of 8 to 64 bits, unsigned as graphics interfaces have
-/// it or signed as Eigen, Godot, Qt and VTK do. A bool, a character or an enumeration is none.
+/// The type of an index, wherever indices are written: an integer of 8 to 64 bits, unsigned as in graphics interfaces
+/// or signed as in Eigen, Godot, Qt and VTK. Not a bool, a character or an enumeration.
 template <class T>
 concept vertex_index =
     std::integral<T> && !std::is_const_v<T> && !std::same_as<T, bool> && !std::same_as<T, char> &&
     !std::same_as<T, wchar_t> && !std::same_as<T, char8_t> && !std::same_as<T, char16_t> && !std::same_as<T, char32_t>;
 
-/// Whether Index can number so many vertices from 0 on. Its greatest value (0xFFFF, 0xFFFFFFFF; 0x7FFFFFFF of an int) is
-/// kept free: graphics interfaces read it as "restart".
+/// Whether Index can number that many vertices from 0. Its greatest value (0xFFFF, 0xFFFFFFFF; 0x7FFFFFFF of an int)
+/// stays free: graphics interfaces read it as "primitive restart".
 template <vertex_index Index>
 [[nodiscard]] constexpr bool index_can_number(std::uint64_t vertices) noexcept
 {
     return vertices <= static_cast<std::uint64_t>((std::numeric_limits<Index>::max)());
 }
 
-/// Writes triangles behind one another as three indices each, a base vertex added to all: each element once, in
-/// ascending order, never read back. What the sinks over memory have in common.
+/// Writes consecutive triangles as three indices each, a base vertex added to all: each element once, in ascending
+/// order, never read back. Shared by all sinks over memory.
 template <class Index>
 class index_writer {
     static_assert(vertex_index<Index>, "typemesh: indices are integers of 8 to 64 bits that can be written, signed or "
@@ -36,7 +36,7 @@ class index_writer {
 public:
     explicit constexpr index_writer(std::uint32_t base_vertex) noexcept : base_{base_vertex} {}
 
-    /// The error of a mesh whose vertices Index cannot number, the base vertex' included; none if it can.
+    /// error::index_overflow if Index cannot number so many vertices behind the base vertex, else none.
     [[nodiscard]] constexpr error numbers(std::uint64_t vertices) const noexcept
     {
         return index_can_number<Index>(base_ + vertices) ? error{} : error{error::index_overflow, base_ + vertices};
@@ -45,7 +45,7 @@ public:
     constexpr void start(Index* first) noexcept { next_ = first; }
     constexpr void skip(std::size_t indices) noexcept { next_ += indices; }
 
-    /// Whether a triangle more ends before `end`; never before start().
+    /// Whether one more triangle ends before `end`; false before start().
     [[nodiscard]] constexpr bool fits_before(const Index* end) const noexcept
     {
         return next_ != nullptr && end - next_ >= 3;
@@ -61,7 +61,7 @@ public:
 
 private:
     Index* next_ = nullptr;
-    std::uint64_t base_;  // not as wide as an index: else each one that is stored might be the base, which is read anew
+    std::uint64_t base_;  // wide, so that storing a 32-bit index cannot alias it and make it be reread
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -10,13 +10,13 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How much a mesh holds, exactly. Both stay below 2^32.
+/// The exact size of a mesh; both numbers are below 2^32 in every mesh that is written.
 struct mesh_size {
     std::uint64_t vertices = 0;
     std::uint64_t triangles = 0;
 
     [[nodiscard]] constexpr std::uint64_t indices() const noexcept { return 3 * triangles; }
-    /// Whether 32 bits number its vertices and its indices.
+    /// Whether 32 bits can number its vertices and its indices.
     [[nodiscard]] constexpr bool fits_32_bits() const noexcept
     {
         return vertices <= 0xFFFF'FFFFu && indices() <= 0xFFFF'FFFFu;
@@ -31,7 +31,7 @@ struct mesh_size {
 /// Where finished geometry goes: two arrays, a mapped GPU buffer, a file.
 ///
 ///     S::wants             the attributes it takes
-///     s.begin(exact)       comes first, with the exact sizes; it alone can fail, and then nothing else is called
+///     s.begin(exact)       comes first, with the exact sizes; only it can fail, and then nothing else is called
 ///     s.vertex(p)          exactly exact.vertices times: vertex 0, 1, 2, ...; p is a surface_point<S::wants>
 ///     s.triangle(a, b, c)  exactly exact.triangles times, after all vertices: numbers below exact.vertices
 ///     s.end()              comes last
@@ -44,13 +44,13 @@ concept mesh_sink = requires(S& s, mesh_size exact, const surface_point<S::wants
     { s.end() } noexcept;
 };
 
-/// An array or a container of the caller's, where a sink is wanted.
+/// An array or a container of the caller's, passed where a sink is needed.
 template <class A>
 concept array_without_sink =
     !mesh_sink<std::remove_reference_t<A>> &&
     (std::is_array_v<std::remove_reference_t<A>> || requires(A& a) { a.data(); a.size(); });
 
-/// For overloads that stand where a sink is taken, so that a forgotten into() is told in a sentence.
+/// For overloads beside those that take a sink, so that a forgotten into() is reported in one sentence.
 template <class A>
 constexpr error refuse_arrays() noexcept
 {

@@ -10,14 +10,13 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A number between -1 and 1 (signed Integer) or 0 and 1 (unsigned) as a whole number: what graphics interfaces call
+/// A number from -1 to 1 (signed Integer) or 0 to 1 (unsigned) stored as an integer: what graphics interfaces call
 /// snorm and unorm.
 ///
-///     value = bits / most        most = 127, 255, 32,767 or 65,535; of snorm, one more step below -1 also means -1
+///     value = bits / most        most = 127, 255, 32,767 or 65,535; for snorm, bits = -most - 1 means -1 as well
 ///
-/// A float beyond the range becomes its nearer end (NaN one of the ends); all others the nearest step, and of two
-/// equally near that farther from 0, as Direct3D says. The rounding is exact: the product with `most` is computed where
-/// it has room.
+/// A float out of range is clamped (NaN becomes one of the ends); all others are rounded to the nearest step, ties away
+/// from 0, as Direct3D says. The rounding is exact: the product with `most` is computed in double precision.
 ///
 ///     struct my_vertex { float position[3]; snorm8 normal[4]; };  // {..., {s.normal.x, s.normal.y, s.normal.z, 0.0f}}
 template <std::integral Integer>
@@ -51,7 +50,7 @@ private:
     {
         constexpr float least = std::is_signed_v<Integer> ? -1.0f : 0.0f;
         const float inside = value > least ? (value < 1.0f ? value : 1.0f) : least;
-        const double steps = static_cast<double>(inside) * most;  // 24 bits by 16: exact, and so is the half added
+        const double steps = static_cast<double>(inside) * most;  // 24 bits by 16: exact, and so is adding the half
         return static_cast<Integer>(static_cast<int>(steps + 0.5 - static_cast<double>(steps < 0.0)));
     }
 };

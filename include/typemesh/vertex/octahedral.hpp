@@ -11,15 +11,15 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A unit vector as two numbers, by the octahedron around the origin, its lower half folded out:
+/// A unit vector as two numbers: projected onto the octahedron around the origin, whose lower half is folded out.
 ///
-///       +---+---+        (x, y) = (nx, ny) / (|nx| + |ny| + |nz|); where nz < 0, the corners' triangles are turned
-///       | / | \ |        over: (1 - |y|, 1 - |x|) with the signs of x and y. The middle is +z, the corners are -z.
+///       +---+---+        (x, y) = (nx, ny) / (|nx| + |ny| + |nz|); where nz < 0, the corner triangles are folded over:
+///       | / | \ |        (1 - |y|, 1 - |x|) with the signs of x and y. The middle is +z, the corners are -z.
 ///       +---+---+
-///       | \ | / |        Of the four steps around (x, y) the one is taken whose vector lies closest: the "precise"
+///       | \ | / |        Of the four steps around (x, y), the one whose vector is closest is taken: the "precise"
 ///       +---+---+        encoding, which halves the error of plain rounding at some 4 times its cost.
 ///
-///     octahedral<snorm8>    2 bytes, within 0.64 degrees of the vector given
+///     octahedral<snorm8>    2 bytes, within 0.64 degrees of the given vector
 ///     octahedral<snorm16>   4 bytes, within 0.0025 degrees
 ///
 /// A shader decodes with z = 1 - |x| - |y|, t = max(-z, 0), x -= sign(x) * t, y -= sign(y) * t, and normalises.
@@ -34,10 +34,10 @@ struct octahedral {
 
     octahedral() = default;
 
-    /// Of a vector that is not zero; its length does not matter.
+    /// Encodes any vector but zero; its length does not matter.
     octahedral(float nx, float ny, float nz) noexcept : octahedral{nx, ny, nz, every<1>{}, 0} {}
 
-    /// The unit vector that it stands for.
+    /// The unit vector that it encodes.
     [[nodiscard]] vec3 decoded() const noexcept
     {
         const auto end = [](int bits) { return bits < -Step::most ? -1.0 : static_cast<double>(bits) / Step::most; };
@@ -50,7 +50,7 @@ protected:
     template <int Apart>
     using every = std::integral_constant<int, Apart>;
 
-    /// The same with only some steps of y allowed: those whose bits are y_first, y_first + y_apart and so on.
+    /// The same with only some steps of y: those whose bits are y_first, y_first + y_apart and so on.
     template <int Apart>
     octahedral(float nx, float ny, float nz, every<Apart> y_apart, int y_first) noexcept
     {
@@ -62,12 +62,12 @@ protected:
             v = std::copysign(1.0 - std::fabs(u), v);
             u = folded;
         }
-        // Whole numbers below, without a call: shifted up, so that cutting off is rounding down.
+        // Rounded down without a call: an offset makes the numbers positive, for which truncation is that.
         constexpr double step = 1.0 / Step::most;
         const int low_u = static_cast<int>(u * Step::most + Step::most) - Step::most,
                   low_v = (static_cast<int>(v * Step::most + 2 * Step::most + y_apart - y_first) / y_apart) * y_apart -
                           2 * Step::most - y_apart + y_first;
-        // The cosine's square is along^2 / length^2; both are compared crosswise, without roots and quotients.
+        // The squared cosine is along^2 / length^2; two are compared by cross-multiplication.
         double best_along = 0.0, best_length = 1.0;
         int best_x = 0, best_y = 0;
         for (int i = 0; i < 4; ++i) {

@@ -9,13 +9,13 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A tangent and its sign in the room of an octahedral vector: the sign is y's lowest bit, 1 for -1, and of the steps
-/// of y those are used that have it.
+/// A tangent and its sign in the size of an octahedral vector: the sign is y's lowest bit, 1 for -1, and y is rounded
+/// to a step that has it.
 ///
 ///     octahedral_tangent<snorm8>   2 bytes, within 1.1 degrees    octahedral_tangent<snorm16>   4 bytes, within 0.0043
 ///
-/// A shader decodes the direction as if nothing were in it: the bounds are those of just that. Tangents of 8, 10 or 16
-/// bits a component have room for a sign by themselves: {x, y, z, w} of snorm8 or snorm16, snorm10{x, y, z, w}.
+/// A shader decodes the direction as if there were no sign: the bounds include this. Tangents of 8, 10 or 16 bits per
+/// component need no such thing: {x, y, z, w} of snorm8 or snorm16, snorm10{x, y, z, w}.
 template <class Step>
 struct octahedral_tangent : private octahedral<Step> {
     using octahedral<Step>::x;
@@ -27,7 +27,7 @@ struct octahedral_tangent : private octahedral<Step> {
     {
     }
 
-    /// The unit vector and its sign.
+    /// The unit vector and the sign.
     [[nodiscard]] vec4 decoded() const noexcept
     {
         const vec3 t = octahedral<Step>::decoded();

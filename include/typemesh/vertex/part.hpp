@@ -8,15 +8,16 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The parts of a mesh that may carry materials of their own. In the output each part's vertices lie together, and so
-/// do each part's indices, in this order.
+/// The parts of a mesh, which may have different materials. In the output the vertices of a part are contiguous, and so
+/// are its indices; parts come in this order.
 ///
-/// Extruders may have more, up to eight: part{3} and so on, behind these (see extruder.hpp).
+/// Extruders may have more, up to eight: part{3} and so on, after these (see extruder.hpp).
 enum class part : std::uint8_t { front, back, side };
 
 inline constexpr std::size_t most_parts = 8;
 
-/// Every part that a mesh may have. One that its extruder does not have is empty; text_plan::parts() leaves it out.
-inline constexpr part all_parts[most_parts] = {part::front, part::back, part::side, part{3}, part{4}, part{5}, part{6}, part{7}};
+/// Every part that a mesh may have. Those that its extruder does not have are empty; text_plan::parts() omits them.
+inline constexpr part all_parts[most_parts] = {part::front, part::back, part::side, part{3},
+                                               part{4},     part{5},    part{6},    part{7}};
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -15,15 +15,15 @@ struct box_position {
     friend constexpr bool operator==(const box_position&, const box_position&) noexcept = default;
 };
 
-/// Positions as 16-bit numbers relative to a box, and how they are read again:
+/// Positions as 16-bit numbers relative to a box, and how to decode them:
 ///
 ///     position = offset + scale * value     value = bits / 65,535, from 0 to 1: a unorm attribute, and the matrix
 ///                                           diag(scale), offset before all others
-///     position = offset + step * bits       the same for whole-number attributes; step = scale / 65,535
+///     position = offset + step * bits       the same for integer attributes; step = scale / 65,535
 ///
-/// Both corners of the box are steps themselves. Inside it a position comes back within half a step, an axis: scale /
-/// 131,070, and the rounding of the float that it is read into; outside it is moved to the box. Equal positions stay
-/// equal, so caps and walls still meet; positions less than a step apart may fall together.
+/// Both corners of the box are steps themselves. A position inside it comes back within half a step per axis, scale /
+/// 131,070, plus the rounding of the float that it is decoded to; a position outside is clamped to the box. Equal
+/// positions stay equal, so caps and walls still meet; positions less than a step apart may coincide.
 ///
 ///     position_box quantise = position_box::around(plan.bounds().low, plan.bounds().high);
 ///     my_vertex operator()(const surface_point<wants>& s) const noexcept { return {quantise(s.position), ...}; }
@@ -34,14 +34,14 @@ public:
 
     constexpr position_box() noexcept = default;
 
-    /// The box between two corners. An axis without extent has scale 0 and comes back exactly.
+    /// The box between two corners. An axis without extent has scale 0 and is exact.
     [[nodiscard]] static constexpr position_box around(vec3 low, vec3 high) noexcept
     {
         return {low, {high.x - low.x, high.y - low.y, high.z - low.z}};
     }
 
-    /// A cube instead, from the low corner on, as large as the box' longest side: where one scale must do for all axes,
-    /// since the matrix turns normals as well (glTF nodes).
+    /// A cube instead, from the low corner, as large as the box's longest side: for when one scale must serve all axes
+    /// because the matrix transforms normals as well (glTF nodes).
     [[nodiscard]] static constexpr position_box cube_around(vec3 low, vec3 high) noexcept
     {
         const position_box b = around(low, high);
@@ -69,7 +69,7 @@ private:
     {
     }
 
-    /// Steps a unit; none along an axis without extent.
+    /// Steps per unit; 0 along an axis without extent.
     [[nodiscard]] static constexpr double steps(float length) noexcept
     {
         return length > 0.0f ? unorm16::most / static_cast<double>(length) : 0.0;

@@ -16,17 +16,17 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How many elements of so many bytes fit into memory, `stride` bytes apart; the last needs no room behind it.
+/// How many elements of a size fit into `bytes`, `stride` bytes apart; the last needs no padding after it.
 [[nodiscard]] constexpr std::size_t elements_in(std::size_t bytes, std::size_t element, std::size_t stride) noexcept
 {
     return bytes < element ? 0 : (bytes - element) / (stride != 0 ? stride : 1) + 1;
 }
 
-/// One attribute in an array of its own: element i of type T lies `stride` bytes behind element i - 1.
+/// One attribute in an array of its own: element i of type T lies `stride` bytes after element i - 1.
 ///
-/// T is made from what the attribute holds: T{x, y, z} for positions and normals, T{u, v} for texture coordinates,
-/// T{x, y, z, sign} for tangents, T(number) for glyph, cluster and part (0 front, 1 back, 2 side). Packed formats are
-/// such types: snorm10, octahedral32, or structures of half, snorm16 and so on. Elements are written whole, once, in
+/// T is made from what the attribute holds: T{x, y, z} for positions and normals, T{u, v} for texture coordinates, T{x,
+/// y, z, sign} for tangents, T(number) for glyph, cluster and part (0 front, 1 back, 2 side). Packed formats are such
+/// types: snorm10, octahedral32, or structures of half, snorm16 and so on. Elements are written whole, once, in
 /// ascending order, and never read: the memory may be mapped.
 template <attribute A, class T>
 struct stream {
@@ -46,7 +46,7 @@ struct stream {
     }
     constexpr stream(std::span<T> elements) noexcept : data{elements.data()}, capacity{elements.size()} {}
 
-    /// As many elements as fit into some bytes, the first `offset` bytes behind their begin: one attribute of an
+    /// As many elements as fit into a block of bytes, the first `offset` bytes from its start: one attribute of an
     /// interleaved vertex of `bytes_apart` bytes.
     [[nodiscard]] static stream in(std::span<std::byte> bytes, std::size_t offset,
                                    std::size_t bytes_apart = sizeof(T)) noexcept
@@ -68,8 +68,8 @@ struct stream {
     }
 };
 
-/// What stream_sink asks of a stream: `wants`, `capacity` in elements, and put(i, point), called once for each i,
-/// ascending. computed_stream (computed_stream.hpp) makes one of any function.
+/// What stream_sink requires of a stream: `wants`, `capacity` in elements, and put(i, point), called once for each i,
+/// ascending. computed_stream (computed_stream.hpp) makes one from any function.
 template <class S>
 concept vertex_stream = requires(const S& s, std::size_t i, const surface_point<S::wants>& p) {
     { S::wants } -> std::convertible_to<attribute>;
@@ -100,20 +100,20 @@ public:
     }
 
     error begin(mesh_size exact) noexcept { return begin_numbering(exact, exact.vertices); }
-    /// See chunked_sink: Index need only number the vertices of one chunk.
+    /// See chunked_sink: Index need only be wide enough for the vertices of one chunk.
     error begin_chunks(mesh_size exact, std::uint32_t most) noexcept { return begin_numbering(exact, most); }
     /// See ranged_sink.
     [[nodiscard]] stream_sink subrange(mesh_range range) const noexcept
         requires(std::is_copy_constructible_v<Streams> && ...)
     {
-        stream_sink part = *this;
-        part.next_vertex_ = range.first_vertex;
-        part.index_.skip(range.first_index);
-        return part;
+        stream_sink sub = *this;
+        sub.next_vertex_ = range.first_vertex;
+        sub.index_.skip(range.first_index);
+        return sub;
     }
     void vertex(const surface_point<wants>& p) noexcept
     {
-        TYPEMESH_ASSERT(can_hold(next_vertex_ + 1), "more vertices were written than the sink has room for");
+        TYPEMESH_ASSERT(can_hold(next_vertex_ + 1), "more vertices were written than the sink can hold");
         std::apply(
             [&](const auto&... s) { (s.put(next_vertex_, only<std::remove_cvref_t<decltype(s)>::wants>(p)), ...); },
             streams_);
@@ -122,7 +122,7 @@ public:
     void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept
     {
         TYPEMESH_ASSERT(index_.fits_before(indices_.data() + indices_.size()),
-                        "more triangles were written than the sink has room for");
+                        "more triangles were written than the sink can hold");
         index_.triangle(a, b, c);
     }
     void end() noexcept {}

@@ -8,22 +8,23 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Stands where an attribute was not asked for: using it is a compile error that carries this name.
+/// Stands in for an attribute that was not requested: using it is a compile error that names this type.
 template <attribute A>
 struct not_in_wants {
     template <class T, attribute Asked = A>
     constexpr operator T() const noexcept
     {
         static_assert(Asked == attribute::none,
-                      "typemesh: not_in_wants: this attribute is used but not asked for; add it to your `wants`.");
+                      "typemesh: not_in_wants: this attribute is used but not requested; add it to your `wants`.");
         return T{};
     }
 };
 
 namespace detail {
 
-// One layer an attribute, each on top of the one before: a member where it is wanted, else a static one, which takes no
-// room. A chain, not a list of bases: every ABI lays out empty bases without padding when there is one of them.
+// One layer per attribute, each derived from the one before: a member where it is wanted, else a static one, which
+// takes no space. A chain, not a list of bases: every ABI lays out an empty base without padding when it is the only
+// one.
 
 template <attribute Wants, bool = has(Wants, attribute::position)>
 struct with_position {
@@ -95,23 +96,23 @@ struct with_part<Wants, false> : with_cluster<Wants> {
 ///     position   vec3   in the output's unit and frame (text_options)
 ///     normal     vec3   unit length, outward, in the same frame
 ///     uv         vec2   texture coordinates (see extrude/texture.hpp)
-///     tangent    vec4   x, y, z: unit length, at right angles to the normal, where u grows; w: +1 or -1, so that
-///                       w * cross(normal, tangent) is where v grows (see extrude/texture_tangent.hpp)
-///     glyph      glyph_id     whose glyph it is, in its font; no_glyph where nobody knows
-///     cluster    cluster_id   where in the caller's text it comes from; no_cluster where nobody knows
+///     tangent    vec4   x, y, z: unit length, perpendicular to the normal, the direction in which u grows; w: +1 or
+///                       -1, so that v grows along w * cross(normal, tangent) (see extrude/texture_tangent.hpp)
+///     glyph      glyph_id     the glyph it belongs to, in its font; no_glyph if unknown
+///     cluster    cluster_id   the position in the caller's text that it comes from; no_cluster if unknown
 ///     part       part         front, back or side
 ///
-/// What is not in `Wants` takes no room and is never computed.
+/// What is not in `Wants` takes no space and is never computed.
 template <attribute Wants>
 struct surface_point : detail::with_part<Wants> {
 };
 
-/// The same point with fewer attributes; Fewer must be among those it has.
+/// The same point with fewer attributes; Fewer must be a subset of Wants.
 template <attribute Fewer, attribute Wants>
 [[nodiscard]] constexpr surface_point<Fewer> only(const surface_point<Wants>& s) noexcept
 {
     static_assert((Fewer | Wants) == Wants,
-                  "typemesh: an attribute is asked for that this surface point does not have");
+                  "typemesh: an attribute is requested that this surface point does not have");
     surface_point<Fewer> fewer;
     if constexpr (has(Fewer, attribute::position)) fewer.position = s.position;
     if constexpr (has(Fewer, attribute::normal)) fewer.normal = s.normal;

@@ -13,11 +13,11 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     | w   |     z      |     y      |     x      |    DXGI_FORMAT_R10G10B10A2, GL_(UNSIGNED_)INT_2_10_10_10_REV,
 ///                                                       VK_FORMAT_A2B10G10R10_*_PACK32
 ///
-/// snorm10: from -1 to 1 in steps of 1/511; w is -1, 0 or 1, so the sign of a tangent has its place.
+/// snorm10: from -1 to 1 in steps of 1/511; w is -1, 0 or 1, enough for the sign of a tangent.
 /// unorm10: from 0 to 1 in steps of 1/1023; w in steps of 1/3.
 ///
-/// Rounded as `normalised` is (normalised.hpp): to the nearest step, exactly, with what is out of range clamped.
-/// Made from three numbers or four: normals, tangents.
+/// Rounded as `normalised` is (normalised.hpp): exactly to the nearest step; values out of range are clamped. Made from
+/// three numbers or four: normals, tangents.
 struct snorm10 {
     std::uint32_t bits;
 
@@ -48,7 +48,7 @@ private:
     }
 };
 
-/// The unsigned one; see snorm10.
+/// The unsigned variant; see snorm10.
 struct unorm10 {
     std::uint32_t bits;
 

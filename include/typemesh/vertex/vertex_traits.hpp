@@ -8,12 +8,12 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Makes a vertex of yours from a point of the surface.
+/// Makes one of your vertices from a surface point.
 ///
 ///     W::wants    the attributes it takes, known at compile time; no other is computed
 ///     w(s)        your vertex, from a surface_point<W::wants>; noexcept
 ///
-/// A writer may carry state (a colour, a box to quantise to): hand it to the sink.
+/// A writer may have state (a colour, a box to quantise to): pass it to the sink.
 template <class W>
 concept vertex_writer = requires(const W& w, const surface_point<W::wants>& s) {
     { W::wants } -> std::convertible_to<attribute>;
@@ -21,7 +21,7 @@ concept vertex_writer = requires(const W& w, const surface_point<W::wants>& s) {
     requires !std::is_void_v<decltype(w(s))>;
 };
 
-/// The writer that a vertex type is made with unless another is given: specialise it for your vertex, once.
+/// The default writer of a vertex type: specialise it once for your vertex.
 ///
 ///     template <>
 ///     struct typemesh::vertex_traits<my_vertex> {
@@ -31,11 +31,11 @@ concept vertex_writer = requires(const W& w, const surface_point<W::wants>& s) {
 ///             return {s.position.x, s.position.y, s.position.z, s.normal.x, s.normal.y, s.normal.z, s.uv.x, s.uv.y};
 ///         }
 ///     };
-///     static_assert(typemesh::mesh_vertex<my_vertex>);   // an error then appears here, in your file
+///     static_assert(typemesh::mesh_vertex<my_vertex>);   // an error then shows here, in your file
 template <class Vertex>
 struct vertex_traits;
 
-/// A type with a vertex_traits of its own that makes it.
+/// A type whose own vertex_traits makes it.
 template <class V>
 concept mesh_vertex = vertex_writer<vertex_traits<V>> &&
                       requires(const vertex_traits<V>& w, const surface_point<vertex_traits<V>::wants>& s) {
