@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The lines of docs/engines.md for Qt Quick 3D, compiled where it is installed. Nothing is run.
+// The lines of docs/engines.md for Qt Quick 3D: tests/run.sh --with engines compiles and runs them.
 
 #include <typemesh/text/text_mesher.hpp>
 #include <typemesh/vertex/array_sink.hpp>

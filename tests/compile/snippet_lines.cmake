@@ -3,7 +3,8 @@
 # cmake -P snippet_lines.cmake
 #
 # Fails unless every line of C++ in README.md and docs/ (between ```cpp or ```c++ and ```) stands, but for its
-# indentation, in one of the *_snippets.cpp beside this file. Those are compiled; those of engines where they are installed.
+# indentation, in one of the *_snippets.cpp beside this file. Those are compiled; those of engines by
+# tests/run.sh --with engines, where they are installed.
 
 cmake_minimum_required(VERSION 3.20)
 
