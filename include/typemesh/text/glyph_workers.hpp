@@ -65,6 +65,8 @@ class glyph_workers {
     static constexpr std::size_t header = (sizeof(block) + alignof(member) - 1) / alignof(member) * alignof(member);
 
 public:
+    static constexpr bool is_alone = false;
+
     /// Fails  with the first error of clone(); error::out_of_memory
     template <source_maker Clone>
     [[nodiscard]] static result<glyph_workers> make(Executor& workers, Clone&& clone, memory source = heap()) noexcept

@@ -11,6 +11,10 @@
 #include <typemesh/text/arrange.hpp>
 #include <typemesh/text/glyph_merger.hpp>
 #include <typemesh/text/glyph_workers.hpp>
+#include <typemesh/text/lone_worker.hpp>
+#include <typemesh/text/mesher_refusals.hpp>
+#include <typemesh/text/plan_workers.hpp>
+#include <typemesh/text/policy_kind.hpp>
 #include <typemesh/text/refuse_extremes.hpp>
 #include <typemesh/text/text_glyphs.hpp>
 #include <typemesh/text/text_options.hpp>
@@ -26,12 +30,6 @@
 #include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI {
-
-namespace detail {  // named by the compiler where a temporary is refused
-struct keep_the_font_in_a_variable {};
-struct keep_the_mesher_in_a_variable;
-struct keep_the_run_in_a_variable;
-}  // namespace detail
 
 /// Joins the stages: text in, mesh out.
 ///
@@ -51,9 +49,16 @@ struct keep_the_run_in_a_variable;
 /// A mesher serves one thread at a time.
 template <outline_source Font, discretiser Discretiser = certified, triangulator Triangulator = monotone,
           extruder Extruder = extruded<>, stage_observer Observer = no_observer, class Cache = no_cache>
-class text_mesher {
+class text_mesher
+    : public detail::mesher_refusals<text_mesher<Font, Discretiser, Triangulator, Extruder, Observer, Cache>,
+                                     text_plan<Extruder>> {
+    using refusals = detail::mesher_refusals<text_mesher, text_plan<Extruder>>;
+
 public:
     using plan_type = text_plan<Extruder>;
+    using refusals::build;
+    using refusals::plan;
+    using refusals::with;
 
     explicit text_mesher(Font& font, memory source = heap()) noexcept
         : font_{&font}, builder_{source}, merger_{source}, run_{source}, glyphs_{source}
@@ -74,37 +79,19 @@ public:
     template <class Policy>
     [[nodiscard]] auto with(Policy policy) && noexcept
     {
-        if constexpr (detail::is_cache<Policy>)
-            return changed(discretiser_, triangulator_, extruder_, observer_, policy);
-        else if constexpr (discretiser<Policy>)
+        constexpr policy_kind kind = kind_of<Policy>();
+        if constexpr (kind == policy_kind::discretiser)
             return changed(std::move(policy), triangulator_, extruder_, observer_, cache_);
-        else if constexpr (triangulator<Policy>)
+        else if constexpr (kind == policy_kind::triangulator)
             return changed(discretiser_, std::move(policy), extruder_, observer_, cache_);
-        else if constexpr (extruder<Policy>)
+        else if constexpr (kind == policy_kind::extruder)
             return changed(discretiser_, triangulator_, std::move(policy), observer_, cache_);
-        else {
-            static_assert(stage_observer<Policy>,
-                          "typemesh: with() takes a discretiser, a triangulator, an extruder, a stage_observer or "
-                          "cached_in, and this type is none of them; static_assert the concept that it should model "
-                          "to see what it lacks.");
+        else if constexpr (kind == policy_kind::observer)
             return changed(discretiser_, triangulator_, extruder_, std::move(policy), cache_);
-        }
-    }
-
-    // Policies are exchanged on the way to a variable, and a cache goes in with the font's number.
-    template <class Policy>
-    text_mesher&& with(Policy) & noexcept
-    {
-        static_assert(sizeof(Policy) == 0, "typemesh: with() makes another mesher of this one, which ends: write "
-                                           "`text_mesher{font}.with(...)`, or `std::move(mesher).with(...)`.");
-        return std::move(*this);
-    }
-    template <class Lock>
-    text_mesher&& with(glyph_cache<Lock>&) && noexcept
-    {
-        static_assert(sizeof(Lock) == 0, "typemesh: a glyph_cache is shared by fonts, so with() takes it with your "
-                                         "number for this one: `with(cached_in{cache, 1})`.");
-        return std::move(*this);
+        else if constexpr (kind == policy_kind::cache)
+            return changed(discretiser_, triangulator_, extruder_, observer_, policy);
+        else
+            return detail::refuse_policy<Policy>(), std::move(*this);
     }
 
     /// The policies, to change their options between texts.
@@ -127,19 +114,19 @@ public:
     /// mesh.
     /// Fails  what layout() fails with (error::mixed_direction, ...); error::bad_tolerance, error::bad_option;
     ///        error::too_large; error::out_of_memory
-    [[nodiscard]] result<plan_type> plan(text_view text, const text_options& options = {}) & noexcept
-        requires shaper<Font>
+    [[nodiscard]] result<plan_type> plan(text_view text,
+                                         const text_options& options = {}) & noexcept requires shaper<Font>
     {
-        alone_type alone{*this};
-        return plan_text(text, options, alone);
+        auto worker = alone();
+        return plan_text(text, options, worker);
     }
 
     /// The same from shaped text; no shaper is needed. The run must stay as it is while the plan is used.
     [[nodiscard]] result<plan_type> plan(const glyph_run& run, const text_options& options = {}) & noexcept
     {
         glyphs_.clear();
-        alone_type alone{*this};
-        return plan_run(run, options, alone);
+        auto worker = alone();
+        return plan_run(run, options, worker);
     }
 
     /// Both by a team of workers (see glyph_workers.hpp), whose sources stand in for the mesher's font when lines are
@@ -150,45 +137,24 @@ public:
     /// alone. Merging (text_options::merge) is done by one worker.
     template <executor Executor, outline_source Source>
     [[nodiscard]] result<plan_type> plan(text_view text, const text_options& options,
-                                         glyph_workers<Executor, Source>& team) & noexcept
-        requires shaper<Font>
+                                         glyph_workers<Executor, Source>& workers) & noexcept requires shaper<Font>
     {
-        return plan_text(text, options, team);
+        return plan_text(text, options, workers);
     }
     template <executor Executor, outline_source Source>
     [[nodiscard]] result<plan_type> plan(const glyph_run& run, const text_options& options,
-                                         glyph_workers<Executor, Source>& team) & noexcept
+                                         glyph_workers<Executor, Source>& workers) & noexcept
     {
         glyphs_.clear();
-        return plan_run(run, options, team);
-    }
-
-    // A plan refers to its run and to its mesher: temporaries would leave it in the air.
-    detail::keep_the_run_in_a_variable plan(glyph_run&& run, const text_options& options = {}) & = delete;
-    detail::keep_the_mesher_in_a_variable plan(text_view text, const text_options& options = {}) && = delete;
-    detail::keep_the_mesher_in_a_variable plan(const glyph_run& run, const text_options& options = {}) && = delete;
-    template <class Team>
-    detail::keep_the_run_in_a_variable plan(glyph_run&& run, const text_options& options, Team& team) & = delete;
-    template <class Text, class Team>
-    detail::keep_the_mesher_in_a_variable plan(const Text& text, const text_options& options, Team& team) && = delete;
-
-    // UTF-32 and wchar_t; a team that is still a result.
-    template <foreign_text Text, class... Team>
-    result<plan_type> plan(const Text&, const text_options& = {}, Team&...) & noexcept
-    {
-        return refuse_text<Text>();
-    }
-    template <class Text, class Team>
-    result<plan_type> plan(const Text&, const text_options&, result<Team>&) & noexcept
-    {
-        return refuse_result<Team>();
+        return plan_run(run, options, workers);
     }
 
     /// plan() and write() in one: the report of what was built, or the error. Nothing reaches the sink if the plan
     /// fails.
     template <class Text, class Sink>
-        requires mesh_sink<std::remove_reference_t<Sink>>
-    result<text_report> build(const Text& text, Sink&& sink, const text_options& options = {}) noexcept
+    requires mesh_sink<std::remove_reference_t<Sink>> result<text_report> build(const Text& text, Sink&& sink,
+                                                                                const text_options& options = {})
+    noexcept
     {
         auto made = plan(text, options);
         if (!made) return made.error();
@@ -201,31 +167,21 @@ public:
 
     /// The same by a team of workers. The sink is written by all of them if it takes subranges (see ranged_sink).
     template <class Text, class Sink, executor Executor, outline_source Source>
-        requires mesh_sink<std::remove_reference_t<Sink>>
-    result<text_report> build(const Text& text, Sink&& sink, const text_options& options,
-                              glyph_workers<Executor, Source>& team) noexcept
+    requires mesh_sink<std::remove_reference_t<Sink>> result<text_report> build(
+        const Text& text, Sink&& sink, const text_options& options, glyph_workers<Executor, Source>& workers)
+    noexcept
     {
-        auto made = plan(text, options, team);
+        auto made = plan(text, options, workers);
         if (!made) return made.error();
         observer_(stage::extrude);
         error e;
-        if constexpr (ranged_sink<std::remove_reference_t<Sink>>) e = made->write(sink, team.pool());
-        else e = made->write(sink);
+        if constexpr (ranged_sink<std::remove_reference_t<Sink>>)
+            e = made->write(sink, workers.pool());
+        else
+            e = made->write(sink);
         observer_(stage::idle);
         if (e) return e;
         return made->report();
-    }
-
-    // Arrays without their into(); a team that is still a result.
-    template <class Text, array_without_sink Vertices, array_without_sink Indices, class... Team>
-    result<text_report> build(const Text&, Vertices&&, Indices&&, const text_options& = {}, Team&...) noexcept
-    {
-        return refuse_arrays<Vertices>();
-    }
-    template <class Text, class Sink, class Team>
-    result<text_report> build(const Text&, Sink&&, const text_options&, result<Team>&) noexcept
-    {
-        return refuse_result<Team>();
     }
 
 private:
@@ -267,35 +223,19 @@ private:
         return e;
     }
 
-    /// The team of one: the mesher itself.
-    struct alone_type {
-        text_mesher& mesher;
+    [[nodiscard]] lone_worker<Font, Observer> alone() noexcept { return {*font_, builder_, glyphs_.store, observer_}; }
 
-        error layout(Font& font, text_view text, const shape_options& how, const layout_options& options,
-                     glyph_run& run) noexcept
-        {
-            return typemesh::layout(font, text, how, options, run);
-        }
-        template <class Task>
-        error each(std::size_t n, const Task& task) noexcept
-        {
-            for (std::size_t k = 0; k < n; ++k)
-                if (error e = task(k, *mesher.font_, mesher.builder_, mesher.glyphs_.store, mesher.observer_)) return e;
-            return {};
-        }
-    };
-
-    template <class Team>
-    result<plan_type> plan_text(text_view text, const text_options& options, Team& team) noexcept
+    template <plan_workers<Font> Workers>
+    result<plan_type> plan_text(text_view text, const text_options& options, Workers& workers) noexcept
     {
         glyphs_.clear();
         observer_(stage::shape);
-        if (error e = team.layout(*font_, text, options.shape, options.layout, run_)) return stop(e);
-        return plan_run(run_, options, team);
+        if (error e = workers.layout(*font_, text, options.shape, options.layout, run_)) return stop(e);
+        return plan_run(run_, options, workers);
     }
 
-    template <class Team>
-    result<plan_type> plan_run(const glyph_run& run, const text_options& options, Team& team) noexcept
+    template <plan_workers<Font> Workers>
+    result<plan_type> plan_run(const glyph_run& run, const text_options& options, Workers& workers) noexcept
     {
         if (!is_finite(options.tolerance) || !(options.tolerance > 0.0)) return stop(error::bad_tolerance);
         if (!is_finite(options.pixels_per_em) || !(options.pixels_per_em > 0.0) || options.pixels_per_em > 0x1p30)
@@ -317,7 +257,7 @@ private:
 
         error e = extruder_options();
         if (!e) e = collect(run, options);
-        if (!e) e = build_glyphs(options, team);
+        if (!e) e = build_glyphs(options, workers);
         if (!e && options.merge) e = merge(run, options);
         if (!e) e = place_glyphs(run);
         const height_range heights = extruder_.heights();
@@ -341,8 +281,10 @@ private:
     /// The option behind heights that cannot be written.
     static constexpr const char* heights_name() noexcept
     {
-        if constexpr (requires(const Extruder& e) { e.depth; }) return "depth";
-        else return "heights";
+        if constexpr (requires(const Extruder& e) { e.depth; })
+            return "depth";
+        else
+            return "heights";
     }
 
     static constexpr std::uint32_t not_drawn = glyph_set::no_room;
@@ -365,60 +307,55 @@ private:
     }
 
     /// Finds or builds each different glyph.
-    template <class Team>
-    error build_glyphs(const text_options& options, Team& team) noexcept
+    template <plan_workers<Font> Workers>
+    error build_glyphs(const text_options& options, Workers& workers) noexcept
     {
-        constexpr bool alone = std::is_same_v<Team, alone_type>;
         const auto ids = glyphs_.different.ids();
         const glyph_settings how{options.tolerance, options.fill, options.most_pieces};
-        if constexpr (!alone) {
-            TYPEMESH_ASSERT(same(team.units_per_em(), font_->units_per_em()),
-                            "the sources of a glyph_workers are of another font");
-            observer_(stage::outline);
-        }
+        TYPEMESH_ASSERT(same(workers.units_per_em(), font_->units_per_em()),
+                        "the sources of a glyph_workers are of another font");
+        if constexpr (!Workers::is_alone) observer_(stage::outline);
         if constexpr (!std::is_same_v<Cache, no_cache>) {
-            static_assert(alone || !std::is_same_v<decltype(cache_), cached_in<no_lock>>,
+            static_assert(Workers::is_alone || !std::is_same_v<decltype(cache_), cached_in<no_lock>>,
                           "typemesh: a glyph_workers needs a glyph_cache with a lock: glyph_cache<mutex_lock> (see "
                           "typemesh/adapt/threads.hpp), or a lock of your own.");
             if (options.reuse) {
                 auto& cache = *cache_.cache;
                 if (!glyphs_.pinned.reserve(ids.size(), &cache)) return error::out_of_memory;
-                const glyph_context context =
-                    context_of(cache_.font, *font_, how, policies_for(observer_));
+                const glyph_context context = context_of(cache_.font, *font_, how, policies_for(observer_));
                 const std::uint64_t hash = context.hash();
                 return each_shape(
-                    ids, how, team, [&](glyph_id id) noexcept { return cache.find(context, hash, id); },
+                    ids, how, workers, [&](glyph_id id) noexcept { return cache.find(context, hash, id); },
                     [&](glyph_id id, const glyph_draft& parts, glyph_store&) noexcept {
                         return cache.keep(context, hash, id, parts);
                     });
             }
         }
         if (!glyphs_.pinned.reserve(ids.size())) return error::out_of_memory;
-        if constexpr (!alone) {
-            glyphs_.lent.now = team.begin_plan();
-            glyphs_.lent.then = *glyphs_.lent.now;
-        }
+        glyphs_.lent.now = workers.begin_plan();
+        if (glyphs_.lent.now != nullptr) glyphs_.lent.then = *glyphs_.lent.now;
         return each_shape(
-            ids, how, team, [](glyph_id) noexcept { return static_cast<const built_glyph*>(nullptr); },
+            ids, how, workers, [](glyph_id) noexcept { return static_cast<const built_glyph*>(nullptr); },
             [](glyph_id, const glyph_draft& parts, glyph_store& store) noexcept { return store.keep(parts); });
     }
 
-    template <class Team, class Find, class Keep>
-    error each_shape(std::span<const glyph_id> ids, const glyph_settings& how, Team& team, const Find& find,
+    template <class Workers, class Find, class Keep>
+    error each_shape(std::span<const glyph_id> ids, const glyph_settings& how, Workers& workers, const Find& find,
                      const Keep& keep) noexcept
     {
-        return team.each(ids.size(), [&](std::size_t k, auto& font, glyph_builder& builder, glyph_store& store,
-                                         auto& observe) noexcept -> error {
-            const built_glyph* built = find(ids[k]);
-            if (built == nullptr) {
-                const auto parts = builder.build(font, ids[k], how, policies_for(observe));
-                if (!parts) return parts.error();
-                built = keep(ids[k], *parts, store);
-                if (built == nullptr) return error::out_of_memory;
-            }
-            glyphs_.pinned.set(k, built);
-            return {};
-        });
+        return workers.each(ids.size(),
+                            [&](std::size_t k, auto& font, glyph_builder& builder, glyph_store& store,
+                                auto& observe) noexcept -> error {
+                                const built_glyph* built = find(ids[k]);
+                                if (built == nullptr) {
+                                    const auto parts = builder.build(font, ids[k], how, policies_for(observe));
+                                    if (!parts) return parts.error();
+                                    built = keep(ids[k], *parts, store);
+                                    if (built == nullptr) return error::out_of_memory;
+                                }
+                                glyphs_.pinned.set(k, built);
+                                return {};
+                            });
     }
 
     error merge(const glyph_run& run, const text_options& options) noexcept

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/workspace.hpp>
+#include <typemesh/discretise/discretiser.hpp>
+#include <typemesh/extrude/extruder.hpp>
+#include <typemesh/glyph/glyph_cache.hpp>
+#include <typemesh/glyph/stage.hpp>
+#include <typemesh/triangulate/triangulator.hpp>
+
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// What a type is to text_mesher::with(): of the concepts there, the one that it models.
+enum class policy_kind : std::uint8_t { none, discretiser, triangulator, extruder, observer, cache, several };
+
+template <class P>
+[[nodiscard]] constexpr policy_kind kind_of() noexcept
+{
+    policy_kind kind = policy_kind::none;
+    const auto models = [&kind](bool it, policy_kind one) noexcept {
+        if (it) kind = kind == policy_kind::none ? one : policy_kind::several;
+    };
+    models(discretiser<P>, policy_kind::discretiser);
+    models(triangulator<P>, policy_kind::triangulator);
+    models(extruder<P>, policy_kind::extruder);
+    models(stage_observer<P>, policy_kind::observer);
+    models(detail::is_cache<P>, policy_kind::cache);
+    return kind;
+}
+
+namespace detail {
+
+// What a type was meant to be that models no concept: it can be called as such a policy is, but promises less.
+template <class P>
+concept nearly_discretiser =
+    requires(P& how, const quadratic& q, ignore_points emit) { how(q, 1.0, emit); } ||
+    requires(P& how, const cubic& c, ignore_points emit) { how(c, 1.0, emit); };
+template <class P>
+concept nearly_triangulator =
+    requires(P& how, const region& r, workspace& space, triangle_list& out) { how(r, space, out); };
+template <class P>
+concept nearly_extruder =
+    requires(P& how, const solid& s, const placement& at, ignore_surface emit) {
+        how.template vertices<attribute::position>(part::front, s, at, emit);
+    } || requires(P& how, const solid& s, const first_vertices& first, ignore_surface emit) {
+        how.triangles(part::front, s, first, emit);
+    };
+template <class P>
+concept nearly_observer = requires(P& observe) { observe(stage::idle); };
+
+/// Says why with() takes no such type; where it is nearly a policy, the compiler adds what that concept misses.
+template <class P>
+constexpr void refuse_policy() noexcept
+{
+    constexpr bool several = kind_of<P>() == policy_kind::several;
+    static_assert(!several,
+                  "typemesh: with() cannot tell what this type is for, which models several of discretiser, "
+                  "triangulator, extruder and stage_observer: a call operator that takes anything does. "
+                  "Name the types of its parameters.");
+    if constexpr (several)
+        return;
+    else if constexpr (nearly_discretiser<P>)
+        static_assert(discretiser<P>,
+                      "typemesh: with() was given what is nearly a discretiser; the compiler says "
+                      "what the concept misses.");
+    else if constexpr (nearly_triangulator<P>)
+        static_assert(triangulator<P>,
+                      "typemesh: with() was given what is nearly a triangulator; the compiler says "
+                      "what the concept misses.");
+    else if constexpr (nearly_extruder<P>)
+        static_assert(extruder<P>,
+                      "typemesh: with() was given what is nearly an extruder; the compiler says what the "
+                      "concept misses.");
+    else if constexpr (nearly_observer<P>)
+        static_assert(stage_observer<P>,
+                      "typemesh: with() was given what is nearly a stage_observer; the compiler "
+                      "says what the concept misses.");
+    else
+        static_assert(sizeof(P) == 0,
+                      "typemesh: with() takes a discretiser, a triangulator, an extruder, a "
+                      "stage_observer or cached_in, and this type is none of them; static_assert the "
+                      "concept that it should model to see what it lacks.");
+}
+
+}  // namespace detail
+
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+
+// Must not compile: a policy of no kind, and one each that only nearly is what it was meant to be.
+
+#include "../support/toy_font.hpp"
+
+#include <typemesh/typemesh.hpp>
+
+using namespace typemesh;
+
+struct nothing {};
+
+struct throwing_discretiser {
+    template <class Emit>
+    void operator()(const quadratic& q, double, Emit&& emit) const
+    {
+        emit(q.p2, 1.0);
+    }
+    template <class Emit>
+    void operator()(const cubic& c, double, Emit&& emit) const
+    {
+        emit(c.p3, 1.0);
+    }
+};
+
+struct throwing_triangulator {
+    error operator()(const region&, workspace&, triangle_list&) const { return {}; }
+};
+
+struct extruder_without_plan : flat {
+    void plan() const noexcept {}
+};
+
+struct throwing_observer {
+    void operator()(stage) const {}
+};
+
+void exchange(test::toy_font& font)
+{
+    auto a = text_mesher{font}.with(nothing{});
+    auto b = text_mesher{font}.with(throwing_discretiser{});
+    auto c = text_mesher{font}.with(throwing_triangulator{});
+    auto d = text_mesher{font}.with(extruder_without_plan{});
+    auto e = text_mesher{font}.with(throwing_observer{});
+}
