@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "support/catch.hpp"
+#include "support/toy_font.hpp"
+
+#include <typemesh/typemesh.hpp>
+
+using namespace typemesh;
+
+namespace {
+
+using mesher = text_mesher<test::toy_font>;
+
+template <class Mesher, class Text>
+concept plans = requires(Mesher&& m, Text&& text)
+{
+    static_cast<Mesher&&>(m).plan(static_cast<Text&&>(text));
+};
+
+}  // namespace
+
+// What is refused with a sentence is in tests/compile: the compiler must say it.
+TEST_CASE("a plan is refused where its mesher or its run would be gone, and no other", "[text][refusals]")
+{
+    STATIC_REQUIRE(plans<mesher&, const char(&)[3]>);
+    STATIC_REQUIRE(plans<mesher&, text_view>);
+    STATIC_REQUIRE(plans<mesher&, glyph_run&>);
+    STATIC_REQUIRE(plans<mesher&, const glyph_run&>);
+    STATIC_REQUIRE(!plans<mesher&, glyph_run>);
+    STATIC_REQUIRE(!plans<mesher, const char(&)[3]>);
+    STATIC_REQUIRE(!plans<mesher, glyph_run&>);
+}
+
+TEST_CASE("what refuses takes no room in a mesher", "[text][refusals]")
+{
+    STATIC_REQUIRE(std::is_empty_v<detail::mesher_refusals<mesher, mesher::plan_type>>);
+    struct members {
+        test::toy_font* font;
+        glyph_builder builder;
+        glyph_merger merger;
+        glyph_run run;
+        text_glyphs glyphs;
+        extruded<> raise;
+    };
+    STATIC_REQUIRE(sizeof(mesher) <= sizeof(members));
+}
