@@ -145,7 +145,7 @@ public:
         } else {
             // Equal to what the contours fill once they are led through their crossings, rounded. Where that makes new
             // crossings, which are rounded in their turn, no edge is moved by more than 1.5 cells.
-            const auto bent = oracle::led_through_crossings(given);
+            const auto bent = oracle::reroute_through_crossings(given);
             const double filled = oracle::doubled_filled_area(bent.loops(), outline_.rule);
             const double off = std::fabs(area - filled);
             if (off > 1e-11 * filled) {

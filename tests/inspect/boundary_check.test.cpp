@@ -23,16 +23,16 @@ TEST_CASE("walks that keep to their sectors pass, and each fault that is planted
     CHECK(broken({box, {{20, 0}, {30, 0}}}) == "a loop has fewer than three points");
     CHECK(broken({box, {{20, 0}, {30, 0}, {30, 0}, {25, 9}}}) == "a point is repeated");
     CHECK(broken({box, {{20, 0}, {30, 0}, {25, 0}, {25, 9}}}) == "a spike");
-    CHECK(broken({box, {{5, 5}, {15, 5}, {15, 8}}}) == "two edges cross or touch within");
-    CHECK(broken({box, {{10, 5}, {15, 5}, {15, 8}}}) == "two edges cross or touch within");
+    CHECK(broken({box, {{5, 5}, {15, 5}, {15, 8}}}) == "two edges cross, or touch elsewhere than in a common end");
+    CHECK(broken({box, {{10, 5}, {15, 5}, {15, 8}}}) == "two edges cross, or touch elsewhere than in a common end");
     CHECK(broken({box, test::square(10, 0, 10)}) == "two edges overlap");
     const test::polyline on_a_corner = test::square(0, 0, 5);
     CHECK(check_boundary({box, on_a_corner}).overlaps == 2);
 
     // A hole that touches its outer loop joins it; two squares that touch in a corner stay apart.
     CHECK(broken({{{0, 0}, {5, 0}, {3, 4}, {7, 4}, {5, 0}, {10, 0}, {10, 10}, {0, 10}}}) == "");
-    CHECK(broken({{{0, 0}, {5, 0}, {7, 4}, {3, 4}, {5, 0}, {10, 0}, {10, 10}, {0, 10}}}) == "a walk leaves its sector");
-    CHECK(broken({{{0, 0}, {10, 0}, {10, 10}, {20, 10}, {20, 20}, {10, 20}, {10, 10}, {0, 10}}}) == "a walk leaves its sector");
+    CHECK(broken({{{0, 0}, {5, 0}, {7, 4}, {3, 4}, {5, 0}, {10, 0}, {10, 10}, {0, 10}}}) == "a boundary cycle leaves its sector");
+    CHECK(broken({{{0, 0}, {10, 0}, {10, 10}, {20, 10}, {20, 20}, {10, 20}, {10, 10}, {0, 10}}}) == "a boundary cycle leaves its sector");
     const test::polyline across{{5, 5}, {15, 5}, {15, 8}};
     CHECK(check_boundary({across, box}).crossings == 2);
 }

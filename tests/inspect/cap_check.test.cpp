@@ -57,7 +57,7 @@ TEST_CASE("a cap that covers its region passes, and each fault that is planted i
         CHECK(flat.check().turned == 1);
         ring wild;
         wild.cut[t].c = 8;
-        CHECK(wild.broken() == "a corner is no point of the region");
+        CHECK(wild.broken() == "a corner is not a point of the region");
         ring twice;
         twice.cut[t] = twice.cut[(t + 1) % 8];
         CHECK_FALSE(twice.broken().empty());

@@ -32,7 +32,7 @@ TEST_CASE("the diagonal that is not Delaunay is found, and the wrong one of two 
     CHECK(broken(kite, {{0, 1, 2}, {0, 2, 3}}) == "an edge is not Delaunay");
     const test::polyline square = test::square(0, 0, 10);
     CHECK(broken(square, {{0, 1, 2}, {0, 2, 3}}) == "");
-    CHECK(broken(square, {{0, 1, 3}, {1, 2, 3}}) == "a diagonal among points on one circle does not leave the smallest");
+    CHECK(broken(square, {{0, 1, 3}, {1, 2, 3}}) == "a diagonal of cocircular points does not end at the smallest");
 }
 
 TEST_CASE("no diagonal of a Delaunay triangulation can be exchanged unseen", "[inspect]")

@@ -30,13 +30,13 @@ TEST_CASE("the filled area of crossing loops is that of the figure, by both rule
 TEST_CASE("edges are led through the grid points nearest to where they cross", "[inspect]")
 {
     const test::polyline a{{0, 0}, {9, 3}, {0, 3}}, b{{5, -5}, {6, 9}, {20, 0}};
-    const led_loops led = led_through_crossings({a, b});
+    const rerouted_loops led = reroute_through_crossings({a, b});
     CHECK(led.all[0].size() == 5);
     CHECK(led.all[1].size() == 5);
     CHECK(led.bent_length > 0);
     for (const test::polyline& l : led.all)
         for (const test::grid_point p : l) CHECK(distance({a, b}, p) < 0.71);
-    const led_loops straight = led_through_crossings({test::square(0, 0, 10)});
+    const rerouted_loops straight = reroute_through_crossings({test::square(0, 0, 10)});
     CHECK(straight.all[0] == test::square(0, 0, 10));
     CHECK_FALSE(straight.bent_length > 0);
 }

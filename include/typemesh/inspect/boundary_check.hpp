@@ -10,33 +10,33 @@
 
 namespace typemesh::inline TYPEMESH_ABI::inspect {
 
-/// What keeps loops from being boundary walks of an area, as region.hpp promises: they may touch in points, in which each
-/// keeps to its own sector of interior. Of pairs of edges that meet as they must not, each is counted.
+/// What keeps loops from being the boundary cycles of an area, as region.hpp promises. They may touch in points, where
+/// each pass keeps to its own sector of interior. Every offending pair of edges is counted.
 struct boundary_check {
     std::size_t short_loops = 0;      ///< of fewer than three points
     std::size_t repeated_points = 0;  ///< a point twice in a row
     std::size_t spikes = 0;           ///< where a loop doubles back
     std::size_t crossings = 0;        ///< pairs of edges that cross, or touch elsewhere than in a common end
-    std::size_t overlaps = 0;         ///< pairs of edges that are one, or lie upon each other
-    std::size_t strays = 0;           ///< pairs of edges through a common point, where a walk leaves its sector
+    std::size_t overlaps = 0;         ///< pairs of edges that are equal, or lie upon each other
+    std::size_t strays = 0;           ///< pairs of edges at a common point, where a cycle leaves its sector
 
-    /// What is wrong first, in words; "" when nothing is.
+    /// The first fault, in words; "" if there is none.
     [[nodiscard]] constexpr const char* broken() const noexcept
     {
         if (short_loops != 0) return "a loop has fewer than three points";
         if (repeated_points != 0) return "a point is repeated";
         if (spikes != 0) return "a spike";
-        if (crossings != 0) return "two edges cross or touch within";
+        if (crossings != 0) return "two edges cross, or touch elsewhere than in a common end";
         if (overlaps != 0) return "two edges overlap";
-        if (strays != 0) return "a walk leaves its sector";
+        if (strays != 0) return "a boundary cycle leaves its sector";
         return "";
     }
 };
 
 namespace detail {
 
-/// Whether direction d, seen from p, lies strictly between a and b, turning counter-clockwise from a; if a and b are one
-/// direction, all others do.
+/// Whether direction d, seen from p, lies strictly between a and b, counter-clockwise from a; if a and b are one
+/// direction, every other one does.
 [[nodiscard]] constexpr bool turns_through(grid_point p, grid_point a, grid_point d, grid_point b) noexcept
 {
     const auto sector = [&](grid_point q) noexcept {  // 0: along a, 1: left of it, 2: against it, 3: right of it
@@ -60,7 +60,7 @@ struct cycle_edge {
     [[nodiscard]] constexpr std::int32_t right() const noexcept { return (std::max)(a.x, b.x); }
 };
 
-/// Two edges of the same or of different loops that may meet.
+/// Compares two edges, of one loop or of two, that may have a point in common.
 constexpr void compare(const cycle_edge& e, const cycle_edge& f, boundary_check& found) noexcept
 {
     if (!meet(e.a, e.b, f.a, f.b)) return;
@@ -69,7 +69,7 @@ constexpr void compare(const cycle_edge& e, const cycle_edge& f, boundary_check&
         ++found.crossings;
         return;
     }
-    const grid_point p = aa || ab ? e.a : e.b;  // the common end, and the others
+    const grid_point p = aa || ab ? e.a : e.b;  // the common end; the other ends follow
     const grid_point other_e = aa || ab ? e.b : e.a, other_f = aa || ba ? f.b : f.a;
     const bool lie_on_each_other =
         side(p, other_e, other_f) == 0 && (lies_on(other_f, p, other_e) || lies_on(other_e, p, other_f));
@@ -86,7 +86,7 @@ constexpr void compare(const cycle_edge& e, const cycle_edge& f, boundary_check&
 
 }  // namespace detail
 
-/// Tries all pairs of edges whose ranges of x meet.
+/// Compares all pairs of edges whose ranges of x overlap.
 [[nodiscard]] inline boundary_check check_boundary(const std::vector<loop>& loops)
 {
     using detail::cycle_edge;
@@ -106,7 +106,7 @@ constexpr void compare(const cycle_edge& e, const cycle_edge& f, boundary_check&
         else if (e.a == e.after || lies_on(e.after, e.a, e.b) || lies_on(e.a, e.b, e.after))
             ++found.spikes;
     }
-    if (*found.broken() != '\0') return found;  // what is compared below needs edges that have a length and a direction
+    if (*found.broken() != '\0') return found;  // the comparison below needs edges with a length and a direction
     std::sort(edges.begin(), edges.end(), [](const cycle_edge& p, const cycle_edge& q) { return p.left() < q.left(); });
     for (std::size_t i = 0; i < edges.size(); ++i)
         for (std::size_t j = i + 1; j < edges.size() && edges[j].left() <= edges[i].right(); ++j)

@@ -13,35 +13,35 @@
 
 namespace typemesh::inline TYPEMESH_ABI::inspect {
 
-/// How the triangles of a cap differ from what covers a region once: n + 2h - 2c triangles, each strictly
-/// counter-clockwise; the region's area exactly; each edge of the region an edge of one triangle, in its own direction; each
-/// other edge an edge of two, in both directions; every point a corner.
+/// How the triangles of a cap differ from a triangulation of its region: n + 2h - 2c triangles, each strictly
+/// counter-clockwise; exactly the region's area; each edge of the region an edge of one triangle, in the same
+/// direction; each other edge an edge of two triangles, in opposite directions; every point a corner.
 struct cap_check {
-    std::size_t wanted = 0;            ///< n + 2h - 2c, holes and outer loops counted anew from their areas
+    std::size_t wanted = 0;            ///< n + 2h - 2c, holes and outer loops recounted from their areas
     std::size_t triangles = 0;
-    bool miscounted_loops = false;     ///< the region says another number of holes, outer loops or triangles
-    std::size_t bad_corners = 0;       ///< triangles with a corner that is no point; counted by nothing below
-    std::size_t turned = 0;            ///< triangles that are flat, or clockwise
-    std::int64_t doubled_excess = 0;   ///< twice the triangles' area less the region's, in cells squared
+    bool miscounted_loops = false;     ///< the region states other numbers of holes, outer loops or triangles
+    std::size_t bad_corners = 0;       ///< triangles with a corner that is not a point; ignored by the counts below
+    std::size_t turned = 0;            ///< triangles that are flat or clockwise
+    std::int64_t doubled_excess = 0;   ///< twice the triangles' area minus the region's, in square cells
     std::size_t unused_points = 0;
-    std::size_t repeated_edges = 0;    ///< directed edges that more than one triangle has
-    std::size_t uncovered_edges = 0;   ///< edges of the region that no triangle has
-    std::size_t overrun_edges = 0;     ///< edges of the region with a triangle on the far side
-    std::size_t open_edges = 0;        ///< other edges with one triangle only
+    std::size_t repeated_edges = 0;    ///< directed edges of more than one triangle
+    std::size_t uncovered_edges = 0;   ///< edges of the region in no triangle
+    std::size_t overrun_edges = 0;     ///< edges of the region with a triangle on the outside
+    std::size_t open_edges = 0;        ///< other edges in one triangle only
 
-    /// What is wrong first, in words; "" when nothing is.
+    /// The first fault, in words; "" if there is none.
     [[nodiscard]] constexpr const char* broken() const noexcept
     {
         if (miscounted_loops) return "holes and outer loops are miscounted";
         if (triangles != wanted) return "not n + 2h - 2c triangles";
-        if (bad_corners != 0) return "a corner is no point of the region";
+        if (bad_corners != 0) return "a corner is not a point of the region";
         if (turned != 0) return "a triangle is not strictly counter-clockwise";
         if (doubled_excess != 0) return "the area is not the region's";
         if (unused_points != 0) return "a point is not used";
-        if (repeated_edges != 0) return "a directed edge is there twice";
+        if (repeated_edges != 0) return "a directed edge occurs twice";
         if (uncovered_edges != 0) return "an edge of the region is in no triangle";
         if (overrun_edges != 0) return "an edge of the region is in two triangles";
-        if (open_edges != 0) return "an inner edge is in one triangle only";
+        if (open_edges != 0) return "an inner edge is in only one triangle";
         return "";
     }
 };

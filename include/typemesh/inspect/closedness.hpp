@@ -10,32 +10,32 @@
 
 namespace typemesh::inline TYPEMESH_ABI::inspect {
 
-/// How far a mesh is from being closed, once vertices in equal positions are one.
+/// How far a mesh is from being closed, with vertices at equal positions welded.
 ///
-///           b            The edge a -> b of the left triangle is met by b -> a of the right one. An edge that is not met
-///          /|\           is open. One with more than two faces is crowded: where two solids, or two loops of one, touch
-///         / | \          along it. A mesh whose edges are all met equally often is closed: it has an inside.
-///        /  |  \         .
+///           b            The edge a -> b of the left triangle is matched by b -> a of the right one. An unmatched edge
+///          /|\           is open. One with more than two faces is crowded: two solids, or two loops of one, touch
+///         / | \          along it. A mesh in which every edge occurs as often as its reverse is closed: it has an
+///        /  |  \         inside.
 ///       c---a---d
 struct closedness {
     std::size_t triangles = 0;
-    std::size_t unmatched_edges = 0;  ///< directed edges that are not met by their reverse equally often
+    std::size_t unmatched_edges = 0;  ///< directed edges that do not occur as often as their reverse
     std::size_t crowded_edges = 0;    ///< undirected edges with more than two faces
-    std::size_t crowded_slanted = 0;  ///< those among them that are not parallel to the depth
-    std::size_t zero_area = 0;        ///< triangles with two corners in one place
-    std::size_t bad_corners = 0;      ///< triangles with a corner that is no vertex, or not finite
+    std::size_t crowded_slanted = 0;  ///< those among them that are not parallel to the depth axis
+    std::size_t zero_area = 0;        ///< triangles with two corners at one position
+    std::size_t bad_corners = 0;      ///< triangles with a corner that is not a vertex, or not finite
 
-    /// Closed, without a triangle that is none. Crowded edges are no fault of a text whose glyphs or loops touch.
+    /// Closed, and every triangle is valid. Crowded edges are no fault in a text whose glyphs or loops touch.
     [[nodiscard]] constexpr bool is_closed() const noexcept
     {
         return unmatched_edges == 0 && zero_area == 0 && bad_corners == 0;
     }
 };
 
-/// Matches each edge of a mesh with its reverse. Meshes of typemesh are closed glyph by glyph (where merged, group by group),
-/// so both a glyph's triangles alone and those of the whole text are.
+/// Matches each edge of a mesh with its reverse. Meshes of typemesh are closed glyph by glyph (where merged, group by
+/// group), so both a single glyph's triangles and those of the whole text are.
 ///
-///     depth_axis    along which coordinate (0, 1, 2) the text is extruded
+///     depth_axis    the coordinate (0, 1, 2) along which the text is extruded
 ///
 /// Cost   O(vertices) and O(n log n) for n triangles
 template <class Vertex, class Index, class Position>

@@ -13,10 +13,10 @@
 
 namespace typemesh::inline TYPEMESH_ABI::inspect {
 
-/// An outline's curves as chords so short that they may stand for the curves: within `error` of them.
+/// An outline's curves as chords so short that they can stand for the curves: within `error` of them.
 ///
-///     cells    grid cells a font unit: region::grid().cells
-///     error    in cells, above 0: 1/100 of the tolerance that is to be tested, say. A curve gets 2^20 chords at most
+///     cells    grid cells per font unit: region::grid().cells
+///     error    in cells, above 0: 1/100 of the tolerance to be tested, say. At most 2^20 chords per curve
 ///
 /// Chord count by Wang's bound. From  R. Goldman, Pyramid Algorithms (2003), 5.6.3
 class curve_chords {
@@ -28,17 +28,17 @@ public:
     };
 
     curve_chords() = default;
-    curve_chords(const outline& shape, double cells, double error) { take(shape, cells, error); }
+    curve_chords(const outline& given, double cells, double error) { take(given, cells, error); }
 
-    /// Forgets all chords, and takes those of another outline. Storage is used again.
-    void take(const outline& shape, double cells, double error)
+    /// Replaces all chords by those of another outline. Storage is reused.
+    void take(const outline& given, double cells, double error)
     {
         chords_.clear();
         first_.assign(1, 0);
-        bounds_ = shape.bounds;
+        bounds_ = given.bounds;
         bounds_.low = cells * bounds_.low;
         bounds_.high = cells * bounds_.high;
-        for (const curve& c : shape.curves) {
+        for (const curve& c : given.curves) {
             double bend = 0.0;
             for (std::uint32_t k = 0; k + 2 <= c.degree; ++k)
                 bend = (std::max)(bend, length(c.p[k] + c.p[k + 2] - 2.0 * c.p[k + 1]));
@@ -60,10 +60,10 @@ public:
         return all().subspan(first_[curve], first_[curve + 1] - first_[curve]);
     }
 
-    /// The box round all control points, in cells.
+    /// The bounding box of all control points, in cells.
     [[nodiscard]] const box& bounds() const noexcept { return bounds_; }
 
-    /// The square of how far p is from the nearest of some chords, in cells; 1e300 when there are none.
+    /// The squared distance from p to the nearest of some chords, in cells; 1e300 if there are none.
     [[nodiscard]] static double squared_distance(point p, std::span<const chord> some) noexcept
     {
         double nearest = 1e300;
@@ -79,7 +79,7 @@ public:
         return dot(gap, gap);
     }
 
-    /// How often the curves run round p, which must not lie on them.
+    /// How often the curves wind around p, which must not lie on them.
     [[nodiscard]] std::int32_t winding(point p) const noexcept
     {
         std::int32_t w = 0;
@@ -102,7 +102,7 @@ private:
     }
 
     std::vector<chord> chords_;
-    std::vector<std::size_t> first_;  // of each curve
+    std::vector<std::size_t> first_;  // chord of each curve
     box bounds_;
 };
 

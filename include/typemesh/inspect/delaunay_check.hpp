@@ -16,10 +16,10 @@ namespace typemesh::inline TYPEMESH_ABI::inspect {
 
 namespace detail {
 
-/// A sum of products that 64 bits do not hold, in digits of 2^30 which may be of either sign: for compilers without a type of
-/// 128 bits.
+/// A sum of products that does not fit into 64 bits, in digits of 2^30 which may be of either sign: for compilers
+/// without a 128-bit type.
 struct long_number {
-    std::int64_t digits[6] = {};  // the lowest first
+    std::int64_t digits[6] = {};  // lowest first
 
     /// Adds a * b. |a|, |b| < 2^61.
     constexpr void add_product(std::int64_t a, std::int64_t b) noexcept
@@ -52,8 +52,8 @@ struct long_number {
 
 }  // namespace detail
 
-/// 1: d lies inside the circle through a, b, c, which turn counter-clockwise; 0: on it; -1: outside. The textbook's
-/// determinant, exact for |coordinate| <= 2^28.
+/// Where d lies relative to the circle through a, b, c (counter-clockwise): 1 inside, 0 on it, -1 outside. The
+/// textbook's determinant, exact for |coordinate| <= 2^28.
 [[nodiscard]] constexpr int circle_side(grid_point a, grid_point b, grid_point c, grid_point d) noexcept
 {
     const std::int64_t ax = std::int64_t{a.x} - d.x, ay = std::int64_t{a.y} - d.y, bx = std::int64_t{b.x} - d.x,
@@ -68,22 +68,22 @@ struct long_number {
 
 [[nodiscard]] constexpr bool comes_first(grid_point a, grid_point b) noexcept { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 
-/// Which inner edges of triangles are not those of the constrained Delaunay triangulation.
+/// Which inner edges do not belong to the constrained Delaunay triangulation.
 struct delaunay_check {
     std::size_t inner_edges = 0;
-    std::size_t not_delaunay = 0;  ///< edges with the far corner inside of the circle round the near triangle
-    std::size_t wrong_ties = 0;    ///< of four corners on one circle the diagonal must leave the smallest, by x, then y
+    std::size_t not_delaunay = 0;  ///< edges whose far corner lies inside the circumcircle of the near triangle
+    std::size_t wrong_ties = 0;    ///< of four cocircular corners, the diagonal must end at the smallest, by x, then y
 
-    /// What is wrong first, in words; "" when nothing is.
+    /// The first fault, in words; "" if there is none.
     [[nodiscard]] constexpr const char* broken() const noexcept
     {
         if (not_delaunay != 0) return "an edge is not Delaunay";
-        if (wrong_ties != 0) return "a diagonal among points on one circle does not leave the smallest";
+        if (wrong_ties != 0) return "a diagonal of cocircular points does not end at the smallest";
         return "";
     }
 };
 
-/// Tests each edge that two triangles share. Triangles must obey the laws of all first: see cap_check.hpp.
+/// Tests each edge shared by two triangles. The triangles must pass check_cap() first: see cap_check.hpp.
 ///
 /// Exact. Cost: O(n log n) for n triangles
 [[nodiscard]] inline delaunay_check check_delaunay(const region& r, std::span<const triangle> triangles)

@@ -10,29 +10,29 @@
 
 namespace typemesh::inline TYPEMESH_ABI::inspect {
 
-/// What Euler's formula counts, once vertices in equal positions are one.
+/// The numbers in Euler's formula, with vertices at equal positions welded.
 ///
-///     places - edges + triangles = 2 * solids - 2 * holes        of solids that touch neither themselves nor each other:
-///                                                                a letter o has one hole, an i is two solids, an 8 has
-///                                                                two holes
+///     places - edges + triangles = 2 * solids - 2 * holes        for solids that touch neither themselves nor each
+///                                                                other: an o has one hole, an i is two solids, an 8
+///                                                                has two holes
 struct euler_count {
     std::size_t places = 0;
     std::size_t edges = 0;  ///< undirected, each once
     std::size_t triangles = 0;
-    std::size_t solids = 0;  ///< pieces whose places hang together by edges
+    std::size_t solids = 0;  ///< components connected by edges
 
     [[nodiscard]] constexpr std::int64_t characteristic() const noexcept
     {
         return static_cast<std::int64_t>(places) - static_cast<std::int64_t>(edges) + static_cast<std::int64_t>(triangles);
     }
-    /// How many holes run through closed solids that do not touch.
+    /// How many holes pass through closed solids that do not touch.
     [[nodiscard]] constexpr std::int64_t holes() const noexcept
     {
         return static_cast<std::int64_t>(solids) - characteristic() / 2;
     }
 };
 
-/// Triangles that are not drawable are left out. Cost: O(vertices) and O(n log n) for n triangles
+/// Triangles that are not drawable are ignored. Cost: O(vertices) and O(n log n) for n triangles
 template <class Vertex, class Index, class Position>
 [[nodiscard]] euler_count count_euler(const mesh_view<Vertex, Index, Position>& mesh)
 {
@@ -53,7 +53,7 @@ template <class Vertex, class Index, class Position>
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     found.edges = edges.size();
 
-    std::vector<std::uint32_t> above(places.at.size());  // a forest: each piece is a tree, each root stands above itself
+    std::vector<std::uint32_t> above(places.at.size());  // union-find: a tree per component, each root its own parent
     for (std::size_t i = 0; i < above.size(); ++i) above[i] = static_cast<std::uint32_t>(i);
     const auto root = [&](std::uint32_t i) {
         while (above[i] != i) i = above[i] = above[above[i]];

@@ -13,18 +13,18 @@
 
 namespace typemesh::inline TYPEMESH_ABI::inspect {
 
-/// Places that were tried, and whether the right ones are filled.
+/// Places that were tested, and whether the right ones are filled.
 struct fill_check {
     std::size_t places = 0;  ///< that were compared
-    std::size_t skipped = 0; ///< that lie on what was given, or too near to it to tell
-    std::size_t wrong = 0;   ///< filled and should not be, or the other way round
+    std::size_t skipped = 0; ///< that lie on the given contours or curves, or too near to them to tell
+    std::size_t wrong = 0;   ///< that are filled and should not be, or the reverse
 };
 
-/// Compares what contours fill under a rule with the region that was made of them, at grid points in rows: by brute force,
-/// from the winding numbers.
+/// Compares what contours fill under a rule with the region made from them, at grid points in rows: by brute force,
+/// from winding numbers.
 ///
-///     given     contours, which may cross as they like
-///     kept      the region's loops: filled where they run round a place once, not filled where they do not
+///     given     contours, which may cross in any way
+///     kept      the region's loops: filled where their winding number is 1, not filled where it is 0
 ///     rows      so many rows of so many places, over the box of `given`; where that is small, all its grid points
 ///     margin    how far from all edges of `given` a place must be to be compared, in cells: 1.5 where crossings are
 ///               rounded to the grid. Places on an edge are never compared
@@ -64,13 +64,13 @@ struct fill_check {
     return found;
 }
 
-/// Compares what a region fills with what the curves themselves do, by their winding numbers, at places at random in the
+/// Compares what a region fills with what the curves themselves fill, by winding numbers, at random places in the
 /// outline's box.
 ///
 ///     given      the curves
 ///     kept       the region's loops
-///     allowed    in cells, as for check_distance(): what lies nearer to a curve is skipped, for either answer is right there
-///     tries      how many places
+///     allowed    in cells, as for check_distance(): places nearer to a curve are skipped, for either answer is right
+///     tries      number of places
 ///     seed       the same seed gives the same places
 ///
 /// Cost   O(tries * (n + chords))

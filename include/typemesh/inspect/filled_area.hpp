@@ -15,10 +15,10 @@ namespace typemesh::inline TYPEMESH_ABI::inspect {
 
 namespace detail {
 
-/// An edge from left to right, and how it turns round what lies above it.
+/// An edge from left to right, and how it changes the winding number of what lies above it.
 struct slab_edge {
     grid_point a, b;
-    std::int32_t turn = 0;
+    std::int32_t winding_delta = 0;
 
     [[nodiscard]] long double height_at(long double x) const noexcept
     {
@@ -26,7 +26,7 @@ struct slab_edge {
     }
 };
 
-/// Where edge p, from its start as 0 to its end as 1, meets the line of q; false when they are parallel.
+/// Where edge p, from 0 at its start to 1 at its end, meets the line of q; false when they are parallel.
 [[nodiscard]] inline bool crossing_share(grid_point pa, grid_point pb, grid_point qa, grid_point qb,
                                          long double& share) noexcept
 {
@@ -40,7 +40,7 @@ struct slab_edge {
 
 }  // namespace detail
 
-/// Twice the area that loops fill, in cells squared, however they cross: cut into slabs within which no two edges cross.
+/// Twice the area that loops fill, in square cells, however they cross: cut into slabs in which no two edges cross.
 /// Rounded, as sums of long doubles are. Cost: O(n^2) and worse.
 [[nodiscard]] inline double doubled_filled_area(const std::vector<loop>& loops, fill_rule rule)
 {
@@ -78,7 +78,7 @@ struct slab_edge {
         heights.clear();
         for (const slab_edge& e : edges) {
             if (e.a.x >= x) break;
-            if (e.b.x > x) heights.emplace_back(e.height_at(x), e.turn);
+            if (e.b.x > x) heights.emplace_back(e.height_at(x), e.winding_delta);
         }
         std::sort(heights.begin(), heights.end());
         std::int32_t w = 0;
@@ -90,15 +90,15 @@ struct slab_edge {
     return static_cast<double>(2 * area);
 }
 
-/// Loops of which every edge is led through the grid points nearest to where others cross it: what resolving them fills,
+/// Loops with every edge rerouted through the grid points nearest to where others cross it: what resolving them fills,
 /// unless that makes new crossings.
-struct led_loops {
+struct rerouted_loops {
     std::vector<std::vector<grid_point>> all;
     double bent_length = 0.0;  ///< of the edges that are crossed elsewhere than in a grid point, in cells
 
     [[nodiscard]] std::vector<loop> loops() const { return {all.begin(), all.end()}; }
 };
-[[nodiscard]] inline led_loops led_through_crossings(const std::vector<loop>& loops)
+[[nodiscard]] inline rerouted_loops reroute_through_crossings(const std::vector<loop>& loops)
 {
     struct edge {
         grid_point a, b;
@@ -112,7 +112,7 @@ struct led_loops {
             edges.push_back({a, b, (std::min)(a.x, b.x), (std::max)(a.x, b.x), (std::min)(a.y, b.y),
                              (std::max)(a.y, b.y), edges.size()});
         }
-    std::vector<std::vector<std::pair<long double, grid_point>>> on(edges.size());  // along each, where it is crossed
+    std::vector<std::vector<std::pair<long double, grid_point>>> on(edges.size());  // where each is crossed
     std::vector<bool> bends(edges.size(), false);
     std::sort(edges.begin(), edges.end(), [](const edge& p, const edge& q) { return p.left < q.left; });
     for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -133,20 +133,20 @@ struct led_loops {
             if (side(q.a, q.b, x) != 0) bends[q.number] = true;
         }
     }
-    led_loops led;
+    rerouted_loops made;
     std::size_t number = 0;
     for (const loop l : loops) {
-        auto& out = led.all.emplace_back();
+        auto& out = made.all.emplace_back();
         for (std::size_t i = 0; i < l.size(); ++i, ++number) {
             out.push_back(l[i]);
             auto& mine = on[number];
             std::sort(mine.begin(), mine.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
             for (const auto& crossed : mine) out.push_back(crossed.second);
             const grid_point b = l[(i + 1) % l.size()];
-            if (bends[number]) led.bent_length += std::hypot(double(b.x) - l[i].x, double(b.y) - l[i].y);
+            if (bends[number]) made.bent_length += std::hypot(double(b.x) - l[i].x, double(b.y) - l[i].y);
         }
     }
-    return led;
+    return made;
 }
 
 }  // namespace typemesh::inline TYPEMESH_ABI::inspect

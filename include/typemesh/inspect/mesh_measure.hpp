@@ -8,14 +8,14 @@
 
 namespace typemesh::inline TYPEMESH_ABI::inspect {
 
-/// How large a mesh is, in its own unit.
+/// The size of a mesh, in its own unit.
 struct mesh_measure {
     double area = 0.0;    ///< of all triangles together
-    double volume = 0.0;  ///< what a closed mesh encloses; negative when it is inside out. Of an open mesh it means nothing
+    double volume = 0.0;  ///< that a closed mesh encloses; negative when it is inside out. Meaningless for an open mesh
 };
 
-/// In a right-handed frame with counter-clockwise triangles the volume is positive; a mirroring frame and clockwise triangles
-/// turn its sign each (see vertex/frame.hpp). Triangles that are not drawable have no size.
+/// In a right-handed frame with counter-clockwise triangles the volume is positive; a mirroring frame changes its sign,
+/// and so do clockwise triangles (see vertex/frame.hpp). Triangles that are not drawable have no size.
 ///
 /// Cost   O(triangles); rounded as sums in double precision are
 template <class Vertex, class Index, class Position>

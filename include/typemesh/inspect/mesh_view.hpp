@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The room inspect/ holds the laws that a mesh obeys, for the tests of whoever draws it. Its functions give numbers in small
-// structures, for a test to compare. They throw nothing of their own and need no exceptions to compile; what they need of
-// memory they take from std::vector, which throws, or ends a program without exceptions, where there is none. They are made
-// to be plain and independent of what they test, not fast, and are not part of <typemesh/typemesh.hpp>.
+// The room inspect/ holds the laws that a mesh obeys, for the tests of code that uses meshes. Its functions return
+// numbers in small structures, for a test to compare. They throw nothing themselves and compile without exceptions;
+// their memory comes from std::vector, which throws when memory runs out or, without exceptions, ends the program. They
+// are meant to be plain and independent of what they test, not fast, and are not part of <typemesh/typemesh.hpp>.
 
 #include <typemesh/core/finite.hpp>
 
@@ -36,7 +36,7 @@ struct place {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// Whatever has members x, y, z, or else elements [0], [1], [2]: floats or doubles of any library.
+/// Converts anything with members x, y, z, or else elements [0], [1], [2]: floats or doubles of any library.
 template <class Vector>
 [[nodiscard]] constexpr place to_place(const Vector& v) noexcept
 {
@@ -46,7 +46,7 @@ template <class Vector>
         return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
 }
 
-/// How to come to a vertex' position where nothing else is said: its member `position`, or the vertex itself.
+/// The default access to a vertex's position: its member `position`, or the vertex itself.
 struct position_member {
     template <class Vertex>
     [[nodiscard]] constexpr decltype(auto) operator()(const Vertex& v) const noexcept
@@ -58,15 +58,15 @@ struct position_member {
     }
 };
 
-/// A mesh of triangles, looked at where it lies: a view of two arrays of the caller's, which it must not outlive.
+/// A mesh of triangles, viewed in place: two arrays of the caller's, which must outlive it.
 ///
-///     inspect::mesh_view mesh{vertices, indices};                    // vertices have a member `position`, or are positions
+///     inspect::mesh_view mesh{vertices, indices};                    // a member `position`, or positions themselves
 ///     inspect::mesh_view mesh{vertices, indices, &my_vertex::place};
 ///     inspect::mesh_view mesh{vertices, indices, [](const my_vertex& v) { return unpack(v); }};
 ///
-///     vertices    any array that std::span can be made of, of fewer than 2^32 - 1 vertices
-///     indices     three a triangle, of any integer type; one or two at the end that make no triangle are left out
-///     position    a member or a function; what it gives is anything that to_place() takes
+///     vertices    any array that std::span can be made from, of fewer than 2^32 - 1 vertices
+///     indices     three per triangle, of any integer type; one or two left over at the end are ignored
+///     position    a member or a function; its result is anything that to_place() takes
 template <class Vertex, std::integral Index, class Position = position_member>
 class mesh_view {
 public:
@@ -84,14 +84,14 @@ public:
         return to_place(std::invoke(position_, vertices_[vertex]));
     }
 
-    /// The numbers of a triangle's vertices, which nobody has tested yet: see is_drawable().
+    /// The indices of a triangle's vertices, unchecked: see is_drawable().
     [[nodiscard]] constexpr std::array<std::size_t, 3> corners(std::size_t triangle) const noexcept
     {
         const auto at = [&](std::size_t k) noexcept { return static_cast<std::size_t>(indices_[3 * triangle + k]); };
         return {at(0), at(1), at(2)};
     }
 
-    /// Whether all three numbers are those of vertices. A negative one is not.
+    /// Whether all three are indices of vertices. Negative ones are not.
     [[nodiscard]] constexpr bool has_vertices(const std::array<std::size_t, 3>& corners) const noexcept
     {
         for (const std::size_t v : corners)
@@ -99,8 +99,8 @@ public:
         return true;
     }
 
-    /// Whether these vertices are there, and their positions finite. Other triangles are counted where a structure says so,
-    /// and have no edges, no area and no normal.
+    /// Whether these vertices exist and their positions are finite. Other triangles are counted where a structure says
+    /// so, and have no edges, no area and no normal.
     [[nodiscard]] bool is_drawable(const std::array<std::size_t, 3>& corners) const noexcept
     {
         if (!has_vertices(corners)) return false;
@@ -128,8 +128,8 @@ template <class Vertices, class Indices, class Position>
 mesh_view(const Vertices&, const Indices&, Position)
     -> mesh_view<detail::element_of<Vertices>, detail::element_of<Indices>, Position>;
 
-/// Which places the vertices of triangles stand on: vertices in equal positions share one. -0 and 0 are equal; nothing else
-/// is brought together.
+/// The distinct positions that triangles use: vertices at equal positions share a place. -0 and 0 are equal; nothing
+/// else is merged.
 struct welded_places {
     static constexpr std::uint32_t none = 0xFFFF'FFFFu;
 

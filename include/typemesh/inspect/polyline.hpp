@@ -11,12 +11,12 @@
 #include <span>
 #include <vector>
 
-// What is true of closed polylines on the grid, found by trying everything: slow, plain, and without a line in common with
-// the stages that it judges.
+// Facts about closed polylines on the grid, found by brute force: slow, plain, and sharing no code with the stages that
+// they test.
 
 namespace typemesh::inline TYPEMESH_ABI::inspect {
 
-/// A closed polyline: its last point joins its first. |coordinate| <= 2^28.
+/// A closed polyline: its last point is joined to its first. |coordinate| <= 2^28.
 using loop = std::span<const grid_point>;
 
 [[nodiscard]] inline std::vector<loop> loops_of(std::span<const grid_point> points, std::span<const std::uint32_t> starts)
@@ -37,14 +37,14 @@ using loop = std::span<const grid_point>;
     return left > right ? 1 : left < right ? -1 : 0;
 }
 
-/// p on the closed segment ab.
+/// Whether p lies on the closed segment ab.
 [[nodiscard]] constexpr bool lies_on(grid_point p, grid_point a, grid_point b) noexcept
 {
     return side(a, b, p) == 0 && (std::min)(a.x, b.x) <= p.x && p.x <= (std::max)(a.x, b.x) &&
            (std::min)(a.y, b.y) <= p.y && p.y <= (std::max)(a.y, b.y);
 }
 
-/// The closed segments ab and cd have a point in common.
+/// Whether the closed segments ab and cd have a point in common.
 [[nodiscard]] constexpr bool meet(grid_point a, grid_point b, grid_point c, grid_point d) noexcept
 {
     if (lies_on(c, a, b) || lies_on(d, a, b) || lies_on(a, c, d) || lies_on(b, c, d)) return true;
@@ -69,7 +69,7 @@ using loop = std::span<const grid_point>;
     return static_cast<std::int64_t>(sum);
 }
 
-/// How often l runs round p, which must not lie on it: counted along the ray from p to the right.
+/// How often l winds around p, which must not lie on it: counted along the ray from p to the right.
 [[nodiscard]] constexpr std::int32_t winding(loop l, grid_point p) noexcept
 {
     std::int32_t w = 0;
@@ -87,7 +87,7 @@ using loop = std::span<const grid_point>;
     return w;
 }
 
-/// How long all edges are together, in cells: snapping them by half a cell moves at most half of that in area.
+/// The total length of all edges, in cells: snapping them by half a cell changes the area by at most half of that.
 [[nodiscard]] inline double length(const std::vector<loop>& loops) noexcept
 {
     double sum = 0.0;
@@ -99,7 +99,7 @@ using loop = std::span<const grid_point>;
     return sum;
 }
 
-/// How far p is from the nearest edge, in cells; 1e300 where there are none.
+/// The distance from p to the nearest edge, in cells; 1e300 if there are none.
 [[nodiscard]] inline double distance(const std::vector<loop>& loops, grid_point p) noexcept
 {
     double nearest = 1e300;

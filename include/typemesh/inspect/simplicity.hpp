@@ -10,8 +10,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI::inspect {
 
-/// Whether any two edges cross, touch or overlap (neighbours: more than their common point), or a loop has one or two
-/// points. All pairs of edges whose boxes meet are tried.
+/// Whether any two edges cross, touch or overlap (neighbours: in more than their common point), or a loop has one or
+/// two points. Tests all pairs of edges whose boxes overlap.
 [[nodiscard]] inline bool is_crossing(const std::vector<loop>& loops)
 {
     struct edge {
@@ -46,7 +46,7 @@ namespace typemesh::inline TYPEMESH_ABI::inspect {
     return false;
 }
 
-/// The winding numbers just outside and just inside of loop `of`; no two loops may meet.
+/// The winding numbers just outside and just inside loop `of`; no two loops may touch or cross.
 struct separated {
     std::int32_t outside = 0;
     std::int32_t inside = 0;
@@ -59,7 +59,7 @@ struct separated {
     return {outside, outside + (doubled_area(loops[of]) > 0 ? 1 : -1)};
 }
 
-/// Whether loops bound a region as they are, without meeting: 1 on the left of every edge, 0 on the right.
+/// Whether loops bound a region as they are, without touching: the winding number is 1 left of every edge, 0 right.
 [[nodiscard]] inline bool is_region(const std::vector<loop>& loops)
 {
     if (is_crossing(loops)) return false;
