@@ -4,44 +4,14 @@
 #include <typemesh/extrude/creased_normals.hpp>
 #include <typemesh/extrude/shared_normals.hpp>
 
-#include "mesh.hpp"
-#include "support/catch.hpp"
 #include "support/regions.hpp"
+#include "walls.hpp"
 
 #include <utility>
 
 using namespace typemesh;
 using namespace meshes;
 using Catch::Approx;
-
-namespace {
-
-struct walls {
-    point before, after;
-    double degrees;
-};
-
-/// The two walls at a point, from the polygon alone.
-walls at(const shapes::shape& s, std::uint32_t i)
-{
-    const auto normal = [&](std::uint32_t a, std::uint32_t b) {
-        const double dx = double(s.loops.points[b].x) - s.loops.points[a].x,
-                     dy = double(s.loops.points[b].y) - s.loops.points[a].y;
-        return point{dy / std::hypot(dx, dy), -dx / std::hypot(dx, dy)};
-    };
-    const point p = normal(s.previous(i), i), q = normal(i, s.next(i));
-    return {p, q, std::atan2(std::abs(cross(p, q)), typemesh::dot(p, q)) * 180.0 / 3.14159265358979323846};
-}
-
-void check_equal(vec3 n, point p, double z)
-{
-    const double l = std::sqrt(typemesh::dot(p, p) + z * z);
-    CHECK(n.x == Approx(p.x / l).margin(1e-6));
-    CHECK(n.y == Approx(p.y / l).margin(1e-6));
-    CHECK(n.z == Approx(z / l).margin(1e-6));
-}
-
-}  // namespace
 
 TEST_CASE("averaged normals are the normalised sums of two walls, none doubled", "[extrude]")
 {
@@ -51,53 +21,6 @@ TEST_CASE("averaged normals are the normalised sums of two walls, none doubled",
         for (std::uint32_t i = 0; i < s.points(); ++i) {
             const walls w = at(s, i);
             check_equal(b.vertices[b.first_vertex(part::side) + 2 * i].normal, w.before + w.after, 0.0);
-        }
-    }
-}
-
-TEST_CASE("creased normals double the corners of the polygon, each wall with its own normal", "[extrude]")
-{
-    for (const float crease : {1.0f, 10.0f, 30.0f, 75.0f, 100.0f}) {
-        for (const auto& s : shapes::all()) {
-            INFO(s.name << " creased at " << crease);
-            const built b = build(s, extruded<creased_normals>{.texture = texture_mapping::box, .normals = {crease}});
-            std::uint32_t hard = 0;
-            for (std::uint32_t i = 0; i < s.points(); ++i) {
-                const walls w = at(s, i);
-                CHECK(b.sides[i].doubled == (w.degrees > static_cast<double>(crease)));
-                hard += b.sides[i].doubled;
-                const vec2 before = b.sides[i].before, after = b.sides[i].after;
-                if (b.sides[i].doubled) {
-                    check_equal({before.x, before.y, 0.0f}, w.before, 0.0);
-                    check_equal({after.x, after.y, 0.0f}, w.after, 0.0);
-                } else {
-                    check_equal({before.x, before.y, 0.0f}, w.before + w.after, 0.0);
-                    CHECK(before == after);
-                }
-            }
-            CHECK(b.announced.vertices == 4 * s.points() + 2 * hard);
-        }
-    }
-    const extruded<creased_normals> square{.texture = texture_mapping::box, .normals = {90.0f}};
-    for (const auto& side : build(shapes::rectangle(), square).sides)
-        CHECK_FALSE(side.doubled);
-}
-
-TEST_CASE("shared normals sum a cap and two walls, of the parts that are there", "[extrude]")
-{
-    for (const auto& s : shapes::all()) {
-        for (unsigned bits = 0; bits < 8; ++bits) {
-            const extruded<shared_normals> how{
-                .front = (bits & 1u) != 0, .back = (bits & 2u) != 0, .side = (bits & 4u) != 0};
-            INFO(s.name << ", switches " << bits);
-            const built b = build(s, how);
-            for (std::uint32_t i = 0; i < s.points(); ++i) {
-                const walls w = at(s, i);
-                const point sum = how.side ? w.before + w.after : point{};
-                if (how.front || how.side) check_equal(b.vertices[i].normal, sum, how.front ? 1.0 : 0.0);
-                if (how.back || how.side)
-                    check_equal(b.vertices[b.first_vertex(part::back) + i].normal, sum, how.back ? -1.0 : 0.0);
-            }
         }
     }
 }

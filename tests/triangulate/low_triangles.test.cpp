@@ -93,34 +93,6 @@ struct fan {
 
 }  // namespace
 
-TEST_CASE("a triangle's level tells how often its height has to be doubled to reach 2^-16 em", "[triangulate][low]")
-{
-    const grid g{.cells = 512.0, .units_per_em = 2048.0};  // 2^-20 em is one cell
-    const triangle_heights heights{g};
-    const auto level = [&](std::int32_t length, std::int32_t middle, std::int32_t height) {
-        return heights.level({-length, 0}, {middle, -height}, {length, 0});
-    };
-    for (const std::int32_t length : {40, 1000, 1 << 20, 1 << 27}) {
-        for (const std::int32_t middle : {0, 7, -33}) {
-            CHECK(level(length, middle, 17) == 0);
-            CHECK(level(length, middle, 16) == 0);
-            CHECK(level(length, middle, 15) == 1);
-            CHECK(level(length, middle, 8) == 1);
-            CHECK(level(length, middle, 7) == 2);
-            CHECK(level(length, middle, 2) == 3);
-            CHECK(level(length, middle, 1) == 4);  // just not low
-        }
-    }
-    // Slanted: height times length is the doubled area, 1 here.
-    for (std::uint32_t k = 1; k < 20; ++k) {
-        const std::int32_t far = 1 << k;
-        CHECK(heights.level({0, 0}, {far, 1}, {2 * far + 1, 2}, 1) == (std::min)(12u, 4 + k + 2));
-        CHECK(heights.is_low({0, 0}, {far, 0}, {2 * far + 1, 1}));
-    }
-    CHECK_FALSE(triangle_heights{grid{}}.is_low({0, 0}, {1000, 0}, {2001, 1}));  // no em, nothing is low
-    CHECK(triangle_heights{grid{}}.doubled_area_of_low() == 0);
-}
-
 TEST_CASE("levels are exact for triangles of all sizes", "[triangulate][low]")
 {
     test::dice d{11};
