@@ -19,32 +19,32 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Which member of a family: its weight (100 to 900), its width, its slant.
+/// Which member of a family: weight (100 to 900), width, slant.
 struct directwrite_style {
     DWRITE_FONT_WEIGHT weight = DWRITE_FONT_WEIGHT_NORMAL;
     DWRITE_FONT_STRETCH stretch = DWRITE_FONT_STRETCH_NORMAL;
     DWRITE_FONT_STYLE style = DWRITE_FONT_STYLE_NORMAL;
 };
 
-/// A font through DirectWrite (Windows 7 or later): shapes text of every script, both directions in one line included,
-/// and draws its outlines. Nothing but Windows is needed; link dwrite.lib.
+/// A font through DirectWrite (Windows 7 or later): shapes text of every script, with both directions in one line if
+/// need be, and draws its outlines. Needs nothing but Windows; link dwrite.lib.
 ///
 ///     auto font = directwrite_font::open(L"C:\\Windows\\Fonts\\segoeui.ttf");      // a file
 ///     auto font = directwrite_font::open_family(L"Segoe UI");                      // an installed font
 ///     if (!font) return puts(font.error().message());
 ///
-/// Its shaper is IDWriteTextAnalyzer, not IDWriteTextLayout: the analyser takes this very face, so no other font can
-/// step in for a missing glyph, and the face needs no family name or collection; it is told script, language and
-/// features outright; and Wine has it as well. For a whole IDWriteTextLayout see directwrite_text.
+/// Its shaper is IDWriteTextAnalyzer, not IDWriteTextLayout: the analyser uses this very face, so no other font can
+/// step in for a missing glyph, and the face needs no family name or collection; script, language and features are
+/// passed explicitly; and Wine has it as well. For a whole IDWriteTextLayout see directwrite_text.
 ///
-/// What `fill()` says is the rule of the outline drawn last (DirectWrite tells it glyph by glyph); non_zero in every
-/// font known. Outlines are asked for at one unit per font unit and turned y up.
+/// `fill()` returns the rule of the outline drawn last (DirectWrite reports it glyph by glyph); non_zero in every font
+/// known. Outlines are requested at one unit per font unit and flipped to y up.
 ///
-/// COM need not be initialised. Move-only. Used from one thread at a time; for another thread make a second one,
+/// COM need not be initialised. Move-only. Used by one thread at a time; for another thread make a second one,
 /// wrap(font.handle()).
 class directwrite_font {
 public:
-    /// Opens a font file. Without a `factory` the process' shared one is used.
+    /// Opens a font file. Without a `factory` it uses the process's shared one.
     ///
     /// Fails  error::unreadable_file, not_a_font, no_such_face (count = how many faces there are), no_outlines,
     ///        unknown_variation, bad_option (a variation is NaN or infinite), out_of_memory,
@@ -63,7 +63,7 @@ public:
         DWRITE_FONT_FACE_TYPE face_type = DWRITE_FONT_FACE_TYPE_UNKNOWN;
         UINT32 faces = 0;
         if (error e = directwrite_error(file->Analyze(&supported, &file_type, &face_type, &faces))) {
-            // Wine says no more than that it failed.
+            // Wine says only that it failed.
             const DWORD kind = GetFileAttributesW(path);
             const bool is_file = kind != INVALID_FILE_ATTRIBUTES && (kind & FILE_ATTRIBUTE_DIRECTORY) == 0;
             return is_file ? e : error{error::unreadable_file};
@@ -79,8 +79,8 @@ public:
         return finished(std::move(face), *held);
     }
 
-    /// Opens the member of a family that suits a style best, from the fonts installed or from a collection of the
-    /// caller's. A weight or slant that the family lacks is drawn as DirectWrite simulates it.
+    /// Opens the member of a family that matches a style best, from the installed fonts or from a collection of the
+    /// caller's. DirectWrite simulates a weight or slant that the family lacks.
     ///
     /// Fails  error::no_such_family, no_outlines, out_of_memory, font_library_failed (count = the HRESULT)
     static result<directwrite_font> open_family(const wchar_t* family, const directwrite_style& style = {},
@@ -109,7 +109,7 @@ public:
         return finished(std::move(face), *held);
     }
 
-    /// Takes a face that the caller has made, with its variations and simulations. Holds a reference of its own.
+    /// Wraps a face of the caller's, with its variations and simulations. Holds a reference of its own.
     ///
     /// Fails  error::not_a_font (without glyphs or units), no_outlines, out_of_memory, font_library_failed
     static result<directwrite_font> wrap(IDWriteFontFace* face, IDWriteFactory* factory = nullptr) noexcept
@@ -129,13 +129,13 @@ public:
     /// How many glyphs the face has; their ids count from 0.
     [[nodiscard]] std::uint32_t glyph_count() const noexcept { return glyph_count_; }
 
-    /// See variation_key.hpp. Of the font (by the checksum in its 'head' table, its number of glyphs and its face's
-    /// number), its simulations and its axes. Where the axes of a variable font are not told (the program is compiled
+    /// See variation_key.hpp. Covers the font (by the checksum in its 'head' table, its number of glyphs and its face
+    /// index), its simulations and its axes. Where the axes of a variable font cannot be read (the program is compiled
     /// for a Windows older than 10 1709), no other directwrite_font has the same key.
     [[nodiscard]] std::uint64_t variation_key() const noexcept { return key_; }
 
-    /// See outline_source. TrueType's quadratics, which DirectWrite gives as cubics, are quadratics again wherever a
-    /// cubic is one but for its rounding (1/25 unit, Wine's); CFF's cubics stay.
+    /// See outline_source. DirectWrite gives TrueType's quadratics as cubics; they become quadratics again wherever a
+    /// cubic is one up to its rounding (1/25 unit, Wine's). CFF's cubics stay.
     template <outline_sink Sink>
     error outline(glyph_id id, Sink& sink) noexcept
     {
@@ -143,7 +143,7 @@ public:
         return detail::draw_glyph(face_.get(), units_per_em_, 1.0, lowers_, false, id, sink, rule_);
     }
 
-    /// See shaper. Half an em to each side of a column.
+    /// See shaper. Columns extend half an em to each side.
     [[nodiscard]] line_metrics metrics(direction d) const noexcept
     {
         if (d == direction::top_to_bottom) return {units_per_em_ / 2, -units_per_em_ / 2, 0.0};
@@ -154,21 +154,21 @@ public:
     }
 
     /// See shaper. Scripts and bidirectional levels are DirectWrite's own (UAX #9), so a line may hold text of both
-    /// directions: its pieces come out in visual order and error::mixed_direction never comes. `direction` is the
-    /// line's own, by which its pieces are ordered; a letter keeps its reading whatever is asked. direction::automatic
-    /// takes that of the first letter.
+    /// directions: its pieces come in visual order, and error::mixed_direction does not occur. `direction` is the
+    /// line's base direction, which orders its pieces; letters keep their own direction whatever is requested.
+    /// direction::automatic takes that of the first letter.
     ///
     /// In columns glyphs stand upright, in the vertical forms that the font has ("vert"), one below the other by their
     /// vertical metrics.
     ///
-    /// Fails besides  error::bad_option: options.script is no script that DirectWrite knows, or options.language is
-    ///                longer than Windows allows
+    /// Fails besides  error::bad_option: options.script is unknown to DirectWrite, or options.language is longer than
+    ///                Windows allows
     ///                error::bad_feature: a tag is not four printable ASCII characters
     ///                error::too_large: more than 2^28 units in a line; error::font_library_failed (count = HRESULT)
     result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& options,
                         glyph_run& run) noexcept
     {
-        TYPEMESH_ASSERT(first <= last && last <= text.size(), "a shaper was given a place outside its text");
+        TYPEMESH_ASSERT(first <= last && last <= text.size(), "a shaper was given a range outside its text");
         return shaping_.shape(face_.get(), units_per_em_, text, first, last, options, run);
     }
 
@@ -208,8 +208,8 @@ private:
         return result<directwrite_font>{std::move(made)};
     }
 
-    /// Sets a variable font on its axes. Needs Windows 10 1709, when the program runs and, as Microsoft's headers have
-    /// it, in the NTDDI_VERSION that it is compiled for; otherwise no font has an axis.
+    /// Sets the axes of a variable font. Needs Windows 10 1709 when the program runs and, in Microsoft's headers, in
+    /// the NTDDI_VERSION that it is compiled for; otherwise no font has an axis.
     static error vary([[maybe_unused]] detail::com_ptr<IDWriteFontFace>& face,
                       std::span<const variation> wanted) noexcept
     {
@@ -232,7 +232,7 @@ private:
             UINT32 i = 0;
             const auto tag = static_cast<DWRITE_FONT_AXIS_TAG>(detail::directwrite_tag(v.tag));
             while (i < axes && ranges[i].axisTag != tag) ++i;
-            // Other axes are such as DirectWrite adds for the family's sake.
+            // The other axes are added by DirectWrite for the family's sake.
             if (i == axes || (resource->GetFontAxisAttributes(i) & DWRITE_FONT_AXIS_ATTRIBUTES_VARIABLE) == 0)
                 return error::unknown_variation;
             const float low = ranges[i].minValue, high = ranges[i].maxValue;

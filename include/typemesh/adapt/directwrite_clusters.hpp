@@ -9,8 +9,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// From DirectWrite's map, which gives the first glyph of each unit's cluster (never falling, in both directions), the
-/// first unit of each glyph's cluster.
+/// Inverts DirectWrite's map, which gives the first glyph of each unit's cluster (never decreasing, in both
+/// directions): finds the first unit of each glyph's cluster.
 inline void invert_cluster_map(std::span<const std::uint16_t> map, std::span<std::uint32_t> units) noexcept
 {
     std::size_t glyph = 0, unit = 0;
@@ -22,7 +22,7 @@ inline void invert_cluster_map(std::span<const std::uint16_t> map, std::span<std
     for (; glyph < units.size(); ++glyph) units[glyph] = 0;
 }
 
-/// Whether a font need have no glyph for a unit: controls, line breaks, characters that are never drawn.
+/// Whether a font may lack a glyph for a unit: controls, line breaks, characters that are never drawn.
 [[nodiscard]] inline bool draws_nothing(char32_t unit) noexcept
 {
     const bool is_control = unit < 0x20 || (unit >= 0x7F && unit < 0xA0);

@@ -11,7 +11,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What an HRESULT of DirectWrite means here: none for success, error::out_of_memory, unreadable_file, not_a_font, else
+/// The error for an HRESULT of DirectWrite: none for success, error::out_of_memory, unreadable_file, not_a_font, else
 /// font_library_failed with the HRESULT as an unsigned number in `count`.
 [[nodiscard]] inline error directwrite_error(HRESULT code) noexcept
 {
@@ -60,14 +60,14 @@ public:
     [[nodiscard]] T* operator->() const noexcept { return object_; }
     [[nodiscard]] explicit operator bool() const noexcept { return object_ != nullptr; }
 
-    /// Where a function puts a reference that it hands over. Only for one that holds nothing.
+    /// Where a function stores a reference that it hands over. Only while this holds none.
     [[nodiscard]] T** put() noexcept
     {
-        TYPEMESH_ASSERT(object_ == nullptr, "a com_ptr that holds an object was filled anew");
+        TYPEMESH_ASSERT(object_ == nullptr, "a com_ptr was filled while it held an object");
         return &object_;
     }
 
-    /// The object's interface of another type; empty where it has none.
+    /// Another interface of the object; empty if it has none of that type.
     template <class U>
     [[nodiscard]] com_ptr<U> as() const noexcept
     {
@@ -82,8 +82,8 @@ private:
     T* object_ = nullptr;
 };
 
-/// What all COM objects of ours have in common: they live on the stack, in one call of DirectWrite's, and are counted
-/// only to see that nobody keeps them longer.
+/// The base of all our COM objects: they live on the stack during one call of DirectWrite's, and references are counted
+/// only to check that nobody keeps them longer.
 template <class Interface>
 class stack_object : public Interface {
 public:

@@ -13,14 +13,14 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// What a face of DirectWrite draws, in 64 bits for a variation_key(). Where DirectWrite does not tell it, the key is
-/// one of its own, that no other has.
+/// What a face of DirectWrite draws, in 64 bits for a variation_key(). Where DirectWrite does not say, the key is
+/// unique.
 class directwrite_key {
 public:
     void mix(std::uint64_t number) noexcept { key_ = mixed_key(key_, number); }
     void mix(double number) noexcept { mix(option_bits{number}.words[0]); }
 
-    /// The font, by the checksum in its 'head' table, its number of glyphs and its face's number, and how the face
+    /// Adds the font, by the checksum in its 'head' table, its number of glyphs and its face index, and how the face
     /// draws it: its simulations and its axes.
     void mix_state(IDWriteFontFace* face) noexcept
     {
@@ -34,7 +34,7 @@ public:
         DWRITE_FONT_AXIS_VALUE axes[most_axes] = {};
         const UINT32 count = varied->GetFontAxisValueCount();
         if (count > most_axes || FAILED(varied->GetFontAxisValues(axes, count))) {
-            is_told_ = false;
+            is_known_ = false;
             return;
         }
         mix(std::uint64_t{count});
@@ -43,33 +43,33 @@ public:
             mix(double{axes[i].value});
         }
 #else
-        if (has_table(face, "fvar")) is_told_ = false;  // Windows may know axes that these headers do not
+        if (has_table(face, "fvar")) is_known_ = false;  // Windows may know axes that these headers do not
 #endif
     }
 
-    /// Which files the face comes from, by path and time of writing. Of files that are none of the system's (in memory,
-    /// or a caller's own loader) it is not told: a loader's keys mean nothing once it has gone.
+    /// Adds the files that the face comes from, by path and time of writing. Files that are not the system's (in
+    /// memory, or from a caller's own loader) are unknown: a loader's keys mean nothing once it is gone.
     void mix_files(IDWriteFontFace* face) noexcept
     {
         IDWriteFontFile* files[most_files] = {};
         UINT32 count = 0;
         if (FAILED(face->GetFiles(&count, nullptr)) || count == 0 || count > most_files ||
             FAILED(face->GetFiles(&count, files))) {
-            is_told_ = false;
+            is_known_ = false;
             return;
         }
         mix(std::uint64_t{count});
         for (UINT32 i = 0; i < count; ++i) {
             com_ptr<IDWriteFontFile> file;
             *file.put() = files[i];
-            if (!mix_file(file)) is_told_ = false;
+            if (!mix_file(file)) is_known_ = false;
         }
     }
 
-    /// The key. `owner` and `time`, taken together, are nobody else's.
+    /// The key. No two calls may have both `owner` and `time` in common.
     [[nodiscard]] std::uint64_t value(const void* owner, std::uint64_t time) const noexcept
     {
-        if (is_told_) return key_;
+        if (is_known_) return key_;
         return mixed_key(mixed_key(key_, reinterpret_cast<std::uintptr_t>(owner)), time);
     }
 
@@ -119,7 +119,7 @@ private:
     }
 
     std::uint64_t key_ = 0x6477'7269'7465;
-    bool is_told_ = true;
+    bool is_known_ = true;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail

@@ -16,13 +16,13 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// Finds the quadratic that a font's own outline had, from the cubic that DirectWrite made of it: with control point q,
-/// c1 = p0 + 2/3 (q - p0) and c2 = p3 + 2/3 (q - p3). DirectWrite gives c1 and c2 in single precision; Wine rounds them
-/// down to 1/64 unit, twice. So a q explains both when it misses neither by more than 2.5/64 along an axis. A TrueType
-/// control point is a whole number nearly always: that one is taken where it does, else the mean of what both say,
-/// where that does.
+/// Finds the quadratic of the font's own outline from the cubic that DirectWrite made of it: with control point q, c1 =
+/// p0 + 2/3 (q - p0) and c2 = p3 + 2/3 (q - p3). DirectWrite gives c1 and c2 in single precision; Wine rounds them down
+/// to 1/64 unit, twice. So q explains both if it misses neither by more than 2.5/64 along an axis. A TrueType control
+/// point is nearly always an integer point: the nearest one is taken if it explains both, else the mean of what c1 and
+/// c2 say, if that does.
 ///
-///     q   the control point; untouched where there is none
+///     q   the control point; unchanged if there is none
 [[nodiscard]] inline bool lower(point p0, point c1, point c2, point p3, point& q) noexcept
 {
     const auto explains = [&](point c) noexcept {
@@ -41,8 +41,8 @@ namespace detail {
     return true;
 }
 
-/// Hands the figures of a geometry on to an outline_sink: y up, scaled, elevated quadratics lowered, every figure
-/// closed, hollow figures (which Direct2D does not fill) left out. After the first trouble all is ignored.
+/// Passes the figures of a geometry on to an outline_sink: y up, scaled, elevated quadratics lowered again, every
+/// figure closed, hollow figures (which Direct2D does not fill) left out. After the first error all calls are ignored.
 template <outline_sink Sink>
 class geometry_pen final : public stack_object<ID2D1SimplifiedGeometrySink> {
 public:
@@ -113,7 +113,7 @@ private:
     error trouble_;
 };
 
-/// Whether the outlines of a face are made of quadratics: whether it has a 'glyf' table.
+/// Whether a face has a table; with a 'glyf' table its outlines are made of quadratics.
 [[nodiscard]] inline bool has_table(IDWriteFontFace* face, const char (&tag)[5]) noexcept
 {
     const auto letter = [&](int i) noexcept { return std::uint32_t{static_cast<unsigned char>(tag[i])}; };
@@ -127,7 +127,7 @@ private:
     return size != 0;
 }
 
-/// Draws one glyph of a face, asked for at one unit per font unit; `rule` becomes the rule by which it fills.
+/// Draws one glyph of a face, requested at one unit per font unit; `rule` becomes the rule by which it is filled.
 template <outline_sink Sink>
 error draw_glyph(IDWriteFontFace* face, double units_per_em, double scale, bool lowers, bool sideways, glyph_id id,
                  Sink& sink, fill_rule& rule) noexcept

@@ -7,21 +7,21 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// What an IDWriteTextLayout draws into, in device-independent pixels: hands on what it is given, lets inline objects
-/// draw themselves, and keeps the first error.
+/// What an IDWriteTextLayout draws into, in device-independent pixels: passes on what it gets, lets inline objects draw
+/// themselves, and keeps the first error.
 ///
-///     to.add_glyphs(x, y, run, of)    `of` is null for text that an inline object draws: it has no place in the text
+///     to.add_glyphs(x, y, run, of)    `of` is null for text drawn by an inline object: it has no position in the text
 ///     to.add_bar(x, y, width, thickness, offset)
 ///                                     an underline or strike-through, its upper edge `offset` below the baseline
 ///     to.add_object(x, y, object)     before the object draws itself
 ///
-/// each gives an error, after which DirectWrite is told to stop.
+/// Each returns an error, after which DirectWrite is told to stop.
 template <class To>
 class directwrite_renderer final : public stack_object<IDWriteTextRenderer> {
 public:
     explicit directwrite_renderer(To& to) noexcept : to_{to} {}
 
-    [[nodiscard]] const error& trouble() const noexcept { return trouble_; }
+    [[nodiscard]] const error& trouble() const noexcept { return first_error_; }
 
     HRESULT STDMETHODCALLTYPE IsPixelSnappingDisabled(void*, BOOL* disabled) noexcept override
     {
@@ -58,7 +58,7 @@ public:
     {
         if (object == nullptr) return S_OK;
         if (error e = to_.add_object(x, y, object)) return said(e);
-        if (depth_ >= deepest) return S_OK;  // an object that draws itself
+        if (depth_ >= deepest) return S_OK;  // an object that draws itself without end
         ++depth_;
         const HRESULT code = object->Draw(context, this, x, y, sideways, to_the_left, effect);
         --depth_;
@@ -75,12 +75,12 @@ private:
     HRESULT said(error e) noexcept
     {
         if (!e) return S_OK;
-        if (!trouble_) trouble_ = e;
-        return e == error::out_of_memory ? E_OUTOFMEMORY : E_FAIL;  // Wine goes on all the same
+        if (!first_error_) first_error_ = e;
+        return e == error::out_of_memory ? E_OUTOFMEMORY : E_FAIL;  // Wine continues all the same
     }
 
     To& to_;
-    error trouble_;
+    error first_error_;
     int depth_ = 0;  // of inline objects that draw
 };
 

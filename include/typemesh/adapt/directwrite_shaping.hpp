@@ -19,7 +19,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// A tag as DirectWrite writes it, the first letter in the lowest byte; short ones are filled with spaces.
+/// A tag as DirectWrite stores it, the first letter in the lowest byte; short ones are padded with spaces.
 [[nodiscard]] inline std::uint32_t directwrite_tag(const char (&tag)[5]) noexcept
 {
     std::uint32_t made = 0;
@@ -56,13 +56,13 @@ public:
     }
 
 private:
-    /// What DirectWrite says of one 16-bit unit of the line.
+    /// DirectWrite's analysis of one 16-bit unit of the line.
     struct unit_analysis {
         DWRITE_SCRIPT_ANALYSIS script;
         UINT8 level;
     };
 
-    /// A stretch of the line in one script and of one level.
+    /// A run of the line in one script and of one level.
     struct piece {
         std::uint32_t first;
         std::uint32_t last;
@@ -70,7 +70,7 @@ private:
         UINT8 level;
     };
 
-    /// Where DirectWrite's analyser reads the line from.
+    /// The source that DirectWrite's analyser reads the line from.
     class analysis_source final : public stack_object<IDWriteTextAnalysisSource> {
     public:
         analysis_source(std::span<const wchar_t> text, const wchar_t* language, bool to_the_left) noexcept
@@ -115,7 +115,7 @@ private:
         bool to_the_left_;
     };
 
-    /// Where it writes its findings.
+    /// The sink that it writes its results to.
     class analysis_sink final : public stack_object<IDWriteTextAnalysisSink> {
     public:
         explicit analysis_sink(std::span<unit_analysis> units) noexcept : units_{units} {}
@@ -149,7 +149,7 @@ private:
         std::span<unit_analysis> units_;
     };
 
-    /// Keeps the line in UTF-16, and for each of its units the place in the caller's text.
+    /// Stores the line in UTF-16, and for each of its units the position in the caller's text.
     error take_text(text_view text, std::size_t first, std::size_t last, glyph_run& run) noexcept
     {
         text_.clear();
@@ -168,7 +168,7 @@ private:
                 to_the_left_ = r == reading::to_the_left;
                 decided_ = to_the_left_ || r == reading::to_the_right;
             }
-            // No text has more units in UTF-16 than in UTF-8.
+            // UTF-16 never has more units than UTF-8.
             const bool pair = c.value >= 0x10000;
             text_.push_back_unchecked(static_cast<wchar_t>(pair ? 0xD7C0 + (c.value >> 10) : c.value));
             clusters_.push_back_unchecked(cluster);
@@ -216,7 +216,7 @@ private:
         return false;
     }
 
-    /// Has every unit's script and level found out.
+    /// Finds the script and level of every unit.
     error analyse(const shape_options& options) noexcept
     {
         analysis_.clear();
@@ -241,7 +241,7 @@ private:
         return {};
     }
 
-    /// DirectWrite's number of a script of ISO 15924 (Windows 8 or later tells it).
+    /// DirectWrite's number for a script of ISO 15924 (available from Windows 8).
     [[nodiscard]] result<UINT16> script_named(std::string_view name) const noexcept
     {
         const auto teller = analyser_.as<IDWriteTextAnalyzer1>();
@@ -257,8 +257,8 @@ private:
         return error::bad("script");
     }
 
-    /// Cuts the line where script or level change, and puts the pieces into the order of drawing: from the highest
-    /// level down to the lowest odd one, every stretch of at least that level is reversed (UAX #9, L2).
+    /// Cuts the line where script or level change, and sorts the pieces into drawing order: from the highest level down
+    /// to the lowest odd one, every run of at least that level is reversed (UAX #9, L2).
     error cut_into_pieces(bool vertical) noexcept
     {
         constexpr std::uint32_t longest = 0x4000;  // units; DirectWrite counts glyphs of a piece in 16 bits
@@ -289,7 +289,7 @@ private:
         return {};
     }
 
-    /// Shapes a piece and appends its glyphs from `at` on, which moves.
+    /// Shapes a piece and appends its glyphs from `at` on, which advances.
     error shape_piece(IDWriteFontFace* face, double units_per_em, const piece& p, bool vertical, point& at,
                       glyph_run& run) noexcept
     {
@@ -331,7 +331,7 @@ private:
         return take_glyphs(face, p, count, vertical, at, run);
     }
 
-    /// Appends the glyphs of a piece in the order of drawing: DirectWrite's own, or backwards for right-to-left text.
+    /// Appends the glyphs of a piece in drawing order: DirectWrite's own, reversed for right-to-left text.
     error take_glyphs(IDWriteFontFace* face, const piece& p, UINT32 count, bool vertical, point& at,
                       glyph_run& run) noexcept
     {
@@ -366,7 +366,7 @@ private:
     }
 
     com_ptr<IDWriteTextAnalyzer> analyser_;
-    bool to_the_left_ = false, decided_ = false;  // by the line's first letter
+    bool to_the_left_ = false, decided_ = false;  // from the line's first letter
     wchar_t language_[LOCALE_NAME_MAX_LENGTH] = {};
     buffer<wchar_t> text_;
     buffer<cluster_id> clusters_;

@@ -23,45 +23,45 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// An inline object of a layout: where it stands, y up. Borrowed from the directwrite_text, like its glyphs.
+/// An inline object of a layout and its box, y up. Borrowed from the directwrite_text, like its glyphs.
 struct directwrite_object {
     IDWriteInlineObject* object = nullptr;
     point low, high;  ///< its box, in the text's font units
     std::uint32_t line = 0;
 };
 
-/// Who a glyph id of a directwrite_text is.
+/// What a glyph id of a directwrite_text stands for.
 struct directwrite_glyph {
     IDWriteFontFace* face = nullptr;  ///< null for an underline or a strike-through
-    std::uint16_t index = 0;          ///< the face's own number
+    std::uint16_t index = 0;          ///< the face's own glyph number
     double em_size = 0.0;             ///< in device-independent pixels
-    bool sideways = false;            ///< lying on its side
+    bool sideways = false;            ///< rotated to lie on its side
 };
 
-/// A whole IDWriteTextLayout as shaped text with its own outlines: everything that the layout does (fonts and sizes
-/// that change, fallback fonts, bidirectional text, wrapping, alignment, trimming, underlines) comes along.
+/// A whole IDWriteTextLayout as shaped text with its own outlines: everything that the layout does is kept (changing
+/// fonts and sizes, fallback fonts, bidirectional text, wrapping, alignment, trimming, underlines).
 ///
 ///     directwrite_text text;
 ///     if (error e = text.read(layout)) return puts(e.message());
 ///     text_mesher mesher{text};
 ///     auto made = mesher.build(text.run(), into(vertices, indices));
 ///
-/// One run holds all faces. A glyph's id is the face's own number plus 65536 times the place of face and size in the
-/// order of first use, so the ids of a layout with one font are the font's own; glyph() takes an id apart. Underlines
-/// and strike-throughs are glyphs too, rectangles without a place in the text (`cluster` is no_cluster): solids of
-/// their own, which overlap the letters that they cross.
+/// One run holds all faces. A glyph's id is the face's own glyph number plus 65536 times the number of the pair of face
+/// and size, counted by first use; so in a layout with one font the ids are the font's own. glyph() decodes an id.
+/// Underlines and strike-throughs are glyphs too, rectangles without a position in the text (`cluster` is no_cluster):
+/// solids of their own, which overlap the letters that they cross.
 ///
 /// The unit is the font unit of the first face drawn, with one em the layout's own font size; outlines of other faces
 /// and sizes are scaled. The origin is the layout's top left corner, y up: lines lie below it. Multiply by
 /// dips_per_unit() to get device-independent pixels back.
 ///
-/// Clusters count the layout's 16-bit units, so what an application attached to a range, such as its drawing effect, is
-/// found with layout->GetDrawingEffect(cluster, ...).
+/// Clusters are offsets in the layout's 16-bit units, so what an application attached to a range, such as its drawing
+/// effect, is found with layout->GetDrawingEffect(cluster, ...).
 ///
-/// In a glyph_cache any number serves for all layouts, `cached_in{cache, 1}`: see variation_key().
+/// In a glyph_cache one number serves all layouts, `cached_in{cache, 1}`: see variation_key().
 ///
-/// Holds references to the faces and inline objects of the last layout read, none to the layout. Memory stays for the
-/// next one. Move-only; used from one thread at a time.
+/// Holds references to the faces and inline objects of the last layout read, none to the layout. Memory is kept for the
+/// next one. Move-only; used by one thread at a time.
 class directwrite_text {
 public:
     explicit directwrite_text(memory source = heap()) noexcept
@@ -80,13 +80,13 @@ public:
     directwrite_text& operator=(directwrite_text&&) noexcept = default;
     ~directwrite_text() { release(); }
 
-    /// Draws a layout into this. Inline objects are reported, and asked to draw themselves: text that they draw (the
-    /// ellipsis of a trimmed line) is taken over, without a place in the text. A `context` is handed on to them.
+    /// Draws a layout into this. Inline objects are recorded, and draw themselves: text that they draw (the ellipsis of
+    /// a trimmed line) is included, without a position in the text. They get `context`.
     ///
     /// Fails  error::bad_option: the layout runs in columns
     ///        error::outline_not_finite: it places something at NaN or infinity
-    ///        error::too_large: more than 65535 pairs of face and size, or lines under or through text
-    ///        error::out_of_memory, font_library_failed (count = the HRESULT); nothing is held then
+    ///        error::too_large: more than 65535 pairs of face and size, underlines or strike-throughs
+    ///        error::out_of_memory, font_library_failed (count = the HRESULT); it then holds nothing
     error read(IDWriteTextLayout* layout, void* context = nullptr) noexcept
     {
         TYPEMESH_ASSERT(layout != nullptr, "a null IDWriteTextLayout* was read");
@@ -103,25 +103,25 @@ public:
         return e;
     }
 
-    /// The text, glyph by glyph and line by line, in the order of drawing; a line's underlines come after its letters.
+    /// The text, glyph by glyph and line by line, in drawing order; a line's underlines come after its letters.
     [[nodiscard]] const glyph_run& run() const noexcept { return run_; }
 
     /// The inline objects, in the order in which the layout drew them.
     [[nodiscard]] std::span<const directwrite_object> objects() const noexcept { return objects_.view(); }
 
-    /// Device-independent pixels to one unit of run() and objects().
+    /// Device-independent pixels per unit of run() and objects().
     [[nodiscard]] double dips_per_unit() const noexcept { return em_size_ / run_.units_per_em; }
 
     [[nodiscard]] double units_per_em() const noexcept { return run_.units_per_em; }
     [[nodiscard]] fill_rule fill() const noexcept { return rule_; }
 
-    /// See variation_key.hpp. Of all that the ids of run() stand for, so texts share what a glyph_cache holds exactly
-    /// where their faces, told by file, number in it, simulations and axes, and their sizes relative to the layout's
-    /// own are the same, first used in the same order, and their underlines and strike-throughs are of the same sizes.
-    /// A layout with a face that does not come from a file of the system's (out of memory, from a loader of the
-    /// caller's), or whose axes are not told, shares with no other, nor with itself when it is read again.
+    /// See variation_key.hpp. Covers all that the ids of run() stand for: texts share the contents of a glyph_cache
+    /// exactly where their faces (by file, face index, simulations and axes) and sizes (relative to the layout's own)
+    /// are the same and are first used in the same order, and their underlines and strike-throughs have the same sizes.
+    /// A layout with a face that does not come from a file of the system's (in memory, from a loader of the caller's),
+    /// or whose axes cannot be read, shares with no other, nor with itself when it is read again.
     ///
-    /// Cost  a few calls of DirectWrite for each face at each size; the mesher asks once a text
+    /// Cost  a few calls of DirectWrite per face and size; a mesher calls it once per text
     [[nodiscard]] std::uint64_t variation_key() const noexcept
     {
         detail::directwrite_key key;
@@ -141,7 +141,7 @@ public:
         return key.value(this, read_at_);
     }
 
-    /// Which face and which of its glyphs an id of run() stands for. Any other id gives a null face.
+    /// The face and the glyph of it that an id of run() stands for. Any other id gives a null face.
     [[nodiscard]] directwrite_glyph glyph(glyph_id id) const noexcept
     {
         const std::size_t slot = id >> 16;
@@ -188,7 +188,7 @@ private:
         bool sideways;
     };
 
-    /// A stretch of glyphs_ as DirectWrite drew it.
+    /// A subrange of glyphs_ as DirectWrite drew it.
     struct piece {
         std::uint32_t first, count;
         std::uint32_t line;
@@ -196,7 +196,7 @@ private:
         double left, right;
     };
 
-    /// A line as the layout says.
+    /// A line as the layout reports it.
     struct layout_line {
         std::uint32_t end;  // unit of the text
         double baseline;    // y up
@@ -217,7 +217,7 @@ private:
 
     [[nodiscard]] double to_units(double dips) const noexcept { return dips * run_.units_per_em / em_size_; }
 
-    /// Where each line ends and where its baseline lies.
+    /// Finds where each line ends and where its baseline lies.
     error take_lines(IDWriteTextLayout* layout) noexcept
     {
         const DWRITE_READING_DIRECTION reading = layout->GetReadingDirection();
@@ -252,7 +252,7 @@ private:
         return {};
     }
 
-    /// The line of a unit of the text; without one, the line whose baseline is nearest (y up, pixels).
+    /// The line of a unit of the text; if `of` is null, the line whose baseline is nearest (y up, pixels).
     [[nodiscard]] std::uint32_t line_of(const DWRITE_GLYPH_RUN_DESCRIPTION* of, double y) const noexcept
     {
         std::uint32_t found = 0;
@@ -265,7 +265,7 @@ private:
         return found;
     }
 
-    /// The number of a face at a size; holds a reference to the face from its first use on.
+    /// The number of a face at a size; holds a reference to the face from its first use.
     result<std::uint32_t> look_of(const DWRITE_GLYPH_RUN& run) noexcept
     {
         const double em_size = double{run.fontEmSize};
@@ -288,7 +288,7 @@ private:
         return static_cast<std::uint32_t>(looks_.size() - 1);
     }
 
-    /// Keeps a run of glyphs, in pixels still. `of` tells its place in the text; null where it has none.
+    /// Stores a run of glyphs, still in pixels. `of` gives its position in the text; null if it has none.
     error add_glyphs(FLOAT x, FLOAT y, const DWRITE_GLYPH_RUN& run, const DWRITE_GLYPH_RUN_DESCRIPTION* of) noexcept
     {
         const UINT32 count = run.glyphCount;
@@ -315,7 +315,7 @@ private:
                 run.glyphOffsets != nullptr ? run.glyphOffsets[i] : DWRITE_GLYPH_OFFSET{};
             if (to_the_left) pen -= advance;
             const double along = double{offset.advanceOffset};
-            placed_glyph& g = out[to_the_left ? count - 1 - i : i];  // in the order of drawing
+            placed_glyph& g = out[to_the_left ? count - 1 - i : i];  // in drawing order
             g = {};
             g.id = *slot << 16 | run.glyphIndices[i];
             g.cluster = placed ? of->textPosition + units_[i] : no_cluster;
@@ -331,7 +331,7 @@ private:
         return pieces_.push_back(whole) ? error{} : error{error::out_of_memory};
     }
 
-    /// The advance that a face has for a glyph, where the run says none.
+    /// A face's own advance for a glyph, for runs that give none.
     static error own_advance(const DWRITE_GLYPH_RUN& run, UINT32 i, double& advance) noexcept
     {
         DWRITE_FONT_METRICS face = {};
@@ -345,7 +345,7 @@ private:
         return {};
     }
 
-    /// Counts halves of surrogate pairs that stand alone.
+    /// Counts unpaired surrogates.
     void find_invalid_units(const DWRITE_GLYPH_RUN_DESCRIPTION& of) noexcept
     {
         const auto at = [&](UINT32 i) noexcept { return static_cast<std::uint32_t>(of.string[i]) & 0xFC00u; };
@@ -360,7 +360,7 @@ private:
         }
     }
 
-    /// Keeps an underline or strike-through whose upper edge lies `offset` below the baseline.
+    /// Stores an underline or strike-through whose upper edge lies `offset` below the baseline.
     error add_bar(FLOAT x, FLOAT y, FLOAT width, FLOAT thickness, FLOAT offset) noexcept
     {
         const point low{double{x}, 0.0 - (double{y} + double{offset} + double{thickness})},
@@ -396,7 +396,7 @@ private:
         return {};
     }
 
-    /// Sorts the pieces by line and place, letters first, and turns pixels into font units.
+    /// Sorts the pieces by line and position, letters first, and converts pixels to font units.
     error put_in_order() noexcept
     {
         std::sort(pieces_.begin(), pieces_.end(), [](const piece& a, const piece& b) noexcept {

@@ -24,20 +24,20 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A font through FreeType (2.9 or later): outlines of all that FreeType opens (TrueType, CFF, CFF2, Type 1, ...), and
-/// a plain shaper: character map, advances and kerning, for text that needs no more.
+/// A font through FreeType (2.9 or later): outlines of every format that FreeType opens (TrueType, CFF, CFF2, Type 1,
+/// ...), and a plain shaper: character map, advances and kerning, for text that needs no more.
 ///
 ///     auto font = freetype_font::open("NimbusSans-Regular.t1");
 ///     if (!font) return puts(font.error().message());
 ///
-/// A Type 1 Multiple Master font for which no variation is given draws as FreeType opens it: with the font's own shares
-/// of its masters (/WeightVector), which are its default. The design coordinates that FreeType tells as defaults come
-/// as close to those as axes can, and are what axes not named stay at once another is set.
+/// A Type 1 Multiple Master font for which no variation is given draws as FreeType opens it: with the font's own
+/// weights of its masters (/WeightVector), its default. The default design coordinates that FreeType reports come as
+/// close to those weights as axes can; axes that are not named take them as soon as another one is set.
 ///
-/// The shaper is unfit for complex scripts and says so (error::needs_shaping). It knows no ligatures, no features but
-/// "kern", and only the old 'kern' table: modern fonts keep their kerning in GPOS, where HarfBuzz finds it.
+/// The shaper cannot set complex scripts and says so (error::needs_shaping). It has no ligatures, no features but
+/// "kern", and reads only the old 'kern' table: modern fonts keep their kerning in GPOS, where HarfBuzz finds it.
 ///
-/// Move-only. Used from one thread at a time, and so is its FT_Library.
+/// Move-only. The font and its FT_Library are used by one thread at a time.
 class freetype_font {
 public:
     /// Opens a font file. Without a `library` the font makes one of its own; the caller's must outlive the font.
@@ -55,8 +55,8 @@ public:
         return open_face(from, options, library);
     }
 
-    /// Opens a font in memory. Nothing is copied: the bytes must outlive the font. Fails as the other open() does, but
-    /// for unreadable_file; error::too_large for more than FreeType can count.
+    /// Opens a font in memory. Nothing is copied: the bytes must outlive the font. Fails as the other open() does,
+    /// except for unreadable_file; error::too_large for more bytes than FreeType can count.
     static result<freetype_font> open(std::span<const std::byte> bytes, const font_options& options = {},
                                       FT_Library library = nullptr) noexcept
     {
@@ -69,8 +69,8 @@ public:
         return open_face(from, options, library);
     }
 
-    /// Takes a face that the caller has opened, with its variations and its character map. Holds a reference to the
-    /// face; the face's library must outlive the font. Its own size object is active only inside calls: the caller's
+    /// Wraps a face that the caller has opened, with its variations and its character map. Holds a reference to the
+    /// face; the face's library must outlive the font. Its own size object is active only during calls: the caller's
     /// size, transform and character map stay as they are; the contents of the glyph slot do not.
     ///
     /// Fails  error::no_outlines, out_of_memory, font_library_failed
@@ -111,8 +111,8 @@ public:
     /// How many glyphs the face has; their ids count from 0.
     [[nodiscard]] std::uint32_t glyph_count() const noexcept { return static_cast<std::uint32_t>(face_->num_glyphs); }
 
-    /// See variation_key.hpp. Of the font (by the checksum in its 'head' table, its number of glyphs and its face's
-    /// number) and its axes.
+    /// See variation_key.hpp. Covers the font (by the checksum in its 'head' table, its number of glyphs and its face
+    /// index) and its axes.
     [[nodiscard]] std::uint64_t variation_key() const noexcept
     {
         auto key = static_cast<std::uint64_t>(face_->face_index);
@@ -123,10 +123,10 @@ public:
         if (!FT_HAS_MULTIPLE_MASTERS(face_) || FT_Get_Var_Blend_Coordinates(face_, 64, axes)) return key;
         for (const FT_Fixed axis : axes) key = mixed_key(key, static_cast<std::uint64_t>(axis));
 #if FREETYPE_MAJOR * 100 + FREETYPE_MINOR >= 210
-        FT_Fixed shares[16] = {};  // Type 1 fonts are opened with shares of their masters that no axes need give
+        FT_Fixed weights[16] = {};  // Type 1 fonts are opened with weights of their masters that no axes need yield
         FT_UInt masters = 16;
-        if (FT_Get_MM_WeightVector(face_, &masters, shares)) return key;
-        for (const FT_Fixed share : shares) key = mixed_key(key, static_cast<std::uint64_t>(share));
+        if (FT_Get_MM_WeightVector(face_, &masters, weights)) return key;
+        for (const FT_Fixed weight : weights) key = mixed_key(key, static_cast<std::uint64_t>(weight));
 #endif
         return key;
     }
@@ -135,9 +135,9 @@ public:
     /// hinted.
     ///
     /// Glyphs are loaded at a size where FreeType's 26.6 fixed point is 1/64 unit: FT_LOAD_NO_SCALE would round varied
-    /// and transformed (composite) points to whole units. Two roundings lie in FreeType (2.12) itself and stay;
-    /// HarfBuzz has neither: CFF outlines with fractions are rounded down to whole units, and so are the places of a
-    /// varied glyph's components.
+    /// and transformed (composite) points to whole units. FreeType (2.12) itself still rounds twice where HarfBuzz does
+    /// not: CFF outlines with fractions are rounded down to whole units, and so are the positions of a varied glyph's
+    /// components.
     template <outline_sink Sink>
     error outline(glyph_id id, Sink& sink) noexcept
     {
@@ -157,7 +157,7 @@ public:
         return {};
     }
 
-    /// See shaper. Half an em to each side of a column.
+    /// See shaper. Columns extend half an em to each side.
     [[nodiscard]] line_metrics metrics(direction d) const noexcept
     {
         if (d == direction::top_to_bottom) return {units_per_em() / 2, -units_per_em() / 2, 0.0};
@@ -165,15 +165,15 @@ public:
         return {ascender, descender, face_->height - (ascender - descender)};
     }
 
-    /// See shaper; left-to-right lines of plain text (plain_text.hpp) only. Ligatures, language and script are not
-    /// looked at; of the features {"kern", 0} is, which leaves the kerning out. Default-ignorable characters give no
+    /// See shaper; for left-to-right lines of plain text (plain_text.hpp) only. Ligatures, language and script are
+    /// ignored, and so are features except {"kern", 0}, which turns kerning off. Default-ignorable characters give no
     /// glyph.
     ///
-    /// Fails besides  error::needs_shaping: a character of a complex script (`cluster`), or another direction asked for
+    /// Fails besides  error::needs_shaping: a character of a complex script (`cluster`), or another direction requested
     result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& options,
                         glyph_run& run) noexcept
     {
-        TYPEMESH_ASSERT(first <= last && last <= text.size(), "a shaper was given a place outside its text");
+        TYPEMESH_ASSERT(first <= last && last <= text.size(), "a shaper was given a range outside its text");
         if (options.direction == direction::right_to_left || options.direction == direction::top_to_bottom)
             return error::needs_shaping;
         bool kerning = FT_HAS_KERNING(face_);
@@ -213,7 +213,7 @@ public:
     }
 
 private:
-    /// Makes our size the face's while it lives.
+    /// Makes our size the face's active one for its lifetime.
     class active_size {
     public:
         active_size(FT_Face face, FT_Size ours) noexcept : callers_{face->size}
@@ -234,7 +234,7 @@ private:
         FT_Size callers_;
     };
 
-    /// One more bit than 26.6, so that the points which TrueType implies half-way between two others come out whole.
+    /// One bit more than 26.6, so that the points which TrueType implies half-way between two others are exact.
     static constexpr int more_bits = 1;
 
     template <class Sink>
@@ -292,7 +292,7 @@ private:
         const int base = FT_ERROR_BASE(code);
         if (base == FT_Err_Out_Of_Memory) return error::out_of_memory;
         if (base == FT_Err_Cannot_Open_Resource || base == FT_Err_Cannot_Open_Stream) return error::unreadable_file;
-        // Requests out of order and handles that are none; every other code says that the data is damaged or unknown.
+        // Invalid requests and handles; every other code means that the data is damaged or unknown.
         const bool request = base == FT_Err_Invalid_Argument || base == FT_Err_Unimplemented_Feature ||
                              base == FT_Err_Missing_Module ||
                              (base >= FT_Err_Invalid_Handle && base < FT_Err_Out_Of_Memory);
@@ -312,14 +312,14 @@ private:
             made.face_ = nullptr;
             const error e = error_of(code);
             if (options.face == 0 || e == error::unreadable_file || e == error::out_of_memory) return e;
-            // The face's number may be what is wrong: FreeType counts the faces for number -1.
+            // The face index may be what is wrong: with index -1 FreeType counts the faces.
             FT_Face counted = nullptr;
             if (FT_Open_Face(library, &from, -1, &counted)) return e;
             const auto faces = static_cast<std::uint64_t>(counted->num_faces);
             FT_Done_Face(counted);
             return options.face >= faces ? error{error::no_such_face, faces} : e;
         }
-        // The upper half of FreeType's number names an instance, which is not what was asked for.
+        // The upper half of FreeType's face index names an instance, which was not requested.
         if (options.face != 0 && options.face >= static_cast<std::uint64_t>(made.face_->num_faces))
             return error{error::no_such_face, static_cast<std::uint64_t>(made.face_->num_faces)};
         if (!FT_IS_SCALABLE(made.face_)) return error::no_outlines;
@@ -368,7 +368,7 @@ private:
         return made;
     }
 
-    /// An axis' value in 16.16, brought into its range.
+    /// An axis's value in 16.16, clamped to its range.
     static FT_Fixed bounded(double value, FT_Fixed lowest, FT_Fixed highest) noexcept
     {
         const double fixed = std::floor(value * 65536.0 + 0.5);

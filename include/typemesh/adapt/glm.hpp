@@ -12,20 +12,19 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The library's vectors as GLM's: for vertex writers (`v.position = to_glm(s.position)`), and for drawing outlines
-/// from GLM's.
+/// The library's vectors as GLM's, for vertex writers: `v.position = to_glm(s.position)`.
 [[nodiscard]] inline glm::vec2 to_glm(vec2 v) noexcept { return {v.x, v.y}; }
 [[nodiscard]] inline glm::vec3 to_glm(vec3 v) noexcept { return {v.x, v.y, v.z}; }
 [[nodiscard]] inline glm::vec4 to_glm(vec4 v) noexcept { return {v.x, v.y, v.z, v.w}; }
 [[nodiscard]] inline glm::dvec2 to_glm(point p) noexcept { return {p.x, p.y}; }
 
-/// And back.
+/// And back, for drawing outlines from GLM's.
 [[nodiscard]] inline vec2 from_glm(const glm::vec2& v) noexcept { return {v.x, v.y}; }
 [[nodiscard]] inline vec3 from_glm(const glm::vec3& v) noexcept { return {v.x, v.y, v.z}; }
 [[nodiscard]] inline vec4 from_glm(const glm::vec4& v) noexcept { return {v.x, v.y, v.z, v.w}; }
 [[nodiscard]] inline point from_glm(const glm::dvec2& v) noexcept { return {v.x, v.y}; }
 
-/// The matrix that moves by `way`: the model matrix of a glyph_instance is translation_matrix(i.translation).
+/// The matrix that translates by `by`: the model matrix of a glyph_instance is translation_matrix(i.translation).
 [[nodiscard]] inline glm::mat4 translation_matrix(vec3 by) noexcept
 {
     glm::mat4 m{1.0f};
@@ -33,8 +32,8 @@ namespace typemesh::inline TYPEMESH_ABI {
     return m;
 }
 
-/// Text in the axes of a matrix: its columns are where the text runs, stands and looks. Unit vectors at right angles, as
-/// in every rotation (glm::mat3_cast of a quaternion); they may mirror. Winding and uv are a frame's own defaults.
+/// The frame of a matrix whose columns are where the text runs, stands and faces. Unit vectors at right angles, as in
+/// every rotation (glm::mat3_cast of a quaternion); they may mirror. Winding and uv are frame's defaults.
 [[nodiscard]] inline frame frame_from_glm(const glm::mat3& axes) noexcept
 {
     frame f;

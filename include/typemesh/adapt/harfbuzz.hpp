@@ -17,9 +17,9 @@
 #include <limits>
 #include <utility>
 
-// HB_LEAN, and HB_TINY with it, mean HB_NO_DRAW unless a configuration header of the project's says otherwise. Seen only
-// where HarfBuzz is built with the same macros as this file; a library built so apart from it lacks hb_draw_funcs_create
-// and hb_font_draw_glyph, which the linker tells.
+// HB_LEAN, and HB_TINY with it, imply HB_NO_DRAW unless a configuration header of the project's says otherwise. Visible
+// only where HarfBuzz is built with the same macros as this file; otherwise the linker misses hb_draw_funcs_create and
+// hb_font_draw_glyph.
 #if defined(HB_NO_DRAW) || \
     ((defined(HB_TINY) || defined(HB_LEAN)) && !defined(HB_CONFIG_OVERRIDE_H) && !defined(HB_CONFIG_OVERRIDE_LAST_H))
 #error "typemesh: this HarfBuzz is configured without outlines (HB_TINY, HB_LEAN or HB_NO_DRAW), and text cannot be meshed \
@@ -34,10 +34,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     if (!font) return puts(font.error().message());
 ///
 /// Opens TrueType, OpenType (CFF, CFF2) and collections of them. Variations apply to outlines, advances and kerning
-/// alike. What a damaged font cannot draw comes out blank: HarfBuzz does not tell it from a space.
+/// alike. Glyphs that a damaged font cannot draw come out blank: HarfBuzz does not distinguish them from a space.
 ///
-/// Move-only. Used from one thread at a time; for another thread make a second one of the same font,
-/// wrap(font.handle()), which shares all that is large.
+/// Move-only. Used by one thread at a time; for another thread make a second one of the same font, wrap(font.handle()),
+/// which shares all that is large.
 class harfbuzz_font {
     static_assert(HB_VERSION_ATLEAST(4, 0, 0), "typemesh needs HarfBuzz 4.0 or later, for its outlines");
 
@@ -55,7 +55,7 @@ public:
     }
 
     /// Opens a font in memory. Nothing is copied: the bytes must outlive the font and whatever shares its handle().
-    /// Fails as the other open() does, but for unreadable_file; error::too_large for 4 GiB and more.
+    /// Fails as the other open() does, except for unreadable_file; error::too_large for 4 GiB and more.
     static result<harfbuzz_font> open(std::span<const std::byte> bytes, const font_options& options = {}) noexcept
     {
         if (bytes.size() > (std::numeric_limits<unsigned>::max)()) return error::too_large;
@@ -65,10 +65,9 @@ public:
             options);
     }
 
-    /// Takes a font that the caller has set up, of any scale (also one with y down), with its variations and its font
-    /// functions. Holds its own reference and changes nothing in it; where the caller changes it, shape() and
-    /// outline() follow. A coarse scale rounds what HarfBuzz answers: 64 times the units per em, or 16.16 numbers,
-    /// lose nothing.
+    /// Wraps a font that the caller has set up, of any scale (also one with y down), with its variations and its font
+    /// functions. Holds its own reference and changes nothing in it; when the caller changes it, shape() and outline()
+    /// follow. A coarse scale rounds HarfBuzz's results: 64 times the units per em, or 16.16 numbers, lose nothing.
     ///
     /// Fails  error::bad_option: its scale is zero
     static result<harfbuzz_font> wrap(hb_font_t* font) noexcept
@@ -101,8 +100,8 @@ public:
     /// How many glyphs the face has; their ids count from 0.
     [[nodiscard]] std::uint32_t glyph_count() const noexcept { return glyph_count_; }
 
-    /// See variation_key.hpp. Of the font (by the checksum in its 'head' table, its number of glyphs and its face's
-    /// number) and its axes; not of what else the caller may change in a font that he wrapped, such as its slant.
+    /// See variation_key.hpp. Covers the font (by the checksum in its 'head' table, its number of glyphs and its face
+    /// index) and its axes; not what else the caller may change in a wrapped font, such as its slant.
     [[nodiscard]] std::uint64_t variation_key() const noexcept
     {
         unsigned count = 0;
@@ -128,7 +127,7 @@ public:
         return {};
     }
 
-    /// See shaper. Half an em to each side of a column where the font has no vertical metrics.
+    /// See shaper. Where the font has no vertical metrics, columns extend half an em to each side.
     [[nodiscard]] line_metrics metrics(direction d) const noexcept
     {
         const bool vertical = d == direction::top_to_bottom;
@@ -138,17 +137,17 @@ public:
         return {unit * extents.ascender, unit * extents.descender, unit * extents.line_gap};
     }
 
-    /// See shaper. The text round text[first, last), up to the next line break, is read as context: a letter joins
-    /// across it.
+    /// See shaper. The text around text[first, last), up to the next line break, is read as context: letters join
+    /// across its ends.
     ///
-    /// The line is cut where the script changes and each piece shaped for its own script, unless options.script names
-    /// one.
+    /// The line is cut where the script changes, and each piece is shaped for its own script, unless options.script
+    /// names one.
     ///
     /// direction::automatic takes the direction of the line's letters, else of options.script, else left-to-right. A
-    /// direction that is asked for is obeyed where all letters of the line are read in one direction, even against
-    /// that direction. A line with letters of both directions is error::mixed_direction (`cluster`: the first letter
-    /// against the line's first); so is a right-to-left line with a number of several digits, which must be read the
-    /// other way (`cluster`: its first digit). In columns everything goes down and nothing is mixed.
+    /// requested direction is obeyed where all letters of the line have one direction, even if that is the other one. A
+    /// line with letters of both directions is error::mixed_direction (`cluster`: the first letter against the line's
+    /// first); so is a right-to-left line with a number of several digits, which is read the other way (`cluster`: its
+    /// first digit). In columns everything runs down and nothing is mixed.
     ///
     /// Fails besides  error::bad_option: options.script is not four letters
     ///                error::bad_feature: a tag is not four printable ASCII characters
@@ -156,12 +155,12 @@ public:
     result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& options,
                         glyph_run& run) noexcept
     {
-        TYPEMESH_ASSERT(first <= last && last <= text.size(), "a shaper was given a place outside its text");
+        TYPEMESH_ASSERT(first <= last && last <= text.size(), "a shaper was given a range outside its text");
         return shaping_.shape(font_, unit_size(), text, first, last, options, run);
     }
 
 private:
-    /// HarfBuzz's callbacks for one type of sink; those in use are known by the table's address.
+    /// HarfBuzz's callbacks for one type of sink; the table's address tells which are in use.
     struct draw_calls {
         hb_draw_move_to_func_t move;
         hb_draw_line_to_func_t line;
@@ -173,7 +172,7 @@ private:
     template <class Sink>
     struct pen {
         Sink& sink;
-        double x_unit, y_unit;  // font units to one of HarfBuzz's
+        double x_unit, y_unit;  // font units per unit of HarfBuzz's
 
         static pen& from(void* data) noexcept { return *static_cast<pen*>(data); }
         [[nodiscard]] point place(float x, float y) const noexcept
@@ -206,7 +205,7 @@ private:
     static constexpr draw_calls calls_of{&pen<Sink>::move, &pen<Sink>::line, &pen<Sink>::quadratic, &pen<Sink>::cubic,
                                          &pen<Sink>::close};
 
-    /// By what fonts are told apart: any two files, and the faces of one.
+    /// Tells fonts apart: any two files, and the faces of one.
     static std::uint64_t fingerprint_of(hb_face_t* face) noexcept
     {
         std::uint64_t key = mixed_key(hb_face_get_index(face), hb_face_get_glyph_count(face));
@@ -242,7 +241,7 @@ private:
     static result<harfbuzz_font> finished(harfbuzz_font font) noexcept
     {
         if (error e = font.shaping_.open()) return e;
-        // HarfBuzz answers a failed allocation with objects that cannot be changed.
+        // After a failed allocation HarfBuzz returns objects that cannot be changed.
         if (hb_draw_funcs_is_immutable(font.draw_)) return error::out_of_memory;
         return result<harfbuzz_font>{std::move(font)};
     }
@@ -262,7 +261,7 @@ private:
 
         if (made.glyph_count_ == 0) return error::not_a_font;
         if (!has_outlines(face)) return error::no_outlines;
-        // One of HarfBuzz's integers is 1/64 unit, so that varied advances and kerning keep their fractions.
+        // A unit of HarfBuzz's integers is 1/64 font unit, so that varied advances and kerning keep their fractions.
         const int scale = static_cast<int>(hb_face_get_upem(face)) * 64;
         hb_font_set_scale(font, scale, scale);
         if (error e = made.vary(options.variations)) return e;
@@ -270,7 +269,7 @@ private:
         return finished(std::move(made));
     }
 
-    /// A table of the face while it is looked at; empty where there is none.
+    /// A table of the face while it is read; empty if there is none.
     class table {
     public:
         table(hb_face_t* face, const char (&tag)[5]) noexcept
@@ -295,7 +294,7 @@ private:
         unsigned size_ = 0;
     };
 
-    /// Fonts of bitmaps may carry a 'glyf' table for the sake of form, with nothing but .notdef in it.
+    /// Bitmap fonts may have a 'glyf' table as a formality, with nothing but .notdef in it.
     static bool has_outlines(hb_face_t* face) noexcept
     {
         if (table{face, "CFF "}.size() != 0 || table{face, "CFF2"}.size() != 0) return true;
@@ -304,7 +303,7 @@ private:
             return true;
 
         const table head{face, "head"}, places{face, "loca"};
-        const unsigned bytes = head[51] == 0 ? 2 : 4;  // head.indexToLocFormat: of each glyph's place, and the end's
+        const unsigned bytes = head[51] == 0 ? 2 : 4;  // per offset in 'loca', by head.indexToLocFormat
         for (unsigned i = bytes; i + 2 * bytes <= places.size(); i += bytes)
             if (!places.same(i, i + bytes, bytes)) return true;
         return false;
@@ -325,7 +324,7 @@ private:
         return {};
     }
 
-    /// The font units that one of HarfBuzz's makes.
+    /// Font units per unit of HarfBuzz's.
     [[nodiscard]] point unit_size() const noexcept
     {
         int x = 0, y = 0;
@@ -333,7 +332,7 @@ private:
         return {units_per_em_ / x, units_per_em_ / y};
     }
 
-    /// Callbacks are set anew only where the type of the sink changes: one indirect call a segment, and no allocation.
+    /// Callbacks are set again only when the type of sink changes: one indirect call per segment, and no allocation.
     void draw_with(const draw_calls* calls) noexcept
     {
         if (calls == calls_) return;

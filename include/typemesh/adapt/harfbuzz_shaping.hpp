@@ -18,8 +18,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Shapes one line with one font through HarfBuzz, piece by piece: see harfbuzz_font::shape(). Move-only; one that has
-/// not been opened can only be opened.
+/// Shapes one line with one font through HarfBuzz, piece by piece: see harfbuzz_font::shape(). Move-only; nothing may
+/// be called before open().
 class harfbuzz_shaping {
 public:
     harfbuzz_shaping() noexcept = default;
@@ -34,14 +34,14 @@ public:
     }
     ~harfbuzz_shaping() { hb_buffer_destroy(buffer_); }
 
-    /// Makes HarfBuzz's buffer, once. Fails with error::out_of_memory.
+    /// Creates HarfBuzz's buffer, once. Fails with error::out_of_memory.
     error open() noexcept
     {
         buffer_ = hb_buffer_create();
         return hb_buffer_allocation_successful(buffer_) ? error{} : error{error::out_of_memory};
     }
 
-    /// `unit` holds the font units that one of the font's own makes, x and y.
+    /// `unit`: font units per unit of the font's own, x and y.
     result<point> shape(hb_font_t* font, point unit, text_view text, std::size_t first, std::size_t last,
                         const shape_options& options, glyph_run& run) noexcept
     {
@@ -90,7 +90,7 @@ public:
     }
 
 private:
-    /// A stretch of a line in one script.
+    /// A run of a line in one script.
     struct piece {
         std::size_t first;
         std::size_t last;
@@ -112,7 +112,7 @@ private:
     error take_features(const shape_options& wanted) noexcept
     {
         features_.clear();
-        // What is asked for by name comes after and wins.
+        // What is requested by name comes later and wins.
         for (const feature& f : wanted.ligatures ? std::span<const feature>{} : std::span<const feature>{no_ligatures})
             if (error e = take_feature(f)) return e;
         for (const feature& f : wanted.features) {
@@ -135,7 +135,7 @@ private:
         return hb_unicode_script(unicode, c);
     }
 
-    /// Han and the kana are written as one.
+    /// Han and the kana count as one script.
     static bool belong_together(hb_script_t a, hb_script_t b) noexcept
     {
         const auto east_asian = [](hb_script_t s) noexcept {
@@ -144,7 +144,7 @@ private:
         return a == b || (east_asian(a) && east_asian(b));
     }
 
-    /// Cuts where the script changes. Characters of no script of their own (spaces, digits, marks) stay with what
+    /// Cuts where the script changes. Characters without a script of their own (spaces, digits, marks) stay with what
     /// precedes them.
     error cut_into_pieces(text_view text, std::size_t first, std::size_t last, hb_script_t given) noexcept
     {
@@ -168,8 +168,8 @@ private:
         return pieces_.push_back(open) ? error{} : error{error::out_of_memory};
     }
 
-    /// Hands a piece and its context to HarfBuzz. Valid text goes in as it is; else code point by code point, for
-    /// HarfBuzz would read another number of U+FFFD from broken UTF-8 than decode() does.
+    /// Passes a piece and its context to HarfBuzz. Valid text is passed as it is, other text code point by code point,
+    /// because HarfBuzz would read a different number of U+FFFD from broken UTF-8 than decode() does.
     void fill_buffer(text_view text, const piece& p, bool decoded) noexcept
     {
         constexpr std::size_t context = 32;  // units; HarfBuzz looks at five characters
@@ -205,7 +205,7 @@ private:
 
     static bool breaks_line(std::uint32_t unit) noexcept { return unit >= 0x0A && unit <= 0x0D; }
 
-    /// Appends what HarfBuzz has shaped, from `at` on, and moves `at`.
+    /// Appends what HarfBuzz has shaped, from `at` on, which advances.
     error take_glyphs(point unit, point& at, glyph_run& run) const noexcept
     {
         unsigned count = 0;
@@ -230,7 +230,7 @@ private:
     }
 
     hb_buffer_t* buffer_ = nullptr;
-    std::size_t first_unit_ = 0;  // what HarfBuzz's clusters count from
+    std::size_t first_unit_ = 0;  // which HarfBuzz's clusters are relative to
     buffer<hb_feature_t> features_;
     buffer<piece> pieces_;
 };

@@ -14,20 +14,20 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// An executor on std::thread: threads that are made once and wait for work.
+/// An executor on std::thread, whose threads are started once and wait for work.
 ///
 ///     thread_pool pool{4};                    // three threads, and the one that calls run() is the fourth worker
 ///     pool.run(n, [&](std::size_t i, std::size_t worker) noexcept { ... });
 ///
-/// Tasks are handed out one by one in ascending order, each to the next worker that is free, so tasks of unequal size
-/// keep all of them busy. A thread that is slow to wake up is not waited for: short runs are done by those that are
-/// there. run() allocates nothing. Several threads may call it: one after the other.
+/// Tasks are handed out one by one in ascending order, each to the next free worker, so tasks of unequal size keep all
+/// workers busy. A thread that is slow to wake up is not waited for: short runs are done by the others. run() allocates
+/// nothing. Several threads may call it; their runs take turns.
 ///
-/// Where the system gives no more threads, there are fewer workers, which workers() tells. In builds without exceptions
+/// Where the system gives no more threads, there are fewer workers, as workers() says. In builds without exceptions
 /// std::thread ends the program there instead.
 class thread_pool {
 public:
-    /// `workers` = 0 means as many as the machine can run at a time.
+    /// `workers` = 0 means as many as the machine can run at once.
     explicit thread_pool(std::size_t workers = 0) noexcept
     {
         if (workers == 0) workers = std::thread::hardware_concurrency();
@@ -55,7 +55,7 @@ public:
     template <class Task>
     void run(std::size_t n, const Task& task) noexcept
     {
-        static_assert(noexcept(task(n, n)), "typemesh: a task must be noexcept: nobody could catch what it throws");
+        static_assert(noexcept(task(n, n)), "typemesh: a task must be noexcept: nothing could catch what it throws");
         if (n == 0) return;
         run_tasks(n, &task, [](const void* what, std::size_t i, std::size_t worker) noexcept {
             (*static_cast<const Task*>(what))(i, worker);
@@ -96,11 +96,11 @@ private:
         else if (n == 2) wake_.notify_one();
         work(0);
         std::unique_lock lock{state_};
-        open_ = false;  // who has not begun yet will find nothing to do
+        open_ = false;  // threads that have not joined find nothing to do
         done_.wait(lock, [&] { return busy_ == 0; });
     }
 
-    /// A thread's life.
+    /// What a thread does until the pool ends.
     void serve(std::size_t worker) noexcept
     {
         std::size_t seen = 0;
@@ -129,7 +129,7 @@ private:
     std::unique_ptr<std::thread[]> threads_;
     std::size_t count_ = 0;
     std::mutex turn_;   // one run at a time
-    std::mutex state_;  // guards all below but next_; task_, call_ and last_ hold still during a run
+    std::mutex state_;  // guards all below except next_; task_, call_ and last_ do not change during a run
     std::condition_variable wake_;
     std::condition_variable done_;
     const void* task_ = nullptr;
@@ -137,16 +137,16 @@ private:
     std::size_t last_ = 0;
     std::size_t run_ = 0;
     std::size_t busy_ = 0;  // threads at work
-    bool open_ = false;     // a run may be joined
+    bool open_ = false;     // threads may join the run
     bool ending_ = false;
     std::atomic<std::size_t> next_{0};
 };
 static_assert(executor<thread_pool>);
 
-/// A lock for what threads share, such as a glyph cache: std::mutex in calls that are noexcept.
+/// A lock for what threads share, such as a glyph cache: std::mutex with noexcept calls.
 class mutex_lock {
 public:
-    void lock() noexcept { mutex_.lock(); }  // fails only for a mutex that its own thread holds already: never here
+    void lock() noexcept { mutex_.lock(); }  // fails only if its own thread already holds it: never here
     void unlock() noexcept { mutex_.unlock(); }
 
 private:

@@ -22,31 +22,31 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What measures 1 in the output.
+/// The length that measures 1 in the output.
 enum class d3dx_size : std::uint8_t {
-    cell_height,  ///< the font's ascender less its descender, as D3DXCreateText has it: about 1.1 to 1.2 em
+    cell_height,  ///< the font's ascender minus its descender, as in D3DXCreateText: about 1.1 to 1.2 em
     em,           ///< the em, as everywhere else in this library
 };
 
-/// The arguments of D3DXCreateText, and what it never had.
+/// The arguments of D3DXCreateText, and options that it never had.
 struct d3dx_text_options {
     double deviation = 0.01;  ///< as Direct3D means it (d3dx_deviation.hpp), in output units; 0: one font unit
     double extrusion = 0.4;   ///< positive, in output units: the text lies between z = 0 and z = -extrusion
     d3dx_size size = d3dx_size::cell_height;
 
-    bool kerning = false;    ///< move pairs of letters together, as the font asks; Direct3D never does
+    bool kerning = false;    ///< kern pairs of letters as the font says; Direct3D never does
     bool ligatures = false;  ///< join letters (fi) where the font does so by default; Direct3D never does
     shape_options shape = {};     ///< direction, language, script, further features
     layout_options layout = {};   ///< alignment, spacing of lines and letters
 
-    texture_box texture_over = texture_box::text;  ///< over what texture coordinates spread, if the vertex has them
-    bool draw_missing = true;  ///< the font's box for characters that it lacks, as GDI draws them
+    texture_box texture_over = texture_box::text;  ///< what texture coordinates span, if the vertex has them
+    bool draw_missing = true;  ///< draw the font's box for characters that it lacks, as GDI does
 };
 
-/// Text as D3DXCreateText makes it, without Direct3D, GDI or windows.h: a stand-in with the same meaning that fills the
-/// caller's arrays.
+/// Text as D3DXCreateText makes it, without Direct3D, GDI or windows.h: a replacement with the same meaning that fills
+/// the caller's arrays.
 ///
-///     d3dx_text maker{font};                                   // HarfBuzz, FreeType, DirectWrite, one's own
+///     d3dx_text maker{font};                                   // HarfBuzz, FreeType, DirectWrite, or your own
 ///     auto plan = maker.plan(u"Hello world!", {.deviation = 0.01, .extrusion = 0.3});
 ///     if (!plan) return plan.error();
 ///     vertices.resize(plan->size().vertices);                  // d3dx_vertex, or any vertex with vertex_traits
@@ -58,22 +58,23 @@ struct d3dx_text_options {
 ///      y                   left-handed: x to the right, y up, z away from the viewer, who looks along +z
 ///      |   z               z = -extrusion: the cap that the viewer sees, normal (0, 0, -1), where x runs to the right
 ///      |  /                z = 0:          the cap behind it, normal (0, 0, 1)
-///      | /                 front faces are clockwise for who sees them (D3DCULL_CCW draws them), which in these
-///      +------- x          numbers is dot(cross(b - a, c - a), normal) > 0
+///      | /                 front faces look clockwise (D3DCULL_CCW draws them), which in these coordinates is
+///      +------- x          dot(cross(b - a, c - a), normal) > 0
 ///
 /// The first baseline is y = 0, the first pen position x = 0. A line break begins a line (Direct3D draws a box or
-/// nothing). An empty or blank text is an empty mesh, no error.
+/// nothing). An empty or blank text is an empty mesh, not an error.
 ///
-/// `font` is shaper and outline source in one, and is referred to. A d3dx_text serves one thread at a time; after warm-up nothing is
-/// allocated. With a glyph_cache a letter is meshed once for all texts of its deviation:
+/// `font` is both shaper and outline source, and must outlive this. A d3dx_text serves one thread at a time; after
+/// warm-up nothing is allocated. With a glyph_cache a letter is meshed once for all texts of its deviation:
 ///
 ///     glyph_cache cache;
 ///     d3dx_text maker{font, cached_in{cache, 1}};
 ///
-/// Caps are cut by monotone, or by another triangulator:
+/// Caps are triangulated by monotone, or by another triangulator:
 ///
 ///     auto fair = d3dx_text{font}.with(constrained_delaunay{});
-template <class Font, side_normals Normals = curve_normals, class Cache = no_cache, triangulator Triangulator = monotone>
+template <class Font, side_normals Normals = curve_normals, class Cache = no_cache,
+          triangulator Triangulator = monotone>
     requires shaper<Font> && outline_source<Font>
 class d3dx_text {
     using extruder_type = extruded<Normals>;
@@ -115,7 +116,7 @@ public:
         return std::move(*this);
     }
 
-    // The font is referred to: a temporary will not do, nor a result without its `*`.
+    // The font is referred to: neither a temporary nor a result without its `*` will do.
     d3dx_text(const Font&&, memory = heap(), detail::keep_the_font_in_a_variable = {}) = delete;
     template <std::same_as<Font> Made>
     explicit d3dx_text(const result<Made>& font, memory = heap()) noexcept
@@ -123,10 +124,10 @@ public:
     {
     }
 
-    /// Everything but the writing. Ends the plan before it.
+    /// Everything except the writing. Ends the plan before it.
     ///
     /// Fails  error::bad_tolerance: the deviation is negative, NaN or infinite
-    ///        error::bad_option: the extrusion is not a positive 32-bit number (for none see extrude/flat.hpp)
+    ///        error::bad_option: the extrusion is not a positive 32-bit number (for flat text see extrude/flat.hpp)
     ///        what text_mesher::plan() fails with
     [[nodiscard]] result<plan_type> plan(text_view text, const d3dx_text_options& options = {}) & noexcept
     {
@@ -167,11 +168,11 @@ public:
         return refuse_text<Text>();
     }
 
-    /// The style of side normals, to change its options between texts: curve_normals' crease angle is 15 degrees, that
-    /// of Direct3D 45.
+    /// The style of side normals, to change its options between texts: curve_normals' crease angle is 15 degrees,
+    /// Direct3D's 45.
     [[nodiscard]] Normals& normals_policy() noexcept { return mesher_.extruder_policy().normals; }
 
-    /// What an em measures in the output.
+    /// The size of an em in the output.
     [[nodiscard]] double em_size_of(const d3dx_text_options& options) noexcept
     {
         if (options.size == d3dx_size::em) return 1.0;

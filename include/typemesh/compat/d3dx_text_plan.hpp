@@ -17,7 +17,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 ///         origin ->+--------+                 origin        the box's upper left corner, seen from the pen
 ///                  | #    # |  box_height     box_*         the box around the glyph, 0 for a blank one
-///                  | ##  ## |                 advance_x, y  how far the pen stands from here for the next character
+///                  | ##  ## |                 advance_x, y  from this pen position to the next character's
 ///     pen ---->o   +--------+      o <- the next character's
 ///              |<-- advance_x ---->|
 struct d3dx_glyph_metrics {
@@ -29,7 +29,7 @@ struct d3dx_glyph_metrics {
 };
 static_assert(sizeof(d3dx_glyph_metrics) == 24);
 
-/// A text planned by d3dx_text: its sizes, then its vertices, indices and metrics, as often as wanted.
+/// A text planned by d3dx_text: first its sizes, then its vertices, indices and metrics, as often as wanted.
 ///
 /// Move-only; refers to its d3dx_text as a text_plan does to its mesher.
 template <extruder Extruder>
@@ -44,12 +44,12 @@ public:
     /// Exactly how many vertices and triangles write() will write.
     [[nodiscard]] mesh_size size() const noexcept { return plan_.size(); }
 
-    /// How many metrics there are: one a unit of the text (16 bits of UTF-16), as Direct3D has it.
+    /// How many metrics there are: one per unit of the text (16 bits in UTF-16), as in Direct3D.
     [[nodiscard]] std::size_t metrics_size() const noexcept { return text_size_; }
 
-    /// Where the cap at z = -extrusion lies, which the viewer sees.
+    /// The range of the cap at z = -extrusion, which the viewer sees.
     [[nodiscard]] mesh_range front() const noexcept { return plan_.range(part::back); }
-    /// Where the cap at z = 0 lies.
+    /// The range of the cap at z = 0.
     [[nodiscard]] mesh_range back() const noexcept { return plan_.range(part::front); }
     [[nodiscard]] mesh_range sides() const noexcept { return plan_.range(part::side); }
 
@@ -62,8 +62,8 @@ public:
     /// Fills two arrays of the caller's: the first size().vertices and size().indices() elements.
     ///
     /// Fails  error::buffer_too_small (count = how many elements that array needs)
-    ///        error::index_overflow: 16-bit indices number 65,535 vertices; take 32-bit ones for more. Nothing is
-    ///        written then.
+    ///        error::index_overflow: 16-bit indices can number 65,535 vertices; use 32-bit ones for more
+    /// Nothing is written then.
     template <class Vertex, std::size_t V, class Index, std::size_t I>
     error write(std::span<Vertex, V> vertices, std::span<Index, I> indices) const noexcept
     {
@@ -83,9 +83,9 @@ public:
         return refuse_arrays<Vertices>();
     }
 
-    /// One for every unit of the text. A character's metrics stand at its first unit; what has no glyph of its own
-    /// (the other units of a character, later letters of a ligature, line breaks) gets zeros. A glyph's advance is the
-    /// step to the glyph after it, so kerning is in it.
+    /// One per unit of the text. A character's metrics are at its first unit; what has no glyph of its own (the other
+    /// units of a character, later letters of a ligature, line breaks) gets zeros. A glyph's advance is the step to the
+    /// next glyph, so it includes kerning.
     ///
     /// Fails  error::buffer_too_small: fewer than metrics_size(), which is `count`; nothing is written then
     error metrics(std::span<d3dx_glyph_metrics> out) const noexcept
@@ -124,7 +124,7 @@ public:
 private:
     [[nodiscard]] float in_output(double font_units) const noexcept { return static_cast<float>(font_units * unit_); }
 
-    /// From the last pen position of a line, which lies `gone` behind its first, to the line's end.
+    /// From the last pen position of a line, which lies `gone` from its first, to the line's end.
     [[nodiscard]] point rest_of(const text_line& line, point gone) const noexcept
     {
         return vertical_ ? point{0.0, -line.advance - gone.y} : point{line.advance - gone.x, 0.0};
