@@ -16,6 +16,7 @@ set(sees_adapt outline layout vertex core)
 set(sees_glyph extrude outline discretise fill triangulate offset sweep vertex core)
 set(sees_inspect extrude outline discretise fill triangulate offset sweep vertex core)
 set(sees_text glyph extrude outline layout discretise fill triangulate offset sweep vertex core)
+set(sees_compiled adapt text glyph extrude outline layout discretise fill triangulate offset sweep vertex core)
 set(sees_compat text glyph extrude outline layout discretise fill triangulate offset sweep vertex core)
 
 get_filename_component(root ${CMAKE_CURRENT_LIST_DIR}/../include/typemesh ABSOLUTE)

@@ -57,3 +57,7 @@
 #include <typemesh/text/shaped_by.hpp>
 #include <typemesh/text/text_chunks.hpp>
 #include <typemesh/text/text_mesher.hpp>
+
+#if defined(TYPEMESH_COMPILED)  // see there
+#include <typemesh/compiled/harfbuzz.hpp>
+#endif

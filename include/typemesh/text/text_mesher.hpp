@@ -225,51 +225,11 @@ private:
 
     [[nodiscard]] lone_worker<Font, Observer> alone() noexcept { return {*font_, builder_, glyphs_.store, observer_}; }
 
+    // Defined behind the class, so that typemesh::compiled can keep them out of other units.
     template <plan_workers<Font> Workers>
-    result<plan_type> plan_text(text_view text, const text_options& options, Workers& workers) noexcept
-    {
-        glyphs_.clear();
-        observer_(stage::shape);
-        if (error e = workers.layout(*font_, text, options.shape, options.layout, run_)) return stop(e);
-        return plan_run(run_, options, workers);
-    }
-
+    result<plan_type> plan_text(text_view text, const text_options& options, Workers& workers) noexcept;
     template <plan_workers<Font> Workers>
-    result<plan_type> plan_run(const glyph_run& run, const text_options& options, Workers& workers) noexcept
-    {
-        if (!is_finite(options.tolerance) || !(options.tolerance > 0.0)) return stop(error::bad_tolerance);
-        if (!is_finite(options.pixels_per_em) || !(options.pixels_per_em > 0.0) || options.pixels_per_em > 0x1p30)
-            return stop(error::bad("pixels_per_em"));
-        const double largest = options.unit == output_unit::pixels ? 0x1p30 / options.pixels_per_em : 0x1p30;
-        if (!is_finite(options.size) || !(options.size > 0.0) || options.size > largest)
-            return stop(error::bad("size"));
-        if (!is_finite(run.units_per_em) || !(run.units_per_em > 0.0)) return stop(error::bad("units_per_em"));
-
-        TYPEMESH_ASSERT(same(run.units_per_em, font_->units_per_em()),
-                        "the glyph_run was made for a font of other units per em");
-        TYPEMESH_ASSERT(options.frame.is_orthonormal(), "a frame's axes must be unit vectors at right angles");
-
-        text_report& report = glyphs_.report;
-        report.missing = run.missing;
-        report.first_missing = run.first_missing;
-        report.invalid_units = run.invalid_units;
-        report.first_invalid_unit = run.first_invalid_unit;
-
-        error e = extruder_options();
-        if (!e) e = collect(run, options);
-        if (!e) e = build_glyphs(options, workers);
-        if (!e && options.merge) e = merge(run, options);
-        if (!e) e = place_glyphs(run);
-        const height_range heights = extruder_.heights();
-        if (!e) e = arrange(glyphs_, run, options, font_->units_per_em(), heights);
-        if (!e) e = refuse_extremes(glyphs_.placed, glyphs_.bounds, heights, heights_name());
-        if (e) {
-            glyphs_.pinned.release();
-            return stop(e);
-        }
-        observer_(stage::idle);
-        return plan_type{glyphs_, run, extruder_};
-    }
+    result<plan_type> plan_run(const glyph_run& run, const text_options& options, Workers& workers) noexcept;
 
     /// Whether the extruder refuses its options: told for a text without letters too.
     error extruder_options() const noexcept
@@ -423,6 +383,55 @@ private:
     [[no_unique_address]] Observer observer_{};
     [[no_unique_address]] Cache cache_{};
 };
+
+template <outline_source Font, discretiser D, triangulator T, extruder E, stage_observer O, class C>
+template <plan_workers<Font> Workers>
+auto text_mesher<Font, D, T, E, O, C>::plan_text(text_view text, const text_options& options, Workers& workers) noexcept
+    -> result<plan_type>
+{
+    glyphs_.clear();
+    observer_(stage::shape);
+    if (error e = workers.layout(*font_, text, options.shape, options.layout, run_)) return stop(e);
+    return plan_run(run_, options, workers);
+}
+
+template <outline_source Font, discretiser D, triangulator T, extruder E, stage_observer O, class C>
+template <plan_workers<Font> Workers>
+auto text_mesher<Font, D, T, E, O, C>::plan_run(const glyph_run& run, const text_options& options,
+                                                Workers& workers) noexcept -> result<plan_type>
+{
+    if (!is_finite(options.tolerance) || !(options.tolerance > 0.0)) return stop(error::bad_tolerance);
+    if (!is_finite(options.pixels_per_em) || !(options.pixels_per_em > 0.0) || options.pixels_per_em > 0x1p30)
+        return stop(error::bad("pixels_per_em"));
+    const double largest = options.unit == output_unit::pixels ? 0x1p30 / options.pixels_per_em : 0x1p30;
+    if (!is_finite(options.size) || !(options.size > 0.0) || options.size > largest) return stop(error::bad("size"));
+    if (!is_finite(run.units_per_em) || !(run.units_per_em > 0.0)) return stop(error::bad("units_per_em"));
+
+    TYPEMESH_ASSERT(same(run.units_per_em, font_->units_per_em()),
+                    "the glyph_run was made for a font of other units per em");
+    TYPEMESH_ASSERT(options.frame.is_orthonormal(), "a frame's axes must be unit vectors at right angles");
+
+    text_report& report = glyphs_.report;
+    report.missing = run.missing;
+    report.first_missing = run.first_missing;
+    report.invalid_units = run.invalid_units;
+    report.first_invalid_unit = run.first_invalid_unit;
+
+    error e = extruder_options();
+    if (!e) e = collect(run, options);
+    if (!e) e = build_glyphs(options, workers);
+    if (!e && options.merge) e = merge(run, options);
+    if (!e) e = place_glyphs(run);
+    const height_range heights = extruder_.heights();
+    if (!e) e = arrange(glyphs_, run, options, font_->units_per_em(), heights);
+    if (!e) e = refuse_extremes(glyphs_.placed, glyphs_.bounds, heights, heights_name());
+    if (e) {
+        glyphs_.pinned.release();
+        return stop(e);
+    }
+    observer_(stage::idle);
+    return plan_type{glyphs_, run, extruder_};
+}
 
 template <class Font>
 text_mesher(Font&) -> text_mesher<Font>;

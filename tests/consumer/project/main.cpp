@@ -16,9 +16,18 @@
 #ifdef USER_HAS_threads
 #include <typemesh/adapt/threads.hpp>
 #endif
+#ifdef USER_HAS_compiled
+#include "vertex_count.hpp"
+#ifndef TYPEMESH_COMPILED
+#error "typemesh::compiled did not define TYPEMESH_COMPILED"
+#endif
+#endif
 
 int main()
 {
+#ifdef USER_HAS_compiled
+    if (vertex_count("Hello world!") != vertex_count_of_other_part("Hello world!")) return 1;
+#endif
 #ifdef USER_HAS_harfbuzz
     if (!hb_version_atleast(4, 0, 0)) return 1;
 #endif
