@@ -40,14 +40,15 @@ compile_tests() {  # compile_tests PROGRAM SOURCE_OR_FLAG...
     compile_cpp "$program" c++20 "$@" $main $(pkg-config --libs harfbuzz)
 }
 
-# A display without a screen, drawn by Mesa's llvmpipe, for as long as the script runs.
+# A display without a screen, drawn by Mesa's llvmpipe, for as long as the script runs. Without -noreset it starts anew when
+# its last client leaves, and the next one may find nobody.
 open_display() {
     command -v Xvfb >/dev/null 2>&1 || skip "Xvfb is not installed"
-    Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp -extension MIT-SHM >"$scratch/xvfb" 2>&1 3>"$scratch/display" &
+    Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp -extension MIT-SHM -noreset \
+        >"$scratch/xvfb" 2>&1 3>"$scratch/display" &
     # shellcheck disable=SC2064  # this process
     trap "kill $! 2>/dev/null; rm -rf '$scratch'" EXIT
-    local wait
-    for wait in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
+    for _ in $(seq 40); do
         [ ! -s "$scratch/display" ] || break
         sleep 0.5
     done
