@@ -33,7 +33,7 @@ struct collected {
         vertices.push_back({v.position.x, v.position.y, v.position.z, v.normal.x, v.normal.y, v.normal.z});
     }
     void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept { triangles.push_back({a, b, c}); }
-    error end() noexcept { return {}; }
+    void end() noexcept {}
 
     /// Corner by corner, in the order of the triangles.
     [[nodiscard]] std::vector<corner> corners() const

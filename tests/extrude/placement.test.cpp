@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+
+#include <typemesh/extrude/placement.hpp>
+
+#include "mesh.hpp"
+#include "support/catch.hpp"
+#include "support/regions.hpp"
+
+using namespace typemesh;
+using Catch::Approx;
+
+TEST_CASE("a place is the frame's sum of what the unit makes of the cell", "[extrude][placement]")
+{
+    test::dice d{17};
+    for (const frame& f : meshes::frames()) {
+        for (int round = 0; round < 500; ++round) {
+            placement at;
+            at.frame = f;
+            at.pen = {1e6 * (d.fraction() - 0.5), 1e6 * (d.fraction() - 0.5)};
+            at.unit_per_cell = d.fraction() / 512.0;
+            const grid_point p{d.roll(1 << 20) - (1 << 19), d.roll(1 << 20) - (1 << 19)};
+            const float z = static_cast<float>(d.fraction());
+            const double x = (p.x + at.pen.x) * at.unit_per_cell, y = (p.y + at.pen.y) * at.unit_per_cell;
+            const vec3 made = at.position(p, z);
+            const auto is = [&](float value, float right, float up, float toward) {
+                const double wanted = double(right) * x + double(up) * y + double(toward) * double(z);
+                CHECK(double(value) == Approx(wanted).epsilon(2e-7).margin(2e-7 * (std::abs(x) + std::abs(y) + 1.0)));
+            };
+            is(made.x, f.right.x, f.up.x, f.toward.x);
+            is(made.y, f.right.y, f.up.y, f.toward.y);
+            is(made.z, f.right.z, f.up.z, f.toward.z);
+            CHECK(at.position(at.foot(p), z) == made);
+        }
+    }
+}
+
+TEST_CASE("places that are equal in exact numbers are equal floats, whichever pen and cell they come from",
+          "[extrude][placement]")
+{
+    test::dice d{18};
+    placement a, b;
+    a.unit_per_cell = b.unit_per_cell = 1.0 / 3.0;
+    for (int round = 0; round < 2000; ++round) {
+        const grid_point p{d.roll(1 << 24), d.roll(1 << 24)}, by{d.roll(1 << 20), d.roll(1 << 20)};
+        b.pen = {double(by.x), double(by.y)};
+        CHECK(a.position(grid_point{p.x + by.x, p.y + by.y}, 1.5f) == b.position(p, 1.5f));
+    }
+}
+
+TEST_CASE("a flat place is rounded once, to the nearest float", "[extrude][placement]")
+{
+    test::dice d{19};
+    placement at;
+    at.unit_per_cell = 1.0 / 1024000.0;
+    for (int round = 0; round < 5000; ++round) {
+        const grid_point p{d.roll(1 << 28) - (1 << 27), d.roll(1 << 28) - (1 << 27)};
+        const vec3 made = at.position(p, 0.0f);
+        REQUIRE(made.x == static_cast<float>(p.x * at.unit_per_cell));
+        REQUIRE(made.y == static_cast<float>(p.y * at.unit_per_cell));
+        REQUIRE(made.z == 0.0f);
+    }
+}
+
+TEST_CASE("heights follow the unit of depths, and a wall's normal the frame", "[extrude][placement]")
+{
+    placement at;
+    at.unit_per_depth = 2.5;
+    CHECK(at.height(0.5) == 1.25f);
+    for (const frame& f : meshes::frames()) {
+        at.frame = f;
+        CHECK(at.normal({1.0f, 0.0f}) == f.right);
+        CHECK(at.normal({0.0f, 1.0f}) == f.up);
+        CHECK(at.normal({-1.0f, 0.0f}).x == -f.right.x);
+    }
+}

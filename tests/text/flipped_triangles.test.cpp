@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+
+#include <typemesh/text/flipped_triangles.hpp>
+#include <typemesh/typemesh.hpp>
+
+#include "support/catch.hpp"
+#include "support/toy_font.hpp"
+
+#include <vector>
+
+using namespace typemesh;
+
+namespace {
+
+/// Places and indices as they are written.
+struct collected {
+    static constexpr attribute wants = attribute::position;
+
+    std::vector<vec3> places;
+    std::vector<std::uint32_t> indices;
+
+    error begin(mesh_size) noexcept { return {}; }
+    void vertex(const surface_point<wants>& v) noexcept { places.push_back(v.position); }
+    void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept
+    {
+        for (const std::uint32_t i : {a, b, c}) indices.push_back(i);
+    }
+    void end() noexcept {}
+};
+
+/// Front triangles of the mesh as written, in floats, that do not turn the way they should seen from the front.
+template <class Plan>
+std::uint64_t counted(const Plan& plan)
+{
+    collected to;
+    REQUIRE_FALSE(plan.write(to));
+    std::uint64_t flipped = 0;
+    for (std::size_t i = 0; i + 2 < to.indices.size(); i += 3) {
+        const vec3 a = to.places[to.indices[i]], b = to.places[to.indices[i + 1]], c = to.places[to.indices[i + 2]];
+        const double area = (double(b.x) - double(a.x)) * (double(c.y) - double(a.y)) -
+                            (double(b.y) - double(a.y)) * (double(c.x) - double(a.x));
+        flipped += area > 0.0 ? 0u : 1u;
+    }
+    return flipped;
+}
+
+}  // namespace
+
+TEST_CASE("flipped triangles are counted as the written floats have them, near the origin and far from it",
+          "[text][flipped_triangles]")
+{
+    test::toy_font font;
+    text_mesher mesher = text_mesher{font}.with(flat{});
+    std::uint64_t most = 0;
+    for (const char* text : {"o", "Eo", "oooooooooooooooooooooooooooooooooooooooo"}) {
+        for (const double away : {0.0, 1e3, 1e5, 1e6}) {
+            text_options options{.tolerance = 1.0 / 16000};
+            options.layout.letter_spacing = away;
+            const auto plan = mesher.plan(text, options);
+            REQUIRE(plan);
+            INFO(text << " spaced by " << away);
+            const std::uint64_t flipped = flipped_triangles(*plan);
+            CHECK(flipped == counted(*plan));
+            if (away == 0.0 && std::string{text} != "oooooooooooooooooooooooooooooooooooooooo") CHECK(flipped == 0);
+            most = (std::max)(most, flipped);
+        }
+    }
+    CHECK(most > 100);
+}
