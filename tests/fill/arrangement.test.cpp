@@ -58,11 +58,12 @@ TEST_CASE("Contours taken apart are one segment an edge with length, in order, a
     test::dice d{61};
     for (int i = 0; i < 2000; ++i) {
         const test::shape s = random_shape(d);
-        const contours loops = test::contours_of(s);
+        contours loops = test::contours_of(s);
         workspace space;
         workspace::scope scratch{space};
         detail::arrangement a;
         REQUIRE(a.reserve(scratch, 64));
+        REQUIRE(sort_points(loops, space));
         REQUIRE(a.from_contours(loops, space));
         std::uint32_t edges = 0;
         for (const auto& l : s.loops)
@@ -86,11 +87,12 @@ TEST_CASE("Segments flipped and cut at random are in order again afterwards, tho
 {
     test::dice d{62};
     for (int i = 0; i < 1000; ++i) {
-        const contours loops = test::contours_of(random_shape(d));
+        contours loops = test::contours_of(random_shape(d));
         workspace space;
         workspace::scope scratch{space};
         detail::arrangement a;
         REQUIRE(a.reserve(scratch, 64));
+        REQUIRE(sort_points(loops, space));
         REQUIRE(a.from_contours(loops, space));
         std::uint32_t cancelled = 0;
         if (a.count != 0 && d.roll(2) == 0) {  // an edge and its reverse

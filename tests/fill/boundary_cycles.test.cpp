@@ -23,13 +23,17 @@ walked walk(const std::vector<test::polyline>& given, fill_rule rule)
     workspace::scope scratch{space};
     detail::arrangement a;
     REQUIRE(a.reserve(scratch, 400));
+    REQUIRE(sort_points(loops, space));
     REQUIRE(a.from_contours(loops, space));
     detail::resolving_sweep sweep{a, rule};
     REQUIRE(sweep.run(space));
     REQUIRE_FALSE(sweep.again);
     detail::boundary_cycles boundary;
     REQUIRE_FALSE(boundary.trace(a, scratch, [](const auto&, const auto&, grid_point) {}));
-    REQUIRE_FALSE(boundary.write(a, loops));
+    REQUIRE_FALSE(boundary.write(a, loops, scratch));
+    std::vector<std::uint32_t> sorted(loops.points.size());
+    REQUIRE(sweep_order(loops.points.view(), space, sorted.data()));
+    CHECK(std::equal(sorted.begin(), sorted.end(), loops.order().begin(), loops.order().end()));
     walked w{{}, boundary.holes, boundary.outers};
     for (const auto l : test::oracle::loops_of(loops)) w.loops.emplace_back(l.begin(), l.end());
     return w;

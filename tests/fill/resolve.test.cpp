@@ -378,8 +378,7 @@ TEST_CASE("A crossing that waits for an edge that has ended is forgotten", "[fil
     CHECK(mistake_on(s) == "");
 }
 
-TEST_CASE("resolve_then() tells the order that sweep_order() makes of the region's points, told one itself or not",
-          "[fill][resolve]")
+TEST_CASE("A resolved region's points are sorted, and it is the same whether they were before or not", "[fill][resolve]")
 {
     test::dice d{91};
     int touching = 0;
@@ -389,43 +388,19 @@ TEST_CASE("resolve_then() tells the order that sweep_order() makes of the region
         for (test::polyline& l : given)
             for (int n = 3 + d.roll(20); n > 0; --n) l.push_back({d.roll(width), d.roll(width)});
         for (const fill_rule rule : {fill_rule::non_zero, fill_rule::even_odd}) {
-            for (const bool told : {false, true}) {
-                contours loops = test::contours_of(given), other = test::contours_of(given);
-                workspace space;
-                std::vector<std::uint32_t> order(loops.points.size());
-                REQUIRE(sweep_order(loops.points.view(), space, order.data()));
-                if (!told) order.clear();
-                int calls = 0;
-                const auto then = [&](const region& r, std::span<const std::uint32_t> sorted) noexcept {
-                    ++calls;
-                    std::vector<std::uint32_t> expected(r.points().size());
-                    workspace another;
-                    CHECK(sweep_order(r.points(), another, expected.data()));
-                    CHECK(std::equal(sorted.begin(), sorted.end(), expected.begin(), expected.end()));
-                    return error{};
-                };
-                every_intersection_stands nobody;
-                const auto made = resolve_then(loops, rule, space, nobody, then, {.order = order});
-                const auto plain = resolve(other, rule, space);
-                REQUIRE(made);
-                REQUIRE(plain);
-                CHECK(calls == 1);
-                CHECK(std::equal(made->points().begin(), made->points().end(), plain->points().begin(),
-                                 plain->points().end()));
-                touching += made->is_touching();
-            }
+            contours loops = test::contours_of(given), sorted = test::contours_of(given);
+            workspace space;
+            REQUIRE(sort_points(sorted, space));
+            const auto made = resolve(loops, rule, space), again = resolve(sorted, rule, space);
+            REQUIRE(made);
+            REQUIRE(again);
+            CHECK(std::equal(made->points().begin(), made->points().end(), again->points().begin(),
+                             again->points().end()));
+            std::vector<std::uint32_t> expected(made->points().size());
+            REQUIRE(sweep_order(made->points(), space, expected.data()));
+            CHECK(std::equal(made->order().begin(), made->order().end(), expected.begin(), expected.end()));
+            touching += made->is_touching();
         }
     }
-    CHECK(touching > 100);
-}
-
-TEST_CASE("The error of what follows a region is resolve_then()'s", "[fill][resolve]")
-{
-    contours loops = test::contours_of({test::square(0, 0, 8), test::square(4, 4, 8)});
-    workspace space;
-    every_intersection_stands nobody;
-    const auto fails = [](const region& r) noexcept { return r.points().empty() ? error{} : error{error::too_large}; };
-    const auto made = resolve_then(loops, fill_rule::non_zero, space, nobody, fails);
-    REQUIRE_FALSE(made);
-    CHECK(made.error() == error::too_large);
+    CHECK(touching > 50);
 }

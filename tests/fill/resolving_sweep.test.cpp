@@ -72,11 +72,12 @@ TEST_CASE("What a walk believes is an arrangement of closed contours, with the r
             }
             s.loops.push_back(l);
         }
-        const contours loops = test::contours_of(s);
+        contours loops = test::contours_of(s);
         workspace space;
         workspace::scope scratch{space};
         detail::arrangement a;
         REQUIRE(a.reserve(scratch, 500));
+        REQUIRE(sort_points(loops, space));
         REQUIRE(a.from_contours(loops, space));
         for (int walk = 0; walk < 4; ++walk) {
             detail::resolving_sweep sweep{a, d.roll(2) == 0 ? fill_rule::non_zero : fill_rule::even_odd};
@@ -105,11 +106,12 @@ TEST_CASE("Contours of ordinary size nearly always need one walk although every 
         std::vector<test::polyline> given;
         for (int c = 0; c < 4; ++c)
             given.push_back(test::circle(20 + d.roll(40), 100'000 + d.roll(200'000), d.roll(300'000), d.roll(300'000)));
-        const contours loops = test::contours_of(given);
+        contours loops = test::contours_of(given);
         workspace space;
         workspace::scope scratch{space};
         detail::arrangement a;
         REQUIRE(a.reserve(scratch, 2000));
+        REQUIRE(sort_points(loops, space));
         REQUIRE(a.from_contours(loops, space));
         detail::resolving_sweep sweep{a, fill_rule::non_zero};
         REQUIRE(sweep.run(space));
@@ -122,12 +124,13 @@ TEST_CASE("A walk without room says so and leaves closed contours", "[fill][reso
 {
     test::polyline star;
     for (int i = 0; i < 31; ++i) star.push_back(test::on_circle(0, 0, 10'000, test::turn_once * i * 13 / 31));
-    const contours loops = test::contours_of({star});
+    contours loops = test::contours_of({star});
     for (std::uint32_t room = 31; room < 200; room += 13) {
         workspace space;
         workspace::scope scratch{space};
         detail::arrangement a;
         REQUIRE(a.reserve(scratch, room));
+        REQUIRE(sort_points(loops, space));
         REQUIRE(a.from_contours(loops, space));
         detail::resolving_sweep sweep{a, fill_rule::non_zero};
         REQUIRE(sweep.run(space));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include <typemesh/fill/simple_sweep.hpp>
+#include <typemesh/sweep/sweep_order.hpp>
 
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
@@ -13,9 +14,10 @@ namespace {
 /// What simple_sweep says against what trying all pairs says.
 void compare(const test::shape& s)
 {
-    const contours loops = test::contours_of(s);
+    contours loops = test::contours_of(s);
     const auto views = test::loops_of(s);
     workspace space;
+    REQUIRE(sort_points(loops, space));
     std::vector<detail::contour_sides> sides(s.loops.size());
     detail::simple_sweep sweep;
     const error e = sweep.run(loops, space, sides.data());
@@ -65,7 +67,9 @@ TEST_CASE("The simple sweep tells nested contours apart in every direction", "[f
 
 TEST_CASE("The simple sweep without memory says so", "[fill][simple_sweep]")
 {
-    const contours loops = test::contours_of({test::square(0, 0, 8)});
+    contours loops = test::contours_of({test::square(0, 0, 8)});
+    workspace sorting;
+    REQUIRE(sort_points(loops, sorting));
     test::counting_memory memory;
     memory.fail_at = 1;
     workspace space{memory.source()};

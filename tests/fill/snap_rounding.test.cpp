@@ -18,12 +18,13 @@ struct piece {
 /// What snap rounding makes of contours; a walk over that must have nothing to bend.
 std::vector<piece> rounded(const test::shape& s)
 {
-    const contours loops = test::contours_of(s);
+    contours loops = test::contours_of(s);
     workspace space;
+    REQUIRE(sort_points(loops, space));
     workspace::scope scratch{space};
     detail::arrangement a;
     detail::snap_rounding rounding{loops, 1'000'000};
-    REQUIRE_FALSE(rounding.run({}, fill_rule::non_zero, space, scratch, a));
+    REQUIRE_FALSE(rounding.run(fill_rule::non_zero, space, scratch, a));
     std::vector<piece> pieces;
     for (std::uint32_t i = 0; i < a.count; ++i)
         pieces.push_back({a.segments[i].from, a.segments[i].to, a.home(a.segments[i])});
@@ -90,13 +91,14 @@ TEST_CASE("The sweep that swaps neighbours finds every crossing, each once, and 
     for (int i = 0; i < 4000; ++i) {
         test::shape s = random_shape(d);
         if (i % 7 == 0) s.loops.push_back(s.loops[0]);
-        const contours loops = test::contours_of(s);
+        contours loops = test::contours_of(s);
         const fill_rule rule = i % 2 == 0 ? fill_rule::non_zero : fill_rule::even_odd;
         workspace space;
+        REQUIRE(sort_points(loops, space));
         workspace::scope scratch{space};
         auto* const made = scratch.take<detail::net_edge>(loops.points.size());
         std::uint32_t count = 0;
-        REQUIRE(detail::make_net_edges(loops, {}, rule, space, made, count));
+        REQUIRE(detail::make_net_edges(loops, rule, space, made, count));
         const std::span<const detail::net_edge> edges{made, count};
         std::vector<std::pair<std::int64_t, bool>> all, mine;
         REQUIRE(detail::crossing_sweep::run(edges, scratch, space, [&](grid_point x, bool is_exact) noexcept {
@@ -120,12 +122,13 @@ TEST_CASE("The sweep that swaps neighbours finds every crossing, each once, and 
 
 TEST_CASE("The sweep that swaps neighbours ends when it is told to", "[fill][crossing_sweep]")
 {
-    const contours loops = test::contours_of({{{0, 0}, {90, 50}, {0, 10}, {90, 40}, {0, 20}, {90, 30}}});
+    contours loops = test::contours_of({{{0, 0}, {90, 50}, {0, 10}, {90, 40}, {0, 20}, {90, 30}}});
     workspace space;
+    REQUIRE(sort_points(loops, space));
     workspace::scope scratch{space};
     detail::net_edge edges[6];
     std::uint32_t count = 0, calls = 0;
-    REQUIRE(detail::make_net_edges(loops, {}, fill_rule::non_zero, space, edges, count));
+    REQUIRE(detail::make_net_edges(loops, fill_rule::non_zero, space, edges, count));
     CHECK_FALSE(detail::crossing_sweep::run({edges, count}, scratch, space,
                                             [&](grid_point, bool) noexcept { return ++calls < 3; }));
     CHECK(calls == 3);

@@ -57,7 +57,7 @@ struct untold {
         return Triangulator{}.prove(loops, space, out);
     }
 };
-static_assert(proving_triangulator<untold<monotone>> && !ordered_triangulator<untold<monotone>>);
+static_assert(proving_triangulator<untold<monotone>> && !touching_triangulator<untold<monotone>>);
 
 int touching = 0, proven_fast = 0;
 

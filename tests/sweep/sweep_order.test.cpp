@@ -81,3 +81,40 @@ TEST_CASE("sweep_order() without memory says so", "[core][sweep_order]")
     CHECK(sweep_order(points, space, order));
     CHECK(order[0] == 1);
 }
+
+TEST_CASE("the points of contours are sorted once, until they move", "[sweep]")
+{
+    contours loops;
+    test::counting_memory memory;
+    workspace space{memory.source()};
+    CHECK(sort_points(loops, space));
+    CHECK(loops.order().empty());
+
+    for (const grid_point p : {grid_point{4, 1}, grid_point{0, 7}, grid_point{4, 0}}) REQUIRE(loops.points.push_back(p));
+    CHECK(loops.order().empty());
+    REQUIRE(sort_points(loops, space));
+    const auto is = [&](std::vector<std::uint32_t> expected) {
+        return std::equal(loops.order().begin(), loops.order().end(), expected.begin(), expected.end());
+    };
+    CHECK(is({1, 2, 0}));
+    const std::size_t before = memory.requests;
+    space.trim();
+    REQUIRE(sort_points(loops, space));  // nothing to do
+    CHECK(memory.requests == before);
+
+    REQUIRE(loops.points.push_back({-1, 0}));
+    CHECK(loops.order().empty());
+    REQUIRE(sort_points(loops, space));
+    CHECK(is({3, 1, 2, 0}));
+
+    loops.forget_order();
+    loops.points[1] = {9, 9};
+    REQUIRE(sort_points(loops, space));
+    CHECK(is({3, 2, 0, 1}));
+
+    loops.forget_order();
+    space.trim();
+    memory.fail_at = memory.requests + 1;
+    CHECK_FALSE(sort_points(loops, space));
+    CHECK(loops.order().empty());
+}

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/assert.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/curve.hpp>
 #include <typemesh/core/grid.hpp>
+#include <typemesh/core/orientation.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -36,7 +39,7 @@ struct contours {
     typemesh::grid grid;
     double tolerance = 0.0;  ///< in cells: how far the edges may be from their curves; 0: unknown
 
-    explicit contours(memory source = heap()) noexcept : points{source}, edges{source}, starts{source} {}
+    explicit contours(memory source = heap()) noexcept : points{source}, edges{source}, starts{source}, order_{source} {}
 
     [[nodiscard]] std::uint32_t contour_count() const noexcept
     {
@@ -49,7 +52,42 @@ struct contours {
         starts.clear();
         curves = {};
         tolerance = 0.0;
+        forget_order();
     }
+
+    /// The points' indices in the order in which a sweep from left to right meets them: by x, then y, then index. Empty
+    /// when nobody has sorted them (see sort_points() in sweep/sweep_order.hpp) since their number changed, or since
+    /// clear() or forget_order(). Whoever moves points calls one of these; that is asserted.
+    [[nodiscard]] std::span<const std::uint32_t> order() const noexcept
+    {
+        if (order_.size() != points.size()) return {};
+        TYPEMESH_ASSERT(is_in_order(), "the points of contours were moved after they had been sorted: call clear() "
+                                       "or forget_order()");
+        return order_.view();
+    }
+    void forget_order() noexcept { order_.clear(); }
+
+    /// Room for the order of `size` points, for those who write it; null when there is no memory, and there is no order
+    /// then.
+    [[nodiscard]] std::uint32_t* new_order(std::size_t size) noexcept
+    {
+        order_.clear();
+        return order_.append(size);
+    }
+
+private:
+    [[nodiscard]] bool is_in_order() const noexcept
+    {
+        for (std::size_t i = 0; i < order_.size(); ++i) {
+            if (order_[i] >= points.size()) return false;
+            if (i == 0) continue;
+            const grid_point p = points[order_[i - 1]], q = points[order_[i]];
+            if (!lexicographic_less(p, q) && !(p == q && order_[i - 1] < order_[i])) return false;
+        }
+        return true;
+    }
+
+    buffer<std::uint32_t> order_;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -34,6 +34,7 @@ public:
         r.points_ = loops.points.view();
         r.edges_ = loops.edges.view();
         r.starts_ = loops.starts.view();
+        r.order_ = loops.order();
         r.curves_ = loops.curves;
         r.grid_ = loops.grid;
         r.tolerance_ = loops.tolerance;
@@ -46,6 +47,8 @@ public:
     [[nodiscard]] std::span<const grid_point> points() const noexcept { return points_; }
     [[nodiscard]] std::span<const contour_edge> edges() const noexcept { return edges_; }
     [[nodiscard]] std::span<const std::uint32_t> starts() const noexcept { return starts_; }
+    /// Of the points, as contours::order() has it: empty when nobody has sorted them.
+    [[nodiscard]] std::span<const std::uint32_t> order() const noexcept { return order_; }
     [[nodiscard]] std::span<const curve> curves() const noexcept { return curves_; }
     [[nodiscard]] typemesh::grid grid() const noexcept { return grid_; }
 
@@ -72,6 +75,7 @@ private:
     std::span<const grid_point> points_;
     std::span<const contour_edge> edges_;
     std::span<const std::uint32_t> starts_;
+    std::span<const std::uint32_t> order_;
     std::span<const curve> curves_;
     typemesh::grid grid_;
     double tolerance_ = 0.0;

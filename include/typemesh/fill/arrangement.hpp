@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/assert.hpp>
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/workspace.hpp>
@@ -137,22 +138,16 @@ struct arrangement {
     }
 
     /// Takes contours apart; edges without length vanish. Needs capacity >= given.points.size(),
-    /// and `given` to stay while the arrangement is cut. `known` is the order of the points, as sweep_order() makes it;
-    /// empty: not known.
-    [[nodiscard]] bool from_contours(const contours& given, workspace& space,
-                                  std::span<const std::uint32_t> known = {}) noexcept
+    /// its points sorted (see sort_points()), and `given` to stay while the arrangement is cut.
+    [[nodiscard]] bool from_contours(const contours& given, workspace& space) noexcept
     {
         loops = &given;
         const auto n = static_cast<std::uint32_t>(given.points.size());
         workspace::scope scratch{space};
-        const std::uint32_t* order = known.data();
         auto* const number = scratch.take<std::uint32_t>(n);
         if (number == nullptr) return false;
-        if (known.empty()) {
-            auto* const sorted = scratch.take<std::uint32_t>(n);
-            if (sorted == nullptr || !sweep_order(given.points.view(), space, sorted)) return false;
-            order = sorted;
-        }
+        const std::span<const std::uint32_t> order = given.order();
+        TYPEMESH_ASSERT(order.size() == n, "contours are sorted before they are taken apart: see sort_points()");
         const grid_point* const place = given.points.data();
         std::uint32_t different = 0;
         for (std::uint32_t i = 0; i < n; ++i) {

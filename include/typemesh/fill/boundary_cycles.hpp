@@ -68,12 +68,18 @@ public:
         return {};
     }
 
-    /// Replaces the loops by what was traced. Fails with error::out_of_memory, the loops being as they were.
-    [[nodiscard]] error write(const arrangement& a, contours& loops) const noexcept
+    /// Replaces the loops by what was traced, and sorts their points: the arrangement's are, by its own sweep.
+    ///
+    /// Fails with error::out_of_memory, the loops being as they were.
+    [[nodiscard]] error write(const arrangement& a, contours& loops, workspace::scope& scratch) const noexcept
     {
         const std::uint32_t size = starts_[loop_count_];
-        if (!loops.points.reserve(size) || !loops.edges.reserve(size) || !loops.starts.reserve(loop_count_ + 1))
+        auto* const behind = scratch.take<std::uint32_t>(size);
+        if (behind == nullptr || !loops.points.reserve(size) || !loops.edges.reserve(size) ||
+            !loops.starts.reserve(loop_count_ + 1))
             return error::out_of_memory;
+        std::uint32_t* const order = loops.new_order(size);
+        if (order == nullptr && size != 0) return error::out_of_memory;
         loops.points.clear();
         loops.edges.clear();
         loops.starts.clear();
@@ -88,30 +94,26 @@ public:
             edges[i] = {s.source.curve, t[back], t[1 - back]};
         }
         for (std::uint32_t i = 0; i <= loop_count_; ++i) loops.starts.push_back_unchecked(starts_[i]);
+        sort(a, order, behind);
         return {};
     }
 
-    /// The points that write() writes in the order of a sweep, as sweep_order() would find it; null when there is no
-    /// memory. The arrangement's points are sorted by its own sweep.
-    [[nodiscard]] std::uint32_t* order(const arrangement& a, workspace::scope& scratch) const noexcept
+private:
+    /// The points that write() writes in the order of a sweep.
+    ///
+    ///     behind    of every point: room for the next one in the same place
+    void sort(const arrangement& a, std::uint32_t* order, std::uint32_t* behind) const noexcept
     {
-        const std::uint32_t size = starts_[loop_count_];
-        auto* const order = scratch.take<std::uint32_t>(size);
-        auto* const behind = scratch.take<std::uint32_t>(size);  // the next one in the same place
         auto* const first = a.first;
-        if (order == nullptr || behind == nullptr) return nullptr;
         for (std::uint32_t place = 0; place < a.point_count; ++place) first[place] = no_number;
-        for (std::uint32_t i = size; i-- != 0;) {
+        for (std::uint32_t i = starts_[loop_count_]; i-- != 0;) {
             behind[i] = first[places_[i]];
             first[places_[i]] = i;
         }
-        std::uint32_t sorted = 0;
         for (std::uint32_t place = 0; place < a.point_count; ++place)
-            for (std::uint32_t i = first[place]; i != no_number; i = behind[i]) order[sorted++] = i;
-        return order;
+            for (std::uint32_t i = first[place]; i != no_number; i = behind[i]) *order++ = i;
     }
 
-private:
     std::uint32_t* steps_ = nullptr;   // a segment's number times 2, and 1 where it is run from right to left
     std::uint32_t* places_ = nullptr;  // the number of the point where each step begins
     std::uint32_t* starts_ = nullptr;  // of the loops among the steps

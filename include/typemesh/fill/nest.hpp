@@ -8,6 +8,7 @@
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/fill/orient.hpp>
 #include <typemesh/fill/simple_sweep.hpp>
+#include <typemesh/sweep/sweep_order.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -37,19 +38,22 @@ namespace typemesh::inline TYPEMESH_ABI {
     workspace::scope scratch{space};
     const std::uint32_t count = loops.contour_count();
     auto* const sides = scratch.take<detail::contour_sides>(count);
-    if (sides == nullptr) return error::out_of_memory;
+    if (sides == nullptr || !sort_points(loops, space)) return error::out_of_memory;
     detail::simple_sweep sweep;
     if (const error e = sweep.run(loops, space, sides)) return e;
 
     std::uint32_t kept = 0, holes = 0;
     std::size_t end = 0;
+    bool moved = false;
     for (std::uint32_t c = 0; c < count; ++c) {
         const std::size_t begin = loops.starts[c], size = loops.starts[c + 1] - begin;
         if (size == 0) continue;
         const bool inside = is_filled(rule, sides[c].inside);
         if (inside == is_filled(rule, sides[c].outside)) continue;
-        if (inside != sides[c].counter_clockwise)
+        if (inside != sides[c].counter_clockwise) {
             reverse_contour(loops.points.view().subspan(begin, size), loops.edges.view().subspan(begin, size));
+            moved = true;
+        }
         if (end != begin) {
             for (std::size_t i = 0; i < size; ++i) {
                 loops.points[end + i] = loops.points[begin + i];
@@ -64,6 +68,8 @@ namespace typemesh::inline TYPEMESH_ABI {
         loops.starts[kept] = static_cast<std::uint32_t>(end);
         loops.starts.truncate(kept + 1);
     }
+    moved = moved || end != loops.points.size();
+    if (moved) loops.forget_order();
     loops.points.truncate(end);
     loops.edges.truncate(end);
     return region::proven(loops, holes, kept - holes);

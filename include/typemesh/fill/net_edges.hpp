@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/assert.hpp>
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/fill_rule.hpp>
 #include <typemesh/core/point.hpp>
@@ -26,24 +27,18 @@ struct net_edge {
     std::int32_t winding_delta;             // the winding number right above it less the one right below
 };
 
-/// Gives every point its number among the different ones, in the sweep order. How many there are; false when there is no
-/// memory. `known` is the order of the points, as sweep_order() makes it; empty: not known.
-[[nodiscard]] inline bool number_points(std::span<const grid_point> points, std::span<const std::uint32_t> known,
-                                        workspace& space, std::uint32_t* number, std::uint32_t& different) noexcept
+/// Gives every point of sorted contours its number among the different ones, in the sweep order. How many there are.
+[[nodiscard]] inline std::uint32_t number_points(const contours& given, std::uint32_t* number) noexcept
 {
-    workspace::scope scratch{space};
-    const std::uint32_t* order = known.data();
-    if (known.empty()) {
-        auto* const sorted = scratch.take<std::uint32_t>(points.size());
-        if (sorted == nullptr || !sweep_order(points, space, sorted)) return false;
-        order = sorted;
-    }
-    different = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (i == 0 || !(points[order[i - 1]] == points[order[i]])) ++different;
+    const grid_point* const place = given.points.data();
+    const std::span<const std::uint32_t> order = given.order();
+    TYPEMESH_ASSERT(order.size() == given.points.size(), "contours are sorted first: see sort_points()");
+    std::uint32_t different = 0;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        if (i == 0 || !(place[order[i - 1]] == place[order[i]])) ++different;
         number[order[i]] = different - 1;
     }
-    return true;
+    return different;
 }
 
 /// The edges of contours, each pair of ends once; those that cancel, or have no length, are left out. So the result is
@@ -51,9 +46,8 @@ struct net_edge {
 /// even_odd also for each contour that runs the other way.
 ///
 /// `edges` has room for as many as there are points, and is ordered by where they start. How many there are; none and
-/// false when there is no memory. `known` is the order of the points, as sweep_order() makes it; empty: not known. O(n log n)
-[[nodiscard]] inline bool make_net_edges(const contours& given, std::span<const std::uint32_t> known, fill_rule rule,
-                                         workspace& space, net_edge* edges, std::uint32_t& count) noexcept
+/// false when there is no memory. The points are sorted. O(n)
+[[nodiscard]] inline bool make_net_edges(const contours& given, fill_rule rule, workspace& space, net_edge* edges, std::uint32_t& count) noexcept
 {
     constexpr std::uint32_t none = 0xFFFF'FFFFu;
     const auto n = static_cast<std::uint32_t>(given.points.size());
@@ -67,8 +61,7 @@ struct net_edge {
     auto* const to = scratch.take<std::uint32_t>(n);      // of every edge: the contour point behind it
     auto* const seen = scratch.take<std::uint32_t>(n);    // of every point: the last edge that ends there
     if (number == nullptr || first == nullptr || next == nullptr || to == nullptr || seen == nullptr) return false;
-    std::uint32_t different = 0;
-    if (!number_points(given.points.view(), known, space, number, different)) return false;
+    const std::uint32_t different = number_points(given, number);
     for (std::uint32_t i = 0; i < different; ++i) first[i] = seen[i] = none;
     for (std::uint32_t c = 0; c < given.contour_count(); ++c) {
         const std::uint32_t begin = given.starts[c], end = given.starts[c + 1];

@@ -58,6 +58,7 @@ inline void orient(contours& loops) noexcept
         }
     }
     if (high + (low >> 32) >= 0) return;
+    loops.forget_order();
     for (std::uint32_t c = 0; c < loops.contour_count(); ++c) {
         const std::size_t begin = loops.starts[c], size = loops.starts[c + 1] - begin;
         reverse_contour(loops.points.view().subspan(begin, size), loops.edges.view().subspan(begin, size));

@@ -12,10 +12,10 @@
 #include <typemesh/fill/intersection.hpp>
 #include <typemesh/fill/resolving_sweep.hpp>
 #include <typemesh/fill/snap_rounding.hpp>
+#include <typemesh/sweep/sweep_order.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <type_traits>
 
 namespace typemesh::inline TYPEMESH_ABI {
@@ -30,105 +30,108 @@ struct resolve_effort {
 /// What resolve() is told beside the contours.
 struct resolve_options {
     std::uint32_t most_pieces = default_most_pieces;  ///< see resolve()
-    std::span<const std::uint32_t> order = {};  ///< of the points, as sweep_order() makes it; empty: not known
-    resolve_effort* effort = nullptr;           ///< where to tell what was done
+    resolve_effort* effort = nullptr;                 ///< where to tell what was done
 };
 
 namespace detail {
 
-enum class quick_walk { no_memory, done, not_done };
-
-/// The contours' edges cut by one walk, or a second; not_done when these do not do.
-[[nodiscard]] inline quick_walk walk_quickly(const contours& loops, fill_rule rule, workspace& space,
-                                             workspace::scope& scratch, const resolve_options& how,
-                                             arrangement& a) noexcept
-{
-    const std::size_t n = loops.points.size();
-    constexpr std::size_t bytes_a_piece = 144;  // of the arrangement (84) and its walk
-    const std::size_t most = n + n / 8 + 48;
-    if (!scratch.reserve(bytes_a_piece * most) || !a.reserve(scratch, static_cast<std::uint32_t>(most)) ||
-        !a.from_contours(loops, space, how.order))
-        return quick_walk::no_memory;
-    for (int walk = 0; walk < 2; ++walk) {
-        resolving_sweep sweep{a, rule};
-        if (!sweep.run(space)) return quick_walk::no_memory;
-        if (how.effort != nullptr) *how.effort = {how.effort->walks + 1, how.effort->rounds, a.count};
-        if (!sweep.again && !sweep.partial) return quick_walk::done;
-        if (sweep.full || sweep.rough || sweep.partial) break;
+/// One resolve(), step by step. Everything in between lies in scratch memory that ends with it.
+class resolving {
+public:
+    /// The contours' points are sorted.
+    resolving(contours& loops, fill_rule rule, workspace& space, const resolve_options& how) noexcept
+        : loops_{loops}, rule_{rule}, space_{space}, how_{how}, scratch_{space}
+    {
     }
-    return quick_walk::not_done;
-}
 
-/// The contours' edges cut by snap rounding, and walked over.
-[[nodiscard]] inline error walk_rounded(const contours& loops, fill_rule rule, workspace& space,
-                                        workspace::scope& scratch, const resolve_options& how,
-                                        arrangement& a) noexcept
-{
-    snap_rounding rounding{loops, how.most_pieces};
-    if (error e = rounding.run(how.order, rule, space, scratch, a)) return e;
-    for (;;) {
-        resolving_sweep sweep{a, rule};
-        if (!sweep.run(space)) return error::out_of_memory;
-        if (how.effort != nullptr) *how.effort = {how.effort->walks + 1, 1, a.count};
-        if (!sweep.again) return {};
-        if (!sweep.full) return error::crossing_contours;
-        // The room grows by half until it is twice what may be needed: nothing that may stand takes more.
-        if (a.capacity / 2 > rounding.most_pieces() + 64)
-            return error{error::too_many_pieces, rounding.most_pieces()};
-        a.most_active = no_number;
-        if (!a.reserve(scratch, a.capacity + a.capacity / 2) || !a.put_in_order(space)) return error::out_of_memory;
+    /// Cuts the contours' edges where they cross: by a sweep where that will do, else by snap rounding.
+    [[nodiscard]] error cut() noexcept
+    {
+        bool is_cut = false;
+        if (error e = cut_by_sweep(is_cut)) return e;
+        if (!is_cut)
+            if (error e = cut_by_snap_rounding()) return e;
+        if (a_.count > how_.most_pieces) return error{error::too_many_pieces, how_.most_pieces};
+        return {};
     }
-}
+
+    /// Goes round the boundary of what is filled, and asks the filter of all intersections that it comes through.
+    template <intersection_filter Filter>
+    [[nodiscard]] error trace(Filter& filter, bool& all_stand) noexcept
+    {
+        constexpr bool filters = !std::is_same_v<Filter, every_intersection_stands>;
+        const bool changing = filters && !a_.is_touching;
+        all_stand = true;
+        if (filters && a_.is_touching && !filter_touches(a_, space_, filter, all_stand)) return error::out_of_memory;
+        return boundary_.trace(a_, scratch_, [&](const auto& s, const auto& t, grid_point at) noexcept {
+            if (changing && !filter_change(a_, s, t, at, filter)) all_stand = false;
+        });
+    }
+
+    /// Replaces the contours by that boundary.
+    [[nodiscard]] result<region> write() noexcept
+    {
+        if (error e = boundary_.write(a_, loops_, scratch_)) return e;
+        return region::proven(loops_, boundary_.holes, boundary_.outers, a_.is_touching);
+    }
+
+private:
+    /// One sweep, or a second; `is_cut` is false where these do not do.
+    [[nodiscard]] error cut_by_sweep(bool& is_cut) noexcept
+    {
+        constexpr std::size_t bytes_per_piece = 144;  // of the arrangement (84) and its sweep
+        constexpr int most_sweeps = 2;
+        const std::size_t n = loops_.points.size(), most = n + n / 8 + 48;
+        if (!scratch_.reserve(bytes_per_piece * most) || !a_.reserve(scratch_, static_cast<std::uint32_t>(most)) ||
+            !a_.from_contours(loops_, space_))
+            return error::out_of_memory;
+        for (int i = 0; i < most_sweeps && !is_cut; ++i) {
+            resolving_sweep sweep{a_, rule_};
+            if (!sweep.run(space_)) return error::out_of_memory;
+            report(0);
+            is_cut = !sweep.again && !sweep.partial;
+            if (sweep.full || sweep.rough || sweep.partial) break;
+        }
+        return {};
+    }
+
+    /// Snap rounding, and sweeps with more and more room.
+    [[nodiscard]] error cut_by_snap_rounding() noexcept
+    {
+        scratch_.keep();
+        a_ = {};
+        snap_rounding rounding{loops_, how_.most_pieces};
+        if (error e = rounding.run(rule_, space_, scratch_, a_)) return e;
+        for (;;) {
+            resolving_sweep sweep{a_, rule_};
+            if (!sweep.run(space_)) return error::out_of_memory;
+            report(1);
+            if (!sweep.again) return {};
+            if (!sweep.full) return error::crossing_contours;
+            // The room grows by half until it is twice what may be needed: nothing that may stand takes more.
+            if (a_.capacity / 2 > rounding.most_pieces() + 64)
+                return error{error::too_many_pieces, rounding.most_pieces()};
+            a_.most_active = no_number;
+            if (!a_.reserve(scratch_, a_.capacity + a_.capacity / 2) || !a_.put_in_order(space_))
+                return error::out_of_memory;
+        }
+    }
+
+    void report(std::uint32_t rounds) noexcept
+    {
+        if (how_.effort != nullptr) *how_.effort = {how_.effort->walks + 1, rounds, a_.count};
+    }
+
+    contours& loops_;
+    fill_rule rule_;
+    workspace& space_;
+    const resolve_options& how_;
+    workspace::scope scratch_;
+    arrangement a_;
+    boundary_cycles boundary_;
+};
 
 }  // namespace detail
-
-/// As resolve() below, for those who know more and want more.
-///
-///     then    error then(r) or error then(r, order): what to do with the region r at once, while the order of its
-///             points is known, too. Its error is the answer, and `loops` is the region's then. Not asked when there is
-///             no region.
-template <intersection_filter Filter, class Then>
-[[nodiscard]] result<region> resolve_then(contours& loops, fill_rule rule, workspace& space, Filter& filter, Then&& then,
-                                          const resolve_options& how = {}) noexcept
-{
-    const std::size_t n = loops.points.size();
-    if (n > std::size_t{1} << 29) return error::too_large;
-    if (n > how.most_pieces) return error{error::too_many_pieces, how.most_pieces};
-    workspace::scope scratch{space};
-    detail::arrangement a;
-    const auto walked = detail::walk_quickly(loops, rule, space, scratch, how, a);
-    if (walked == detail::quick_walk::no_memory) return error::out_of_memory;
-    if (walked == detail::quick_walk::not_done) {
-        scratch.keep();
-        a = {};
-        if (error e = detail::walk_rounded(loops, rule, space, scratch, how, a)) return e;
-    }
-    if (a.count > how.most_pieces) return error{error::too_many_pieces, how.most_pieces};
-    constexpr bool judging = !std::is_same_v<Filter, every_intersection_stands>;
-    const bool touching = judging && a.is_touching, changing = judging && !a.is_touching;
-    bool all_stand = true;
-    if (touching && !detail::filter_touches(a, space, filter, all_stand)) return error::out_of_memory;
-    detail::boundary_cycles boundary;
-    const auto watch = [&](const auto& s, const auto& t, grid_point at) noexcept {
-        if (changing && !detail::filter_change(a, s, t, at, filter)) all_stand = false;
-    };
-    if (const error e = boundary.trace(a, scratch, watch)) return e;
-    if (!all_stand) return region{};
-    if (const error e = boundary.write(a, loops)) return e;
-    const region made = region::proven(loops, boundary.holes, boundary.outers, a.is_touching);
-    error e;
-    if constexpr (std::is_invocable_v<Then, const region&>) {
-        scratch.keep();
-        e = then(made);
-    } else {
-        std::span<std::uint32_t> order{boundary.order(a, scratch), made.points().size()};
-        if (order.data() == nullptr) return error::out_of_memory;
-        scratch.keep(order);
-        e = then(made, std::span<const std::uint32_t>{order});
-    }
-    if (e) return e;
-    return made;
-}
 
 /// The region that any closed polylines fill under `rule`, however they cross, touch, overlap or run back on
 /// themselves.
@@ -170,7 +173,16 @@ template <intersection_filter Filter>
 [[nodiscard]] result<region> resolve(contours& loops, fill_rule rule, workspace& space, Filter& filter,
                                      const resolve_options& how = {}) noexcept
 {
-    return resolve_then(loops, rule, space, filter, [](const region&) noexcept { return error{}; }, how);
+    const std::size_t n = loops.points.size();
+    if (n > std::size_t{1} << 29) return error::too_large;
+    if (n > how.most_pieces) return error{error::too_many_pieces, how.most_pieces};
+    if (!sort_points(loops, space)) return error::out_of_memory;
+    detail::resolving work{loops, rule, space, how};
+    if (error e = work.cut()) return e;
+    bool all_stand = true;
+    if (error e = work.trace(filter, all_stand)) return e;
+    if (!all_stand) return region{};
+    return work.write();
 }
 
 [[nodiscard]] inline result<region> resolve(contours& loops, fill_rule rule, workspace& space,

@@ -44,20 +44,21 @@ class simple_sweep {
     };
 
 public:
-    /// `sides` holds loops.contour_count() values. Fails with crossing_contours, out_of_memory.
+    /// `sides` holds loops.contour_count() values; the points are sorted. Fails with crossing_contours, out_of_memory.
     [[nodiscard]] error run(const contours& loops, workspace& space, contour_sides* sides) noexcept
     {
         const std::size_t n = loops.points.size();
         if (n == 0) return error::none;
         points_ = loops.points.data();
         workspace::scope scratch{space};
-        auto* const order = scratch.take<std::uint32_t>(n);
+        const std::span<const std::uint32_t> order = loops.order();
+        TYPEMESH_ASSERT(order.size() == n, "contours are sorted before they are swept: see sort_points()");
         vertices_ = scratch.take<vertex>(n);
         contour_of_ = scratch.take<std::uint32_t>(n);
         edges_ = scratch.take<crossed_edge>(n + 1);
         met_ = scratch.take<bool>(loops.contour_count());
-        if (order == nullptr || vertices_ == nullptr || contour_of_ == nullptr || edges_ == nullptr ||
-            met_ == nullptr || !status_.open(scratch, n) || !sweep_order(loops.points.view(), space, order))
+        if (vertices_ == nullptr || contour_of_ == nullptr || edges_ == nullptr || met_ == nullptr ||
+            !status_.open(scratch, n))
             return error::out_of_memory;
         sides_ = sides;
         for (std::uint32_t c = 0; c < loops.contour_count(); ++c) {

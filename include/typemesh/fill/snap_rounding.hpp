@@ -52,19 +52,16 @@ public:
 
     /// Finds what is to be cut, and makes the pieces an arrangement that lies in `scratch`, which holds nothing else.
     ///
-    ///     order    of the points, as sweep_order() makes it; empty: not known
-    ///
     /// Fails  error::too_many_pieces: more than `most_pieces` crossings, or places to cut; as soon as that is known
     ///        error::out_of_memory
-    [[nodiscard]] error run(std::span<const std::uint32_t> order, fill_rule rule, workspace& space,
-                            workspace::scope& scratch, arrangement& a) noexcept
+    [[nodiscard]] error run(fill_rule rule, workspace& space, workspace::scope& scratch, arrangement& a) noexcept
     {
         const std::size_t n = loops_->points.size();
         edges_ = {scratch.take<net_edge>(n), n};
         cut_ends_ = {scratch.take<std::uint32_t>(n), n};
         if (edges_.data() == nullptr || cut_ends_.data() == nullptr) return error::out_of_memory;
         std::uint32_t count = 0;
-        if (!make_net_edges(*loops_, order, rule, space, edges_.data(), count)) return error::out_of_memory;
+        if (!make_net_edges(*loops_, rule, space, edges_.data(), count)) return error::out_of_memory;
         edges_ = edges_.first(count);
         cut_ends_ = cut_ends_.first(count);
         if (error e = find_points(scratch, space)) return e;

@@ -27,22 +27,20 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Nothing is proven: that is for a triangulator that knows of such points (see triangulator.hpp).
 class touching_cycles {
 public:
-    /// Changes `loops` in place. What is needed to undo that lives in `scratch`. `known` is the order of the points, as
-    /// sweep_order() makes it; empty: not known.
+    /// Changes `loops` in place. What is needed to undo that lives in `scratch`.
     ///
     /// Fails  error::crossing_contours: no two points are equal, or round some point the edges do not bound sectors:
     ///        two run in one direction, or the interior is not on the left of all
     ///        error::out_of_memory
     /// In both cases `loops` is as it was.
     /// Cost   a sort of the points; about 50 bytes a point from `scratch`
-    [[nodiscard]] error link(contours& loops, workspace::scope& scratch, workspace& space,
-                             std::span<const std::uint32_t> known = {}) noexcept
+    [[nodiscard]] error link(contours& loops, workspace::scope& scratch, workspace& space) noexcept
     {
         const std::size_t n = loops.points.size();
         auto* const order = scratch.take<std::uint32_t>(n);
-        if (order == nullptr) return error::out_of_memory;
-        if (known.empty() && !sweep_order(loops.points.view(), space, order)) return error::out_of_memory;
-        for (std::size_t i = 0; i < known.size(); ++i) order[i] = known[i];
+        if (order == nullptr || !sort_points(loops, space)) return error::out_of_memory;
+        const std::span<const std::uint32_t> sorted = loops.order();
+        for (std::size_t i = 0; i < n; ++i) order[i] = sorted[i];
         const grid_point* const place = loops.points.data();
         std::size_t most = 1, visits = 0;
         for (std::size_t begin = 0, end = 1; begin < n; begin = end++) {
@@ -134,6 +132,7 @@ private:
 
     void exchange(contours& loops) noexcept
     {
+        loops.forget_order();
         for (std::size_t i = 0; i < loops.points.size(); ++i) {
             std::swap(loops.points[i], points_[i]);
             std::swap(loops.edges[i], edges_[i]);

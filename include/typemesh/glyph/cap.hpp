@@ -38,60 +38,14 @@ template <triangulator Triangulator>
     return {};
 }
 
-/// how(shape, told..., space, out), settled; `told` is the order of the points or nothing.
-template <triangulator Triangulator, class... Told>
-[[nodiscard]] error cut_region(const region& shape, const Triangulator& how, workspace& space, triangle_list& out,
-                               const Told&... told) noexcept
-{
-    const std::size_t before = out.size();
-    if (error e = how(shape, told..., space, out)) return e;
-    return settle_triangles<Triangulator>(shape, out, before, space);
-}
-
-/// The order of the points of some loops for a triangulator that can be told; for any other none, and `order` is empty.
-/// False when there is no memory.
+/// how(shape, space, out), settled.
 template <triangulator Triangulator>
-[[nodiscard]] bool order_points(const contours& loops, workspace::scope& scratch, workspace& space,
-                                std::span<const std::uint32_t>& order) noexcept
-{
-    order = {};
-    if constexpr (ordered_triangulator<Triangulator>) {
-        const std::size_t n = loops.points.size();
-        auto* const sorted = scratch.take<std::uint32_t>(n);
-        if (sorted == nullptr || !sweep_order(loops.points.view(), space, sorted)) return false;
-        order = {sorted, n};
-    }
-    return true;
-}
-
-/// prove_loops() that leaves in `order`, on `scratch`, what it has found out about the order of the points, for
-/// resolve_and_cut(): it holds as long as the loops are refused and stay as they are then.
-template <proving_triangulator Triangulator>
-[[nodiscard]] result<region> prove_loops(contours& loops, std::span<const std::uint32_t>& order,
-                                         const Triangulator& how, workspace::scope& scratch, workspace& space,
-                                         triangle_list& out) noexcept
+[[nodiscard]] error cut_region(const region& shape, const Triangulator& how, workspace& space,
+                               triangle_list& out) noexcept
 {
     const std::size_t before = out.size();
-    orient(loops);
-    if (!order_points<Triangulator>(loops, scratch, space, order)) return error::out_of_memory;
-    auto proven = [&]() noexcept {
-        if constexpr (ordered_triangulator<Triangulator>)
-            return how.prove(loops, order, space, out);
-        else
-            return how.prove(loops, space, out);
-    }();
-    if constexpr (touching_triangulator<Triangulator>) {
-        if (!proven && proven.error().code == error::crossing_contours && proven.error().count != 0) {
-            workspace::scope linking{space};
-            touching_cycles walks;
-            if (error e = walks.link(loops, linking, space, order)) return e;
-            proven = how.prove_touching(loops, space, out);
-            if (!proven) walks.undo(loops);
-        }
-    }
-    if (proven)
-        if (error e = settle_triangles<Triangulator>(*proven, out, before, space)) return e;
-    return proven;
+    if (error e = how(shape, space, out)) return e;
+    return settle_triangles<Triangulator>(shape, out, before, space);
 }
 
 /// Resolves loops and cuts what they fill into triangles, if the filter lets all intersections stand.
@@ -101,19 +55,11 @@ template <triangulator Triangulator, intersection_filter Filter, stage_observer 
                                              Filter& filter, Observer& observe) noexcept
 {
     observe(stage::fill);
-    if constexpr (ordered_triangulator<Triangulator>) {
-        const auto cut = [&](const region& r, std::span<const std::uint32_t> sorted) noexcept {
-            observe(stage::triangulate);
-            return cut_region(r, how, space, out, sorted);
-        };
-        return resolve_then(loops, rule, space, filter, cut, limits);
-    } else {
-        const auto cut = [&](const region& r) noexcept {
-            observe(stage::triangulate);
-            return cut_region(r, how, space, out);
-        };
-        return resolve_then(loops, rule, space, filter, cut, limits);
-    }
+    const auto made = resolve(loops, rule, space, filter, limits);
+    if (!made || made->points().empty()) return made;
+    observe(stage::triangulate);
+    if (error e = cut_region(*made, how, space, out)) return e;
+    return made;
 }
 
 }  // namespace detail
@@ -129,9 +75,22 @@ template <proving_triangulator Triangulator>
 [[nodiscard]] result<region> prove_loops(contours& loops, const Triangulator& how, workspace& space,
                                          triangle_list& out) noexcept
 {
-    workspace::scope scratch{space};
-    std::span<const std::uint32_t> order;
-    return detail::prove_loops(loops, order, how, scratch, space, out);
+    const std::size_t before = out.size();
+    orient(loops);
+    if (!sort_points(loops, space)) return error::out_of_memory;
+    auto proven = how.prove(loops, space, out);
+    if constexpr (touching_triangulator<Triangulator>) {
+        if (!proven && proven.error().code == error::crossing_contours && proven.error().count != 0) {
+            workspace::scope linking{space};
+            touching_cycles cycles;
+            if (error e = cycles.link(loops, linking, space)) return e;
+            proven = how.prove_touching(loops, space, out);
+            if (!proven) cycles.undo(loops);
+        }
+    }
+    if (proven)
+        if (error e = detail::settle_triangles<Triangulator>(*proven, out, before, space)) return e;
+    return proven;
 }
 
 /// What cap() fills, and how far it may go for it. A fill_rule alone will do:
@@ -140,7 +99,7 @@ template <proving_triangulator Triangulator>
 ///     cap(loops, {fill_rule::non_zero, {.most_pieces = 5000}}, how, space, out)
 struct cap_filling {
     fill_rule rule;
-    resolve_options resolving;  ///< its `order` is for triangulators that do not prove: the others' proof finds one
+    resolve_options resolving;
 
     constexpr cap_filling(fill_rule by, const resolve_options& how = {}) noexcept : rule{by}, resolving{how} {}
 };
@@ -163,14 +122,10 @@ template <triangulator Triangulator, stage_observer Observer>
 {
     if constexpr (proving_triangulator<Triangulator>) {
         observe(stage::triangulate);
-        workspace::scope scratch{space};
-        std::span<const std::uint32_t> order;
-        auto proven = detail::prove_loops(loops, order, how, scratch, space, out);
+        auto proven = prove_loops(loops, how, space, out);
         if (proven || proven.error().code != error::crossing_contours) return proven;
         every_intersection_stands nobody;
-        resolve_options resolving = filling.resolving;
-        resolving.order = order;
-        return detail::resolve_and_cut(loops, resolving, filling.rule, how, space, out, nobody, observe);
+        return detail::resolve_and_cut(loops, filling.resolving, filling.rule, how, space, out, nobody, observe);
     } else {
         observe(stage::fill);
         auto filled = fill(loops, filling.rule, space, filling.resolving);

@@ -54,11 +54,10 @@ template <discretiser Discretiser, triangulator Triangulator, stage_observer Obs
         return cap(loops, {rule, {.most_pieces = limits.most_pieces}}, cut, space, out, observe);
     } else {
         workspace::scope scratch{space};
-        std::span<const std::uint32_t> order;  // of the points, as long as the loops are as they are
         const auto prove = [&]() noexcept -> result<region> {
             if constexpr (proving_triangulator<Triangulator>) {
                 observe(stage::triangulate);
-                return detail::prove_loops(loops, order, cut, scratch, space, out);
+                return prove_loops(loops, cut, space, out);
             } else {
                 observe(stage::fill);
                 auto nested = nest(loops, rule, space);
@@ -79,7 +78,7 @@ template <discretiser Discretiser, triangulator Triangulator, stage_observer Obs
             const bool last = guard.effort().rounds == most_rounds || spent > times_as_many * first + few_pieces ||
                               spent > limits.most_pieces;
             resolve_effort work;
-            const resolve_options resolving{limits.most_pieces, order, &work};
+            const resolve_options resolving{limits.most_pieces, &work};
             made = last ? detail::resolve_and_cut(loops, resolving, rule, cut, space, out, nobody, observe)
                         : detail::resolve_and_cut(loops, resolving, rule, cut, space, out, guard, observe);
             if (spent == 0) first = work.pieces;

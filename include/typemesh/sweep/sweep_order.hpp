@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/contours.hpp>
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/workspace.hpp>
 
@@ -189,6 +190,17 @@ template <class Key>
     };
     return x_bits + y_bits + index_bits <= 64 ? sorted_by(detail::packed_sweep_key{})
                                               : sorted_by(detail::wide_sweep_key{});
+}
+
+/// Sorts the points of contours, unless they are: then loops.order() is what sweep_order() makes. False when there is no
+/// memory.
+[[nodiscard]] inline bool sort_points(contours& loops, workspace& space) noexcept
+{
+    if (loops.points.empty() || !loops.order().empty()) return true;
+    std::uint32_t* const order = loops.new_order(loops.points.size());
+    if (order != nullptr && sweep_order(loops.points.view(), space, order)) return true;
+    loops.forget_order();
+    return false;
 }
 
 }  // namespace typemesh::inline TYPEMESH_ABI

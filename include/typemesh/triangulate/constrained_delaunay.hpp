@@ -67,40 +67,25 @@ struct constrained_delaunay {
         return e;
     }
 
-    /// The same; an order of all points is of no use where few of them are swept.
-    [[nodiscard]] error operator()(const region& r, std::span<const std::uint32_t>, workspace& space,
-                                   triangle_list& out) const noexcept
-    {
-        return (*this)(r, space, out);
-    }
-
     /// The region that `loops` bound, its triangles appended to `out`. Fails as monotone{}.prove() does.
     [[nodiscard]] result<region> prove(const contours& loops, workspace& space, triangle_list& out) const noexcept
     {
-        return proven_by<false>(loops, {}, space, out);
-    }
-
-    /// The same when the order of the points is known: a sort less.
-    [[nodiscard]] result<region> prove(const contours& loops, std::span<const std::uint32_t> order, workspace& space,
-                                       triangle_list& out) const noexcept
-    {
-        return proven_by<false>(loops, order, space, out);
+        return proven_by<false>(loops, space, out);
     }
 
     /// The same for loops that touch in points. Fails as monotone{}.prove_touching() does.
     [[nodiscard]] result<region> prove_touching(const contours& loops, workspace& space,
                                                 triangle_list& out) const noexcept
     {
-        return proven_by<true>(loops, {}, space, out);
+        return proven_by<true>(loops, space, out);
     }
 
 private:
     template <bool Touching>
-    [[nodiscard]] result<region> proven_by(const contours& loops, std::span<const std::uint32_t> order,
-                                           workspace& space, triangle_list& out) const noexcept
+    [[nodiscard]] result<region> proven_by(const contours& loops, workspace& space, triangle_list& out) const noexcept
     {
         detail::monotone_sweep<true, Touching, detail::no_cutter> sweep{loops.points.view(), loops.starts.view(), {}};
-        if (const error e = sweep.run(space, order)) return e;
+        if (const error e = sweep.run(space, loops.order())) return e;
         const region r = region::proven(loops, sweep.holes(), sweep.outers(), sweep.has_equal_points());
         if (const error e = (*this)(r, space, out)) return e;
         return r;
@@ -147,6 +132,6 @@ private:
     }
 };
 
-static_assert(touching_triangulator<constrained_delaunay> && ordered_triangulator<constrained_delaunay>);
+static_assert(touching_triangulator<constrained_delaunay>);
 
 }  // namespace typemesh::inline TYPEMESH_ABI

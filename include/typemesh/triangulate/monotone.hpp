@@ -34,17 +34,10 @@ struct monotone {
     /// Relies on the region's promise. Fails with error::out_of_memory, `out` being as it was.
     [[nodiscard]] error operator()(const region& r, workspace& space, triangle_list& out) const noexcept
     {
-        return (*this)(r, {}, space, out);
-    }
-
-    /// The same when the order of the points is known (see ordered_triangulator): a sort less.
-    [[nodiscard]] error operator()(const region& r, std::span<const std::uint32_t> order, workspace& space,
-                                   triangle_list& out) const noexcept
-    {
         const auto nothing = [](const auto&) noexcept {};
-        const loops_view loops{r.points(), r.starts(), r.grid()};
-        return r.is_touching() ? cut<false, true>(loops, order, space, out, nothing)
-                               : cut<false, false>(loops, order, space, out, nothing);
+        const loops_view loops{r.points(), r.starts(), r.order(), r.grid()};
+        return r.is_touching() ? cut<false, true>(loops, space, out, nothing)
+                               : cut<false, false>(loops, space, out, nothing);
     }
 
     /// The region that `loops` bound, its triangles appended to `out`.
@@ -56,17 +49,10 @@ struct monotone {
     /// In both cases `out` is as it was. See triangulator.hpp for the error's count.
     [[nodiscard]] result<region> prove(const contours& loops, workspace& space, triangle_list& out) const noexcept
     {
-        return prove(loops, {}, space, out);
-    }
-
-    /// The same when the order of the points is known: a sort less.
-    [[nodiscard]] result<region> prove(const contours& loops, std::span<const std::uint32_t> order, workspace& space,
-                                       triangle_list& out) const noexcept
-    {
         region r = region::proven(loops, 0, 0);
-        const error e = cut<true, false>(
-            {loops.points.view(), loops.starts.view(), loops.grid}, order, space, out,
-            [&](const auto& sweep) noexcept { r = region::proven(loops, sweep.holes(), sweep.outers()); });
+        const error e = cut<true, false>(view_of(loops), space, out, [&](const auto& sweep) noexcept {
+            r = region::proven(loops, sweep.holes(), sweep.outers());
+        });
         if (e) return e;
         return r;
     }
@@ -78,10 +64,9 @@ struct monotone {
                                                 triangle_list& out) const noexcept
     {
         region r = region::proven(loops, 0, 0);
-        const error e = cut<true, true>(
-            {loops.points.view(), loops.starts.view(), loops.grid}, {}, space, out, [&](const auto& sweep) noexcept {
-                r = region::proven(loops, sweep.holes(), sweep.outers(), sweep.has_equal_points());
-            });
+        const error e = cut<true, true>(view_of(loops), space, out, [&](const auto& sweep) noexcept {
+            r = region::proven(loops, sweep.holes(), sweep.outers(), sweep.has_equal_points());
+        });
         if (e) return e;
         return r;
     }
@@ -90,15 +75,18 @@ private:
     /// What of contours or of a region the sweep looks at.
     struct loops_view {
         std::span<const grid_point> points;
-        std::span<const std::uint32_t> starts;
+        std::span<const std::uint32_t> starts, order;
         grid cells;
     };
+    [[nodiscard]] static loops_view view_of(const contours& loops) noexcept
+    {
+        return {loops.points.view(), loops.starts.view(), loops.order(), loops.grid};
+    }
 
     template <bool Proving, bool Touching, class Then>
-    [[nodiscard]] static error cut(const loops_view& loops, std::span<const std::uint32_t> order, workspace& space,
-                                   triangle_list& out, Then&& then) noexcept
+    [[nodiscard]] static error cut(const loops_view& loops, workspace& space, triangle_list& out, Then&& then) noexcept
     {
-        const auto [points, starts, cells] = loops;
+        const auto [points, starts, order, cells] = loops;
         if (points.empty()) return error::none;
         const std::size_t before = out.size();
         triangle* const first = out.append(points.size() + 2 * (starts.size() - 1));
@@ -117,6 +105,6 @@ private:
     }
 };
 
-static_assert(touching_triangulator<monotone> && ordered_triangulator<monotone>);
+static_assert(touching_triangulator<monotone>);
 
 }  // namespace typemesh::inline TYPEMESH_ABI

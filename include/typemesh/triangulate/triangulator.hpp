@@ -8,8 +8,6 @@
 #include <typemesh/core/workspace.hpp>
 
 #include <concepts>
-#include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -23,6 +21,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// a crack; no triangle may have area zero.
 /// What can be told of the triangles at once (their number, corners, turn and area) is asserted.
 /// Scratch memory comes from `space`. When memory fails: error::out_of_memory, and `out` is as it was.
+/// Who sweeps over the points need not sort them where r.order() is not empty.
 template <class T>
 concept triangulator = requires(const T& t, const region& r, workspace& space, triangle_list& out) {
     { t(r, space, out) } noexcept -> std::same_as<error>;
@@ -40,16 +39,6 @@ concept triangulator = requires(const T& t, const region& r, workspace& space, t
 template <class T>
 concept proving_triangulator = triangulator<T> && requires(const T& t, const contours& loops, workspace& space, triangle_list& out) {
     { t.prove(loops, space, out) } noexcept -> std::same_as<result<region>>;
-};
-
-/// A proving triangulator that can be told in which order a sweep meets the points, where somebody knows that already.
-///
-///     t(r, order, space, out), t.prove(loops, order, space, out)    as without `order`, which is what sweep_order()
-///                                                                   makes of the points; empty: not known
-template <class T>
-concept ordered_triangulator = proving_triangulator<T> && requires(const T& t, const region& r, const contours& loops, std::span<const std::uint32_t> order, workspace& space, triangle_list& out) {
-    { t(r, order, space, out) } noexcept -> std::same_as<error>;
-    { t.prove(loops, order, space, out) } noexcept -> std::same_as<result<region>>;
 };
 
 /// A proving triangulator that can also be given loops which come through a point more than once.
