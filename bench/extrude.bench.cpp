@@ -30,9 +30,8 @@ using vertex = bench::full_vertex;
 /// One glyph as the extruder gets it. The region refers to the contours beside it, and they to the outline.
 struct glyph {
     outline shape;
-    contours loops;
+    cap_builder caps;
     region filled;
-    triangle_list triangles;
 };
 
 std::deque<glyph>& glyphs()
@@ -46,17 +45,16 @@ std::deque<glyph>& glyphs()
             std::fprintf(stderr, "%s: %s (Debian package fonts-liberation)\n", path.c_str(), font.error().message());
             std::exit(1);
         }
-        workspace space;
         for (glyph_id id = 0; id < font->glyph_count(); ++id) {
             glyph& g = some.emplace_back();
             const double upem = font->units_per_em();
             bool good = !record(*font, id, g.shape) && !g.shape.curves.empty();
             if (good) {
                 const auto grid_of = grid::fitting(upem, g.shape.bounds);
-                good = grid_of && !discretise(g.shape, certified{}, quality::high * upem, *grid_of, g.loops);
+                good = grid_of && !g.caps.flatten(g.shape, certified{}, quality::high * upem, *grid_of);
             }
             if (good) {
-                auto filled = cap(g.loops, g.shape.rule, monotone{}, space, g.triangles);
+                const auto filled = g.caps.fill({g.shape.rule}, monotone{});
                 if ((good = bool(filled) && !filled->points().empty())) g.filled = *filled;
             }
             if (!good) some.pop_back();
@@ -86,7 +84,7 @@ void extrude_font(benchmark::State& state)
         auto place = places.begin();
         for (const glyph& g : glyphs()) {
             auto sink = into(std::span{vertices}.subspan(place->first), std::span{indices}.subspan(place->second));
-            if (extrude(g.filled, g.triangles.view(), how, at, sides, sink)) std::abort();
+            if (extrude(g.filled, g.caps.triangles().view(), how, at, sides, sink)) std::abort();
             ++place;
         }
     };

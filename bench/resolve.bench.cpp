@@ -13,7 +13,7 @@
 //     touching     the same of outlines that only touch in points: refused, walked anew and proven, not resolved
 //     all          orient, refuse, resolve, triangulate: the whole way of contours that cross
 //     refuse, resolve, triangulate     its parts, each on its own: it sorts the points, which "all" does once
-//     guarded      the whole way of an outline that crosses, cap_outline() less discretising it once: the filter of
+//     guarded      the whole way of an outline that crosses, build() less discretising it once: the filter of
 //                  intersections and its rounds are in it; of_simple: by the same of the simple outlines
 //
 // ns_per_log (resolve): nanoseconds of processor time by N log2 N, where N counts the pieces that the edges are cut
@@ -25,8 +25,7 @@
 // fonts-hosny-amiri, fonts-noto-cjk, fonts-noto-cjk-extra, fonts-wqy-microhei, fonts-liberation.
 
 #include <typemesh/adapt/harfbuzz.hpp>
-#include <typemesh/glyph/cap.hpp>
-#include <typemesh/glyph/cap_outline.hpp>
+#include <typemesh/glyph/cap_builder.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <benchmark/benchmark.h>
@@ -80,8 +79,9 @@ struct set {
     }
 };
 
-double run_once(const set& s, way w, contours& loops, workspace& space, triangle_list& out)
+double run_once(const set& s, way w, cap_builder& caps, workspace& space, triangle_list& out)
 {
+    contours& loops = caps.loops();
     const std::vector<polygon>& glyphs = s.glyphs(w);
     double spent = 0;
     std::size_t points = 0;
@@ -92,7 +92,7 @@ double run_once(const set& s, way w, contours& loops, workspace& space, triangle
         p.give(loops);
         out.clear();
         if (w == way::simple || w == way::touching || w == way::all) {
-            benchmark::DoNotOptimize(cap(loops, fill_rule::non_zero, monotone{}, space, out));
+            benchmark::DoNotOptimize(caps.fill({}, monotone{}));
         } else if (w == way::refuse) {
             orient(loops);
             benchmark::DoNotOptimize(monotone{}.prove(loops, space, out));
@@ -119,20 +119,17 @@ std::size_t points_of(const std::vector<polygon>& all)
 /// Seconds for a run over all drawings, the best of some: from outlines to triangles, or discretising alone.
 double draw(const std::vector<drawing>& all, double tolerance, bool whole, int passes)
 {
-    workspace space;
-    contours loops;
-    triangle_list out;
+    cap_builder caps;
     no_observer nobody;
     double best = 1e300;
     for (int i = 0; i <= passes; ++i) {
         const auto start = std::chrono::steady_clock::now();
         for (const drawing& d : all) {
-            out.clear();
             if (whole)
-                benchmark::DoNotOptimize(cap_outline(d.shape, fill_rule::non_zero, certified{}, tolerance, d.cells,
-                                                     monotone{}, space, loops, out, nobody));
+                benchmark::DoNotOptimize(
+                    caps.build(d.shape, tolerance, d.cells, {}, policies{certified{}, monotone{}, flat{}, nobody}));
             else
-                benchmark::DoNotOptimize(discretise(d.shape, certified{}, tolerance, d.cells, loops).code);
+                benchmark::DoNotOptimize(caps.flatten(d.shape, certified{}, tolerance, d.cells).code);
         }
         best = (std::min)(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     }
@@ -153,11 +150,11 @@ void run_guarded(benchmark::State& state, const set& s, int passes)
 }
 
 /// Nanoseconds of processor time for a pass of resolving.
-double processor_time(const set& s, contours& loops, workspace& space, triangle_list& out)
+double processor_time(const set& s, cap_builder& caps, workspace& space, triangle_list& out)
 {
     for (int passes = 1;; passes *= 2) {
         const std::clock_t start = std::clock();
-        for (int i = 0; i < passes; ++i) (void)run_once(s, way::resolve, loops, space, out);
+        for (int i = 0; i < passes; ++i) (void)run_once(s, way::resolve, caps, space, out);
         const double spent = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
         if (spent > 0.05) return 1e9 * spent / passes;
     }
@@ -166,24 +163,24 @@ double processor_time(const set& s, contours& loops, workspace& space, triangle_
 void run(benchmark::State& state, set& s, way w, int passes)
 {
     workspace space;
-    contours loops;
+    cap_builder caps;
     triangle_list out;
     double best = 1e300;
     for (auto _ : state) {
-        (void)run_once(s, w, loops, space, out);
-        for (int i = 0; i < passes; ++i) best = (std::min)(best, run_once(s, w, loops, space, out));
+        (void)run_once(s, w, caps, space, out);
+        for (int i = 0; i < passes; ++i) best = (std::min)(best, run_once(s, w, caps, space, out));
     }
     if (w == way::simple) s.simple_ns = best;
     state.counters["ns_per_point"] = best;
     if (w == way::resolve) {
         double work = 0;
         for (const polygon& p : s.crossing) {
-            p.give(loops);
+            p.give(caps.loops());
             resolve_effort effort;
-            benchmark::DoNotOptimize(resolve(loops, fill_rule::non_zero, space, {.effort = &effort}));
+            benchmark::DoNotOptimize(resolve(caps.loops(), fill_rule::non_zero, space, {.effort = &effort}));
             work += effort.pieces * std::log2(effort.pieces + 1.0);
         }
-        state.counters["ns_per_log"] = processor_time(s, loops, space, out) / work;
+        state.counters["ns_per_log"] = processor_time(s, caps, space, out) / work;
     }
     if (s.simple_ns > 0) state.counters["of_simple"] = best / s.simple_ns;
 }
@@ -217,22 +214,20 @@ bool glyphs_of(const char* file, double tolerance, std::uint32_t most, set& s)
     auto font = harfbuzz_font::open(path.c_str());
     if (!font) return false;
     outline drawn;
-    contours loops;
-    workspace space;
-    triangle_list out;
+    cap_builder caps;
+    const contours& loops = caps.loops();
     std::uint32_t count = 0;
     while (count < 0xFFFF && !record(*font, count, drawn)) ++count;
     const std::uint32_t step = count > most ? count / most : 1;
     for (std::uint32_t g = 0; g < count; g += step) {
         if (record(*font, g, drawn) || drawn.curves.empty()) continue;
         const auto cells = grid::fitting(font->units_per_em(), drawn.bounds);
-        if (!cells || discretise(drawn, certified{}, tolerance * font->units_per_em(), *cells, loops)) continue;
+        if (!cells || caps.flatten(drawn, certified{}, tolerance * font->units_per_em(), *cells)) continue;
         if (loops.points.empty()) continue;
         const polygon p{{loops.points.begin(), loops.points.end()},
                         {loops.edges.begin(), loops.edges.end()},
                         {loops.starts.begin(), loops.starts.end()}};
-        out.clear();
-        const auto proven = prove_loops(loops, monotone{}, space, out);
+        const auto proven = caps.prove(monotone{});
         (!proven ? s.crossing : proven->is_touching() ? s.touching : s.simple).push_back(p);
         if (!proven || !proven->is_touching()) {
             (!proven ? s.crossing_drawings : s.simple_drawings).push_back({std::move(drawn), *cells});

@@ -181,18 +181,15 @@ TEST_CASE("a triangulator that appends other triangles than a region has is told
     REQUIRE_FALSE(record(font, font.glyph_of('E'), drawn));
     const auto cells = grid::fitting(font.units_per_em(), drawn.bounds);
     REQUIRE(cells);
-    contours loops;
-    workspace space;
+    cap_builder caps;
     const auto told_by = [&](auto how) {
-        triangle_list out;
-        REQUIRE_FALSE(discretise(drawn, certified{}, 1.0, *cells, loops));
-        REQUIRE(cap(loops, drawn.rule, how, space, out));
-        auto by_cap = told();
-        out.clear();
+        REQUIRE_FALSE(caps.flatten(drawn, certified{}, 1.0, *cells));
+        REQUIRE(caps.fill({drawn.rule}, how));
+        auto by_fill = told();
         no_observer nobody;
-        REQUIRE(cap_outline(drawn, drawn.rule, certified{}, 1.0, *cells, how, space, loops, out, nobody));
-        CHECK(told() == by_cap);
-        return by_cap;
+        REQUIRE(caps.build(drawn, 1.0, *cells, {drawn.rule}, policies{certified{}, how, flat{}, nobody}));
+        CHECK(told() == by_fill);
+        return by_fill;
     };
     const auto both_ways = [&](auto spoil) {
         auto given = told_by(spoilt{spoil});

@@ -117,14 +117,12 @@ public:
         if (!cells) return f.wrong = cells.error().message(), f;
         const double tolerance = tolerance_em * font.units_per_em();
         seen given_last;
-        refinement_effort effort;
         no_observer nobody;
-        triangles_.clear();
-        const auto made = cap_outline(outline_, outline_.rule, certified{}, tolerance, *cells,
-                                      watched_monotone{{}, &given_last}, space_, loops_, triangles_, nobody,
-                                      {.effort = &effort});
+        const auto made = caps_.build(outline_, tolerance, *cells, {outline_.rule},
+                                      policies{certified{}, watched_monotone{{}, &given_last}, flat{}, nobody});
+        const refinement_effort& effort = caps_.effort();
         if (!made) return f.wrong = std::string{"refused: "} + made.error().message(), f;
-        if (loops_.points.empty() && given_last.points.empty()) return f.blank = true, f;
+        if (caps_.loops().points.empty() && given_last.points.empty()) return f.blank = true, f;
         f.refined = effort.rounds != 0;
         f.unsettled = effort.unsettled;
         f.resolved = given_last.refused;
@@ -134,7 +132,7 @@ public:
         const auto kept = oracle::loops_of(*made);
         if (made->points().empty()) return f.blank = true, f;
 
-        if (f.wrong = oracle::broken_law(*made, triangles_.view()); !f.wrong.empty()) return f;
+        if (f.wrong = oracle::broken_law(*made, caps_.triangles().view()); !f.wrong.empty()) return f;
         if (f.wrong = broken_delaunay(*made); !f.wrong.empty()) return f;
         if (f.resolved)
             if (f.wrong = oracle::broken_walk(kept); !f.wrong.empty()) return f;
@@ -161,7 +159,7 @@ public:
         if (f.resolved && f.unsettled == 0)
             if (f.wrong = false_intersection(*made, in_cells); !f.wrong.empty()) return f;
 
-        for (const triangle t : triangles_) {
+        for (const triangle t : caps_.triangles()) {
             const auto at = [&](std::uint32_t i) {
                 const point p = made->grid().place(made->points()[i]);
                 return vec2{static_cast<float>(p.x), static_cast<float>(p.y)};
@@ -317,8 +315,8 @@ private:
 
     typemesh::workspace space_;
     typemesh::outline outline_;
-    typemesh::contours loops_;
-    typemesh::triangle_list triangles_, delaunay_, by_slabs_;
+    typemesh::cap_builder caps_;
+    typemesh::triangle_list delaunay_, by_slabs_;
     typemesh::inspect::curve_chords curves_;
     std::vector<typemesh::side_point> sides_;
     full_mesh mesh_;

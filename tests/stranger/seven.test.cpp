@@ -146,18 +146,16 @@ TEST_CASE("a stranger's packed vertex holds a closed mesh with right normals", "
 TEST_CASE("strangers' triangulators cover a region once", "[stranger]")
 {
     drawn_font font;
-    workspace space;
+    cap_builder caps;
     outline drawn;
-    contours loops;
     const auto covers = [&](const auto& how, glyph_id id) {
         REQUIRE_FALSE(record(font.paths, id, drawn));
         const auto g = grid::fitting(100.0, drawn.bounds);
         REQUIRE(g);
-        REQUIRE_FALSE(discretise(drawn, stranger::equal_steps{}, 0.1, *g, loops));
-        triangle_list out;
-        const auto r = cap(loops, drawn.rule, how, space, out);
+        REQUIRE_FALSE(caps.flatten(drawn, stranger::equal_steps{}, 0.1, *g));
+        const auto r = caps.fill({drawn.rule}, how);
         REQUIRE(r);
-        CHECK(std::string{inspect::check_cap(*r, out.view()).broken()} == "");
+        CHECK(std::string{inspect::check_cap(*r, caps.triangles().view()).broken()} == "");
     };
     for (const glyph_id id : {0u, 1u, 2u, 3u}) {
         covers(stranger::patient{}, id);

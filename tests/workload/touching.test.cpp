@@ -8,7 +8,7 @@
 #include "support/walks.hpp"
 
 #include <typemesh/adapt/harfbuzz.hpp>
-#include <typemesh/glyph/cap.hpp>
+#include <typemesh/glyph/cap_builder.hpp>
 #include <typemesh/typemesh.hpp>
 
 using namespace typemesh;
@@ -23,19 +23,18 @@ TEST_CASE("glyphs that only touch in points are the region that resolve() makes 
         REQUIRE(font);
         workspace space;
         outline shape;
-        contours loops, resolved;
-        triangle_list out;
+        contours resolved;
+        cap_builder caps;
         for (glyph_id id = 0; id < font->glyph_count(); ++id) {
             if (record(*font, id, shape) || shape.curves.empty()) continue;
             const double tolerance = quality::normal * font->units_per_em();
             const auto g = grid::fitting(font->units_per_em(), shape.bounds);
-            if (!g || discretise(shape, certified{}, tolerance, *g, loops)) continue;
-            out.clear();
-            const result<region> proven = prove_loops(loops, monotone{}, space, out);
+            if (!g || caps.flatten(shape, certified{}, tolerance, *g)) continue;
+            const result<region> proven = caps.prove(monotone{});
             if (!proven || !proven->is_touching()) continue;
             ++touching;
             INFO(name << ", glyph " << id);
-            CHECK(test::oracle::broken_law(*proven, out.view()) == "");
+            CHECK(test::oracle::broken_law(*proven, caps.triangles().view()) == "");
             for (const fill_rule rule : {fill_rule::non_zero, fill_rule::even_odd}) {
                 REQUIRE_FALSE(discretise(shape, certified{}, tolerance, *g, resolved));
                 const result<region> made = resolve(resolved, rule, space);

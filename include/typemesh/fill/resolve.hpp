@@ -38,7 +38,6 @@ namespace detail {
 /// One resolve(), step by step. Everything in between lies in scratch memory that ends with it.
 class resolving {
 public:
-    /// The contours' points are sorted.
     resolving(contours& loops, fill_rule rule, workspace& space, const resolve_options& how) noexcept
         : loops_{loops}, rule_{rule}, space_{space}, how_{how}, scratch_{space}
     {
@@ -82,8 +81,8 @@ private:
         constexpr std::size_t bytes_per_piece = 144;  // of the arrangement (84) and its sweep
         constexpr int most_sweeps = 2;
         const std::size_t n = loops_.points.size(), most = n + n / 8 + 48;
-        if (!scratch_.reserve(bytes_per_piece * most) || !a_.reserve(scratch_, static_cast<std::uint32_t>(most)) ||
-            !a_.from_contours(loops_, space_))
+        if (!scratch_.reserve(bytes_per_piece * most) || !sort_points(loops_, space_) ||
+            !a_.reserve(scratch_, static_cast<std::uint32_t>(most)) || !a_.from_contours(loops_, space_))
             return error::out_of_memory;
         for (int i = 0; i < most_sweeps && !is_cut; ++i) {
             resolving_sweep sweep{a_, rule_};
@@ -176,7 +175,6 @@ template <intersection_filter Filter>
     const std::size_t n = loops.points.size();
     if (n > std::size_t{1} << 29) return error::too_large;
     if (n > how.most_pieces) return error{error::too_many_pieces, how.most_pieces};
-    if (!sort_points(loops, space)) return error::out_of_memory;
     detail::resolving work{loops, rule, space, how};
     if (error e = work.cut()) return e;
     bool all_stand = true;

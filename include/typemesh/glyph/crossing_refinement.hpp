@@ -20,7 +20,7 @@ struct refinement_effort {
     std::uint32_t rounds = 0;      ///< how often curves were discretised finer
     std::uint32_t curves = 0;      ///< how many of them
     std::uint32_t unsettled = 0;   ///< intersections that stand only because their curves cannot be made finer
-    std::uint64_t pieces = 0;      ///< that the contours fell into, those of all rounds together: see cap_outline()
+    std::uint64_t pieces = 0;      ///< that the contours fell into, those of all rounds together: see cap_builder
 };
 
 /// Tells the intersections of chords that their curves have as well from those that only discretising made, and which curves

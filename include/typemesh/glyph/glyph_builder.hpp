@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/core/contours.hpp>
 #include <typemesh/core/grid.hpp>
 #include <typemesh/core/most_pieces.hpp>
 #include <typemesh/core/outline.hpp>
-#include <typemesh/core/workspace.hpp>
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/glyph/built_glyph.hpp>
-#include <typemesh/glyph/cap_outline.hpp>
+#include <typemesh/glyph/cap_builder.hpp>
 #include <typemesh/glyph/policies.hpp>
 #include <typemesh/outline/outline_recorder.hpp>
 
@@ -34,7 +32,7 @@ struct glyph_settings {
 class glyph_builder {
 public:
     explicit glyph_builder(memory source = heap()) noexcept
-        : space_{source}, outline_{source}, loops_{source}, triangles_{source}, sides_{source}
+        : outline_{source}, caps_{source}, sides_{source}
     {
     }
 
@@ -67,21 +65,16 @@ public:
         const double units_per_em = font.units_per_em();
         const auto fitting = grid::fitting(units_per_em, outline_.bounds);
         if (!fitting) return fitting.error();
-        triangles_.clear();
-        return cap_outline(outline_, how.fill.value_or(outline_.rule), with.flatten, how.tolerance * units_per_em,
-                           *fitting, with.cut, space_, loops_, triangles_, with.observe,
-                           {.most_pieces = how.most_pieces});
+        const cap_settings filled{how.fill.value_or(outline_.rule), how.most_pieces};
+        return caps_.build(outline_, how.tolerance * units_per_em, *fitting, filled, with);
     }
 
     /// Gives all memory back to its source; what was built last goes with it. The next glyph takes what it needs anew.
     void trim() noexcept
     {
-        const memory source = space_.source();
-        space_.trim();
-        outline_ = outline{source};
-        loops_ = contours{source};
-        triangles_ = triangle_list{source};
-        sides_ = buffer<side_point>{source};
+        caps_.trim();
+        outline_ = outline{caps_.source()};
+        sides_ = buffer<side_point>{caps_.source()};
     }
 
     /// Whether a text may go on without the glyph that met this error.
@@ -107,16 +100,14 @@ private:
         sides_.clear();
         const auto sizes = with.raise.plan(*filled, sides_);
         if (!sizes) return sizes.error();
-        made.form = {filled->points(), filled->starts(), triangles_.view(), sides_.view()};
+        made.form = {filled->points(), filled->starts(), caps_.triangles().view(), sides_.view()};
         made.sizes = *sizes;
         made.cells = filled->grid().cells;
         return {};
     }
 
-    workspace space_;
     outline outline_;
-    contours loops_;
-    triangle_list triangles_;
+    cap_builder caps_;
     buffer<side_point> sides_;
 };
 

@@ -6,6 +6,7 @@
 #include <typemesh/fill/region_union.hpp>
 #include <typemesh/glyph/glyph_builder.hpp>
 #include <typemesh/text/text_glyphs.hpp>
+#include <typemesh/triangulate/cut_region.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -180,7 +181,7 @@ private:
         if (!joined) return joined.error();
         with.observe(stage::triangulate);
         triangles_.clear();
-        if (error e = detail::cut_region(*joined, with.cut, space_, triangles_)) return e;
+        if (error e = cut_region(*joined, with.cut, space_, triangles_)) return e;
         with.observe(stage::extrude);
         sides_.clear();
         const auto sizes = with.raise.plan(*joined, sides_);

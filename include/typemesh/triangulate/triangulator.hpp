@@ -52,7 +52,7 @@ concept touching_triangulator = proving_triangulator<T> && requires(const T& t, 
 
 /// Whether a triangulator's diagonals are to stay as they are: it says `static constexpr bool has_final_diagonals =
 /// true;`. Of any other's, those of triangles too low for 32-bit floats are exchanged when caps are made (see
-/// glyph/cap.hpp and low_triangles.hpp); nothing else about its triangles changes.
+/// cut_region.hpp); nothing else about its triangles changes.
 template <class T>
 inline constexpr bool has_final_diagonals = [] {
     if constexpr (requires { T::has_final_diagonals; })

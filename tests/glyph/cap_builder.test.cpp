@@ -2,7 +2,7 @@
 
 // Contours that only touch in points: proven without being resolved, and the same region as if they were.
 
-#include <typemesh/glyph/cap.hpp>
+#include <typemesh/glyph/cap_builder.hpp>
 #include <typemesh/triangulate/constrained_delaunay.hpp>
 #include <typemesh/triangulate/monotone.hpp>
 
@@ -45,19 +45,26 @@ bool only_touch(const std::vector<test::oracle::loop>& loops)
     return true;
 }
 
-/// A triangulator as a user may write it, which cannot be told of an order.
+/// A triangulator as a user may write it: it proves, but refuses loops that touch, and sorts for itself.
 template <class Triangulator>
-struct untold {
+struct plain_prover {
     error operator()(const region& r, workspace& space, triangle_list& out) const noexcept
     {
         return Triangulator{}(r, space, out);
     }
     result<region> prove(const contours& loops, workspace& space, triangle_list& out) const noexcept
     {
-        return Triangulator{}.prove(loops, space, out);
+        contours copy;
+        copy.grid = loops.grid;
+        if (!copy.points.append(loops.points.view()) || !copy.edges.append(loops.edges.view()) ||
+            !copy.starts.append(loops.starts.view()))
+            return error::out_of_memory;
+        const auto made = Triangulator{}.prove(copy, space, out);
+        if (!made) return made;
+        return region::proven(loops, made->holes(), made->outers());
     }
 };
-static_assert(proving_triangulator<untold<monotone>> && !touching_triangulator<untold<monotone>>);
+static_assert(proving_triangulator<plain_prover<monotone>> && !touching_triangulator<plain_prover<monotone>>);
 
 int touching = 0, proven_fast = 0;
 
@@ -65,11 +72,14 @@ int touching = 0, proven_fast = 0;
 template <class Triangulator>
 std::string mistake_on(const test::shape& s, fill_rule rule)
 {
-    contours loops = test::contours_of(s), resolved = test::contours_of(s);
+    contours resolved = test::contours_of(s);
     const auto given = test::loops_of(s);
+    cap_builder caps;
     workspace space;
-    triangle_list out;
-    const auto fast = prove_loops(loops, Triangulator{}, space, out);
+    caps.loops() = test::contours_of(s);
+    const contours& loops = caps.loops();
+    const triangle_list& out = caps.triangles();
+    const auto fast = caps.prove(Triangulator{});
     orient(resolved);
     const std::int64_t signed_area = test::oracle::doubled_area(test::oracle::loops_of(resolved));
     const auto slow = resolve(resolved, rule, space);
@@ -130,7 +140,7 @@ std::string mistake_in_any_position(const test::shape& s)
 }  // namespace
 
 TEMPLATE_LIST_TEST_CASE("random polylines on tiny grids that only touch in points are the region that resolve() makes",
-                        "[glyph][cap]", triangulators)
+                        "[glyph][cap_builder]", triangulators)
 {
     test::dice d{311};
     touching = proven_fast = 0;
@@ -151,7 +161,7 @@ TEMPLATE_LIST_TEST_CASE("random polylines on tiny grids that only touch in point
 }
 
 TEMPLATE_LIST_TEST_CASE("patterns of squares and rhombs that touch in corners are the region that resolve() makes",
-                        "[glyph][cap]", triangulators)
+                        "[glyph][cap_builder]", triangulators)
 {
     test::dice d{312};
     touching = proven_fast = 0;
@@ -187,7 +197,7 @@ TEMPLATE_LIST_TEST_CASE("patterns of squares and rhombs that touch in corners ar
     CHECK(touching > 20'000);
 }
 
-TEMPLATE_LIST_TEST_CASE("any number of sectors round one point is proven, walked as one loop or as many", "[glyph][cap]",
+TEMPLATE_LIST_TEST_CASE("any number of sectors round one point is proven, walked as one loop or as many", "[glyph][cap_builder]",
                         triangulators)
 {
     for (int sectors = 2; sectors <= 40; ++sectors) {
@@ -214,14 +224,13 @@ TEMPLATE_LIST_TEST_CASE("any number of sectors round one point is proven, walked
     }
 }
 
-TEST_CASE("nested loops of one direction that touch are no hole", "[glyph][cap]")
+TEST_CASE("nested loops of one direction that touch are no hole", "[glyph][cap_builder]")
 {
     const test::shape s{"in a corner", {{{0, 0}, {90, 0}, {90, 90}, {0, 90}}, {{0, 0}, {60, 20}, {20, 60}}}};
     for (const fill_rule rule : {fill_rule::non_zero, fill_rule::even_odd}) {
-        contours loops = test::contours_of(s);
-        workspace space;
-        triangle_list out;
-        const auto made = cap(loops, rule, monotone{}, space, out);
+        cap_builder caps;
+        caps.loops() = test::contours_of(s);
+        const auto made = caps.fill({rule}, monotone{});
         REQUIRE(made);
         CHECK(made->points().size() == (rule == fill_rule::non_zero ? 4u : 7u));
         CHECK(test::oracle::doubled_area(test::oracle::loops_of(*made)) ==
@@ -231,7 +240,7 @@ TEST_CASE("nested loops of one direction that touch are no hole", "[glyph][cap]"
 }
 
 TEMPLATE_LIST_TEST_CASE("shapes of the corpus are proven by touching points alone, or left as they were",
-                        "[glyph][cap]", triangulators)
+                        "[glyph][cap_builder]", triangulators)
 {
     for (const test::corpus_shape& c : test::corpus("regions.txt")) {
         INFO(c);
@@ -239,8 +248,8 @@ TEMPLATE_LIST_TEST_CASE("shapes of the corpus are proven by touching points alon
     }
 }
 
-TEST_CASE("prove_loops() without memory says so and leaves the contours as they were, warm it asks for none",
-          "[glyph][cap]")
+TEST_CASE("prove() without memory says so and leaves the contours as they were, warm it asks for none",
+          "[glyph][cap_builder]")
 {
     test::shape s{"holes in rows", {{{-8, -8}, {808, -8}, {808, 808}, {-8, 808}}}};
     for (std::int32_t y = 0; y < 20; ++y)
@@ -248,30 +257,29 @@ TEST_CASE("prove_loops() without memory says so and leaves the contours as they 
             s.loops.push_back(test::reversed(test::square(40 * x, 40 * y, 40)));
     for (std::size_t nth = 1;; ++nth) {
         test::counting_memory memory;
-        contours loops = test::contours_of(s.loops, memory.source());
-        workspace space{memory.source()};
-        triangle_list out{memory.source()};
+        cap_builder caps{memory.source()};
+        caps.loops() = test::contours_of(s.loops, memory.source());
         const std::size_t before = memory.requests;
         memory.fail_at = before + nth;
         memory.fail_once = true;
-        const auto made = prove_loops(loops, monotone{}, space, out);
+        const auto made = caps.prove(monotone{});
         const bool was_asked = memory.requests >= before + nth;
         memory.fail_at = 0;
         INFO("request " << nth);
         if (!made) {
             CHECK(made.error() == error::out_of_memory);
-            CHECK(out.empty());
-            CHECK(test::oracle::loops_of(loops).size() == s.loops.size());
+            CHECK(caps.triangles().empty());
+            CHECK(test::oracle::loops_of(caps.loops()).size() == s.loops.size());
         }
         const auto again = [&]() noexcept {
+            contours& loops = caps.loops();
             loops.clear();
             bool fits = loops.starts.push_back(0);
             for (const test::polyline& l : s.loops) {
                 for (const grid_point p : l) fits = fits && loops.points.push_back(p) && loops.edges.push_back({});
                 fits = fits && loops.starts.push_back(static_cast<std::uint32_t>(loops.points.size()));
             }
-            out.clear();
-            return fits && prove_loops(loops, monotone{}, space, out);
+            return fits && caps.prove(monotone{});
         };
         REQUIRE(again());
         REQUIRE(again());
@@ -282,8 +290,8 @@ TEST_CASE("prove_loops() without memory says so and leaves the contours as they 
     }
 }
 
-TEMPLATE_LIST_TEST_CASE("cap() makes the same with a triangulator that can be told of an order and one that cannot",
-                        "[glyph][cap]", triangulators)
+TEMPLATE_LIST_TEST_CASE("fill() makes the same with a triangulator that takes the points as sorted and one that sorts them",
+                        "[glyph][cap_builder]", triangulators)
 {
     test::dice d{52};
     int crossing = 0;
@@ -292,115 +300,103 @@ TEMPLATE_LIST_TEST_CASE("cap() makes the same with a triangulator that can be to
         std::vector<test::polyline> given(1 + static_cast<std::size_t>(d.roll(3)));
         for (test::polyline& l : given)
             for (int n = 3 + d.roll(i % 3 == 0 ? 1 : 12); n > 0; --n) l.push_back({d.roll(width), d.roll(width)});
-        contours one = test::contours_of(given), two = test::contours_of(given);
-        workspace space;
-        triangle_list told, not_told;
-        const auto a = cap(one, fill_rule::non_zero, TestType{}, space, told);
-        const auto b = cap(two, fill_rule::non_zero, untold<TestType>{}, space, not_told);
+        cap_builder one, two;
+        one.loops() = test::contours_of(given);
+        two.loops() = test::contours_of(given);
+        const triangle_list &taken = one.triangles(), &sorted = two.triangles();
+        const auto a = one.fill({}, TestType{});
+        const auto b = two.fill({}, plain_prover<TestType>{});
         REQUIRE(a);
         REQUIRE(b);
         CHECK(test::walks_of(*a) == test::walks_of(*b));
         REQUIRE(a->holes() == b->holes());
-        REQUIRE(told.size() == not_told.size());
+        REQUIRE(taken.size() == sorted.size());
         if (!a->is_touching())  // else one may have been walked anew, from other first points
-            CHECK(std::equal(told.begin(), told.end(), not_told.begin(), [](const triangle& s, const triangle& t) {
+            CHECK(std::equal(taken.begin(), taken.end(), sorted.begin(), [](const triangle& s, const triangle& t) {
                 return s.a == t.a && s.b == t.b && s.c == t.c;
             }));
         crossing += a->points().size() != test::contours_of(given).points.size();
-        const std::string broken = test::oracle::broken_law(*a, told.view());
+        const std::string broken = test::oracle::broken_law(*a, taken.view());
         REQUIRE(broken == "");
     }
     CHECK(crossing > 500);
 }
 
-TEST_CASE("cap() of contours that cross says when memory fails, warm it asks for none", "[glyph][cap]")
+TEST_CASE("fill() of contours that cross says when memory fails, warm it asks for none", "[glyph][cap_builder]")
 {
     std::vector<test::polyline> given;
     for (std::int32_t i = 0; i < 30; ++i) given.push_back(test::square(7 * i, 5 * (i % 6), 40));
     for (std::size_t nth = 1;; ++nth) {
         test::counting_memory memory;
-        contours loops = test::contours_of(given, memory.source());
-        workspace space{memory.source()};
-        triangle_list out{memory.source()};
+        cap_builder caps{memory.source()};
+        caps.loops() = test::contours_of(given, memory.source());
         const std::size_t before = memory.requests;
         memory.fail_at = before + nth;
         memory.fail_once = true;
-        const auto made = cap(loops, fill_rule::non_zero, monotone{}, space, out);
+        const auto made = caps.fill({}, monotone{});
         const bool was_asked = memory.requests >= before + nth;
         memory.fail_at = 0;
         INFO("request " << nth);
         if (!made) {
             CHECK(made.error() == error::out_of_memory);
-            CHECK(out.empty());
+            CHECK(caps.triangles().empty());
         }
         for (int again = 0; again < 3; ++again) {
             const contours fresh = test::contours_of(given);
+            contours& loops = caps.loops();
             loops.clear();
             REQUIRE((loops.points.append(fresh.points.view()) && loops.edges.append(fresh.edges.view()) &&
                      loops.starts.append(fresh.starts.view())));
-            out.clear();
             const std::size_t warm = memory.requests;
-            REQUIRE(cap(loops, fill_rule::non_zero, monotone{}, space, out));
+            REQUIRE(caps.fill({}, monotone{}));
             if (again == 2) CHECK(memory.requests == warm);
         }
         if (!was_asked) break;
     }
 }
 
-namespace {
-
-/// Cuts the stem below, and cuts its ears off first, which are low. Final or not.
-template <bool Final>
-struct ears_first {
-    static constexpr bool has_final_diagonals = Final;
-    error operator()(const region&, workspace&, triangle_list& out) const noexcept
-    {
-        constexpr triangle all[] = {{1, 2, 3}, {4, 5, 0}, {0, 1, 3}, {0, 3, 4}};
-        return out.append(all) ? error{} : error{error::out_of_memory};
-    }
-};
-
-}  // namespace
-
-TEMPLATE_TEST_CASE("cap() refuses contours that cross more often than it is told", "[glyph][cap]", monotone,
-                   untold<monotone>)
+TEMPLATE_TEST_CASE("fill() refuses contours that cross more often than its settings allow", "[glyph][cap_builder]", monotone,
+                   plain_prover<monotone>)
 {
     const test::shape crossing{"crossing squares", {{{0, 0}, {80, 0}, {80, 80}, {0, 80}},
                                                     {{40, 40}, {120, 40}, {120, 120}, {40, 120}}}};
-    const auto capped = [&](const cap_filling& filling) {
-        contours loops = test::contours_of(crossing);
-        workspace space;
-        triangle_list out;
-        const auto made = cap(loops, filling, TestType{}, space, out);
+    const auto is_filled = [&](const cap_settings& how) {
+        cap_builder caps;
+        caps.loops() = test::contours_of(crossing);
+        const auto made = caps.fill(how, TestType{});
         if (!made) CHECK(made.error() == error::too_many_pieces);
-        CHECK(static_cast<bool>(made) == (out.size() != 0));
+        CHECK(static_cast<bool>(made) == (caps.triangles().size() != 0));
         return static_cast<bool>(made);
     };
-    CHECK(capped(fill_rule::non_zero));
-    CHECK(capped({fill_rule::non_zero, {.most_pieces = 100}}));
-    CHECK_FALSE(capped({fill_rule::non_zero, {.most_pieces = 7}}));
+    CHECK(is_filled({}));
+    CHECK(is_filled({.most_pieces = 100}));
+    CHECK_FALSE(is_filled({.most_pieces = 7}));
 }
 
-TEST_CASE("cap() exchanges the low triangles of any triangulator but one whose diagonals are final", "[glyph][cap]")
+TEST_CASE("cap() cuts a region of others and leaves the builder's own as it is", "[glyph][cap_builder]")
 {
-    // A slanted stem with a point a cell outside of each side.
-    const test::shape stem{
-        "stem",
-        {{{0, 0}, {100'000, 0}, {350'001, 700'000}, {600'000, 1'400'000}, {500'000, 1'400'000}, {249'999, 700'000}}}};
-    const auto low_of = [&](const auto& how) {
-        contours loops = test::contours_of(stem);
-        loops.grid.units_per_em = 8192.0;  // low: below four cells
-        workspace space;
-        triangle_list out;
-        const auto made = cap(loops, fill_rule::non_zero, how, space, out);
-        REQUIRE(made);
-        CHECK(test::oracle::broken_law(*made, out.view()) == "");
-        const triangle_heights heights{loops.grid};
-        std::size_t low = 0;
-        for (const triangle t : out) low += heights.is_low(loops.points[t.a], loops.points[t.b], loops.points[t.c]);
-        return low;
-    };
-    CHECK(low_of(ears_first<true>{}) != 0);
-    CHECK(low_of(ears_first<false>{}) == 0);
-    CHECK(low_of(monotone{}) == 0);
+    cap_builder caps, other;
+    caps.loops() = test::contours_of({test::square(0, 0, 8)});
+    other.loops() = test::contours_of({test::square(0, 0, 8), test::square(4, 4, 8)});
+    REQUIRE(caps.fill({}, monotone{}));
+    const auto made = other.fill({}, monotone{});
+    REQUIRE(made);
+    triangle_list out;
+    REQUIRE(out.push_back({7, 8, 9}));
+    REQUIRE_FALSE(caps.cap(*made, constrained_delaunay{}, out));
+    CHECK(test::oracle::broken_law(*made, out.view().subspan(1)) == "");
+    CHECK(caps.triangles().size() == 2);
+    CHECK(caps.loops().points.size() == 4);
+}
+
+TEST_CASE("a trimmed builder holds nothing", "[glyph][cap_builder]")
+{
+    test::counting_memory memory;
+    cap_builder caps{memory.source()};
+    caps.loops() = test::contours_of({test::square(0, 0, 8), test::square(4, 4, 8)}, memory.source());
+    REQUIRE(caps.fill({}, monotone{}));
+    caps.trim();
+    CHECK(memory.bytes_held == 0);
+    CHECK(caps.triangles().empty());
+    CHECK(caps.loops().points.empty());
 }

@@ -4,7 +4,8 @@
 #include <typemesh/discretise/certified.hpp>
 #include <typemesh/discretise/two_lines.hpp>
 #include <typemesh/fill/resolve.hpp>
-#include <typemesh/glyph/cap_outline.hpp>
+#include <typemesh/extrude/flat.hpp>
+#include <typemesh/glyph/cap_builder.hpp>
 #include <typemesh/triangulate/monotone.hpp>
 
 #include "support/catch.hpp"
@@ -120,24 +121,23 @@ double distance(point q, const segment& s)
 }
 
 struct capped {
-    contours loops;
-    triangle_list triangles;
+    cap_builder builder;
     region made;
-    refinement_effort effort;
     double cells = 0;
+
+    const triangle_list& triangles() const { return builder.triangles(); }
+    const refinement_effort& effort() const { return builder.effort(); }
 };
 
 template <class Discretiser = certified, class Triangulator = monotone>
 void build(capped& c, const outline& o, double tolerance, fill_rule rule, const Discretiser& how = {},
            const Triangulator& cut = {})
 {
-    workspace space;
     no_observer nobody;
     const auto fitting = grid::fitting(1000, o.bounds);
     REQUIRE(fitting);
     c.cells = fitting->cells;
-    const auto made =
-        cap_outline(o, rule, how, tolerance, *fitting, cut, space, c.loops, c.triangles, nobody, {.effort = &c.effort});
+    const auto made = c.builder.build(o, tolerance, *fitting, {rule}, policies{how, cut, flat{}, nobody});
     REQUIRE(made);
     c.made = *made;
 }
@@ -146,7 +146,7 @@ void build(capped& c, const outline& o, double tolerance, fill_rule rule, const 
 std::string broken_law(const capped& c, const outline& o, double tolerance, fill_rule rule)
 {
     if (c.made.points().empty()) return {};
-    if (std::string s = test::oracle::broken_law(c.made, c.triangles.view()); !s.empty()) return s;
+    if (std::string s = test::oracle::broken_law(c.made, c.triangles().view()); !s.empty()) return s;
     const auto kept = test::oracle::loops_of(c.made);
     if (std::string s = test::oracle::broken_walk(kept); !s.empty()) return s;
     const auto curves = dense(o, c.cells, tolerance);
@@ -220,7 +220,7 @@ constexpr double angles[] = {0.0, 0.3, 1.1, 2.0, pi / 2};
 
 }  // namespace
 
-TEST_CASE("a circle just inside another never crosses it, from 1/10 tolerance of room on", "[cap_outline]")
+TEST_CASE("a circle just inside another never crosses it, from 1/10 tolerance of room on", "[cap_builder]")
 {
     for (const double room : {0.1, 0.2, 0.35, 0.5, 0.8, 1.0, 1.4, 2.0, 3.0}) {
         for (const double angle : angles) {
@@ -238,14 +238,14 @@ TEST_CASE("a circle just inside another never crosses it, from 1/10 tolerance of
                     CHECK(changes(c, o).empty());
                 }
                 CHECK(broken_law(c, o, tolerance, fill_rule::even_odd) == "");
-                CHECK(c.effort.rounds <= 6);
+                CHECK(c.effort().rounds <= 6);
             }
         }
     }
 }
 
 TEST_CASE("arcs that pass each other at less than the tolerance stay apart, and arcs that cross cross once each",
-          "[cap_outline]")
+          "[cap_builder]")
 {
     // Two bows, one from below, one from above: between their crowns there is `gap`.
     for (const double gap : {0.1, 0.3, 0.6, 1.0, 1.7, 3.0}) {
@@ -270,7 +270,7 @@ TEST_CASE("arcs that pass each other at less than the tolerance stay apart, and 
     }
 }
 
-TEST_CASE("a shallow crossing is found within four tolerances of where the curves cross", "[cap_outline]")
+TEST_CASE("a shallow crossing is found within four tolerances of where the curves cross", "[cap_builder]")
 {
     // Equal circles whose centres lie left and right of x = 0 cross on x = 0 only.
     for (const double degrees : {1.0, 2.0, 4.0, 10.0, 25.0, 60.0, 120.0}) {
@@ -312,7 +312,7 @@ TEST_CASE("a shallow crossing is found within four tolerances of where the curve
     }
 }
 
-TEST_CASE("tangent circles, kissing quadratics and a line on a circle obey the laws at every distance", "[cap_outline]")
+TEST_CASE("tangent circles, kissing quadratics and a line on a circle obey the laws at every distance", "[cap_builder]")
 {
     for (const double d : {-3.0, -1.0, -0.3, -0.1, 0.0, 0.1, 0.3, 1.0, 3.0}) {
         const double gap = d * tolerance;
@@ -343,7 +343,7 @@ TEST_CASE("tangent circles, kissing quadratics and a line on a circle obey the l
     }
 }
 
-TEST_CASE("random pairs of curves that run close to each other obey the laws", "[cap_outline]")
+TEST_CASE("random pairs of curves that run close to each other obey the laws", "[cap_builder]")
 {
     std::mt19937 random{11};
     std::uniform_real_distribution<double> any{-500, 500}, little{-3 * tolerance, 3 * tolerance};
@@ -367,8 +367,8 @@ TEST_CASE("random pairs of curves that run close to each other obey the laws", "
         for (const fill_rule rule : {fill_rule::non_zero, fill_rule::even_odd}) {
             capped c;
             build(c, o, tolerance, rule);
-            refined += c.effort.rounds != 0;
-            CHECK(c.effort.rounds <= 12);
+            refined += c.effort().rounds != 0;
+            CHECK(c.effort().rounds <= 12);
             INFO("pair " << i);
             CHECK(broken_law(c, o, tolerance, rule) == "");
         }
@@ -376,19 +376,19 @@ TEST_CASE("random pairs of curves that run close to each other obey the laws", "
     CHECK(refined > 20);
 }
 
-TEST_CASE("curves that truly coincide are not made finer", "[cap_outline]")
+TEST_CASE("curves that truly coincide are not made finer", "[cap_builder]")
 {
     const path a = circle({0, 0}, 300), shifted = circle({300, 100}, 300, 4, 0.3);
     for (const auto& shape : {std::vector<path>{a, a, shifted}, std::vector<path>{a, reversed(a), shifted}}) {
         const outline o = outline_of(shape);
         capped c;
         build(c, o, tolerance, fill_rule::non_zero);
-        CHECK(c.effort.rounds == 0);
+        CHECK(c.effort().rounds == 0);
         CHECK(broken_law(c, o, tolerance, fill_rule::non_zero) == "");
     }
 }
 
-TEST_CASE("ninety-six copies of a contour, each moved a little, are made finer in a few rounds only", "[cap_outline]")
+TEST_CASE("ninety-six copies of a contour, each moved a little, are made finer in a few rounds only", "[cap_builder]")
 {
     // The chords of each two copies cross where the curves pass each other; to make them finer makes new ones do so.
     for (const double shift : {0.02, 0.05}) {
@@ -400,17 +400,16 @@ TEST_CASE("ninety-six copies of a contour, each moved a little, are made finer i
         INFO("moved by " << shift);
         workspace space;
         contours loops;
-        triangle_list triangles;
+        cap_builder caps;
         no_observer nobody;
         resolve_effort once;
         REQUIRE_FALSE(discretise(o, certified{}, tolerance, *fitting, loops));
         REQUIRE(resolve(loops, fill_rule::non_zero, space, {.effort = &once}));
 
-        refinement_effort effort;
+        const refinement_effort& effort = caps.effort();
         const auto built = [&](std::uint32_t most_pieces) {
-            triangles.clear();
-            return cap_outline(o, fill_rule::non_zero, certified{}, tolerance, *fitting, monotone{}, space, loops,
-                               triangles, nobody, {.most_pieces = most_pieces, .effort = &effort});
+            return caps.build(o, tolerance, *fitting, {.most_pieces = most_pieces},
+                              policies{certified{}, monotone{}, flat{}, nobody});
         };
         REQUIRE(built(default_most_pieces));
         CHECK(effort.rounds >= 1);
@@ -425,7 +424,7 @@ TEST_CASE("ninety-six copies of a contour, each moved a little, are made finer i
     }
 }
 
-TEST_CASE("a corner just beside a curve stays apart from it at every tolerance", "[cap_outline]")
+TEST_CASE("a corner just beside a curve stays apart from it at every tolerance", "[cap_builder]")
 {
     // As in glyph 4312 of Mplus1Code-SemiBold: 0.7 units between the corner and the curve. At some tolerances a chord
     // comes through the corner, to half a cell: then it and the box's lower edge, which it leaves along, cancel.
@@ -442,7 +441,7 @@ TEST_CASE("a corner just beside a curve stays apart from it at every tolerance",
     }
 }
 
-TEST_CASE("steep crossings and crossing lines cost no finer curve, wherever on their chords they lie", "[cap_outline]")
+TEST_CASE("steep crossings and crossing lines cost no finer curve, wherever on their chords they lie", "[cap_builder]")
 {
     for (int i = 0; i < 200; ++i) {
         const double x = 200 + 0.9 * i;
@@ -450,11 +449,11 @@ TEST_CASE("steep crossings and crossing lines cost no finer curve, wherever on t
             outline_of({circle({0, 0}, 300, 4, 0.01 * i), circle({x, 40}, 300), box_path(-350, -20, 700, 20)});
         capped c;
         build(c, o, tolerance, fill_rule::non_zero);
-        CHECK(c.effort.rounds == 0);
+        CHECK(c.effort().rounds == 0);
     }
 }
 
-TEST_CASE("a contour whose curves have an area is never lost, however coarse the tolerance", "[cap_outline]")
+TEST_CASE("a contour whose curves have an area is never lost, however coarse the tolerance", "[cap_builder]")
 {
     for (const double coarse : {1.0, 10.0, 100.0, 1000.0}) {
         for (const int pieces : {2, 3, 4}) {
@@ -481,39 +480,37 @@ TEST_CASE("a contour whose curves have an area is never lost, however coarse the
 }
 
 TEST_CASE("what keeps no tolerance is not asked twice, and triangulators that prove nothing get the same region",
-          "[cap_outline]")
+          "[cap_builder]")
 {
     const outline o = outline_of({circle({0, 0}, 400), circle({0, 0}, 399, 5, 0.3)});
     capped lines, halves, proving, plain;
     build(lines, o, tolerance, fill_rule::even_odd, two_lines{});
     build(halves, o, tolerance, fill_rule::even_odd, adaptive_subdivision{.distance = 0.5});
-    CHECK(lines.effort.rounds == 0);
-    CHECK(halves.effort.rounds == 0);
+    CHECK(lines.effort().rounds == 0);
+    CHECK(halves.effort().rounds == 0);
     build(proving, o, tolerance, fill_rule::even_odd);
     build(plain, o, tolerance, fill_rule::even_odd, certified{}, unproving{});
-    CHECK(proving.effort.rounds > 0);
+    CHECK(proving.effort().rounds > 0);
     CHECK(test::oracle::doubled_area(test::oracle::loops_of(proving.made)) ==
           test::oracle::doubled_area(test::oracle::loops_of(plain.made)));
 }
 
-TEST_CASE("memory that fails while curves are made finer gives an error and leaves the triangles as they were",
-          "[cap_outline]")
+TEST_CASE("memory that fails while curves are made finer gives an error and no triangles",
+          "[cap_builder]")
 {
     const outline o = outline_of({circle({0, 0}, 400), circle({0, 0}, 399, 5, 0.3)});
     std::size_t failures = 0;
     for (std::size_t allowed = 1;; ++allowed) {
         test::counting_memory heap;
         heap.fail_at = allowed;
-        workspace space{heap.source()};
-        contours loops{heap.source()};
-        triangle_list out;
+        cap_builder caps{heap.source()};
         no_observer nobody;
-        const auto made = cap_outline(o, fill_rule::even_odd, certified{}, tolerance, grid{}, monotone{}, space, loops,
-                                      out, nobody);
+        const auto made = caps.build(o, tolerance, grid{}, {fill_rule::even_odd},
+                                     policies{certified{}, monotone{}, flat{}, nobody});
         if (made) break;
         ++failures;
         CHECK(made.error().code == error::out_of_memory);
-        CHECK(out.empty());
+        CHECK(caps.triangles().empty());
         REQUIRE(allowed < 1000);
     }
     CHECK(failures > 3);

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/contours.hpp>
+#include <typemesh/core/fill_rule.hpp>
+#include <typemesh/core/grid.hpp>
+#include <typemesh/core/most_pieces.hpp>
+#include <typemesh/core/outline.hpp>
+#include <typemesh/core/region.hpp>
+#include <typemesh/core/result.hpp>
+#include <typemesh/core/triangle.hpp>
+#include <typemesh/core/workspace.hpp>
+#include <typemesh/discretise/discretise.hpp>
+#include <typemesh/fill/nest.hpp>
+#include <typemesh/fill/orient.hpp>
+#include <typemesh/fill/resolve.hpp>
+#include <typemesh/fill/touching_cycles.hpp>
+#include <typemesh/glyph/crossing_refinement.hpp>
+#include <typemesh/glyph/policies.hpp>
+#include <typemesh/sweep/sweep_order.hpp>
+#include <typemesh/triangulate/cut_region.hpp>
+
+#include <cstdint>
+#include <span>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// What a cap_builder fills, and how far it may go for it.
+struct cap_settings {
+    fill_rule rule = fill_rule::non_zero;
+    std::uint32_t most_pieces = default_most_pieces;  ///< that contours which cross may fall into; see resolve()
+};
+
+/// Makes caps: the region that curves or contours fill, and its triangles. Holds the contours, the order of their
+/// points, the triangles, and the scratch memory that this takes, which stays for the next cap.
+///
+///     curves ── flatten ──▶ loops() ── prove ──────────────────────────▶ region + triangles()
+///                  ▲                     └ refuses ─▶ resolve ─▶ cap ──────▶
+///                  └── these curves finer ─── refine ────┘  chords cross where curves do not
+///
+///     cap_builder caps;
+///     auto filled = caps.build(curves, tolerance, cells, {fill_rule::even_odd}, policies{...});    // all of it
+///     caps.loops() = ...;                                                                          // or from here on
+///     auto filled = caps.fill({fill_rule::even_odd}, monotone{});
+///
+/// Outlines that are simple, which is nearly all, pay for one sweep, and those that only touch in points for two at
+/// most. The points of an outline that crosses are sorted once for all sweeps. A region is valid until the next call. A
+/// builder serves one thread at a time.
+class cap_builder {
+public:
+    explicit cap_builder(memory source = heap()) noexcept : space_{source}, loops_{source}, triangles_{source} {}
+
+    /// The region that curves fill, and its triangles. A region without points where nothing is filled.
+    ///
+    ///     curves      the region refers to them
+    ///     tolerance   in font units
+    ///     cells       the grid, see grid::fitting
+    ///
+    /// Fails  with what discretise(), resolve() and the triangulator fail with
+    /// Cost   theirs; where chords cross that of refine()
+    template <discretiser Discretiser, class... Policy>
+    [[nodiscard]] result<region> build(const outline& curves, double tolerance, const grid& cells,
+                                       const cap_settings& how,
+                                       const policies<Discretiser, Policy...>& with) noexcept
+    {
+        effort_ = {};
+        triangles_.clear();
+        with.observe(stage::discretise);
+        if (error e = flatten(curves, with.flatten, tolerance, cells)) return e;
+        if (loops_.points.empty()) return region{};
+        if constexpr (!keeps_tolerance<Discretiser>) {
+            return fill(how, with.cut, with.observe);
+        } else {
+            const auto proven = prove(how.rule, with.cut, with.observe);
+            if (proven || proven.error().code != error::crossing_contours) return proven;
+            return refine(curves, tolerance, cells, how, with);
+        }
+    }
+
+    /// The region that loops() fill, and its triangles.
+    ///
+    /// Fails  with what resolve() and the triangulator fail with
+    template <triangulator Triangulator, stage_observer Observer>
+    [[nodiscard]] result<region> fill(const cap_settings& how, const Triangulator& cut, Observer& observe) noexcept
+    {
+        triangles_.clear();
+        const auto proven = prove(how.rule, cut, observe);
+        if (proven || proven.error().code != error::crossing_contours) return proven;
+        every_intersection_stands nobody;
+        return resolve(how, cut, nobody, observe);
+    }
+    template <triangulator Triangulator>
+    [[nodiscard]] result<region> fill(const cap_settings& how, const Triangulator& cut) noexcept
+    {
+        no_observer nobody;
+        return fill(how, cut, nobody);
+    }
+
+    /// loops() become the outline's curves as polylines: see discretise().
+    template <discretiser Discretiser>
+    [[nodiscard]] error flatten(const outline& curves, const Discretiser& how, double tolerance, const grid& cells,
+                                std::span<const std::uint8_t> halvings = {}) noexcept
+    {
+        return discretise(curves, how, tolerance, cells, loops_, halvings);
+    }
+
+    /// Proves that loops() bound a region as they are, or where they only touch in points and are linked anew there.
+    ///
+    ///     loops ── orient ──▶ prove ──────────────────────────────────────▶ region + triangles
+    ///                          └ refuses equal points ─▶ link ─▶ prove ──────▶
+    ///
+    /// Fails with error::crossing_contours (all else is for resolve()) and error::out_of_memory; then loops() are turned
+    /// at most, and there are no triangles.
+    template <proving_triangulator Triangulator>
+    [[nodiscard]] result<region> prove(const Triangulator& cut) noexcept
+    {
+        triangles_.clear();
+        orient(loops_);
+        if (!sort_points(loops_, space_)) return error::out_of_memory;
+        auto proven = cut.prove(loops_, space_, triangles_);
+        if constexpr (touching_triangulator<Triangulator>) {
+            if (!proven && proven.error().code == error::crossing_contours && proven.error().count != 0) {
+                workspace::scope linking{space_};
+                touching_cycles cycles;
+                if (error e = cycles.link(loops_, linking, space_)) return e;
+                proven = cut.prove_touching(loops_, space_, triangles_);
+                if (!proven) cycles.undo(loops_);
+            }
+        }
+        if (proven)
+            if (error e = detail::settle_triangles<Triangulator>(*proven, triangles_, 0, space_)) return e;
+        return proven;
+    }
+
+    /// The triangles of a region, whoever made it, appended to `out`: see cut_region().
+    template <triangulator Triangulator>
+    [[nodiscard]] error cap(const region& r, const Triangulator& how, triangle_list& out) noexcept
+    {
+        return cut_region(r, how, space_, out);
+    }
+
+    /// The contours, of your own or of the last outline.
+    [[nodiscard]] contours& loops() noexcept { return loops_; }
+    [[nodiscard]] const contours& loops() const noexcept { return loops_; }
+
+    /// The triangles of the last cap; none after an error.
+    [[nodiscard]] const triangle_list& triangles() const noexcept { return triangles_; }
+
+    /// What refine() did for the last outline.
+    [[nodiscard]] const refinement_effort& effort() const noexcept { return effort_; }
+
+    /// Where its memory comes from.
+    [[nodiscard]] memory source() const noexcept { return space_.source(); }
+
+    /// Gives all memory back to its source; what was made last goes with it.
+    void trim() noexcept
+    {
+        space_.trim();
+        loops_ = contours{source()};
+        triangles_ = triangle_list{source()};
+    }
+
+private:
+    /// prove(), or for triangulators that do not prove nest() and cap().
+    template <triangulator Triangulator, stage_observer Observer>
+    [[nodiscard]] result<region> prove(fill_rule rule, const Triangulator& cut, Observer& observe) noexcept
+    {
+        if constexpr (proving_triangulator<Triangulator>) {
+            observe(stage::triangulate);
+            return prove(cut);
+        } else {
+            observe(stage::fill);
+            const auto nested = nest(loops_, rule, space_);
+            if (!nested) return nested;
+            observe(stage::triangulate);
+            if (error e = cap(*nested, cut, triangles_)) return e;
+            return nested;
+        }
+    }
+
+    /// What loops() fill, however they cross, and its triangles; a region without points when the filter refuses.
+    template <triangulator Triangulator, intersection_filter Filter, stage_observer Observer>
+    [[nodiscard]] result<region> resolve(const cap_settings& how, const Triangulator& cut, Filter& filter,
+                                         Observer& observe) noexcept
+    {
+        observe(stage::fill);
+        resolved_ = {};
+        const auto made = typemesh::resolve(loops_, how.rule, space_, filter, {how.most_pieces, &resolved_});
+        if (!made || made->points().empty()) return made;
+        observe(stage::triangulate);
+        if (error e = cap(*made, cut, triangles_)) return e;
+        return made;
+    }
+
+    /// Where the chords of two curves cross or touch and the curves do not, or do so more than 4 tolerances away, these
+    /// curves are flattened finer (see crossing_refinement.hpp), and all is done again: often the outline is simple
+    /// then.
+    ///
+    /// Cost   each round as much as the first; there are hardly ever two, and never more than 12. The last one begins
+    ///        when the contours have fallen into more pieces than `most_pieces`, or than four times those of the first
+    ///        round and 2,048. What is doubtful then stands.
+    template <class... Policy>
+    [[nodiscard]] result<region> refine(const outline& curves, double tolerance, const grid& cells,
+                                        const cap_settings& how, const policies<Policy...>& with) noexcept
+    {
+        constexpr std::uint32_t most_rounds = 12, few_pieces = 2048, times_as_many = 4;
+        workspace::scope scratch{space_};
+        crossing_refinement refinement;
+        if (!refinement.open(scratch, curves, tolerance, cells)) return error::out_of_memory;
+        std::uint64_t first = 0;  // pieces of the first round
+        for (;;) {
+            every_intersection_stands nobody;
+            const std::uint64_t spent = effort_.pieces;
+            const bool last = effort_.rounds == most_rounds || spent > times_as_many * first + few_pieces ||
+                              spent > how.most_pieces;
+            const auto made = last ? resolve(how, with.cut, nobody, with.observe)
+                                   : resolve(how, with.cut, refinement, with.observe);
+            if (spent == 0) first = resolved_.pieces;
+            const bool content = refinement.is_content();
+            effort_ = refinement.effort();
+            effort_.pieces = spent + resolved_.pieces;
+            if (!made || content) return made;
+            with.observe(stage::discretise);
+            if (error e = flatten(curves, with.flatten, tolerance, cells, refinement.halvings())) return e;
+            const auto proven = prove(how.rule, with.cut, with.observe);
+            if (proven || proven.error().code != error::crossing_contours) return proven;
+        }
+    }
+
+    workspace space_;
+    contours loops_;
+    triangle_list triangles_;
+    resolve_effort resolved_;  // of the last round
+    refinement_effort effort_;
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/error.hpp>
+#include <typemesh/core/region.hpp>
+#include <typemesh/core/triangle.hpp>
+#include <typemesh/core/workspace.hpp>
+#include <typemesh/triangulate/appended_triangles.hpp>
+#include <typemesh/triangulate/low_triangles.hpp>
+#include <typemesh/triangulate/triangulator.hpp>
+
+#include <cstddef>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+namespace detail {
+
+/// The triangles that a triangulator has appended for a region behind the first `before`: held to its promise, and
+/// those too low for 32-bit floats exchanged, unless its diagonals are final. The rule looks at the region alone,
+/// wherever it will stand. `out` is as it was after an error.
+template <triangulator Triangulator>
+[[nodiscard]] error settle_triangles(const region& r, triangle_list& out, std::size_t before, workspace& space) noexcept
+{
+    const bool is_kept = assert_triangles(r, out, before);
+    if constexpr (!has_final_diagonals<Triangulator>) {
+        if (is_kept) {
+            if (error e = raise_low_triangles(r, out.view().subspan(before), space)) {
+                out.truncate(before);
+                return e;
+            }
+        }
+    }
+    return {};
+}
+
+}  // namespace detail
+
+/// Appends a region's triangles to `out`: how(r, space, out), held to its promise, and without triangles too low for
+/// 32-bit floats (see low_triangles.hpp) where the triangulator lets them be exchanged.
+///
+/// Fails  as the triangulator does; error::out_of_memory. `out` is as it was then
+template <triangulator Triangulator>
+[[nodiscard]] error cut_region(const region& r, const Triangulator& how, workspace& space, triangle_list& out) noexcept
+{
+    const std::size_t before = out.size();
+    if (error e = how(r, space, out)) return e;
+    return detail::settle_triangles<Triangulator>(r, out, before, space);
+}
+
+}  // namespace typemesh::inline TYPEMESH_ABI
