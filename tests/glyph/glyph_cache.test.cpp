@@ -46,7 +46,7 @@ bool same_bits(const full_mesh& a, const full_mesh& b)
 }
 
 /// Parts of a made-up glyph with `points` points.
-glyph_draft parts_of(const std::vector<grid_point>& points)
+glyph_draft draft_of(const std::vector<grid_point>& points)
 {
     glyph_draft parts;
     parts.form.points = points;
@@ -58,7 +58,7 @@ std::size_t bytes_of(std::size_t points)
 {
     const std::vector<grid_point> some(points);
     glyph_cache cache;
-    const built_glyph* s = cache.keep({}, 0, parts_of(some));
+    const built_glyph* s = cache.keep({}, 0, draft_of(some));
     cache.release({&s, 1});
     return cache.statistics().bytes;
 }
@@ -70,7 +70,7 @@ TEST_CASE("what is kept is found under its own key and no other", "[text]")
     glyph_cache cache;
     const std::vector<grid_point> points{{1, 2}, {3, 4}, {-5, 6}};
     glyph_context here;
-    const built_glyph* kept = cache.keep(here, 7, parts_of(points));
+    const built_glyph* kept = cache.keep(here, 7, draft_of(points));
     REQUIRE(kept != nullptr);
     CHECK(std::equal(points.begin(), points.end(), kept->form().points.begin(), kept->form().points.end()));
     CHECK(kept->form().points.data() != points.data());
@@ -97,7 +97,7 @@ TEST_CASE("the bound holds for what is not pinned, and what was released longest
     const std::vector<grid_point> points(10);
     glyph_cache cache{3 * each};
     const built_glyph* shapes[5];
-    for (glyph_id id = 0; id < 5; ++id) shapes[id] = cache.keep({}, id, parts_of(points));
+    for (glyph_id id = 0; id < 5; ++id) shapes[id] = cache.keep({}, id, draft_of(points));
     CHECK(cache.statistics().entries == 5);  // pinned: none may go
     CHECK(cache.statistics().pinned_bytes == 5 * each);
     CHECK(cache.statistics().evictions == 0);
@@ -112,7 +112,7 @@ TEST_CASE("the bound holds for what is not pinned, and what was released longest
     const built_glyph* two = cache.find({}, 2);  // used again: now 3 is the oldest
     REQUIRE(two != nullptr);
     cache.release({&two, 1});
-    const built_glyph* nine = cache.keep({}, 9, parts_of(points));
+    const built_glyph* nine = cache.keep({}, 9, draft_of(points));
     cache.release({&nine, 1});
     CHECK(cache.find({}, 3) == nullptr);
     for (const glyph_id id : {2u, 4u, 9u}) {
@@ -130,9 +130,9 @@ TEST_CASE("a pinned shape stays where it is while all others go", "[text]")
 {
     const std::vector<grid_point> points(10, grid_point{3, 4});
     glyph_cache cache{0};
-    const built_glyph* first = cache.keep({}, 0, parts_of(points));
+    const built_glyph* first = cache.keep({}, 0, draft_of(points));
     for (glyph_id id = 1; id < 2000; ++id) {
-        const built_glyph* s = cache.keep({}, id, parts_of(points));
+        const built_glyph* s = cache.keep({}, id, draft_of(points));
         REQUIRE(s != nullptr);
         cache.release({&s, 1});
     }
@@ -151,7 +151,7 @@ TEST_CASE("of two who build the same glyph the second gets the first one's", "[t
 {
     const std::vector<grid_point> points(10);
     glyph_cache cache;
-    const built_glyph* both[] = {cache.keep({}, 5, parts_of(points)), cache.keep({}, 5, parts_of(points))};
+    const built_glyph* both[] = {cache.keep({}, 5, draft_of(points)), cache.keep({}, 5, draft_of(points))};
     CHECK(both[0] == both[1]);
     CHECK(cache.statistics().entries == 1);
     cache.release(both);
@@ -167,7 +167,7 @@ TEST_CASE("memory that fails at any request leaves a cache as it was", "[text]")
             glyph_cache cache{std::size_t{64} << 20, counted.source()};
             std::vector<const built_glyph*> kept;
             for (glyph_id id = 0; id < 1000; ++id) {
-                const built_glyph* s = cache.keep({}, id, parts_of(points));
+                const built_glyph* s = cache.keep({}, id, draft_of(points));
                 if (s != nullptr) kept.push_back(s);
             }
             CHECK(cache.statistics().entries == kept.size());
@@ -177,7 +177,7 @@ TEST_CASE("memory that fails at any request leaves a cache as it was", "[text]")
                 cache.release({&s, 1});
             }
             counted.fail_at = 0;
-            const built_glyph* late = cache.keep({}, 5000, parts_of(points));
+            const built_glyph* late = cache.keep({}, 5000, draft_of(points));
             CHECK(late != nullptr);
             kept.push_back(late);
             cache.release(kept);

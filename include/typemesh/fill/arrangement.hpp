@@ -27,6 +27,11 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
     return {static_cast<std::int32_t>((sweep_place - y) >> 32), y};
 }
 
+[[nodiscard]] constexpr bool is_between(grid_point a, grid_point p, grid_point b) noexcept
+{
+    return sweep_place(a) < sweep_place(p) && sweep_place(p) < sweep_place(b);
+}
+
 inline constexpr std::uint32_t no_number = 0xFFFF'FFFFu;
 
 /// A straight piece of the contours, from left to right, and what it separates.

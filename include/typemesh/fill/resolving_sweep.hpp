@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <cstring>
 #include <new>
+#include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
@@ -100,7 +101,8 @@ public:
         rough = a_.is_rounded ? bent_ : a_.is_bent && (rough_ || close_);
         again = unsure_ || out_of_order || rough;
         if (out_of_order) return a_.put_in_order(space);
-        take_points();
+        std::swap(a_.points, a_.spare);
+        a_.point_count = passed_;
         a_.is_touching = touching;
         if (again) a_.list();
         return true;
@@ -124,14 +126,6 @@ private:
         std::memset(hints_, 0, a_.point_count * sizeof *hints_);
         passed_ = 0;
         return true;
-    }
-
-    void take_points() noexcept
-    {
-        grid_point* const swapped = a_.points;
-        a_.points = a_.spare;
-        a_.spare = swapped;
-        a_.point_count = passed_;
     }
 
     void sweep() noexcept
@@ -233,48 +227,72 @@ private:
         return under;
     }
 
+    /// What ends and starts in one point.
+    struct point_event {
+        grid_point at;
+        std::uint32_t starting;  // the first segment of those that start; the others follow by `next`
+        std::uint32_t under = 0, over = 0;  // the edges right below and right above all that end
+        std::uint32_t ending_count = 0;     // of those in ends_
+        std::uint32_t place_count = 0;      // in the status between `under` and `over`
+    };
+
     /// Any number of edges ends, any number starts.
     void meet(std::uint32_t slot, std::uint32_t starting, grid_point p, bool repeated) noexcept
     {
-        // Those that end lie next to each other. One that goes through p is cut; in a point that comes once more, those
-        // that started there the first time start again.
+        point_event here{p, starting};
+        if (!end_edges(here, slot, repeated)) return;
+        last_ended_ = here.ending_count != 0 ? ends_[here.ending_count - 1] : no_number;
+        const std::uint32_t starting_count = starts_.put_in_order(here.starting, p);
+        full |= starts_.full;
+        if (full || starting_count > here.place_count + (most_slots_ - status_.size())) {
+            full = true;
+            return;
+        }
+        start_edges(here, slot, starting_count);
+    }
+
+    /// Those that end lie next to each other. One that goes through the point is cut; in a point that comes once more,
+    /// those that started there the first time start again. False when there is no room.
+    [[nodiscard]] bool end_edges(point_event& here, std::uint32_t slot, bool repeated) noexcept
+    {
+        const grid_point p = here.at;
         unsure_ |= repeated;
         grid_point began = p;  // the edge that ended last
-        std::uint32_t under = slot == 0 ? find(p) : below_ending(slot, p, repeated);
-        std::uint32_t ending_count = 0, place_count = 0, over = status_.above(under);
-        for (; over != 0; over = status_.above(over), ++place_count) {
+        here.under = slot == 0 ? find(p) : below_ending(slot, p, repeated);
+        std::uint32_t over = status_.above(here.under);
+        for (; over != 0; over = status_.above(over), ++here.place_count) {
             const swept_edge& e = edges_[over];
             if (is_here(over, p, repeated)) {
                 if (!(e.to == p)) {
-                    a_.segments[e.segment].next = starting;
-                    starting = e.segment;
+                    a_.segments[e.segment].next = here.starting;
+                    here.starting = e.segment;
                     continue;
                 }
             } else if (slot == 0 && orientation(e.from, e.to, p) == 0 && is_between(e.from, p, e.to)) {
                 const std::uint32_t rest = a_.count;
-                if (!split(over, p)) return;
-                a_.segments[rest].next = starting;
-                starting = rest;
+                if (!split(over, p)) return false;
+                a_.segments[rest].next = here.starting;
+                here.starting = rest;
             } else {
                 break;
             }
             unsure_ |= e.from == began;
             began = e.from;
             finish(e.segment);
-            ends_[ending_count++] = e.segment;
+            ends_[here.ending_count++] = e.segment;
         }
-        last_ended_ = ending_count != 0 ? ends_[ending_count - 1] : no_number;
-        const std::uint32_t starting_count = starts_.put_in_order(starting, p);
-        full |= starts_.full;
-        if (full || starting_count > place_count + (most_slots_ - status_.size())) {
-            full = true;
-            return;
-        }
+        here.over = over;
+        return true;
+    }
 
-        // Those that start take the places of those that end, if these are enough and seem to be right.
+    /// Those that start take the places of those that end, if these are enough and seem to be right.
+    void start_edges(point_event here, std::uint32_t slot, std::uint32_t starting_count) noexcept
+    {
+        const grid_point p = here.at;
+        std::uint32_t under = here.under, over = here.over;
         pass_by(under, over, p);
-        const bool enough = !unsure_ && starting_count <= place_count;
-        for (std::uint32_t i = enough ? starting_count : 0; i < place_count; ++i) give_back(status_.above(under));
+        const bool enough = !unsure_ && starting_count <= here.place_count;
+        for (std::uint32_t i = enough ? starting_count : 0; i < here.place_count; ++i) give_back(status_.above(under));
         if (!enough && slot != 0 && starting_count != 0) {
             under = find(p);
             over = status_.above(under);
@@ -284,19 +302,19 @@ private:
         std::int32_t winding = edges_[under].above;
         std::uint32_t last = under, bends = 0;
         for (std::uint32_t i = 0; i < starting_count; ++i) {
-            const std::uint32_t here = enough ? status_.above(last) : take_slot(), k = starts_.all()[i];
-            begin(here, k, p, winding);
+            const std::uint32_t place = enough ? status_.above(last) : take_slot(), k = starts_.all()[i];
+            begin(place, k, p, winding);
             bends |= a_.segments[k].bent;
-            winding = edges_[here].above;
-            if (!enough) status_.insert_above(last, here);
-            if (i != 0 && !is_clear(last, here)) part(last, here);  // one may end near the other
+            winding = edges_[place].above;
+            if (!enough) status_.insert_above(last, place);
+            if (i != 0 && !is_clear(last, place)) part(last, place);  // one may end near the other
             links.take(k, true);
-            last = here;
+            last = place;
         }
-        if (bends) rough_ |= is_rough(a_, ends_, ending_count, starts_.all(), starting_count, p);
+        if (bends) rough_ |= is_rough(a_, ends_, here.ending_count, starts_.all(), starting_count, p);
         const std::int32_t expected = over != 0 ? a_.segments[edges_[over].segment].below : 0;
         if (winding != expected) unsure_ |= differ(winding, expected);
-        for (std::uint32_t i = ending_count; i-- != 0;) links.take(ends_[i], false);
+        for (std::uint32_t i = here.ending_count; i-- != 0;) links.take(ends_[i], false);
         touching |= links.close();
         if (const std::uint32_t low = status_.above(under); !is_clear(under, low)) part(under, low);
         if (last != under && !is_clear(last, over)) part(last, over);
@@ -337,11 +355,6 @@ private:
     {
         return status_.last_below(
             [&](std::uint32_t s) noexcept { return s != 0 && orientation(edges_[s].from, edges_[s].to, p) > 0; });
-    }
-
-    [[nodiscard]] static bool is_between(grid_point a, grid_point p, grid_point b) noexcept
-    {
-        return sweep_place(a) < sweep_place(p) && sweep_place(p) < sweep_place(b);
     }
 
     void begin(std::uint32_t slot, std::uint32_t starting, grid_point p, std::int32_t winding) noexcept
