@@ -66,6 +66,14 @@ struct plain_prover {
 };
 static_assert(proving_triangulator<plain_prover<monotone>> && !touching_triangulator<plain_prover<monotone>>);
 
+/// One that takes proven regions only.
+struct unproving {
+    error operator()(const region& r, workspace& space, triangle_list& out) const noexcept
+    {
+        return monotone{}(r, space, out);
+    }
+};
+
 int touching = 0, proven_fast = 0;
 
 /// What is wrong with what the fast way makes of loops; empty when nothing is.
@@ -387,6 +395,17 @@ TEST_CASE("cap() cuts a region of others and leaves the builder's own as it is",
     CHECK(test::oracle::broken_law(*made, out.view().subspan(1)) == "");
     CHECK(caps.triangles().size() == 2);
     CHECK(caps.loops().points.size() == 4);
+}
+
+TEMPLATE_TEST_CASE("points may be moved in loops() between two caps", "[glyph][cap_builder]", monotone, unproving)
+{
+    cap_builder caps;
+    caps.loops() = test::contours_of({test::square(0, 0, 8)});
+    REQUIRE(caps.fill({}, TestType{}));
+    for (grid_point& p : caps.loops().points) p = {-p.y, 3 * p.x};
+    const auto made = caps.fill({}, TestType{});
+    REQUIRE(made);
+    CHECK(test::oracle::broken_law(*made, caps.triangles().view()) == "");
 }
 
 TEST_CASE("a trimmed builder holds nothing", "[glyph][cap_builder]")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-// What a crossing_refinement says of single intersections; what cap_outline() makes of it is in cap_outline.test.cpp.
+// What a crossing_refinement says of single intersections; what cap_builder makes of it is in cap_builder_curves.test.cpp.
 
 #include <typemesh/discretise/certified.hpp>
 #include <typemesh/discretise/discretise.hpp>

@@ -115,6 +115,7 @@ public:
     [[nodiscard]] result<region> prove(const Triangulator& cut) noexcept
     {
         triangles_.clear();
+        loops_.forget_order();  // it may be of points that the caller has moved
         orient(loops_);
         if (!sort_points(loops_, space_)) return error::out_of_memory;
         auto proven = cut.prove(loops_, space_, triangles_);
@@ -149,6 +150,9 @@ public:
     /// What refine() did for the last outline.
     [[nodiscard]] const refinement_effort& effort() const noexcept { return effort_; }
 
+    /// The scratch memory, for scopes of your own.
+    [[nodiscard]] workspace& space() noexcept { return space_; }
+
     /// Where its memory comes from.
     [[nodiscard]] memory source() const noexcept { return space_.source(); }
 
@@ -170,6 +174,7 @@ private:
             return prove(cut);
         } else {
             observe(stage::fill);
+            loops_.forget_order();
             const auto nested = nest(loops_, rule, space_);
             if (!nested) return nested;
             observe(stage::triangulate);
