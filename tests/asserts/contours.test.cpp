@@ -12,11 +12,13 @@ using namespace typemesh;
 
 TEST_CASE("points that were moved after they had been sorted are told of", "[asserts]")
 {
-    const std::vector<std::string> stale{"the points of contours were moved after they had been sorted: call clear() or "
-                                         "forget_order()"};
+    const std::vector<std::string> stale{
+        "the points of contours were moved after they had been sorted: call clear() or "
+        "forget_order()"};
     contours loops;
     workspace space;
-    for (const grid_point p : {grid_point{0, 0}, grid_point{4, 0}, grid_point{0, 3}}) REQUIRE(loops.points.push_back(p));
+    for (const grid_point p : {grid_point{0, 0}, grid_point{4, 0}, grid_point{0, 3}})
+        REQUIRE(loops.points.push_back(p));
     test::failed_asserts.clear();
     REQUIRE(sort_points(loops, space));
     (void)loops.order();

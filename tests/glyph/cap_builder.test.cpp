@@ -205,8 +205,8 @@ TEMPLATE_LIST_TEST_CASE("patterns of squares and rhombs that touch in corners ar
     CHECK(touching > 20'000);
 }
 
-TEMPLATE_LIST_TEST_CASE("any number of sectors round one point is proven, walked as one loop or as many", "[glyph][cap_builder]",
-                        triangulators)
+TEMPLATE_LIST_TEST_CASE("any number of sectors round one point is proven, walked as one loop or as many",
+                        "[glyph][cap_builder]", triangulators)
 {
     for (int sectors = 2; sectors <= 40; ++sectors) {
         for (const bool one_loop : {true, false}) {
@@ -298,8 +298,9 @@ TEST_CASE("prove() without memory says so and leaves the contours as they were, 
     }
 }
 
-TEMPLATE_LIST_TEST_CASE("fill() makes the same with a triangulator that takes the points as sorted and one that sorts them",
-                        "[glyph][cap_builder]", triangulators)
+TEMPLATE_LIST_TEST_CASE(
+    "fill() makes the same with a triangulator that takes the points as sorted and one that sorts them",
+    "[glyph][cap_builder]", triangulators)
 {
     test::dice d{52};
     int crossing = 0;
@@ -363,11 +364,11 @@ TEST_CASE("fill() of contours that cross says when memory fails, warm it asks fo
     }
 }
 
-TEMPLATE_TEST_CASE("fill() refuses contours that cross more often than its settings allow", "[glyph][cap_builder]", monotone,
-                   plain_prover<monotone>)
+TEMPLATE_TEST_CASE("fill() refuses contours that cross more often than its settings allow", "[glyph][cap_builder]",
+                   monotone, plain_prover<monotone>)
 {
-    const test::shape crossing{"crossing squares", {{{0, 0}, {80, 0}, {80, 80}, {0, 80}},
-                                                    {{40, 40}, {120, 40}, {120, 120}, {40, 120}}}};
+    const test::shape crossing{"crossing squares",
+                               {{{0, 0}, {80, 0}, {80, 80}, {0, 80}}, {{40, 40}, {120, 40}, {120, 120}, {40, 120}}}};
     const auto is_filled = [&](const cap_settings& how) {
         cap_builder caps;
         caps.loops() = test::contours_of(crossing);

@@ -3,8 +3,8 @@
 #include <typemesh/discretise/adaptive_subdivision.hpp>
 #include <typemesh/discretise/certified.hpp>
 #include <typemesh/discretise/two_lines.hpp>
-#include <typemesh/fill/resolve.hpp>
 #include <typemesh/extrude/flat.hpp>
+#include <typemesh/fill/resolve.hpp>
 #include <typemesh/glyph/cap_builder.hpp>
 #include <typemesh/triangulate/monotone.hpp>
 
@@ -317,9 +317,9 @@ TEST_CASE("tangent circles, kissing quadratics and a line on a circle obey the l
     for (const double d : {-3.0, -1.0, -0.3, -0.1, 0.0, 0.1, 0.3, 1.0, 3.0}) {
         const double gap = d * tolerance;
         const std::vector<std::vector<path>> shapes = {
-            {circle({0, 0}, 250), circle({500 + gap, 0}, 250)},             // outside each other
-            {circle({0, 0}, 250), circle({100 + gap, 0}, 150)},             // inside
-            {circle({0, 0}, 250), box_path(250 + gap, -300, 400, 300)},     // a line tangent to a circle
+            {circle({0, 0}, 250), circle({500 + gap, 0}, 250)},          // outside each other
+            {circle({0, 0}, 250), circle({100 + gap, 0}, 150)},          // inside
+            {circle({0, 0}, 250), box_path(250 + gap, -300, 400, 300)},  // a line tangent to a circle
             {circle({0, 0}, 250, 4, 0.4), box_path(-400, -300, -250 - gap, 300)},
             {bow({{500, 0}, {250, 200}, {0, 0}}, -50), bow({{0, 200 + gap}, {250, 0 + gap}, {500, 200 + gap}}, 300)},
             {bow({{500, 0}, {250, 200}, {0, 0}}, -50), bow({{500, gap}, {250, 200 + gap}, {0, gap}}, -60)},
@@ -466,8 +466,8 @@ TEST_CASE("a contour whose curves have an area is never lost, however coarse the
                 CHECK(c.made.triangle_count() >= 1);
             }
         }
-        const outline lens = outline_of({{curve::from(quadratic{{0, 0}, {50, 1}, {100, 0}}),
-                                          curve::from(quadratic{{100, 0}, {50, -1}, {0, 0}})}});
+        const outline lens = outline_of(
+            {{curve::from(quadratic{{0, 0}, {50, 1}, {100, 0}}), curve::from(quadratic{{100, 0}, {50, -1}, {0, 0}})}});
         capped c;
         build(c, lens, coarse, fill_rule::non_zero);
         CHECK(c.made.outers() == 1);
@@ -495,8 +495,7 @@ TEST_CASE("what keeps no tolerance is not asked twice, and triangulators that pr
           test::oracle::doubled_area(test::oracle::loops_of(plain.made)));
 }
 
-TEST_CASE("memory that fails while curves are made finer gives an error and no triangles",
-          "[cap_builder]")
+TEST_CASE("memory that fails while curves are made finer gives an error and no triangles", "[cap_builder]")
 {
     const outline o = outline_of({circle({0, 0}, 400), circle({0, 0}, 399, 5, 0.3)});
     std::size_t failures = 0;
@@ -505,8 +504,8 @@ TEST_CASE("memory that fails while curves are made finer gives an error and no t
         heap.fail_at = allowed;
         cap_builder caps{heap.source()};
         no_observer nobody;
-        const auto made = caps.build(o, tolerance, grid{}, {fill_rule::even_odd},
-                                     policies{certified{}, monotone{}, flat{}, nobody});
+        const auto made =
+            caps.build(o, tolerance, grid{}, {fill_rule::even_odd}, policies{certified{}, monotone{}, flat{}, nobody});
         if (made) break;
         ++failures;
         CHECK(made.error().code == error::out_of_memory);

@@ -90,7 +90,8 @@ TEST_CASE("the points of contours are sorted once, until they move", "[sweep]")
     CHECK(sort_points(loops, space));
     CHECK(loops.order().empty());
 
-    for (const grid_point p : {grid_point{4, 1}, grid_point{0, 7}, grid_point{4, 0}}) REQUIRE(loops.points.push_back(p));
+    for (const grid_point p : {grid_point{4, 1}, grid_point{0, 7}, grid_point{4, 0}})
+        REQUIRE(loops.points.push_back(p));
     CHECK(loops.order().empty());
     REQUIRE(sort_points(loops, space));
     const auto is = [&](std::vector<std::uint32_t> expected) {

@@ -42,7 +42,8 @@ TEST_CASE("cut_region() appends, and leaves what was there when the triangulator
     CHECK(out.size() == 4);
 }
 
-TEST_CASE("cut_region() exchanges the low triangles of any triangulator but one whose diagonals are final", "[triangulate]")
+TEST_CASE("cut_region() exchanges the low triangles of any triangulator but one whose diagonals are final",
+          "[triangulate]")
 {
     // A slanted stem with a point a cell outside of each side.
     const test::shape stem{

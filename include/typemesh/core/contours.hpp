@@ -39,7 +39,9 @@ struct contours {
     typemesh::grid grid;
     double tolerance = 0.0;  ///< in cells: how far the edges may be from their curves; 0: unknown
 
-    explicit contours(memory source = heap()) noexcept : points{source}, edges{source}, starts{source}, order_{source} {}
+    explicit contours(memory source = heap()) noexcept : points{source}, edges{source}, starts{source}, order_{source}
+    {
+    }
 
     [[nodiscard]] std::uint32_t contour_count() const noexcept
     {
@@ -61,8 +63,9 @@ struct contours {
     [[nodiscard]] std::span<const std::uint32_t> order() const noexcept
     {
         if (order_.size() != points.size()) return {};
-        TYPEMESH_ASSERT(is_in_order(), "the points of contours were moved after they had been sorted: call clear() "
-                                       "or forget_order()");
+        TYPEMESH_ASSERT(is_in_order(),
+                        "the points of contours were moved after they had been sorted: call clear() "
+                        "or forget_order()");
         return order_.view();
     }
     void forget_order() noexcept { order_.clear(); }

@@ -169,7 +169,9 @@ private:
             constexpr int most = 65536;
             const double wang4 = bend_ / (tolerance_ * tolerance_);  // Wang's bound to the fourth power, for the curve
             const float whole = shares.whole();
-            const int pieces = !(whole < static_cast<float>(most)) ? most : whole > 1.0f ? static_cast<int>(whole) + 1 : 2;
+            const int pieces = !(whole < static_cast<float>(most)) ? most
+                               : whole > 1.0f                      ? static_cast<int>(whole) + 1
+                                                                   : 2;
             const double count = static_cast<double>(pieces), length = to - from;
             const double cc = count * count, ll = length * length;  // powers, for the root of wang4 would come late
             if (!(cc * cc < wang4 * (ll * ll)))                     // no fewer than Wang's bound: nothing to prove
@@ -333,8 +335,9 @@ private:
     [[nodiscard]] static int find_stops(const cubic& q, double (&stops)[4]) noexcept
     {
         constexpr int most_steps = 64, early = 10;
-        constexpr double hardly_slow = 0x1p-14;  // of the longest leg's square: after the early steps B'/3 moves by less
-                                                 // than 2^-8 of that leg
+        constexpr double hardly_slow =
+            0x1p-14;  // of the longest leg's square: after the early steps B'/3 moves by less
+                      // than 2^-8 of that leg
         constexpr double at_an_end = 0x1p-20;
         const point d0 = q.p1 - q.p0, l1 = q.p2 - q.p1, l2 = q.p3 - q.p2;
         const point d1 = l1 - d0, d2 = (l2 - l1) - d1;  // B'/3 = d0 + 2 d1 t + d2 t²

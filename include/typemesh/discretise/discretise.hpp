@@ -171,8 +171,7 @@ struct curve_emitter {
 
     void operator()(point p, double t) const noexcept
     {
-        TYPEMESH_ASSERT(emitted.take(p, t),
-                        "a discretiser must emit its points with t ascending, above 0 and up to 1");
+        TYPEMESH_ASSERT(emitted.take(p, t), "a discretiser must emit its points with t ascending, above 0 and up to 1");
         writer.arrive(snapped(p, cells), static_cast<float>(t));
     }
 

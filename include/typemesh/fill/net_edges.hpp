@@ -24,7 +24,7 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 struct net_edge {
     grid_point from, to;           // from before to in the sweep order
     std::uint32_t origin, target;  // the contour points that the edge joins whose curve has the lowest number
-    std::int32_t winding_delta;             // the winding number right above it less the one right below
+    std::int32_t winding_delta;    // the winding number right above it less the one right below
 };
 
 /// Gives every point of sorted contours its number among the different ones, in the sweep order. How many there are.
@@ -47,7 +47,8 @@ struct net_edge {
 ///
 /// `edges` has room for as many as there are points, and is ordered by where they start. How many there are; none and
 /// false when there is no memory. The points are sorted. O(n)
-[[nodiscard]] inline bool make_net_edges(const contours& given, fill_rule rule, workspace& space, net_edge* edges, std::uint32_t& count) noexcept
+[[nodiscard]] inline bool make_net_edges(const contours& given, fill_rule rule, workspace& space, net_edge* edges,
+                                         std::uint32_t& count) noexcept
 {
     constexpr std::uint32_t none = 0xFFFF'FFFFu;
     const auto n = static_cast<std::uint32_t>(given.points.size());
@@ -58,8 +59,8 @@ struct net_edge {
     auto* const number = scratch.take<std::uint32_t>(n);  // of every point, equal ones having one
     auto* const first = scratch.take<std::uint32_t>(n);   // of the edges that start in each: the first
     auto* const next = scratch.take<std::uint32_t>(n);
-    auto* const to = scratch.take<std::uint32_t>(n);      // of every edge: the contour point behind it
-    auto* const seen = scratch.take<std::uint32_t>(n);    // of every point: the last edge that ends there
+    auto* const to = scratch.take<std::uint32_t>(n);    // of every edge: the contour point behind it
+    auto* const seen = scratch.take<std::uint32_t>(n);  // of every point: the last edge that ends there
     if (number == nullptr || first == nullptr || next == nullptr || to == nullptr || seen == nullptr) return false;
     const std::uint32_t different = number_points(given, number);
     for (std::uint32_t i = 0; i < different; ++i) first[i] = seen[i] = none;

@@ -81,10 +81,7 @@ public:
     bool full = false;      ///< ended early, for there was no room for more segments
     bool touching = false;  ///< the boundary comes through some point more than once
 
-    explicit resolving_sweep(arrangement& a, fill_rule rule) noexcept
-        : a_{a}, rule_{rule}, mask_{winding_mask(rule)}
-    {
-    }
+    explicit resolving_sweep(arrangement& a, fill_rule rule) noexcept : a_{a}, rule_{rule}, mask_{winding_mask(rule)} {}
 
     /// False when there is no memory; then the arrangement is of no use any more.
     [[nodiscard]] bool run(workspace& space) noexcept
@@ -119,7 +116,8 @@ private:
         dirty_ = scratch.take<std::uint32_t>(cuts);
         hints_ = scratch.take<std::uint32_t>(std::size_t{a_.point_count} + 1);
         if (edges_ == nullptr || ends_ == nullptr || dirty_ == nullptr || hints_ == nullptr ||
-            !starts_.open(scratch, starts) || !status_.open(scratch, most_slots_) || !queue_.open(scratch, 2 * cuts + slots / 8))
+            !starts_.open(scratch, starts) || !status_.open(scratch, most_slots_) ||
+            !queue_.open(scratch, 2 * cuts + slots / 8))
             return false;
         edges_[0] = {};
         edges_[0].from = edges_[0].to = beyond;
@@ -166,7 +164,8 @@ private:
                     return;
                 }
                 if (place < last) late_ = true;
-                if (place - last < column && is_close_in_column(a_, last_ended_, starting, point_at(last), p)) close_ = true;
+                if (place - last < column && is_close_in_column(a_, last_ended_, starting, point_at(last), p))
+                    close_ = true;
                 a_.spare[passed_++] = p;
                 last = place;
             }
@@ -230,7 +229,7 @@ private:
     /// What ends and starts in one point.
     struct point_event {
         grid_point at;
-        std::uint32_t starting;  // the first segment of those that start; the others follow by `next`
+        std::uint32_t starting;             // the first segment of those that start; the others follow by `next`
         std::uint32_t under = 0, over = 0;  // the edges right below and right above all that end
         std::uint32_t ending_count = 0;     // of those in ends_
         std::uint32_t place_count = 0;      // in the status between `under` and `over`
@@ -459,9 +458,9 @@ private:
             s.bent = 1;
         }
         const float t = s.t_at(x);
-        ::new (a_.segments + a_.count++) segment{x, s.to, no_number, s.end, s.winding_delta,
-                                                0,         {s.source.curve, t, s.source.t1},
-                                                s.origin,  s.target, no_number, s.bent,   0};
+        ::new (a_.segments + a_.count++) segment{
+            x,        s.to,      no_number, s.end, s.winding_delta, 0, {s.source.curve, t, s.source.t1}, s.origin,
+            s.target, no_number, s.bent,    0};
         s.to = x;
         s.end = no_number;
         s.source.t1 = t;
@@ -490,8 +489,8 @@ private:
     bool unsure_ = false;
     bool late_ = false;
     bool unfinished_ = false;  // edges that nobody took out
-    bool close_ = false;  // a point lies within a cell of an edge that is not its own
-    bool rough_ = false;  // see rough, if anything is bent
+    bool close_ = false;       // a point lies within a cell of an edge that is not its own
+    bool rough_ = false;       // see rough, if anything is bent
     bool bent_ = false;
 };
 

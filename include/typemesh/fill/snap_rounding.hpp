@@ -136,7 +136,8 @@ private:
         hot_pixels cells;
         if (bends == nullptr || group == nullptr) return error::out_of_memory;
         // Each point is made in the place of its key, which is read before.
-        static_assert(sizeof(grid_point) == sizeof(packed_sweep_key) && alignof(grid_point) <= alignof(packed_sweep_key));
+        static_assert(sizeof(grid_point) == sizeof(packed_sweep_key) &&
+                      alignof(grid_point) <= alignof(packed_sweep_key));
         points_ = {};
         for (std::size_t i = 0; i < m; ++i) {
             const packed_sweep_key key = hot_[i];
@@ -202,8 +203,9 @@ private:
             const net_edge& e = edges_[i];
             const contour_edge source = loops_->edges[e.origin];
             const bool along = loops_->points[e.origin] == e.from;
-            segment rest{e.from,   e.to,     number_of(e.from), number_of(e.to), e.winding_delta, 0, source,
-                         e.origin, e.target, no_number,         0,               0};
+            segment rest{e.from, e.to,   number_of(e.from), number_of(e.to), e.winding_delta,
+                         0,      source, e.origin,          e.target,        no_number,
+                         0,      0};
             if (!along) rest.source = {source.curve, source.t1, source.t0};
             for (; next_cut < cut_ends_[i]; ++next_cut) {
                 segment& s = pieces[made++];
@@ -241,10 +243,10 @@ private:
     const contours* loops_;
     std::uint32_t most_;
     std::span<net_edge> edges_;
-    std::span<std::uint32_t> cut_ends_;    // of each edge: where its cuts end
+    std::span<std::uint32_t> cut_ends_;  // of each edge: where its cuts end
     std::span<packed_sweep_key> hot_;
-    std::span<grid_point> points_;         // the same, in their place
-    std::span<std::uint32_t> cuts_;        // their numbers
+    std::span<grid_point> points_;   // the same, in their place
+    std::span<std::uint32_t> cuts_;  // their numbers
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail

@@ -60,8 +60,7 @@ public:
     /// Cost   theirs; where chords cross that of refine()
     template <discretiser Discretiser, class... Policy>
     [[nodiscard]] result<region> build(const outline& curves, double tolerance, const grid& cells,
-                                       const cap_settings& how,
-                                       const policies<Discretiser, Policy...>& with) noexcept
+                                       const cap_settings& how, const policies<Discretiser, Policy...>& with) noexcept
     {
         effort_ = {};
         triangles_.clear();
@@ -216,10 +215,10 @@ private:
         for (;;) {
             every_intersection_stands nobody;
             const std::uint64_t spent = effort_.pieces;
-            const bool last = effort_.rounds == most_rounds || spent > times_as_many * first + few_pieces ||
-                              spent > how.most_pieces;
-            const auto made = last ? resolve(how, with.cut, nobody, with.observe)
-                                   : resolve(how, with.cut, refinement, with.observe);
+            const bool last =
+                effort_.rounds == most_rounds || spent > times_as_many * first + few_pieces || spent > how.most_pieces;
+            const auto made =
+                last ? resolve(how, with.cut, nobody, with.observe) : resolve(how, with.cut, refinement, with.observe);
             if (spent == 0) first = resolved_.pieces;
             const bool content = refinement.is_content();
             effort_ = refinement.effort();

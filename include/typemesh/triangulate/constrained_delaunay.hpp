@@ -113,8 +113,8 @@ private:
         detail::half_edges mesh{r.points()};
         if (!mesh.open(scratch, n + 2 * std::size_t{r.loop_count()}))
             return error::out_of_memory;  // as many as a sweep can ask for
-        detail::monotone_sweep<Proving, false, cutter> sweep{
-            coarse.points(), coarse.starts(), cutter{detail::half_edges::output{mesh, coarse.names()}}};
+        detail::monotone_sweep<Proving, false, cutter> sweep{coarse.points(), coarse.starts(),
+                                                             cutter{detail::half_edges::output{mesh, coarse.names()}}};
         if (const error e = sweep.run(space)) return e;
         if (Proving && (sweep.holes() != r.holes() || sweep.outers() != r.outers())) return error::crossing_contours;
         mesh.finish(sweep.cutter().output());
