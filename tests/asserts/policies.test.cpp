@@ -166,8 +166,8 @@ TEST_CASE("a discretiser that does not end at the curve's end, or goes back, is 
 TEST_CASE("a triangulator that appends other triangles than a region has is told so", "[asserts]")
 {
     const std::string count = "a triangulator appended more or fewer triangles than the region's triangle_count()",
-                      range = "a triangulator appended a triangle with a corner that is no point of the region",
-                      turn = "a triangulator appended a triangle that is flat or does not turn counter-clockwise",
+                      range = "a triangulator appended a triangle with a corner that is not a point of the region",
+                      turn = "a triangulator appended a triangle that is flat or clockwise",
                       area = "a triangulator appended triangles that do not have the region's area";
     const auto fewer = [](triangle_list& out, std::size_t) noexcept { out.truncate(out.size() - 1); };
     const auto more = [](triangle_list& out, std::size_t before) noexcept { (void)out.push_back(out[before]); };

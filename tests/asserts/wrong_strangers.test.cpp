@@ -130,7 +130,7 @@ TEST_CASE("wrong discretisers, triangulators and extruders get their sentences",
           "a discretiser must emit its points with t ascending, above 0 and up to 1");
     CHECK(told_by(text_mesher{font}.with(fan{}), "i") == "");
     CHECK(told_by(text_mesher{font}.with(fan{}), "E") ==
-          "a triangulator appended a triangle that is flat or does not turn counter-clockwise");
+          "a triangulator appended a triangle that is flat or clockwise");
     CHECK(told_by(text_mesher{font}.with(fan{}), "o") ==
           "a triangulator appended more or fewer triangles than the region's triangle_count()");
     CHECK(told_by(text_mesher{font}.with(stranger::tapering_twist{})) == "");

@@ -11,29 +11,29 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// What a sweep has seen of each span of interior and could not cut into triangles yet: a chain of points along its
-/// lower (0) or its upper (1) side.
+/// For each span of interior, the points that a sweep has met but could not cut into triangles yet: a chain along its
+/// lower side (0) or its upper side (1).
 ///
-///      c0 ---- c1 ----- c2 ----     p comes on the lower side. It sees all of a chain along the upper side, which
-///        '.     .      .   ::::     is cut into (c0 p c1) (c1 p c2) and closed: what is left is the chain c2 p.
+///      c0 ---- c1 ----- c2 ----     p comes on the lower side. It sees all of a chain along the upper side, which is
+///        '.     .      .   ::::     cut into (c0 p c1) (c1 p c2) and closed: what is left is the chain c2 p.
 ///          '.    .   .    :::::
-///            '---- p ----------     Of a chain along its own side it cuts off what turns left, and becomes its end.
+///            '---- p ----------     From a chain along its own side it cuts off what turns left, and becomes its end.
 ///
-/// Both chains at once are there only behind a merge, where they end in the same point m; the next point in the span
-/// joins m by an edge that closes one of them. This needs no partition into monotone pieces beforehand.
+/// A span has both chains at once only after a merge, where they end in the same point m; the next point in the span is
+/// joined to m by an edge that closes one of them. No partition into monotone polygons is needed first.
 ///
 ///      ------------.                  the chain along the upper side of the lower part,
 ///                    m    p           the chain along the lower side of the upper part: both end in m.
 ///      ------------'
 ///
-/// `Output` takes the triangles and knows what their edges are to it: see triangle_output.
+/// `Output` takes the triangles and defines what their edges are: see triangle_output.
 template <class Output>
 class chain_cutter {
     struct link {
         grid_point place;
         std::uint32_t point;
         std::uint32_t before;                              // the link before it; 0: none
-        [[no_unique_address]] typename Output::edge edge;  // to that link, as the interior meets it
+        [[no_unique_address]] typename Output::edge edge;  // to that link, as seen from the interior
     };
 
 public:
@@ -44,19 +44,19 @@ public:
 
     explicit chain_cutter(Output out) noexcept : out_{out} {}
 
-    /// Room for loops of n points; false when there is no memory.
+    /// Takes memory for loops of n points; false when memory runs out.
     [[nodiscard]] bool open(workspace::scope& scratch, std::size_t n) noexcept
     {
-        links_ = scratch.take<link>(2 * n + n / 2 + 2);  // one a point, one more a merge, two more a split
+        links_ = scratch.take<link>(2 * n + n / 2 + 2);  // one per point, one more per merge, two more per split
         return links_ != nullptr;
     }
 
     [[nodiscard]] const Output& output() const noexcept { return out_; }
 
-    /// A span opens in v.
+    /// A span opens at v.
     void start(chains& c, std::uint32_t v, grid_point p) noexcept { c = {{add(p, out_.name(v), 0, {}), 0}}; }
 
-    /// v comes on side `on`: closes the chain along the other side, goes on with the one along its own.
+    /// v lies on side `on`: closes the chain along the other side, extends the one along its own.
     template <std::uint32_t on>
     void extend(chains& c, std::uint32_t v, grid_point p) noexcept
     {
@@ -76,7 +76,7 @@ public:
         c.last[on] = push<on>(own, v, p, out_.template boundary<on>(links_[own].point, v));
     }
 
-    /// v splits the span of `below`; what lies above it gets `above`.
+    /// v splits the span of `below`; what lies above v gets `above`.
     void split(chains& below, chains& above, std::uint32_t v, grid_point p) noexcept
     {
         v = out_.name(v);
@@ -88,7 +88,7 @@ public:
         above = {{push<0>(low, v, p, diagonal.second), 0}};
     }
 
-    /// v ends two spans, the lower one by its upper side and the upper one by its lower side, which become one.
+    /// v ends two spans, the lower one at its upper side and the upper one at its lower side; they become one.
     void merge(chains& lower, chains& upper, std::uint32_t v, grid_point p) noexcept
     {
         extend<0>(upper, v, p);
@@ -146,8 +146,8 @@ private:
         return first;
     }
 
-    /// Cuts off what turns towards the interior at the end of the chain along `on`, and makes v its end. `edge` joins
-    /// v to the chain's end.
+    /// Cuts off the corners at the end of the chain along `on` that turn towards the interior, and makes v its end.
+    /// `edge` joins v to the chain's end.
     template <std::uint32_t on>
     [[nodiscard]] std::uint32_t push(std::uint32_t at, std::uint32_t v, grid_point p,
                                      typename Output::edge edge) noexcept
@@ -167,7 +167,7 @@ private:
     Output out_;
 };
 
-/// Writes triangles one after the other and knows how small the smallest is; edges are nothing to it.
+/// Writes triangles one after the other and keeps the smallest doubled area; ignores edges.
 class triangle_output {
 public:
     struct edge {};
@@ -204,7 +204,7 @@ public:
     {
         return {};
     }
-    /// Both sides of an edge neither of which has a triangle yet.
+    /// Both sides of an edge, neither of which has a triangle yet.
     [[nodiscard]] static edge_pair diagonal() noexcept { return {}; }
     [[nodiscard]] static edge nobody() noexcept { return {}; }
     /// These two are the sides of one edge.

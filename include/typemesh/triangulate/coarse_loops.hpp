@@ -11,22 +11,22 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Loops with the points left out that only smooth them, and the order in which those come back: from coarse to fine,
-/// each halving a stretch.
+/// Loops without the points that only smooth them, and the order in which those points come back: coarse to fine, each
+/// halving a subrange.
 ///
-///        4          A stretch runs from one kept point to the next, while no edge turns away from the stretch's
-///     2     6       first by more than a set angle. Of its points 1, 2, 3, ... those come first which the highest
-///    1 3   5 7      power of two divides. Point i then comes between i - (its lowest bit) and whatever is next there.
+///        4          A subrange runs from one kept point to the next, as long as no edge turns away from its first
+///     2     6       by more than a set angle. Of its points 1, 2, 3, ... those divisible by the highest power of two
+///    1 3   5 7      come back first. Point i then comes between i - (its lowest bit) and whatever is next there.
 ///   0         8
 ///
-/// A loop that would keep fewer than three points keeps all. 20 bytes a point.
+/// A loop that would keep fewer than three points keeps all. 20 bytes per point.
 class coarse_loops {
 public:
     static constexpr std::int64_t keep_all = -1;
 
-    /// No edge turns away from the first of its stretch by 1 / `straightness` or more (as a tangent); with keep_all no
-    /// point is left out. Sheared places are x -> 5x + 2y: the same loops to a sweep, which then meets few points on
-    /// one vertical line. False when there is no memory.
+    /// No edge turns away from the first of its subrange by 1 / `straightness` or more (as a tangent); with keep_all no
+    /// point is left out. `sheared` moves points by x -> 5x + 2y: the loops stay the same to a sweep, which then meets
+    /// few points on one vertical line. False when memory runs out.
     [[nodiscard]] bool take(workspace::scope& scratch, std::span<const grid_point> points,
                             std::span<const std::uint32_t> starts, std::int64_t straightness, bool sheared) noexcept
     {
@@ -51,11 +51,11 @@ public:
 
     [[nodiscard]] std::span<const grid_point> points() const noexcept { return {places_, size_}; }
     [[nodiscard]] std::span<const std::uint32_t> starts() const noexcept { return {starts_, loops_ + 1}; }
-    /// Which points these are.
+    /// The indices that these points had.
     [[nodiscard]] const std::uint32_t* names() const noexcept { return names_; }
 
-    /// f(point before it on the boundary, point) for each point left out, from coarse to fine, until f is false; then
-    /// false.
+    /// Calls f(point before it on the boundary, point) for each point left out, coarse to fine, until f returns false;
+    /// then it returns false.
     template <class F>
     [[nodiscard]] bool bring_back(F&& f) const noexcept
     {
@@ -78,7 +78,7 @@ private:
         std::uint32_t step = 0;
         std::int64_t dx = 0, dy = 0;
         grid_point p = points[begin];
-        for (std::uint32_t v = begin; v < end; ++v) {  // what is kept and what not comes as by chance: no branches
+        for (std::uint32_t v = begin; v < end; ++v) {  // which points are kept is unpredictable: no branches
             const grid_point q = points[v + 1 == end ? begin : v + 1];
             const std::int64_t ex = std::int64_t{q.x} - p.x, ey = std::int64_t{q.y} - p.y;
             const std::int64_t cross = dx * ey - dy * ex, dot = dx * ex + dy * ey;
@@ -91,7 +91,7 @@ private:
             dy = keep ? ey : dy;
             step = keep ? 0 : step + 1;
             const auto level =
-                static_cast<std::uint32_t>(std::countr_zero(step));  // 32 for points that are kept: a list nobody reads
+                static_cast<std::uint32_t>(std::countr_zero(step));  // 32 for kept points: a list that is never read
             left_out_[v] = {v - (step & (0 - step)), first_of_level_[level]};
             first_of_level_[level] = v;
             p = q;

@@ -8,10 +8,10 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Keeps a triangulation Delaunay: exchanges diagonals until no edge wants it, from edges that are on a stack.
+/// Makes and keeps a triangulation Delaunay: flips edges, starting from those on a stack, until all pass the test.
 ///
-/// Flips can be quadratic at worst, so they have a budget. It is looked at once a flip, or once a point inserted, for
-/// which as many flips may be needed as triangles meet in it.
+/// The number of flips can be quadratic at worst, so there is a budget. It is checked once per flip, or once per
+/// inserted point, which may need as many flips as triangles meet in it.
 ///
 /// From  C. Lawson, Software for C1 surface interpolation (1977); S. Sloan, A fast algorithm for generating
 ///       constrained Delaunay triangulations (1993)
@@ -22,7 +22,7 @@ public:
     {
     }
 
-    /// Room for a mesh of so many triangles; false when there is no memory.
+    /// Takes memory for a mesh of that many triangles; false when memory runs out.
     [[nodiscard]] bool open(workspace::scope& scratch, std::size_t triangles) noexcept
     {
         room_ = 4 * triangles + 8;
@@ -30,7 +30,7 @@ public:
         return stack_ != nullptr;
     }
 
-    /// Makes the whole mesh Delaunay; false when the budget does not suffice.
+    /// Makes the whole mesh Delaunay; false when the budget runs out.
     [[nodiscard]] bool everywhere() noexcept
     {
         do {
@@ -47,11 +47,10 @@ public:
         return left_ > 0;
     }
 
-    /// Makes p a point of the boundary between `before` and the point after it, in a mesh that is Delaunay and stays
-    /// so.
+    /// Makes p the boundary point after `before`, in a mesh that is Delaunay and stays so.
     ///
-    /// False when p is hidden from the boundary edge, when the budget is spent, and seldom for a p beyond the edge's
-    /// triangle that is not hidden. Then the mesh is of no use any more.
+    /// False when p is hidden from the boundary edge, when the budget is spent, and in rare cases for a p beyond the
+    /// edge's triangle that is not hidden. The mesh is then unusable.
     [[nodiscard]] bool insert(std::uint32_t before, std::uint32_t p) noexcept
     {
         const std::uint32_t h = mesh_.boundary_from(before), h1 = half_edges::next(h), h2 = half_edges::previous(h);
@@ -85,7 +84,7 @@ private:
                                       mesh.place(half_edges::previous(g)));
     }
 
-    /// Until the stack is empty or the budget is spent; a flip puts all four edges round it there.
+    /// Until the stack is empty or the budget is spent; a flip pushes the four edges around it.
     void around() noexcept
     {
         while (size_ != 0 && left_ > 0) {
@@ -102,8 +101,8 @@ private:
         }
     }
 
-    /// The same where the two on the stack are edges seen from a new point: what a flip joins to it stays, so the stack
-    /// never holds more than the triangles round that point.
+    /// The same, if the two edges on the stack are seen from a new point: edges that a flip ends at it stay, so the
+    /// stack never holds more than the triangles around that point.
     [[nodiscard]] bool towards_apex(grid_point apex) noexcept
     {
         std::uint32_t* const stack = stack_;
@@ -124,8 +123,8 @@ private:
         return left_ > 0;
     }
 
-    /// The same where p lies beyond its triangle, so that some triangle at p turns clockwise: the edge opposite p in
-    /// it has to go whatever the circles say, until all that is between p and its boundary edge has been joined to p.
+    /// The same, if p lies beyond its triangle, so that some triangle at p is clockwise: its edge opposite p has to go
+    /// whatever the circles say, until all that lies between p and its boundary edge has been joined to p.
     [[nodiscard]] bool pull_to_apex(std::uint32_t p) noexcept
     {
         std::size_t size = 2;

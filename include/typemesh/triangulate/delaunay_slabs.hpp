@@ -16,37 +16,37 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// The constrained Delaunay triangulation of a region by dividing and conquering: O(n log n) whatever the region is.
+/// The constrained Delaunay triangulation of a region by divide and conquer: O(n log n) whatever the region is.
 ///
-/// Points are numbered from left to right. A *slab* of level k holds the 2^k points whose numbers differ in their last
-/// k bits only, between two vertical *walls* through which nothing is seen. Two of its points have a *joint* when they
-/// see each other and some circle through both holds no point of the slab that is seen from the joint. So a slab of
-/// level 0 has no joints, and those of the last level are the triangulation. Two slabs side by side become one of the
-/// next level by taking down the wall between them, span by span: where a span crosses the wall it does so in one
-/// trapezoid (trapezoids.hpp), so each trapezoid is to be done once, in the first slab that holds both its points.
+/// Points are numbered from left to right. A *slab* of level k holds the 2^k points whose numbers differ only in their
+/// last k bits, between two vertical *dividers* that block all sight. Two of its points have a *joint*, a Delaunay edge
+/// of the slab, if they see each other and some circle through both contains no point of the slab that is seen from the
+/// joint. So a slab of level 0 has no joints, and those of the last level are the triangulation. Two neighbouring slabs
+/// become one of the next level by removing the divider between them, span by span: a span crosses the divider in one
+/// trapezoid (trapezoids.hpp), so each trapezoid is dealt with once, in the first slab that holds both its points.
 ///
-///     ------ top edge --------        What is seen from the wall on either side is a chain of joints that bends
+///     ------ top edge --------        What is seen from the divider on either side is a chain of joints that bends
 ///      .       |      .               towards it, for where it bent away, the ends of the bend would be joined too.
-///     : p2 - - | - - p3 :             The lowest joint through the wall is the span's lower edge, when that has both
-///     : /  '   |  .   | :             its ends in the slab, else the lower tangent of the two chains: one goes down
-///     :p1 - - -|- - - p4:             from the trapezoid's own two points, which see each other. From there one
+///     : p2 - - | - - p3 :             The lowest joint across the divider is the span's lower edge if both its ends
+///     : /  '   |  .   | :             are in the slab, else the lower tangent of the two chains, found by descending
+///     :p1 - - -|- - - p4:             from the trapezoid's own two points, which see each other. From there the merge
 ///      :   ' . | . '   :              climbs. Above a joint there is a triangle with a neighbour of one of its ends,
-///     ----- lower edge -------        left or right, whose circle holds no other; its upper side is the next joint. A
-///                                     joint of the left falls when the circle through it and the right end holds the
-///                                     next of the left, and the other way round. At the top edge or the upper
-///                                     tangent there is nothing above.
+///     ----- lower edge -------        left or right, whose circle contains no other; its upper side is the next
+///                                     joint. A joint on the left is deleted if the circle through it and the right
+///                                     end contains the next neighbour on the left, and vice versa. At the top edge
+///                                     or the upper tangent there is nothing above.
 ///
-/// In which order the trapezoids of one wall are done does not matter. A joint l - r through one is not undone by a
-/// point v seen through another: on a line of sight from l - r to v the wall is crossed twice, with boundary between
-/// the crossings. That boundary has points on either side of the wall, inside the triangle of the two crossings and
-/// of the end of the line, so inside the circle that holds v, and they are seen from l - r without the other trapezoid.
+/// The trapezoids of one divider may be dealt with in any order. A joint l - r across one is not undone by a point v
+/// seen through another: a line of sight from l - r to v crosses the divider twice, with boundary between the
+/// crossings. That boundary has points on either side of the divider, inside the triangle of the two crossings and the
+/// end of the line, so inside the circle that contains v, and they are seen from l - r without the other trapezoid.
 ///
-/// Each point knows its joints in counter-clockwise order, from the region's edge that leaves it to the one that comes
-/// to it. These two are there from the beginning, wherever their other ends are, so what is outside is never looked at,
-/// and a point that the boundary visits twice is two points.
+/// Each point has its joints in counter-clockwise order, from the region's edge that leaves it to the one that arrives
+/// at it. These two are there from the beginning, wherever their other ends are, so the outside is never examined, and
+/// a point that the boundary visits twice is two points.
 ///
-/// Cost   O(n) a level: a joint is made and falls once, a link of a chain is passed once going down and is then covered
-/// Space  72 bytes a point and 88 a hole, besides what monotone_sweep takes for a while
+/// Cost   O(n) per level: a joint is made and deleted once, a link of a chain is passed once on descent, then covered
+/// Space  72 bytes per point and 88 per hole, besides what monotone_sweep takes temporarily
 /// Exact  orientation, and in-circle with its rule for ties (prefers_other_diagonal)
 /// From   D. T. Lee & B. J. Schachter, Two algorithms for constructing a Delaunay triangulation (1980); L. Guibas &
 ///        J. Stolfi, Primitives for the manipulation of general subdivisions (1985); L. P. Chew, Constrained Delaunay
@@ -56,7 +56,7 @@ class delaunay_slabs {
     /// that leaves the point v.
     struct half {
         std::uint32_t to;
-        std::uint32_t after;   // the next one counter-clockwise; none for the edge that comes to the point
+        std::uint32_t after;   // the next one counter-clockwise; none for the edge that arrives at the point
         std::uint32_t before;  // none for the edge that leaves the point
     };
     static constexpr std::uint32_t none = ~std::uint32_t{0};
@@ -89,7 +89,7 @@ public:
             head = static_cast<std::uint32_t>(t - first);
         }
         for (std::uint32_t level = 1; level <= 32; ++level)
-            for (std::uint32_t t = of_level[level]; t != none; t = first[t].next) take_wall_away(first[t], level);
+            for (std::uint32_t t = of_level[level]; t != none; t = first[t].next) remove_divider(first[t], level);
         write(out);
         return error::none;
     }
@@ -106,7 +106,7 @@ private:
 
     [[nodiscard]] std::uint32_t to(std::uint32_t h) const noexcept { return halves_[h].to; }
     [[nodiscard]] grid_point end_of(std::uint32_t h) const noexcept { return points_[halves_[h].to]; }
-    /// Whether v is one of the points that the wall has on its left / on its right.
+    /// Whether v is one of the points to the left / to the right of the divider.
     [[nodiscard]] bool is_left(std::uint32_t v) const noexcept { return rank_[v] - slab_ < half_; }
     [[nodiscard]] bool is_right(std::uint32_t v) const noexcept { return rank_[v] - slab_ - half_ < half_; }
 
@@ -124,7 +124,7 @@ private:
         first_free_ = static_cast<std::uint32_t>(2 * points_.size());
     }
 
-    void take_wall_away(const trapezoid& t, std::uint32_t level) noexcept
+    void remove_divider(const trapezoid& t, std::uint32_t level) noexcept
     {
         half_ = std::uint32_t{1} << (level - 1);
         slab_ = rank_[t.left] & ~(2 * half_ - 1);
@@ -133,8 +133,7 @@ private:
         if (base != none) climb(base);
     }
 
-    /// The joint through the wall below which there is no other, from left to right; none where there is but the top
-    /// edge.
+    /// The lowest joint across the divider, from left to right; none if there is only the top edge.
     [[nodiscard]] std::uint32_t lowest_joint(const trapezoid& t) noexcept
     {
         std::uint32_t left = t.left, right = t.right;
@@ -156,21 +155,21 @@ private:
         return join(left, right, down_left, halves_[down_right].before);
     }
 
-    /// Where the trapezoid's left point sees the wall: between the half that is returned and the one after it.
+    /// Where the trapezoid's left point sees the divider: between the half returned and the one after it.
     [[nodiscard]] std::uint32_t lower_on_left(const trapezoid& t) const noexcept
     {
         if (t.below == t.left) return 2 * t.left;
         const std::uint32_t last = last_[t.left];
         return rank_[to(last)] > rank_[t.left] ? halves_[last].before : widest_gap(t.left);
     }
-    /// Where its right point does: between the half that is returned and the one before it.
+    /// The same for its right point: between the half returned and the one before it.
     [[nodiscard]] std::uint32_t lower_on_right(const trapezoid& t) const noexcept
     {
         if (to(2 * t.below) == t.right) return last_[t.right];
         const std::uint32_t first = 2 * t.right;
         return halves_[rank_[to(first)] < rank_[t.right] ? first : widest_gap(t.right)].after;
     }
-    /// Of a point where spans merge or split, all of whose joints are on one side of the sweep line yet.
+    /// For a point where spans merge or split, all of whose joints are still on one side of the sweep line.
     [[nodiscard]] std::uint32_t widest_gap(std::uint32_t v) const noexcept
     {
         std::uint32_t h = 2 * v;
@@ -178,7 +177,7 @@ private:
         return h;
     }
 
-    /// From the lowest joint through the wall to the highest.
+    /// From the lowest joint across the divider to the highest.
     void climb(std::uint32_t base) noexcept
     {
         for (;;) {
@@ -193,7 +192,7 @@ private:
                     if (!is_left(to(next)) || orientation(pl, end_of(up_left), end_of(next)) <= 0 ||
                         !prefers_other_diagonal(pl, end_of(up_left), end_of(next), pr))
                         break;
-                    part(up_left);
+                    unlink(up_left);
                 }
             }
             const bool right = is_right(to(up_right)) && is_above(up_right);
@@ -202,7 +201,7 @@ private:
                     if (!is_right(to(next)) || orientation(pr, end_of(next), end_of(up_right)) <= 0 ||
                         !prefers_other_diagonal(end_of(up_right), pr, end_of(next), pl))
                         break;
-                    part(up_right);
+                    unlink(up_right);
                 }
             }
             if (!left && !right) return;
@@ -216,7 +215,7 @@ private:
         }
     }
 
-    /// A joint of l and r, right after `below_l` at l and right after `above_r` at r. Returns its half at l.
+    /// Joins l and r, right after `below_l` at l and right after `above_r` at r. Returns the joint's half at l.
     std::uint32_t join(std::uint32_t l, std::uint32_t r, std::uint32_t below_l, std::uint32_t above_r) noexcept
     {
         std::uint32_t h = free_;
@@ -235,7 +234,7 @@ private:
         halves_[before].after = h;
         halves_[after].before = h;
     }
-    void part(std::uint32_t h) noexcept
+    void unlink(std::uint32_t h) noexcept
     {
         for (const std::uint32_t gone : {h, h ^ 1}) {
             halves_[halves_[gone].before].after = halves_[gone].after;
@@ -259,9 +258,9 @@ private:
 
     std::span<const grid_point> points_;
     std::span<const std::uint32_t> starts_;
-    std::uint32_t* rank_ = nullptr;  // in the order of the sweep
+    std::uint32_t* rank_ = nullptr;  // of each point: its number in sweep order
     half* halves_ = nullptr;
-    std::uint32_t* last_ = nullptr;  // of each point: the half of the region's edge that comes to it
+    std::uint32_t* last_ = nullptr;  // of each point: the half of the region's edge that arrives at it
     std::uint32_t first_free_ = 0;
     std::uint32_t free_ = none;
     std::uint32_t slab_ = 0;  // the first number in it

@@ -11,16 +11,16 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Triangles that know their neighbours: for each directed edge of a triangle, where it begins and the same edge seen
-/// from the other side.
+/// Triangles that know their neighbours: for each directed edge of a triangle, its origin and its twin, the same edge
+/// as seen from the other side.
 ///
-///               r                  triangle t has the half-edges 4t, 4t + 1, 4t + 2; 4t + 3 stays empty
-///             /   ^                next() goes round a triangle counter-clockwise
-///        h2 /   t   \ h1           a boundary edge p -> q has for twin the *rim* half-edge of its first point p, which
-///         v           \            is none of a triangle; so each boundary edge is found by its first point; moving
-///        p ---- h ----> q          a half-edge to another place needs no question what its twin is
+///               r                  triangle t has the half-edges 4t, 4t + 1, 4t + 2; 4t + 3 stays unused
+///             /   ^                next() goes around a triangle counter-clockwise
+///        h2 /   t   \ h1           the twin of a boundary edge p -> q is the *rim* half-edge of its first point p, of no
+///         v           \            triangle; so each boundary edge is found by its first point, and every half-edge
+///        p ---- h ----> q          that moves has a twin to update
 ///
-/// Points are indices of the caller's. A triangle fills one cache line; 80 bytes a point in all.
+/// Points are indices of the caller's. A triangle fills one cache line; 80 bytes per point in all.
 class half_edges {
 public:
     struct half_edge {
@@ -31,7 +31,7 @@ public:
 
     explicit half_edges(std::span<const grid_point> points) noexcept : points_{points} {}
 
-    /// Room for `triangles` triangles; false when there is no memory.
+    /// Takes memory for `triangles` triangles; false when memory runs out.
     [[nodiscard]] bool open(workspace::scope& scratch, std::size_t triangles) noexcept
     {
         rim_ = static_cast<std::uint32_t>(4 * triangles);
@@ -39,10 +39,10 @@ public:
         return edges_ != nullptr;
     }
 
-    /// For chain_cutter.hpp: takes its triangles, and knows without any searching who is whose neighbour.
+    /// For chain_cutter.hpp: takes its triangles, and links neighbours without any search.
     ///
-    /// An edge is the half-edge that waits for its twin, or the one to be its twin. Between the two sides of a
-    /// diagonal that a sweep draws before either has a triangle, the empty fourth places of triangles stand in until
+    /// An edge is the half-edge that waits for its twin, or the one that will be its twin. Between the two sides of a
+    /// diagonal that a sweep draws before either has a triangle, the unused fourth entries of triangles stand in until
     /// finish().
     class output {
     public:
@@ -51,7 +51,7 @@ public:
             edge first, second;
         };
 
-        /// The sweep's points are points[name[v]]; its places may be others, if they only lie as these do.
+        /// The sweep's point v is points[name[v]], perhaps at other coordinates in the same arrangement.
         explicit output(const half_edges& mesh, const std::uint32_t* name) noexcept
             : edges_{mesh.edges_},
               rim_{mesh.rim_},
@@ -113,7 +113,7 @@ public:
         const std::uint32_t* name_;
     };
 
-    /// After a sweep that succeeded: the triangles are those of `made`.
+    /// After a successful sweep: the triangles are those of `made`.
     void finish(const output& made) noexcept
     {
         count_ = made.count_;
@@ -133,9 +133,9 @@ public:
     /// The half-edge of the boundary edge that leaves a point.
     [[nodiscard]] std::uint32_t boundary_from(std::uint32_t point) const noexcept { return edges_[rim_ + point].twin; }
 
-    /// Exchanges the diagonals of the quadrilateral round h, which is no boundary edge.
+    /// Flips h, which is not a boundary edge: exchanges the diagonals of the quadrilateral around it.
     ///
-    ///          r                      r            h, its twin g and the half-edges behind each keep their numbers and
+    ///          r                      r            h, its twin g and the half-edges before each keep their numbers and
     ///        / ^                    / | ^          their first points; the two that left q and p are new:
     ///      h2   h1               h2   |   g
     ///      v     \               v   h1|   \         next(h) runs from s to r, next(g) from r to s.
@@ -153,7 +153,7 @@ public:
         edges_[g1] = {edges_[h2].origin, h1, edges_[h2].place};
     }
 
-    /// Hangs the triangle b, a, p on the boundary edge h from a to b: p comes between them on the boundary.
+    /// Adds the triangle b, a, p on the boundary edge h from a to b: p comes between them on the boundary.
     void add_ear(std::uint32_t h, std::uint32_t p) noexcept
     {
         const std::uint32_t a = edges_[h].origin, b = edges_[next(h)].origin, t = count_;
@@ -167,8 +167,8 @@ public:
     }
 
     /// Dents the boundary edge h from a to b: p, which lies in the triangle a, b, c of h or on h, comes between them.
-    /// Of the triangle remain  a, p, c  with h from a to p  and, new,  p, b, c.  Returns the half-edge from b to c.
-    /// Where p lies outside, but inside the circle through a, b, c, this is an ear and the flip of h after it.
+    /// The triangle becomes  a, p, c  with h from a to p  and, new,  p, b, c.  Returns the half-edge from b to c.
+    /// Where p lies outside, but inside the circle through a, b, c, this equals an ear and then the flip of h.
     ///
     ///          c                c
     ///        /   \            / | \      |

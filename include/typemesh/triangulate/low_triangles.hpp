@@ -15,24 +15,25 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Exchanges diagonals until no triangle is low (see triangle_heights.hpp) that need not be.
+/// Flips edges until no triangle is low (see triangle_heights.hpp) that need not be.
 ///
-///     a ------------ c ------------ b     c lies hardly below the edge ab: a triangle lower than a float's step,
-///       '-._       low          _.-'      which rounding turns over or flattens. Cut along cd instead, there is none.
+///     a ------------ c ------------ b     c lies barely below the edge ab: a triangle lower than a float's step,
+///       '-._       low          _.-'      which rounding flips over or flattens. Cut along cd instead, there is none.
 ///            '-._           _.-'
 ///                 '-. d .-'
 ///
-/// A low triangle is looked at together with its neighbours: a polygon of 4 corners, then 6, 8, 11 and so on to 32,
-/// always across the longest edge; each is cut the best way there is, until none of its triangles is low. So a low triangle
-/// remains only where all ways to cut 32 corners round it have one as low, or where so much has been looked through
-/// that it has to end: 64 triangles a point and 2^15 more, each pass over all of them included. Counts, points and the region's own edges stay what they are.
+/// A low triangle is treated together with its neighbours: a polygon of 4 corners, then 6, 8, 11 and so on to 32,
+/// always extended across the longest edge; each is retriangulated in the best way, until none of its triangles is low.
+/// So a low triangle remains only where every triangulation of the 32 corners around it has one as low, or where the
+/// budget is spent: 64 triangles examined per point and 2^15 more, each pass over all of them included. Counts, points
+/// and the region's own edges stay as they are.
 ///
 ///     points, starts    as in contours
 ///     triangles         any triangulation of the region that they bound, counter-clockwise
 ///
-/// Fails with error::out_of_memory; the triangles are a right triangulation then, too.
-/// Cost    about 20 instructions a triangle where none is low, and little more where few are
-/// Space   from `space`: nothing, and where very many are low 32 bytes a triangle
+/// Fails with error::out_of_memory; the triangles are a valid triangulation then, too.
+/// Cost    about 20 instructions per triangle where none is low, and little more where few are
+/// Space   from `space`: none, or 32 bytes per triangle where very many are low
 [[nodiscard]] inline error raise_low_triangles(std::span<const grid_point> points,
                                                std::span<const std::uint32_t> starts, const triangle_heights& heights,
                                                std::span<triangle> triangles, workspace& space) noexcept
@@ -50,7 +51,7 @@ namespace typemesh::inline TYPEMESH_ABI {
             if (!heights.is_low(points[at.a], points[at.b], points[at.c])) continue;
             if (!neighbours.prepare(scratch, space)) return error::out_of_memory;
             const auto [improved, clear] = patch.raise(static_cast<std::uint32_t>(t), looks);
-            again |= improved && !clear;  // what is low still may have come to lie in another place
+            again |= improved && !clear;  // what is still low may now be stored elsewhere
         }
     }
     return {};

@@ -9,10 +9,10 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// What lies in a span of interior between two points that follow each other in it.
+/// What lies in a span of interior between two consecutive points of it.
 ///
-///       .------- - - -'-.         No other point is in it or on its vertical sides, as points lie that see it; so
-///      /:::::::::::::::::\        `left` and `right` see each other, along an edge of the region at worst.
+///       .------- - - -'-.         No point that sees it lies inside it or on its vertical sides; so `left` and `right`
+///      /:::::::::::::::::\        see each other, at worst along an edge of the region.
 ///     left:::::::::::::::right
 ///        \::::::::::::::/
 ///         '--> - - - --'          `below` is the point where the region's edge along its lower side begins.
@@ -23,11 +23,11 @@ struct trapezoid {
     std::uint32_t next;  // for lists of them
 };
 
-/// For monotone_sweep.hpp, in the place of a cutter: numbers the points as the sweep meets them and writes down all
-/// trapezoids, n + h - c of them.
+/// For monotone_sweep.hpp, in place of a cutter: numbers the points in sweep order and records all trapezoids, n + h -
+/// c of them.
 class trapezoid_output {
 public:
-    /// Of a span: the point last met in it, and where its lower side begins.
+    /// Of a span: the last point met in it, and where its lower side begins.
     struct chains {
         std::uint32_t last;
         std::uint32_t below;
@@ -35,7 +35,7 @@ public:
 
     trapezoid_output(trapezoid* write, std::uint32_t* rank) noexcept : write_{write}, rank_{rank} {}
 
-    /// One past the last.
+    /// One past the last trapezoid.
     [[nodiscard]] trapezoid* end() const noexcept { return write_; }
 
     [[nodiscard]] static bool open(workspace::scope&, std::size_t) noexcept { return true; }

@@ -10,25 +10,25 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How low the triangles of a shape are, measured by its em: a *low* triangle is lower than 2^-20 em, which is one cell
-/// at 2048 units per em.
+/// How low triangles are, relative to the em: a *low* triangle is lower than 2^-20 em, which is one cell at 2048 units
+/// per em.
 ///
-///               c             The height h is that on the longest edge, the least of the three. A position is rounded
-///        . -- ' | ' --- .     to a 32-bit float once, by half of the floats' step in each coordinate, so a triangle
-///     a --------h-------- b   that is higher than sqrt(2) steps neither turns over nor goes flat. Within 4 em of the
-///                             origin a step is 2^-21 em or less, whatever the output's unit: h >= 2^-20 em will do.
+///               c             The height h is that on the longest edge, the smallest of the three. A position is
+///        . -- ' | ' --- .     rounded to a 32-bit float once, by half a float step in each coordinate, so a triangle
+///     a --------h-------- b   higher than sqrt(2) steps neither flips over nor becomes flat. Within 4 em of the origin
+///                             a step is 2^-21 em or less, whatever the output's unit: h >= 2^-20 em suffices.
 ///
-/// Levels tell how low: 0 for 2^-16 em and more, then one more for each halving, to 12 below 2^-27 em. Whoever has the
-/// choice takes high triangles in the first place, for floats are coarser farther from the origin.
+/// Levels say how low: 0 for 2^-16 em and more, then one more for each halving, up to 12 below 2^-27 em. Where there is
+/// a choice, the higher triangles are taken even beyond the limit, because floats are coarser farther from the origin.
 ///
-/// Exact, in whole numbers: h * 2^k < em where (2A * 2^k)^2 < em^2 * longest^2, A being the area. Budget: em <= 2^25
+/// Exact, in integers: h * 2^k < em where (2A * 2^k)^2 < em^2 * longest^2, A being the area. Budget: em <= 2^25
 /// cells, longest^2 <= 2^59, so a triangle that needs to be measured has 2A <= 2^39, and both sides are below 2^110.
 class triangle_heights {
 public:
     static constexpr std::uint32_t levels = 13;
-    static constexpr std::uint32_t low = 5;  ///< the least level of a low triangle
+    static constexpr std::uint32_t low = 5;  ///< the smallest level of a low triangle
 
-    /// Nothing is low when the grid does not know its em.
+    /// Nothing is low if the grid does not know its em.
     explicit triangle_heights(const grid& g) noexcept
     {
         const double cells = g.cells * g.units_per_em;
@@ -41,7 +41,7 @@ public:
     /// A triangle whose doubled area is this or more is not low.
     [[nodiscard]] std::int64_t doubled_area_of_low() const noexcept { return most_low_; }
 
-    /// The level of a triangle that turns counter-clockwise, of which twice the area is known.
+    /// The level of a counter-clockwise triangle, given its doubled area.
     [[nodiscard]] std::uint32_t level(grid_point a, grid_point b, grid_point c,
                                       std::int64_t doubled_area) const noexcept
     {
@@ -71,7 +71,7 @@ public:
 private:
     static constexpr double farthest = 0x1.8p29;  // between two points of any grid
 
-    std::int64_t em_;  // in cells; 0: not known
+    std::int64_t em_;  // in cells; 0: unknown
     std::int64_t most_;
     std::int64_t most_low_;
 };

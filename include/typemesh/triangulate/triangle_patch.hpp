@@ -11,18 +11,19 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// A polygon of neighbouring triangles that grows triangle by triangle and can be cut anew, the best way there is.
+/// A polygon of adjacent triangles that grows triangle by triangle and is retriangulated in the best way.
 ///
-///            c3 ------- c2            corners counter-clockwise; a point that the region's boundary brings round to the
-///           /  '-._    /  \           polygon twice is two corners of it. With m corners it has m - 2 triangles.
+///            c3 ------- c2            corners counter-clockwise; a point that the region's boundary visits twice along
+///           /  '-._    /  \           the polygon is two corners of it. With m corners it has m - 2 triangles.
 ///         c4        '-c0 -- c1
 ///
-/// What is best is decided by the levels of the triangles (see triangle_heights): the fewest of the lowest level, then
-/// the fewest of the next, and so on. All ways are looked through: the best one over corners i to j is the best one over
-/// i to k, that over k to j, and the triangle i k j between them, for the best k. Triangles need but turn
-/// counter-clockwise: those that do and fill in a polygon's corners cover what is inside it once.
+/// What is best is decided by the levels of the triangles (see triangle_heights): the fewest of the lowest triangles,
+/// then the fewest of the next level, and so on. All triangulations are considered, by dynamic programming: the best
+/// one over corners i to j consists of the best over i to k, the best over k to j, and the triangle i k j between them,
+/// for the best k. Triangles need only be counter-clockwise: if they fill in a polygon's corners, they then cover its
+/// inside once.
 ///
-/// Cost   m^3 / 6 triangles at most are looked at
+/// Cost   at most m^3 / 6 triangles are examined
 /// From   G. Klincsek, Minimal triangulations of polygonal domains (1980)
 class triangle_patch {
 public:
@@ -35,12 +36,12 @@ public:
     }
 
     struct outcome {
-        bool improved;  ///< some triangles are others now
-        bool clear;     ///< none of those looked at is low any more
+        bool improved;  ///< some triangles have changed
+        bool clear;     ///< none of those examined is low any more
     };
 
-    /// Grows round triangle t, cutting anew whatever can be cut better, until no triangle in it is low. `looks` is
-    /// diminished by the triangles looked at, and when it is used up that is the end.
+    /// Grows around triangle t, retriangulating whatever can be improved, until no triangle in it is low. Subtracts the
+    /// triangles examined from `looks` and ends when it is used up.
     [[nodiscard]] outcome raise(std::uint32_t t, std::int64_t& looks) noexcept
     {
         start(t);
@@ -78,7 +79,7 @@ private:
         cost_ = cost(place_[0], place_[1], place_[2], orientation(place_[0], place_[1], place_[2]));
     }
 
-    /// Takes the triangle across the longest edge that has one; false when there is none, or no room.
+    /// Adds the triangle across the longest edge that has one; false when there is none, or no space.
     [[nodiscard]] bool grow() noexcept
     {
         for (;;) {
@@ -100,7 +101,7 @@ private:
         }
     }
 
-    /// How many triangles there are of each level but 0, the lowest in the highest bits.
+    /// The number of triangles of each level but 0, of the lowest triangles in the highest bits.
     [[nodiscard]] std::uint64_t cost(grid_point a, grid_point b, grid_point c, std::int64_t doubled_area) const noexcept
     {
         const std::uint32_t level = heights_.level(a, b, c, doubled_area);
@@ -114,7 +115,7 @@ private:
         return false;
     }
 
-    /// The triangle of half-edge h, which runs against edge i of the polygon.
+    /// Adds the triangle of half-edge h, the twin of edge i of the polygon.
     void take(std::uint32_t i, std::uint32_t h) noexcept
     {
         for (std::uint32_t k = size_; k-- > i + 1;) {
@@ -158,7 +159,7 @@ private:
         return best_[0][size_ - 1];
     }
 
-    /// Puts the best triangles in the places of the old.
+    /// Replaces the old triangles by the best ones.
     void exchange() noexcept
     {
         constexpr std::uint32_t none = triangle_neighbours::none;
@@ -205,8 +206,8 @@ private:
     std::uint32_t size_ = 0;
     std::uint32_t corner_[most];
     grid_point place_[most];
-    std::uint32_t edge_[most];  // the half-edge inside, from corner i to the next
-    bool closed_[most];         // nothing more to take across it
+    std::uint32_t edge_[most];  // the inner half-edge from corner i to the next
+    bool closed_[most];         // nothing more to add across it
     std::uint32_t taken_[most];
     std::uint64_t best_[most][most];
     std::uint8_t apex_[most][most];

@@ -11,10 +11,11 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How good triangles are to light and to bend, gathered over one glyph or over many.
+/// How well triangles suit lighting and bending, collected over one glyph or over many.
 ///
-/// The angle of a triangle is its smallest, in degrees: 60 for the best, near 0 for a needle. Its aspect is its
-/// longest edge by the height upon it: 2 / sqrt(3) for the best. Triangles without area count with angle 0 and leave
+/// The angle of a triangle is its smallest, in degrees: 60 at best, near 0 for a needle. Its aspect is its longest edge
+/// divided by the height on it: 2 / sqrt(3) at best. Triangles without area count with angle 0 and leave the aspect
+/// unchanged.
 /// the aspect as it is.
 struct triangle_quality {
     std::uint64_t triangles = 0;
@@ -55,9 +56,9 @@ template <class Point>
 }  // namespace detail
 
 /// Adds triangles over `points` (grid points, or any type whose x and y are floating-point numbers) to what has been
-/// gathered.
+/// collected.
 ///
-/// Cost   one arc tangent a triangle
+/// Cost   one arc tangent per triangle
 template <class Point>
 void add_triangles(triangle_quality& q, std::span<const Point> points, std::span<const triangle> triangles) noexcept
 {
