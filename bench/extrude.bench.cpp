@@ -71,14 +71,17 @@ void extrude_font(benchmark::State& state)
     const placement at{.unit_per_cell = 1.0 / (512 * 2048), .unit_per_depth = 1.0, .em_per_cell = 1.0 / (512 * 2048)};
     std::vector<vertex> vertices(1u << 20);
     std::vector<std::uint32_t> indices(1u << 22);
-    buffer<side_point> sides;
+    plan_data_of<Extruder> sides;
+    no_caps nothing;
     std::size_t vertex_count = 0, triangle_count = 0;
     std::vector<std::pair<std::size_t, std::size_t>> places;  // where each glyph's vertices and indices begin
     for (const glyph& g : glyphs()) {
         places.emplace_back(vertex_count, 3 * triangle_count);
-        const auto sizes = how.plan(g.filled, sides);
-        if (!sizes) std::abort();
-        for (const part p : all_parts) vertex_count += sizes->vertices[p], triangle_count += sizes->triangles[p];
+        sides.clear();
+        const auto plan = plan_solid(how, g.filled, sides, nothing);
+        if (!plan) std::abort();
+        const mesh_size size = plan->sizes.total();
+        vertex_count += size.vertices, triangle_count += size.triangles;
     }
     const auto work = [&] {
         auto place = places.begin();

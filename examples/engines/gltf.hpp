@@ -147,7 +147,8 @@ template <class Plan>
 {
     const typemesh::placement at = plan.place(glyph);
     const typemesh::built_glyph& shape = *plan.glyphs()[glyph].built;
-    const typemesh::vec3 low = at.position(shape.low(), 0.0f), high = at.position(shape.high(), 0.0f);
+    const typemesh::point from = shape.around().low, to = shape.around().high;
+    const typemesh::vec3 low = at.position({from.x, from.y, 0.0}), high = at.position({to.x, to.y, 0.0});
     return typemesh::position_box::cube_around({low.x, low.y, plan.bounds().low.z}, {high.x, high.y, plan.bounds().high.z});
 }
 
@@ -292,7 +293,8 @@ template <class Plan, class Bytes>
             int last[3] = {0, 0, 0};
             for (std::size_t i = 0; i < plan.glyphs().size(); ++i) {
                 const placement place = plan.place(i);
-                const vec3 corner = place.position(plan.glyphs()[i].built->high(), 0.0f);
+                const point to = plan.glyphs()[i].built->around().high;
+                const vec3 corner = place.position({to.x, to.y, 0.0});
                 const box_position p = box_of(plan, i)({corner.x, corner.y, high.z});
                 const int bits[3] = {p.x.bits, p.y.bits, p.z.bits};
                 for (std::size_t k = 0; k < 3; ++k) last[k] = bits[k] > last[k] ? bits[k] : last[k];

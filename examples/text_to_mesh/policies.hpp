@@ -52,25 +52,39 @@ struct chosen_extruder {
                  typemesh::extruded<typemesh::cap_normals>, typemesh::flat>
         choice;
 
-    [[nodiscard]] typemesh::result<typemesh::part_sizes> plan(
-        const typemesh::region& r, typemesh::buffer<typemesh::side_point>& sides) const noexcept
+    using plan_data = typemesh::extruded<>::plan_data;  // that of all but flat, which has none
+
+    [[nodiscard]] typemesh::result<typemesh::part_sizes> plan(const typemesh::region& r, plan_data& data) const noexcept
     {
-        return std::visit([&](const auto& e) { return e.plan(r, sides); }, choice);
+        const auto plan = [&](const auto& e) {
+            if constexpr (requires { e.plan(r, data); }) return e.plan(r, data);
+            else return e.plan(r);
+        };
+        return std::visit(plan, choice);
     }
     [[nodiscard]] typemesh::height_range heights() const noexcept
     {
         return std::visit([](const auto& e) { return e.heights(); }, choice);
     }
     template <typemesh::attribute Wants, class Emit>
-    void vertices(typemesh::part p, const typemesh::solid& s, const typemesh::placement& at, Emit&& emit) const noexcept
+    void vertices(typemesh::part p, const typemesh::solid_with<plan_data>& s, const typemesh::placement& at,
+                  Emit&& emit) const noexcept
     {
         std::visit([&](const auto& e) { e.template vertices<Wants>(p, s, at, emit); }, choice);
     }
     template <class Emit>
-    void triangles(typemesh::part p, const typemesh::solid& s, const typemesh::first_vertices& first,
+    void triangles(typemesh::part p, const typemesh::solid_with<plan_data>& s, const typemesh::first_vertices& first,
                    Emit&& emit) const noexcept
     {
         std::visit([&](const auto& e) { e.triangles(p, s, first, emit); }, choice);
+    }
+    [[nodiscard]] std::uint64_t hard_edges(const typemesh::solid_with<plan_data>& s) const noexcept
+    {
+        const auto count = [&](const auto& e) -> std::uint64_t {
+            if constexpr (requires { e.hard_edges(s); }) return e.hard_edges(s);
+            else return 0;
+        };
+        return std::visit(count, choice);
     }
 };
 

@@ -106,8 +106,9 @@ struct miscounting : flat {
     {
         if (p != part::front) return;
         const auto count = static_cast<int>(s.points.size()) + more_vertices;
-        for (int i = 0; i < count; ++i) emit(surface_point<Wants>{});
-        (void)at;
+        surface_point<Wants> v;
+        if constexpr (has(Wants, attribute::position)) v.position = at.position(s.points[0], 0.0f);
+        for (int i = 0; i < count; ++i) emit(v);
     }
     template <class Emit>
     void triangles(part p, const solid& s, const first_vertices& first, Emit&& emit) const noexcept

@@ -11,6 +11,7 @@
 #include <typemesh/text/shaped_by.hpp>
 #include <typemesh/typemesh.hpp>
 
+#include "stranger/flared.hpp"
 #include "stranger/monospace_shaper.hpp"
 #include "stranger/ply_sink.hpp"
 #include "stranger/svg_paths.hpp"
@@ -81,12 +82,29 @@ struct fan {
 
 /// Counts the levels between front and back, and forgets one of the two.
 struct counts_steps_as_levels : stranger::tapering_twist {
-    result<part_sizes> plan(const region& r, buffer<side_point>& sides) const noexcept
+    result<solid_plan> plan(const region& r, plan_data& data) const noexcept
     {
-        auto sizes = tapering_twist::plan(r, sides);
-        if (sizes) sizes->vertices[part::side] -= static_cast<std::uint32_t>(r.points().size());
-        return sizes;
+        auto made = tapering_twist::plan(r, data);
+        if (made) made->sizes.vertices[part::side] -= static_cast<std::uint32_t>(r.points().size());
+        return made;
     }
+};
+/// Turns letters out of their boxes and says nothing of it.
+struct forgets_the_box : stranger::tapering_twist {
+    result<part_sizes> plan(const region& r, plan_data& data) const noexcept
+    {
+        const auto made = tapering_twist::plan(r, data);
+        if (!made) return made.error();
+        return made->sizes;
+    }
+};
+/// Says half of its depth.
+struct halves_its_heights : stranger::tapering_twist {
+    height_range heights() const noexcept { return {-0.5 * depth, 0.0}; }
+};
+/// Has five parts and says nothing of the last two.
+struct forgets_its_parts : stranger::flared {
+    static constexpr std::size_t part_count = 3;
 };
 /// Plans a back, and writes none.
 struct forgets_the_back : stranger::tapering_twist {
@@ -140,6 +158,12 @@ TEST_CASE("wrong discretisers, triangulators and extruders get their sentences",
           "an extruder emitted fewer triangles of a part than its plan() said");
     CHECK(told_by(text_mesher{font}.with(numbers_from_nought{})) ==
           "an extruder emitted a triangle with a corner that is no vertex of its solid");
+    const std::string outside = "an extruder emitted a vertex outside of the bounds that it states";
+    CHECK(told_by(text_mesher{font}.with(forgets_the_box{})) == outside);
+    CHECK(told_by(text_mesher{font}.with(halves_its_heights{})) == outside);
+    CHECK(told_by(text_mesher{font}.with(stranger::flared{})) == "");
+    CHECK(told_by(text_mesher{font}.with(forgets_its_parts{})) ==
+          "an extruder planned vertices or triangles of a part beyond its part_count");
 }
 
 TEST_CASE("a wrong shaper gets its sentence, wrong drawings and files that are too short their errors", "[asserts]")

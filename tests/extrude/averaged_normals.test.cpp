@@ -42,7 +42,7 @@ TEST_CASE("at the tip of a needle the polygon's styles still give unit normals a
     const triangle cap[] = {{0, 1, 2}};
 
     const auto tip = [&](auto how) {
-        buffer<side_point> sides;
+        plan_data_of<decltype(how)> sides;
         mesh<> m;
         REQUIRE_FALSE(extrude(r, cap, how, in_em(), sides, m));
         for (const auto& v : m.vertices) CHECK(meshes::length(v.normal) == Approx(1.0).margin(1e-6));

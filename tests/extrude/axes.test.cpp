@@ -50,7 +50,7 @@ TEST_CASE("a place reached with different pens is the same float", "[extrude]")
             const grid_point g{cell(random), cell(random)};
             with_axes(one, [&](const auto& a) {
                 with_axes(two, [&](const auto& b) {
-                    CHECK(a.position(a.foot(g), 0.5f) == b.position(b.foot({g.x + shift, g.y}), 0.5f));
+                    CHECK(a.position(a.foot(g), 0.5f) == b.position(b.foot(grid_point{g.x + shift, g.y}), 0.5f));
                 });
             });
         }

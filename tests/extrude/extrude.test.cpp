@@ -22,7 +22,7 @@ struct refusing_sink : mesh<> {
 
 /// More vertices than 32 bits can number.
 struct endless {
-    result<part_sizes> plan(const region&, buffer<side_point>&) const noexcept
+    result<part_sizes> plan(const region&) const noexcept
     {
         part_sizes s;
         s.vertices[part::front] = s.vertices[part::back] = 0xF000'0000u;
@@ -44,7 +44,7 @@ struct endless {
 TEST_CASE("a sink that refuses in begin() gets nothing else", "[extrude]")
 {
     const auto s = shapes::letter_e();
-    buffer<side_point> sides;
+    extruded<>::plan_data sides;
     refusing_sink sink;
     const error e = extrude(s.made(), s.cap, extruded<>{}, in_em(), sides, sink);
     CHECK(e == error::buffer_too_small);
@@ -57,22 +57,21 @@ TEST_CASE("a sink that refuses in begin() gets nothing else", "[extrude]")
 TEST_CASE("more vertices than 32 bits number are too large", "[extrude]")
 {
     const auto s = shapes::rectangle();
-    buffer<side_point> sides;
     mesh<> sink;
-    CHECK(extrude(s.made(), s.cap, endless{}, in_em(), sides, sink) == error::too_large);
+    CHECK(extrude(s.made(), s.cap, endless{}, in_em(), sink) == error::too_large);
     CHECK(sink.begun == 0);
 }
 
 TEST_CASE("scratch from an earlier shape does not leak into the next", "[extrude]")
 {
-    buffer<side_point> sides;
+    extruded<>::plan_data sides;
     const auto d = shapes::letter_d();
     const auto e = shapes::letter_e();
     mesh<> used, fresh;
     REQUIRE_FALSE(extrude(d.made(), d.cap, extruded<>{.texture = texture_mapping::em}, in_em(), sides, used));
     used = {};
     REQUIRE_FALSE(extrude(e.made(), e.cap, extruded<>{}, in_em(), sides, used));
-    buffer<side_point> clean;
+    extruded<>::plan_data clean;
     REQUIRE_FALSE(extrude(e.made(), e.cap, extruded<>{}, in_em(), clean, fresh));
     REQUIRE(used.vertices.size() == fresh.vertices.size());
     for (std::size_t i = 0; i < used.vertices.size(); ++i) {

@@ -188,11 +188,10 @@ TEST_CASE("heights follow the parts that are switched on", "[extrude]")
     CHECK(heights(true, true, false).high == 0.0);
 }
 
-TEST_CASE("a depth that is not positive and finite is a bad option, and nothing is appended", "[extrude]")
+TEST_CASE("a depth that is not positive and finite is a bad option", "[extrude]")
 {
     const auto s = shapes::rectangle();
-    buffer<side_point> sides;
-    REQUIRE(sides.push_back({}));
+    extruded<>::plan_data sides;
     for (const float depth : {0.0f, -0.1f, std::numeric_limits<float>::infinity(),
                               -std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
         CHECK(extruded<>{.depth = depth}.plan(s.made(), sides).error() == error::bad_option);
@@ -206,14 +205,14 @@ TEST_CASE("a depth that is not positive and finite is a bad option, and nothing 
                   error::bad_option);
         }
     }
-    CHECK(sides.size() == 1);
+    sides.clear();
     CHECK(extruded<>{}.plan(s.made(), sides));
-    CHECK(sides.size() == 5);
+    CHECK(sides.of<side_point>().size() == 4);
 }
 
 TEST_CASE("an empty region extrudes to nothing", "[extrude]")
 {
-    buffer<side_point> sides;
+    extruded<>::plan_data sides;
     mesh<> m;
     CHECK_FALSE(extrude(region{}, {}, extruded<>{}, in_em(), sides, m));
     CHECK(m.vertices.empty());
@@ -224,13 +223,13 @@ TEST_CASE("an empty region extrudes to nothing", "[extrude]")
     CHECK_FALSE(extrude(region::proven(none, 0, 0), {}, extruded<>{.texture = texture_mapping::em}, in_em(), sides, m));
 }
 
-TEST_CASE("memory that fails in plan() is reported, and what was there stays", "[extrude]")
+TEST_CASE("memory that fails in plan() is reported", "[extrude]")
 {
     const memory nothing = {nullptr, [](void*, std::size_t, std::size_t) noexcept -> void* { return nullptr; },
                             [](void*, void*, std::size_t, std::size_t) noexcept {}};
-    buffer<side_point> sides{nothing};
+    extruded<>::plan_data sides{nothing};
     CHECK(extruded<>{}.plan(shapes::rectangle().made(), sides).error() == error::out_of_memory);
-    CHECK(sides.empty());
+    CHECK(sides.of<side_point>().empty());
     mesh<> m;
     CHECK(extrude(shapes::rectangle().made(), shapes::rectangle().cap, extruded<>{}, in_em(), sides, m) ==
           error::out_of_memory);
@@ -240,7 +239,7 @@ TEST_CASE("memory that fails in plan() is reported, and what was there stays", "
 TEST_CASE("fewer attributes give the same positions", "[extrude]")
 {
     const auto s = shapes::letter_d();
-    buffer<side_point> sides;
+    extruded<>::plan_data sides;
     mesh<attribute::position> bare;
     REQUIRE_FALSE(extrude(s.made(), s.cap, extruded<>{}, in_em(), sides, bare));
     const built full = build(s, extruded<>{});

@@ -97,14 +97,18 @@ template <class E>
 built build(const shapes::shape& s, const E& how, const placement& at = in_em())
 {
     built b;
-    buffer<side_point> sides;
+    plan_data_of<E> data;
+    no_caps nothing;
     const region r = s.made();
-    if (const auto sizes = how.plan(r, sides))
-        b.sizes = *sizes;
+    if (const auto plan = plan_solid(how, r, data, nothing))
+        b.sizes = plan->sizes;
     else
         std::abort();
-    if (extrude(r, s.cap, how, at, sides, static_cast<mesh<everything>&>(b))) std::abort();
-    b.sides.assign(sides.begin(), sides.end());
+    if (extrude(r, s.cap, how, at, data, static_cast<mesh<everything>&>(b))) std::abort();
+    if constexpr (requires { data.template of<side_point>(); }) {
+        const auto sides = data.read().template of<side_point>();
+        b.sides.assign(sides.begin(), sides.end());
+    }
     return b;
 }
 

@@ -28,6 +28,7 @@ TEST_CASE("what was planned goes through to the sink as it came", "[extrude]")
     // What was not planned is asserted: tests/asserts/policies.test.cpp.
     listing sink;
     detail::planned_vertices<listing> vertices{sink, 2};
+    vertices.bounds = {{}, {1.0f, 2.0f, 3.0f}};
     surface_point<attribute::position> s;
     s.position = {1.0f, 2.0f, 3.0f};
     vertices.vertex({});

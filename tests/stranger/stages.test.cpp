@@ -71,7 +71,7 @@ TEST_CASE("a stranger's triangulator fills what a stranger's discretiser and sou
 TEST_CASE("a stranger's extruder, sink and style of normals work with the library's own", "[stranger]")
 {
     meshed m{2};
-    buffer<side_point> sides;
+    extruded<>::plan_data sides;
     stranger::volume sink;
 
     REQUIRE_FALSE(extrude(m.filled, m.cap.view(), extruded<>{.depth = 0.5f}, m.in_em(), sides, sink));
@@ -82,7 +82,7 @@ TEST_CASE("a stranger's extruder, sink and style of normals work with the librar
     CHECK(sink.count == 6 * m.filled.points().size());
     CHECK(sink.value() == Approx(0.5 * m.cap_area()).epsilon(1e-4));
 
-    REQUIRE_FALSE(extrude(m.filled, m.cap.view(), stranger::fence{.tall = 0.5f}, m.in_em(), sides, sink));
+    REQUIRE_FALSE(extrude(m.filled, m.cap.view(), stranger::fence{.tall = 0.5f}, m.in_em(), sink));
     CHECK(sink.count == 2 * m.filled.points().size());
     CHECK(sink.triangles == 2 * m.filled.points().size());
 
@@ -95,7 +95,7 @@ TEST_CASE("a stranger's extruder, sink and style of normals work with the librar
 TEST_CASE("a stranger's vertex, writer and stream hold what the surface tells", "[stranger]")
 {
     meshed m{1};
-    buffer<side_point> sides;
+    extruded<>::plan_data sides;
     std::vector<std::uint16_t> indices;
 
     std::vector<stranger::vertex> vertices;
@@ -108,7 +108,7 @@ TEST_CASE("a stranger's vertex, writer and stream hold what the surface tells", 
 
     std::vector<stranger::packed_vertex> packed;
     auto pack = into(packed, indices, stranger::packing_writer{-1.0f, 1.0f, 0xFF8800u});
-    REQUIRE_FALSE(extrude(m.filled, m.cap.view(), flat{}, m.in_em(), sides, pack));
+    REQUIRE_FALSE(extrude(m.filled, m.cap.view(), flat{}, m.in_em(), pack));
     REQUIRE(packed.size() == 4);
     for (const auto& v : packed) {
         CHECK(v.colour == 0xFF8800u);

@@ -113,11 +113,12 @@ private:
 struct fence {
     float tall = 0.1f;
 
-    typemesh::result<typemesh::part_sizes> plan(const typemesh::region& r,
-                                                typemesh::buffer<typemesh::side_point>& sides) const noexcept
+    using plan_data = typemesh::plan_arrays<typemesh::vec2>;  // the normals in the plane, one a point
+
+    typemesh::result<typemesh::part_sizes> plan(const typemesh::region& r, plan_data& data) const noexcept
     {
         const std::size_t n = r.points().size();
-        typemesh::side_point* mine = sides.append(n);
+        typemesh::vec2* mine = data.of<typemesh::vec2>().append(n);
         if (mine == nullptr && n != 0) return typemesh::error::out_of_memory;
         for (std::uint32_t k = 0; k < r.loop_count(); ++k) {
             const std::uint32_t first = r.starts()[k], end = r.starts()[k + 1];
@@ -126,8 +127,7 @@ struct fence {
                            after = r.points()[i + 1 == end ? first : i + 1];
                 const double dx = double(after.x) - before.x, dy = double(after.y) - before.y,
                              l = std::hypot(dx, dy) + 1e-300;
-                mine[i] = {};
-                mine[i].before = mine[i].after = {static_cast<float>(dy / l), static_cast<float>(-dx / l)};
+                mine[i] = {static_cast<float>(dy / l), static_cast<float>(-dx / l)};
             }
         }
         typemesh::part_sizes sizes;
@@ -138,15 +138,17 @@ struct fence {
     typemesh::height_range heights() const noexcept { return {0.0, tall}; }
 
     template <typemesh::attribute Wants, class Emit>
-    void vertices(typemesh::part p, const typemesh::solid& s, const typemesh::placement& at, Emit&& emit) const noexcept
+    void vertices(typemesh::part p, const typemesh::solid_with<plan_data>& s, const typemesh::placement& at,
+                  Emit&& emit) const noexcept
     {
         if (p != typemesh::part::side) return;
+        const auto normals = s.data.of<typemesh::vec2>();
         for (std::size_t i = 0; i < s.points.size(); ++i) {
             for (const double height : {static_cast<double>(tall), 0.0}) {
                 typemesh::surface_point<Wants> v;
                 if constexpr (has(Wants, typemesh::attribute::position))
                     v.position = at.position(s.points[i], at.height(height));
-                if constexpr (has(Wants, typemesh::attribute::normal)) v.normal = at.normal(s.sides[i].before);
+                if constexpr (has(Wants, typemesh::attribute::normal)) v.normal = at.normal(normals[i]);
                 if constexpr (has(Wants, typemesh::attribute::uv))
                     v.uv = {static_cast<float>(i), static_cast<float>(height)};
                 emit(v);

@@ -70,9 +70,9 @@ template <class Extruder>
 collected whole(const built_glyph& g, const Extruder& how, const placement& at, bool turned)
 {
     collected m;
-    for (const part p : parts_of<Extruder>) write_vertices(p, g.planned(), how, at, m);
+    for (const part p : parts_of<Extruder>) write_vertices(p, g.planned<Extruder>(), how, at, m);
     for (const part p : parts_of<Extruder>)
-        write_triangles(p, g.planned(), how, g.sizes().vertices.starts(), turned, m);
+        write_triangles(p, g.planned<Extruder>(), how, g.sizes().vertices.starts(), turned, m);
     return m;
 }
 

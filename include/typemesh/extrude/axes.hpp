@@ -12,6 +12,7 @@ public:
 
     /// The part of a position that is the same for all heights.
     [[nodiscard]] placement::footprint foot(grid_point p) const noexcept { return at_.foot(p); }
+    [[nodiscard]] placement::footprint foot(point p) const noexcept { return at_.foot(p); }
     [[nodiscard]] vec3 position(placement::footprint f, float z) const noexcept { return at_.position(f, z); }
     [[nodiscard]] vec3 direction(float x, float y, float z) const noexcept { return at_.frame(x, y, z); }
 
@@ -34,7 +35,8 @@ public:
                (f.toward == vec3{0.0f, 0.0f, 1.0f} || f.toward == vec3{0.0f, 0.0f, -1.0f});
     }
 
-    [[nodiscard]] vec2 foot(grid_point p) const noexcept
+    [[nodiscard]] vec2 foot(grid_point p) const noexcept { return foot(placement::exact(p)); }
+    [[nodiscard]] vec2 foot(point p) const noexcept
     {
         return {static_cast<float>((p.x + pen_.x) * scale_), static_cast<float>((p.y + pen_.y) * scale_)};
     }

@@ -3,6 +3,7 @@
 
 #include <typemesh/core/assert.hpp>
 #include <typemesh/extrude/extruder.hpp>
+#include <typemesh/extrude/placed_bounds.hpp>
 #include <typemesh/extrude/planned_sink.hpp>
 #include <typemesh/vertex/mesh_sink.hpp>
 
@@ -11,7 +12,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Emits a solid's vertices of one part into a sink, and tells them their glyph, cluster and part where the sink wants
 /// these.
 template <extruder Extruder, mesh_sink Sink>
-void write_vertices(part p, const solid& s, const Extruder& how, const placement& at, Sink& sink) noexcept
+void write_vertices(part p, const solid_of<Extruder>& s, const Extruder& how, const placement& at, Sink& sink) noexcept
 {
     constexpr attribute wants = Sink::wants;
     if constexpr (has(wants, attribute::glyph | attribute::cluster | attribute::part)) {
@@ -29,7 +30,7 @@ void write_vertices(part p, const solid& s, const Extruder& how, const placement
 
 /// Emits a solid's triangles of one part into a sink, turned as the frame asks (see frame::turns_triangles()).
 template <extruder Extruder, mesh_sink Sink>
-void write_triangles(part p, const solid& s, const Extruder& how, const first_vertices& first, bool turned,
+void write_triangles(part p, const solid_of<Extruder>& s, const Extruder& how, const first_vertices& first, bool turned,
                      Sink& sink) noexcept
 {
     if (turned) {
@@ -43,47 +44,70 @@ void write_triangles(part p, const solid& s, const Extruder& how, const first_ve
 
 /// The same, with the extruder held to its plan() in debug builds: what it emits too much is not passed on.
 template <extruder Extruder, mesh_sink Sink>
-void write_vertices(part p, const planned_solid& s, const Extruder& how, const placement& at, Sink& sink) noexcept
+void write_vertices(part p, const planned_solid_of<Extruder>& s, const Extruder& how, const placement& at,
+                    Sink& sink) noexcept
 {
-    detail::planned_vertices<Sink> to{sink, s.sizes.vertices[p]};
+    detail::planned_vertices<Sink> to{sink, s.plan.sizes.vertices[p]};
+    TYPEMESH_ASSERT((to.bounds = detail::promised_bounds(s.plan.around, s.form.points, how.heights(), at), true),
+                    "filled in");
     write_vertices(p, s.form, how, at, to);
     TYPEMESH_ASSERT(to.emitted >= to.planned, "an extruder emitted fewer vertices of a part than its plan() said");
 }
 template <extruder Extruder, mesh_sink Sink>
-void write_triangles(part p, const planned_solid& s, const Extruder& how, const first_vertices& first, bool turned,
-                     Sink& sink) noexcept
+void write_triangles(part p, const planned_solid_of<Extruder>& s, const Extruder& how, const first_vertices& first,
+                     bool turned, Sink& sink) noexcept
 {
-    detail::planned_triangles<Sink> to{sink, s.sizes, first, s.sizes.triangles[p]};
+    detail::planned_triangles<Sink> to{sink, s.plan.sizes, first, s.plan.sizes.triangles[p]};
     write_triangles(p, s.form, how, first, turned, to);
     TYPEMESH_ASSERT(to.emitted >= to.planned, "an extruder emitted fewer triangles of a part than its plan() said");
+}
+
+/// Writes one solid: all vertices, then all triangles.
+///
+/// Fails  error::too_large, or as the sink's begin() does: nothing is written then; or as its end() does
+template <extruder Extruder, mesh_sink Sink>
+error write_solid(const planned_solid_of<Extruder>& s, const Extruder& how, const placement& at, Sink& sink) noexcept
+{
+    const mesh_size exact = s.plan.sizes.total();
+    if (!exact.fits_32_bits()) return error::too_large;
+    if (error e = sink.begin(exact)) return e;
+
+    for (const part p : parts_of<Extruder>) write_vertices(p, s, how, at, sink);
+    const bool turned = at.frame.turns_triangles();
+    const first_vertices first = s.plan.sizes.vertices.starts();
+    for (const part p : parts_of<Extruder>) write_triangles(p, s, how, first, turned, sink);
+    return end_of(sink);
 }
 
 /// The stage by itself: puts one region up into space and writes it.
 ///
 ///     cap      the region's triangles, from any triangulator
-///     sides    scratch; what it held before is forgotten, its storage stays for the next call
+///     data     the extruder's plan data; what it held before is forgotten, its storage stays for the next call
 ///
-/// Fails  error::bad_option, error::out_of_memory, error::too_large, or what else the extruder's plan() or the sink's
-///        begin() say; nothing is written then.
+/// For an extruder that asks for caps: plan_solid(), then write_solid().
+///
+/// Fails  error::bad_option, error::out_of_memory, error::too_large, or what else the extruder's plan() says; nothing is
+///        written then. And as write_solid() does
 template <extruder Extruder, mesh_sink Sink>
 error extrude(const region& shape, std::span<const triangle> cap, const Extruder& how, const placement& at,
-              buffer<side_point>& sides, Sink& sink) noexcept
+              plan_data_of<Extruder>& data, Sink& sink) noexcept
 {
-    sides.clear();
-    const result<part_sizes> sizes = how.plan(shape, sides);
-    if (!sizes) return sizes.error();
+    static_assert(!capping_extruder<Extruder>, "typemesh: this extruder asks for caps; call plan_solid() and write_solid()");
+    data.clear();
+    no_caps nothing;
+    const result<solid_plan> plan = plan_solid(how, shape, data, nothing);
+    if (!plan) return plan.error();
+    const solid_of<Extruder> form{{shape.points(), shape.starts(), cap}, data.read()};
+    return write_solid<Extruder>({form, *plan}, how, at, sink);
+}
 
-    const mesh_size exact = sizes->total();
-    if (!exact.fits_32_bits()) return error::too_large;
-    if (error e = sink.begin(exact)) return e;
-
-    const solid s{shape.points(), shape.starts(), cap, sides.view()};
-    const planned_solid planned{s, *sizes};
-    for (const part p : parts_of<Extruder>) write_vertices(p, planned, how, at, sink);
-    const bool turned = at.frame.turns_triangles();
-    for (const part p : parts_of<Extruder>) write_triangles(p, planned, how, sizes->vertices.starts(), turned, sink);
-    sink.end();
-    return {};
+/// The same for extruders without plan data, and for a single call.
+template <extruder Extruder, mesh_sink Sink>
+error extrude(const region& shape, std::span<const triangle> cap, const Extruder& how, const placement& at,
+              Sink& sink) noexcept
+{
+    plan_data_of<Extruder> data{heap()};
+    return extrude(shape, cap, how, at, data, sink);
 }
 
 }  // namespace typemesh::inline TYPEMESH_ABI

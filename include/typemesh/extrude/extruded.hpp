@@ -6,6 +6,7 @@
 #include <typemesh/extrude/axes.hpp>
 #include <typemesh/extrude/curve_normals.hpp>
 #include <typemesh/extrude/extruder.hpp>
+#include <typemesh/extrude/plan_arrays.hpp>
 #include <typemesh/extrude/side_normals.hpp>
 #include <typemesh/extrude/texture.hpp>
 #include <typemesh/extrude/texture_tangent.hpp>
@@ -70,7 +71,9 @@ struct extruded {
         return bits;
     }
 
-    [[nodiscard]] result<part_sizes> plan(const region& shape, buffer<side_point>& sides) const noexcept
+    using plan_data = plan_arrays<side_point>;  ///< one a contour point while there are walls to be lit
+
+    [[nodiscard]] result<part_sizes> plan(const region& shape, plan_data& data) const noexcept
     {
         if (!is_finite(as_double(depth)) || !(depth > 0.0f)) return error::bad("depth");
         const std::size_t n = shape.points().size();
@@ -80,18 +83,14 @@ struct extruded {
             return sizes(shape, 0);
         }
 
-        const std::size_t before = sides.size();
-        side_point* mine = sides.append(n);
-        if (mine == nullptr) return error::out_of_memory;
-        clear(mine, n);
-        if (error e = normals(shape, {mine, n})) {
-            sides.truncate(before);
-            return e;
-        }
+        side_point* sides = data.of<side_point>().append(n);
+        if (sides == nullptr) return error::out_of_memory;
+        clear(sides, n);
+        if (error e = normals(shape, {sides, n})) return e;
         if constexpr (Normals::shares_caps) return sizes(shape, 0);
-        if (texture == texture_mapping::em) return sizes(shape, measure(shape, mine));
+        if (texture == texture_mapping::em) return sizes(shape, measure(shape, sides));
         std::uint32_t doubled = 0;
-        for (std::size_t i = 0; i < n; ++i) doubled += mine[i].doubled;
+        for (std::size_t i = 0; i < n; ++i) doubled += sides[i].doubled;
         return sizes(shape, doubled);
     }
 
@@ -101,8 +100,17 @@ struct extruded {
         return {side || back ? low : front ? high : 0.0, side || front ? high : back ? low : 0.0};
     }
 
+    /// The points whose walls meet hard: they have two pairs of vertices, seams apart.
+    [[nodiscard]] std::uint64_t hard_edges(const solid_with<plan_data>& s) const noexcept
+    {
+        std::uint64_t hard = 0;
+        for (const side_point& one : s.data.of<side_point>())
+            hard += one.doubled && !(one.seam && one.before == one.after) ? 1u : 0u;
+        return hard;
+    }
+
     template <attribute Wants, class Emit>
-    void vertices(part p, const solid& s, const placement& at, Emit&& emit) const noexcept
+    void vertices(part p, const solid_with<plan_data>& s, const placement& at, Emit&& emit) const noexcept
     {
         const double high = centred ? 0.5 * as_double(depth) : 0.0;
         const float top = at.height(high), bottom = at.height(high - as_double(depth));
@@ -119,7 +127,7 @@ struct extruded {
     }
 
     template <class Emit>
-    void triangles(part p, const solid& s, const first_vertices& first, Emit&& emit) const noexcept
+    void triangles(part p, const solid_with<plan_data>& s, const first_vertices& first, Emit&& emit) const noexcept
     {
         if (p == part::front && front) {
             const std::uint32_t base = first[part::front];
@@ -197,13 +205,13 @@ private:
     }
 
     template <attribute Wants, class Axes, class Emit>
-    void cap(const solid& s, const Axes& axes, float z, float facing, bool lit_by_cap, planar_texture uv,
+    void cap(const solid_with<plan_data>& s, const Axes& axes, float z, float facing, bool lit_by_cap, planar_texture uv,
              texture_tangent tangents, Emit& emit) const noexcept
     {
         const vec3 flat_normal = axes.direction(0.0f, 0.0f, facing);
         vec4 flat_tangent;
         if constexpr (has(Wants, attribute::tangent)) flat_tangent = tangents.on_cap(axes, facing);
-        const side_point* sides = s.sides.data();
+        const side_point* sides = s.data.of<side_point>().data();
         for (std::size_t i = 0; i < s.points.size(); ++i) {
             const grid_point g = s.points[i];
             surface_point<Wants> v;
@@ -246,16 +254,16 @@ private:
     /// Pairs (front, back) along each contour; a doubled point has one for the wall before it and one for the wall
     /// after.
     template <attribute Wants, class Axes, class Emit>
-    void walls(const solid& s, const Axes& axes, float top, float bottom, const placement& at, planar_texture planar,
+    void walls(const solid_with<plan_data>& s, const Axes& axes, float top, float bottom, const placement& at, planar_texture planar,
                texture_tangent tangents, Emit& emit) const noexcept
     {
         const bool by_length = texture == texture_mapping::em;
-        const float tiles_per_cell = static_cast<float>(at.em_per_cell);
-        const float deep = static_cast<float>(as_double(depth) * at.em_per_depth);  // em
-        const float v_top = planar.turned(1.0f), v_bottom = planar.turned(1.0f - deep);
+        const wall_texture wall{at};
+        const float v_top = wall.v(0.0), v_bottom = wall.v(as_double(depth));
+        const side_point* sides = s.data.of<side_point>().data();
         for (std::size_t i = 0; i < s.points.size(); ++i) {
             const grid_point g = s.points[i];
-            const side_point& here = s.sides[i];
+            const side_point& here = sides[i];
             surface_point<Wants> front_point, back_point;
             if constexpr (has(Wants, attribute::position)) {
                 const auto foot = axes.foot(g);
@@ -267,7 +275,7 @@ private:
             }
             if constexpr (has(Wants, attribute::uv)) {
                 front_point.uv = back_point.uv =
-                    by_length ? vec2{here.along * tiles_per_cell, v_top} : planar(g);
+                    by_length ? vec2{wall.u(here.along), v_top} : planar(g);
                 if (by_length) back_point.uv.y = v_bottom;
             }
             if constexpr (has(Wants, attribute::tangent)) {
@@ -309,8 +317,9 @@ private:
     ///            | \   |      the first pair of its second
     ///     back  a+1---c+1
     template <class Emit>
-    static void join_walls(const solid& s, std::uint32_t first, Emit& emit) noexcept
+    static void join_walls(const solid_with<plan_data>& s, std::uint32_t first, Emit& emit) noexcept
     {
+        const side_point* sides = s.data.of<side_point>().data();
         std::uint32_t a = first;
         const auto wall = [&emit](std::uint32_t from, std::uint32_t c) noexcept {
             emit(from, from + 1, c + 1);
@@ -319,11 +328,11 @@ private:
         for (std::size_t loop = 0; loop + 1 < s.starts.size(); ++loop) {
             const std::uint32_t last = s.starts[loop + 1] - 1, start = a;
             for (std::uint32_t i = s.starts[loop]; i < last; ++i) {
-                a += s.sides[i].doubled ? 2u : 0u;
+                a += sides[i].doubled ? 2u : 0u;
                 wall(a, a + 2);
                 a += 2;
             }
-            a += s.sides[last].doubled ? 2u : 0u;
+            a += sides[last].doubled ? 2u : 0u;
             wall(a, start);
             a += 2;
         }

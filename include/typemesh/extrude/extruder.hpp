@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/assert.hpp>
 #include <typemesh/core/option_bits.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/result.hpp>
+#include <typemesh/extrude/cap_maker.hpp>
 #include <typemesh/extrude/placement.hpp>
+#include <typemesh/extrude/plan_arrays.hpp>
 #include <typemesh/extrude/solid.hpp>
 #include <typemesh/vertex/surface_point.hpp>
 
@@ -42,30 +44,110 @@ inline constexpr std::size_t part_count_of<E> = E::part_count;
 template <class E>
 inline constexpr std::span<const part> parts_of = std::span{all_parts}.first(part_count_of<E>);
 
+/// The type of an extruder's plan data; no_plan_data where it has none.
+template <class E>
+using plan_data_of = typename detail::plan_data<E>::type;
+
+/// What an extruder writes from: a solid, with its plan data where it has any.
+template <class E>
+using solid_of = solid_with<plan_data_of<E>>;
+template <class E>
+using planned_solid_of = planned_solid<plan_data_of<E>>;
+
+namespace detail {
+
+template <class P>
+concept planned_result = std::same_as<P, result<part_sizes>> || std::same_as<P, result<solid_plan>>;
+
+template <class E>
+concept plans_by_itself = requires(const E& e, const region& r) {
+    { e.plan(r) } noexcept -> planned_result;
+};
+template <class E>
+concept plans_with_data = requires(const E& e, const region& r, plan_data_of<E>& data) {
+    { e.plan(r, data) } noexcept -> planned_result;
+};
+template <class E>
+concept plans_with_caps = requires(const E& e, const region& r, plan_data_of<E>& data, no_caps& caps) {
+    { e.plan(r, data, caps) } noexcept -> planned_result;
+};
+
+}  // namespace detail
+
 /// Puts a filled region up into space.
 ///
-///     e.plan(region, sides)            counts exactly what the shape will need of each part; appends to `sides` what
-///                                      writing will want to know (usually one side_point a contour point, or nothing)
+///     e.plan(region)                   counts exactly what the shape will need of each part: part_sizes; or solid_plan,
+///                                      if it goes beyond the region's own box in the plane, or not as far
 ///     e.heights()                      between which heights everything will lie
 ///     e.vertices<Wants>(part, s, at, emit)     emit(surface_point<Wants>) as often as plan() said for that part; its
 ///                                      glyph, cluster and part are not the extruder's business: write_vertices()
-///                                      (extrude.hpp) fills them in
+///                                      (extrude.hpp) fills them in. `at` maps points and directions: placement.hpp
 ///     e.triangles(part, s, first, emit)        emit(a, b, c) as often as plan() said: vertex numbers, of any part,
 ///                                      each being first[part] + the place in which vertices() emitted it.
 ///                                      Counter-clockwise seen from outside in a right-handed frame; mirroring is not
 ///                                      its business.
 ///
+/// That is all that a simple one needs. Beyond it:
+///
+///     E::plan_data                     what plan() learns and writing wants to know, see plan_arrays.hpp: plan(region,
+///                                      data) is given it empty, and `s` is a solid_with<plan_data>
+///     e.plan(region, data, caps)       instead, to have caps of further regions cut while it plans: cap_maker.hpp
+///     E::part_count                    parts 0 to part_count - 1 instead of front, back and side; at most eight
+///     e.hard_edges(s)                  how many contour points are doubled because their walls meet hard
+///     e.cache_key()                    all options that plan() goes by, where there are any: option_bits.hpp
+///
 /// plan() is asked about an empty region first, so that a text without letters refuses the same options.
-/// What is emitted is counted in builds with asserts, and what was not planned is not passed on there.
-/// It fails with error::bad_option for options out of range, error::out_of_memory, or an error of its own, `sides`
-/// then being as it was. The rest cannot fail.
+/// What is emitted is counted in builds with asserts, and what was not planned is not passed on there; what lies outside
+/// of heights() and of the box is told.
+/// It fails with error::bad_option for options out of range, error::out_of_memory, or an error of its own. The rest
+/// cannot fail.
 template <class E>
-concept extruder = requires(const E& e, const region& r, buffer<side_point>& sides, const solid& s, const placement& at,
-                            part p, const first_vertices& first, ignore_surface emit) {
-    { e.plan(r, sides) } noexcept -> std::same_as<result<part_sizes>>;
-    { e.heights() } noexcept -> std::same_as<height_range>;
-    { e.template vertices<attribute::position>(p, s, at, emit) } noexcept;
-    { e.triangles(p, s, first, emit) } noexcept;
+concept extruder =
+    (detail::plans_by_itself<E> || detail::plans_with_data<E> || detail::plans_with_caps<E>) &&
+    requires(const E& e, const solid_of<E>& s, const placement& at, part p, const first_vertices& first,
+             ignore_surface emit) {
+        { e.heights() } noexcept -> std::same_as<height_range>;
+        { e.template vertices<attribute::position>(p, s, at, emit) } noexcept;
+        { e.triangles(p, s, first, emit) } noexcept;
+        requires part_count_of<E> >= 1 && part_count_of<E> <= most_parts;
+    };
+
+/// An extruder that tells how many of a solid's contour points are doubled because their walls meet hard.
+template <class E>
+concept tells_hard_edges = extruder<E> && requires(const E& e, const solid_of<E>& s) {
+    { e.hard_edges(s) } noexcept -> std::convertible_to<std::uint64_t>;
 };
+
+/// An extruder that asks for caps.
+template <class E>
+concept capping_extruder = extruder<E> && detail::plans_with_caps<E>;
+
+/// Asks an extruder for its plan, in whichever way it takes. `data` is empty.
+template <extruder E, cap_maker Caps>
+[[nodiscard]] result<solid_plan> plan_solid(const E& how, const region& shape, plan_data_of<E>& data,
+                                            Caps& caps) noexcept
+{
+    const auto made = [&]() noexcept {
+        if constexpr (detail::plans_with_caps<E>) return how.plan(shape, data, caps);
+        else if constexpr (detail::plans_with_data<E>) return how.plan(shape, data);
+        else return how.plan(shape);
+    }();
+    if (!made) return made.error();
+    const solid_plan plan{*made};
+    for (std::size_t p = part_count_of<E>; p < most_parts; ++p) {
+        TYPEMESH_ASSERT(plan.sizes.vertices.of[p] == 0 && plan.sizes.triangles.of[p] == 0,
+                        "an extruder planned vertices or triangles of a part beyond its part_count");
+    }
+    return plan;
+}
+
+/// Why an extruder refuses its options, or none: what its plan() says of an empty region.
+template <extruder E>
+[[nodiscard]] error refused_options(const E& how) noexcept
+{
+    plan_data_of<E> data{heap()};
+    no_caps nothing;
+    return plan_solid(how, region{}, data, nothing).error();
+}
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -15,7 +15,7 @@ struct flat {
     /// See option_bits. Where texture coordinates come from matters only to writing.
     [[nodiscard]] option_bits cache_key() const noexcept { return {}; }
 
-    [[nodiscard]] result<part_sizes> plan(const region& shape, buffer<side_point>&) const noexcept
+    [[nodiscard]] result<part_sizes> plan(const region& shape) const noexcept
     {
         if (shape.points().size() > 0x3FFF'FFFFu) return error::too_large;
         part_sizes sizes;

@@ -10,9 +10,22 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
+/// A point of a solid as its extruder computes it: no grid holds it.
+struct solid_point {
+    double x = 0.0;  ///< cells, as the region's points
+    double y = 0.0;
+    double z = 0.0;  ///< in the unit of the extruder's heights()
+};
+
 /// Where a shape stands and in which unit it is written: from grid cells to the caller's coordinates.
 ///
 ///     output = frame((cell + pen) * unit_per_cell)        z = depth * unit_per_depth
+///
+///     at.position({x, y, z})          any point, in double precision; a grid point's to the bit
+///     at.direction({x, y, z})         a normal or a tangent: x along the text, y up, z towards the reader
+///     at.cells_per_depth()            what a slope is measured by: cells to one unit of heights
+///     planar_texture, wall_texture    texture coordinates: texture.hpp
+///     texture_tangent                 and their tangents: texture_tangent.hpp
 ///
 /// The sum is exact in double precision and rounded once, to the 24 bits of a float, so equal places give equal floats.
 /// The frame's products are of 24 bits by 24 bits, hence exact in double precision too: whether or not a compiler joins
@@ -38,7 +51,10 @@ struct placement {
     cluster_id cluster = no_cluster;  ///< its place in the caller's text, likewise
 
     /// Where a grid point stands: the part of position() that is the same for all heights.
-    [[nodiscard]] footprint foot(grid_point p) const noexcept
+    [[nodiscard]] footprint foot(grid_point p) const noexcept { return foot(exact(p)); }
+
+    /// The same for a point in double precision, in cells.
+    [[nodiscard]] footprint foot(point p) const noexcept
     {
         const double x = to_24_bits((p.x + pen.x) * unit_per_cell), y = to_24_bits((p.y + pen.y) * unit_per_cell);
         const typemesh::frame& f = frame;
@@ -58,14 +74,33 @@ struct placement {
     /// A grid point at height z, given in output units.
     [[nodiscard]] vec3 position(grid_point p, float z) const noexcept { return position(foot(p), z); }
 
+    /// Any point.
+    [[nodiscard]] vec3 position(const solid_point& p) const noexcept
+    {
+        return position(foot(point{p.x, p.y}), height(p.z));
+    }
+
     /// A height as extruders tell it, in output units.
     [[nodiscard]] float height(double depth) const noexcept { return static_cast<float>(depth * unit_per_depth); }
+
+    /// How many cells are as long as one unit of heights.
+    [[nodiscard]] double cells_per_depth() const noexcept { return unit_per_depth / unit_per_cell; }
+
+    /// A direction, given in the text's own axes (x along the text, y up, z towards the reader), in the caller's.
+    [[nodiscard]] vec3 direction(vec3 d) const noexcept { return frame(d.x, d.y, d.z); }
+    [[nodiscard]] vec3 direction(float x, float y, float z) const noexcept { return frame(x, y, z); }
 
     /// A wall's normal, given in the plane, in the caller's axes.
     [[nodiscard]] vec3 normal(vec2 n) const noexcept
     {
         return {frame.right.x * n.x + frame.up.x * n.y, frame.right.y * n.x + frame.up.y * n.y,
                 frame.right.z * n.x + frame.up.z * n.y};
+    }
+
+    /// A grid point in double precision.
+    [[nodiscard]] static constexpr point exact(grid_point p) noexcept
+    {
+        return {static_cast<double>(p.x), static_cast<double>(p.y)};
     }
 
 private:

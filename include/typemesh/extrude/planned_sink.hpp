@@ -3,6 +3,7 @@
 
 #include <typemesh/core/assert.hpp>
 #include <typemesh/extrude/solid.hpp>
+#include <typemesh/vertex/bounds3.hpp>
 #include <typemesh/vertex/mesh_sink.hpp>
 
 #include <cstdint>
@@ -10,18 +11,23 @@
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// Stands between an extruder and the sink, for the vertices of one part of a solid: counts them, and passes on no more
-/// than were planned, so that no sink is written past its end. Where asserts look at nothing it only passes on.
+/// than were planned, so that no sink is written past its end; looks whether they lie where they must. Where asserts
+/// look at nothing it only passes on.
 template <mesh_sink Sink>
 struct planned_vertices {
     static constexpr attribute wants = Sink::wants;
 
     Sink& sink;
     std::uint32_t planned;
+    bounds3 bounds = {};  ///< filled in builds with asserts
     std::uint32_t emitted = 0;
 
     error begin(mesh_size) noexcept { return {}; }
     void vertex(const surface_point<wants>& v) noexcept
     {
+        if constexpr (has(wants, attribute::position)) {
+            TYPEMESH_ASSERT(bounds.holds(v.position), "an extruder emitted a vertex outside of the bounds that it states");
+        }
         bool due = true;
         TYPEMESH_ASSERT((due = emitted++ < planned), "an extruder emitted more vertices of a part than its plan() said");
         if (due) sink.vertex(v);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/box.hpp>
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/extrude/part_sizes.hpp>
-#include <typemesh/extrude/side_point.hpp>
 
+#include <cstdint>
 #include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
@@ -13,18 +14,31 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 ///     points, starts    the region's (region.hpp)
 ///     triangles         its cap, indices into points
-///     sides             what the extruder's own plan() appended for it
 struct solid {
     std::span<const grid_point> points;
     std::span<const std::uint32_t> starts;
     std::span<const triangle> triangles;
-    std::span<const side_point> sides;
 };
 
-/// A solid and what its extruder's plan() said of it.
+/// The same with what the extruder's own plan() left for it: see plan_arrays.hpp.
+template <class Data>
+struct solid_with : solid {
+    typename Data::view data;
+};
+
+/// What an extruder's plan() says of a solid: its exact sizes, and how far it reaches in the plane.
+///
+/// The box is around everything that will be written, in cells; empty, it stands for that of the region's own points.
+struct solid_plan {
+    part_sizes sizes;
+    box around = {};
+};
+
+/// A solid, and what its extruder's plan() said of it.
+template <class Data>
 struct planned_solid {
-    const solid& form;
-    const part_sizes& sizes;
+    solid_with<Data> form;
+    const solid_plan& plan;
 };
 
 /// The index of a shape's first vertex in each part of the whole mesh.

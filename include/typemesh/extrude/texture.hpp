@@ -18,7 +18,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///                    1 - depth (in em), so that an upright image stands upright on a wall whose front edge is its top
 enum class texture_mapping : std::uint8_t { box, em };
 
-/// Texture coordinates of grid points by their place in the plane.
+/// Texture coordinates of points by their place in the plane.
 ///
 /// The upper edge of a box gives exactly 1 (and 0 turned): the product is rounded to 32 bits before it is turned.
 class planar_texture {
@@ -31,7 +31,10 @@ public:
     {
     }
 
-    [[nodiscard]] vec2 operator()(grid_point p) const noexcept
+    [[nodiscard]] vec2 operator()(grid_point p) const noexcept { return (*this)(placement::exact(p)); }
+
+    /// The same for any point, in cells; a grid point's to the bit.
+    [[nodiscard]] vec2 operator()(point p) const noexcept
     {
         return {static_cast<float>((p.x + pen_.x) * per_cell_.x),
                 turned(static_cast<float>((p.y + pen_.y) * per_cell_.y))};
@@ -45,6 +48,28 @@ private:
     point per_cell_;
     float base_;
     float sign_;
+};
+
+/// Texture coordinates of walls, and of all that stands in for them, in em mapping: by the way along the contour, in
+/// cells, and by the way down from its front edge, in the unit of an extruder's heights.
+class wall_texture {
+public:
+    explicit wall_texture(const placement& at) noexcept
+        : planar_{texture_mapping::em, at}, per_cell_{static_cast<float>(at.em_per_cell)}, em_per_depth_{at.em_per_depth}
+    {
+    }
+
+    [[nodiscard]] vec2 operator()(float along, double down) const noexcept { return {u(along), v(down)}; }
+    [[nodiscard]] float u(float along) const noexcept { return along * per_cell_; }
+    [[nodiscard]] float v(double down) const noexcept
+    {
+        return planar_.turned(1.0f - static_cast<float>(down * em_per_depth_));
+    }
+
+private:
+    planar_texture planar_;
+    float per_cell_;
+    double em_per_depth_;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

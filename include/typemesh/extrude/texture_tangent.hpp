@@ -31,6 +31,14 @@ public:
     {
     }
 
+    /// On a surface of any kind, from the way in which u grows there: a unit vector at right angles to the normal, in the
+    /// text's own axes. facing is 1 where v, growing upwards, grows along cross(normal, u), and -1 where against it.
+    template <class Axes>
+    [[nodiscard]] vec4 along(const Axes& axes, vec3 u, float facing) const noexcept
+    {
+        return joined(axes.direction(u.x, u.y, u.z), facing);
+    }
+
     /// On a cap with a straight normal; facing is 1 for the front and -1 for the back.
     template <class Axes>
     [[nodiscard]] vec4 on_cap(const Axes& axes, float facing) const noexcept

@@ -7,6 +7,7 @@
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/glyph/built_glyph.hpp>
 #include <typemesh/glyph/cap_builder.hpp>
+#include <typemesh/glyph/plan_region.hpp>
 #include <typemesh/glyph/policies.hpp>
 #include <typemesh/outline/outline_recorder.hpp>
 
@@ -32,7 +33,7 @@ struct glyph_settings {
 class glyph_builder {
 public:
     explicit glyph_builder(memory source = heap()) noexcept
-        : outline_{source}, caps_{source}, sides_{source}
+        : outline_{source}, caps_{source}, plan_{source}
     {
     }
 
@@ -74,7 +75,7 @@ public:
     {
         caps_.trim();
         outline_ = outline{caps_.source()};
-        sides_ = buffer<side_point>{caps_.source()};
+        plan_.release();
     }
 
     /// Whether a text may go on without the glyph that met this error.
@@ -97,18 +98,18 @@ private:
         if (filled->points().empty()) return {};
 
         with.observe(stage::extrude);
-        sides_.clear();
-        const auto sizes = with.raise.plan(*filled, sides_);
-        if (!sizes) return sizes.error();
-        made.form = {filled->points(), filled->starts(), caps_.triangles().view(), sides_.view()};
-        made.sizes = *sizes;
+        const auto plan = plan_region(*filled, with, caps_.space(), plan_);
+        if (!plan) return plan.error();
+        made.form = {filled->points(), filled->starts(), caps_.triangles().view()};
+        made.plan = *plan;
+        made.data = &plan_;
         made.cells = filled->grid().cells;
         return {};
     }
 
     outline outline_;
     cap_builder caps_;
-    buffer<side_point> sides_;
+    plan_scratch plan_;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

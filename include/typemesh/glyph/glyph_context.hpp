@@ -13,12 +13,6 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-namespace detail {
-/// A place in memory for each type, whose address tells it from all others. Not const: linkers may merge constants.
-template <class T>
-inline char place_of_type = 0;
-}  // namespace detail
-
 /// What tells one policy from another: its type, and those of its options that matter.
 struct policy_key {
     const void* type = nullptr;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <typemesh/core/error.hpp>
-#include <typemesh/extrude/extruder.hpp>
+#include <typemesh/extrude/placed_bounds.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/text/text_glyphs.hpp>
 #include <typemesh/text/text_options.hpp>
@@ -57,20 +57,13 @@ inline error arrange(text_glyphs& all, const glyph_run& run, const text_options&
     placement at;
     at.unit_per_depth = placed.unit_per_depth;
     at.frame = placed.frame;
-    const float bottom = at.height(heights.low), top = at.height(heights.high);
-    const bool along_axes = placed.frame.is_along_axes();
     for (const drawn_glyph& s : all.records) {
         at.pen = s.built->cells() * (s.origin - placed.centre);
         at.unit_per_cell = placed.unit_per_font_unit * s.built->font_units_per_cell();
-        const grid_point low = s.built->low(), high = s.built->high();
-        const vec3 corner = at.position(low, bottom);
-        if (&s == all.records.begin()) all.bounds = {corner, corner};
-        all.bounds.add(corner);
-        all.bounds.add(at.position(high, top));
-        if (along_axes) continue;  // two opposite corners are enough
-        for (const float z : {bottom, top})
-            for (const grid_point g : {low, high, grid_point{low.x, high.y}, grid_point{high.x, low.y}})
-                all.bounds.add(at.position(g, z));
+        const bounds3 own = placed_bounds(s.built->around(), heights, at);
+        if (&s == all.records.begin()) all.bounds = own;
+        all.bounds.add(own.low);
+        all.bounds.add(own.high);
     }
     return {};
 }

@@ -5,6 +5,7 @@
 #include <typemesh/fill/group_intersection.hpp>
 #include <typemesh/fill/region_union.hpp>
 #include <typemesh/glyph/glyph_builder.hpp>
+#include <typemesh/glyph/plan_region.hpp>
 #include <typemesh/text/text_glyphs.hpp>
 #include <typemesh/triangulate/cut_region.hpp>
 
@@ -29,7 +30,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 class glyph_merger {
 public:
     explicit glyph_merger(memory source = heap()) noexcept
-        : space_{source}, union_{source}, triangles_{source}, sides_{source}
+        : space_{source}, union_{source}, triangles_{source}, plan_{source}
     {
     }
 
@@ -40,7 +41,7 @@ public:
         space_.trim();
         union_ = region_union{source};
         triangles_ = triangle_list{source};
-        sides_ = buffer<side_point>{source};
+        plan_.release();
     }
 
     /// Fills all.merged; all.shapes and numbers are given.
@@ -138,7 +139,8 @@ private:
         for (const std::uint32_t m : members) {
             const built_glyph& s = *all.pinned[all.numbers[m]];
             const point offset = run.glyphs[m].origin - first;
-            around.merge({offset + s.ink().low, offset + s.ink().high});
+            const grid own{s.cells()};
+            around.merge({offset + own.place(s.low()), offset + own.place(s.high())});
             g.cells = s.cells() > g.cells ? s.cells() : g.cells;
         }
         g.units_per_em = run.units_per_em;
@@ -183,14 +185,11 @@ private:
         triangles_.clear();
         if (error e = cut_region(*joined, with.cut, space_, triangles_)) return e;
         with.observe(stage::extrude);
-        sides_.clear();
-        const auto sizes = with.raise.plan(*joined, sides_);
-        if (!sizes) return sizes.error();
+        const auto plan = plan_region(*joined, with, space_, plan_);
+        if (!plan) return plan.error();
 
-        made.built = all.store.keep({{joined->points(), joined->starts(), triangles_.view(), sides_.view()},
-                                     *sizes,
-                                     onto->cells,
-                                     {}});
+        made.built = all.store.keep(
+            {{joined->points(), joined->starts(), triangles_.view()}, *plan, onto->cells, {}, &plan_});
         made.origin = {static_cast<double>(first.x) / onto->cells, static_cast<double>(first.y) / onto->cells};
         made.first_owner = static_cast<std::uint32_t>(all.merged.owners.size());
         const auto edges = joined->edges();
@@ -203,7 +202,7 @@ private:
     workspace space_;
     region_union union_;
     triangle_list triangles_;
-    buffer<side_point> sides_;
+    plan_scratch plan_;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

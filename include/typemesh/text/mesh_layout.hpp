@@ -46,7 +46,7 @@ public:
     {
         for (std::size_t g = first; g < last; ++g) {
             const drawn_glyph& s = all_->records[g];
-            write_vertices(p, s.built->planned(), how, all_->place(s), sink);
+            write_vertices(p, s.built->planned<Extruder>(), how, all_->place(s), sink);
         }
     }
 
@@ -58,7 +58,7 @@ public:
         for (std::size_t g = first; g < last; ++g) {
             const drawn_glyph& s = all_->records[g];
             const first_vertices at = starts_.vertices + (s.before.vertices - before_.vertices);
-            write_triangles(p, s.built->planned(), how, at, turned, sink);
+            write_triangles(p, s.built->planned<Extruder>(), how, at, turned, sink);
         }
     }
 

@@ -56,7 +56,7 @@ public:
         collector to{*this, first, most};
         for (const part p : parts_of<Extruder>) {
             to.now = p;
-            write_triangles(p, built.planned(), how, first, turned, to);
+            write_triangles(p, built.planned<Extruder>(), how, first, turned, to);
         }
         to.close();
         return to.trouble;
@@ -71,7 +71,7 @@ public:
         const piece& one = pieces_[number];
         picker<Sink> to{sink, used_.view().subspan(one.first_used, one.used_count)};
         for (const part p : parts_of<Extruder>) {
-            if (one.sizes.vertices[p] != 0) write_vertices(p, built.planned(), how, at, to);
+            if (one.sizes.vertices[p] != 0) write_vertices(p, built.planned<Extruder>(), how, at, to);
             else to.number += built.sizes().vertices[p];
         }
         for (const triangle t : triangles_.view().subspan(one.first_triangle, one.triangle_count))

@@ -112,8 +112,7 @@ public:
             auto part_of_it = std::as_const(sink).subrange(chunks_[k].range());
             emit(all, chunks_[k], plan.extruder_, part_of_it);
         });
-        sink.end();
-        return {};
+        return end_of(sink);
     }
 
     /// Writes chunk k alone, as a whole mesh.
@@ -124,8 +123,7 @@ public:
         const text_chunk& chunk = chunks_[k];
         if (error e = sink.begin(chunk.size())) return e;
         emit(fresh(plan), chunk, plan.extruder_, sink);
-        sink.end();
-        return {};
+        return end_of(sink);
     }
 
     // A result without its `*`, arrays without their into().

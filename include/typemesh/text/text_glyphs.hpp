@@ -11,23 +11,12 @@
 #include <typemesh/text/merged_glyphs.hpp>
 #include <typemesh/text/text_options.hpp>
 #include <typemesh/text/text_report.hpp>
+#include <typemesh/vertex/bounds3.hpp>
 
 #include <cstddef>
 #include <cstdint>
 
 namespace typemesh::inline TYPEMESH_ABI {
-
-/// The box around all vertices, in the caller's frame and unit. Both corners zero for an empty mesh.
-struct bounds3 {
-    vec3 low;
-    vec3 high;
-
-    constexpr void add(vec3 p) noexcept
-    {
-        low = {p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y, p.z < low.z ? p.z : low.z};
-        high = {p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y, p.z > high.z ? p.z : high.z};
-    }
-};
 
 /// One glyph of the mesh: who it is, what it looks like and where it stands. Or several that are merged to one shape:
 /// then the first of them.

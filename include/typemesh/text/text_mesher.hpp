@@ -231,13 +231,6 @@ private:
     template <plan_workers<Font> Workers>
     result<plan_type> plan_run(const glyph_run& run, const text_options& options, Workers& workers) noexcept;
 
-    /// Whether the extruder refuses its options: told for a text without letters too.
-    error extruder_options() const noexcept
-    {
-        buffer<side_point> none;
-        return extruder_.plan(region{}, none).error();
-    }
-
     /// The option behind heights that cannot be written.
     static constexpr const char* heights_name() noexcept
     {
@@ -417,7 +410,7 @@ auto text_mesher<Font, D, T, E, O, C>::plan_run(const glyph_run& run, const text
     report.invalid_units = run.invalid_units;
     report.first_invalid_unit = run.first_invalid_unit;
 
-    error e = extruder_options();
+    error e = refused_options(extruder_);
     if (!e) e = collect(run, options);
     if (!e) e = build_glyphs(options, workers);
     if (!e && options.merge) e = merge(run, options);

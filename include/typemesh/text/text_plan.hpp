@@ -160,11 +160,11 @@ public:
         return points;
     }
     [[nodiscard]] std::uint64_t hard_edges() const noexcept
+        requires tells_hard_edges<Extruder>
     {
         std::uint64_t hard = 0;
         for (const drawn_glyph& r : fresh().records)
-            for (const side_point& s : r.built->form().sides)
-                hard += s.doubled && !(s.seam && s.before == s.after) ? 1u : 0u;
+            hard += extruder_.hard_edges(r.built->planned<Extruder>().form);
         return hard;
     }
 
@@ -176,8 +176,7 @@ public:
     {
         if (error e = sink.begin(size())) return e;
         whole().everything(extruder_, sink);
-        sink.end();
-        return {};
+        return end_of(sink);
     }
 
     /// The same by several workers, in equal shares; the output is the same to the bit. The sink must take subranges
@@ -192,8 +191,7 @@ public:
         workers.run(shares, [&, this](std::size_t k, std::size_t) noexcept {
             all.share(k, shares, extruder_, std::as_const(sink));
         });
-        sink.end();
-        return {};
+        return end_of(sink);
     }
 
     /// Writes only some neighbouring glyphs, each part to where it lies in the whole mesh: for a text of which little
@@ -218,8 +216,7 @@ public:
             all.vertices(p, some.first, some.last, extruder_, piece);
             all.triangles(p, some.first, some.last, extruder_, piece);
         }
-        sink.end();
-        return {};
+        return end_of(sink);
     }
 
     // Arrays without their into().
@@ -269,14 +266,13 @@ public:
         const text_glyphs& all = fresh();
         if (error e = sink.begin(meshes_size())) return e;
         for (const glyph_mesh& m : all.meshes)
-            for (const part p : parts_of<Extruder>) write_vertices(p, m.built->planned(), extruder_, all.place(m), sink);
+            for (const part p : parts_of<Extruder>) write_vertices(p, m.built->planned<Extruder>(), extruder_, all.place(m), sink);
         const bool turned = all.placed.frame.turns_triangles();
         for (const glyph_mesh& m : all.meshes) {
             const first_vertices first = m.built->sizes().vertices.starts(m.first_vertex);
-            for (const part p : parts_of<Extruder>) write_triangles(p, m.built->planned(), extruder_, first, turned, sink);
+            for (const part p : parts_of<Extruder>) write_triangles(p, m.built->planned<Extruder>(), extruder_, first, turned, sink);
         }
-        sink.end();
-        return {};
+        return end_of(sink);
     }
 
     /// The other half: emit(const glyph_instance&) for every glyph, those of mesh 0 first (glyph_mesh::glyph_count of

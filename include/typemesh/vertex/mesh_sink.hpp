@@ -28,21 +28,34 @@ struct mesh_size {
     friend constexpr bool operator==(const mesh_size&, const mesh_size&) noexcept = default;
 };
 
+namespace detail {
+template <class T>
+concept nothing_or_error = std::same_as<T, void> || std::same_as<T, error>;
+}  // namespace detail
+
 /// Where finished geometry goes: two arrays, a mapped GPU buffer, a file.
 ///
 ///     S::wants             the attributes it takes
-///     s.begin(exact)       comes first, with the exact sizes; only it can fail, and then nothing else is called
+///     s.begin(exact)       comes first, with the exact sizes; if it fails, nothing else is called
 ///     s.vertex(p)          exactly exact.vertices times: vertex 0, 1, 2, ...; p is a surface_point<S::wants>
 ///     s.triangle(a, b, c)  exactly exact.triangles times, after all vertices: numbers below exact.vertices
-///     s.end()              comes last
+///     s.end()              comes last; gives nothing, or an error: of a file on a full disk, say
 template <class S>
 concept mesh_sink = requires(S& s, mesh_size exact, const surface_point<S::wants>& p, std::uint32_t v) {
     { S::wants } -> std::convertible_to<attribute>;
     { s.begin(exact) } noexcept -> std::same_as<error>;
     { s.vertex(p) } noexcept;
     { s.triangle(v, v, v) } noexcept;
-    { s.end() } noexcept;
+    { s.end() } noexcept -> detail::nothing_or_error;
 };
+
+/// Ends a sink, whichever way it ends.
+template <mesh_sink S>
+error end_of(S& s) noexcept
+{
+    if constexpr (std::same_as<decltype(s.end()), error>) return s.end();
+    else return s.end(), error{};
+}
 
 /// An array or a container of the caller's, passed where a sink is needed.
 template <class A>

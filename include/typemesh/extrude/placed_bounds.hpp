@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/box.hpp>
+#include <typemesh/extrude/extruder.hpp>
+#include <typemesh/vertex/bounds3.hpp>
+
+#include <cmath>
+#include <span>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// The box around all that stands over a box of the plane, in cells, between two heights, where it is placed. Exact for
+/// frames whose axes lie along the coordinate axes, else it may be larger. `around` is not empty.
+[[nodiscard]] inline bounds3 placed_bounds(const box& around, height_range heights, const placement& at) noexcept
+{
+    const float bottom = at.height(heights.low), top = at.height(heights.high);
+    const vec3 corner = at.position(at.foot(around.low), bottom);
+    bounds3 all{corner, corner};
+    all.add(at.position(at.foot(around.high), top));
+    if (at.frame.is_along_axes()) return all;  // two opposite corners are enough
+    for (const float z : {bottom, top})
+        for (const point p : {around.low, around.high, point{around.low.x, around.high.y}, point{around.high.x, around.low.y}})
+            all.add(at.position(at.foot(p), z));
+    return all;
+}
+
+namespace detail {
+
+/// The box that an extruder's vertices are held to in builds with asserts, where its plan() gave one or none; larger by
+/// what positions computed in another way may be rounded by.
+[[nodiscard]] inline bounds3 promised_bounds(box around, std::span<const grid_point> points, height_range heights,
+                                             const placement& at) noexcept
+{
+    if (around.empty())
+        for (const grid_point p : points) around.add(placement::exact(p));
+    if (around.empty()) return {};
+    bounds3 all = placed_bounds(around, heights, at);
+    float farthest = 0.0f;
+    for (const vec3 corner : {all.low, all.high})
+        for (const float v : {corner.x, corner.y, corner.z}) farthest = std::fabs(v) > farthest ? std::fabs(v) : farthest;
+    const float more = farthest * 0x1p-20f;
+    all.low = {all.low.x - more, all.low.y - more, all.low.z - more};
+    all.high = {all.high.x + more, all.high.y + more, all.high.z + more};
+    return all;
+}
+
+}  // namespace detail
+
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/buffer.hpp>
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <type_traits>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+namespace detail {
+
+template <class T>
+struct growing_array {
+    buffer<T> values;
+};
+
+template <class T>
+struct read_array {
+    std::span<const T> values;
+};
+
+template <class T, class... Values>
+inline constexpr int times_among = (0 + ... + int{std::same_as<T, Values>});
+
+/// The plan data of an extruder that has none.
+struct no_plan_data {
+    struct view {};
+
+    explicit no_plan_data(memory = {}) noexcept {}
+    void clear() noexcept {}
+    [[nodiscard]] view read() const noexcept { return {}; }
+    [[nodiscard]] std::size_t bytes() const noexcept { return 0; }
+    void copy_to(std::byte*) const noexcept {}
+    [[nodiscard]] static view read_from(const std::byte*) noexcept { return {}; }
+};
+
+template <class E>
+struct plan_data {
+    using type = no_plan_data;
+};
+template <class E>
+    requires requires { typename E::plan_data; }
+struct plan_data<E> {
+    using type = typename E::plan_data;
+};
+
+}  // namespace detail
+
+/// What an extruder's plan() leaves for writing: an array of each of some types.
+///
+///     using plan_data = plan_arrays<side_point, grid_point, triangle>;     in the extruder
+///     data.of<grid_point>()       in plan(): a buffer, empty at first
+///     s.data.of<grid_point>()     when it writes: a span of what plan() left there
+///
+/// The arrays are kept with their glyph, in its one block, and copied there as bytes. So the types are plain values that
+/// refer to nothing outside, of an alignment of at most 8. Two arrays of one type: give one of them a struct of its own.
+template <class... Values>
+class plan_arrays : detail::growing_array<Values>... {
+    static_assert(sizeof...(Values) != 0, "typemesh: an extruder without plan data has no plan_data at all");
+    static_assert((std::is_trivially_copyable_v<Values> && ...),
+                  "typemesh: plan_arrays are copied as bytes, so they hold trivially copyable types");
+    static_assert(((alignof(Values) <= 8) && ...), "typemesh: plan_arrays hold types of an alignment of at most 8");
+    static_assert(((detail::times_among<Values, Values...> == 1) && ...),
+                  "typemesh: plan_arrays have one array of each type; give a second one a struct of its own");
+
+public:
+    /// The arrays to be read, wherever they lie.
+    class view : detail::read_array<Values>... {
+        friend class plan_arrays;
+
+    public:
+        template <class T>
+        [[nodiscard]] std::span<const T> of() const noexcept
+        {
+            static_assert(detail::times_among<T, Values...> == 1, "typemesh: these plan_arrays have no array of this type");
+            return detail::read_array<T>::values;
+        }
+    };
+
+    explicit plan_arrays(memory source = heap()) noexcept : detail::growing_array<Values>{buffer<Values>{source}}... {}
+
+    template <class T>
+    [[nodiscard]] buffer<T>& of() noexcept
+    {
+        static_assert(detail::times_among<T, Values...> == 1, "typemesh: these plan_arrays have no array of this type");
+        return detail::growing_array<T>::values;
+    }
+
+    /// Empties all arrays; their storage stays.
+    void clear() noexcept { (detail::growing_array<Values>::values.clear(), ...); }
+
+    /// As they are now; growing ends it.
+    [[nodiscard]] view read() const noexcept
+    {
+        view all;
+        ((static_cast<detail::read_array<Values>&>(all).values = detail::growing_array<Values>::values.view()), ...);
+        return all;
+    }
+
+    // --- as bytes: what keeps a glyph
+
+    /// How many bytes copy_to() writes; a multiple of 8.
+    [[nodiscard]] std::size_t bytes() const noexcept
+    {
+        return (std::size_t{0} + ... + (8 + rounded(detail::growing_array<Values>::values.view().size_bytes())));
+    }
+
+    ///     block   [ count | values, up to a multiple of 8 bytes ][ count | ... ] ...        aligned to 8
+    void copy_to(std::byte* block) const noexcept { (copy(detail::growing_array<Values>::values.view(), block), ...); }
+
+    /// The arrays in a block that copy_to() wrote.
+    [[nodiscard]] static view read_from(const std::byte* block) noexcept
+    {
+        view all;
+        (find(static_cast<detail::read_array<Values>&>(all).values, block), ...);
+        return all;
+    }
+
+private:
+    static constexpr std::size_t rounded(std::size_t bytes) noexcept { return (bytes + 7) & ~std::size_t{7}; }
+
+    template <class T>
+    static void copy(std::span<const T> values, std::byte*& block) noexcept
+    {
+        const std::uint64_t count = values.size();
+        std::memcpy(block, &count, 8);
+        block += 8;
+        if (!values.empty()) std::memcpy(block, values.data(), values.size_bytes());
+        block += rounded(values.size_bytes());
+    }
+
+    template <class T>
+    static void find(std::span<const T>& values, const std::byte*& block) noexcept
+    {
+        std::uint64_t count = 0;
+        std::memcpy(&count, block, 8);
+        block += 8;
+        values = {reinterpret_cast<const T*>(block), static_cast<std::size_t>(count)};
+        block += rounded(values.size_bytes());
+    }
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI

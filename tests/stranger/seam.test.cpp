@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+
+// An extruder of five parts, with points, records and caps of its own, goes wherever the library's own do: into caches,
+// merged letters, chunks, instances, teams and partial writes.
+
+#include <typemesh/inspect/closedness.hpp>
+#include <typemesh/inspect/mesh_measure.hpp>
+#include <typemesh/inspect/normal_check.hpp>
+#include <typemesh/typemesh.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "flared.hpp"
+#include "support/catch.hpp"
+#include "support/executors.hpp"
+#include "support/toy_font.hpp"
+#include "tapering_twist.hpp"
+
+using namespace typemesh;
+using Catch::Approx;
+
+namespace {
+
+struct vertex {
+    vec3 place, normal;
+    vec4 tangent;
+    vec2 uv;
+    part of;
+};
+
+struct mesh {
+    std::vector<vertex> vertices;
+    std::vector<std::uint32_t> indices;
+
+    [[nodiscard]] auto view() const { return inspect::mesh_view{vertices, indices, &vertex::place}; }
+};
+
+bool same(const mesh& a, const mesh& b)
+{
+    if (a.indices != b.indices || a.vertices.size() != b.vertices.size()) return false;
+    for (std::size_t i = 0; i < a.vertices.size(); ++i) {
+        const vertex &v = a.vertices[i], &w = b.vertices[i];
+        if (!(v.place == w.place && v.normal == w.normal && v.tangent == w.tangent && v.uv == w.uv && v.of == w.of)) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+template <>
+struct typemesh::vertex_traits<vertex> {
+    static constexpr auto wants =
+        attribute::position | attribute::normal | attribute::tangent | attribute::uv | attribute::part;
+    vertex operator()(const surface_point<wants>& s) const noexcept { return {s.position, s.normal, s.tangent, s.uv, s.part}; }
+};
+
+namespace {
+
+struct own_lock {
+    int held = 0;
+    void lock() noexcept { ++held; }
+    void unlock() noexcept { --held; }
+};
+
+constexpr const char* word = "oExi Eo";  // x has contours that cross
+
+template <class Plan>
+mesh written(const Plan& plan)
+{
+    mesh m;
+    REQUIRE_FALSE(plan.write(into(m.vertices, m.indices)));
+    CHECK(mesh_size{m.vertices.size(), m.indices.size() / 3} == plan.size());
+    return m;
+}
+
+/// Closed, right side out, lit from outside, as large as it says and no larger, each part where it says.
+template <class Plan>
+mesh lawful(const Plan& plan, const frame& f = right_handed_y_up)
+{
+    const mesh m = written(plan);
+    const int depth_axis = f.toward.x != 0.0f ? 0 : f.toward.y != 0.0f ? 1 : 2;
+    CHECK(inspect::check_closedness(m.view(), depth_axis).is_closed());
+    const auto normals = inspect::check_normals(m.view(), &vertex::normal, f.winding);
+    CHECK(normals.is_right());
+    CHECK(inspect::measure(m.view()).volume * f.winding > 0.0);
+    bounds3 seen{m.vertices[0].place, m.vertices[0].place};
+    for (const vertex& v : m.vertices) seen.add(v.place);
+    CHECK(plan.bounds().low == seen.low);
+    CHECK(plan.bounds().high == seen.high);
+    std::uint32_t next = 0, next_index = 0;
+    for (const part p : plan.parts()) {
+        const mesh_range r = plan.range(p);
+        CHECK(r.first_vertex == next);
+        CHECK(r.first_index == next_index);
+        for (; next < r.first_vertex + r.vertex_count; ++next) REQUIRE(m.vertices[next].of == p);
+        next_index += r.index_count;
+    }
+    CHECK(next == m.vertices.size());
+    CHECK(next_index == m.indices.size());
+    for (std::size_t p = plan.parts().size(); p < most_parts; ++p) CHECK(plan.range(all_parts[p]).vertex_count == 0);
+    return m;
+}
+
+}  // namespace
+
+TEST_CASE("a stranger's extruder of five parts makes closed solids of exact sizes, volumes and bounds", "[stranger]")
+{
+    test::toy_font font;
+    const stranger::flared how;
+    auto mesher = text_mesher{font}.with(how);
+    const auto alone = mesher.plan("i");
+    REQUIRE(alone);
+    CHECK(alone->parts().size() == 5);
+    const std::uint32_t vertices[] = {4, 4, 16, 16, 16}, triangles[] = {2, 2, 8, 8, 8};
+    for (const part p : alone->parts()) {
+        CHECK(alone->range(p).vertex_count == vertices[static_cast<std::size_t>(p)]);
+        CHECK(alone->range(p).index_count == 3 * triangles[static_cast<std::size_t>(p)]);
+    }
+    CHECK(alone->hard_edges() == 4);
+
+    const double area = 0.1 * 0.5, rim = double{how.rim}, between = double{how.depth} - 2.0 * rim;
+    CHECK(inspect::measure(lawful(*alone).view()).volume == Approx(area * (between + 2.0 * rim * 7.0 / 3.0)).epsilon(1e-5));
+    CHECK(alone->bounds().low == vec3{0.05f, -0.25f, -0.3f});
+    CHECK(alone->bounds().high == vec3{0.25f, 0.75f, 0.0f});
+
+    frame turned = left_handed_y_up;
+    turned.winding = -1;
+    for (const frame& f : {right_handed_y_up, left_handed_y_up, right_handed_z_up, left_handed_z_up, turned}) {
+        const text_options options{.frame = f};
+        const auto plan = mesher.plan(word, options);
+        REQUIRE(plan);
+        (void)lawful(*plan, f);
+    }
+    // Its own box is what is made to fit.
+    const text_options fitted{.unit = output_unit::unit_box};
+    const auto fits = mesher.plan(word, fitted);
+    REQUIRE(fits);
+    (void)lawful(*fits);
+    CHECK(fits->bounds().low.x == -1.0f);
+    CHECK(fits->bounds().high.x == 1.0f);
+}
+
+TEST_CASE("a stranger's five parts come out of caches, teams and constrained Delaunay as they are built alone", "[stranger]")
+{
+    test::toy_font font;
+    auto mesher = text_mesher{font}.with(stranger::flared{});
+    const auto plan = mesher.plan(word);
+    REQUIRE(plan);
+    const mesh expected = lawful(*plan);
+
+    glyph_cache<own_lock> cache;
+    auto cached = text_mesher{font}.with(stranger::flared{}).with(cached_in{cache, 1});
+    for (int i = 0; i < 2; ++i) {
+        const auto again = cached.plan(word);
+        REQUIRE(again);
+        CHECK(same(lawful(*again), expected));
+    }
+    CHECK(cache.statistics().hits >= 5);
+    auto other = text_mesher{font}.with(stranger::flared{.rim = 0.1f}).with(cached_in{cache, 1});
+    const auto deeper = other.plan(word);
+    REQUIRE(deeper);
+    CHECK_FALSE(same(lawful(*deeper), expected));
+
+    test::scrambled_workers pool;
+    auto team = workers_of(pool, [](std::size_t) noexcept { return result<test::toy_font>{test::toy_font{}}; });
+    REQUIRE(team);
+    const text_options options;
+    for (int i = 0; i < 2; ++i) {
+        const auto shared = mesher.plan(word, options, *team);
+        REQUIRE(shared);
+        mesh m;
+        REQUIRE_FALSE(shared->write(into(m.vertices, m.indices), pool));
+        CHECK(same(m, expected));
+    }
+    auto delaunay = text_mesher{font}.with(stranger::flared{}).with(constrained_delaunay{});
+    const auto cut = delaunay.plan(word);
+    REQUIRE(cut);
+    CHECK(lawful(*cut).vertices.size() == expected.vertices.size());
+}
+
+TEST_CASE("a stranger's five parts are merged, cut into chunks, instanced and written in part", "[stranger]")
+{
+    test::toy_font font;
+    auto mesher = text_mesher{font}.with(stranger::flared{});
+    glyph_run run;
+    for (const double x : {0.0, 300.0, 1500.0}) REQUIRE(run.glyphs.push_back({1, 0, {x, 0.0}}));  // two rings that meet
+    run.units_per_em = 1000.0;
+    const text_options merging{.merge = true};
+    const auto joined = mesher.plan(run, merging);
+    REQUIRE(joined);
+    CHECK(joined->glyphs().size() == 2);
+    (void)lawful(*joined);
+    CHECK(joined->owner(0, stranger::flared::front_slope, 0) == shared_glyph);
+
+    const auto plan = mesher.plan(word);
+    REQUIRE(plan);
+    mesh whole = lawful(*plan);
+    text_chunks chunks;
+    for (const std::uint32_t most : {65'535u, 200u, 30u}) {  // of all glyphs, of one, of pieces
+        REQUIRE_FALSE(chunks.cut(*plan, most));
+        std::vector<vertex> vertices;
+        std::vector<std::uint16_t> indices;
+        REQUIRE_FALSE(chunks.write(*plan, into(vertices, indices)));
+        mesh all{vertices, {}};
+        for (const text_chunk& c : chunks.view()) {
+            CHECK(c.size().vertices <= most);
+            const mesh_range r = c.range();
+            for (std::uint32_t i = 0; i < r.index_count; ++i)
+                all.indices.push_back(r.first_vertex + indices[r.first_index + i]);
+            std::uint32_t next = r.first_vertex;
+            for (const part p : plan->parts())
+                for (std::uint32_t i = 0; i < c.range(p).vertex_count; ++i) REQUIRE(vertices[next++].of == p);
+        }
+        CHECK(all.indices.size() == whole.indices.size());
+        CHECK(inspect::check_closedness(all.view()).is_closed());
+        CHECK(inspect::measure(all.view()).volume == Approx(inspect::measure(whole.view()).volume));
+    }
+
+    mesh once;
+    REQUIRE_FALSE(plan->write_meshes(into(once.vertices, once.indices)));
+    CHECK(once.vertices.size() == plan->meshes_size().vertices);
+    CHECK(inspect::check_closedness(once.view()).is_closed());
+    for (std::size_t m = 0; m < plan->meshes().size(); ++m)
+        for (const part p : plan->parts())
+            for (std::uint32_t i = 0; i < plan->mesh_part(m, p).vertex_count; ++i)
+                REQUIRE(once.vertices[plan->mesh_part(m, p).first_vertex + i].of == p);
+
+    mesh some = whole;
+    for (const part p : plan->parts()) {
+        const mesh_range r = plan->range(1, p);
+        for (std::uint32_t i = 0; i < r.vertex_count; ++i) some.vertices[r.first_vertex + i] = {};
+        for (std::uint32_t i = 0; i < r.index_count; ++i) some.indices[r.first_index + i] = 0;
+    }
+    CHECK_FALSE(same(some, whole));
+    REQUIRE_FALSE(plan->write(glyph_span{1, 2}, into(std::span{some.vertices}, std::span{some.indices})));
+    CHECK(same(some, whole));
+}
+
+TEST_CASE("letters that twist and taper stay within the bounds that they state", "[stranger]")
+{
+    test::toy_font font;
+    for (const double turn : {0.0, 0.2, -1.5}) {
+        for (const double taper : {0.5, 1.0, 1.3}) {
+            auto mesher = text_mesher{font}.with(stranger::tapering_twist{.turn = turn, .taper = taper});
+            for (const output_unit unit : {output_unit::em, output_unit::unit_box}) {
+                const text_options options{.unit = unit};
+                const auto plan = mesher.plan(word, options);
+                REQUIRE(plan);
+                const mesh m = written(*plan);
+                bounds3 seen{m.vertices[0].place, m.vertices[0].place};
+                for (const vertex& v : m.vertices) seen.add(v.place);
+                CHECK(plan->bounds().low == seen.low);
+                CHECK(plan->bounds().high == seen.high);
+            }
+        }
+    }
+}
