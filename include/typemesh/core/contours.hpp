@@ -57,9 +57,9 @@ struct contours {
         forget_order();
     }
 
-    /// The points' indices in the order in which a sweep from left to right meets them: by x, then y, then index. Empty
-    /// when nobody has sorted them (see sort_points() in sweep/sweep_order.hpp) since their number changed, or since
-    /// clear() or forget_order(). Whoever moves points calls one of these; that is asserted.
+    /// The indices of the points in the order of a left-to-right sweep: by x, then y, then index. Empty unless they have
+    /// been sorted (see sort_points() in sweep/sweep_order.hpp) since their number last changed and since clear() or
+    /// forget_order(). After moving points one of these must be called; this is asserted.
     [[nodiscard]] std::span<const std::uint32_t> order() const noexcept
     {
         if (order_.size() != points.size()) return {};
@@ -70,8 +70,7 @@ struct contours {
     }
     void forget_order() noexcept { order_.clear(); }
 
-    /// Room for the order of `size` points, for those who write it; null when there is no memory, and there is no order
-    /// then.
+    /// An array for the order of `size` points, to be filled in; null when memory runs out, and then there is no order.
     [[nodiscard]] std::uint32_t* new_order(std::size_t size) noexcept
     {
         order_.clear();

@@ -47,7 +47,7 @@ public:
     [[nodiscard]] std::span<const grid_point> points() const noexcept { return points_; }
     [[nodiscard]] std::span<const contour_edge> edges() const noexcept { return edges_; }
     [[nodiscard]] std::span<const std::uint32_t> starts() const noexcept { return starts_; }
-    /// Of the points, as contours::order() has it: empty when nobody has sorted them.
+    /// The order of the points, as contours::order() has it; empty unless they have been sorted.
     [[nodiscard]] std::span<const std::uint32_t> order() const noexcept { return order_; }
     [[nodiscard]] std::span<const curve> curves() const noexcept { return curves_; }
     [[nodiscard]] typemesh::grid grid() const noexcept { return grid_; }

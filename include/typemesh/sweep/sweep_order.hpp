@@ -192,8 +192,8 @@ template <class Key>
                                               : sorted_by(detail::wide_sweep_key{});
 }
 
-/// Sorts the points of contours, unless they are: then loops.order() is what sweep_order() makes. False when there is no
-/// memory.
+/// Sorts the points of contours unless they are sorted: loops.order() is then what sweep_order() makes. False when
+/// memory runs out.
 [[nodiscard]] inline bool sort_points(contours& loops, workspace& space) noexcept
 {
     if (loops.points.empty() || !loops.order().empty()) return true;

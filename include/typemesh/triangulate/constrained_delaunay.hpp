@@ -17,37 +17,37 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The triangulator for good triangles: the constrained Delaunay triangulation of the region, exact and unique.
+/// The triangulator for well-shaped triangles: the constrained Delaunay triangulation of the region, exact and unique.
 ///
 /// Of all triangulations over the region's own points it has the largest smallest angle. An edge that is not the
-/// region's own is there exactly when some circle through its ends holds no point that is seen from it. Where four or
-/// more points that see each other lie on one circle, all free diagonals between them leave the lexicographically
-/// smallest (by x, then y): so the set of triangles depends on nothing but the region, neither on where contours begin
-/// nor on their order nor on the machine.
+/// region's own belongs to it exactly if some circle through its ends contains no point that is visible from the edge.
+/// Where four or more points that see each other are cocircular, all free diagonals between them end at the
+/// lexicographically smallest (by x, then y): so the set of triangles depends on nothing but the region, neither on
+/// where contours begin nor on their order nor on the machine.
 ///
 /// How: points that only smooth the outline are left out at first (coarse_loops); what remains is swept
-/// (monotone_sweep), made Delaunay by exchanging diagonals (delaunay_flips), and then takes the points left out back
-/// on its boundary, each between its neighbours and from coarse to fine, staying Delaunay: no searching, two exchanges
-/// a point. Whether the coarse outline crosses itself does not matter: it is proven like any other. Nor does it matter
-/// whether outlines cross on the way from coarse to fine: all triangles turn counter-clockwise throughout, and
-/// triangles that do so and have a simple boundary cover what is inside once. A short outline that is not smooth is
-/// swept whole. Where there are too many points for that, or too many exchanges are needed, or outlines touch
-/// themselves, all points are divided into slabs and conquered (delaunay_slabs): the same triangles in another order.
+/// (monotone_sweep) and made Delaunay by flipping edges (delaunay_flips); then the points left out come back to the
+/// boundary, each between its neighbours, coarse to fine, and the triangulation stays Delaunay: no point location, two
+/// flips per point. Whether the coarse outline crosses itself does not matter: it is proven like any other. Nor does it
+/// matter whether outlines cross between coarse and fine: all triangles stay counter-clockwise throughout, and such
+/// triangles with a simple boundary cover what is inside once. A short outline that is not smooth is swept whole. Where
+/// it has too many points for that, or too many flips are needed, or outlines touch themselves, all points are
+/// triangulated by divide and conquer (delaunay_slabs): the same triangles in another order.
 ///
 /// Cost   O(n log n)
-/// Space  at most 220 bytes a point and 128 a loop from `space`, nothing else after `out` has room
+/// Space  at most 220 bytes per point and 128 per loop from `space`, nothing else once `out` has the capacity
 /// Exact  orientation in 64 bits, in-circle in 128 (core/in_circle.hpp)
 struct constrained_delaunay {
-    static constexpr bool has_final_diagonals = true;  ///< low triangles stay, where there are any
+    static constexpr bool has_final_diagonals = true;  ///< low triangles stay, if there are any
 
-    /// So many exchanges a triangle may be spent before slabs take over, 1 to 3 being usual and 0 leaving everything to
-    /// the slabs. It decides about time, never about triangles.
+    /// How many flips per triangle may be spent before divide and conquer takes over; 1 to 3 are usual, and 0 leaves
+    /// everything to it. Affects time only, never the triangles.
     std::uint32_t most_flips = 4;
 
     /// See option_bits: the triangles are the same whatever the option says.
     [[nodiscard]] static option_bits cache_key() noexcept { return {}; }
 
-    /// Relies on the region's promise. Fails with error::out_of_memory, `out` being as it was.
+    /// Relies on what a region promises. Fails with error::out_of_memory, `out` being unchanged.
     [[nodiscard]] error operator()(const region& r, workspace& space, triangle_list& out) const noexcept
     {
         if (r.points().empty()) return error::none;
@@ -95,11 +95,11 @@ private:
 
     /// Regular patterns of many holes put whole columns of points on one vertical line, where a sweep makes needles.
     static constexpr std::size_t sheared_from = 1000;
-    static constexpr std::size_t slabs_from = 400;  ///< flips from a sweep of all points beat slabs below this
-    static constexpr double worth_it = 0.875;  ///< leaving out fewer points than this leaves costs more than it saves
+    static constexpr std::size_t slabs_from = 400;  ///< below this, flips from a sweep of all points are faster
+    static constexpr double worth_it = 0.875;  ///< keeping a larger share of the points saves nothing
 
-    /// error::crossing_contours: not this way; and once flips have begun no other budget is left. All points need no
-    /// proof.
+    /// Fails with error::crossing_contours where this way does not work; once flips have begun, no budget is left for
+    /// another attempt. When all points are kept nothing needs proof.
     template <bool Proving>
     [[nodiscard]] static error by_flips(const region& r, workspace& space, triangle* write, std::int64_t straightness,
                                         double& kept, std::uint64_t& budget) noexcept
@@ -112,7 +112,7 @@ private:
         if (Proving && kept > worth_it) return error::crossing_contours;
         detail::half_edges mesh{r.points()};
         if (!mesh.open(scratch, n + 2 * std::size_t{r.loop_count()}))
-            return error::out_of_memory;  // as many as a sweep can ask for
+            return error::out_of_memory;  // as many as a sweep can make
         detail::monotone_sweep<Proving, false, cutter> sweep{coarse.points(), coarse.starts(),
                                                              cutter{detail::half_edges::output{mesh, coarse.names()}}};
         if (const error e = sweep.run(space)) return e;

@@ -15,9 +15,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// The triangles that a triangulator has appended for a region behind the first `before`: held to its promise, and
-/// those too low for 32-bit floats exchanged, unless its diagonals are final. The rule looks at the region alone,
-/// wherever it will stand. `out` is as it was after an error.
+/// Checks what a triangulator promises about the triangles that it has appended for a region after the first `before`,
+/// and flips edges of those too low for 32-bit floats, unless its diagonals are final. The rule depends on the region
+/// alone, wherever it will stand. After an error `out` is unchanged.
 template <triangulator Triangulator>
 [[nodiscard]] error settle_triangles(const region& r, triangle_list& out, std::size_t before, workspace& space) noexcept
 {
@@ -35,10 +35,10 @@ template <triangulator Triangulator>
 
 }  // namespace detail
 
-/// Appends a region's triangles to `out`: how(r, space, out), held to its promise, and without triangles too low for
-/// 32-bit floats (see low_triangles.hpp) where the triangulator lets them be exchanged.
+/// Appends a region's triangles to `out`: how(r, space, out), checked, and without triangles too low for 32-bit floats
+/// (see low_triangles.hpp) where the triangulator lets edges be flipped.
 ///
-/// Fails  as the triangulator does; error::out_of_memory. `out` is as it was then
+/// Fails  as the triangulator does; error::out_of_memory. `out` is then unchanged
 template <triangulator Triangulator>
 [[nodiscard]] error cut_region(const region& r, const Triangulator& how, workspace& space, triangle_list& out) noexcept
 {

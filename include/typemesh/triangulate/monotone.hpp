@@ -12,26 +12,25 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The fast triangulator: one sweep from left to right, and proof on the way that the loops bound a region.
+/// The fast triangulator: one sweep from left to right, which also proves on the way that the loops bound a region.
 ///
 ///     points   [ outer | hole | hole | outer | ... ]   on the grid, |coordinate| <= 2^28
-///     out      three indices into `points` per triangle, counter-clockwise, no area zero
+///     out      three indices into `points` per triangle, counter-clockwise, no zero area
 ///
-/// Loops in any order, holes need not be told from outer loops, collinear points and vertical edges are nothing
-/// special. No point is dropped and none added: every edge of the loops is an edge of exactly one triangle. The
-/// triangles are as slender as the sweep leaves them, but for those too low for 32-bit floats (see low_triangles.hpp),
-/// whose diagonals are exchanged afterwards; where their shape matters (lighting per vertex, bending) take another
-/// policy.
+/// Loops come in any order, holes need not be marked, collinear points and vertical edges are no special cases. No
+/// point is dropped and none added: every edge of the loops is an edge of exactly one triangle. The triangles are as
+/// slender as the sweep makes them, except those too low for 32-bit floats (see low_triangles.hpp), whose edges are
+/// flipped afterwards; where their quality matters (lighting per vertex, bending) use another triangulator.
 ///
-/// Cost   O(n log n); one pass. Only points that open a span are searched for, all others know theirs by their edges.
-/// Space  at most 130 bytes a point from `space`, nothing else after `out` has room
+/// Cost   O(n log n); one pass. Only points that open a span are searched for, all others find theirs by their edges.
+/// Space  at most 130 bytes per point from `space`, nothing else once `out` has the capacity
 /// Exact  orientation in 64 bits (see core/orientation.hpp) is the only predicate of the sweep, heights in 128
 /// From   de Berg et al., Computational Geometry, 3rd ed. (2008), 3.2 and 3.3; Shamos & Hoey, Geometric intersection
 ///        problems (1976)
 struct monotone {
     static constexpr bool has_final_diagonals = true;  ///< low triangles are raised here already
 
-    /// Relies on the region's promise. Fails with error::out_of_memory, `out` being as it was.
+    /// Relies on what a region promises. Fails with error::out_of_memory, `out` being unchanged.
     [[nodiscard]] error operator()(const region& r, workspace& space, triangle_list& out) const noexcept
     {
         const auto nothing = [](const auto&) noexcept {};
@@ -43,10 +42,10 @@ struct monotone {
     /// The region that `loops` bound, its triangles appended to `out`.
     ///
     /// Fails  error::crossing_contours: exactly when two edges cross, touch or overlap (neighbours of a loop may share
-    ///        their common point and no more), or an edge does not have the interior on its left alone: a lone
-    ///        clockwise loop, one loop in another of its direction
+    ///        their common point and no more), or an edge does not have the interior on its left only: a lone
+    ///        clockwise loop, one loop inside another of the same direction
     ///        error::out_of_memory
-    /// In both cases `out` is as it was. See triangulator.hpp for the error's count.
+    /// In both cases `out` is unchanged. See triangulator.hpp for the error's count.
     [[nodiscard]] result<region> prove(const contours& loops, workspace& space, triangle_list& out) const noexcept
     {
         region r = region::proven(loops, 0, 0);
@@ -57,9 +56,9 @@ struct monotone {
         return r;
     }
 
-    /// The same for loops that may come through a point more than once, each time with a sector of interior of its own
-    /// (see fill/touching_cycles.hpp). Fails as prove() does, also where a visit does not keep to its sector. About
-    /// 40 bytes a point more from `space`.
+    /// The same for loops that may pass through a point more than once, each time along a sector of interior of their
+    /// own (see fill/touching_cycles.hpp). Fails as prove() does, also where a visit does not keep to its sector. Takes
+    /// about 40 bytes more per point from `space`.
     [[nodiscard]] result<region> prove_touching(const contours& loops, workspace& space,
                                                 triangle_list& out) const noexcept
     {
@@ -72,7 +71,7 @@ struct monotone {
     }
 
 private:
-    /// What of contours or of a region the sweep looks at.
+    /// What the sweep reads of contours or of a region.
     struct loops_view {
         std::span<const grid_point> points;
         std::span<const std::uint32_t> starts, order;

@@ -15,50 +15,51 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// The sweep behind the triangulators: goes over the spans of interior from left to right, lets `Cutter` cut them into
-/// triangles (see chain_cutter.hpp) and, when `Proving`, finds out whether the loops bound a region at all.
+/// The sweep behind the triangulators: goes through the spans of interior from left to right, lets `Cutter` cut them
+/// into triangles (see chain_cutter.hpp) and, if `Proving`, finds out whether the loops bound a region at all.
 ///
 /// Between two neighbouring boundary edges that the sweep line crosses lies a *span* of interior. Its sides are
 /// numbered: 0 lower, 1 upper.
 ///
 /// Why the tests suffice: let X be the first point in sweep order where loops cross, touch or overlap. Left of X the
-/// status is right. If X is no vertex, two edges next to each other in the status cross there; nothing can be placed
-/// between them afterwards, for what is above the upper one is above the lower one, so the first of them that ends is
-/// tested against the other and found on the wrong side. If X is a vertex, either another vertex is there (its
-/// neighbour in the sweep order), or an edge passes through X, which is next to an edge that ends there (tested), or
-/// leaves no room for a new span (tested), or lies between two edges that end there (then they are not neighbours).
-/// Doubling back shows where the two edges start.
+/// status is right. If X is not a vertex, two edges that are neighbours in the status cross there; nothing can be
+/// inserted between them afterwards, because what is above the upper one is above the lower one, so the first of them
+/// that ends is tested against the other and found on the wrong side. If X is a vertex, either another vertex is there
+/// (its neighbour in the sweep order), or an edge passes through X, which is next to an edge that ends there (tested),
+/// or leaves no gap for a new span (tested), or lies between two edges that end there (then they are not neighbours).
+/// Edges that double back are found where they start.
 ///
-/// When `Touching`, a proven region may come through a point more than once, each time with a sector of interior of its
-/// own. Think of every such point as moved a little into its sector: then all points differ, and the sweep meets them in
+/// If `Touching`, a proven region may pass through a point more than once, each time along a sector of interior of its
+/// own. Imagine every such point moved a little into its sector: then all points differ, and the sweep meets them in
 /// this order:
 ///
 ///     .        ends            :::\ /:::   passes      ---.::::   a merge, or   ::::.---   starts
 ///     :::>.    (sector on the   ::: x :::   (above,        p :::   a split       ::: p      (sector on the    .<:::
 ///     '        left)           :::/ \:::   below)      ---'::::                 ::::'---   right)
 ///
-/// Only starts must be told where they belong between edges that begin in the point itself: by their angle.
+/// Only starts have to be placed among edges that begin in the point itself: by their angle.
 ///
-/// `Proving` and `Touching`: first the edges round every such point are sorted by their angles. They must bound sectors,
-/// no two in one direction, and every visit must have its own. Then one test is less strict: an edge may come through p
-/// from outside its span when it begins or ends there. The argument above holds still, X being the first place where
-/// loops meet otherwise than in common ends. If X is no vertex: the two edges that cross there have no other point in
-/// common, so the one that ends first does so strictly on the wrong side, and what is put between them is tested against
-/// an edge that it is no end of. If X is a vertex, an edge passes through it without an end. Where others end in X, it
-/// or another such edge lies right beside one of them, and every visit tests the edges on both sides of those that it
-/// ends: passes and ends come first, and they only take out or replace edges that end in X. Where none ends in X, the
-/// first visit that opens there meets no edge from X yet. Left of X the order of edges that end in X is that of their
-/// angles, and behind X passes, splits and starts leave those that begin there in it, for at most two visits pass, one
-/// below and one above all that start, and at most one splits or merges; so the status is right behind X.
-/// Whether starts are outside and splits inside is tested by edges that X is no end of, or told by the sectors.
+/// If `Proving` and `Touching`: first the edges around every such point are sorted by angle. They must bound sectors,
+/// no two in one direction, and every visit must have a sector of its own. Then one test is relaxed: an edge may pass
+/// through p from outside its span if it begins or ends there. The argument above still holds, X being the first place
+/// where loops meet other than in common ends. If X is not a vertex: the two edges that cross there have no other point
+/// in common, so the one that ends first does so strictly on the wrong side, and what is inserted between them is
+/// tested against an edge of which it is not an end. If X is a vertex, an edge passes through it without ending there.
+/// Where others end in X, it or another such edge is right beside one of them, and every visit tests the edges on both
+/// sides of those that it ends: passes and ends come first, and they only remove or replace edges that end in X. Where
+/// none ends in X, the first visit that opens there finds no edge from X yet. Left of X the edges that end in X are
+/// ordered by angle, and after X passes, splits and starts keep those that begin there in that order, because at most
+/// two visits pass, one below and one above all that start, and at most one splits or merges; so the status is right
+/// after X. Whether starts are outside and splits inside is tested against edges of which X is not an end, or follows
+/// from the sectors.
 template <bool Proving, bool Touching, class Cutter>
 class monotone_sweep {
     struct vertex {
         std::uint32_t span[2];   // the span whose lower / upper side ends here; 0: that neighbour comes later
-        std::uint32_t right[2];  // where a lower / upper side that starts here runs to: the next / previous point
+        std::uint32_t right[2];  // where a lower / upper side that starts here leads: to the next / previous point
     };
     struct side {
-        grid_point from, to;  // as its loop runs: the interior is on the left
+        grid_point from, to;  // in the direction of its loop: the interior is on the left
         [[nodiscard]] std::int64_t at(grid_point p) const noexcept { return orientation(from, to, p); }
     };
     struct span_of_interior {
@@ -73,10 +74,10 @@ public:
     {
     }
 
-    /// Sweeps over all. The cutter makes points + 2 * loops triangles at most, even where it ends with
+    /// Sweeps over all points. The cutter makes at most points + 2 * loops triangles, even when the sweep fails with
     /// error::crossing_contours.
     ///
-    ///     known   the order of the points, as sweep_order() makes it; empty: not known
+    ///     known   the order of the points, from sweep_order(); empty: unknown
     [[nodiscard]] error run(workspace& space, std::span<const std::uint32_t> known = {}) noexcept
     {
         const std::size_t n = points_.size();
@@ -84,10 +85,10 @@ public:
         TYPEMESH_ASSERT(loops() != 0 && starts_[loops()] == n, "the last of the starts must be the number of points");
         workspace::scope scratch{space};
         TYPEMESH_ASSERT(known.empty() || known.size() == n, "an order of other points was given");
-        const bool sorted = !Touching && !known.empty();  // visits of one point are put into an order of their own
+        const bool sorted = !Touching && !known.empty();  // visits of one point are sorted further
         auto* const own = sorted ? nullptr : scratch.take<std::uint32_t>(n);
         vertices_ = scratch.take<vertex>(n);
-        spans_ = scratch.take<span_of_interior>(n / 2 + 2);  // every other point at most opens one
+        spans_ = scratch.take<span_of_interior>(n / 2 + 2);  // at most every other point opens one
         if ((!sorted && own == nullptr) || vertices_ == nullptr || spans_ == nullptr || !cut_.open(scratch, n) ||
             !status_.open(scratch, n / 2 + 1))
             return error::out_of_memory;
@@ -101,7 +102,7 @@ public:
         return error{error::crossing_contours, equal_points_ ? 1u : 0u};
     }
 
-    /// Whether two points are equal: where a sweep has refused, or anywhere that one came which is `Touching`.
+    /// Whether equal points were found: up to the refusal, or, if `Touching`, anywhere.
     [[nodiscard]] bool has_equal_points() const noexcept { return equal_points_; }
 
     [[nodiscard]] const Cutter& cutter() const noexcept { return cut_; }
@@ -127,13 +128,13 @@ private:
             vertices_[end - 1].right[0] = begin;
             vertices_[begin].right[1] = end - 1;
         }
-        // Span 0 lies around everything: its lower side above all points, its upper side below them.
+        // Span 0 surrounds everything: its lower side is above all points, its upper side below them.
         constexpr std::int32_t reach = 1 << 28;
         spans_[0] = {
             {{{-reach, reach + 1}, {reach, reach + 1}}, {{reach, -reach - 1}, {-reach, -reach - 1}}}, {0, 0}, {}};
     }
 
-    /// Puts visits of one point into the order told above.
+    /// Sorts the visits of each point into the order given above.
     [[nodiscard]] error order_visits(std::uint32_t* order, workspace::scope& scratch) noexcept
     {
         const std::size_t n = points_.size();
@@ -155,7 +156,7 @@ private:
         return error::none;
     }
 
-    /// Whether every visit of a point has a sector of its own, and no two meet.
+    /// Whether every visit of a point has a sector of its own, and no two of them overlap.
     [[nodiscard]] bool are_sectors(std::span<const std::uint32_t> visits, outgoing_edge* outgoing_edges) const noexcept
     {
         std::size_t count = 0;
@@ -169,7 +170,7 @@ private:
         return true;
     }
 
-    /// Negative when p lies outside of a side; when `Touching`, also when p is an end of it.
+    /// Negative when p lies outside a side; if `Touching`, also when p is an end of it.
     [[nodiscard]] static std::int64_t inside(const side& s, grid_point p) noexcept
     {
         if constexpr (Touching)
@@ -191,8 +192,8 @@ private:
     [[nodiscard]] bool sweep(const std::uint32_t* order) noexcept
     {
         const auto n = static_cast<std::int64_t>(points_.size());
-        grid_point last{-(1 << 28) - 1, 0};  // no point of the grid
-        Cutter cut = cut_;                   // a copy of its own stays in registers
+        grid_point last{-(1 << 28) - 1, 0};  // not on the grid
+        Cutter cut = cut_;                   // a local copy stays in registers
         stop_ = n;
         std::int64_t i = 0;
         for (; i < stop_; ++i) {
@@ -218,7 +219,7 @@ private:
         return false;
     }
 
-    /// One neighbour came before, the other comes later: a side of a span goes on.
+    /// One neighbour came before, the other comes later: a side of a span continues.
     ///
     ///   upper  -----------.                 :::::::::::
     ///          ::::::::::  '---       or    :::::::: .----
@@ -329,9 +330,9 @@ private:
         return s;
     }
 
-    /// Splits and merges add triangles, starts and ends take some away. For a region, splits + merges - starts - ends
-    /// is 2h - 2c in the end, so it can never be more than the points to come may take back: more means that loops
-    /// cross, and what remains could ask for more triangles than there is room.
+    /// Splits and merges add triangles, starts and ends remove some. For a region, splits + merges - starts - ends is
+    /// 2h - 2c at the end, so it never exceeds what the points to come can take back: more means that loops cross, and
+    /// the rest could make more triangles than there is memory for.
     void bound_triangles(std::int64_t change) noexcept
     {
         if constexpr (Proving) {

@@ -15,44 +15,47 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 ///     t(r, space, out)    appends r.triangle_count() triangles of indices into r.points() to `out`
 ///
-/// The region is proven: see region.hpp for what may be relied on. Its walks may come through a point more than once
-/// (is_touching), each time with a sector of interior of its own, and each visit is a point of its own here. Every edge
-/// of the region must be an edge of exactly one triangle, so that the walls that are put up on it meet the caps without
-/// a crack; no triangle may have area zero.
-/// What can be told of the triangles at once (their number, corners, turn and area) is asserted.
-/// Scratch memory comes from `space`. When memory fails: error::out_of_memory, and `out` is as it was.
-/// Who sweeps over the points need not sort them where r.order() is not empty.
+/// The region is proven: see region.hpp for what may be relied on. Its boundary cycles may pass through a point more
+/// than once (is_touching), each time along a sector of interior of their own, and each visit is a point of its own
+/// here. Every edge of the region must be an edge of exactly one triangle, so that the walls on it meet the caps
+/// without a crack; no triangle may have zero area. What can be checked at once (number, corners, orientation and area
+/// of the triangles) is asserted.
+///
+/// Scratch memory comes from `space`. When memory runs out: error::out_of_memory, and `out` is unchanged. Where
+/// r.order() is not empty, it is the order of the points from left to right, and nobody need sort them.
 template <class T>
 concept triangulator = requires(const T& t, const region& r, workspace& space, triangle_list& out) {
     { t(r, space, out) } noexcept -> std::same_as<error>;
 };
 
-/// A triangulator that can also take loops of which nothing is proven, and proves them while it works.
+/// A triangulator that also takes loops about which nothing is proven, and proves them while it works.
 ///
 ///     t.prove(loops, space, out)    the region that the loops bound, its triangles appended to `out`; or
-///                                   error::crossing_contours, `out` being as it was: "I refuse", which is no verdict:
-///                                   the loops then take the way through fill. The error's count may be 1 to say
-///                                   that two equal points stood in the way, and nothing else so far.
+///                                   error::crossing_contours, `out` being unchanged: a refusal, not a verdict. The
+///                                   loops then go through fill. The error's count may be 1 to say that two equal
+///                                   points were in the way, and nothing else so far.
 ///
-/// It may refuse what it likes, but must accept only loops that do not cross, touch or overlap and whose interior, by
+/// It may refuse anything, but must accept only loops that do not cross, touch or overlap and whose interior, by
 /// even-odd and by non-zero winding alike, lies on the left of every edge (see fill/orient.hpp).
 template <class T>
-concept proving_triangulator = triangulator<T> && requires(const T& t, const contours& loops, workspace& space, triangle_list& out) {
+concept proving_triangulator =
+    triangulator<T> && requires(const T& t, const contours& loops, workspace& space, triangle_list& out) {
     { t.prove(loops, space, out) } noexcept -> std::same_as<result<region>>;
 };
 
-/// A proving triangulator that can also be given loops which come through a point more than once.
+/// A proving triangulator that also takes loops which pass through a point more than once.
 ///
-///     t.prove_touching(loops, space, out)    as prove(). In each such point every walk must keep to a sector of interior
-///                                            of its own (see fill/touching_cycles.hpp), which is proven too.
+///     t.prove_touching(loops, space, out)    as prove(). In each such point every pass must keep to a sector of
+///                                            interior of its own (see fill/touching_cycles.hpp), which is proven too.
 template <class T>
-concept touching_triangulator = proving_triangulator<T> && requires(const T& t, const contours& loops, workspace& space, triangle_list& out) {
+concept touching_triangulator =
+    proving_triangulator<T> && requires(const T& t, const contours& loops, workspace& space, triangle_list& out) {
     { t.prove_touching(loops, space, out) } noexcept -> std::same_as<result<region>>;
 };
 
-/// Whether a triangulator's diagonals are to stay as they are: it says `static constexpr bool has_final_diagonals =
-/// true;`. Of any other's, those of triangles too low for 32-bit floats are exchanged when caps are made (see
-/// cut_region.hpp); nothing else about its triangles changes.
+/// Whether a triangulator's diagonals must stay as they are, which it declares by `static constexpr bool
+/// has_final_diagonals = true;`. In all others, edges of triangles too low for 32-bit floats are flipped when caps are
+/// made (see cut_region.hpp); nothing else about the triangles changes.
 template <class T>
 inline constexpr bool has_final_diagonals = [] {
     if constexpr (requires { T::has_final_diagonals; })
