@@ -3,11 +3,14 @@
 
 // Glyph drafts of any numbers, to see that they are kept as they are.
 
+#include <typemesh/extrude/extruded.hpp>
 #include <typemesh/glyph/built_glyph.hpp>
 
 #include "support/regions.hpp"
 
 #include <algorithm>
+#include <cstdlib>
+#include <memory>
 #include <vector>
 
 namespace test {
@@ -17,8 +20,9 @@ struct draft {
     std::vector<grid_point> points;
     std::vector<std::uint32_t> starts;
     std::vector<typemesh::triangle> triangles;
-    std::vector<typemesh::side_point> sides;
+    std::vector<typemesh::side_point> sides;  // as extruded<> plans them
     double cells;
+    std::shared_ptr<typemesh::plan_scratch> scratch = std::make_shared<typemesh::plan_scratch>();  // filled anew by parts()
 
     explicit draft(dice& d) : cells{static_cast<double>(1 << d.roll(10))}
     {
@@ -43,9 +47,11 @@ struct draft {
         made.form.points = points;
         made.form.starts = starts;
         made.form.triangles = triangles;
-        made.form.sides = sides;
-        made.sizes.vertices[typemesh::part::front] = static_cast<std::uint32_t>(points.size());
-        made.sizes.triangles[typemesh::part::side] = static_cast<std::uint32_t>(triangles.size());
+        auto* data = scratch->fresh<typemesh::extruded<>::plan_data>();
+        if (data == nullptr || !data->of<typemesh::side_point>().append(std::span{sides})) std::abort();
+        made.data = scratch.get();
+        made.plan.sizes.vertices[typemesh::part::front] = static_cast<std::uint32_t>(points.size());
+        made.plan.sizes.triangles[typemesh::part::side] = static_cast<std::uint32_t>(triangles.size());
         made.cells = cells;
         return made;
     }
@@ -71,8 +77,8 @@ struct draft {
         };
         const typemesh::glyph_draft wanted = parts();
         return same(points, g.form().points, plain) && same(starts, g.form().starts, plain) &&
-               same(triangles, g.form().triangles, plain) && same(sides, g.form().sides, side) &&
-               g.sizes().total() == wanted.sizes.total() && typemesh::same(g.cells(), cells) && !g.refusal();
+               same(triangles, g.form().triangles, plain) && same(sides, g.planned<typemesh::extruded<>>().form.data.of<typemesh::side_point>(), side) &&
+               g.sizes().total() == wanted.plan.sizes.total() && typemesh::same(g.cells(), cells) && !g.refusal();
     }
 };
 
