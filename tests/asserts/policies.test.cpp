@@ -299,6 +299,6 @@ TEST_CASE("a shaper whose glyphs come from elsewhere, or that does not count wha
         return told();
     };
     CHECK(told_by(0, true) == sentences{});
-    CHECK(told_by(1, true) == sentences{"a shaper gave a glyph a cluster outside of the text that it was asked for"});
+    CHECK(told_by(1, true) == sentences{"a shaper gave a glyph a cluster outside the range of text that it was to shape"});
     CHECK(told_by(0, false) == sentences{"a shaper must flag each missing glyph and count it in the run"});
 }

@@ -174,7 +174,7 @@ TEST_CASE("a wrong shaper gets its sentence, wrong drawings and files that are t
     shaped_by by_line{wrong, paths};
     CHECK(told_by(text_mesher{by_line}, "II") == "");
     CHECK(told_by(text_mesher{by_line}, "II\nII") ==
-          "a shaper gave a glyph a cluster outside of the text that it was asked for");
+          "a shaper gave a glyph a cluster outside the range of text that it was to shape");
 
     // Errors, not asserts: the file may be what is wrong, not the program.
     stranger::monospace_shaper shaper{100.0, 60.0, characters};

@@ -70,7 +70,7 @@ struct contours {
     }
     void forget_order() noexcept { order_.clear(); }
 
-    /// An array for the order of `size` points, to be filled in; null when memory runs out, and then there is no order.
+    /// An array for the order of `size` points, to be filled in; null, and no order, when memory runs out.
     [[nodiscard]] std::uint32_t* new_order(std::size_t size) noexcept
     {
         order_.clear();

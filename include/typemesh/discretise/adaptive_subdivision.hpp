@@ -10,27 +10,28 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The recursive halving of the thesis, word for word, for those who want its meshes again.
+/// The recursive subdivision of the thesis, exactly as published, for those who want its meshes again.
 ///
-///          P2 ______ P3         A curve is halved. Each half becomes a line when
+///          P2 ______ P3         A curve is halved. Each half becomes a line if
 ///           /  ----  \            - its segments P1-P4 and P2-P3 come closer to each other than `distance`, or
 ///          / /  M   \ \           - the lines P1-M and M-P4 through its midpoint turn by less than `angle`, or
-///        P1 ---------- P4         - it came out of the `levels`-th halving,
+///        P1 ---------- P4         - it is the result of the `levels`-th halving,
 ///                               and is halved again otherwise. The whole curve is always halved once.
 ///
-/// Quadratics are raised to cubics first. The tolerance given is ignored, and none is kept: an S-shaped half whose
-/// segments cross is taken for a line at once, and so is any half that looks straight at its midpoint. `best` promises
-/// 0.005 of 64 units; on real fonts the worst chords of cubics are off by 37 times that, of quadratics by 5 times. What
-/// keeps its tolerance is `certified`.
+/// Quadratics are raised to cubics first. The given tolerance is ignored, and none is kept: an S-shaped half whose
+/// segments cross becomes a line at once, and so does any half that looks straight at its midpoint. `best` promises
+/// 0.005 of 64 units; on real fonts the worst chords of cubics are off by 37 times that, of quadratics by 5 times.
+/// `certified` keeps its tolerance.
 ///
+/// Values of t are exact (multiples of 2^-levels). At most 2^levels points per curve; degenerate curves end early.
 /// Values of t are exact (multiples of 2^-levels). At most 2^levels points a curve; degenerate curves end early.
 ///
 /// From "Study of mesh generation and optimization techniques applied to parametric forms", J. Vandenbergh, 2020.
 struct adaptive_subdivision {
     static constexpr bool keeps_no_tolerance = true;
-    static constexpr std::uint32_t most_levels = 20;  ///< what more `levels` are taken as
+    static constexpr std::uint32_t most_levels = 20;  ///< larger `levels` are taken as this
 
-    /// A length that must be said: one that suits 64 units per em is 32 times too fine for 2048.
+    /// A length that must be given: one that suits 64 units per em is 32 times too fine for 2048.
     struct stated {
         double value;
 
@@ -42,7 +43,7 @@ struct adaptive_subdivision {
     stated distance;           ///< in the curve's own unit: font units
     double angle = 0.01;       ///< in radians
 
-    // The presets of the thesis, which sets type at 64 units per em. Its "low" is two_lines; thesis_quality has all four.
+    // The presets of the thesis, which uses 64 units per em. Its "low" is two_lines; thesis_quality has all four.
     [[nodiscard]] static adaptive_subdivision normal(double units_per_em) noexcept
     {
         return {5, 0.5 / 64.0 * units_per_em, 0.01};
@@ -70,7 +71,7 @@ struct adaptive_subdivision {
     {
         struct piece {
             cubic q;
-            std::uint32_t level;  // halvings that made it
+            std::uint32_t level;  // halvings so far
         };
         const std::uint32_t deepest = levels < 1 ? 1 : levels > most_levels ? most_levels : levels;
         piece waiting[most_levels + 1];  // right halves, the next one last

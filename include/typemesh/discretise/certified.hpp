@@ -13,29 +13,29 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// The default discretiser: as few chords as the tolerance allows, or nearly, and every one of them proven.
 ///
-///             o---------o         Points are set where equal shares of the integral of
-///         o                 o     sqrt(|B' x B''| / (8 tolerance |B'|)) end: pieces of equal error, close together
-///       o                    o    where the curve bends. Then every piece is measured; one that is too long is
-///      o                     o    shortened and the rest shared out again.
+///             o---------o         Points are placed so that pieces have equal shares of the integral of
+///         o                 o     sqrt(|B' x B''| / (8 tolerance |B'|)): pieces of equal error, shorter where the
+///       o                    o    curve bends. Then every piece is measured; one that is too long is shortened and
+///      o                     o    the rest divided anew.
 ///
 /// Promise  No point of the curve is farther than `tolerance` from its own chord, whatever the curve: loops, cusps,
-///          curves that double back beyond their ends, coinciding control points, no length at all. By 2^-20 less, to
-///          leave room for rounding; this holds for tolerances above 2^-28 of the coordinates.
-/// Count    Over real fonts within 1 % of the least possible (points on the curve); hairpins and the S-curves of
-///          handwriting may take 2 %. Never more than Wang's bound, but for corners.
-/// Corners  Where the curve stops and turns (core/tangent.hpp: B' vanishes, t taken as float), a point is emitted, also
-///          where the tolerance would not ask for it: walls need a hard corner there.
-/// Limit    65,536 points a piece between corners. Only tolerances below 2^-31 of the curve's size would need more,
-///          which cannot come from discretise(): its grid is coarser. Beyond the limit points lie at equal steps of t,
+///          curves that double back beyond their ends, coincident control points, zero length. It keeps 2^-20 less, as
+///          a margin for rounding; this holds for tolerances above 2^-28 of the coordinates.
+/// Count    Over real fonts within 1 % of the least possible (for points on the curve); hairpins and the S-curves of
+///          handwriting may take 2 %. Never more than Wang's bound, except for corners.
+/// Corners  Where the curve stops and turns (core/tangent.hpp: B' vanishes, t taken as float), a point is emitted even
+///          if the tolerance does not need it: walls need a hard corner there.
+/// Limit    65,536 points per piece between corners. Only tolerances below 2^-31 of the curve's size would need more,
+///          which discretise() never asks for: its grid is coarser. Beyond the limit points are at equal steps of t,
 ///          and the tolerance is not kept.
 /// Cost     At 1/800 em up to twice that of equal steps of t for quadratics, two to three times that for cubics; no
 ///          allocation, no transcendental function.
 ///
 /// Curves must be finite and `tolerance` positive.
 ///
-/// This work is based on: R. Goldman, Pyramid Algorithms (2003), 5.6.3, for Wang's bound, which says that no piece
-/// shorter than sqrt(8 tolerance / (d(d-1) max|second difference|)) need be measured; R. Levien, "Flattening quadratic
-/// Béziers" (2019), for the density.
+/// This work is based on: R. Goldman, Pyramid Algorithms (2003), 5.6.3, for Wang's bound, by which no piece shorter
+/// than sqrt(8 tolerance / (d(d-1) max|second difference|)) needs measuring; R. Levien, "Flattening quadratic Béziers"
+/// (2019), for the density.
 struct certified {
     static constexpr double shortest_step = 0x1p-16;
 
@@ -58,7 +58,7 @@ struct certified {
         }
         const detail::quadratic_chords chords{q.p0, b, a, k * k, tt};
         const detail::share_table<8> shares{chords, 0.0, 1.0, tolerance};
-        walker{chords, tolerance, bend, emit}.walk(shares, 0.0, 1.0);
+        point_placer{chords, tolerance, bend, emit}.place(shares, 0.0, 1.0);
         emit(q.p2, 1.0);
     }
 
@@ -81,37 +81,37 @@ struct certified {
             return emit(q.p3, 1.0);
         }
         if (bend <= pieces(4) * tt && few(chords, bend <= pieces(3) * tt ? 3 : 4, emit)) return emit(q.p3, 1.0);
-        walker{chords, tolerance, bend, emit}.between(0.0, 1.0);
+        point_placer{chords, tolerance, bend, emit}.between(0.0, 1.0);
         emit(q.p3, 1.0);
     }
 
 private:
-    static constexpr double kept_share = 1.0 - 0x1p-20;  // of the tolerance; the rest is left to rounding
+    static constexpr double kept_share = 1.0 - 0x1p-20;  // of the tolerance; the rest is a margin for rounding
 
-    // Wang's bound for n pieces, without a root: bend <= pieces(n) * tolerance². The bend is the greatest squared second
-    // difference of the control points, times (d(d-1)/8)² for the degree d.
+    // Wang's bound for n pieces, without a root: bend <= pieces(n) * tolerance². The bend is the largest squared second
+    // difference of the control points, times (d(d-1)/8)² for degree d.
     static constexpr double quadratic_bend = 0.0625, cubic_bend = 0.5625;
     [[nodiscard]] static constexpr double pieces(int n) noexcept { return double(n) * n * n * n; }
 
-    static constexpr double halves_tried = 40.0;  // as pieces(2.5): up to here two equal pieces often do
+    static constexpr double halves_tried = 40.0;  // = pieces(2.5): up to here two equal pieces often suffice
     static constexpr double few_samples = 1024.0, some_samples = 0x1p17;  // pieces(5.7), pieces(19): see between()
 
-    /// How far a chord across an inflection reaches to either side, in shares; and what of its last share a curve must
-    /// leave over before a piece is saved. Fitted to real fonts.
+    /// How far a chord across an inflection extends to either side, in shares; and how much of its last share a curve
+    /// must leave over before a piece is saved. Fitted to real fonts.
     static constexpr float reach = 0.93f;
-    static constexpr float two_will_do = 2.04f;  // shares that two pieces mostly hold; fitted likewise
+    static constexpr float two_will_do = 2.04f;  // shares that two pieces usually cover; fitted likewise
 
     [[nodiscard]] static double greater(double a, double b) noexcept { return a > b ? a : b; }
 
     /// The inner points where Wang's bound is `most`, 3 or 4, without a table: most curves of text. The errors of the
-    /// two halves tell how many points each wants, and a density that leans from one to the other where these are.
+    /// two halves tell how many points each needs, and a density that slopes from one to the other where these are.
     /// Gives up where they come out badly, and at inflections.
     template <class Emit>
     static bool few(const detail::cubic_chords<true>& chords, int most, Emit& emit) noexcept
     {
         if (chords.turns_over()) return false;
         const float left = chords.inverse_share(0.0, 0.5), right = chords.inverse_share(0.5, 1.0);
-        const float sum = left + right, product = left * right;  // sum over product: how many pieces, nearly
+        const float sum = left + right, product = left * right;  // sum over product: approximately the number of pieces
         if (sum > (static_cast<float>(most) - reach) * product) {
             const double step = most == 3 ? 1.0 / 3.0 : 0.25;
             for (int i = 1; i < most; ++i) emit(chords.at(step * i), step * i);
@@ -142,20 +142,20 @@ private:
         return true;
     }
 
-    /// Sets the inner points of pieces of one curve.
+    /// Places the inner points of pieces of one curve.
     template <class Chords, class Emit>
-    class walker {
+    class point_placer {
     public:
-        walker(const Chords& chords, double tolerance, double bend, Emit& emit) noexcept
+        point_placer(const Chords& chords, double tolerance, double bend, Emit& emit) noexcept
             : chords_{chords}, tolerance_{tolerance}, bend_{bend}, emit_{emit}
         {
         }
 
-        /// The inner points of (from, to), with a finer table where more points will be wanted.
+        /// The inner points of (from, to), with a finer table where more points will be needed.
         void between(double from, double to) const noexcept
         {
             const double tt = tolerance_ * tolerance_;
-            if (bend_ < few_samples * tt)  // so asked because the root would come late
+            if (bend_ < few_samples * tt)  // in this form because a root would come late
                 between(detail::share_table<4>{chords_, from, to, tolerance_}, from, to);
             else if (bend_ < some_samples * tt)
                 between(detail::share_table<8>{chords_, from, to, tolerance_}, from, to);
@@ -164,7 +164,7 @@ private:
         }
 
         template <class Shares>
-        void walk(const Shares& shares, double from, double to) const noexcept
+        void place(const Shares& shares, double from, double to) const noexcept
         {
             constexpr int most = 65536;
             const double wang4 = bend_ / (tolerance_ * tolerance_);  // Wang's bound to the fourth power, for the curve
@@ -173,12 +173,12 @@ private:
                                : whole > 1.0f                      ? static_cast<int>(whole) + 1
                                                                    : 2;
             const double count = static_cast<double>(pieces), length = to - from;
-            const double cc = count * count, ll = length * length;  // powers, for the root of wang4 would come late
+            const double cc = count * count, ll = length * length;  // powers, because the root of wang4 would come late
             if (!(cc * cc < wang4 * (ll * ll)))                     // no fewer than Wang's bound: nothing to prove
-                return walk_evenly(from, to, sure_step(wang4));
+                return place_evenly(from, to, sure_step(wang4));
             const float share = whole / static_cast<float>(pieces);
 
-            constexpr int chunk = 16;  // points are set, measured and emitted in three short loops, quicker than in one
+            constexpr int chunk = 16;  // points are placed, measured and emitted in three loops: faster than in one
             double t[chunk + 1];
             t[0] = from;
             for (int done = 0;;) {
@@ -188,7 +188,7 @@ private:
                 bool good = t[now] <= to;
                 for (int i = 0; i < now; ++i) good = good & (t[i] < t[i + 1]) & chords_.fits(t[i], t[i + 1]);
                 if (!good) [[unlikely]]
-                    return walk_carefully(shares, {t[0], share * static_cast<float>(done), left}, to, sure_step(wang4));
+                    return place_carefully(shares, {t[0], share * static_cast<float>(done), left}, to, sure_step(wang4));
                 const int inner = now == left ? now - 1 : now;
                 for (int i = 1; i <= inner; ++i) emit_(chords_.at(t[i]), t[i]);
                 if (now == left) return;
@@ -200,16 +200,16 @@ private:
     private:
         struct progress {
             double t;     // the last point
-            float spent;  // the share of the curve up to there
-            int pieces;   // that the rest is shared out to
+            float spent;  // the curve's share up to there
+            int pieces;   // that the rest is divided into
         };
 
         template <class Shares>
         void between(const Shares& shares, double from, double to) const noexcept
         {
             const double middle = chords_.inflection(from, to);
-            if (middle > from && walk_over(shares, from, middle, to)) return;
-            walk(shares, from, to);
+            if (middle > from && place_across(shares, from, middle, to)) return;
+            place(shares, from, to);
         }
 
         /// Pieces no longer than this are good.
@@ -218,7 +218,7 @@ private:
             return greater(1.0 / std::sqrt(std::sqrt(wang4)), shortest_step);
         }
 
-        void walk_evenly(double from, double to, double sure) const noexcept
+        void place_evenly(double from, double to, double sure) const noexcept
         {
             const int most = static_cast<int>(std::ceil((to - from) / sure));
             const double step = (to - from) / most;
@@ -228,10 +228,10 @@ private:
             }
         }
 
-        /// A chord across an inflection can be long, for the curve is first on its one side, then on its other: two
-        /// reaches where the inflection is in its middle. Counts on that, and gives up where it comes to nothing.
+        /// A chord across an inflection can be long, because the curve is first on one side of it, then on the other:
+        /// two reaches if the inflection is in its middle. Relies on that, and gives up where it gains nothing.
         template <class Shares>
-        bool walk_over(const Shares& shares, double from, double middle, double to) const noexcept
+        bool place_across(const Shares& shares, double from, double middle, double to) const noexcept
         {
             constexpr int most = 16;
             constexpr float stretch = 2.0f * reach;
@@ -261,9 +261,9 @@ private:
             return true;
         }
 
-        /// One piece at a time: the longest that is good, but no longer than its share of the rest.
+        /// One piece at a time: the longest that is good, but not longer than its share of the rest.
         template <class Shares>
-        void walk_carefully(const Shares& shares, progress at, double to, double sure) const noexcept
+        void place_carefully(const Shares& shares, progress at, double to, double sure) const noexcept
         {
             for (;;) {
                 float aim = at.spent + (shares.whole() - at.spent) / static_cast<float>(at.pieces);
@@ -288,7 +288,7 @@ private:
             bool as_aimed;
         };
 
-        /// Where the piece from u on may end, at v or before. Errors grow with the square of the length.
+        /// Where the piece from u may end, at v or before. Errors grow with the square of the length.
         [[nodiscard]] piece_end longest_good(double u, double v, double sure) const noexcept
         {
             constexpr int most_tries = 8;
@@ -307,7 +307,7 @@ private:
         Emit& emit_;
     };
 
-    /// A curve that turns by more than 90 degrees, or that may stop and turn: cut where it does.
+    /// For a curve that turns by more than 90 degrees, or that may stop and turn: splits it where it does.
     template <class Emit>
     static void wild(const cubic& q, double tolerance, Emit& emit) noexcept
     {
@@ -321,7 +321,7 @@ private:
         double from = 0.0;
         for (int i = 0; i <= count; ++i) {
             const double to = stops[i];
-            if (!(chords.excess(from, to) <= 1.0)) walker{chords, tolerance, bend, emit}.between(from, to);
+            if (!(chords.excess(from, to) <= 1.0)) point_placer{chords, tolerance, bend, emit}.between(from, to);
             if (i < count) emit(q.at(to), to);
             from = to;
         }
@@ -330,8 +330,8 @@ private:
 
     /// Where the derivative vanishes between the ends, in ascending order; at most 3.
     ///
-    /// |B'|² has its least values where B' · B'' = 0, a cubic equation. Between the extremes of that cubic its roots
-    /// are bisected, a few steps at first: hardly any of them is a stop.
+    /// |B'|² has its minima where B' · B'' = 0, a cubic equation. Its roots are bisected between the extremes of that
+    /// cubic, a few steps at first: hardly any of them is a stop.
     [[nodiscard]] static int find_stops(const cubic& q, double (&stops)[4]) noexcept
     {
         constexpr int most_steps = 64, early = 10;

@@ -11,8 +11,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// z^(-1/4) within 0.11 % for normal z > 0, without a root or a division: a first guess from the exponent's bits, and
-/// one step of Newton's whose two constants were fitted together with the guess. Some large number for z = 0.
+/// z^(-1/4) within 0.11 % for normal z > 0, without a root or a division: an initial guess from the exponent's bits,
+/// and one Newton step whose two constants were fitted together with the guess. Some large number for z = 0.
 [[nodiscard]] inline float inverse_fourth_root(float z) noexcept
 {
     std::uint32_t bits = 0;
@@ -24,18 +24,18 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
     return r * (1.30089f - 0.303888f * (z * rr) * rr);
 }
 
-// What follows are curves in a form that answers two questions about their pieces [u, v], quickly:
+// What follows are curves in a form that quickly answers two questions about their pieces [u, v]:
 //
 //     fits(u, v)      is the piece within the tolerance of its chord? May say no to a piece that only just is.
-//     excess(u, v)    1 when it is; else the square of error over tolerance, or of some bound on it
+//     excess(u, v)    1 if it is; else the square of error over tolerance, or of some bound on it
 //
-// and one about the whole: sample() gives, at equal steps of t, the density of points that a fine polyline of equal
-// errors has, sqrt(|B' x B''| / (8 tolerance |B'|)), times the step. Densities are estimates, in float; fits and excess
-// are proofs.
+// and one about the whole: sample() gives, at equal steps of t, the density of the points of a fine polyline with equal
+// errors, sqrt(|B' x B''| / (8 tolerance |B'|)), times the step. Densities are estimates, in float; fits and excess are
+// proofs.
 //
-// Where a piece's derivative never turns by more than 90 degrees ("tame"), the piece stays in the stripe over its
-// chord, and its distance from the chord is its offset from the chord's line. With w the piece's middle, h = v - u and
-// t = w + xh/2:
+// Where a piece's derivative never turns by more than 90 degrees ("tame"), the piece stays in the strip over its chord,
+// and its distance from the chord is its offset from the chord's line. With w the middle of the piece, h = v - u and t
+// = w + xh/2:
 //
 //     chord / h = B'(w) + B'''h²/24         offset = (1 - x²) h²/4 |M + xD| / |chord / h|
 //     M = B' x B''/2 - h²/4 (B''/2 x B'''/6)        D = h/2 (B' x B'''/6)            (all at w; D = 0 for a quadratic)
@@ -79,7 +79,7 @@ struct quadratic_chords {
     }
 };
 
-/// B(t) = p0 + c1 t + c2 t² + c3 t³. `tame` or not: when not, pieces may also run out past the ends of their chords.
+/// B(t) = p0 + c1 t + c2 t² + c3 t³. If not `tame`, pieces may also extend past the ends of their chords.
 template <bool tame>
 struct cubic_chords {
     point p0, c1, c2, c3;
@@ -117,7 +117,7 @@ struct cubic_chords {
             const double offset = p.offset();
             return offset <= p.room ? 1.0 : offset / p.room;
         } else {
-            // Two bounds, either holds for whatever curve. First: the distance between points of equal s on piece and
+            // Two bounds, both valid for any curve. First: the distance between points of equal s on piece and
             // chord.
             const double h = p.h, hh = h * h;
             const point second = c2 + (3.0 * u) * c3;  // B(u + hs) - chord = s(s-1)(v1 + s (v2 - v1)),
@@ -126,7 +126,7 @@ struct cubic_chords {
             const double loose = (n1 > n2 ? n1 : n2) * hh * hh * 0.0625;
             if (loose <= tt) return 1.0;
             double bound = loose;
-            // Second: the offset, and how far the control points make the piece run out past the chord's ends.
+            // Second: the offset, and how far the control points let the piece extend past the chord's ends.
             const double cc = dot(p.c, p.c);
             if (cc > 0.0) {
                 const point d1 = c1 + u * (2.0 * c2 + (3.0 * u) * c3), d2 = h * second;  // legs of the piece, over h
@@ -141,18 +141,18 @@ struct cubic_chords {
         }
     }
 
-    /// Whether the curve bends one way at its start and the other way at its end.
+    /// Whether the curve bends in opposite directions at its start and at its end.
     [[nodiscard]] bool turns_over() const noexcept { return k12 * (k12 + 3.0 * (k13 + k23)) < 0.0; }
 
-    /// One over how many pieces [u, v] should be, nearly.
+    /// One over the number of pieces that [u, v] needs, approximately.
     [[nodiscard]] float inverse_share(double u, double v) const noexcept
     {
         const piece p{*this, u, v};
         return inverse_fourth_root(static_cast<float>((p.mm + 0.5 * p.dd) / (p.room + 1e-300)) + 1e-30f);
     }
 
-    /// Where the curve goes from bending left to bending right, or from right to left, between the ends of [u, v]; u
-    /// where it does not, or does so twice.
+    /// Where the curve changes from bending left to bending right, or the reverse, between the ends of [u, v]; u if it
+    /// does not, or does so twice.
     [[nodiscard]] double inflection(double u, double v) const noexcept
     {
         const double k0 = k12, k1 = 3.0 * k13, k2 = 3.0 * k23;  // B' x B'' / 2
@@ -167,7 +167,7 @@ struct cubic_chords {
     template <int samples>
     void sample(float* density, double from, double step, double tolerance) const noexcept
     {
-        // In units of 8 tolerances, which needs no root, and nothing of the curve that would have to be waited for.
+        // In units of 8 tolerances, which needs no root and no value of the curve that would come late.
         double one = 1.0 / (8.0 * tolerance), wide = step;
         const double size = dot(c1, c1) + dot(c2, c2) + dot(c3, c3);
         if (!(size * one * one < 0x1p36)) [[unlikely]] {  // float would overflow
@@ -209,15 +209,15 @@ private:
             room = 16.0 * q.tt * dot(c, c);
         }
 
-        /// By (1 - x²)(|m| + |d|x) <= |m| + d²/4|m|, and no root.
+        /// By (1 - x²)(|m| + |d|x) <= |m| + d²/4|m|, without a root.
         [[nodiscard]] bool surely_fits() const noexcept
         {
             const double quick = mm + 0.25 * dd;
             return quick * quick <= mm * room;
         }
 
-        /// The greatest (1 - x²)²(|m| + |d|x)², where x solves a quadratic equation: the offset is a cubic with both
-        /// ends zero.
+        /// The maximum of (1 - x²)²(|m| + |d|x)², where x solves a quadratic equation: the offset is a cubic that is
+        /// zero at both ends.
         [[nodiscard]] double offset() const noexcept
         {
             const double am = std::abs(m), ad = std::abs(d);
@@ -228,10 +228,10 @@ private:
     };
 };
 
-/// A running integral of the density, and its inverse: at which t a given share of the points is spent.
+/// A running integral of the density, and its inverse: the t at which a given share of the points is used up.
 ///
-/// Samples lie in the middle of equal cells of t; in a cell the density is taken as linear, with the slope between the
-/// cell's neighbours. The inverse comes from two steps of a fixed-point iteration, which spares a root.
+/// Samples lie in the middle of equal intervals of t; within one the density is taken as linear, with the slope between
+/// its neighbours. The inverse takes two steps of a fixed-point iteration, which avoids a root.
 template <int samples>
 class share_table {
 public:
@@ -250,7 +250,7 @@ public:
             const float lean = 0.25f * (density[j + 2] - density[j]) * inverse_[j];
             lean_[j] = lean < -1.0f ? -1.0f : lean > 1.0f ? 1.0f : lean;
         }
-        // Running sums, in pairs and fours: one after the other they would take twice the time.
+        // Running sums, in pairs and fours: one after the other they would take twice as long.
         sum_[0] = 0.0f;
         for (int j = 0; j < samples; j += 4) {
             const float* d = density + 1 + j;
@@ -262,14 +262,14 @@ public:
         }
     }
 
-    /// How many pieces the curve needs, nearly; not rounded.
+    /// The number of pieces that the curve needs, approximately; not rounded.
     [[nodiscard]] float whole() const noexcept { return sum_[samples]; }
 
-    /// Ascends with the share, from 0 to whole().
+    /// Increases with the share, which runs from 0 to whole().
     [[nodiscard]] double t_of(float share) const noexcept
     {
         int i = 0;
-        for (int j = 1; j < samples; ++j) i += share > sum_[j] ? 1 : 0;  // no branch to guess wrong
+        for (int j = 1; j < samples; ++j) i += share > sum_[j] ? 1 : 0;  // no branch to mispredict
         const float even = (share - sum_[i]) * inverse_[i];
         float x = even + lean_[i] * (even - even * even);
         x = even + lean_[i] * (x - x * x);

@@ -18,12 +18,12 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// Appends points and their edges to contours; neighbours that fall on one grid point become one.
+/// Appends points and their edges to contours; consecutive points at one grid point become one.
 class contour_writer {
 public:
     explicit contour_writer(contours& out) noexcept : out_{out} {}
 
-    /// Room for what the last call of this kind used, and for `wanted` points at least.
+    /// Reserves what the last call of this kind used, and at least `wanted` points.
     void begin(std::size_t wanted) noexcept
     {
         const std::size_t kept =
@@ -37,10 +37,10 @@ public:
         push(p);
     }
 
-    /// From here on the boundary runs along another curve.
+    /// From here on the boundary follows another curve.
     void begin_curve(std::uint32_t curve) noexcept { leaving_ = {curve, 0.0f, 1.0f}; }
 
-    /// The boundary arrives at p, which its curve reaches at t.
+    /// The boundary arrives at p, its curve's point at t.
     void arrive(grid_point p, float t) noexcept
     {
         if (failed_) return;
@@ -53,7 +53,7 @@ public:
         push(p);
     }
 
-    /// True when a contour is left.
+    /// True if something is left of the contour.
     bool end_contour() noexcept
     {
         if (failed_) return false;
@@ -66,8 +66,8 @@ public:
         return false;
     }
 
-    /// Whether all points since begin_contour() are in line, or none are left. False after a failure, when there are
-    /// none to look at.
+    /// Whether all points since begin_contour() are collinear, or none are left. False after a failure, when there are
+    /// none to examine.
     [[nodiscard]] bool is_flat() const noexcept
     {
         if (failed_) return false;
@@ -76,10 +76,10 @@ public:
         return true;
     }
 
-    /// Forgets the points since begin_contour().
+    /// Removes the points since begin_contour().
     void drop_contour() noexcept { size_ = first_; }
 
-    /// Gives back what was claimed too much.
+    /// Gives back what was claimed and not used.
     void end() noexcept
     {
         out_.points.truncate(size_);
@@ -120,16 +120,16 @@ private:
     grid_point* points_ = nullptr;
     contour_edge* edges_ = nullptr;
     std::size_t size_ = 0, room_ = 0, first_ = 0;
-    contour_edge leaving_;  // how the boundary leaves the last point; t1 is not yet known
+    contour_edge leaving_;  // the edge that leaves the last point; its t1 is not yet known
     error failed_;
 };
 
-/// Twice the area that a contour's curves enclose, positive counter-clockwise: Green's formula, of the control points.
+/// Twice the area that a contour's curves enclose, counter-clockwise positive: Green's formula over the control points.
 [[nodiscard]] inline double doubled_area(std::span<const curve> contour) noexcept
 {
     double sum = 0.0;
     for (const curve& c : contour) {
-        point p[4];  // as seen from the contour's start, which keeps the terms short
+        point p[4];  // relative to the contour's start, which keeps the terms small
         for (std::uint32_t i = 0; i <= c.degree; ++i) p[i] = c.p[i] - contour[0].p[0];
         if (c.degree == 1)
             sum += cross(p[0], p[1]);
@@ -142,13 +142,12 @@ private:
     return sum;
 }
 
-/// What a discretiser has emitted of one curve so far. For TYPEMESH_ASSERT alone: where that looks at nothing, nothing
-/// is kept.
+/// What a discretiser has emitted of one curve so far. Only for TYPEMESH_ASSERT: without it nothing is kept.
 struct emitted_points {
     point last = {};
     double t = 0.0;
 
-    /// Takes a further point; false unless t goes on, to 1 at most.
+    /// Takes another point; false unless t increases, to 1 at most.
     [[nodiscard]] bool take(point p, double at) noexcept
     {
         const bool goes_on = t < at && at <= 1.0;
@@ -156,14 +155,14 @@ struct emitted_points {
         t = at;
         return goes_on;
     }
-    /// Whether the last point is the end of its curve, to a cell of the grid.
+    /// Whether the last point is the end of its curve, to within a cell of the grid.
     [[nodiscard]] bool ended_at(point end, const grid& g) const noexcept
     {
         return t >= 1.0 && std::abs(last.x - end.x) * g.cells < 1.0 && std::abs(last.y - end.y) * g.cells < 1.0;
     }
 };
 
-/// Takes what a discretiser emits of one curve to the grid, and from there to the writer.
+/// Snaps what a discretiser emits of one curve to the grid, and passes it to the writer.
 struct curve_emitter {
     contour_writer& writer;
     const grid& cells;
@@ -183,7 +182,7 @@ struct curve_emitter {
     }
 };
 
-/// Whether finer chords can give a contour an area: one of its curves is no line, and together they enclose some cells.
+/// Whether finer chords can give a contour an area: not all its curves are lines, and they enclose some cells.
 [[nodiscard]] inline bool has_curved_area(std::span<const curve> contour, const grid& g) noexcept
 {
     bool curved = false;
@@ -211,7 +210,7 @@ public:
     {
     }
 
-    /// The contour of the curves [first, end), finer where it would lose its area; false when nothing is left of it.
+    /// Flattens the contour of the curves [first, end), more finely if it would lose its area; false if nothing is left.
     [[nodiscard]] bool flatten(std::uint32_t first, std::uint32_t end) noexcept
     {
         bool left = flatten(first, end, 0);
@@ -250,7 +249,7 @@ private:
         return writer_.end_contour();
     }
 
-    /// What the discretiser is given after so many halvings.
+    /// The tolerance that the discretiser gets after so many halvings.
     [[nodiscard]] double halved(std::uint32_t times) const noexcept
     {
         const double finer = tolerance_ / static_cast<double>(std::uint32_t{1} << times) - snap_;
@@ -269,36 +268,35 @@ private:
 
 }  // namespace detail
 
-/// Turns an outline's curves into closed polylines on the grid. What `out` held before is forgotten; its storage is
-/// used again.
+/// Flattens an outline: turns its curves into closed polylines on the grid. Replaces what `out` held; its storage is
+/// reused.
 ///
 ///     curves      the outline, in font units; every control point within the reach of `g` (see grid::fitting)
 ///     how         the discretiser
 ///     tolerance   how far a polyline may be from its curve, in font units, rounding to the grid included
-///     out         its `curves` refer to the outline: keep that as long as `out` is read. Its `tolerance` is what the
-///                 discretiser was asked for, halvings apart, if it keeps one
-///     halvings    for every curve, how often the tolerance is halved for it, 31 times at most; empty: for none
+///     out         its `curves` refer to the outline, which must live as long as `out` is read. Its `tolerance` is what
+///                 the discretiser was given, halvings apart, if it keeps one
+///     halvings    for every curve, how often the tolerance is halved for it, at most 31 times; empty: never
 ///
-/// Points that fall on one grid point with the one before them are merged: the edge before keeps the t at which it
-/// first got there, the edge after starts at the t (or the curve) with which the boundary leaves.
+/// Consecutive points at one grid point are merged: the edge before keeps the t at which it first got there, the edge
+/// after starts at the t (or the curve) with which the boundary leaves.
 ///
-/// A contour whose curves have an area keeps at least 3 points that are not in line, as a rule: where its tolerance
+/// A contour whose curves enclose an area usually keeps at least 3 points that are not collinear: where its tolerance
 /// would leave fewer (a dot of two curves that is smaller than the tolerance), the tolerance is halved for this contour
-/// until they are there or the grid ends it. Contours of which fewer than 3 points are left enclose nothing and are
-/// dropped.
+/// until there are enough or the grid ends it. Contours with fewer than 3 points left enclose nothing and are dropped.
 ///
-/// The discretiser is given `tolerance` less g.snap_error(), but never less than g.snap_error(): below twice that error
-/// no tolerance can be kept, and asking for more points would give the grid's steps instead of the curve.
+/// The discretiser gets `tolerance` less g.snap_error(), but never less than g.snap_error(): no tolerance below twice
+/// that error can be kept, and more points would follow the grid's steps instead of the curve.
 ///
 /// Fails  error::bad_tolerance: not positive and finite
-///        error::out_of_memory, error::too_large (2^32 - 1 points or curves and more); `out` is empty then
-/// Cost   what the discretiser costs, and a few nanoseconds a point; nothing is allocated once `out` has grown
+///        error::out_of_memory, error::too_large (2^32 - 1 points or curves and more); `out` is then empty
+/// Cost   the discretiser's, and a few nanoseconds per point; nothing is allocated once `out` has grown
 template <discretiser D>
 error discretise(const outline& curves, const D& how, double tolerance, const grid& g, contours& out,
                  std::span<const std::uint8_t> halvings = {}) noexcept
 {
     TYPEMESH_ASSERT(halvings.empty() || halvings.size() == curves.curves.size(),
-                    "halvings come one a curve or not at all");
+                    "there must be one number of halvings per curve, or none at all");
     out.clear();
     out.grid = g;
     if (!is_finite(tolerance) || !(tolerance > 0.0)) return error::bad_tolerance;

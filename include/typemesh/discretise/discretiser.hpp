@@ -5,15 +5,15 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// An `emit` that does nothing: what the concept below is tried with.
+/// An `emit` that does nothing: the concept below is checked with it.
 struct ignore_points {
     constexpr void operator()(point, double) const noexcept {}
 };
 
-/// Walks one curve and hands out points on it: emit(point, t) with 0 < t <= 1 ascending, the last at t = 1 and the
+/// Flattens one curve: hands out points on it by emit(point, t), with 0 < t <= 1 ascending, the last at t = 1 and the
 /// curve's own end. The start is not handed out. Lines never come here.
 ///
-/// The compiler tests the signatures. The author promises the rest: every chord between neighbouring points (the start
+/// The compiler checks the signatures. The author promises the rest: every chord between consecutive points (the start
 /// included) stays within `tolerance` of the curve, and the curve within `tolerance` of its chord. The tolerance is
 /// positive and in the curve's own unit. `emit` is noexcept and takes any number of points, but broken fonts hold
 /// curves as large as the grid: cap the count. That t ascends and that the curve's end comes last is asserted.
@@ -26,18 +26,18 @@ struct ignore_points {
 ///         }
 ///     };
 ///
-/// One that keeps no tolerance says so with `static constexpr bool keeps_no_tolerance = true;`: nothing is then asked of
-/// it twice, with a finer tolerance, where contours come to meet.
+/// A discretiser that keeps no tolerance declares `static constexpr bool keeps_no_tolerance = true;`: it is then not
+/// called again with a finer tolerance where contours come to cross.
 ///
-/// A point that lies where the curve stops and turns (a cusp, a reversal) becomes a hard corner of the walls by itself:
-/// the two tangents there are found from the curve and t (see core/tangent.hpp).
+/// A point where the curve stops and turns (a cusp, a reversal) becomes a hard corner of the walls by itself: the two
+/// tangents there are found from the curve and t (see core/tangent.hpp).
 template <class D>
 concept discretiser = requires(const D& d, const quadratic& q, const cubic& c, double tolerance, ignore_points emit) {
     { d(q, tolerance, emit) } noexcept;
     { d(c, tolerance, emit) } noexcept;
 };
 
-/// Whether a finer tolerance makes it come closer to the curve.
+/// Whether a finer tolerance brings its chords closer to the curve.
 template <class D>
 inline constexpr bool keeps_tolerance = [] {
     if constexpr (requires { D::keeps_no_tolerance; })

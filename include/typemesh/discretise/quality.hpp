@@ -8,10 +8,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// How smooth curves become: the greatest distance between a curve and its chords, in em. Multiply by the font's units
 /// per em for a tolerance in font units.
 ///
-/// normal, high and best are near the errors that 99 of 100 chords of the presets of the thesis keep on real fonts
-/// ("Study of mesh generation and optimization techniques applied to parametric forms", J. Vandenbergh, 2020); low
-/// takes the place of its two lines a curve. (Those presets themselves: thesis_quality.) `certified` keeps them on all chords, with 19 to 40 % fewer chords than
-/// those.
+/// normal, high and best are near the errors that 99 of 100 chords of the thesis's presets keep on real fonts ("Study
+/// of mesh generation and optimization techniques applied to parametric forms", J. Vandenbergh, 2020); low replaces its
+/// two lines per curve. (Those presets themselves: thesis_quality.) `certified` keeps them on all chords, with 19 to 40
+/// % fewer chords than those.
 namespace quality {
 
 inline constexpr double low = 1.0 / 100;
@@ -21,10 +21,10 @@ inline constexpr double best = 1.0 / 16000;
 
 }  // namespace quality
 
-/// The tolerance in em with which no curve is off by more than `error_in_pixels` where one em is drawn `pixels_per_em`
+/// The tolerance in em with which no curve is off by more than `error_in_pixels` when one em is drawn `pixels_per_em`
 /// large. A quarter of a pixel is hard to see.
 ///
-/// 0, which discretise() refuses as error::bad_tolerance, when either number is not positive and finite.
+/// 0, which discretise() refuses as error::bad_tolerance, if either number is not positive and finite.
 [[nodiscard]] inline double tolerance_for_pixels(double pixels_per_em, double error_in_pixels = 0.25) noexcept
 {
     if (!is_finite(pixels_per_em) || !is_finite(error_in_pixels)) return 0.0;

@@ -10,7 +10,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The four qualities of the thesis, word for word, for a font of so many units per em:
+/// The four qualities of the thesis, exactly as published, for a font with so many units per em:
 ///
 ///     low      two_lines
 ///     normal   adaptive_subdivision, 5 levels, 0.5 of 64 units per em
@@ -19,9 +19,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 ///     auto mesher = text_mesher{font}.with(thesis_quality{thesis_quality::high, font.units_per_em()});
 ///
-/// The tolerance given is ignored, and none is kept (see adaptive_subdivision).
+/// The given tolerance is ignored, and none is kept (see adaptive_subdivision).
 ///
-/// From "Study of mesh generation and optimization techniques applied to parametric forms", J. Vandenbergh, 2020, 4.4.3.
+/// From "Study of mesh generation and optimization techniques applied to parametric forms", J. Vandenbergh, 2020,
+/// 4.4.3.
 class thesis_quality {
 public:
     enum preset : std::uint8_t { low, normal, high, best };

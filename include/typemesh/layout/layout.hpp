@@ -7,25 +7,25 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Sets a text: cuts it at its line breaks (line_break_at; they leave no glyph), has every line shaped and puts it in
-/// its place.
+/// Lays out a text: cuts it at its line breaks (line_break_at; they leave no glyph), has every line shaped and
+/// positions it.
 ///
 ///         x = 0, left-aligned                        columns go from right to left,
 ///     y = 0  |Hello                  <- baseline     the first is centred on x = 0    |   |
 ///            |                                                                        界  こ
 ///     y = -d |world!                                                                  !  ん
 ///
-/// The distance d is ascender - descender + gap of the shaper's metrics (one em where they give nothing positive),
-/// times line_spacing. A text has one line more than it has breaks: an empty text is one empty line. Spaces at a
-/// line's ends count as a part of it, and so do tabs, which lead to the next tab stop and leave no glyph either (see
-/// shape_line()). letter_spacing adds to the shaper's advances, see letter_spacing.hpp.
+/// The distance d is ascender - descender + gap of the shaper's metrics (one em if that is not positive), times
+/// line_spacing. A text has one line more than it has breaks: an empty text is one empty line. Spaces at a line's ends
+/// belong to it, and so do tabs, which lead to the next tab stop and leave no glyph either (see shape_line()).
+/// letter_spacing adds to the shaper's advances, see letter_spacing.hpp.
 ///
-///     run   emptied first; then glyphs, lines, units_per_em, and what was missing or invalid
+///     run   emptied first; then it gets glyphs, lines, units_per_em, and what was missing or invalid
 ///
 /// Fails  error::bad_option: line_spacing, tab_width or letter_spacing is NaN or infinite, or tab_width negative
 ///        error::too_large: the text has more than 2^32 - 1 units
-///        error::out_of_memory, and whatever the shaper says; `run` is then empty
-/// Cost   O(n) beside the shaper's
+///        error::out_of_memory, and whatever the shaper returns; `run` is then empty
+/// Cost   O(n) besides the shaper's
 template <shaper Shaper>
 error layout(Shaper& shaper, text_view text, const shape_options& how, const layout_options& options,
              glyph_run& run) noexcept

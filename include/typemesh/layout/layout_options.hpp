@@ -7,7 +7,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How shaped lines are put together.
+/// How shaped lines are arranged.
 struct layout_options {
     alignment align = alignment::left;
     double line_spacing = 1.0;    ///< times the font's own distance between lines; any finite number
@@ -15,7 +15,7 @@ struct layout_options {
     double letter_spacing = 0.0;  ///< added between letters, in em; any finite number (see letter_spacing.hpp)
 };
 
-/// What of them is out of range, or none.
+/// The error of an option that is out of range, or none.
 [[nodiscard]] inline error trouble_of(const layout_options& options) noexcept
 {
     if (!is_finite(options.line_spacing)) return error::bad("line_spacing");

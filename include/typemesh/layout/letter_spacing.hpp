@@ -24,22 +24,22 @@ namespace typemesh::inline TYPEMESH_ABI {
     return c >= 0x0600 && detail::holds(ranges, c);
 }
 
-/// Sets the letters of a shaped stretch farther apart, or, with a negative distance, closer together.
+/// Moves the letters of a shaped segment farther apart, or, with a negative distance, closer together.
 ///
 ///     Hamburg          H a m b u r g        n letters have n - 1 distances between them. Letters are clusters: a base
-///                                           and its marks, or what else the shaper keeps together, stay together.
+///                                           and its marks, or whatever else the shaper keeps together, stay together.
 ///
-/// No distance between two letters of a script that is written joined, which would tear them, and none for characters
-/// that are not drawn. Spaces count as letters.
+/// No distance is added between two letters of a script that is written joined, which would tear them apart, and none
+/// at characters that are not drawn. Spaces count as letters.
 ///
 ///     glyphs      of text[.., last), in drawing order, as the shaper left them; `down`: of a column
 ///     distance    in font units
 ///
-/// Gives how much longer the stretch has become. Cost: O(n)
+/// Returns how much longer the segment has become. Cost: O(n)
 inline double space_letters(text_view text, std::size_t last, double distance, bool down,
                             std::span<placed_glyph> glyphs) noexcept
 {
-    cluster_id before = no_cluster;  // of the letter before
+    cluster_id before = no_cluster;  // of the previous letter
     char32_t letter_before = 0;
     double moved = 0.0;
     for (placed_glyph& g : glyphs) {

@@ -8,9 +8,9 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How many units of a line break stand at text[i]: 0 where none does.
+/// The length of the line break at text[i], in units; 0 if there is none.
 ///
-/// The characters that must break a line by UAX #14: LF, CR, CR LF (one break), VT, FF, NEL (U+0085), U+2028, U+2029.
+/// The mandatory breaks of UAX #14: LF, CR, CR LF (one break), VT, FF, NEL (U+0085), U+2028, U+2029.
 /// Needs i < text.size().
 [[nodiscard]] inline std::size_t line_break_at(text_view text, std::size_t i) noexcept
 {

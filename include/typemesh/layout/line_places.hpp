@@ -10,24 +10,25 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Where the lines of a text stand; see layout().
+/// Where the lines of a text are placed; see layout().
 class line_places {
 public:
-    line_places(const line_metrics& metrics, double units_per_em, direction flow, const layout_options& options) noexcept
+    line_places(const line_metrics& metrics, double units_per_em, direction flow,
+                const layout_options& options) noexcept
         : vertical_{flow == direction::top_to_bottom}, align_{options.align}
     {
         const double measured = metrics.ascender - metrics.descender + metrics.gap;
         distance_ = (measured > 0.0 ? measured : units_per_em) * options.line_spacing;
     }
 
-    /// How far a line runs, from the way of its pen; never negative.
+    /// The length of a line, from the offset of its pen; never negative.
     [[nodiscard]] double advance(point total) const noexcept
     {
         const double along = vertical_ ? -total.y : total.x;
         return along > 0.0 ? along : 0.0;
     }
 
-    /// Where a line begins, from how far it runs. Lines count from 0.
+    /// Where a line begins, from its length. Lines count from 0.
     [[nodiscard]] point origin(std::size_t line, double advance) const noexcept
     {
         const double back = align_ == alignment::left ? 0.0 : align_ == alignment::centre ? advance / 2 : advance;

@@ -23,11 +23,11 @@ template <std::size_t N>
 
 }  // namespace detail
 
-/// True for characters that one glyph after the other, by character map and advance, would set wrongly: right-to-left
-/// and joining scripts, scripts that reorder, stack or attach their signs (those of India, Thai, Lao, Tibetan,
-/// Burmese, Khmer, ...), conjoining Hangul, combining marks of every script, joiners and bidirectional controls.
+/// True for characters that would be set wrongly one glyph after the other, by character map and advance: right-to-left
+/// and joining scripts, scripts that reorder, stack or attach their signs (those of India, Thai, Lao, Tibetan, Burmese,
+/// Khmer, ...), conjoining Hangul, combining marks of every script, joiners and bidirectional controls.
 ///
-/// What is left is plain: Latin, Greek, Cyrillic, Armenian, Georgian, Ethiopic, Cherokee, Han, kana, Hangul syllables,
+/// What remains is plain: Latin, Greek, Cyrillic, Armenian, Georgian, Ethiopic, Cherokee, Han, kana, Hangul syllables,
 /// Yi and the like, punctuation and symbols. By blocks of Unicode 15; when in doubt, true.
 [[nodiscard]] constexpr bool is_complex(char32_t c) noexcept
 {

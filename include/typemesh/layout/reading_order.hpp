@@ -10,21 +10,21 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What a character says of the direction in which its line is read.
+/// What a character says about the direction in which its line is read.
 enum class reading : std::uint8_t {
     to_the_right,  ///< letters of Latin, Han, Devanagari, ...
     to_the_left,   ///< letters of Hebrew, Arabic, N'Ko, ...
     digit,         ///< read to the right in any line, Arabic-Indic digits too
     separator,     ///< keeps two digits together: . , : / + -
-    terminator,    ///< goes with the digits it stands beside: % $ and the like
+    terminator,    ///< belongs to the digits beside it: % $ and the like
     neutral,       ///< spaces, other punctuation, symbols
 };
 
 /// The reading of one code point.
 ///
-/// A coarse form of Unicode's Bidi_Class (UAX #9, version 14): marks go with their script's letters, small symbols
-/// inside letter blocks count as letters, and so does all that is not in the table. Where it errs a line is called
-/// mixed, not set wrongly.
+/// A coarse form of Unicode's Bidi_Class (UAX #9, version 14): marks belong to their script's letters, small symbols
+/// inside letter blocks count as letters, and so does everything that is not in the table. Where it is wrong a line is
+/// refused as mixed, never set wrongly.
 [[nodiscard]] inline reading reading_of(char32_t c) noexcept
 {
     struct range {
@@ -76,13 +76,13 @@ enum class reading : std::uint8_t {
     return reading_of(c) == reading::to_the_left;
 }
 
-/// How often U+FFFD is read for something invalid, and where first.
+/// How often U+FFFD was read for something invalid, and where first.
 struct invalid_places {
     std::uint32_t count = 0;
     cluster_id first = no_cluster;
 };
 
-/// What a line holds, and where each was met first.
+/// What a line contains, and where each first occurs.
 struct line_reading {
     static constexpr std::size_t nowhere = ~std::size_t{0};
 
@@ -92,7 +92,7 @@ struct line_reading {
     invalid_places invalid;
 };
 
-/// Looks through text[first, last) once.
+/// Scans text[first, last) once.
 [[nodiscard]] inline line_reading read_line(text_view text, std::size_t first, std::size_t last) noexcept
 {
     line_reading found;
@@ -110,12 +110,12 @@ struct line_reading {
     return found;
 }
 
-/// The first place in a right-to-left line whose characters must be read to the right together: a number of more than
-/// one digit, separators between digits included ("42", "3.5", "12:30"), or a digit beside a sign that goes with it
-/// ("5%"). One digit alone reads the same in both directions. line_reading::nowhere if there is none.
+/// The first place in a right-to-left line whose characters must be read left to right together: a number of more than
+/// one digit, separators between digits included ("42", "3.5", "12:30"), or a digit beside a sign that belongs to it
+/// ("5%"). A single digit reads the same in both directions. line_reading::nowhere if there is none.
 [[nodiscard]] inline std::size_t find_number(text_view text, std::size_t first, std::size_t last) noexcept
 {
-    // The character before this one, and the one before that.
+    // The previous character, and the one before it.
     reading before = reading::neutral, earlier = reading::neutral;
     std::size_t before_at = first, earlier_at = first;
     for (std::size_t i = first; i < last;) {

@@ -18,8 +18,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// Whether the glyphs of a run from `glyph` on name places in [first, last) of the text. For TYPEMESH_ASSERT.
-[[nodiscard]] inline bool come_from(const glyph_run& run, std::size_t glyph, std::size_t first, std::size_t last) noexcept
+/// Whether the glyphs of a run from `glyph` on have their clusters in [first, last) of the text. For TYPEMESH_ASSERT.
+[[nodiscard]] inline bool come_from(const glyph_run& run, std::size_t glyph, std::size_t first,
+                                    std::size_t last) noexcept
 {
     for (; glyph < run.glyphs.size(); ++glyph)
         if (run.glyphs[glyph].cluster < first || run.glyphs[glyph].cluster >= last) return false;
@@ -34,7 +35,7 @@ namespace detail {
     return missing;
 }
 
-/// shaper.shape(text, first, last, how, run), held to its promise.
+/// shaper.shape(text, first, last, how, run), whose promise is checked.
 template <shaper Shaper>
 result<point> shape_segment(Shaper& shaper, text_view text, std::size_t first, std::size_t last,
                             const shape_options& how, glyph_run& run) noexcept
@@ -42,13 +43,13 @@ result<point> shape_segment(Shaper& shaper, text_view text, std::size_t first, s
     [[maybe_unused]] const std::size_t glyphs = run.glyphs.size(), missing = run.missing;
     const result<point> advance = shaper.shape(text, first, last, how, run);
     TYPEMESH_ASSERT(!advance || come_from(run, glyphs, first, last),
-                    "a shaper gave a glyph a cluster outside of the text that it was asked for");
+                    "a shaper gave a glyph a cluster outside the range of text that it was to shape");
     TYPEMESH_ASSERT(!advance || missing_from(run, glyphs) == run.missing - missing,
                     "a shaper must flag each missing glyph and count it in the run");
     return advance;
 }
 
-/// How far a space moves the pen along a line. The run is left as it was.
+/// The advance of a space along a line. The run stays unchanged.
 template <shaper Shaper>
 result<double> space_advance(Shaper& shaper, const shape_options& how, glyph_run& run) noexcept
 {
@@ -63,8 +64,8 @@ result<double> space_advance(Shaper& shaper, const shape_options& how, glyph_run
     return how.direction == direction::top_to_bottom ? -advance->y : advance->x;
 }
 
-/// The direction in which what stands between two tabs is set, in a line of tabs that is read to the left or not. Each
-/// such stretch is a line of its own to the shaper, so stretches may differ where letters within one may not.
+/// The direction in which the segment between two tabs is set, in a line with tabs that is read right-to-left or not.
+/// Each segment is a line of its own to the shaper, so segments may differ where letters within one may not.
 [[nodiscard]] inline direction between_tabs(direction wanted, const line_reading& line, bool to_the_left,
                                             text_view text, std::size_t first, std::size_t last) noexcept
 {
@@ -79,7 +80,7 @@ result<double> space_advance(Shaper& shaper, const shape_options& how, glyph_run
     return mixed && (to_the_left ? right && !left : left && !right) ? direction::automatic : wanted;
 }
 
-inline void turn_round(std::span<placed_glyph> glyphs) noexcept
+inline void reverse(std::span<placed_glyph> glyphs) noexcept
 {
     for (std::size_t i = 0, k = glyphs.size(); i + 1 < k; ++i) std::swap(glyphs[i], glyphs[--k]);
 }
@@ -95,7 +96,7 @@ result<point> shape_spaced(Shaper& shaper, text_view text, std::size_t first, st
 {
     if (is_zero(options.letter_spacing)) return shape_segment(shaper, text, first, last, how, run);
     shape_options single = how;
-    single.ligatures = false;  // a letter in two would stand closer to itself than to others
+    single.ligatures = false;  // the letters of a ligature would be closer to each other than to the rest
     const std::size_t before = run.glyphs.size();
     const result<point> advance = shape_segment(shaper, text, first, last, single, run);
     if (!advance) return advance;
@@ -107,21 +108,21 @@ result<point> shape_spaced(Shaper& shaper, text_view text, std::size_t first, st
 
 }  // namespace detail
 
-/// Has a line shaped, its tabs included: each moves the pen on to the next tab stop, the first that the pen has not
-/// come to yet, and leaves no glyph. Stops stand from the line's start on, `tab_width` spaces apart; a line that is
-/// read to the left starts on the right. Between tabs letters are spaced as asked.
+/// Shapes a line, tabs included: each moves the pen to the next tab stop, the first one beyond it, and leaves no glyph.
+/// Stops are `tab_width` spaces apart, counted from the line's start; a right-to-left line starts on the right. Between
+/// tabs letters are spaced as requested.
 ///
-///     |       |       |       |            Between tabs the shaper is given stretches of the line, each as a line of
-///     |name   |weight |price  |            its own. A line is read to the left where the options or, by default, its
-///     |ambergris      |12 g   |            first letter ask for it; then the stretches follow each other to the left.
+///     |       |       |       |            Between tabs the shaper gets segments of the line, each as a line of its
+///     |name   |weight |price  |            own. A line is read right-to-left if the options or, by default, its first
+///     |ambergris      |12 g   |            letter say so; then the segments follow each other to the left.
 ///
 ///     text[first, last)    the line, without line breaks; first < last
 ///     options              tab_width 0: tabs are characters like others, which most fonts lack; letter_spacing
 ///     run                  glyphs are appended, in drawing order, as a shaper does
 ///
-/// Gives the way of the pen. Where the font's space moves it nowhere, tabs do not either.
+/// Returns the pen's offset. Where the font's space has no advance, tabs have none either.
 /// Fails  as the shaper does; the run may then hold some of the line's glyphs
-/// Cost   beside the shaper's O(n). In a line with tabs the shaper is asked about a space besides
+/// Cost   O(n) besides the shaper's; for a line with tabs it also shapes a space
 template <shaper Shaper>
 result<point> shape_line(Shaper& shaper, text_view text, std::size_t first, std::size_t last, const shape_options& how,
                          const layout_options& options, glyph_run& run) noexcept
@@ -142,7 +143,7 @@ result<point> shape_line(Shaper& shaper, text_view text, std::size_t first, std:
                              (how.direction == direction::automatic && line.to_the_left < line.to_the_right);
 
     const std::size_t first_glyph = run.glyphs.size();
-    double pen = 0.0;  // from where the line starts, in the direction in which it is read
+    double pen = 0.0;  // from the line's start, in its reading direction
     for (std::size_t begin = first;;) {
         if (begin < end) {
             const std::size_t before = run.glyphs.size();
@@ -154,7 +155,7 @@ result<point> shape_line(Shaper& shaper, text_view text, std::size_t first, std:
             const double start = to_the_left ? 0.0 - (pen + length) : pen;
             const std::span<placed_glyph> glyphs = run.glyphs.view().subspan(before);
             for (placed_glyph& g : glyphs) g.origin = g.origin + (down ? point{0.0, 0.0 - start} : point{start, 0.0});
-            if (to_the_left) detail::turn_round(glyphs);
+            if (to_the_left) detail::reverse(glyphs);
             pen += length;
         }
         if (end == last) break;
@@ -164,7 +165,7 @@ result<point> shape_line(Shaper& shaper, text_view text, std::size_t first, std:
     }
     if (to_the_left) {
         const std::span<placed_glyph> glyphs = run.glyphs.view().subspan(first_glyph);
-        detail::turn_round(glyphs);  // the stretches, whose own glyphs come back into order
+        detail::reverse(glyphs);  // reverses the segments, whose own glyphs come back into order
         for (placed_glyph& g : glyphs) g.origin.x += pen;
     }
     return down ? point{0.0, 0.0 - pen} : point{pen, 0.0};

@@ -11,28 +11,28 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// The direction in which a line is set.
 enum class direction : std::uint8_t {
-    automatic,      ///< left-to-right or right-to-left, as the line's script asks
+    automatic,      ///< left-to-right or right-to-left, by the line's script
     left_to_right,
     right_to_left,
-    top_to_bottom,  ///< columns, the next to the left of the one before
+    top_to_bottom,  ///< columns, each to the left of the one before
 };
 
 /// An OpenType feature switched on (1), off (0) or set to one of its alternates (2, 3, ...), for the whole text:
 /// {"liga", 0}.
 struct feature {
-    char tag[5] = {};  ///< four letters; the fifth place is for the string's own end
+    char tag[5] = {};  ///< four letters and a terminating zero
     std::uint32_t value = 1;
 };
 
-/// What switches the optional ligatures off: see shape_options::ligatures.
+/// Turns the optional ligatures off: see shape_options::ligatures.
 inline constexpr feature no_ligatures[] = {{"liga", 0}, {"clig", 0}};
 
-/// What a shaper is told besides the text.
+/// What a shaper gets besides the text.
 struct shape_options {
     typemesh::direction direction = typemesh::direction::automatic;
     std::string_view language = {};  ///< BCP 47, such as "tr" or "zh-Hant"; empty: none, never the machine's locale
     std::string_view script = {};    ///< ISO 15924, such as "Arab"; empty: found from the text
-    std::span<const feature> features = {};  ///< besides those that the script has on by default
+    std::span<const feature> features = {};  ///< besides those that are on by default for the script
     bool ligatures = true;  ///< the optional ones ("liga", "clig"), unless `features` names them; none in spaced text
 };
 

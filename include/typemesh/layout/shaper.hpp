@@ -11,7 +11,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A font's own measures for lines, in font units, y up.
+/// A font's own metrics for lines, in font units, y up.
 ///
 ///     ascender  ────────────────   positive            horizontal: the distance between baselines is
 ///     baseline  ──A─g──────────   0                    ascender - descender + gap
@@ -26,13 +26,13 @@ struct line_metrics {
 ///
 ///     s.units_per_em()                    as in outline_source; of the same font
 ///     s.metrics(direction)                the font's line metrics, for horizontal or vertical lines
-///     s.shape(text, first, last, o, run)  appends the glyphs of text[first, last), one line without line breaks (or
-///                                         what of one stands between two tabs: see shape_line()), to run.glyphs, in
-///                                         drawing order, with the pen starting at (0, 0), and gives the pen's way:
-///                                         {advance x, advance y} in font units; horizontal lines always run to the
-///                                         right, vertical lines down. Clusters count from the start of `text`, in its
-///                                         units. Flags missing glyphs, adds to run.missing and run.invalid_units and
-///                                         keeps the first place of each.
+///     s.shape(text, first, last, o, run)  appends the glyphs of text[first, last), one line without line breaks (or a
+///                                         segment of one between two tabs: see shape_line()), to run.glyphs, in
+///                                         drawing order, with the pen starting at (0, 0), and returns the pen's
+///                                         offset: {advance x, advance y} in font units; horizontal lines always run to
+///                                         the right, vertical lines down. Clusters count from the start of `text`, in
+///                                         its units. Flags missing glyphs, adds to run.missing and run.invalid_units
+///                                         and keeps the first place of each.
 ///
 /// Fails  error::mixed_direction: the line holds text of both directions and the shaper has no
 ///                              bidirectional algorithm (never drawn in the wrong order)

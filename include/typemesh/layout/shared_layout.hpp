@@ -15,14 +15,14 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What layout() does, its lines shaped by several workers, each with a shaper and a run of its own. The result is the
-/// same, the error that of the first line that met one. Keeps its memory for the next text.
+/// layout() with its lines shaped by several workers, each with a shaper and a run of its own. The result is the same,
+/// and the error is that of the first line with one. Keeps its memory for the next text.
 class shared_layout {
 public:
     explicit shared_layout(memory source = heap()) noexcept : lines_{source}, blocks_{source} {}
 
-    /// `shaper_of(worker)` and `run_of(worker)` give references to what the worker shapes with and into; the latter's
-    /// content means nothing before and after. `shaper` is asked for units and metrics alone.
+    /// `shaper_of(worker)` and `run_of(worker)` return references to what the worker shapes with and into; the content
+    /// of the latter is meaningless before and after. `shaper` is used for units and metrics only.
     ///
     /// Fails  as layout() does
     template <executor Executor, shaper Shaper, class ShaperOf, class RunOf>
@@ -43,7 +43,7 @@ public:
         }
         workers.run(blocks_.size(), [&, this](std::size_t b, std::size_t worker) noexcept {
             glyph_run& own = run_of(worker);
-            own.missing = own.invalid_units = 0;  // a shaper may take the first that it meets for the first of all
+            own.missing = own.invalid_units = 0;  // a shaper may take its own first for the first of all
             own.first_missing = own.first_invalid_unit = no_cluster;
             for (line& l : lines_of(b)) {
                 l.worker = static_cast<std::uint32_t>(worker);
@@ -52,7 +52,7 @@ public:
                 const auto advance = shape_line(shaper_of(worker), text, l.begin, l.end, how, options, own);
                 if (!advance) {
                     l.trouble = advance.error();
-                    return;  // of this block no later line matters
+                    return;  // later lines of this block do not matter
                 }
                 l.count = own.glyphs.size() - l.first;
                 l.advance = places.advance(*advance);
@@ -89,14 +89,14 @@ private:
         error trouble;
     };
 
-    /// Lines that one worker shapes, one after the other, and what it met.
+    /// Lines that one worker shapes, one after the other, and what it found.
     struct block {
         std::size_t first_line;
         std::uint32_t missing, invalid_units;
         cluster_id first_missing, first_invalid_unit;
     };
 
-    /// Finds the lines, and gathers them into about so many blocks of equal length, none too short to be worth it.
+    /// Finds the lines, and groups them into about so many blocks of equal length, none too short to be worthwhile.
     error find_lines(text_view text, std::size_t wanted) noexcept
     {
         lines_.clear();
@@ -124,7 +124,7 @@ private:
         return lines_.view().subspan(blocks_[b].first_line, last - blocks_[b].first_line);
     }
 
-    /// Gives each line its place, and the run room for all glyphs.
+    /// Positions each line, and reserves space in the run for all glyphs.
     error place_lines(const line_places& places, glyph_run& run) const noexcept
     {
         const auto fail = [&run](error e) noexcept {

@@ -13,10 +13,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 enum class encoding : std::uint8_t { utf8, utf16 };
 
-/// The caller's text where it lies: UTF-8 (char, char8_t) or UTF-16 (char16_t). Nothing is copied, nothing owned.
+/// The caller's text in place: UTF-8 (char, char8_t) or UTF-16 (char16_t). Nothing is copied, nothing owned.
 ///
-/// Offsets and clusters count units: bytes of UTF-8, 16-bit units of UTF-16. What is not valid in its encoding reads as
-/// U+FFFD (see utf.hpp).
+/// Offsets and clusters count units: bytes of UTF-8, 16-bit units of UTF-16. Text that is invalid in its encoding reads
+/// as U+FFFD (see utf.hpp).
 class text_view {
 public:
     constexpr text_view() noexcept = default;
@@ -43,7 +43,7 @@ public:
     {
     }
 
-    /// How many units, and of which encoding.
+    /// The number of units, and their encoding.
     [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
     [[nodiscard]] constexpr bool empty() const noexcept { return size_ == 0; }
     [[nodiscard]] constexpr typemesh::encoding encoding() const noexcept { return encoding_; }
@@ -72,14 +72,14 @@ private:
     typemesh::encoding encoding_ = typemesh::encoding::utf8;
 };
 
-/// Text in an encoding that text_view does not take: UTF-32, or wchar_t, which is another thing on each system.
+/// Text in an encoding that text_view does not take: UTF-32, or wchar_t, which differs from system to system.
 template <class Text>
 concept foreign_text = !std::is_convertible_v<const Text&, text_view> &&
                        !std::is_convertible_v<const Text&, std::string_view> &&
                        (std::is_convertible_v<const Text&, std::u32string_view> ||
                         std::is_convertible_v<const Text&, std::wstring_view>);
 
-/// For overloads that stand where a text is taken, so that such a text is refused in a sentence.
+/// For overloads beside those that take a text, so that such a text is refused in one sentence.
 template <class Text>
 constexpr error refuse_text() noexcept
 {

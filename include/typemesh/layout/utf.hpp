@@ -7,25 +7,25 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// One code point as it was read, and where the next one begins.
+/// One code point as decoded, and where the next one begins.
 struct code_point {
     char32_t value = 0xFFFD;
     std::size_t next = 0;
     bool valid = true;  ///< false where U+FFFD stands for something that is not UTF
 };
 
-/// Reads the code point at text[i], looking no further than `end`. Needs i < end <= text.size(); never fails, always
-/// moves on.
+/// Decodes the code point at text[i], looking no further than `end`. Needs i < end <= text.size(); never fails, always
+/// advances.
 ///
-/// UTF-8 follows Unicode's "substitution of maximal subparts" (The Unicode Standard, 3.9; what WHATWG's decoder does
-/// too): as many bytes as could begin a code point become one U+FFFD, any other byte becomes one of its own. Overlong
-/// forms, surrogates and what lies beyond U+10FFFF are not valid.
+/// UTF-8 follows Unicode's "substitution of maximal subparts" (The Unicode Standard, 3.9; WHATWG's decoder does the
+/// same): as many bytes as could begin a code point become one U+FFFD, any other byte becomes one of its own. Overlong
+/// forms, surrogates and values beyond U+10FFFF are invalid.
 ///
 ///     E2 82 | 41        one U+FFFD, then A         E2 82 begins a sequence that breaks off
 ///     C0 | AF           two U+FFFD                 no sequence begins with C0
 ///     ED | A0 | 80      three U+FFFD               a surrogate, which UTF-8 does not write
 ///
-/// In UTF-16 each half of a surrogate pair that stands alone is one U+FFFD.
+/// In UTF-16 each unpaired half of a surrogate pair is one U+FFFD.
 [[nodiscard]] inline code_point decode(text_view text, std::size_t i, std::size_t end) noexcept
 {
     if (text.encoding() == encoding::utf16) {

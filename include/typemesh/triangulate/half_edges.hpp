@@ -16,7 +16,7 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///
 ///               r                  triangle t has the half-edges 4t, 4t + 1, 4t + 2; 4t + 3 stays unused
 ///             /   ^                next() goes around a triangle counter-clockwise
-///        h2 /   t   \ h1           the twin of a boundary edge p -> q is the *rim* half-edge of its first point p, of no
+///        h2 /   t   \ h1           the twin of a boundary edge p -> q is the *rim* half-edge of its first point, of no
 ///         v           \            triangle; so each boundary edge is found by its first point, and every half-edge
 ///        p ---- h ----> q          that moves has a twin to update
 ///
