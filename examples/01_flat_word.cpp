@@ -38,6 +38,7 @@ int main(int argc, char** argv)
     for (const vertex& v : vertices) std::fprintf(file, "v %g %g 0\n", double(v.x), double(v.y));
     for (std::size_t i = 0; i < indices.size(); i += 3)
         std::fprintf(file, "f %d %d %d\n", indices[i] + 1, indices[i + 1] + 1, indices[i + 2] + 1);
-    std::fclose(file);
+    const bool kept = std::ferror(file) == 0;
+    if (std::fclose(file) != 0 || !kept) return std::puts("flat_word.obj could not be written to its end"), 1;
     std::printf("%u glyphs, %zu vertices, %zu triangles\n", made->glyphs, vertices.size(), indices.size() / 3);
 }

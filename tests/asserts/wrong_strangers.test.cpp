@@ -17,7 +17,7 @@
 #include "stranger/svg_paths.hpp"
 #include "stranger/tapering_twist.hpp"
 
-#include <array>
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -166,7 +166,7 @@ TEST_CASE("wrong discretisers, triangulators and extruders get their sentences",
           "an extruder planned vertices or triangles of a part beyond its part_count");
 }
 
-TEST_CASE("a wrong shaper gets its sentence, wrong drawings and files that are too short their errors", "[asserts]")
+TEST_CASE("a wrong shaper gets its sentence, wrong drawings and full disks their errors", "[asserts]")
 {
     stranger::svg_paths paths{100.0, {"", "M10 100 V20 H60 V100 Z", "L10 100 V20 H60 Z", "M10 nowhere"}};
     const std::string characters{"\0ILN", 4};
@@ -191,12 +191,15 @@ TEST_CASE("a wrong shaper gets its sentence, wrong drawings and files that are t
     }
     const auto plan = mesher.plan("I");
     REQUIRE(plan);
-    std::array<std::byte, 600> file;  // 16 bytes short
+    std::FILE* file = std::fopen(__FILE__, "rb");  // which takes nothing, as a full disk
+    REQUIRE(file != nullptr);
     stranger::ply_sink sink{file};
     const error e = plan->write(sink);
-    CHECK(e == error::buffer_too_small);
-    CHECK(sink.size() == 0);
+    CHECK(e == error::not_written);
     char words[200];
-    CHECK(std::string{describe(e, words)}.find(" bytes)") != std::string::npos);
+    CHECK(std::string{describe(e, words)} == "The mesh could not be written to its end: the disk may be full.");
+    const text_options options;
+    CHECK(mesher.build("I", sink, options).error() == error::not_written);
+    std::fclose(file);
     CHECK(told() == "");
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 
+#include <typemesh/extrude/axes.hpp>
 #include <typemesh/extrude/placement.hpp>
 
 #include "mesh.hpp"
@@ -72,4 +73,34 @@ TEST_CASE("heights follow the unit of depths, and a wall's normal the frame", "[
         CHECK(at.normal({0.0f, 1.0f}) == f.up);
         CHECK(at.normal({-1.0f, 0.0f}).x == -f.right.x);
     }
+}
+
+TEST_CASE("any point goes where a grid point goes, to the bit", "[extrude][placement]")
+{
+    test::dice d{23};
+    for (const frame& f : meshes::frames()) {
+        for (int round = 0; round < 500; ++round) {
+            placement at;
+            at.frame = f;
+            at.pen = {1e6 * (d.fraction() - 0.5), 1e6 * (d.fraction() - 0.5)};
+            at.unit_per_cell = d.fraction() / 512.0;
+            at.unit_per_depth = 10.0 * d.fraction();
+            const grid_point p{d.roll(1 << 28) - (1 << 27), d.roll(1 << 28) - (1 << 27)};
+            const double x = p.x, y = p.y, z = d.fraction() - 0.5;
+            CHECK(at.position({x, y, z}) == at.position(p, at.height(z)));
+            CHECK(free_axes{at}.position(free_axes{at}.foot(point{x, y}), 0.25f) == at.position(p, 0.25f));
+            if (upright_axes::fit(f))
+                CHECK(upright_axes{at}.position(upright_axes{at}.foot(point{x, y}), 0.25f) == at.position(p, 0.25f));
+            CHECK(at.direction({0.6f, 0.8f, 0.0f}) == at.normal({0.6f, 0.8f}));
+            CHECK(at.direction(0.0f, 0.0f, 1.0f) == f.toward);
+
+            // Between two of them it lies between where they go.
+            const vec3 half = at.position({x + 0.5, y, z}), next = at.position({x + 1.0, y, z}), here = at.position({x, y, z});
+            CHECK(((here.x <= half.x && half.x <= next.x) || (here.x >= half.x && half.x >= next.x)));
+        }
+    }
+    placement at;
+    at.unit_per_cell = 1.0 / 512.0;
+    at.unit_per_depth = 2.0;
+    CHECK(at.cells_per_depth() == 1024.0);
 }

@@ -159,3 +159,24 @@ TEST_CASE("shared normals keep planar coordinates on their walls in em mapping t
         CHECK(b.vertices[f.vertices.size() + i].uv == f.vertices[i].uv);
     }
 }
+
+TEST_CASE("any point gets the texture coordinates of a grid point, to the bit, and walls theirs by length and depth", "[extrude]")
+{
+    for (const auto origin : {uv_origin::top_left, uv_origin::bottom_left}) {
+        for (const auto mapping : {texture_mapping::box, texture_mapping::em}) {
+            const auto s = shapes::letter_d();
+            const placement at = mapping == texture_mapping::box ? over_box(s, origin) : with_origin(origin);
+            const planar_texture texture{mapping, at};
+            for (const grid_point g : s.loops.points)
+                CHECK(texture(point{static_cast<double>(g.x), static_cast<double>(g.y)}) == texture(g));
+        }
+        placement at = with_origin(origin);
+        at.em_per_depth = 2.0;
+        const wall_texture walls{at};
+        const bool down = origin == uv_origin::top_left;
+        CHECK(walls(512000.0f, 0.0) == vec2{1.0f, down ? 0.0f : 1.0f});
+        CHECK(walls(0.0f, 0.25) == vec2{0.0f, 0.5f});
+        CHECK(walls(-256000.0f, 0.5).x == -0.5f);
+        CHECK(walls(-256000.0f, 0.5).y == (down ? 1.0f : 0.0f));
+    }
+}

@@ -170,3 +170,14 @@ TEST_CASE("every vertex knows its part, and its glyph and cluster from its place
         CHECK(v.part == p);
     }
 }
+
+TEST_CASE("tangents of surfaces of any kind are those of caps and walls where these are meant", "[extrude]")
+{
+    for (const frame& f : frames()) {
+        placement at = in_em(f);
+        const texture_tangent tangents{f};
+        CHECK(tangents.along(at, {1.0f, 0.0f, 0.0f}, 1.0f) == tangents.on_cap(at, 1.0f));
+        CHECK(tangents.along(at, {1.0f, 0.0f, 0.0f}, -1.0f) == tangents.on_cap(at, -1.0f));
+        CHECK(tangents.along(at, {0.8f, 0.6f, 0.0f}, 1.0f) == tangents.on_wall(at, {0.6f, -0.8f}));
+    }
+}

@@ -6,18 +6,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <cstring>
-#include <span>
 
 namespace stranger {
 
-/// A binary PLY file, written into memory that is as long as it may be (a mapped file): from the comment on mesh_sink alone.
+/// A binary PLY file: from the comment on mesh_sink alone. What the disk did not take is told at the end.
 /// For machines that keep the lowest byte first.
 class ply_sink {
 public:
     static constexpr auto wants = typemesh::attribute::position;
 
-    explicit ply_sink(std::span<std::byte> file) noexcept : file_{file} {}
+    explicit ply_sink(std::FILE* file) noexcept : file_{file} {}
 
     typemesh::error begin(typemesh::mesh_size exact) noexcept
     {
@@ -28,9 +26,6 @@ public:
                                          "property list uchar uint vertex_indices\nend_header\n",
                                          static_cast<unsigned long long>(exact.vertices),
                                          static_cast<unsigned long long>(exact.triangles));
-        const std::uint64_t needed = static_cast<std::uint64_t>(length) + 12 * exact.vertices + 13 * exact.triangles;
-        if (needed > file_.size()) return typemesh::error::short_of("bytes", needed);
-        size_ = 0;
         append(header, static_cast<std::size_t>(length));
         return {};
     }
@@ -46,19 +41,16 @@ public:
         append(&three, 1);
         append(corners, sizeof corners);
     }
-    void end() noexcept {}
-
-    [[nodiscard]] std::size_t size() const noexcept { return size_; }  ///< of the file, in bytes
-
-private:
-    void append(const void* bytes, std::size_t count) noexcept
+    typemesh::error end() noexcept
     {
-        std::memcpy(file_.data() + size_, bytes, count);
-        size_ += count;
+        const bool whole = std::fflush(file_) == 0 && std::ferror(file_) == 0;
+        return whole ? typemesh::error{} : typemesh::error{typemesh::error::not_written};
     }
 
-    std::span<std::byte> file_;
-    std::size_t size_ = 0;
+private:
+    void append(const void* bytes, std::size_t count) noexcept { std::fwrite(bytes, 1, count, file_); }
+
+    std::FILE* file_;
 };
 static_assert(typemesh::mesh_sink<ply_sink>);
 

@@ -13,6 +13,7 @@
 #include <typemesh/typemesh.hpp>
 
 #include <array>
+#include <cstdio>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -71,13 +72,18 @@ constexpr const char* word = "OLi";
 template <class Mesher>
 ply_mesh written(Mesher mesher)
 {
-    std::vector<std::byte> file(1u << 20);
+    std::FILE* file = std::tmpfile();
+    REQUIRE(file != nullptr);
     stranger::ply_sink sink{file};
     const text_options options;
     const auto report = mesher.build(word, sink, options);
     REQUIRE(report);
     CHECK(report->complete());
-    return ply_mesh{std::span{file}.first(sink.size())};
+    std::vector<std::byte> bytes(static_cast<std::size_t>(std::ftell(file)));
+    std::rewind(file);
+    REQUIRE(std::fread(bytes.data(), 1, bytes.size(), file) == bytes.size());
+    std::fclose(file);
+    return ply_mesh{bytes};
 }
 
 /// Four solids, one with a hole, closed, right side out.

@@ -38,6 +38,7 @@ struct [[nodiscard]] error {
         mixed_direction,      ///< one line holds left-to-right and right-to-left text
         needs_shaping,        ///< the plain shaper cannot set this script correctly
         font_library_failed,  ///< FreeType, HarfBuzz or DirectWrite refused; count = its own error number, if any
+        not_written,          ///< a sink could not keep all that it was given: the disk is full, say
         refused_by_user,      ///< for policies of the caller's own
     };
 
@@ -110,6 +111,7 @@ struct [[nodiscard]] error {
             return "The text needs a real shaper (HarfBuzz, DirectWrite): a character map and kerning cannot set its "
                    "script.";
         case font_library_failed: return "The font library refused the request.";
+        case not_written: return "The mesh could not be written to its end: the disk may be full.";
         case refused_by_user: return "A policy of the caller's own refused.";
         }
         return "Unknown error.";

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+
+#include <typemesh/glyph/plan_region.hpp>
+
+#include <typemesh/inspect/cap_check.hpp>
+#include <typemesh/typemesh.hpp>
+
+#include <string>
+
+#include "stranger/flared.hpp"
+#include "support/catch.hpp"
+#include "support/toy_font.hpp"
+
+using namespace typemesh;
+
+TEMPLATE_TEST_CASE("caps that an extruder asks for are cut by the glyph's own triangulator", "[glyph]", monotone,
+                   constrained_delaunay)
+{
+    test::toy_font font;
+    no_observer nobody;
+    const stranger::flared raise;
+    const policies with{certified{}, TestType{}, raise, nobody};
+    cap_builder caps;
+    outline drawn;
+    REQUIRE_FALSE(record(font, 1, drawn));  // a ring
+    const auto cells = grid::fitting(1000.0, drawn.bounds);
+    REQUIRE(cells);
+    const auto filled = caps.build(drawn, 1.0, *cells, {}, with);
+    REQUIRE(filled);
+    plan_scratch data;
+    const auto plan = plan_region(*filled, with, caps.space(), data);
+    REQUIRE(plan);
+    CHECK(plan->sizes.triangles[part::front] == filled->triangle_count());
+    CHECK(plan->around.width() == 2.0 * 500.0 * cells->cells);
+
+    // The same triangles as of the letter itself, for its cap is the letter enlarged.
+    std::vector<std::uint64_t> block(data.bytes() / 8);
+    data.copy_to(reinterpret_cast<std::byte*>(block.data()));
+    const auto kept = stranger::flared::plan_data::read_from(reinterpret_cast<const std::byte*>(block.data()));
+    const auto cut = kept.of<triangle>();
+    CHECK(std::string{inspect::check_cap(*filled, cut).broken()} == "");
+    REQUIRE(cut.size() == caps.triangles().size());
+    for (std::size_t i = 0; i < cut.size(); ++i) CHECK(cut[i] == caps.triangles()[i]);
+}
+
+TEST_CASE("where memory gives no plan data, planning a region tells so", "[glyph]")
+{
+    no_observer nobody;
+    const policies with{certified{}, monotone{}, extruded<>{}, nobody};
+    const memory nothing = {nullptr, [](void*, std::size_t, std::size_t) noexcept -> void* { return nullptr; },
+                            [](void*, void*, std::size_t, std::size_t) noexcept {}};
+    plan_scratch data{nothing};
+    workspace space;
+    CHECK(plan_region(region{}, with, space, data).error() == error::out_of_memory);
+}
