@@ -39,36 +39,25 @@ TEST_CASE("a triangle's level tells how often its height has to be doubled to re
     CHECK(triangle_heights{grid{}}.doubled_area_of_low() == 0);
 }
 
-TEST_CASE("a triangle is low exactly where its height is below 2^-20 em, and levels follow the height",
-          "[triangulate][triangle_heights]")
+TEST_CASE("levels are exact for triangles of all sizes", "[triangulate][triangle_heights]")
 {
-    test::dice d{61};
-    for (const double em : {1000.0 * 512.0, 2048.0 * 512.0, 0x1p25}) {
-        const triangle_heights heights{{.cells = 512.0, .units_per_em = em / 512.0}};
-        int low = 0, high = 0;
-        for (int round = 0; round < 20'000; ++round) {
-            const std::int32_t length = 1 << (2 + d.roll(26)), slant = d.roll(2 * length) - length;
-            const grid_point a{d.roll(100), d.roll(100)}, b{a.x + length, a.y + slant};
-            const double share = d.fraction();
-            const grid_point c{a.x + static_cast<std::int32_t>(share * length),
-                               a.y + static_cast<std::int32_t>(share * slant) + d.roll(100)};
-            const std::int64_t doubled = orientation(a, b, c);
-            if (doubled <= 0) continue;
-            const auto side = [](grid_point p, grid_point q) {
-                return std::hypot(double(p.x) - q.x, double(p.y) - q.y);
-            };
-            const double height = double(doubled) / (std::max)({side(a, b), side(b, c), side(c, a)});
-            const double doublings = std::log2(em * 0x1p-16 / height);         // until it is 2^-16 em
-            if (std::abs(doublings - std::round(doublings)) < 1e-9) continue;  // too near for doubles to tell
-            const auto wanted = static_cast<std::uint32_t>((std::clamp)(std::ceil(doublings), 0.0, 12.0));
-            INFO("height " << height << " cells of an em of " << em);
-            REQUIRE(heights.level(a, b, c) == wanted);
-            REQUIRE(heights.is_low(a, b, c) == (wanted >= triangle_heights::low));
-            REQUIRE(heights.level(b, c, a) == wanted);
-            if (doubled >= heights.doubled_area_of_low()) REQUIRE(wanted < triangle_heights::low);
-            (wanted >= triangle_heights::low ? low : high) += 1;
-        }
-        CHECK(low > 100);
-        CHECK(high > 100);
+    test::dice d{11};
+    for (int i = 0; i < 20'000; ++i) {
+        const double em = std::ldexp(1.0 + d.fraction(), 14 + d.roll(11));
+        const triangle_heights heights{grid{.cells = 1.0, .units_per_em = em}};
+        const std::int32_t reach = 1 << (3 + d.roll(25));
+        const grid_point a{d.roll(reach) - reach / 2, d.roll(reach) - reach / 2},
+            b{d.roll(reach) - reach / 2, d.roll(reach) - reach / 2};
+        const double along = d.fraction();
+        const grid_point c{static_cast<std::int32_t>(a.x + along * (b.x - a.x)) + d.roll(5) - 2,
+                           static_cast<std::int32_t>(a.y + along * (b.y - a.y)) + d.roll(5) - 2};
+        if (orientation(a, b, c) <= 0) continue;
+        const auto side = [](grid_point p, grid_point q) { return std::hypot(double(p.x) - q.x, double(p.y) - q.y); };
+        const double height = static_cast<double>(orientation(a, b, c)) / (std::max)({side(a, b), side(b, c), side(c, a)});
+        const std::uint32_t level = heights.level(a, b, c);
+        const double whole = std::floor(em);
+        if (level > 0) CHECK(height * std::ldexp(1.0, 15 + static_cast<int>(level)) < whole * (1.0 + 1e-12));
+        if (level < 12) CHECK(height * std::ldexp(1.0, 16 + static_cast<int>(level)) > whole * (1.0 - 1e-12));
+        CHECK(heights.is_low(a, b, c) == (level >= triangle_heights::low));
     }
 }
