@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
+#include "toy_shaper.hpp"
 #include "support/counting_memory.hpp"
 
 #include <typemesh/layout/layout.hpp>
@@ -13,35 +14,10 @@ using namespace typemesh;
 
 namespace {
 
-/// Every code point is a glyph of that number, 500 units on (or down); '!' is refused; metrics as told.
-struct plain_shaper {
-    line_metrics lines{700.0, -200.0, 100.0};
-    double advance = 500.0;
-    std::vector<std::string> seen{};
-
-    double units_per_em() const noexcept { return 1000.0; }
-    line_metrics metrics(direction) const noexcept { return lines; }
-    result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& how,
-                        glyph_run& run) noexcept
-    {
-        if (text.encoding() == encoding::utf8) seen.emplace_back(text.utf8() + first, last - first);
-        point pen;
-        for (std::size_t i = first; i < last;) {
-            const code_point c = decode(text, i, last);
-            if (c.value == '!') return error{error::mixed_direction}.at(no_glyph, static_cast<cluster_id>(i));
-            if (!run.glyphs.push_back({static_cast<glyph_id>(c.value), static_cast<cluster_id>(i), pen}))
-                return error::out_of_memory;
-            (how.direction == direction::top_to_bottom ? pen.y : pen.x) +=
-                how.direction == direction::top_to_bottom ? -advance : advance;
-            i = c.next;
-        }
-        return pen;
-    }
-};
-static_assert(shaper<plain_shaper>);
+using test::toy_shaper;
 
 glyph_run set(text_view text, const layout_options& options = {}, direction d = direction::automatic,
-              plain_shaper font = {})
+              toy_shaper font = {})
 {
     glyph_run run;
     shape_options how;
@@ -88,7 +64,7 @@ TEST_CASE("a text has one line more than it has breaks, and breaks leave no glyp
 
 TEST_CASE("the shaper sees every line whole and alone", "[layout]")
 {
-    plain_shaper font;
+    toy_shaper font;
     glyph_run run;
     REQUIRE(!layout(font, "one two\r\n\nthree", {}, {}, run));
     CHECK(font.seen == std::vector<std::string>{"one two", "three"});  // an empty line needs no shaping
@@ -106,7 +82,7 @@ TEST_CASE("baselines are the font's line distance times the spacing apart, downw
 
 TEST_CASE("a font without line metrics is set one em apart", "[layout]")
 {
-    const glyph_run run = set("a\nb", {}, direction::automatic, plain_shaper{{0.0, 0.0, 0.0}});
+    const glyph_run run = set("a\nb", {}, direction::automatic, toy_shaper{{0.0, 0.0, 0.0}});
     CHECK(equal(run.lines[1].origin, {0.0, -1000.0}));
 }
 
@@ -137,7 +113,7 @@ TEST_CASE("columns run down, the next to the left, aligned to y = 0", "[layout]"
 
 TEST_CASE("a pen that went backwards makes a line of advance 0", "[layout]")
 {
-    plain_shaper font;
+    toy_shaper font;
     font.advance = -10.0;
     const glyph_run run = set("ab", {.align = alignment::right}, direction::automatic, font);
     CHECK(run.lines[0].advance == 0.0);
@@ -162,7 +138,7 @@ TEST_CASE("clusters count units of the whole text in its own encoding", "[layout
 
 TEST_CASE("layout empties the run first, and leaves it empty on failure", "[layout]")
 {
-    plain_shaper font;
+    toy_shaper font;
     glyph_run run = set("before\nthat");
     run.missing = 3;
     run.first_missing = 1;
@@ -180,7 +156,7 @@ TEST_CASE("layout empties the run first, and leaves it empty on failure", "[layo
 
 TEST_CASE("a line spacing that is no number is refused", "[layout]")
 {
-    plain_shaper font;
+    toy_shaper font;
     glyph_run run;
     for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
                              -std::numeric_limits<double>::infinity()})
@@ -189,7 +165,7 @@ TEST_CASE("a line spacing that is no number is refused", "[layout]")
 
 TEST_CASE("a text of 2^32 units is refused before it is read", "[layout]")
 {
-    plain_shaper font;
+    toy_shaper font;
     glyph_run run;
     if constexpr (sizeof(std::size_t) > 4) {
         const char one = 'x';
@@ -203,7 +179,7 @@ TEST_CASE("layout reports a memory that gives nothing, wherever it stops", "[lay
     const std::string text(100, '\n');
     test::counting_memory counted;
     {
-        plain_shaper font;
+        toy_shaper font;
         glyph_run run{counted.source()};
         REQUIRE(!layout(font, text + "abc", {}, {}, run));
     }
@@ -212,7 +188,7 @@ TEST_CASE("layout reports a memory that gives nothing, wherever it stops", "[lay
     for (std::size_t at = 1; at <= needed; ++at) {
         test::counting_memory failing{.fail_at = at};
         {
-            plain_shaper font;
+            toy_shaper font;
             glyph_run run{failing.source()};
             CHECK(layout(font, text + "abc", {}, {}, run) == error::out_of_memory);
             CHECK(run.lines.empty());
@@ -224,7 +200,7 @@ TEST_CASE("layout reports a memory that gives nothing, wherever it stops", "[lay
 TEST_CASE("layout allocates nothing once its run is warm", "[layout]")
 {
     test::counting_memory counted;
-    plain_shaper font;
+    toy_shaper font;
     glyph_run run{counted.source()};
     REQUIRE(!layout(font, "some\nlines of text", {}, {}, run));
     const std::size_t before = counted.requests;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
+#include "toy_shaper.hpp"
 
 #include <typemesh/layout/layout.hpp>
 
@@ -13,45 +14,11 @@ using namespace typemesh;
 
 namespace {
 
-/// Every code point is a glyph of that number, 500 units on (or down), 1000 units to the em; combining marks belong to
-/// the letter before, lines of Hebrew or Arabic run to the left. Notes whether ligatures were asked for.
-struct letter_shaper {
-    std::vector<bool> ligatures{};
-
-    double units_per_em() const noexcept { return 1000.0; }
-    line_metrics metrics(direction) const noexcept { return {700.0, -200.0, 100.0}; }
-    result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& how,
-                        glyph_run& run) noexcept
-    {
-        ligatures.push_back(how.ligatures);
-        struct letter {
-            char32_t value;
-            cluster_id cluster;
-        };
-        std::vector<letter> letters;
-        bool leftward = false;
-        for (std::size_t i = first; i < last;) {
-            const code_point c = decode(text, i, last);
-            const bool mark = c.value >= 0x300 && c.value < 0x370 && !letters.empty();
-            letters.push_back({c.value, mark ? letters.back().cluster : static_cast<cluster_id>(i)});
-            leftward = leftward || (c.value >= 0x590 && c.value < 0x700);
-            i = c.next;
-        }
-        if (leftward) std::reverse(letters.begin(), letters.end());
-        point pen;
-        for (const letter& l : letters) {
-            if (!run.glyphs.push_back({static_cast<glyph_id>(l.value), l.cluster, pen})) return error::out_of_memory;
-            if (how.direction == direction::top_to_bottom) pen.y -= 500.0;
-            else pen.x += 500.0;
-        }
-        return pen;
-    }
-};
-static_assert(shaper<letter_shaper>);
+using test::toy_shaper;
 
 glyph_run set(text_view text, const layout_options& options, direction d = direction::automatic)
 {
-    letter_shaper font;
+    toy_shaper font;
     glyph_run run;
     shape_options how;
     how.direction = d;
@@ -137,7 +104,7 @@ TEST_CASE("spaced lines are aligned by their new length", "[layout][letter_spaci
 TEST_CASE("a shaper is told to leave out ligatures where letters are spaced, and nowhere else",
           "[layout][letter_spacing]")
 {
-    letter_shaper font;
+    toy_shaper font;
     glyph_run run;
     REQUIRE_FALSE(layout(font, "a\tb", {}, {.letter_spacing = 0.1}, run));
     CHECK(std::count(font.ligatures.begin(), font.ligatures.end(), false) == 2);  // and the tab's space, of any kind
@@ -149,7 +116,7 @@ TEST_CASE("a shaper is told to leave out ligatures where letters are spaced, and
 TEST_CASE("a letter spacing that is no number is refused by its name", "[layout][letter_spacing]")
 {
     for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
-        letter_shaper font;
+        toy_shaper font;
         glyph_run run;
         const error e = layout(font, "x", {}, {.letter_spacing = bad}, run);
         CHECK(e == error::bad_option);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/fill_rule.hpp>
+#include <typemesh/inspect/boxed_edge.hpp>
 #include <typemesh/inspect/polyline.hpp>
 
 #include <algorithm>
@@ -100,39 +101,24 @@ struct rerouted_loops {
 };
 [[nodiscard]] inline rerouted_loops reroute_through_crossings(const std::vector<loop>& loops)
 {
-    struct edge {
-        grid_point a, b;
-        std::int32_t left, right, bottom, top;
-        std::size_t number;
-    };
-    std::vector<edge> edges;
-    for (const loop l : loops)
-        for (std::size_t i = 0; i < l.size(); ++i) {
-            const grid_point a = l[i], b = l[(i + 1) % l.size()];
-            edges.push_back({a, b, (std::min)(a.x, b.x), (std::max)(a.x, b.x), (std::min)(a.y, b.y),
-                             (std::max)(a.y, b.y), edges.size()});
-        }
+    const std::vector<boxed_edge> edges = boxed_edges(loops);
     std::vector<std::vector<std::pair<long double, grid_point>>> on(edges.size());  // where each is crossed
     std::vector<bool> bends(edges.size(), false);
-    std::sort(edges.begin(), edges.end(), [](const edge& p, const edge& q) { return p.left < q.left; });
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-        const edge& p = edges[i];
-        for (std::size_t j = i + 1; j < edges.size() && edges[j].left <= p.right; ++j) {
-            const edge& q = edges[j];
-            if (q.bottom > p.top || q.top < p.bottom) continue;
-            if (side(p.a, p.b, q.a) * side(p.a, p.b, q.b) >= 0 || side(q.a, q.b, p.a) * side(q.a, q.b, p.b) >= 0)
-                continue;
-            long double u = 0, v = 0;
-            if (!detail::crossing_share(p.a, p.b, q.a, q.b, u) || !detail::crossing_share(q.a, q.b, p.a, p.b, v)) continue;
-            const grid_point x{
-                static_cast<std::int32_t>(std::floor(p.a.x + (static_cast<long double>(p.b.x) - p.a.x) * u + 0.5L)),
-                static_cast<std::int32_t>(std::floor(p.a.y + (static_cast<long double>(p.b.y) - p.a.y) * u + 0.5L))};
-            on[p.number].emplace_back(u, x);
-            on[q.number].emplace_back(v, x);
-            if (side(p.a, p.b, x) != 0) bends[p.number] = true;
-            if (side(q.a, q.b, x) != 0) bends[q.number] = true;
-        }
-    }
+    each_close_pair(edges, [&](const boxed_edge& p, const boxed_edge& q) {
+        if (side(p.a, p.b, q.a) * side(p.a, p.b, q.b) >= 0 || side(q.a, q.b, p.a) * side(q.a, q.b, p.b) >= 0)
+            return true;
+        long double u = 0, v = 0;
+        if (!detail::crossing_share(p.a, p.b, q.a, q.b, u) || !detail::crossing_share(q.a, q.b, p.a, p.b, v))
+            return true;
+        const grid_point x{
+            static_cast<std::int32_t>(std::floor(p.a.x + (static_cast<long double>(p.b.x) - p.a.x) * u + 0.5L)),
+            static_cast<std::int32_t>(std::floor(p.a.y + (static_cast<long double>(p.b.y) - p.a.y) * u + 0.5L))};
+        on[p.number].emplace_back(u, x);
+        on[q.number].emplace_back(v, x);
+        if (side(p.a, p.b, x) != 0) bends[p.number] = true;
+        if (side(q.a, q.b, x) != 0) bends[q.number] = true;
+        return true;
+    });
     rerouted_loops made;
     std::size_t number = 0;
     for (const loop l : loops) {

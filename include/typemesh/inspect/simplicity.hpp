@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/inspect/boxed_edge.hpp>
 #include <typemesh/inspect/polyline.hpp>
 
 #include <algorithm>
@@ -14,36 +15,21 @@ namespace typemesh::inline TYPEMESH_ABI::inspect {
 /// two points. Tests all pairs of edges whose boxes overlap.
 [[nodiscard]] inline bool is_crossing(const std::vector<loop>& loops)
 {
-    struct edge {
-        grid_point a, b;
-        std::size_t loop, index, count;
-        std::int32_t left, right, bottom, top;
-    };
-    std::vector<edge> edges;
-    for (std::size_t l = 0; l < loops.size(); ++l) {
-        const std::size_t n = loops[l].size();
+    for (const loop l : loops) {
+        const std::size_t n = l.size();
         if (n == 0) continue;
         if (n < 3) return true;
         for (std::size_t i = 0; i < n; ++i) {
-            const grid_point a = loops[l][i], b = loops[l][(i + 1) % n], c = loops[l][(i + 2) % n];
+            const grid_point a = l[i], b = l[(i + 1) % n], c = l[(i + 2) % n];
             if (a == b) return true;
             if (lies_on(c, a, b) || lies_on(a, b, c)) return true;  // doubles back
-            edges.push_back({a, b, l, i, n, (std::min)(a.x, b.x), (std::max)(a.x, b.x), (std::min)(a.y, b.y),
-                             (std::max)(a.y, b.y)});
         }
     }
-    std::sort(edges.begin(), edges.end(), [](const edge& p, const edge& q) { return p.left < q.left; });
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-        const edge& p = edges[i];
-        for (std::size_t j = i + 1; j < edges.size() && edges[j].left <= p.right; ++j) {
-            const edge& q = edges[j];
-            if (q.bottom > p.top || q.top < p.bottom) continue;
-            if (p.loop == q.loop && ((p.index + 1) % p.count == q.index || (q.index + 1) % p.count == p.index))
-                continue;  // neighbours
-            if (meet(p.a, p.b, q.a, q.b)) return true;
-        }
-    }
-    return false;
+    return !each_close_pair(boxed_edges(loops), [&](const boxed_edge& p, const boxed_edge& q) {
+        const std::size_t n = loops[p.loop].size();
+        const bool neighbours = p.loop == q.loop && ((p.index + 1) % n == q.index || (q.index + 1) % n == p.index);
+        return neighbours || !meet(p.a, p.b, q.a, q.b);
+    });
 }
 
 /// The winding numbers just outside and just inside loop `of`; no two loops may touch or cross.
