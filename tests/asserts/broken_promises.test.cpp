@@ -122,14 +122,10 @@ TEST_CASE("a text that is read in another encoding than its own is told so", "[a
     CHECK(asserted() == "a text in UTF-16 was read as UTF-8");
 }
 
-TEST_CASE("a frame that would bend the text and a run of another font are told so", "[asserts]")
+TEST_CASE("a frame that would bend the text is told so", "[asserts]")
 {
     test::toy_font font;
     text_mesher mesher{font};
     CHECK(mesher.plan("E", {.frame = {.up = {1.0f, 0.0f, 0.0f}}}));
     CHECK(asserted() == "a frame's axes must be unit vectors at right angles");
-    glyph_run run;
-    run.units_per_em = 2048.0;
-    CHECK(mesher.plan(run));
-    CHECK(asserted() == "the glyph_run was made for a font of other units per em");
 }

@@ -34,7 +34,7 @@ public:
             g.origin = pen;
             g.missing = found == std::string::npos;
             g.id = g.missing ? 0 : static_cast<typemesh::glyph_id>(found);
-            if (g.missing && run.missing++ == 0) run.first_missing = g.cluster;
+            if (g.missing) run.note_missing(g.cluster);
             if (!run.glyphs.push_back(g)) return typemesh::error::out_of_memory;
             pen = pen + (down ? typemesh::point{0.0, -units_per_em_} : typemesh::point{cell_, 0.0});
         }

@@ -209,7 +209,7 @@ public:
             g.cluster = static_cast<typemesh::cluster_id>(i);
             g.origin = {pen, 0.0};
             g.missing = g.id == 0;
-            if (g.missing && run.missing++ == 0) run.first_missing = g.cluster;
+            if (g.missing) run.note_missing(g.cluster);
             if (!run.glyphs.push_back(g)) return typemesh::error::out_of_memory;
         }
         return typemesh::point{pen, 0.0};

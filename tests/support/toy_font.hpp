@@ -58,7 +58,7 @@ public:
         for (std::size_t i = first; i < last; ++i) {
             typemesh::placed_glyph g{glyph_of(text.unit(i)), static_cast<typemesh::cluster_id>(i), {pen, 0}};
             g.missing = g.id == 0;
-            if (g.missing && run.missing++ == 0) run.first_missing = g.cluster;
+            if (g.missing) run.note_missing(g.cluster);
             if (!run.glyphs.push_back(g)) return typemesh::error::out_of_memory;
             pen += 600.0;
         }

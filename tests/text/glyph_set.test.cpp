@@ -20,12 +20,12 @@ TEST_CASE("different glyphs get the numbers 0, 1, 2, ... in the order in which t
         for (int i = 0; i < 5000; ++i) {
             const glyph_id id = static_cast<glyph_id>(random()) % spread;
             const auto [known, fresh] = expected.try_emplace(id, static_cast<std::uint32_t>(expected.size()));
-            REQUIRE(set.number_of(id) == known->second);
-            REQUIRE(set.ids()[known->second] == id);
+            REQUIRE(set.number_of({id, 0}) == known->second);
+            REQUIRE(set.keys()[known->second] == glyph_key{id, 0});
         }
-        CHECK(set.ids().size() == expected.size());
+        CHECK(set.keys().size() == expected.size());
         set.clear();
-        CHECK(set.ids().empty());
+        CHECK(set.keys().empty());
     }
 }
 
@@ -36,11 +36,21 @@ TEST_CASE("a set whose memory fails says so and knows what it knew", "[text]")
         glyph_set set{counted.source()};
         std::size_t refused = 0;
         for (glyph_id id = 0; id < 300; ++id) {
-            if (set.number_of(id) != glyph_set::no_room) continue;
+            if (set.number_of({id, 0}) != glyph_set::no_room) continue;
             ++refused;
-            REQUIRE(set.number_of(id) == id);
+            REQUIRE(set.number_of({id, 0}) == id);
         }
         CHECK(refused == (n <= counted.requests ? 1u : 0u));
-        CHECK(set.ids().size() == 300);
+        CHECK(set.keys().size() == 300);
     }
+}
+
+TEST_CASE("a glyph in two looks is two glyphs", "[text]")
+{
+    glyph_set set;
+    for (std::uint32_t look = 0; look < 50; ++look)
+        for (glyph_id id = 0; id < 50; ++id) REQUIRE(set.number_of({id, look}) == 50 * look + id);
+    for (std::uint32_t look = 0; look < 50; ++look)
+        for (glyph_id id = 0; id < 50; ++id) REQUIRE(set.number_of({id, look}) == 50 * look + id);
+    CHECK(set.keys()[61] == glyph_key{11, 1});
 }

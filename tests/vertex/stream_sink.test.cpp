@@ -164,10 +164,11 @@ TEST_CASE("every attribute has a stream", "[vertex]")
     std::vector<std::uint16_t> glyphs(2);
     std::vector<std::uint32_t> clusters(2);
     std::vector<float> parts(2);
+    std::vector<std::uint8_t> styles(2);
     std::vector<std::uint32_t> indices;
     stream_sink sink{std::span{indices}, stream<attribute::tangent, float4>{tangents},
                      stream<attribute::glyph, std::uint16_t>{glyphs}, stream<attribute::cluster, std::uint32_t>{clusters},
-                     stream<attribute::part, float>{parts}};
+                     stream<attribute::part, float>{parts}, stream<attribute::style, std::uint8_t>{styles}};
     static_assert(mesh_sink<decltype(sink)>);
     REQUIRE_FALSE(sink.begin({2, 0}));
     surface_point<sink.wants> s;
@@ -175,7 +176,9 @@ TEST_CASE("every attribute has a stream", "[vertex]")
     s.glyph = 37;
     s.cluster = 4;
     s.part = part::side;
+    s.style = style_id{9};
     sink.vertex(s);
+    s.style = style_id{5};
     s.part = part::back;
     sink.vertex(s);
     sink.end();
@@ -184,6 +187,7 @@ TEST_CASE("every attribute has a stream", "[vertex]")
     CHECK(glyphs == std::vector<std::uint16_t>{37, 37});
     CHECK(clusters == std::vector<std::uint32_t>{4, 4});
     CHECK(parts == std::vector<float>{2.0f, 1.0f});
+    CHECK(styles == std::vector<std::uint8_t>{9, 5});
 }
 
 TEST_CASE("streams in bytes hold as many elements as fit, and write up to the last byte and no farther", "[vertex]")

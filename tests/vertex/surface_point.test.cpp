@@ -30,7 +30,7 @@ static_assert(tells_uv<attribute::uv>);
 static_assert(tells_uv<attribute::position | attribute::uv>);
 static_assert(!tells_uv<attribute::position | attribute::normal>);
 static_assert(!tells_position<attribute::none>);
-// A point is as large as what it holds, for every set of attributes: 12 + 12 + 8 + 16 + 4 + 4 + 1 bytes, the last
+// A point is as large as what it holds, for every set of attributes: 12 + 12 + 8 + 16 + 4 + 4 + 4 + 1 bytes, the last
 // filled up to 4.
 template <std::uint32_t Set>
 constexpr bool takes_no_more_room_than_wanted()
@@ -40,14 +40,15 @@ constexpr bool takes_no_more_room_than_wanted()
                                   (has(wants, attribute::normal) ? 12u : 0u) + (has(wants, attribute::uv) ? 8u : 0u) +
                                   (has(wants, attribute::tangent) ? 16u : 0u) +
                                   (has(wants, attribute::glyph) ? 4u : 0u) +
-                                  (has(wants, attribute::cluster) ? 4u : 0u) + (has(wants, attribute::part) ? 4u : 0u);
+                                  (has(wants, attribute::cluster) ? 4u : 0u) + (has(wants, attribute::style) ? 4u : 0u) +
+                                  (has(wants, attribute::part) ? 4u : 0u);
     constexpr bool lonely_part = wants == attribute::part;
     static_assert(std::is_trivially_copyable_v<surface_point<wants>>);
     return sizeof(surface_point<wants>) == (bytes == 0 || lonely_part ? 1 : bytes);
 }
 static_assert([]<std::uint32_t... Sets>(std::integer_sequence<std::uint32_t, Sets...>) {
     return (takes_no_more_room_than_wanted<Sets>() && ...);
-}(std::make_integer_sequence<std::uint32_t, 128>{}));
+}(std::make_integer_sequence<std::uint32_t, 256>{}));
 
 TEST_CASE("a set of attributes holds what was put into it", "[vertex]")
 {
@@ -60,7 +61,7 @@ TEST_CASE("a set of attributes holds what was put into it", "[vertex]")
 
 TEST_CASE("a point with fewer attributes keeps those it has", "[vertex]")
 {
-    surface_point<static_cast<attribute>(127)> full;
+    surface_point<static_cast<attribute>(255)> full;
     full.position = {1, 2, 3};
     full.normal = {0, 1, 0};
     full.uv = {4, 5};
@@ -68,21 +69,25 @@ TEST_CASE("a point with fewer attributes keeps those it has", "[vertex]")
     full.glyph = 6;
     full.cluster = 7;
     full.part = part::side;
+    full.style = style_id{8};
     CHECK(only<attribute::position>(full).position == vec3{1, 2, 3});
     CHECK(only<attribute::uv>(full).uv == vec2{4, 5});
     const auto both = only<attribute::normal | attribute::uv>(full);
     CHECK(both.normal == vec3{0, 1, 0});
     CHECK(both.uv == vec2{4, 5});
-    const auto four = only<attribute::tangent | attribute::glyph | attribute::cluster | attribute::part>(full);
-    CHECK(four.tangent == vec4{1, 0, 0, -1});
-    CHECK(four.glyph == 6);
-    CHECK(four.cluster == 7);
-    CHECK(four.part == part::side);
+    const auto five =
+        only<attribute::tangent | attribute::glyph | attribute::cluster | attribute::part | attribute::style>(full);
+    CHECK(five.tangent == vec4{1, 0, 0, -1});
+    CHECK(five.glyph == 6);
+    CHECK(five.cluster == 7);
+    CHECK(five.part == part::side);
+    CHECK(five.style == style_id{8});
 }
 
-TEST_CASE("a point that nobody has named belongs to no glyph and no cluster", "[vertex]")
+TEST_CASE("a point that nobody has named belongs to no glyph, no cluster and no style", "[vertex]")
 {
-    const surface_point<attribute::glyph | attribute::cluster> unnamed;
+    const surface_point<attribute::glyph | attribute::cluster | attribute::style> unnamed;
+    CHECK(unnamed.style == no_style);
     CHECK(unnamed.glyph == no_glyph);
     CHECK(unnamed.cluster == no_cluster);
 }

@@ -159,10 +159,7 @@ private:
         for (std::size_t i = first; i < last;) {
             const code_point c = decode(text, i, last);
             const auto cluster = static_cast<cluster_id>(i);
-            if (!c.valid) {
-                ++run.invalid_units;
-                if (cluster < run.first_invalid_unit) run.first_invalid_unit = cluster;
-            }
+            if (!c.valid) run.note_invalid_units(cluster);
             if (!decided_) {
                 const reading r = reading_of(c.value);
                 to_the_left_ = r == reading::to_the_left;
@@ -357,10 +354,7 @@ private:
             const bool missing = glyphs_[i] == 0;
             if (missing && draws_nothing(text_[unit])) continue;
             run.glyphs.push_back_unchecked({glyphs_[i], cluster, origin, missing});
-            if (missing) {
-                ++run.missing;
-                if (cluster < run.first_missing) run.first_missing = cluster;
-            }
+            if (missing) run.note_missing(cluster);
         }
         return {};
     }

@@ -75,6 +75,7 @@ public:
           line_metrics_{source},
           units_{source}
     {
+        run_.units_per_em = unread_units;
     }
     directwrite_text(directwrite_text&&) noexcept = default;
     directwrite_text& operator=(directwrite_text&&) noexcept = default;
@@ -177,6 +178,7 @@ private:
     friend class detail::directwrite_renderer<directwrite_text>;
 
     static constexpr std::size_t bar_slot = 0xFFFF;
+    static constexpr double unread_units = 1000.0;  // until a face is drawn
 
     /// A face at a size.
     struct look {
@@ -207,6 +209,7 @@ private:
         for (look& l : looks_.view()) l.face->Release();
         for (directwrite_object& o : objects_.view()) o.object->Release();
         run_.clear();
+        run_.units_per_em = unread_units;
         looks_.clear();
         bars_.clear();
         objects_.clear();
@@ -225,7 +228,6 @@ private:
             return error::bad("reading direction");
         if (layout->GetFlowDirection() != DWRITE_FLOW_DIRECTION_TOP_TO_BOTTOM) return error::bad("flow direction");
         em_size_ = double{static_cast<IDWriteTextFormat*>(layout)->GetFontSize()};
-        run_.units_per_em = 1000.0;
         if (!is_finite(em_size_) || !(em_size_ > 0.0)) return error::bad("font size");
 
         UINT32 count = 0;
@@ -355,8 +357,7 @@ private:
                 ++i;
                 continue;
             }
-            ++run_.invalid_units;
-            run_.first_invalid_unit = (std::min)(run_.first_invalid_unit, cluster_id{of.textPosition + i});
+            run_.note_invalid_units(of.textPosition + i);
         }
     }
 
@@ -426,10 +427,7 @@ private:
                 for (placed_glyph g : glyphs_.view().subspan(p.first, p.count)) {
                     if ((g.id & 0xFFFF) == 0 && !g.missing && !p.bar) continue;  // a line break, or the like
                     g.origin = {to_units(g.origin.x), to_units(g.origin.y)};
-                    if (g.missing) {
-                        ++run_.missing;
-                        run_.first_missing = (std::min)(run_.first_missing, g.cluster);
-                    }
+                    if (g.missing) run_.note_missing(g.cluster);
                     run_.glyphs.push_back_unchecked(g);
                 }
             }

@@ -187,18 +187,12 @@ public:
             const code_point c = decode(text, i, last);
             const auto cluster = static_cast<cluster_id>(i);
             i = c.next;
-            if (!c.valid) {
-                ++run.invalid_units;
-                if (cluster < run.first_invalid_unit) run.first_invalid_unit = cluster;
-            }
+            if (!c.valid) run.note_invalid_units(cluster);
             if (is_complex(c.value)) return error{error::needs_shaping}.at(no_glyph, cluster);
             if (is_default_ignorable(c.value)) continue;
 
             const FT_UInt id = FT_Get_Char_Index(face_, c.value);
-            if (id == 0) {
-                ++run.missing;
-                if (cluster < run.first_missing) run.first_missing = cluster;
-            }
+            if (id == 0) run.note_missing(cluster);
             FT_Vector kern = {};
             if (kerning && before != 0 && id != 0 && FT_Get_Kerning(face_, before, id, FT_KERNING_UNSCALED, &kern) == 0)
                 at.x += static_cast<double>(kern.x);

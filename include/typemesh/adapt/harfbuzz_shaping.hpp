@@ -82,10 +82,7 @@ public:
             if (!shaped) return error::font_library_failed;
             if (error e = take_glyphs(unit, at, run)) return e;
         }
-        if (found.invalid.count != 0) {
-            run.invalid_units += found.invalid.count;
-            if (found.invalid.first < run.first_invalid_unit) run.first_invalid_unit = found.invalid.first;
-        }
+        if (found.invalid.count != 0) run.note_invalid_units(found.invalid.first, found.invalid.count);
         return at;
     }
 
@@ -221,10 +218,7 @@ private:
                       {at.x + unit.x * position[i].x_offset, at.y + unit.y * position[i].y_offset},
                       missing};
             at = {at.x + unit.x * position[i].x_advance, at.y + unit.y * position[i].y_advance};
-            if (missing) {
-                ++run.missing;
-                if (cluster < run.first_missing) run.first_missing = cluster;
-            }
+            if (missing) run.note_missing(cluster);
         }
         return {};
     }

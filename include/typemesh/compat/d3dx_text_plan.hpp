@@ -3,6 +3,7 @@
 
 #include <typemesh/core/box.hpp>
 #include <typemesh/core/error.hpp>
+#include <typemesh/core/first_where.hpp>
 #include <typemesh/text/text_plan.hpp>
 #include <typemesh/vertex/array_sink.hpp>
 
@@ -94,18 +95,13 @@ public:
         for (std::size_t i = 0; i < text_size_; ++i) out[i] = {};
 
         const glyph_run& run = plan_.run();
-        const auto drawn = plan_.glyphs();
-        std::size_t next_drawn = 0;
         for (const text_line& line : run.lines) {
             const auto glyphs = run.glyphs.view().subspan(line.first_glyph, line.glyph_count);
             for (std::size_t i = 0, next = 0; i < glyphs.size(); i = next) {
                 const cluster_id cluster = glyphs[i].cluster;
                 const point pen = glyphs[i].origin;
                 while (next < glyphs.size() && glyphs[next].cluster == cluster) ++next;
-                box ink;
-                for (; next_drawn < drawn.size() && drawn[next_drawn].glyph < line.first_glyph + next; ++next_drawn)
-                    ink.merge(text_glyphs::ink_of(drawn[next_drawn]));
-
+                const box ink = ink_of(line.first_glyph + i, line.first_glyph + next);
                 d3dx_glyph_metrics m;
                 const point step = next < glyphs.size() ? glyphs[next].origin - pen
                                                        : rest_of(line, pen - glyphs.front().origin);
@@ -123,6 +119,20 @@ public:
 
 private:
     [[nodiscard]] float in_output(double font_units) const noexcept { return static_cast<float>(font_units * unit_); }
+
+    /// The box of what is drawn of the run's glyphs [first, last), in font units.
+    [[nodiscard]] box ink_of(std::size_t first, std::size_t last) const noexcept
+    {
+        const auto drawn = plan_.glyphs();
+        box ink;
+        for (const style_id style : plan_.styles()) {
+            const glyph_span own = plan_.glyphs_of(style);
+            std::size_t g = first_where(own.first, own.last,
+                                        [&](std::size_t k) noexcept { return drawn[k].glyph >= first; });
+            for (; g < own.last && drawn[g].glyph < last; ++g) ink.merge(text_glyphs::ink_of(drawn[g]));
+        }
+        return ink;
+    }
 
     /// From the last pen position of a line, which lies `gone` from its first, to the line's end.
     [[nodiscard]] point rest_of(const text_line& line, point gone) const noexcept

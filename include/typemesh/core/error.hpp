@@ -22,7 +22,9 @@ struct [[nodiscard]] error {
         too_large,            ///< more than 2^32 - 1 vertices, points or characters
         unreadable_file,      ///< the file cannot be opened or read
         not_a_font,           ///< the font library does not recognise the bytes as a font
-        no_such_face,         ///< the file has no face with that number; count = how many it has
+        no_such_face,         ///< the file or the outline source has no face with that number; count = how many it has
+        no_such_look,         ///< a glyph names a look that its run's table does not hold; count = how many it holds
+        other_units,          ///< a run's units per em are not those of the font that is to draw it
         no_such_family,       ///< no font of that family is installed or in the given collection
         no_outlines,          ///< the font holds bitmaps only, or is not scalable
         unknown_glyph,        ///< the font has no such glyph, or its outline cannot be loaded
@@ -92,7 +94,9 @@ struct [[nodiscard]] error {
         case too_large: return "The text is too large: points, vertices and indices are numbered with 32 bits.";
         case unreadable_file: return "The font file cannot be opened or read.";
         case not_a_font: return "The data is not a font, or is damaged.";
-        case no_such_face: return "The font file has no face with that number.";
+        case no_such_face: return "There is no face with that number in the font file or among the given fonts.";
+        case no_such_look: return "A glyph names a look that the table of its glyph_run does not hold.";
+        case other_units: return "The glyph_run was made for a font with other units per em.";
         case no_such_family: return "No font of this family is installed or in the given collection.";
         case no_outlines: return "The font has no outlines (it holds bitmaps only).";
         case unknown_glyph: return "The font has no such glyph, or its outline cannot be loaded.";

@@ -14,7 +14,12 @@ using glyph_id = std::uint32_t;
 /// (bytes of UTF-8, 16-bit units of UTF-16).
 using cluster_id = std::uint32_t;
 
+/// The caller's own number for how a glyph is painted: a material, a colour. The library sorts by it and hands it on,
+/// no more.
+enum class style_id : std::uint32_t {};
+
 inline constexpr glyph_id no_glyph = 0xFFFF'FFFFu;
 inline constexpr cluster_id no_cluster = 0xFFFF'FFFFu;
+inline constexpr style_id no_style{0xFFFF'FFFFu};
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -9,18 +9,19 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Emits a solid's vertices of one part into a sink, and tells them their glyph, cluster and part where the sink wants
-/// these.
+/// Emits a solid's vertices of one part into a sink, and tells them their glyph, cluster, part and style where the sink
+/// wants these.
 template <extruder Extruder, mesh_sink Sink>
 void write_vertices(part p, const solid_of<Extruder>& s, const Extruder& how, const placement& at, Sink& sink) noexcept
 {
     constexpr attribute wants = Sink::wants;
-    if constexpr (has(wants, attribute::glyph | attribute::cluster | attribute::part)) {
+    if constexpr (has(wants, attribute::glyph | attribute::cluster | attribute::part | attribute::style)) {
         how.template vertices<wants>(p, s, at, [&](const surface_point<wants>& v) noexcept {
             surface_point<wants> named = v;
             if constexpr (has(wants, attribute::glyph)) named.glyph = at.glyph;
             if constexpr (has(wants, attribute::cluster)) named.cluster = at.cluster;
             if constexpr (has(wants, attribute::part)) named.part = p;
+            if constexpr (has(wants, attribute::style)) named.style = at.style;
             sink.vertex(named);
         });
     } else {

@@ -49,6 +49,7 @@ struct placement {
     typemesh::frame frame = {};
     glyph_id glyph = no_glyph;        ///< whose shape it is: what vertices that want `glyph` carry
     cluster_id cluster = no_cluster;  ///< its place in the caller's text, likewise
+    style_id style = no_style;        ///< that of its look, likewise
 
     /// Where a grid point stands: the part of position() that is the same for all heights.
     [[nodiscard]] footprint foot(grid_point p) const noexcept { return foot(exact(p)); }

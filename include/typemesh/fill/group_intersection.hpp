@@ -77,7 +77,7 @@ struct box_sweep {
 ///       └─┼┘│  └─┼┘    └┼─┘
 ///         └─┘    └──────┘
 ///
-///     all      the regions; those without points are groups of one
+///     all      the regions; those without points are groups of one, and so are those of different kinds to each other
 ///     group    as many numbers; after an error of no meaning
 ///
 /// Fails  error::too_large: 2^32 - 1 regions or more; error::out_of_memory
@@ -108,7 +108,8 @@ struct box_sweep {
             const detail::box_sweep::entry &here = entries[e], &other = entries[open[k]];
             if (other.last < here.first) continue;
             open[kept++] = open[k];
-            if (!here.around.meets(other.around) || sets.root(here.number) == sets.root(other.number)) continue;
+            if (all[here.number].kind != all[other.number].kind || !here.around.meets(other.around)) continue;
+            if (sets.root(here.number) == sets.root(other.number)) continue;
             const auto met = meet(all[here.number], all[other.number], space);
             if (!met) return met.error();
             if (*met) sets.join(here.number, other.number);

@@ -19,6 +19,7 @@ struct placed_loops {
     std::span<const std::uint32_t> starts;
     std::int64_t x = 0;
     std::int64_t y = 0;
+    std::uint32_t kind = 0;  ///< regions of different kinds are never grouped: see group_intersection()
 };
 
 namespace detail {

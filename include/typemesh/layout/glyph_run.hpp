@@ -4,7 +4,10 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/glyph_id.hpp>
 #include <typemesh/core/point.hpp>
+#include <typemesh/core/result.hpp>
+#include <typemesh/layout/look.hpp>
 
+#include <cstddef>
 #include <cstdint>
 
 namespace typemesh::inline TYPEMESH_ABI {
@@ -14,7 +17,8 @@ struct placed_glyph {
     glyph_id id = 0;
     cluster_id cluster = 0;
     point origin = {};
-    bool missing = false;  ///< the font has no glyph for this text: `id` is its .notdef, drawn only on request
+    bool missing = false;    ///< the font has no glyph for this text: `id` is its .notdef, drawn only on request
+    std::uint32_t look = 0;  ///< its place in glyph_run::looks; 0 where there are none
 };
 
 /// One line (or column) of a run: which glyphs, where its baseline begins, how long it is.
@@ -28,23 +32,59 @@ struct text_line {
 /// Shaped text: what every stage after shaping works from. Make one by hand and no shaper is needed.
 ///
 /// Glyphs are in drawing order (left to right in a horizontal line, whatever the script's direction); a line's glyphs
-/// are contiguous. A run made by hand may leave `lines` empty: it then counts as one line.
+/// are contiguous. A run made by hand may leave `lines` empty: it then counts as one line. A run without looks
+/// is drawn from one face in one style. `id` is the number of a glyph in its own face.
 struct glyph_run {
     buffer<placed_glyph> glyphs;
     buffer<text_line> lines;
-    double units_per_em = 1000.0;  ///< of the font that `id` and `origin` belong to
+    buffer<look> looks;         ///< what placed_glyph::look names; mostly empty
+    double units_per_em = 0.0;  ///< of the source's first face, in whose units places are; 0: whatever they are there
 
-    std::uint32_t missing = 0;                 ///< glyphs that the font lacks (drawn as .notdef only on request)
-    cluster_id first_missing = no_cluster;     ///< the position of the first of them in the text
-    std::uint32_t invalid_units = 0;           ///< places where the text was not valid UTF and U+FFFD was read instead
+    std::uint32_t missing = 0;              ///< glyphs that the font lacks (drawn as .notdef only on request)
+    cluster_id first_missing = no_cluster;  ///< the position of the first of them in the text
+    std::uint32_t invalid_units = 0;        ///< places where the text was not valid UTF and U+FFFD was read instead
     cluster_id first_invalid_unit = no_cluster;
 
-    explicit glyph_run(memory source = heap()) noexcept : glyphs{source}, lines{source} {}
+    explicit glyph_run(memory source = heap()) noexcept : glyphs{source}, lines{source}, looks{source} {}
+
+    /// For shapers: one glyph more is missing, for the text at this cluster (placed_glyph::missing is set beside).
+    void note_missing(cluster_id cluster) noexcept
+    {
+        ++missing;
+        if (cluster < first_missing) first_missing = cluster;
+    }
+    /// For shapers: so many places more were not valid UTF, the first of them here.
+    void note_invalid_units(cluster_id first, std::uint32_t count = 1) noexcept
+    {
+        invalid_units += count;
+        if (first < first_invalid_unit) first_invalid_unit = first;
+    }
+
+    /// The number by which glyphs name a look: that of an equal one in the table, else of a new one at its end. In a
+    /// table made by this alone the plain look has number 0.
+    ///
+    /// Fails  error::out_of_memory
+    /// Cost   O(looks)
+    result<std::uint32_t> number_of(const look& l) noexcept
+    {
+        for (std::size_t i = looks.size(); i-- > 0;)
+            if (looks[i] == l) return static_cast<std::uint32_t>(i);
+        const bool plain = l == look{};
+        if (looks.empty() && plain) return std::uint32_t{0};
+        const std::size_t before = looks.size();
+        if ((before == 0 && !looks.push_back({})) || !looks.push_back(l)) {
+            looks.truncate(before);
+            return error::out_of_memory;
+        }
+        return static_cast<std::uint32_t>(looks.size() - 1);
+    }
 
     void clear() noexcept
     {
         glyphs.clear();
         lines.clear();
+        looks.clear();
+        units_per_em = 0.0;
         missing = invalid_units = 0;
         first_missing = first_invalid_unit = no_cluster;
     }

@@ -31,8 +31,10 @@ struct line_metrics {
 ///                                         drawing order, with the pen starting at (0, 0), and returns the pen's
 ///                                         offset: {advance x, advance y} in font units; horizontal lines always run to
 ///                                         the right, vertical lines down. Clusters count from the start of `text`, in
-///                                         its units. Flags missing glyphs, adds to run.missing and run.invalid_units
-///                                         and keeps the first place of each.
+///                                         its units. Flags missing glyphs and calls run.note_missing() for each;
+///                                         calls run.note_invalid_units() where the text is not valid UTF.
+///                                         Glyphs that the source's first face does not draw as they are name
+///                                         a look: run.number_of(look).
 ///
 /// Fails  error::mixed_direction: the line holds text of both directions and the shaper has no
 ///                              bidirectional algorithm (never drawn in the wrong order)

@@ -66,6 +66,7 @@ public:
         for (const line& l : lines_)
             if (l.trouble) return l.trouble;
 
+        if (error e = number_looks(run_of, count, run)) return e;
         if (error e = place_lines(places, run)) return e;
         workers.run(blocks_.size(), [&, this](std::size_t b, std::size_t) noexcept {
             for (const line& l : lines_of(b)) copy(l, run_of(l.worker), run);
@@ -122,6 +123,30 @@ private:
     {
         const std::size_t last = b + 1 < blocks_.size() ? blocks_[b + 1].first_line : lines_.size();
         return lines_.view().subspan(blocks_[b].first_line, last - blocks_[b].first_line);
+    }
+
+    /// Looks that the workers' runs name get numbers of the whole run, in the order in which its glyphs name them.
+    template <class RunOf>
+    error number_looks(const RunOf& run_of, std::size_t workers, glyph_run& run) noexcept
+    {
+        bool plain = true;
+        for (std::size_t w = 0; w < workers; ++w) plain = plain && run_of(w).looks.empty();
+        if (plain) return {};
+        for (const line& l : lines_) {
+            glyph_run& own = run_of(l.worker);
+            for (placed_glyph& g : own.glyphs.view().subspan(l.first, l.count)) {
+                const bool known = g.look < own.looks.size(), plain_one = g.look == 0 && own.looks.empty();
+                const auto number = known       ? run.number_of(own.looks[g.look])
+                                    : plain_one ? run.number_of({})
+                                                : result<std::uint32_t>{error::no_such_look};
+                if (!number) {
+                    run.clear();
+                    return number.error().at(g.id, g.cluster);
+                }
+                g.look = *number;
+            }
+        }
+        return {};
     }
 
     /// Positions each line, and reserves space in the run for all glyphs.

@@ -1,23 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/affine.hpp>
 #include <typemesh/outline/outline_source.hpp>
 #include <typemesh/outline/variation_key.hpp>
 
-#include <cstring>
+#include <cstdint>
 
 namespace typemesh::inline TYPEMESH_ABI {
-
-/// x' = xx x + xy y + dx,  y' = yx x + yy y + dy, in font units.
-struct affine {
-    double xx = 1.0, xy = 0.0, dx = 0.0;
-    double yx = 0.0, yy = 1.0, dy = 0.0;
-
-    [[nodiscard]] constexpr point operator()(point p) const noexcept
-    {
-        return {xx * p.x + xy * p.y + dx, yx * p.x + yy * p.y + dy};
-    }
-};
 
 /// A source whose outlines are another's, transformed: slanted (`{.xy = 0.2}`), condensed, mirrored. Advances stay the
 /// same. The other source must outlive it.
@@ -32,13 +22,7 @@ public:
     /// See variation_key.hpp.
     [[nodiscard]] std::uint64_t variation_key() const noexcept
     {
-        std::uint64_t key = variation_of(*source_);
-        for (const double number : {map_.xx, map_.xy, map_.dx, map_.yx, map_.yy, map_.dy}) {
-            std::uint64_t bits = 0;
-            std::memcpy(&bits, &number, sizeof bits);
-            key = mixed_key(key, bits);
-        }
-        return key;
+        return mixed_key(variation_of(*source_), map_);
     }
 
     template <outline_sink Sink>

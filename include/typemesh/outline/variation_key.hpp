@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/core/version.hpp>
+#include <typemesh/core/affine.hpp>
 
 #include <concepts>
 #include <cstdint>
+#include <cstring>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -26,6 +27,17 @@ template <class Source>
 {
     key = (key ^ number) * 0x9E37'79B9'7F4A'7C15u;
     return key ^ key >> 32;
+}
+
+/// A map more in a key.
+[[nodiscard]] inline std::uint64_t mixed_key(std::uint64_t key, const affine& map) noexcept
+{
+    for (const double number : {map.xx, map.xy, map.dx, map.yx, map.yy, map.dy}) {
+        std::uint64_t bits = 0;
+        std::memcpy(&bits, &number, sizeof bits);
+        key = mixed_key(key, bits);
+    }
+    return key;
 }
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -63,7 +63,10 @@ public:
         if (count != 0 && (next == nullptr || last == nullptr || first_of == nullptr)) return error::out_of_memory;
         if (error e = find_groups(all, run, {first_of, count})) return e;
 
-        const auto region_of = [&](glyph_id id) noexcept { return builder.build_region(font, id, how, with); };
+        const auto region_of = [&](const placed_glyph& glyph) noexcept {
+            auto face = all.looks.face_of(font, glyph.look);
+            return builder.build_region(face, glyph.id, how, with);
+        };
         const auto none = static_cast<std::uint32_t>(count);
         for (std::uint32_t i = 0; i < count; ++i) {
             next[i] = none;
@@ -101,7 +104,7 @@ private:
     static double finest(const text_glyphs& all) noexcept
     {
         double cells = 0.0;
-        for (std::size_t k = 0; k < all.different.ids().size(); ++k) {
+        for (std::size_t k = 0; k < all.different.keys().size(); ++k) {
             const built_glyph* s = all.pinned[k];
             if (!s->form().points.empty() && s->cells() > cells) cells = s->cells();
         }
@@ -123,7 +126,8 @@ private:
             const bool stands = std::fabs(origin.x) * cells <= farthest && std::fabs(origin.y) * cells <= farthest;
             if (!is_finite(origin.x) || !is_finite(origin.y) || !stands || !same(s.cells(), cells)) continue;
             const pen at = snapped(origin, cells);
-            loops[i] = {s.form().points, s.form().starts, at.x, at.y};
+            loops[i] = {s.form().points, s.form().starts, at.x, at.y,
+                        static_cast<std::uint32_t>(all.looks.style_of(run.glyphs[i].look))};
         }
         return group_intersection({loops, first_of.size()}, first_of, space_);
     }
@@ -143,7 +147,7 @@ private:
             around.merge({offset + own.place(s.low()), offset + own.place(s.high())});
             g.cells = s.cells() > g.cells ? s.cells() : g.cells;
         }
-        g.units_per_em = run.units_per_em;
+        g.units_per_em = all.looks.units_per_em();
         double farthest = 0.0;
         for (const double v : {around.low.x, around.low.y, around.high.x, around.high.y})
             farthest = std::fabs(v) > farthest ? std::fabs(v) : farthest;
@@ -155,7 +159,7 @@ private:
         return g;
     }
 
-    /// The group's members, whose regions region_of(glyph_id) builds, as one glyph.
+    /// The group's members, whose regions region_of(placed_glyph) builds, as one glyph.
     template <class Region, class... Policy>
     error join(merged_group& made, text_glyphs& all, const glyph_run& run, const Region& region_of,
                std::uint32_t most_pieces, const policies<Policy...>& with) noexcept
@@ -166,7 +170,7 @@ private:
         union_.begin(*onto);
         const pen first = snapped(run.glyphs[members[0]].origin, onto->cells);
         for (const std::uint32_t m : members) {
-            const auto filled = region_of(run.glyphs[m].id);
+            const auto filled = region_of(run.glyphs[m]);
             if (!filled) return filled.error();
             const pen at = snapped(run.glyphs[m].origin, onto->cells);
             if (error e = union_.add(*filled, onto->cells / filled->grid().cells, at.x - first.x, at.y - first.y))

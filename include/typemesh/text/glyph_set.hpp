@@ -10,6 +10,14 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
+/// A glyph as it is built: its number in its face, and the look (run_looks::outlines_of()) that says which face, and how.
+struct glyph_key {
+    glyph_id id = no_glyph;
+    std::uint32_t look = 0;
+
+    friend constexpr bool operator==(const glyph_key&, const glyph_key&) noexcept = default;
+};
+
 /// The different glyphs of a text, numbered from 0 in the order in which they came.
 ///
 /// A table with open addressing, at most half full; it begins small with every text, so that clear() costs nothing.
@@ -17,41 +25,41 @@ class glyph_set {
 public:
     static constexpr std::uint32_t no_room = 0xFFFF'FFFFu;
 
-    explicit glyph_set(memory source = heap()) noexcept : ids_{source}, slots_{source} {}
+    explicit glyph_set(memory source = heap()) noexcept : keys_{source}, slots_{source} {}
 
     void clear() noexcept
     {
-        ids_.clear();
+        keys_.clear();
         slots_.clear();
     }
 
-    [[nodiscard]] std::span<const glyph_id> ids() const noexcept { return ids_.view(); }
+    [[nodiscard]] std::span<const glyph_key> keys() const noexcept { return keys_.view(); }
 
     /// The glyph's number, a new one where it was not known; no_room when the memory gives none.
-    [[nodiscard]] std::uint32_t number_of(glyph_id id) noexcept
+    [[nodiscard]] std::uint32_t number_of(glyph_key key) noexcept
     {
-        if (2 * ids_.size() >= slots_.size() && !grow()) return no_room;
+        if (2 * keys_.size() >= slots_.size() && !grow()) return no_room;
         const std::size_t mask = slots_.size() - 1;
-        std::size_t at = place_of(id) & mask;
+        std::size_t at = place_of(key) & mask;
         for (; slots_[at] != 0; at = (at + 1) & mask)
-            if (ids_[slots_[at] - 1] == id) return slots_[at] - 1;
-        const std::uint32_t number = append(id);
+            if (keys_[slots_[at] - 1] == key) return slots_[at] - 1;
+        const std::uint32_t number = append(key);
         if (number != no_room) slots_[at] = number + 1;
         return number;
     }
 
     /// A number of its own for a glyph that shall not be found again.
-    [[nodiscard]] std::uint32_t append(glyph_id id) noexcept
+    [[nodiscard]] std::uint32_t append(glyph_key key) noexcept
     {
-        if (ids_.size() >= no_room - 1 || !ids_.push_back(id)) return no_room;
-        return static_cast<std::uint32_t>(ids_.size() - 1);
+        if (keys_.size() >= no_room - 1 || !keys_.push_back(key)) return no_room;
+        return static_cast<std::uint32_t>(keys_.size() - 1);
     }
 
 private:
     /// Neighbouring ids, as those of an alphabet, go to places far apart.
-    static std::size_t place_of(glyph_id id) noexcept
+    static std::size_t place_of(glyph_key key) noexcept
     {
-        const std::uint32_t mixed = id * 0x9E37'79B1u;
+        const std::uint32_t mixed = key.id * 0x9E37'79B1u + key.look * 0x85EB'CA6Bu;
         return mixed ^ (mixed >> 15);
     }
 
@@ -62,15 +70,15 @@ private:
         slots_.clear();
         std::uint32_t* slots = slots_.append(wanted);
         for (std::size_t i = 0; i < wanted; ++i) slots[i] = 0;
-        for (std::size_t i = 0; i < ids_.size(); ++i) {
-            std::size_t at = place_of(ids_[i]) & (wanted - 1);
+        for (std::size_t i = 0; i < keys_.size(); ++i) {
+            std::size_t at = place_of(keys_[i]) & (wanted - 1);
             while (slots[at] != 0) at = (at + 1) & (wanted - 1);
             slots[at] = static_cast<std::uint32_t>(i + 1);
         }
         return true;
     }
 
-    buffer<glyph_id> ids_;
+    buffer<glyph_key> keys_;
     buffer<std::uint32_t> slots_;  // number + 1, or 0: free
 };
 

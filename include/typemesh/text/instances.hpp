@@ -29,6 +29,13 @@ struct glyph_instance {
     std::uint32_t glyph = 0;  ///< which of the plan's glyphs()
     glyph_id id = no_glyph;
     cluster_id cluster = no_cluster;
+    style_id style = {};
+};
+
+/// Instances that follow one another in what write_instances() emits.
+struct instance_range {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

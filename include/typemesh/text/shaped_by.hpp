@@ -2,8 +2,9 @@
 #pragma once
 
 #include <typemesh/layout/shaper.hpp>
-#include <typemesh/outline/outline_source.hpp>
-#include <typemesh/outline/variation_key.hpp>
+#include <typemesh/outline/face_source.hpp>
+
+#include <cstdint>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -17,6 +18,18 @@ public:
     [[nodiscard]] double units_per_em() noexcept { return draws_->units_per_em(); }
     [[nodiscard]] fill_rule fill() noexcept { return draws_->fill(); }
     [[nodiscard]] std::uint64_t variation_key() const noexcept { return variation_of(*draws_); }
+
+    // Of several faces, where the source has them.
+    [[nodiscard]] std::uint32_t face_count() noexcept { return face_count_of(*draws_); }
+    [[nodiscard]] double units_per_em(std::uint32_t face) noexcept { return units_per_em_of(*draws_, face); }
+    [[nodiscard]] fill_rule fill(std::uint32_t face) noexcept { return fill_of(*draws_, face); }
+    [[nodiscard]] std::uint64_t variation_key(std::uint32_t face) const noexcept { return variation_of(*draws_, face); }
+    template <outline_sink Sink>
+    error outline(std::uint32_t face, glyph_id id, Sink& sink) noexcept
+    {
+        return outline_of(*draws_, face, id, sink);
+    }
+
     [[nodiscard]] line_metrics metrics(direction d) noexcept { return shapes_->metrics(d); }
 
     [[nodiscard]] result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& options,

@@ -91,6 +91,30 @@ public:
     /// What all chunks hold together.
     [[nodiscard]] mesh_size size() const noexcept { return total_; }
 
+    /// Where a style's share of a part of chunk k lies in the output. `plan` is the one that was cut.
+    template <extruder Extruder>
+    [[nodiscard]] mesh_range range(const text_plan<Extruder>& plan, std::size_t k, style_id style, part p) const noexcept
+    {
+        const text_glyphs& all = fresh(plan);
+        const text_chunk& c = chunks_[k];
+        const std::size_t first = c.first_glyph, last = first + c.glyph_count;
+        const auto in_chunk = [first, last](std::size_t glyph) noexcept {
+            return glyph < first ? first : glyph > last ? last : glyph;
+        };
+        const std::size_t own_first = in_chunk(all.first_of(style)), own_last = in_chunk(all.last_of(style));
+        mesh_range found = c.range(p);
+        if (c.piece != text_chunk::whole_glyphs) {  // of one glyph, hence all or nothing
+            if (own_first < own_last) return found;
+            if (own_first == last) found.first_vertex += found.vertex_count, found.first_index += found.index_count;
+            found.vertex_count = found.index_count = 0;
+            return found;
+        }
+        found = mesh_layout{all, first, last}.range(p, own_first, own_last);
+        found.first_vertex += c.first_vertex;
+        found.first_index += c.first_index;
+        return found;
+    }
+
     /// Writes all chunks: every vertex and every index once, ascending. Only the sink's begin_chunks() can fail;
     /// nothing is allocated. `plan` is the one that was cut.
     template <extruder Extruder, class Sink>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/buffer.hpp>
+#include <typemesh/core/first_where.hpp>
 #include <typemesh/extrude/placement.hpp>
 #include <typemesh/glyph/built_glyph.hpp>
 #include <typemesh/glyph/glyph_store.hpp>
@@ -9,12 +10,14 @@
 #include <typemesh/text/glyph_set.hpp>
 #include <typemesh/text/instances.hpp>
 #include <typemesh/text/merged_glyphs.hpp>
+#include <typemesh/text/run_looks.hpp>
 #include <typemesh/text/text_options.hpp>
 #include <typemesh/text/text_report.hpp>
 #include <typemesh/vertex/bounds3.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -25,6 +28,7 @@ struct drawn_glyph {
     point origin;  ///< font units
     glyph_id id = no_glyph;
     cluster_id cluster = no_cluster;
+    style_id style = {};
     std::uint32_t line = 0;
     std::uint32_t glyph = 0;              ///< its place in the run
     std::uint32_t merged = none;          ///< its place in text_glyphs::merged.groups, or none
@@ -82,7 +86,9 @@ struct text_glyphs {
     merged_glyphs merged;                ///< and glyphs that are drawn together
     buffer<std::uint32_t> mesh_of;       ///< for each of the different glyphs, which mesh it is, or drawn_glyph::none
     buffer<glyph_mesh> meshes;           ///< those of the different glyphs that are drawn
-    buffer<drawn_glyph> records;        ///< what is drawn
+    run_looks looks;                     ///< how they are drawn
+    buffer<drawn_glyph> records;         ///< what is drawn, style by style
+    buffer<style_id> several_styles;     ///< those of the records, ascending; empty where there is one at most
     buffer<box> line_boxes;              ///< in font units; filled for texture_box::line alone
     box ink;                             ///< around all records, font units
     part_sizes totals;
@@ -99,7 +105,9 @@ struct text_glyphs {
           merged{source},
           mesh_of{source},
           meshes{source},
+          looks{source},
           records{source},
+          several_styles{source},
           line_boxes{source}
     {
     }
@@ -114,7 +122,9 @@ struct text_glyphs {
         merged.clear();
         mesh_of.clear();
         meshes.clear();
+        looks.clear();
         records.clear();
+        several_styles.clear();
         line_boxes.clear();
         ink = {};
         totals = {};
@@ -126,7 +136,7 @@ struct text_glyphs {
     /// Room for so many glyphs of the run to be placed. False when the memory gives none.
     [[nodiscard]] bool reserve_records(std::size_t count) noexcept
     {
-        const std::size_t kinds = different.ids().size();
+        const std::size_t kinds = different.keys().size();
         if (!records.reserve(count) || !meshes.reserve(kinds + merged.groups.size()) || !mesh_of.reserve(kinds))
             return false;
         for (std::size_t i = 0; i < kinds; ++i) mesh_of.push_back_unchecked(drawn_glyph::none);
@@ -136,11 +146,16 @@ struct text_glyphs {
     /// Puts a shape that is neither blank nor refused at its place, after reserve_records(); `number` says which of the
     /// different glyphs it is; merged ones make a mesh of their own. What hangs on other records (mesh, next_alike,
     /// before) is found here.
-    /// Fails with error::too_large where 32 bits do not suffice; then all is as it was.
+    /// Records are placed style by style, ascending.
+    /// Fails with error::too_large where 32 bits do not suffice, or with error::out_of_memory
     error place_glyph(drawn_glyph s, std::uint32_t number) noexcept
     {
         const part_sizes& sizes = s.built->sizes();
         if (!(totals.total() + sizes.total()).fits_32_bits()) return error::too_large;
+        if (!records.empty() && records.back().style != s.style) {
+            if (several_styles.empty() && !several_styles.push_back(records.back().style)) return error::out_of_memory;
+            if (!several_styles.push_back(s.style)) return error::out_of_memory;
+        }
         s.before = totals;
         const auto self = static_cast<std::uint32_t>(records.size());
         const bool merges = s.merged != drawn_glyph::none;
@@ -174,6 +189,24 @@ struct text_glyphs {
         }
     }
 
+    /// The styles of what is drawn, ascending.
+    [[nodiscard]] std::span<const style_id> styles() const noexcept
+    {
+        if (!several_styles.empty() || records.empty()) return several_styles.view();
+        return {&records[0].style, 1};
+    }
+
+    /// The first record of a style or of a later one.
+    [[nodiscard]] std::size_t first_of(style_id style) const noexcept
+    {
+        return first_where(0, records.size(), [&](std::size_t i) noexcept { return records[i].style >= style; });
+    }
+    /// The first record of a later style.
+    [[nodiscard]] std::size_t last_of(style_id style) const noexcept
+    {
+        return first_where(0, records.size(), [&](std::size_t i) noexcept { return records[i].style > style; });
+    }
+
     /// A glyph's own box, in font units, seen from the text's origin.
     [[nodiscard]] static box ink_of(const drawn_glyph& s) noexcept
     {
@@ -191,6 +224,7 @@ struct text_glyphs {
         placement at = place(*s.built, s.origin, placed.centre, low, per_font_unit);
         at.glyph = s.merged == drawn_glyph::none ? s.id : no_glyph;
         at.cluster = s.cluster;
+        at.style = s.style;
         return at;
     }
 

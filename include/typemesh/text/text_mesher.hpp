@@ -13,6 +13,7 @@
 #include <typemesh/text/glyph_workers.hpp>
 #include <typemesh/text/lone_worker.hpp>
 #include <typemesh/text/mesher_refusals.hpp>
+#include <typemesh/text/place_glyphs.hpp>
 #include <typemesh/text/plan_workers.hpp>
 #include <typemesh/text/policy_kind.hpp>
 #include <typemesh/text/refuse_extremes.hpp>
@@ -240,20 +241,22 @@ private:
             return "heights";
     }
 
-    static constexpr std::uint32_t not_drawn = glyph_set::no_room;
-
-    /// Numbers the run's different glyphs.
+    /// Numbers the run's different glyphs; those that are not drawn get no_room.
     error collect(const glyph_run& run, const text_options& options) noexcept
     {
         const std::size_t count = run.glyphs.size();
-        if (count >= not_drawn) return error::too_large;
+        if (count >= glyph_set::no_room) return error::too_large;
         std::uint32_t* numbers = glyphs_.numbers.append(count);
         if (numbers == nullptr && count != 0) return error::out_of_memory;
+        const std::size_t looks = run.looks.empty() ? 1 : run.looks.size();
         for (std::size_t i = 0; i < count; ++i) {
             const placed_glyph& glyph = run.glyphs[i];
-            numbers[i] = not_drawn;
+            numbers[i] = glyph_set::no_room;
+            if (glyph.look >= looks)
+                return error{error::no_such_look, run.looks.size()}.at(glyph.id, glyph.cluster);
             if (glyph.missing && !options.draw_missing) continue;
-            numbers[i] = options.reuse ? glyphs_.different.number_of(glyph.id) : glyphs_.different.append(glyph.id);
+            const glyph_key key{glyph.id, glyphs_.looks.outlines_of(glyph.look)};
+            numbers[i] = options.reuse ? glyphs_.different.number_of(key) : glyphs_.different.append(key);
             if (numbers[i] == glyph_set::no_room) return error::out_of_memory;
         }
         return {};
@@ -263,7 +266,7 @@ private:
     template <plan_workers<Font> Workers>
     error build_glyphs(const text_options& options, Workers& workers) noexcept
     {
-        const auto ids = glyphs_.different.ids();
+        const auto keys = glyphs_.different.keys();
         const glyph_settings how{options.tolerance, options.fill, options.most_pieces};
         TYPEMESH_ASSERT(same(workers.units_per_em(), font_->units_per_em()),
                         "the sources of a glyph_workers are of another font");
@@ -274,36 +277,41 @@ private:
                           "typemesh/adapt/threads.hpp), or a lock of your own.");
             if (options.reuse) {
                 auto& cache = *cache_.cache;
-                if (!glyphs_.pinned.reserve(ids.size(), &cache)) return error::out_of_memory;
-                const glyph_context context = context_of(cache_.font, *font_, how, policies_for(observer_));
-                const std::uint64_t hash = context.hash();
+                if (!glyphs_.pinned.reserve(keys.size(), &cache)) return error::out_of_memory;
+                const glyph_context plain = context_of(cache_.font, *font_, how, policies_for(observer_));
+                if (error e = glyphs_.looks.find_contexts(plain, *font_)) return e;
+                const std::span<const hashed_context> of_look = glyphs_.looks.contexts();
                 return each_shape(
-                    ids, how, workers, [&](glyph_id id) noexcept { return cache.find(context, hash, id); },
-                    [&](glyph_id id, const glyph_draft& parts, glyph_store&) noexcept {
-                        return cache.keep(context, hash, id, parts);
+                    keys, how, workers,
+                    [&cache, of_look](const glyph_key& key) noexcept {
+                        return cache.find(of_look[key.look].context, of_look[key.look].hash, key.id);
+                    },
+                    [&cache, of_look](const glyph_key& key, const glyph_draft& parts, glyph_store&) noexcept {
+                        return cache.keep(of_look[key.look].context, of_look[key.look].hash, key.id, parts);
                     });
             }
         }
-        if (!glyphs_.pinned.reserve(ids.size())) return error::out_of_memory;
+        if (!glyphs_.pinned.reserve(keys.size())) return error::out_of_memory;
         glyphs_.lent.now = workers.begin_plan();
         if (glyphs_.lent.now != nullptr) glyphs_.lent.then = *glyphs_.lent.now;
         return each_shape(
-            ids, how, workers, [](glyph_id) noexcept { return static_cast<const built_glyph*>(nullptr); },
-            [](glyph_id, const glyph_draft& parts, glyph_store& store) noexcept { return store.keep(parts); });
+            keys, how, workers, [](const glyph_key&) noexcept { return static_cast<const built_glyph*>(nullptr); },
+            [](const glyph_key&, const glyph_draft& parts, glyph_store& store) noexcept { return store.keep(parts); });
     }
 
     template <class Workers, class Find, class Keep>
-    error each_shape(std::span<const glyph_id> ids, const glyph_settings& how, Workers& workers, const Find& find,
+    error each_shape(std::span<const glyph_key> keys, const glyph_settings& how, Workers& workers, const Find& find,
                      const Keep& keep) noexcept
     {
-        return workers.each(ids.size(),
+        return workers.each(keys.size(),
                             [&](std::size_t k, auto& font, glyph_builder& builder, glyph_store& store,
                                 auto& observe) noexcept -> error {
-                                const built_glyph* built = find(ids[k]);
+                                const built_glyph* built = find(keys[k]);
                                 if (built == nullptr) {
-                                    const auto parts = builder.build(font, ids[k], how, policies_for(observe));
+                                    auto face = glyphs_.looks.face_of(font, keys[k].look);
+                                    const auto parts = builder.build(face, keys[k].id, how, policies_for(observe));
                                     if (!parts) return parts.error();
-                                    built = keep(ids[k], *parts, store);
+                                    built = keep(keys[k], *parts, store);
                                     if (built == nullptr) return error::out_of_memory;
                                 }
                                 glyphs_.pinned.set(k, built);
@@ -315,54 +323,6 @@ private:
     {
         const glyph_settings how{options.tolerance, options.fill, options.most_pieces};
         return merger_(glyphs_, run, builder_, *font_, how, policies_for(observer_));
-    }
-
-    /// Puts each glyph of the run at its place, a group of merged ones at that of the first.
-    error place_glyphs(const glyph_run& run) noexcept
-    {
-        text_report& report = glyphs_.report;
-        const merged_glyphs& merged = glyphs_.merged;
-        report.glyphs = static_cast<std::uint32_t>(run.glyphs.size());
-        if (!glyphs_.reserve_records(run.glyphs.size())) return error::out_of_memory;
-        std::uint32_t line = 0, group = 0;
-        for (std::uint32_t i = 0; i < run.glyphs.size(); ++i) {
-            while (line + 1 < run.lines.size() && i >= run.lines[line + 1].first_glyph) ++line;
-            const std::uint32_t number = glyphs_.numbers[i];
-            if (number == not_drawn || (!merged.first_of.empty() && merged.first_of[i] != i)) continue;
-            const placed_glyph& glyph = run.glyphs[i];
-            drawn_glyph s;
-            s.built = glyphs_.pinned[number];
-            s.origin = glyph.origin;
-            s.id = glyph.id;
-            s.cluster = glyph.cluster;
-            s.line = line;
-            s.glyph = i;
-            if (group < merged.groups.size() && merged.members_of(merged.groups[group]).front() == i) {
-                s.built = merged.groups[group].built;
-                s.origin = merged.groups[group].origin;
-                s.merged = group++;
-            }
-            error refusal = misplaced(s.origin);
-            if (!refusal) refusal = s.built->refusal();
-            if (refusal) {
-                if (report.refused++ == 0) report.first_refusal = refusal.at(glyph.id, glyph.cluster);
-            } else if (s.built->is_blank()) {
-                ++report.blank;
-            } else if (error e = glyphs_.place_glyph(s, number)) {
-                return e;
-            }
-        }
-        glyphs_.number_meshes();
-        return {};
-    }
-
-    /// Why nothing can stand there, or none.
-    static error misplaced(point origin) noexcept
-    {
-        if (!is_finite(origin.x) || !is_finite(origin.y)) return error::outline_not_finite;
-        constexpr double farthest = 0x1p80;  // font units; 32-bit floats do not reach much farther in any unit
-        if (std::fabs(origin.x) > farthest || std::fabs(origin.y) > farthest) return error::outline_beyond_grid;
-        return {};
     }
 
     Font* font_;
@@ -398,10 +358,10 @@ auto text_mesher<Font, D, T, E, O, C>::plan_run(const glyph_run& run, const text
         return stop(error::bad("pixels_per_em"));
     const double largest = options.unit == output_unit::pixels ? 0x1p30 / options.pixels_per_em : 0x1p30;
     if (!is_finite(options.size) || !(options.size > 0.0) || options.size > largest) return stop(error::bad("size"));
-    if (!is_finite(run.units_per_em) || !(run.units_per_em > 0.0)) return stop(error::bad("units_per_em"));
-
-    TYPEMESH_ASSERT(same(run.units_per_em, font_->units_per_em()),
-                    "the glyph_run was made for a font of other units per em");
+    const double units_per_em = font_->units_per_em();
+    for (const double units : {units_per_em, is_zero(run.units_per_em) ? units_per_em : run.units_per_em})
+        if (!is_finite(units) || !(units > 0.0)) return stop(error::bad("units_per_em"));
+    if (!is_zero(run.units_per_em) && !same(run.units_per_em, units_per_em)) return stop(error::other_units);
     TYPEMESH_ASSERT(options.frame.is_orthonormal(), "a frame's axes must be unit vectors at right angles");
 
     text_report& report = glyphs_.report;
@@ -411,12 +371,13 @@ auto text_mesher<Font, D, T, E, O, C>::plan_run(const glyph_run& run, const text
     report.first_invalid_unit = run.first_invalid_unit;
 
     error e = refused_options(extruder_);
+    if (!e) e = glyphs_.looks.read(run, *font_);
     if (!e) e = collect(run, options);
     if (!e) e = build_glyphs(options, workers);
     if (!e && options.merge) e = merge(run, options);
-    if (!e) e = place_glyphs(run);
+    if (!e) e = place_glyphs(glyphs_, run);
     const height_range heights = extruder_.heights();
-    if (!e) e = arrange(glyphs_, run, options, font_->units_per_em(), heights);
+    if (!e) e = arrange(glyphs_, run, options, units_per_em, heights);
     if (!e) e = refuse_extremes(glyphs_.placed, glyphs_.bounds, heights, heights_name());
     if (e) {
         glyphs_.pinned.release();

@@ -30,6 +30,9 @@ struct glyph_span {
 ///     vertices   [ front: glyph 0, glyph 1, ... | back: ... | side: ... ]       each part in one piece, so that it can
 ///     indices    [ front: glyph 0, glyph 1, ... | back: ... | side: ... ]       be drawn with a material of its own
 ///
+/// Glyphs are numbered style by style (see look.hpp), in each style in drawing order, so that each style's share of a
+/// part is in one piece too. Where nobody speaks of styles there is one, and that order is the drawing order.
+///
 /// Move-only. It refers to its mesher, which must outlive it; a move of the mesher ends it, and so does the mesher's
 /// next plan() (using it then is asserted). Until its end the shapes that it took from a glyph_cache stay where they
 /// are, whoever throws out others; those that a glyph_workers built lie in the team. Only glyphs that have triangles are
@@ -84,19 +87,30 @@ public:
         return whole().range(p, some.first, some.last);
     }
 
-    /// The glyphs that come from a place of the caller's text; none (first == last) where it left no glyph in the mesh.
-    /// The glyphs of a cluster are neighbours, whichever way the script runs. Cost: O(glyphs).
-    [[nodiscard]] glyph_span glyphs_of(cluster_id cluster) const noexcept
+    /// Where one style's share of a part lies: what is drawn with one material.
+    [[nodiscard]] mesh_range range(style_id style, part p) const noexcept { return range(glyphs_of(style), p); }
+
+    /// The styles in the mesh, ascending.
+    [[nodiscard]] std::span<const style_id> styles() const noexcept { return fresh().styles(); }
+
+    /// The glyphs of one style; none (first == last) where it has none in the mesh. Cost: O(log glyphs).
+    [[nodiscard]] glyph_span glyphs_of(style_id style) const noexcept
     {
-        const auto records = glyphs();
-        std::size_t first = 0;
-        while (first < records.size() && records[first].cluster != cluster) ++first;
-        std::size_t last = first;
-        while (last < records.size() && records[last].cluster == cluster) ++last;
-        return {first, last};
+        return {fresh().first_of(style), fresh().last_of(style)};
     }
 
-    /// The glyphs in the mesh, in drawing order.
+    /// The glyphs that come from a place of the caller's text; none (first == last) where it left no glyph in the mesh.
+    /// The glyphs of a cluster are neighbours, whichever way the script runs; of a cluster in several styles, those of
+    /// its first style are given. Cost: O(glyphs).
+    [[nodiscard]] glyph_span glyphs_of(cluster_id cluster) const noexcept { return glyphs_of(cluster, all_glyphs()); }
+
+    /// Those of them that are of one style. Cost: O(glyphs of the style).
+    [[nodiscard]] glyph_span glyphs_of(cluster_id cluster, style_id style) const noexcept
+    {
+        return glyphs_of(cluster, glyphs_of(style));
+    }
+
+    /// The glyphs in the mesh: style by style, each style's in drawing order.
     [[nodiscard]] std::span<const drawn_glyph> glyphs() const noexcept { return fresh().records.view(); }
 
     /// Which glyphs of the run one of glyphs() stands for: itself alone, or all that text_options::merge joined to it,
@@ -276,7 +290,7 @@ public:
     }
 
     /// The other half: emit(const glyph_instance&) for every glyph, those of mesh 0 first (glyph_mesh::glyph_count of
-    /// them), then those of mesh 1, and so on. A mesh moved by the translation is the placed glyph, up to the rounding
+    /// them, style by style), then those of mesh 1, and so on. A mesh moved by the translation is the placed glyph, up to the rounding
     /// of the sum and to where its textures begin.
     template <class Emit>
     void write_instances(Emit&& emit) const noexcept
@@ -285,9 +299,22 @@ public:
         for (std::uint32_t mesh = 0; mesh < all.meshes.size(); ++mesh) {
             for (std::uint32_t i = all.meshes[mesh].first_glyph; i != drawn_glyph::none; i = all.records[i].next_alike) {
                 const drawn_glyph& s = all.records[i];
-                emit(glyph_instance{all.translation_of(s), mesh, i, s.id, s.cluster});
+                emit(glyph_instance{all.translation_of(s), mesh, i, s.id, s.cluster, s.style});
             }
         }
+    }
+
+    /// Which of these instances are of one mesh and one style: what is drawn at once with one material.
+    /// mesh < meshes().size(). Cost: O(instances of the mesh)
+    [[nodiscard]] instance_range instances(std::size_t mesh, style_id style) const noexcept
+    {
+        const text_glyphs& all = fresh();
+        instance_range found{all.meshes[mesh].first_instance, 0};
+        for (std::uint32_t i = all.meshes[mesh].first_glyph; i != drawn_glyph::none; i = all.records[i].next_alike) {
+            if (all.records[i].style < style) ++found.first;
+            else if (all.records[i].style == style) ++found.count;
+        }
+        return found;
     }
 
 private:
@@ -298,6 +325,19 @@ private:
                         "this text_plan is stale: its mesher has made another plan or was moved since");
         TYPEMESH_ASSERT(glyphs_->lent.are_there(), "this text_plan is stale: its glyph_workers has built another since");
         return *glyphs_;
+    }
+
+    [[nodiscard]] glyph_span all_glyphs() const noexcept { return {0, fresh().records.size()}; }
+
+    /// The first neighbouring glyphs of a cluster among some.
+    [[nodiscard]] glyph_span glyphs_of(cluster_id cluster, glyph_span among) const noexcept
+    {
+        const auto records = glyphs();
+        std::size_t first = among.first;
+        while (first < among.last && records[first].cluster != cluster) ++first;
+        std::size_t last = first;
+        while (last < among.last && records[last].cluster == cluster) ++last;
+        return {first, last};
     }
 
     [[nodiscard]] mesh_layout whole() const noexcept { return {fresh(), 0, fresh().records.size()}; }

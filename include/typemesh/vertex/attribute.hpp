@@ -17,6 +17,7 @@ enum class attribute : std::uint32_t {
     glyph = 1u << 4,
     cluster = 1u << 5,
     part = 1u << 6,
+    style = 1u << 7,
 };
 
 [[nodiscard]] constexpr attribute operator|(attribute a, attribute b) noexcept

@@ -25,7 +25,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// One attribute in an array of its own: element i of type T lies `stride` bytes after element i - 1.
 ///
 /// T is made from what the attribute holds: T{x, y, z} for positions and normals, T{u, v} for texture coordinates, T{x,
-/// y, z, sign} for tangents, T(number) for glyph, cluster and part (0 front, 1 back, 2 side). Packed formats are such
+/// y, z, sign} for tangents, T(number) for glyph, cluster, style and part (0 front, 1 back, 2 side). Packed formats are such
 /// types: snorm10, octahedral32, or structures of half, snorm16 and so on. Elements are written whole, once, in
 /// ascending order, and never read: the memory may be mapped.
 template <attribute A, class T>
@@ -33,7 +33,7 @@ struct stream {
     static constexpr attribute wants = A;
     static_assert(A == attribute::position || A == attribute::normal || A == attribute::uv ||
                       A == attribute::tangent || A == attribute::glyph || A == attribute::cluster ||
-                      A == attribute::part,
+                      A == attribute::part || A == attribute::style,
                   "typemesh: a stream holds one attribute; computed_stream takes several");
 
     void* data = nullptr;        ///< the first element; aligned for T
@@ -64,7 +64,8 @@ struct stream {
         else if constexpr (A == attribute::tangent) *place = T{s.tangent.x, s.tangent.y, s.tangent.z, s.tangent.w};
         else if constexpr (A == attribute::glyph) *place = static_cast<T>(s.glyph);
         else if constexpr (A == attribute::cluster) *place = static_cast<T>(s.cluster);
-        else *place = static_cast<T>(s.part);
+        else if constexpr (A == attribute::part) *place = static_cast<T>(s.part);
+        else *place = static_cast<T>(s.style);
     }
 };
 

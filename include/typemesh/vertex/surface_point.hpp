@@ -80,12 +80,21 @@ struct with_cluster<Wants, false> : with_glyph<Wants> {
     static constexpr not_in_wants<attribute::cluster> cluster{};
 };
 
+template <attribute Wants, bool = has(Wants, attribute::style)>
+struct with_style : with_cluster<Wants> {
+    style_id style = no_style;
+};
+template <attribute Wants>
+struct with_style<Wants, false> : with_cluster<Wants> {
+    static constexpr not_in_wants<attribute::style> style{};
+};
+
 template <attribute Wants, bool = has(Wants, attribute::part)>
-struct with_part : with_cluster<Wants> {
+struct with_part : with_style<Wants> {
     typemesh::part part{};
 };
 template <attribute Wants>
-struct with_part<Wants, false> : with_cluster<Wants> {
+struct with_part<Wants, false> : with_style<Wants> {
     static constexpr not_in_wants<attribute::part> part{};
 };
 
@@ -101,6 +110,7 @@ struct with_part<Wants, false> : with_cluster<Wants> {
 ///     glyph      glyph_id     the glyph it belongs to, in its font; no_glyph if unknown
 ///     cluster    cluster_id   the position in the caller's text that it comes from; no_cluster if unknown
 ///     part       part         front, back or side
+///     style      style_id     its look's (layout/look.hpp); no_style where nobody knows
 ///
 /// What is not in `Wants` takes no space and is never computed.
 template <attribute Wants>
@@ -121,6 +131,7 @@ template <attribute Fewer, attribute Wants>
     if constexpr (has(Fewer, attribute::glyph)) fewer.glyph = s.glyph;
     if constexpr (has(Fewer, attribute::cluster)) fewer.cluster = s.cluster;
     if constexpr (has(Fewer, attribute::part)) fewer.part = s.part;
+    if constexpr (has(Fewer, attribute::style)) fewer.style = s.style;
     return fewer;
 }
 

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/layout/shaper.hpp>
+#include <typemesh/outline/face_source.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <type_traits>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// Several fonts, or drawings, as the faces of one source, in the order given:
+///
+///     font_faces faces{latin, arabic, icons};              // all must outlive it
+///     text_mesher mesher{faces};
+///     run.looks: {{.face = 0}, {.face = 1}, {.face = 2}}   // what placed_glyph::look names
+///
+/// Plain text is shaped by the first one, if that is a shaper.
+template <outline_source... Sources>
+class font_faces {
+    static_assert(sizeof...(Sources) != 0, "typemesh: font_faces needs a font");
+    using first_type = std::tuple_element_t<0, std::tuple<Sources...>>;
+
+public:
+    explicit font_faces(Sources&... sources) noexcept : sources_{&sources...} {}
+
+    [[nodiscard]] static constexpr std::uint32_t face_count() noexcept { return sizeof...(Sources); }
+    [[nodiscard]] double units_per_em() const noexcept { return first().units_per_em(); }
+    [[nodiscard]] double units_per_em(std::uint32_t face) const noexcept
+    {
+        double units = 0.0;
+        call(face, [&units](auto& source) noexcept { units = source.units_per_em(); });
+        return units;
+    }
+    [[nodiscard]] fill_rule fill() const noexcept { return first().fill(); }
+    [[nodiscard]] fill_rule fill(std::uint32_t face) const noexcept
+    {
+        fill_rule rule = fill_rule::non_zero;
+        call(face, [&rule](auto& source) noexcept { rule = source.fill(); });
+        return rule;
+    }
+
+    /// See variation_key.hpp: the first one's, as that of the whole.
+    [[nodiscard]] std::uint64_t variation_key() const noexcept { return variation_of(first()); }
+    [[nodiscard]] std::uint64_t variation_key(std::uint32_t face) const noexcept
+    {
+        std::uint64_t key = 0;
+        call(face, [&key](const auto& source) noexcept { key = variation_of(source); });
+        return key;
+    }
+
+    template <outline_sink Sink>
+    error outline(glyph_id id, Sink& sink) const noexcept
+    {
+        return first().outline(id, sink);
+    }
+    template <outline_sink Sink>
+    error outline(std::uint32_t face, glyph_id id, Sink& sink) const noexcept
+    {
+        error e = error{error::unknown_glyph}.at(id, no_cluster);
+        call(face, [&](auto& source) noexcept { e = source.outline(id, sink); });
+        return e;
+    }
+
+    [[nodiscard]] line_metrics metrics(direction d) const noexcept requires shaper<first_type>
+    {
+        return first().metrics(d);
+    }
+    [[nodiscard]] result<point> shape(text_view text, std::size_t begin, std::size_t end, const shape_options& options,
+                                      glyph_run& run) const noexcept requires shaper<first_type>
+    {
+        return first().shape(text, begin, end, options, run);
+    }
+
+private:
+    [[nodiscard]] first_type& first() const noexcept { return *std::get<0>(sources_); }
+
+    /// what(the face of that number).
+    template <class What>
+    void call(std::uint32_t face, const What& what) const noexcept
+    {
+        std::apply(
+            [&](auto*... source) noexcept {
+                std::uint32_t number = 0;
+                ((number++ == face ? what(*source) : void()), ...);
+            },
+            sources_);
+    }
+
+    std::tuple<Sources*...> sources_;
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/error.hpp>
+#include <typemesh/core/finite.hpp>
+#include <typemesh/core/first_where.hpp>
+#include <typemesh/layout/glyph_run.hpp>
+#include <typemesh/text/text_glyphs.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+namespace detail {
+
+/// Why nothing can stand there, or none.
+[[nodiscard]] inline error misplaced(point origin) noexcept
+{
+    if (!is_finite(origin.x) || !is_finite(origin.y)) return error::outline_not_finite;
+    constexpr double farthest = 0x1p80;  // font units; 32-bit floats do not reach much farther in any unit
+    if (std::fabs(origin.x) > farthest || std::fabs(origin.y) > farthest) return error::outline_beyond_grid;
+    return {};
+}
+
+/// The line of a glyph of the run, of several that begin with it the last; at most one line is 0.
+[[nodiscard]] inline std::uint32_t line_of(const glyph_run& run, std::uint32_t glyph) noexcept
+{
+    const std::size_t after =
+        first_where(1, run.lines.size(), [&](std::size_t k) noexcept { return run.lines[k].first_glyph > glyph; });
+    return static_cast<std::uint32_t>(after - 1);
+}
+
+/// The group that begins with a glyph of the run, or drawn_glyph::none.
+[[nodiscard]] inline std::uint32_t group_of(const merged_glyphs& merged, std::uint32_t glyph) noexcept
+{
+    const auto first_of = [&](std::size_t k) noexcept { return merged.members_of(merged.groups[k]).front(); };
+    const std::size_t found =
+        first_where(0, merged.groups.size(), [&](std::size_t k) noexcept { return first_of(k) >= glyph; });
+    if (found == merged.groups.size() || first_of(found) != glyph) return drawn_glyph::none;
+    return static_cast<std::uint32_t>(found);
+}
+
+}  // namespace detail
+
+/// Puts each glyph of the run at its place, style by style, a group of merged ones at that of the first; all.numbers,
+/// pinned, looks and merged are given. What is blank or cannot be drawn is counted in the report.
+///
+/// Fails  error::too_large, error::out_of_memory
+/// Cost   O(glyphs) where there is one style and nothing is merged, else O(glyphs log glyphs)
+inline error place_glyphs(text_glyphs& all, const glyph_run& run) noexcept
+{
+    text_report& report = all.report;
+    const merged_glyphs& merged = all.merged;
+    report.glyphs = static_cast<std::uint32_t>(run.glyphs.size());
+    if (!all.reserve_records(run.glyphs.size())) return error::out_of_memory;
+    if (error e = all.looks.sort(run)) return e;
+    const std::span<const std::uint32_t> order = all.looks.order();
+    std::uint32_t line = 0, first_refused = 0;
+    for (std::uint32_t k = 0; k < run.glyphs.size(); ++k) {
+        const std::uint32_t i = order.empty() ? k : order[k];
+        if (!order.empty() && !run.lines.empty())
+            line = detail::line_of(run, i);
+        else
+            while (line + 1 < run.lines.size() && i >= run.lines[line + 1].first_glyph) ++line;
+        const std::uint32_t number = all.numbers[i];
+        if (number == glyph_set::no_room || (!merged.first_of.empty() && merged.first_of[i] != i)) continue;
+        const placed_glyph& glyph = run.glyphs[i];
+        drawn_glyph s;
+        s.built = all.pinned[number];
+        s.origin = glyph.origin;
+        s.id = glyph.id;
+        s.cluster = glyph.cluster;
+        s.style = all.looks.style_of(glyph.look);
+        s.line = line;
+        s.glyph = i;
+        if (!merged.groups.empty()) s.merged = detail::group_of(merged, i);
+        if (s.merged != drawn_glyph::none) {
+            s.built = merged.groups[s.merged].built;
+            s.origin = merged.groups[s.merged].origin;
+        }
+        error refusal = detail::misplaced(s.origin);
+        if (!refusal) refusal = s.built->refusal();
+        if (refusal) {
+            if (report.refused++ == 0 || i < first_refused) {
+                report.first_refusal = refusal.at(glyph.id, glyph.cluster);
+                first_refused = i;
+            }
+        } else if (s.built->is_blank()) {
+            ++report.blank;
+        } else if (error e = all.place_glyph(s, number)) {
+            return e;
+        }
+    }
+    all.number_meshes();
+    return {};
+}
+
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "support/catch.hpp"
+#include "support/counting_memory.hpp"
+
+#include <typemesh/layout/glyph_run.hpp>
+
+#include <limits>
+
+using namespace typemesh;
+
+static_assert(sizeof(placed_glyph) == 32);  // a look costs no room
+
+TEST_CASE("missing glyphs and invalid places are counted, and the first place of each is the lowest", "[layout]")
+{
+    glyph_run run;
+    CHECK(run.first_missing == no_cluster);
+    for (const cluster_id c : {7u, 3u, 9u}) run.note_missing(c);  // right to left, say
+    CHECK(run.missing == 3);
+    CHECK(run.first_missing == 3);
+    run.note_invalid_units(8, 2);
+    run.note_invalid_units(5);
+    CHECK(run.invalid_units == 3);
+    CHECK(run.first_invalid_unit == 5);
+    run.clear();
+    CHECK(run.missing == 0);
+    CHECK(run.first_missing == no_cluster);
+    CHECK(run.invalid_units == 0);
+    CHECK(run.first_invalid_unit == no_cluster);
+}
+
+TEST_CASE("equal looks have one number, and 0 is the plain one", "[layout]")
+{
+    glyph_run run;
+    CHECK(*run.number_of({}) == 0);
+    CHECK(run.looks.empty());  // a run of the plain look alone has no table
+    const look red{.style = style_id{1}}, small{.map = {.xx = 0.5, .yy = 0.5}}, other{.face = 1};
+    CHECK(*run.number_of(red) == 1);
+    CHECK(*run.number_of(small) == 2);
+    CHECK(*run.number_of(other) == 3);
+    CHECK(*run.number_of(small) == 2);
+    CHECK(*run.number_of(red) == 1);
+    CHECK(*run.number_of({}) == 0);
+    REQUIRE(run.looks.size() == 4);
+    CHECK(run.looks[0] == look{});
+    CHECK(run.looks[3] == other);
+    run.clear();
+    CHECK(run.looks.empty());
+}
+
+TEST_CASE("a look whose memory fails leaves the table as it was", "[layout]")
+{
+    test::counting_memory failing{.fail_at = 1};
+    glyph_run run{failing.source()};
+    CHECK(run.number_of({.face = 1}).error() == error::out_of_memory);
+    CHECK(run.looks.empty());
+    CHECK(*run.number_of({}) == 0);
+}

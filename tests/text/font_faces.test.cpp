@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+#include "support/catch.hpp"
+#include "support/executors.hpp"
+#include "support/mesh_laws.hpp"
+#include "support/toy_font.hpp"
+
+#include <typemesh/text/font_faces.hpp>
+#include <typemesh/typemesh.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+using namespace typemesh;
+using test::full_mesh;
+using test::full_vertex;
+
+namespace {
+
+/// Icons of 250 units to the em: 0 a box over the whole em, 1 a ring that fills under even_odd alone.
+recorded_outlines icons(double units = 250.0)
+{
+    recorded_outlines drawn{units, fill_rule::even_odd};
+    const auto box = [](auto& pen, double l, double h) {
+        pen.move({l, l}), pen.line({h, l}), pen.line({h, h}), pen.line({l, h}), pen.close();
+    };
+    REQUIRE(drawn.add([&](auto& pen) { box(pen, 0, units); }));
+    REQUIRE(drawn.add([&](auto& pen) { box(pen, 0, units), box(pen, units / 5, units / 2); }));
+    return drawn;
+}
+
+full_mesh mesh_of(const auto& plan)
+{
+    full_mesh m;
+    REQUIRE_FALSE(plan.write(into(m.vertices, m.indices)));
+    return m;
+}
+
+bool same_bits(const full_mesh& a, const full_mesh& b)
+{
+    return a.indices == b.indices && a.vertices.size() == b.vertices.size() &&
+           std::memcmp(a.vertices.data(), b.vertices.data(), a.vertices.size() * sizeof(full_vertex)) == 0;
+}
+
+glyph_run run_of(std::initializer_list<look> looks, std::initializer_list<placed_glyph> glyphs)
+{
+    glyph_run run;
+    for (const look& l : looks) REQUIRE(run.looks.push_back(l));
+    for (const placed_glyph& g : glyphs) REQUIRE(run.glyphs.push_back(g));
+    return run;
+}
+
+}  // namespace
+
+static_assert(face_source<font_faces<test::toy_font, recorded_outlines>>);
+static_assert(shaper<font_faces<test::toy_font, recorded_outlines>>);
+static_assert(!shaper<font_faces<recorded_outlines, test::toy_font>>);
+
+TEST_CASE("the first of several faces shapes and draws as it does alone, to the bit", "[text][looks]")
+{
+    test::toy_font font;
+    const auto drawings = icons();
+    font_faces faces{font, drawings};
+    text_mesher alone{font};
+    text_mesher mesher{faces};
+    const auto expected = alone.plan("oEx\ni o"), found = mesher.plan("oEx\ni o");
+    REQUIRE(expected);
+    REQUIRE(found);
+    CHECK(same_bits(mesh_of(*found), mesh_of(*expected)));
+}
+
+TEST_CASE("a face is drawn as large as the first one's em, by its own fill rule, beside the others", "[text][looks]")
+{
+    test::toy_font font;
+    const auto drawings = icons();
+    font_faces faces{font, drawings};
+    auto mesher = text_mesher{faces}.with(flat{});
+    const glyph_run run = run_of({{}, {.face = 1}}, {{2, 0, {0, 0}, false, 0},       // E of the toy font
+                                                     {0, 1, {600, 0}, false, 1},     // the box
+                                                     {1, 2, {2000, 0}, false, 1},    // the ring
+                                                     {1, 3, {3500, 0}, false, 0}});  // o of the toy font
+    const auto plan = mesher.plan(run);
+    REQUIRE(plan);
+    REQUIRE(plan->glyphs().size() == 4);
+    CHECK(plan->report().complete());
+    const full_mesh m = mesh_of(*plan);
+    const auto area_of = [&](std::size_t glyph) {
+        const mesh_range r = plan->range(glyph, part::front);
+        return inspect::measure(inspect::mesh_view{m.vertices, std::span{m.indices}.subspan(r.first_index, r.index_count)}).area;
+    };
+    CHECK(area_of(1) == Catch::Approx(1.0));
+    CHECK(area_of(2) == Catch::Approx(1.0 - 0.3 * 0.3));
+    CHECK(plan->bounds().low.x == 0.05f);
+    CHECK(plan->meshes().size() == 4);  // glyph 1 of one face is not glyph 1 of the other
+}
+
+TEST_CASE("a face of the same units draws what it draws alone, to the bit", "[text][looks]")
+{
+    test::toy_font font;
+    const auto drawings = icons(1000.0);
+    font_faces faces{font, drawings};
+    text_mesher mesher{faces};
+    text_mesher alone{drawings};
+    const glyph_run run = run_of({{.face = 1}}, {{0, 0, {0, 0}}, {1, 1, {1100, 0}}, {0, 2, {2300, 5}}});
+    const glyph_run plain = run_of({}, {{0, 0, {0, 0}}, {1, 1, {1100, 0}}, {0, 2, {2300, 5}}});
+    const auto found = mesher.plan(run), expected = alone.plan(plain);
+    REQUIRE(found);
+    REQUIRE(expected);
+    CHECK(same_bits(mesh_of(*found), mesh_of(*expected)));
+}
+
+TEST_CASE("a look's map is that of transformed_outlines, to the bit, also when glyphs are merged", "[text][looks]")
+{
+    test::toy_font font;
+    const affine map = GENERATE(affine{.xx = 0.6, .yy = 0.6}, affine{.xy = 0.2}, affine{.dx = 30, .dy = -40},
+                                affine{.xx = 0, .xy = 1, .yx = -1, .yy = 0}, affine{.xx = -1}, affine{.xx = 3, .yy = 2});
+    const bool merge = GENERATE(false, true);
+    transformed_outlines transformed{font, map};
+    text_mesher mesher{font};
+    text_mesher alone{transformed};
+    const std::initializer_list<placed_glyph> glyphs = {{1, 0, {0, 0}}, {2, 1, {300, 0}}, {3, 2, {700, 10}}, {1, 3, {3000, 0}}};
+    const glyph_run run = run_of({{.map = map}}, glyphs), plain = run_of({}, glyphs);
+    const auto found = mesher.plan(run, {.merge = merge}), expected = alone.plan(plain, {.merge = merge});
+    REQUIRE(found);
+    REQUIRE(expected);
+    const full_mesh m = mesh_of(*found);
+    CHECK(same_bits(m, mesh_of(*expected)));
+    CHECK(m.vertices.size() != 0);
+}
+
+TEST_CASE("tolerance and depth stay those of the base em when a look scales", "[text][looks]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    const float depth = mesher.plan("o")->bounds().low.z;
+    const auto size_at = [&](double scale) {
+        const glyph_run run = run_of({{.map = {.xx = scale, .yy = scale}}}, {{1, 0, {0, 0}}});
+        const auto plan = mesher.plan(run);
+        REQUIRE(plan);
+        CHECK(plan->bounds().low.z == depth);
+        return plan->size().vertices;
+    };
+    CHECK(size_at(8.0) > size_at(1.0));
+    CHECK(size_at(1.0) > size_at(0.125));
+}
+
+TEST_CASE("a letter in several styles is built once, in several shapes once a shape", "[text][looks]")
+{
+    test::toy_font font;
+    glyph_cache cache;
+    auto mesher = text_mesher{font}.with(cached_in{cache, 1});
+    const affine slanted{.xy = 0.2};
+    const glyph_run run = run_of({{},
+                                  {.style = style_id{1}},
+                                  {.map = slanted},
+                                  {.map = slanted, .style = style_id{1}},
+                                  {.map = {.xy = 0.3}}},
+                                 {{1, 0, {0, 0}, false, 0},
+                                  {1, 1, {600, 0}, false, 1},
+                                  {1, 2, {1200, 0}, false, 2},
+                                  {1, 3, {1800, 0}, false, 3},
+                                  {1, 4, {2400, 0}, false, 4}});
+    {
+        const auto plan = mesher.plan(run);
+        REQUIRE(plan);
+        CHECK(plan->meshes().size() == 3);
+        CHECK(cache.statistics().misses == 3);
+        CHECK(cache.statistics().hits == 0);
+    }
+    CHECK(mesher.plan("o"));  // the plain look's letter is the plain text's
+    CHECK(cache.statistics().misses == 3);
+    CHECK(cache.statistics().hits == 1);
+    full_mesh expected, found;
+    {
+        text_mesher uncached{font};
+        expected = mesh_of(*uncached.plan(run));
+    }
+    CHECK(mesher.plan(run));
+    found = mesh_of(*mesher.plan(run));
+    CHECK(cache.statistics().misses == 3);
+    CHECK(same_bits(found, expected));
+}
+
+TEST_CASE("faces, maps and the units of the first face are told apart in a cache", "[text][looks]")
+{
+    test::toy_font font;
+    const auto drawings = icons(1000.0), coarse = icons(250.0);
+    font_faces both{font, drawings};
+    font_faces other{coarse, drawings};
+    glyph_cache cache;
+    auto mesher = text_mesher{both}.with(cached_in{cache, 1});
+    auto second = text_mesher{other}.with(cached_in{cache, 1});  // the same number, for another set: only units differ
+    const glyph_run run = run_of({{}, {.face = 1}}, {{1, 0, {0, 0}, false, 0}, {1, 1, {600, 0}, false, 1}});
+    const glyph_run icon = run_of({{.face = 1}}, {{1, 0, {0, 0}}});
+    CHECK(mesher.plan(run)->meshes().size() == 2);
+    CHECK(cache.statistics().entries == 2);
+    const auto plan = second.plan(icon);
+    REQUIRE(plan);
+    CHECK(cache.statistics().entries == 3);
+    text_mesher uncached{other};
+    CHECK(same_bits(mesh_of(*plan), mesh_of(*uncached.plan(icon))));
+}
+
+TEST_CASE("workers with faces of their own make the same mesh", "[text][looks]")
+{
+    test::toy_font font;
+    const auto drawings = icons();
+    font_faces faces{font, drawings};
+    using faces_type = font_faces<test::toy_font, const recorded_outlines>;
+    std::array<test::toy_font, 3> fonts;
+    test::scrambled_workers several{3};
+    auto pool = workers_of(several, [&](std::size_t worker) noexcept -> result<faces_type> {
+        return faces_type{fonts[worker], drawings};
+    });
+    REQUIRE(pool);
+    text_mesher mesher{faces};
+    glyph_run run = run_of({{}, {.face = 1, .style = style_id{1}}, {.map = {.xy = 0.2}}}, {});
+    for (std::uint32_t i = 0; i < 40; ++i) REQUIRE(run.glyphs.push_back({i % 2, i, {600.0 * i, 0}, false, i % 3}));
+    const full_mesh expected = mesh_of(*mesher.plan(run));
+    const auto plan = mesher.plan(run, {}, *pool);
+    REQUIRE(plan);
+    CHECK(same_bits(mesh_of(*plan), expected));
+}
+
+TEST_CASE("looks, faces and units that there are not are refused, each by name", "[text][looks]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    const auto refusal = [&](const glyph_run& run) { return mesher.plan(run).error(); };
+    CHECK(refusal(run_of({}, {{1, 3, {0, 0}, false, 1}})) == error::no_such_look);
+    const error far_look = refusal(run_of({{}, {}}, {{1, 0, {0, 0}, false, 1}, {2, 7, {0, 0}, false, 2}}));
+    CHECK(far_look == error::no_such_look);
+    CHECK(far_look.count == 2);
+    CHECK(far_look.glyph == 2);
+    CHECK(far_look.cluster == 7);
+    const error face = refusal(run_of({{}, {.face = 1}}, {{1, 0, {0, 0}}}));
+    CHECK(face == error::no_such_face);
+    CHECK(face.count == 1);
+
+    glyph_run run = run_of({}, {{1, 0, {0, 0}}});
+    CHECK(mesher.plan(run));  // units are the font's where the run says none
+    run.units_per_em = 1000.0;
+    CHECK(mesher.plan(run));
+    run.units_per_em = 2048.0;
+    CHECK(refusal(run) == error::other_units);
+    for (const double wrong : {-1000.0, std::nan(""), HUGE_VAL}) {
+        run.units_per_em = wrong;
+        CHECK(refusal(run) == error::bad_option);
+    }
+    CHECK(mesher.plan("o"));  // and nothing is left behind
+}
+
+TEST_CASE("a map that is no number leaves its glyphs out, and says so", "[text][looks]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    const glyph_run run = run_of({{}, {.map = {.xx = std::nan("")}}},
+                                 {{1, 0, {0, 0}, false, 0}, {1, 1, {600, 0}, false, 1}, {2, 2, {1200, 0}, false, 1}});
+    const auto plan = mesher.plan(run);
+    REQUIRE(plan);
+    CHECK(plan->glyphs().size() == 1);
+    CHECK(plan->report().refused == 2);
+    CHECK(plan->report().first_refusal == error::outline_not_finite);
+    CHECK(plan->report().first_refusal.cluster == 1);
+}
+
+TEST_CASE("a map that flattens a glyph leaves nothing of it", "[text][looks]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    const glyph_run run = run_of({{.map = {.xx = 0.0}}}, {{1, 0, {0, 0}}, {3, 1, {600, 0}}});
+    const auto plan = mesher.plan(run);
+    REQUIRE(plan);
+    CHECK(plan->glyphs().empty());
+    CHECK(plan->report().blank == 2);
+}
