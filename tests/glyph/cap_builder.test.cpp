@@ -382,7 +382,7 @@ TEMPLATE_TEST_CASE("fill() refuses contours that cross more often than its setti
     CHECK_FALSE(is_filled({.most_pieces = 7}));
 }
 
-TEST_CASE("cap() cuts a region of others and leaves the builder's own as it is", "[glyph][cap_builder]")
+TEST_CASE("cap() cuts a region of others, beside the builder's own or in its place", "[glyph][cap_builder]")
 {
     cap_builder caps, other;
     caps.loops() = test::contours_of({test::square(0, 0, 8)});
@@ -396,6 +396,8 @@ TEST_CASE("cap() cuts a region of others and leaves the builder's own as it is",
     CHECK(test::oracle::broken_law(*made, out.view().subspan(1)) == "");
     CHECK(caps.triangles().size() == 2);
     CHECK(caps.loops().points.size() == 4);
+    REQUIRE_FALSE(caps.cap(*made, monotone{}));
+    CHECK(test::oracle::broken_law(*made, caps.triangles().view()) == "");
 }
 
 TEMPLATE_TEST_CASE("points may be moved in loops() between two caps", "[glyph][cap_builder]", monotone, unproving)

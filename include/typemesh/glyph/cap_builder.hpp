@@ -132,7 +132,14 @@ public:
         return proven;
     }
 
-    /// The triangles of a region, whoever made it, appended to `out`: see cut_region().
+    /// The triangles of any region, as triangles().
+    template <triangulator Triangulator>
+    [[nodiscard]] error cap(const region& r, const Triangulator& how) noexcept
+    {
+        triangles_.clear();
+        return cap(r, how, triangles_);
+    }
+    /// The same, appended to `out`; triangles() stay. See cut_region().
     template <triangulator Triangulator>
     [[nodiscard]] error cap(const region& r, const Triangulator& how, triangle_list& out) noexcept
     {
@@ -177,7 +184,7 @@ private:
             const auto nested = nest(loops_, rule, space_);
             if (!nested) return nested;
             observe(stage::triangulate);
-            if (error e = cap(*nested, cut, triangles_)) return e;
+            if (error e = cap(*nested, cut)) return e;
             return nested;
         }
     }
@@ -192,7 +199,7 @@ private:
         const auto made = typemesh::resolve(loops_, how.rule, space_, filter, {how.most_pieces, &resolved_});
         if (!made || made->points().empty()) return made;
         observe(stage::triangulate);
-        if (error e = cap(*made, cut, triangles_)) return e;
+        if (error e = cap(*made, cut)) return e;
         return made;
     }
 

@@ -98,7 +98,7 @@ private:
         if (filled->points().empty()) return {};
 
         with.observe(stage::extrude);
-        const auto plan = plan_region(*filled, with, caps_.space(), plan_);
+        const auto plan = plan_region(*filled, with, caps_, plan_);
         if (!plan) return plan.error();
         made.form = {filled->points(), filled->starts(), caps_.triangles().view()};
         made.plan = *plan;

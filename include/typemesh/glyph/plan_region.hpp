@@ -4,8 +4,8 @@
 #include <typemesh/extrude/cap_maker.hpp>
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/extrude/plan_scratch.hpp>
+#include <typemesh/glyph/cap_builder.hpp>
 #include <typemesh/glyph/policies.hpp>
-#include <typemesh/triangulate/cut_region.hpp>
 
 #include <type_traits>
 
@@ -17,30 +17,31 @@ namespace detail {
 template <triangulator Triangulator>
 class region_caps {
 public:
-    region_caps(const Triangulator& cut, workspace& space) noexcept : cut_{cut}, space_{space} {}
+    region_caps(cap_builder& caps, const Triangulator& cut) noexcept : caps_{caps}, cut_{cut} {}
 
-    error operator()(const region& r, triangle_list& out) noexcept { return cut_region(r, cut_, space_, out); }
-    [[nodiscard]] workspace& space() noexcept { return space_; }
+    error operator()(const region& r, triangle_list& out) noexcept { return caps_.cap(r, cut_, out); }
+    [[nodiscard]] workspace& space() noexcept { return caps_.space(); }
 
 private:
+    cap_builder& caps_;
     const Triangulator& cut_;
-    workspace& space_;
 };
 
 }  // namespace detail
 
-/// What the extruder plans for a region; its plan data lies in `data` afterwards.
+/// What the extruder plans for a region; its plan data lies in `data` afterwards. `caps` cuts the caps of further
+/// regions that it asks for, and keeps its own.
 ///
 /// Fails  error::out_of_memory, and with what its plan() fails with
 template <class... Policy>
-[[nodiscard]] result<solid_plan> plan_region(const region& filled, const policies<Policy...>& with, workspace& space,
+[[nodiscard]] result<solid_plan> plan_region(const region& filled, const policies<Policy...>& with, cap_builder& caps,
                                              plan_scratch& data) noexcept
 {
     using extruder_type = std::remove_cvref_t<decltype(with.raise)>;
     auto* fresh = data.fresh<plan_data_of<extruder_type>>();
     if (fresh == nullptr) return error::out_of_memory;
-    detail::region_caps caps{with.cut, space};
-    return plan_solid(with.raise, filled, *fresh, caps);
+    detail::region_caps further{caps, with.cut};
+    return plan_solid(with.raise, filled, *fresh, further);
 }
 
 }  // namespace typemesh::inline TYPEMESH_ABI

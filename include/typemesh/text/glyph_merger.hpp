@@ -4,10 +4,10 @@
 #include <typemesh/core/same.hpp>
 #include <typemesh/fill/group_intersection.hpp>
 #include <typemesh/fill/region_union.hpp>
+#include <typemesh/glyph/cap_builder.hpp>
 #include <typemesh/glyph/glyph_builder.hpp>
 #include <typemesh/glyph/plan_region.hpp>
 #include <typemesh/text/text_glyphs.hpp>
-#include <typemesh/triangulate/cut_region.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -30,17 +30,15 @@ namespace typemesh::inline TYPEMESH_ABI {
 class glyph_merger {
 public:
     explicit glyph_merger(memory source = heap()) noexcept
-        : space_{source}, union_{source}, triangles_{source}, plan_{source}
+        : caps_{source}, union_{source}, plan_{source}
     {
     }
 
     /// Gives its scratch memory back to its source.
     void trim() noexcept
     {
-        const memory source = space_.source();
-        space_.trim();
-        union_ = region_union{source};
-        triangles_ = triangle_list{source};
+        caps_.trim();
+        union_ = region_union{caps_.source()};
         plan_.release();
     }
 
@@ -56,7 +54,7 @@ public:
     {
         with.observe(stage::fill);
         const std::size_t count = run.glyphs.size();
-        workspace::scope scratch{space_};
+        workspace::scope scratch{caps_.space()};
         auto* next = scratch.take<std::uint32_t>(count);  // the next glyph of the same group; at its last one: count
         auto* last = scratch.take<std::uint32_t>(count);  // the last so far of the group that begins here
         std::uint32_t* first_of = all.merged.first_of.append(count);
@@ -113,7 +111,7 @@ private:
 
     error find_groups(const text_glyphs& all, const glyph_run& run, std::span<std::uint32_t> first_of) noexcept
     {
-        workspace::scope scratch{space_};
+        workspace::scope scratch{caps_.space()};
         auto* loops = scratch.take<placed_loops>(first_of.size());
         if (loops == nullptr && !first_of.empty()) return error::out_of_memory;
         const double cells = finest(all);
@@ -129,7 +127,7 @@ private:
             loops[i] = {s.form().points, s.form().starts, at.x, at.y,
                         static_cast<std::uint32_t>(all.looks.style_of(run.glyphs[i].look))};
         }
-        return group_intersection({loops, first_of.size()}, first_of, space_);
+        return group_intersection({loops, first_of.size()}, first_of, caps_.space());
     }
 
     /// The finest grid onto which all members fit, seen from the first one's pen.
@@ -177,7 +175,7 @@ private:
                 return e;
         }
         with.observe(stage::fill);
-        const auto joined = union_.join(space_, most_pieces);
+        const auto joined = union_.join(caps_.space(), most_pieces);
         if (!joined && joined.error() == error::too_many_pieces) {  // the text goes on without this group
             glyph_draft none;
             none.refusal = joined.error();
@@ -186,14 +184,13 @@ private:
         }
         if (!joined) return joined.error();
         with.observe(stage::triangulate);
-        triangles_.clear();
-        if (error e = cut_region(*joined, with.cut, space_, triangles_)) return e;
+        if (error e = caps_.cap(*joined, with.cut)) return e;
         with.observe(stage::extrude);
-        const auto plan = plan_region(*joined, with, space_, plan_);
+        const auto plan = plan_region(*joined, with, caps_, plan_);
         if (!plan) return plan.error();
 
         made.built = all.store.keep(
-            {{joined->points(), joined->starts(), triangles_.view()}, *plan, onto->cells, {}, &plan_});
+            {{joined->points(), joined->starts(), caps_.triangles().view()}, *plan, onto->cells, {}, &plan_});
         made.origin = {static_cast<double>(first.x) / onto->cells, static_cast<double>(first.y) / onto->cells};
         made.first_owner = static_cast<std::uint32_t>(all.merged.owners.size());
         const auto edges = joined->edges();
@@ -203,9 +200,8 @@ private:
         return {};
     }
 
-    workspace space_;
+    cap_builder caps_;
     region_union union_;
-    triangle_list triangles_;
     plan_scratch plan_;
 };
 
