@@ -88,18 +88,13 @@ struct certified {
 private:
     static constexpr double kept_share = 1.0 - 0x1p-20;  // of the tolerance; the rest is a margin for rounding
 
-    // Wang's bound for n pieces, without a root: bend <= pieces(n) * tolerance². The bend is the largest squared second
-    // difference of the control points, times (d(d-1)/8)² for degree d.
+    // Wang's bound is n pieces or fewer where bend <= pieces(n) * tolerance²; no root is needed. The bend is the largest
+    // squared second difference of the control points, times (d(d-1)/8)² for degree d.
     static constexpr double quadratic_bend = 0.0625, cubic_bend = 0.5625;
     [[nodiscard]] static constexpr double pieces(int n) noexcept { return double(n) * n * n * n; }
 
     static constexpr double halves_tried = 40.0;  // = pieces(2.5): up to here two equal pieces often suffice
-    static constexpr double few_samples = 1024.0, some_samples = 0x1p17;  // pieces(5.7), pieces(19): see between()
-
-    /// How far a chord across an inflection extends to either side, in shares; and how much of its last share a curve
-    /// must leave over before a piece is saved. Fitted to real fonts.
-    static constexpr float reach = 0.93f;
-    static constexpr float two_will_do = 2.04f;  // shares that two pieces usually cover; fitted likewise
+    static constexpr double four_samples_do = 1024.0, eight_samples_do = 0x1p17;  // = pieces(5.7), pieces(19)
 
     [[nodiscard]] static double greater(double a, double b) noexcept { return a > b ? a : b; }
 
@@ -109,15 +104,17 @@ private:
     template <class Emit>
     static bool few(const detail::cubic_chords<true>& chords, int most, Emit& emit) noexcept
     {
+        constexpr float worth_trying = 0.93f;  // pieces below Wang's bound; this and the next are fitted to fonts
+        constexpr float two_do = 2.04f;        // pieces, by the estimate
         if (chords.turns_over()) return false;
         const float left = chords.inverse_share(0.0, 0.5), right = chords.inverse_share(0.5, 1.0);
         const float sum = left + right, product = left * right;  // sum over product: approximately the number of pieces
-        if (sum > (static_cast<float>(most) - reach) * product) {
+        if (sum > (static_cast<float>(most) - worth_trying) * product) {
             const double step = most == 3 ? 1.0 / 3.0 : 0.25;
             for (int i = 1; i < most; ++i) emit(chords.at(step * i), step * i);
             return true;
         }
-        if (sum <= two_will_do * product) {
+        if (sum <= two_do * product) {
             const float half = left < right ? 0.25f + 0.25f * left / right : 0.75f - 0.25f * right / left;
             const double t = static_cast<double>(half);
             if (!(chords.fits_exactly(0.0, t) && chords.fits_exactly(t, 1.0))) return false;
@@ -155,9 +152,9 @@ private:
         void between(double from, double to) const noexcept
         {
             const double tt = tolerance_ * tolerance_;
-            if (bend_ < few_samples * tt)  // in this form because a root would come late
+            if (bend_ < four_samples_do * tt)  // in this form because a root would come late
                 between(detail::share_table<4>{chords_, from, to, tolerance_}, from, to);
-            else if (bend_ < some_samples * tt)
+            else if (bend_ < eight_samples_do * tt)
                 between(detail::share_table<8>{chords_, from, to, tolerance_}, from, to);
             else
                 between(detail::share_table<16>{chords_, from, to, tolerance_}, from, to);
@@ -234,6 +231,7 @@ private:
         bool place_across(const Shares& shares, double from, double middle, double to) const noexcept
         {
             constexpr int most = 16;
+            constexpr float reach = 0.93f;  // of a chord from the inflection to either side, in shares; fitted to fonts
             constexpr float stretch = 2.0f * reach;
             const float whole = shares.whole();
             if (!(whole < static_cast<float>(most))) return false;
