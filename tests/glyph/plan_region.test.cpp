@@ -28,7 +28,7 @@ TEMPLATE_TEST_CASE("caps that an extruder asks for are cut by the glyph's own tr
     const auto filled = caps.build(drawn, 1.0, *cells, {}, with);
     REQUIRE(filled);
     plan_scratch data;
-    const auto plan = plan_region(*filled, with, caps.space(), data);
+    const auto plan = plan_region(*filled, with, caps, data);
     REQUIRE(plan);
     CHECK(plan->sizes.triangles[part::front] == filled->triangle_count());
     CHECK(plan->around.width() == 2.0 * 500.0 * cells->cells);
@@ -50,6 +50,6 @@ TEST_CASE("where memory gives no plan data, planning a region tells so", "[glyph
     const memory nothing = {nullptr, [](void*, std::size_t, std::size_t) noexcept -> void* { return nullptr; },
                             [](void*, void*, std::size_t, std::size_t) noexcept {}};
     plan_scratch data{nothing};
-    workspace space;
-    CHECK(plan_region(region{}, with, space, data).error() == error::out_of_memory);
+    cap_builder caps;
+    CHECK(plan_region(region{}, with, caps, data).error() == error::out_of_memory);
 }
