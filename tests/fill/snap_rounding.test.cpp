@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include <typemesh/fill/resolving_sweep.hpp>
+#include <typemesh/fill/resolve.hpp>
 #include <typemesh/fill/snap_rounding.hpp>
 
 #include "support/catch.hpp"
@@ -174,4 +175,30 @@ TEST_CASE("A segment comes through exactly the hot pixels that trying all of the
     CHECK(detail::hot_pixels::comes_through({0, 0}, {4, 2}, {1, 0}));  // the corner of a half-open cell: from one side
     CHECK_FALSE(detail::hot_pixels::comes_through({0, 0}, {2, 2}, {1, 0}));
     CHECK_FALSE(detail::hot_pixels::comes_through({0, 0}, {2, 2}, {0, 1}));
+}
+
+TEST_CASE("more than 2^30 pieces count as 2^30, in what is rounded and in what is resolved", "[fill][snap_rounding]")
+{
+    // Numbers of pieces are doubled and grown by half in 32 bits: a limit that is taken as it is would overflow.
+    constexpr std::uint32_t limits[] = {(1u << 30) - 1, 1u << 30, (1u << 30) + 1, 0xFFFF'FFFFu};
+    for (const std::uint32_t most : limits) {
+        contours loops = test::contours_of(test::shape{"bow tie", {{{0, 0}, {9, 7}, {9, 0}, {0, 7}}}});
+        CHECK(detail::snap_rounding(loops, most).most_pieces() == (std::min)(most, 1u << 30));
+    }
+    test::dice d{99};
+    for (int i = 0; i < 300; ++i) {
+        const test::shape s = random_shape(d);
+        contours usual = test::contours_of(s);
+        workspace space;
+        const auto wanted = resolve(usual, fill_rule::non_zero, space);
+        for (const std::uint32_t most : limits) {
+            contours loops = test::contours_of(s);
+            const auto made = resolve(loops, fill_rule::non_zero, space, {.most_pieces = most});
+            INFO(s << "at most " << most << " pieces");
+            REQUIRE(bool(made) == bool(wanted));
+            if (!made) continue;
+            REQUIRE(std::equal(made->points().begin(), made->points().end(), wanted->points().begin(),
+                               wanted->points().end()));
+        }
+    }
 }

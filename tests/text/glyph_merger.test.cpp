@@ -274,3 +274,59 @@ TEST_CASE("regions of fonts of different units per em are joined on the finer gr
 
     CHECK(group.add(square_region(of_1000, space, 1 << 20), 1024.0, 0, 0).code == error::outline_beyond_grid);
 }
+
+TEST_CASE("no triangle of merged glyphs is low where other diagonals avoid it", "[text][merge][low]")
+{
+    // Two glyphs that overlap. The first has a long edge with a corner a hair below it: cut off along that edge, the
+    // corner's triangle is lower than 2^-20 em; cut to the far corner, it is not.
+    recorded_outlines drawings{1000.0};
+    const point corners[] = {{0, 0}, {100'001 / 512.0, 1 / 512.0}, {200'001 / 512.0, 2 / 512.0}, {0, 200}};
+    std::size_t low_otherwise = 0;
+    for (int k = 0; k < 8; ++k) {
+        const auto place = [k](point p) {
+            if (k & 1) p = {-p.x, p.y};
+            if (k & 2) p = {p.x, -p.y};
+            return k & 4 ? point{p.y, p.x} : p;
+        };
+        const bool mirrored = (k == 1 || k == 2 || k == 4 || k == 7);
+        REQUIRE(drawings.add([&](auto& pen) {
+            for (int i = 0; i < 4; ++i) {
+                const point p = place(corners[mirrored ? 3 - i : i]);
+                i == 0 ? pen.move(p) : pen.line(p);
+            }
+            pen.close();
+        }));
+        REQUIRE(drawings.add([&](auto& pen) {  // over the corner that is far from all the others
+            const point m = place(corners[3]);
+            pen.move(m + point{-20, -20});
+            for (const point by : {point{20, -20}, point{20, 20}, point{-20, 20}}) pen.line(m + by);
+            pen.close();
+        }));
+    }
+    text_mesher mesher = text_mesher{drawings}.with(flat{});
+    for (glyph_id k = 0; k < 16; k += 2) {
+        const glyph_run run = run_of({{k, 0, {0, 0}}, {k + 1, 0, {0, 0}}});
+        const auto plan = mesher.plan(run, {.merge = true});
+        REQUIRE(plan);
+        REQUIRE(plan->glyphs().size() == 1);
+        const built_glyph& merged = *plan->glyphs()[0].built;
+        const solid& form = merged.form();
+        const triangle_heights heights{{.cells = merged.cells(), .units_per_em = 1000.0}};
+        const auto low_of = [&](std::span<const triangle> triangles) {
+            return std::count_if(triangles.begin(), triangles.end(), [&](const triangle& t) {
+                return heights.is_low(form.points[t.a], form.points[t.b], form.points[t.c]);
+            });
+        };
+        INFO("pair " << k / 2);
+        CHECK(low_of(form.triangles) == 0);
+
+        contours loops;  // the same region, of which nobody knows the em
+        for (const grid_point p : form.points) REQUIRE((loops.points.push_back(p) && loops.edges.push_back({})));
+        for (const std::uint32_t start : form.starts) REQUIRE(loops.starts.push_back(start));
+        workspace space;
+        triangle_list plain;
+        REQUIRE(monotone{}.prove(loops, space, plain));
+        low_otherwise += static_cast<std::size_t>(low_of(plain.view()));
+    }
+    CHECK(low_otherwise > 0);
+}

@@ -293,3 +293,33 @@ TEST_CASE("one set of drawings serves a whole team where reading changes nothing
     REQUIRE(mesher.build(run, into(m.vertices, m.indices), {}, *team));
     CHECK(same(m, expected));
 }
+
+TEST_CASE("trim() gives back the workers' scratch memory, plans stay, and the next text is the same", "[text][team]")
+{
+    test::counting_memory memory;
+    {
+        const auto font_of = [](std::size_t) noexcept -> result<test::toy_font> { return test::toy_font{}; };
+        test::scrambled_workers several{3};
+        auto team = workers_of(several, font_of, memory.source());
+        REQUIRE(team);
+        test::toy_font font;
+        text_mesher mesher{font};
+        full_mesh first, kept, again;
+        auto plan = mesher.plan("Eo xi", {}, *team);
+        REQUIRE(plan);
+        REQUIRE_FALSE(plan->write(into(first.vertices, first.indices)));
+        const std::size_t held = memory.bytes_held;
+        team->trim();
+        const std::size_t trimmed = memory.bytes_held;
+        CHECK(trimmed + 16 * 1024 <= held);  // a block of each builder's scratch memory, at least
+        team->trim();
+        CHECK(memory.bytes_held == trimmed);
+        REQUIRE_FALSE(plan->write(into(kept.vertices, kept.indices)));
+        CHECK(same(kept, first));
+        auto other = mesher.plan("Eo xi", {}, *team);
+        REQUIRE(other);
+        REQUIRE_FALSE(other->write(into(again.vertices, again.indices)));
+        CHECK(same(again, first));
+    }
+    CHECK(memory.bytes_held == 0);
+}
