@@ -70,6 +70,17 @@ auto lines = mesher.plan("one\nanother", {.layout = {.align = typemesh::alignmen
 const typemesh::variation bold[] = {{"wght", 700}};
 auto inter = typemesh::harfbuzz_font::open("Inter.var.ttf", {.face = 0, .variations = bold});
 
+    {
+typemesh::glyph_run run;
+if (auto e = layout(*font, "Hello", {}, {}, run)) return std::puts(e.message()), 1;
+auto slanted = run.number_of({.map = {.xy = 0.2}, .style = typemesh::style_id{7}});   // 7: your number for a material
+if (!slanted) return std::puts(slanted.error().message()), 1;
+run.glyphs[0].look = *slanted;
+auto initial = mesher.plan(run);
+if (!initial) return std::puts(initial.error().message()), 1;
+auto its_front = initial->range(typemesh::style_id{7}, typemesh::part::front);
+    use(its_front);
+    }
 auto word = mesher.plan("مرحبا", {.merge = true});
     use(lines, inter, word);
 
