@@ -47,21 +47,21 @@ struct uniform_steps {
         return count < 1.0 ? 1 : count > 65536.0 ? 65536 : static_cast<int>(std::ceil(count));
     }
 
-    template <class Emit>
-    void operator()(const quadratic& q, double tolerance, Emit&& emit) const noexcept
+    template <class Put>
+    void operator()(const quadratic& q, double tolerance, Put&& put) const noexcept
     {
         const point b = 2.0 * (q.p1 - q.p0), a = q.p0 - 2.0 * q.p1 + q.p2;
         const int n = bounded(std::sqrt(0.25 * length(a) / tolerance));
         const double step = 1.0 / n;
         for (int i = 1; i < n; ++i) {
             const double t = i * step;
-            emit(q.p0 + t * (b + t * a), t);
+            put(q.p0 + t * (b + t * a), t);
         }
-        emit(q.p2, 1.0);
+        put(q.p2, 1.0);
     }
 
-    template <class Emit>
-    void operator()(const cubic& q, double tolerance, Emit&& emit) const noexcept
+    template <class Put>
+    void operator()(const cubic& q, double tolerance, Put&& put) const noexcept
     {
         const point b = 3.0 * (q.p1 - q.p0), d = q.p0 - 2.0 * q.p1 + q.p2, e = q.p1 - 2.0 * q.p2 + q.p3;
         const int n = bounded(std::sqrt(0.75 * std::sqrt((std::max)(dot(d, d), dot(e, e))) / tolerance));
@@ -69,9 +69,9 @@ struct uniform_steps {
         const double step = 1.0 / n;
         for (int i = 1; i < n; ++i) {
             const double t = i * step;
-            emit(q.p0 + t * (b + t * (c + t * a)), t);
+            put(q.p0 + t * (b + t * (c + t * a)), t);
         }
-        emit(q.p3, 1.0);
+        put(q.p3, 1.0);
     }
 };
 static_assert(discretiser<uniform_steps>);
@@ -264,11 +264,11 @@ std::size_t pass(const D& how, const std::vector<curve>& curves, std::size_t fir
             count += static_cast<std::size_t>(next - room.data());
             next = room.data();
         }
-        const auto emit = [&next](point p, double t) noexcept { *next++ = {p, t}; };
+        const auto put = [&next](point p, double t) noexcept { *next++ = {p, t}; };
         if (c.degree == 2)
-            how(c.as_quadratic(), tolerance, emit);
+            how(c.as_quadratic(), tolerance, put);
         else
-            how(c.as_cubic(), tolerance, emit);
+            how(c.as_cubic(), tolerance, put);
     }
     benchmark::ClobberMemory();
     return count + static_cast<std::size_t>(next - room.data());

@@ -14,11 +14,11 @@
 struct equal_steps {
     int pieces = 4;
 
-    template <class Curve, class Emit>
-    void operator()(const Curve& curve, double /*tolerance*/, Emit&& emit) const noexcept
+    template <class Curve, class Put>
+    void operator()(const Curve& curve, double /*tolerance*/, Put&& put) const noexcept
     {
-        for (int i = 1; i < pieces; ++i) emit(curve.at(double(i) / pieces), double(i) / pieces);
-        emit(curve.at(1.0), 1.0);
+        for (int i = 1; i < pieces; ++i) put(curve.at(double(i) / pieces), double(i) / pieces);
+        put(curve.at(1.0), 1.0);
     }
 };
 static_assert(typemesh::discretiser<equal_steps>);

@@ -18,10 +18,10 @@ struct unbounded_discretiser {
     static constexpr bool keeps_no_tolerance = true;
     std::variant<typemesh::two_lines, typemesh::thesis_quality> choice;
 
-    template <class Curve, class Emit>
-    void operator()(const Curve& curve, double tolerance, Emit&& emit) const noexcept
+    template <class Curve, class Put>
+    void operator()(const Curve& curve, double tolerance, Put&& put) const noexcept
     {
-        std::visit([&](const auto& d) { d(curve, tolerance, emit); }, choice);
+        std::visit([&](const auto& d) { d(curve, tolerance, put); }, choice);
     }
 };
 
@@ -66,17 +66,17 @@ struct chosen_extruder {
     {
         return std::visit([](const auto& e) { return e.heights(); }, choice);
     }
-    template <typemesh::attribute Wants, class Emit>
+    template <typemesh::attribute Wants, class Put>
     void vertices(typemesh::part p, const typemesh::solid_with<plan_data>& s, const typemesh::placement& at,
-                  Emit&& emit) const noexcept
+                  Put&& put) const noexcept
     {
-        std::visit([&](const auto& e) { e.template vertices<Wants>(p, s, at, emit); }, choice);
+        std::visit([&](const auto& e) { e.template vertices<Wants>(p, s, at, put); }, choice);
     }
-    template <class Emit>
+    template <class Put>
     void triangles(typemesh::part p, const typemesh::solid_with<plan_data>& s, const typemesh::first_vertices& first,
-                   Emit&& emit) const noexcept
+                   Put&& put) const noexcept
     {
-        std::visit([&](const auto& e) { e.triangles(p, s, first, emit); }, choice);
+        std::visit([&](const auto& e) { e.triangles(p, s, first, put); }, choice);
     }
     [[nodiscard]] std::uint64_t hard_edges(const typemesh::solid_with<plan_data>& s) const noexcept
     {

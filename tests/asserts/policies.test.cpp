@@ -46,20 +46,20 @@ struct exact_sink {
 /// Emits the points of a curve at these places of it.
 template <int... Percent>
 struct at_percent {
-    template <class Curve, class Emit>
-    void operator()(const Curve& c, double, Emit&& emit) const noexcept
+    template <class Curve, class Put>
+    void operator()(const Curve& c, double, Put&& put) const noexcept
     {
-        (emit(c.at(Percent / 100.0), Percent / 100.0), ...);
+        (put(c.at(Percent / 100.0), Percent / 100.0), ...);
     }
 };
 
 /// Says that it has come to the end, and has not.
 struct elsewhere {
-    template <class Curve, class Emit>
-    void operator()(const Curve& c, double, Emit&& emit) const noexcept
+    template <class Curve, class Put>
+    void operator()(const Curve& c, double, Put&& put) const noexcept
     {
-        emit(c.at(0.5), 0.5);
-        emit(c.at(0.98), 1.0);
+        put(c.at(0.5), 0.5);
+        put(c.at(0.98), 1.0);
     }
 };
 
@@ -101,23 +101,23 @@ struct miscounting : flat {
 
     [[nodiscard]] option_bits cache_key() const noexcept { return {}; }
 
-    template <attribute Wants, class Emit>
-    void vertices(part p, const solid& s, const placement& at, Emit&& emit) const noexcept
+    template <attribute Wants, class Put>
+    void vertices(part p, const solid& s, const placement& at, Put&& put) const noexcept
     {
         if (p != part::front) return;
         const auto count = static_cast<int>(s.points.size()) + more_vertices;
         surface_point<Wants> v;
         if constexpr (has(Wants, attribute::position)) v.position = at.position(s.points[0], 0.0f);
-        for (int i = 0; i < count; ++i) emit(v);
+        for (int i = 0; i < count; ++i) put(v);
     }
-    template <class Emit>
-    void triangles(part p, const solid& s, const first_vertices& first, Emit&& emit) const noexcept
+    template <class Put>
+    void triangles(part p, const solid& s, const first_vertices& first, Put&& put) const noexcept
     {
         if (p != part::front) return;
         const auto count = static_cast<int>(s.triangles.size()) + more_triangles;
         for (int i = 0; i < count; ++i) {
             const bool last = i + 1 == count;
-            emit(first[p], first[p] + 1, wild && last ? first[p] + static_cast<std::uint32_t>(s.points.size()) : first[p] + 2);
+            put(first[p], first[p] + 1, wild && last ? first[p] + static_cast<std::uint32_t>(s.points.size()) : first[p] + 2);
         }
     }
 };

@@ -53,19 +53,19 @@ std::string told_by(Mesher mesher, const char* text = "oE")
 
 /// Equal steps that stop before the end: `i < n`.
 struct forgets_the_end {
-    template <class Curve, class Emit>
-    void operator()(const Curve& c, double, Emit&& emit) const noexcept
+    template <class Curve, class Put>
+    void operator()(const Curve& c, double, Put&& put) const noexcept
     {
-        for (int i = 1; i < 8; ++i) emit(c.at(i / 8.0), i / 8.0);
+        for (int i = 1; i < 8; ++i) put(c.at(i / 8.0), i / 8.0);
     }
 };
 
 /// Equal steps from the end to the start.
 struct runs_backwards {
-    template <class Curve, class Emit>
-    void operator()(const Curve& c, double, Emit&& emit) const noexcept
+    template <class Curve, class Put>
+    void operator()(const Curve& c, double, Put&& put) const noexcept
     {
-        for (int i = 8; i >= 1; --i) emit(c.at(i / 8.0), i / 8.0);
+        for (int i = 8; i >= 1; --i) put(c.at(i / 8.0), i / 8.0);
     }
 };
 
@@ -108,20 +108,20 @@ struct forgets_its_parts : stranger::flared {
 };
 /// Plans a back, and writes none.
 struct forgets_the_back : stranger::tapering_twist {
-    template <class Emit>
-    void triangles(part p, const solid& s, const first_vertices& first, Emit&& emit) const noexcept
+    template <class Put>
+    void triangles(part p, const solid& s, const first_vertices& first, Put&& put) const noexcept
     {
-        if (p != part::back) tapering_twist::triangles(p, s, first, emit);
+        if (p != part::back) tapering_twist::triangles(p, s, first, put);
     }
 };
 /// Numbers vertices from 0 on in each part.
 struct numbers_from_nought : stranger::tapering_twist {
-    template <class Emit>
-    void triangles(part p, const solid& s, const first_vertices&, Emit&& emit) const noexcept
+    template <class Put>
+    void triangles(part p, const solid& s, const first_vertices&, Put&& put) const noexcept
     {
         first_vertices far_off;
         far_off[p] = 1u << 20;
-        tapering_twist::triangles(p, s, far_off, emit);
+        tapering_twist::triangles(p, s, far_off, put);
     }
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-// Words that windows.h, X.h, AssertMacros.h and engines define as macros, in the way of every header of the core. The
+// Words that windows.h, X.h, AssertMacros.h, Qt and engines define as macros, in the way of every header of the core. The
 // standard headers come first: they need not bear these words (and some undefine min and max).
 #include "standard_headers.hpp"
 
@@ -13,5 +13,10 @@
 #define far
 #define small char
 #define None 0L
+#define emit
+#define slots
+#define signals public
+#define foreach refused_macro
+#define forever for (;;)
 
 #include "core_headers.hpp"

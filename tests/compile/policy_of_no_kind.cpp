@@ -11,15 +11,15 @@ using namespace typemesh;
 struct nothing {};
 
 struct throwing_discretiser {
-    template <class Emit>
-    void operator()(const quadratic& q, double, Emit&& emit) const
+    template <class Put>
+    void operator()(const quadratic& q, double, Put&& put) const
     {
-        emit(q.p2, 1.0);
+        put(q.p2, 1.0);
     }
-    template <class Emit>
-    void operator()(const cubic& c, double, Emit&& emit) const
+    template <class Put>
+    void operator()(const cubic& c, double, Put&& put) const
     {
-        emit(c.p3, 1.0);
+        put(c.p3, 1.0);
     }
 };
 

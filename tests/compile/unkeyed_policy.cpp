@@ -6,10 +6,10 @@
 
 struct some_steps {
     int steps = 4;
-    template <class Curve, class Emit>
-    void operator()(const Curve& c, double, Emit&& emit) const noexcept
+    template <class Curve, class Put>
+    void operator()(const Curve& c, double, Put&& put) const noexcept
     {
-        for (int i = 1; i <= steps; ++i) emit(c.at(double(i) / steps), double(i) / steps);
+        for (int i = 1; i <= steps; ++i) put(c.at(double(i) / steps), double(i) / steps);
     }
 };
 

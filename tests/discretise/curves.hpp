@@ -107,11 +107,11 @@ template <class D>
 std::vector<emitted> points_of(const D& how, const curve& c, double tolerance)
 {
     std::vector<emitted> out;
-    const auto emit = [&](point p, double t) noexcept { out.push_back({p, t}); };
+    const auto put = [&](point p, double t) noexcept { out.push_back({p, t}); };
     if (c.degree == 2)
-        how(c.as_quadratic(), tolerance, emit);
+        how(c.as_quadratic(), tolerance, put);
     else
-        how(c.as_cubic(), tolerance, emit);
+        how(c.as_cubic(), tolerance, put);
     return out;
 }
 

@@ -42,12 +42,12 @@ struct scripted {
     std::vector<emitted> inner;
     mutable double given = 0.0;
 
-    template <class Curve, class Emit>
-    void operator()(const Curve& c, double tolerance, Emit&& emit) const noexcept
+    template <class Curve, class Put>
+    void operator()(const Curve& c, double tolerance, Put&& put) const noexcept
     {
         given = tolerance;
-        for (const emitted& e : inner) emit(e.p, e.t);
-        emit(c.at(1.0), 1.0);
+        for (const emitted& e : inner) put(e.p, e.t);
+        put(c.at(1.0), 1.0);
     }
 };
 

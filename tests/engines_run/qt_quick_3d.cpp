@@ -2,14 +2,14 @@
 //
 // What a QQuick3DGeometry holds when the recipe in docs/engines.md has filled it.
 
+#include <QVector3D>
+#include <QtQuick3D/QQuick3DGeometry>
+
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 
 #include "engines/recipe_laws.hpp"
-
-#include <QVector3D>
-#include <QtQuick3D/QQuick3DGeometry>
 
 using plan_type = typemesh::result<typemesh::text_plan<typemesh::extruded<>>>;
 

@@ -9,26 +9,26 @@ namespace stranger {
 
 /// Equal steps of t, as many as the control polygon is bent: from the comment on discretiser alone.
 struct equal_steps {
-    template <class Emit>
-    void operator()(const typemesh::quadratic& q, double tolerance, Emit&& emit) const noexcept
+    template <class Put>
+    void operator()(const typemesh::quadratic& q, double tolerance, Put&& put) const noexcept
     {
-        walk(q, typemesh::length(q.p0 - 2.0 * q.p1 + q.p2) / 4.0, tolerance, emit);
+        walk(q, typemesh::length(q.p0 - 2.0 * q.p1 + q.p2) / 4.0, tolerance, put);
     }
-    template <class Emit>
-    void operator()(const typemesh::cubic& c, double tolerance, Emit&& emit) const noexcept
+    template <class Put>
+    void operator()(const typemesh::cubic& c, double tolerance, Put&& put) const noexcept
     {
         const double a = typemesh::length(c.p0 - 2.0 * c.p1 + c.p2), b = typemesh::length(c.p1 - 2.0 * c.p2 + c.p3);
-        walk(c, 0.75 * (a > b ? a : b), tolerance, emit);
+        walk(c, 0.75 * (a > b ? a : b), tolerance, put);
     }
 
 private:
     /// Wang's bound: the error of n steps is at most `bend` / n^2.
-    template <class Curve, class Emit>
-    static void walk(const Curve& c, double bend, double tolerance, Emit& emit) noexcept
+    template <class Curve, class Put>
+    static void walk(const Curve& c, double bend, double tolerance, Put& put) noexcept
     {
         const double wanted = std::ceil(std::sqrt(bend / tolerance));
         const int n = wanted < 1.0 ? 1 : wanted < 1000.0 ? static_cast<int>(wanted) : 1000;
-        for (int i = 1; i <= n; ++i) emit(c.at(double(i) / n), double(i) / n);
+        for (int i = 1; i <= n; ++i) put(c.at(double(i) / n), double(i) / n);
     }
 };
 static_assert(typemesh::discretiser<equal_steps>);

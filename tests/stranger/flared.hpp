@@ -61,32 +61,32 @@ struct flared {
     }
     std::uint64_t hard_edges(const typemesh::solid& s) const noexcept { return s.points.size(); }
 
-    template <typemesh::attribute Wants, class Emit>
+    template <typemesh::attribute Wants, class Put>
     void vertices(typemesh::part p, const typemesh::solid_with<plan_data>& s, const typemesh::placement& at,
-                  Emit&& emit) const noexcept
+                  Put&& put) const noexcept
     {
         using typemesh::part;
         const auto large = s.data.of<typemesh::grid_point>();
         const double front = 0.0, back = -double{depth}, top = -double{rim}, bottom = back + double{rim};
-        if (p == part::front) cap<Wants>(large, front, 1.0f, at, emit);
-        if (p == part::back) cap<Wants>(large, back, -1.0f, at, emit);
-        if (p == part::side) band<Wants>(s, {s.points, top}, {s.points, bottom}, at, emit);
-        if (p == front_slope) band<Wants>(s, {large, front}, {s.points, top}, at, emit);
-        if (p == back_slope) band<Wants>(s, {s.points, bottom}, {large, back}, at, emit);
+        if (p == part::front) cap<Wants>(large, front, 1.0f, at, put);
+        if (p == part::back) cap<Wants>(large, back, -1.0f, at, put);
+        if (p == part::side) band<Wants>(s, {s.points, top}, {s.points, bottom}, at, put);
+        if (p == front_slope) band<Wants>(s, {large, front}, {s.points, top}, at, put);
+        if (p == back_slope) band<Wants>(s, {s.points, bottom}, {large, back}, at, put);
     }
-    template <class Emit>
+    template <class Put>
     void triangles(typemesh::part p, const typemesh::solid_with<plan_data>& s, const typemesh::first_vertices& first,
-                   Emit&& emit) const noexcept
+                   Put&& put) const noexcept
     {
         const std::uint32_t base = first[p];
         if (p == typemesh::part::front) {
-            for (const auto t : s.data.of<typemesh::triangle>()) emit(base + t.a, base + t.b, base + t.c);
+            for (const auto t : s.data.of<typemesh::triangle>()) put(base + t.a, base + t.b, base + t.c);
         } else if (p == typemesh::part::back) {
-            for (const auto t : s.data.of<typemesh::triangle>()) emit(base + t.a, base + t.c, base + t.b);
+            for (const auto t : s.data.of<typemesh::triangle>()) put(base + t.a, base + t.c, base + t.b);
         } else {
             for (std::uint32_t a = base; a < base + 4 * s.points.size(); a += 4) {
-                emit(a, a + 1, a + 3);
-                emit(a, a + 3, a + 2);
+                put(a, a + 1, a + 3);
+                put(a, a + 3, a + 2);
             }
         }
     }
@@ -128,9 +128,9 @@ private:
         return true;
     }
 
-    template <typemesh::attribute Wants, class Emit>
+    template <typemesh::attribute Wants, class Put>
     static void cap(std::span<const typemesh::grid_point> points, double z, float facing, const typemesh::placement& at,
-                    Emit& emit) noexcept
+                    Put& put) noexcept
     {
         using typemesh::attribute;
         const typemesh::planar_texture texture{typemesh::texture_mapping::em, at};
@@ -141,14 +141,14 @@ private:
             if constexpr (has(Wants, attribute::uv)) v.uv = texture(p);
             if constexpr (has(Wants, attribute::tangent))
                 v.tangent = typemesh::texture_tangent{at.frame}.along(at, {1.0f, 0.0f, 0.0f}, facing);
-            emit(v);
+            put(v);
         }
     }
 
     /// Four vertices an edge: above and below at its start, above and below at its end.
-    template <typemesh::attribute Wants, class Emit>
+    template <typemesh::attribute Wants, class Put>
     static void band(const typemesh::solid_with<plan_data>& s, const level& above, const level& below,
-                     const typemesh::placement& at, Emit& emit) noexcept
+                     const typemesh::placement& at, Put& put) noexcept
     {
         using typemesh::attribute;
         const auto edges = s.data.of<edge>();
@@ -168,7 +168,7 @@ private:
                     const auto p = which->points[end];
                     if constexpr (has(Wants, attribute::position)) v.position = at.position({double(p.x), double(p.y), which->z});
                     if constexpr (has(Wants, attribute::uv)) v.uv = texture(0.0f, -which->z);
-                    emit(v);
+                    put(v);
                 }
             }
         }

@@ -24,12 +24,12 @@ namespace stranger {
 
 /// Every curve in three.
 struct thirds {
-    template <class Curve, class Emit>
-    void operator()(const Curve& c, double, Emit&& emit) const noexcept
+    template <class Curve, class Put>
+    void operator()(const Curve& c, double, Put&& put) const noexcept
     {
-        emit(c.at(1.0 / 3.0), 1.0 / 3.0);
-        emit(c.at(2.0 / 3.0), 2.0 / 3.0);
-        emit(c.at(1.0), 1.0);
+        put(c.at(1.0 / 3.0), 1.0 / 3.0);
+        put(c.at(2.0 / 3.0), 2.0 / 3.0);
+        put(c.at(1.0), 1.0);
     }
 };
 
@@ -137,9 +137,9 @@ struct fence {
     }
     typemesh::height_range heights() const noexcept { return {0.0, tall}; }
 
-    template <typemesh::attribute Wants, class Emit>
+    template <typemesh::attribute Wants, class Put>
     void vertices(typemesh::part p, const typemesh::solid_with<plan_data>& s, const typemesh::placement& at,
-                  Emit&& emit) const noexcept
+                  Put&& put) const noexcept
     {
         if (p != typemesh::part::side) return;
         const auto normals = s.data.of<typemesh::vec2>();
@@ -151,20 +151,20 @@ struct fence {
                 if constexpr (has(Wants, typemesh::attribute::normal)) v.normal = at.normal(normals[i]);
                 if constexpr (has(Wants, typemesh::attribute::uv))
                     v.uv = {static_cast<float>(i), static_cast<float>(height)};
-                emit(v);
+                put(v);
             }
         }
     }
-    template <class Emit>
+    template <class Put>
     void triangles(typemesh::part p, const typemesh::solid& s, const typemesh::first_vertices& first,
-                   Emit&& emit) const noexcept
+                   Put&& put) const noexcept
     {
         if (p != typemesh::part::side) return;
         for (std::size_t k = 0; k + 1 < s.starts.size(); ++k) {
             for (std::uint32_t i = s.starts[k]; i < s.starts[k + 1]; ++i) {
                 const std::uint32_t j = i + 1 == s.starts[k + 1] ? s.starts[k] : i + 1, base = first[p];
-                emit(base + 2 * i, base + 2 * i + 1, base + 2 * j + 1);
-                emit(base + 2 * i, base + 2 * j + 1, base + 2 * j);
+                put(base + 2 * i, base + 2 * i + 1, base + 2 * j + 1);
+                put(base + 2 * i, base + 2 * j + 1, base + 2 * j);
             }
         }
     }

@@ -34,12 +34,12 @@ struct counting_refusal {
         return error{error::bad_option, r.points().size()};
     }
     height_range heights() const noexcept { return {}; }
-    template <attribute Wants, class Emit>
-    void vertices(part, const solid&, const placement&, Emit&&) const noexcept
+    template <attribute Wants, class Put>
+    void vertices(part, const solid&, const placement&, Put&&) const noexcept
     {
     }
-    template <class Emit>
-    void triangles(part, const solid&, const first_vertices&, Emit&&) const noexcept
+    template <class Put>
+    void triangles(part, const solid&, const first_vertices&, Put&&) const noexcept
     {
     }
 };

@@ -25,15 +25,15 @@ struct lifted : flat {
 
     [[nodiscard]] height_range heights() const noexcept { return {0.0, at_height}; }
 
-    template <attribute Wants, class Emit>
-    void vertices(part p, const solid& s, const placement& at, Emit&& emit) const noexcept
+    template <attribute Wants, class Put>
+    void vertices(part p, const solid& s, const placement& at, Put&& put) const noexcept
     {
         if (p != part::front) return;
         for (std::size_t i = 0; i < s.points.size(); ++i) {
             surface_point<Wants> v;
             const double height = i == 0 ? 0.0 : at_height;
             if constexpr (has(Wants, attribute::position)) v.position = at.position(s.points[i], at.height(height));
-            emit(v);
+            put(v);
         }
     }
     [[nodiscard]] option_bits cache_key() const noexcept { return {at_height}; }

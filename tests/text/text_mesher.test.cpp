@@ -38,10 +38,10 @@ span2 extent(const full_mesh& m, float vec3::*axis)
 /// A discretiser that can be told from the default: it gives each curve `pieces` lines.
 struct equal_steps {
     int pieces = 3;
-    template <class Curve, class Emit>
-    void operator()(const Curve& c, double, Emit&& emit) const noexcept
+    template <class Curve, class Put>
+    void operator()(const Curve& c, double, Put&& put) const noexcept
     {
-        for (int i = 1; i <= pieces; ++i) emit(c.at(double(i) / pieces), double(i) / pieces);
+        for (int i = 1; i <= pieces; ++i) put(c.at(double(i) / pieces), double(i) / pieces);
     }
 };
 

@@ -60,14 +60,14 @@ struct adaptive_subdivision {
     /// See option_bits.
     [[nodiscard]] option_bits cache_key() const noexcept { return {levels, distance.value, angle}; }
 
-    template <class Emit>
-    void operator()(const quadratic& q, double tolerance, Emit&& emit) const noexcept
+    template <class Put>
+    void operator()(const quadratic& q, double tolerance, Put&& put) const noexcept
     {
-        (*this)(raised(q), tolerance, emit);
+        (*this)(raised(q), tolerance, put);
     }
 
-    template <class Emit>
-    void operator()(const cubic& q, double, Emit&& emit) const noexcept
+    template <class Put>
+    void operator()(const cubic& q, double, Put&& put) const noexcept
     {
         struct piece {
             cubic q;
@@ -82,7 +82,7 @@ struct adaptive_subdivision {
             const piece p = waiting[--count];
             if (p.level != 0 && (p.level == deepest || is_line(p.q))) {
                 t += 1.0 / static_cast<double>(1u << p.level);
-                emit(p.q.p3, t);
+                put(p.q.p3, t);
                 continue;
             }
             const point a = middle(p.q.p0, p.q.p1), b = middle(p.q.p1, p.q.p2), c = middle(p.q.p2, p.q.p3);

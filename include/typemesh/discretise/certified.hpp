@@ -39,50 +39,50 @@ namespace typemesh::inline TYPEMESH_ABI {
 struct certified {
     static constexpr double shortest_step = 0x1p-16;
 
-    template <class Emit>
-    void operator()(const quadratic& q, double tolerance, Emit&& emit) const noexcept
+    template <class Put>
+    void operator()(const quadratic& q, double tolerance, Put&& put) const noexcept
     {
         TYPEMESH_ASSERT(tolerance > 0.0, "a discretiser's tolerance must be positive");
         const point b = q.p1 - q.p0, e = q.p2 - q.p1;
         if (!(dot(b, e) >= 0.0)) [[unlikely]]
-            return wild(raised(q), tolerance, emit);
+            return wild(raised(q), tolerance, put);
 
         tolerance *= kept_share;
         const double tt = tolerance * tolerance;
         const point c = q.p2 - q.p0, a = e - b;
         const double k = cross(b, e), bend = quadratic_bend * dot(a, a);
-        if (k * k <= 4.0 * tt * dot(c, c)) return emit(q.p2, 1.0);
+        if (k * k <= 4.0 * tt * dot(c, c)) return put(q.p2, 1.0);
         if (bend <= pieces(2) * tt) {
-            emit(0.25 * (q.p0 + q.p2) + 0.5 * q.p1, 0.5);
-            return emit(q.p2, 1.0);
+            put(0.25 * (q.p0 + q.p2) + 0.5 * q.p1, 0.5);
+            return put(q.p2, 1.0);
         }
         const detail::quadratic_chords chords{q.p0, b, a, k * k, tt};
         const detail::share_table<8> shares{chords, 0.0, 1.0, tolerance};
-        point_placer{chords, tolerance, bend, emit}.place(shares, 0.0, 1.0);
-        emit(q.p2, 1.0);
+        point_placer{chords, tolerance, bend, put}.place(shares, 0.0, 1.0);
+        put(q.p2, 1.0);
     }
 
-    template <class Emit>
-    void operator()(const cubic& q, double tolerance, Emit&& emit) const noexcept
+    template <class Put>
+    void operator()(const cubic& q, double tolerance, Put&& put) const noexcept
     {
         TYPEMESH_ASSERT(tolerance > 0.0, "a discretiser's tolerance must be positive");
         const point l0 = q.p1 - q.p0, l1 = q.p2 - q.p1, l2 = q.p3 - q.p2;
         if (!(dot(l0, l1) >= 0.0 && dot(l1, l2) >= 0.0 && dot(l0, l2) >= 0.0)) [[unlikely]]
-            return wild(q, tolerance, emit);
+            return wild(q, tolerance, put);
 
         tolerance *= kept_share;
         const double tt = tolerance * tolerance;
         const point s0 = l1 - l0, s1 = l2 - l1;
         const detail::cubic_chords<true> chords{q.p0, 3.0 * l0, 3.0 * s0, s1 - s0, tt};
-        if (chords.fits_exactly(0.0, 1.0)) return emit(q.p3, 1.0);
+        if (chords.fits_exactly(0.0, 1.0)) return put(q.p3, 1.0);
         const double bend = cubic_bend * greater(dot(s0, s0), dot(s1, s1));
         if (bend <= pieces(2) * tt || (bend <= halves_tried * tt && chords.fits(0.0, 0.5) && chords.fits(0.5, 1.0))) {
-            emit(0.125 * (q.p0 + q.p3) + 0.375 * (q.p1 + q.p2), 0.5);
-            return emit(q.p3, 1.0);
+            put(0.125 * (q.p0 + q.p3) + 0.375 * (q.p1 + q.p2), 0.5);
+            return put(q.p3, 1.0);
         }
-        if (bend <= pieces(4) * tt && few(chords, bend <= pieces(3) * tt ? 3 : 4, emit)) return emit(q.p3, 1.0);
-        point_placer{chords, tolerance, bend, emit}.between(0.0, 1.0);
-        emit(q.p3, 1.0);
+        if (bend <= pieces(4) * tt && few(chords, bend <= pieces(3) * tt ? 3 : 4, put)) return put(q.p3, 1.0);
+        point_placer{chords, tolerance, bend, put}.between(0.0, 1.0);
+        put(q.p3, 1.0);
     }
 
 private:
@@ -101,8 +101,8 @@ private:
     /// The inner points where Wang's bound is `most`, 3 or 4, without a table: most curves of text. The errors of the
     /// two halves tell how many points each needs, and a density that slopes from one to the other where these are.
     /// Gives up where they come out badly, and at inflections.
-    template <class Emit>
-    static bool few(const detail::cubic_chords<true>& chords, int most, Emit& emit) noexcept
+    template <class Put>
+    static bool few(const detail::cubic_chords<true>& chords, int most, Put& put) noexcept
     {
         constexpr float worth_trying = 0.93f;  // pieces below Wang's bound; this and the next are fitted to fonts
         constexpr float two_do = 2.04f;        // pieces, by the estimate
@@ -111,14 +111,14 @@ private:
         const float sum = left + right, product = left * right;  // sum over product: approximately the number of pieces
         if (sum > (static_cast<float>(most) - worth_trying) * product) {
             const double step = most == 3 ? 1.0 / 3.0 : 0.25;
-            for (int i = 1; i < most; ++i) emit(chords.at(step * i), step * i);
+            for (int i = 1; i < most; ++i) put(chords.at(step * i), step * i);
             return true;
         }
         if (sum <= two_do * product) {
             const float half = left < right ? 0.25f + 0.25f * left / right : 0.75f - 0.25f * right / left;
             const double t = static_cast<double>(half);
             if (!(chords.fits_exactly(0.0, t) && chords.fits_exactly(t, 1.0))) return false;
-            emit(chords.at(t), t);
+            put(chords.at(t), t);
             return true;
         }
         if (most == 3) return false;
@@ -134,17 +134,17 @@ private:
         good = good & chords.fits(u, v);
         good = good & chords.fits(v, 1.0);
         if (!good) return false;
-        emit(chords.at(u), u);
-        emit(chords.at(v), v);
+        put(chords.at(u), u);
+        put(chords.at(v), v);
         return true;
     }
 
     /// Places the inner points of pieces of one curve.
-    template <class Chords, class Emit>
+    template <class Chords, class Put>
     class point_placer {
     public:
-        point_placer(const Chords& chords, double tolerance, double bend, Emit& emit) noexcept
-            : chords_{chords}, tolerance_{tolerance}, bend_{bend}, emit_{emit}
+        point_placer(const Chords& chords, double tolerance, double bend, Put& put) noexcept
+            : chords_{chords}, tolerance_{tolerance}, bend_{bend}, put_{put}
         {
         }
 
@@ -187,7 +187,7 @@ private:
                 if (!good) [[unlikely]]
                     return place_carefully(shares, {t[0], share * static_cast<float>(done), left}, to, sure_step(wang4));
                 const int inner = now == left ? now - 1 : now;
-                for (int i = 1; i <= inner; ++i) emit_(chords_.at(t[i]), t[i]);
+                for (int i = 1; i <= inner; ++i) put_(chords_.at(t[i]), t[i]);
                 if (now == left) return;
                 t[0] = t[now];
                 done += now;
@@ -221,7 +221,7 @@ private:
             const double step = (to - from) / most;
             for (int i = 1; i < most; ++i) {
                 const double t = from + step * i;
-                emit_(chords_.at(t), t);
+                put_(chords_.at(t), t);
             }
         }
 
@@ -255,7 +255,7 @@ private:
             bool good = true;
             for (int i = 0; i < pieces; ++i) good = good & (t[i] < t[i + 1]) & chords_.fits_exactly(t[i], t[i + 1]);
             if (!good) return false;
-            for (int i = 1; i < pieces; ++i) emit_(chords_.at(t[i]), t[i]);
+            for (int i = 1; i < pieces; ++i) put_(chords_.at(t[i]), t[i]);
             return true;
         }
 
@@ -268,7 +268,7 @@ private:
                 const double aimed = at.pieces > 1 ? shares.t_of(aim) : to;
                 const auto [v, as_aimed] = longest_good(at.t, aimed < to ? aimed : to, sure);
                 if (!(v < to)) return;
-                emit_(chords_.at(v), v);
+                put_(chords_.at(v), v);
                 if (as_aimed) {
                     --at.pieces;
                 } else {
@@ -302,12 +302,12 @@ private:
         const Chords& chords_;
         double tolerance_;
         double bend_;
-        Emit& emit_;
+        Put& put_;
     };
 
     /// For a curve that turns by more than 90 degrees, or that may stop and turn: splits it where it does.
-    template <class Emit>
-    static void wild(const cubic& q, double tolerance, Emit& emit) noexcept
+    template <class Put>
+    static void wild(const cubic& q, double tolerance, Put& put) noexcept
     {
         tolerance *= kept_share;
         const point l0 = q.p1 - q.p0, l1 = q.p2 - q.p1, l2 = q.p3 - q.p2, s0 = l1 - l0, s1 = l2 - l1;
@@ -319,11 +319,11 @@ private:
         double from = 0.0;
         for (int i = 0; i <= count; ++i) {
             const double to = stops[i];
-            if (!(chords.excess(from, to) <= 1.0)) point_placer{chords, tolerance, bend, emit}.between(from, to);
-            if (i < count) emit(q.at(to), to);
+            if (!(chords.excess(from, to) <= 1.0)) point_placer{chords, tolerance, bend, put}.between(from, to);
+            if (i < count) put(q.at(to), to);
             from = to;
         }
-        emit(q.p3, 1.0);
+        put(q.p3, 1.0);
     }
 
     /// Where the derivative vanishes between the ends, in ascending order; at most 3.

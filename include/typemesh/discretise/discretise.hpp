@@ -234,15 +234,15 @@ private:
             const curve& q = curves_.curves[i];
             writer_.begin_curve(i);
             emitted_points emitted;
-            const curve_emitter emit{writer_, cells_, emitted};
+            const curve_emitter put{writer_, cells_, emitted};
             const std::uint32_t times = finer + (halvings_.empty() ? 0u : halvings_[i]);
             const double allowed = times == 0 ? rest_ : halved(times < most_halvings ? times : most_halvings);
             if (q.degree == 1)
-                emit(q.p[1], 1.0);
+                put(q.p[1], 1.0);
             else if (q.degree == 2)
-                how_(q.as_quadratic(), allowed, emit);
+                how_(q.as_quadratic(), allowed, put);
             else
-                how_(q.as_cubic(), allowed, emit);
+                how_(q.as_cubic(), allowed, put);
             TYPEMESH_ASSERT(emitted.ended_at(q.end(), cells_),
                             "a discretiser's last point must be the end of its curve, with t = 1");
         }

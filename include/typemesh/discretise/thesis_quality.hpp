@@ -41,11 +41,11 @@ public:
         return bits;
     }
 
-    template <class Curve, class Emit>
-    void operator()(const Curve& c, double tolerance, Emit&& emit) const noexcept
+    template <class Curve, class Put>
+    void operator()(const Curve& c, double tolerance, Put&& put) const noexcept
     {
-        if (quality_ == low) two_lines{}(c, tolerance, emit);
-        else halving_(c, tolerance, emit);
+        if (quality_ == low) two_lines{}(c, tolerance, put);
+        else halving_(c, tolerance, put);
     }
 
 private:

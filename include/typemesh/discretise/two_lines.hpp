@@ -10,18 +10,18 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Keeps no tolerance, and ignores the given one: real fonts are off by up to 1/20 em.
 struct two_lines {
     static constexpr bool keeps_no_tolerance = true;
-    template <class Emit>
-    void operator()(const quadratic& q, double, Emit&& emit) const noexcept
+    template <class Put>
+    void operator()(const quadratic& q, double, Put&& put) const noexcept
     {
-        emit(0.25 * (q.p0 + q.p2) + 0.5 * q.p1, 0.5);
-        emit(q.p2, 1.0);
+        put(0.25 * (q.p0 + q.p2) + 0.5 * q.p1, 0.5);
+        put(q.p2, 1.0);
     }
 
-    template <class Emit>
-    void operator()(const cubic& q, double, Emit&& emit) const noexcept
+    template <class Put>
+    void operator()(const cubic& q, double, Put&& put) const noexcept
     {
-        emit(0.125 * (q.p0 + q.p3) + 0.375 * (q.p1 + q.p2), 0.5);
-        emit(q.p3, 1.0);
+        put(0.125 * (q.p0 + q.p3) + 0.375 * (q.p1 + q.p2), 0.5);
+        put(q.p3, 1.0);
     }
 };
 static_assert(discretiser<two_lines>);

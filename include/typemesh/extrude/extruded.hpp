@@ -109,8 +109,8 @@ struct extruded {
         return hard;
     }
 
-    template <attribute Wants, class Emit>
-    void vertices(part p, const solid_with<plan_data>& s, const placement& at, Emit&& emit) const noexcept
+    template <attribute Wants, class Put>
+    void vertices(part p, const solid_with<plan_data>& s, const placement& at, Put&& put) const noexcept
     {
         const double high = centred ? 0.5 * as_double(depth) : 0.0;
         const float top = at.height(high), bottom = at.height(high - as_double(depth));
@@ -118,30 +118,30 @@ struct extruded {
         texture_tangent tangents;
         if constexpr (has(Wants, attribute::tangent)) tangents = texture_tangent{at.frame};
         with_axes(at, [&](const auto& axes) noexcept {
-            if (p == part::front && has_front()) cap<Wants>(s, axes, top, 1.0f, front, planar, tangents, emit);
-            if (p == part::back && has_back()) cap<Wants>(s, axes, bottom, -1.0f, back, planar, tangents, emit);
+            if (p == part::front && has_front()) cap<Wants>(s, axes, top, 1.0f, front, planar, tangents, put);
+            if (p == part::back && has_back()) cap<Wants>(s, axes, bottom, -1.0f, back, planar, tangents, put);
             if constexpr (!Normals::shares_caps) {
-                if (p == part::side && side) walls<Wants>(s, axes, top, bottom, at, planar, tangents, emit);
+                if (p == part::side && side) walls<Wants>(s, axes, top, bottom, at, planar, tangents, put);
             }
         });
     }
 
-    template <class Emit>
-    void triangles(part p, const solid_with<plan_data>& s, const first_vertices& first, Emit&& emit) const noexcept
+    template <class Put>
+    void triangles(part p, const solid_with<plan_data>& s, const first_vertices& first, Put&& put) const noexcept
     {
         if (p == part::front && front) {
             const std::uint32_t base = first[part::front];
-            for (const triangle t : s.triangles) emit(base + t.a, base + t.b, base + t.c);
+            for (const triangle t : s.triangles) put(base + t.a, base + t.b, base + t.c);
         }
         if (p == part::back && back) {
             const std::uint32_t base = first[part::back];
-            for (const triangle t : s.triangles) emit(base + t.a, base + t.c, base + t.b);
+            for (const triangle t : s.triangles) put(base + t.a, base + t.c, base + t.b);
         }
         if (p == part::side && side) {
             if constexpr (Normals::shares_caps)
-                join_caps(s, first, emit);
+                join_caps(s, first, put);
             else
-                join_walls(s, first[part::side], emit);
+                join_walls(s, first[part::side], put);
         }
     }
 
@@ -204,9 +204,9 @@ private:
         return doubled;
     }
 
-    template <attribute Wants, class Axes, class Emit>
+    template <attribute Wants, class Axes, class Put>
     void cap(const solid_with<plan_data>& s, const Axes& axes, float z, float facing, bool lit_by_cap, planar_texture uv,
-             texture_tangent tangents, Emit& emit) const noexcept
+             texture_tangent tangents, Put& put) const noexcept
     {
         const vec3 flat_normal = axes.direction(0.0f, 0.0f, facing);
         vec4 flat_tangent;
@@ -232,7 +232,7 @@ private:
                     if (side) v.tangent = tangents.on_rim(axes, shared(sides[i], lit_by_cap ? facing : 0.0f), facing);
                 }
             }
-            emit(v);
+            put(v);
         }
     }
 
@@ -253,9 +253,9 @@ private:
 
     /// Pairs (front, back) along each contour; a doubled point has one for the wall before it and one for the wall
     /// after.
-    template <attribute Wants, class Axes, class Emit>
+    template <attribute Wants, class Axes, class Put>
     void walls(const solid_with<plan_data>& s, const Axes& axes, float top, float bottom, const placement& at, planar_texture planar,
-               texture_tangent tangents, Emit& emit) const noexcept
+               texture_tangent tangents, Put& put) const noexcept
     {
         const bool by_length = texture == texture_mapping::em;
         const wall_texture wall{at};
@@ -281,8 +281,8 @@ private:
             if constexpr (has(Wants, attribute::tangent)) {
                 front_point.tangent = back_point.tangent = tangents.on_wall(axes, here.before);
             }
-            emit(front_point);
-            emit(back_point);
+            put(front_point);
+            put(back_point);
             if (!here.doubled) continue;
             if constexpr (has(Wants, attribute::normal)) {
                 front_point.normal = back_point.normal = axes.direction(here.after.x, here.after.y, 0.0f);
@@ -293,22 +293,22 @@ private:
             if constexpr (has(Wants, attribute::tangent)) {
                 front_point.tangent = back_point.tangent = tangents.on_wall(axes, here.after);
             }
-            emit(front_point);
-            emit(back_point);
+            put(front_point);
+            put(back_point);
         }
     }
 
     /// Two triangles an edge, between the caps' own vertices.
-    template <class Emit>
-    static void join_caps(const solid& s, const first_vertices& first, Emit& emit) noexcept
+    template <class Put>
+    static void join_caps(const solid& s, const first_vertices& first, Put& put) noexcept
     {
         const std::uint32_t top = first[part::front], bottom = first[part::back];
         for (std::size_t loop = 0; loop + 1 < s.starts.size(); ++loop) {
             const std::uint32_t begin = s.starts[loop], end = s.starts[loop + 1];
             for (std::uint32_t i = begin; i < end; ++i) {
                 const std::uint32_t next = i + 1 == end ? begin : i + 1;
-                emit(top + i, bottom + i, bottom + next);
-                emit(top + i, bottom + next, top + next);
+                put(top + i, bottom + i, bottom + next);
+                put(top + i, bottom + next, top + next);
             }
         }
     }
@@ -316,14 +316,14 @@ private:
     ///     front  a-----c      seen from outside; each wall lies between the last pair of its first point and
     ///            | \   |      the first pair of its second
     ///     back  a+1---c+1
-    template <class Emit>
-    static void join_walls(const solid_with<plan_data>& s, std::uint32_t first, Emit& emit) noexcept
+    template <class Put>
+    static void join_walls(const solid_with<plan_data>& s, std::uint32_t first, Put& put) noexcept
     {
         const side_point* sides = s.data.of<side_point>().data();
         std::uint32_t a = first;
-        const auto wall = [&emit](std::uint32_t from, std::uint32_t c) noexcept {
-            emit(from, from + 1, c + 1);
-            emit(from, c + 1, c);
+        const auto wall = [&put](std::uint32_t from, std::uint32_t c) noexcept {
+            put(from, from + 1, c + 1);
+            put(from, c + 1, c);
         };
         for (std::size_t loop = 0; loop + 1 < s.starts.size(); ++loop) {
             const std::uint32_t last = s.starts[loop + 1] - 1, start = a;

@@ -79,10 +79,10 @@ concept plans_with_caps = requires(const E& e, const region& r, plan_data_of<E>&
 ///     e.plan(region)                   counts exactly what the shape will need of each part: part_sizes; or solid_plan,
 ///                                      if it goes beyond the region's own box in the plane, or not as far
 ///     e.heights()                      between which heights everything will lie
-///     e.vertices<Wants>(part, s, at, emit)     emit(surface_point<Wants>) as often as plan() said for that part; its
+///     e.vertices<Wants>(part, s, at, put)      put(surface_point<Wants>) as often as plan() said for that part; its
 ///                                      glyph, cluster and part are not the extruder's business: write_vertices()
 ///                                      (extrude.hpp) fills them in. `at` maps points and directions: placement.hpp
-///     e.triangles(part, s, first, emit)        emit(a, b, c) as often as plan() said: vertex numbers, of any part,
+///     e.triangles(part, s, first, put)         put(a, b, c) as often as plan() said: vertex numbers, of any part,
 ///                                      each being first[part] + the place in which vertices() emitted it.
 ///                                      Counter-clockwise seen from outside in a right-handed frame; mirroring is not
 ///                                      its business.
@@ -105,10 +105,10 @@ template <class E>
 concept extruder =
     (detail::plans_by_itself<E> || detail::plans_with_data<E> || detail::plans_with_caps<E>) &&
     requires(const E& e, const solid_of<E>& s, const placement& at, part p, const first_vertices& first,
-             ignore_surface emit) {
+             ignore_surface put) {
         { e.heights() } noexcept -> std::same_as<height_range>;
-        { e.template vertices<attribute::position>(p, s, at, emit) } noexcept;
-        { e.triangles(p, s, first, emit) } noexcept;
+        { e.template vertices<attribute::position>(p, s, at, put) } noexcept;
+        { e.triangles(p, s, first, put) } noexcept;
         requires part_count_of<E> >= 1 && part_count_of<E> <= most_parts;
     };
 

@@ -26,8 +26,8 @@ struct flat {
 
     [[nodiscard]] height_range heights() const noexcept { return {}; }
 
-    template <attribute Wants, class Emit>
-    void vertices(part p, const solid& s, const placement& at, Emit&& emit) const noexcept
+    template <attribute Wants, class Put>
+    void vertices(part p, const solid& s, const placement& at, Put&& put) const noexcept
     {
         if (p != part::front) return;
         const planar_texture uv{texture, at};
@@ -41,17 +41,17 @@ struct flat {
                 if constexpr (has(Wants, attribute::normal)) v.normal = normal;
                 if constexpr (has(Wants, attribute::uv)) v.uv = uv(g);
                 if constexpr (has(Wants, attribute::tangent)) v.tangent = tangent;
-                emit(v);
+                put(v);
             }
         });
     }
 
-    template <class Emit>
-    void triangles(part p, const solid& s, const first_vertices& first, Emit&& emit) const noexcept
+    template <class Put>
+    void triangles(part p, const solid& s, const first_vertices& first, Put&& put) const noexcept
     {
         if (p != part::front) return;
         const std::uint32_t base = first[part::front];
-        for (const triangle t : s.triangles) emit(base + t.a, base + t.b, base + t.c);
+        for (const triangle t : s.triangles) put(base + t.a, base + t.b, base + t.c);
     }
 };
 static_assert(extruder<flat>);

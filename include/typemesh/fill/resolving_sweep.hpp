@@ -110,14 +110,14 @@ private:
     {
         most_slots_ = a_.count < a_.most_active ? a_.count : a_.most_active;
         const std::uint32_t starts = a_.is_rounded ? most_slots_ : most_slots_ / 4 + 32;
-        const std::size_t slots = std::size_t{most_slots_} + 1, cuts = a_.capacity - a_.count;
-        edges_ = scratch.take<swept_edge>(slots);
-        ends_ = scratch.take<std::uint32_t>(slots);
+        const std::size_t edges = std::size_t{most_slots_} + 1, cuts = a_.capacity - a_.count;
+        edges_ = scratch.take<swept_edge>(edges);
+        ends_ = scratch.take<std::uint32_t>(edges);
         dirty_ = scratch.take<std::uint32_t>(cuts);
         hints_ = scratch.take<std::uint32_t>(std::size_t{a_.point_count} + 1);
         if (edges_ == nullptr || ends_ == nullptr || dirty_ == nullptr || hints_ == nullptr ||
             !starts_.open(scratch, starts) || !status_.open(scratch, most_slots_) ||
-            !queue_.open(scratch, 2 * cuts + slots / 8))
+            !queue_.open(scratch, 2 * cuts + edges / 8))
             return false;
         edges_[0] = {};
         edges_[0].from = edges_[0].to = beyond;

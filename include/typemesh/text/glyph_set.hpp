@@ -68,12 +68,12 @@ private:
         const std::size_t wanted = slots_.empty() ? 64 : 2 * slots_.size();
         if (!slots_.reserve(wanted)) return false;
         slots_.clear();
-        std::uint32_t* slots = slots_.append(wanted);
-        for (std::size_t i = 0; i < wanted; ++i) slots[i] = 0;
+        std::uint32_t* table = slots_.append(wanted);
+        for (std::size_t i = 0; i < wanted; ++i) table[i] = 0;
         for (std::size_t i = 0; i < keys_.size(); ++i) {
             std::size_t at = place_of(keys_[i]) & (wanted - 1);
-            while (slots[at] != 0) at = (at + 1) & (wanted - 1);
-            slots[at] = static_cast<std::uint32_t>(i + 1);
+            while (table[at] != 0) at = (at + 1) & (wanted - 1);
+            table[at] = static_cast<std::uint32_t>(i + 1);
         }
         return true;
     }

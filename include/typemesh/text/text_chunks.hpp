@@ -134,7 +134,7 @@ public:
         const text_glyphs& all = fresh(plan);
         workers.run(chunks_.size(), [&, this](std::size_t k, std::size_t) noexcept {
             auto part_of_it = std::as_const(sink).subrange(chunks_[k].range());
-            emit(all, chunks_[k], plan.extruder_, part_of_it);
+            put(all, chunks_[k], plan.extruder_, part_of_it);
         });
         return end_of(sink);
     }
@@ -146,7 +146,7 @@ public:
     {
         const text_chunk& chunk = chunks_[k];
         if (error e = sink.begin(chunk.size())) return e;
-        emit(fresh(plan), chunk, plan.extruder_, sink);
+        put(fresh(plan), chunk, plan.extruder_, sink);
         return end_of(sink);
     }
 
@@ -223,7 +223,7 @@ private:
     }
 
     template <extruder Extruder, mesh_sink Sink>
-    void emit(const text_glyphs& all, const text_chunk& c, const Extruder& how, Sink& sink) const noexcept
+    void put(const text_glyphs& all, const text_chunk& c, const Extruder& how, Sink& sink) const noexcept
     {
         if (c.piece == text_chunk::whole_glyphs) {
             mesh_layout{all, c.first_glyph, std::size_t{c.first_glyph} + c.glyph_count}.everything(how, sink);

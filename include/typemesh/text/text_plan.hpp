@@ -289,17 +289,17 @@ public:
         return end_of(sink);
     }
 
-    /// The other half: emit(const glyph_instance&) for every glyph, those of mesh 0 first (glyph_mesh::glyph_count of
+    /// The other half: put(const glyph_instance&) for every glyph, those of mesh 0 first (glyph_mesh::glyph_count of
     /// them, style by style), then those of mesh 1, and so on. A mesh moved by the translation is the placed glyph, up to the rounding
     /// of the sum and to where its textures begin.
-    template <class Emit>
-    void write_instances(Emit&& emit) const noexcept
+    template <class Put>
+    void write_instances(Put&& put) const noexcept
     {
         const text_glyphs& all = fresh();
         for (std::uint32_t mesh = 0; mesh < all.meshes.size(); ++mesh) {
             for (std::uint32_t i = all.meshes[mesh].first_glyph; i != drawn_glyph::none; i = all.records[i].next_alike) {
                 const drawn_glyph& s = all.records[i];
-                emit(glyph_instance{all.translation_of(s), mesh, i, s.id, s.cluster, s.style});
+                put(glyph_instance{all.translation_of(s), mesh, i, s.id, s.cluster, s.style});
             }
         }
     }
