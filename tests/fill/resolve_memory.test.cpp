@@ -167,7 +167,7 @@ TEST_CASE("Random points crowded on a small grid are rounded once", "[fill][reso
             resolve_effort effort;
             REQUIRE(resolve(loops, fill_rule::non_zero, space, {.effort = &effort}));
             CHECK(effort.rounds == 1);
-            CHECK(effort.walks <= 4);
+            CHECK(effort.sweeps <= 4);
         }
     }
 }

@@ -16,7 +16,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// A point's place in the sweep order, by x and then by y, as one number.
+/// A point's position in sweep order, by x and then by y, as one number.
 [[nodiscard]] constexpr std::int64_t sweep_place(grid_point p) noexcept
 {
     return std::int64_t{p.x} * (std::int64_t{1} << 32) + p.y;
@@ -36,19 +36,19 @@ inline constexpr std::uint32_t no_number = 0xFFFF'FFFFu;
 
 /// A straight piece of the contours, from left to right, and what it separates.
 ///
-/// Several edges that lie upon each other are one segment; when they cancel, its winding delta is 0 and it is none at all. It
+/// Edges that lie upon each other are one segment; if they cancel, its winding delta is 0 and it does not count. It
 /// fills one cache line.
 struct alignas(64) segment {
-    grid_point from, to;       // from before to in the sweep order, but see resolving_sweep::cut
-    std::uint32_t start, end;  // the numbers of these two points
-    std::int32_t winding_delta;         // the winding number right above it less the one right below
-    std::int32_t below;        // the winding number right below, once the sweep has met it
-    contour_edge source;       // t0 belongs to `from`, t1 to `to`
-    std::uint32_t origin, target;  // the contour points that the edge it was cut from joins
-    std::uint32_t next;    // before the sweep: the next that starts in the same point; behind it: see boundary_cycles
-    std::uint32_t bent;    // 1: it may lie beside that contour edge, by a cell or so
-    std::int32_t interior;  // once the sweep has met it, 1: the filled area lies right above it only, -1: right below
-                            // it only, 0: it bounds nothing
+    grid_point from, to;           // `from` precedes `to` in sweep order, but see resolving_sweep::cut
+    std::uint32_t start, end;      // the numbers of these two points
+    std::int32_t winding_delta;    // the winding number right above it minus that right below
+    std::int32_t below;            // the winding number right below, once the sweep has reached it
+    contour_edge source;           // t0 belongs to `from`, t1 to `to`
+    std::uint32_t origin, target;  // the contour points joined by the edge that it was cut from
+    std::uint32_t next;     // before the sweep: the next that starts in the same point; after it: see boundary_cycles
+    std::uint32_t bent;     // 1: it may lie beside that contour edge, by a cell or so
+    std::int32_t interior;  // once the sweep has reached it, 1: the filled area lies right above it only, -1: right
+                            // below it only, 0: it bounds nothing
 
     void flip() noexcept
     {
@@ -64,15 +64,16 @@ struct alignas(64) segment {
         winding_delta = -winding_delta;
     }
 
-    /// The curve's parameter where the segment is cut in p. Rounded, and nothing is decided by it but which way the two
-    /// parts run along their curve: it is neither t0 nor t1, though p may lie right beside an end, as long as there is
-    /// a float between them.
+    /// The curve's parameter where the segment is cut in p. Rounded; all it decides is in which direction the two
+    /// halves run along their curve: as long as there is a float between t0 and t1, it is neither, even if p lies right
+    /// beside an end.
     [[nodiscard]] float t_at(grid_point p) const noexcept
     {
         const double dx = static_cast<double>(to.x) - from.x, dy = static_cast<double>(to.y) - from.y;
         const bool by_x = (dx < 0 ? -dx : dx) > (dy < 0 ? -dy : dy);
         const double share = by_x ? (static_cast<double>(p.x) - from.x) / dx : (static_cast<double>(p.y) - from.y) / dy;
-        const float t = static_cast<float>(as_double(source.t0) + (as_double(source.t1) - as_double(source.t0)) * share);
+        const double length = as_double(source.t1) - as_double(source.t0);
+        const float t = static_cast<float>(as_double(source.t0) + length * share);
         const bool up = source.t0 < source.t1;
         const float low = up ? source.t0 : source.t1, high = up ? source.t1 : source.t0;
         if ((low < t && t < high) || p == from || p == to) return t;
@@ -81,24 +82,23 @@ struct alignas(64) segment {
     }
 };
 
-/// Contours taken apart into segments between numbered points: the material that is cut until no two segments cross.
+/// Contours as segments between numbered points: what is cut until no two segments cross.
 ///
-/// Whatever is cut, flipped or joined, the turns add up to closed contours: in every point as much comes in as goes
-/// out.
+/// Whatever is cut, flipped or joined, the segments stay closed contours: in every point as much comes in as goes out.
 struct arrangement {
     segment* segments = nullptr;
     std::uint32_t count = 0;
     std::uint32_t capacity = 0;
-    grid_point* points = nullptr;  // all different, in the sweep order; room for as many as there may be segments
-    grid_point* spare = nullptr;   // of the same size
+    grid_point* points = nullptr;  // distinct, in sweep order; capacity for as many as there may be segments
+    grid_point* spare = nullptr;   // of the same capacity
     std::uint32_t* first =
-        nullptr;  // of the segments that start in each point: the first, the others follow by `next`
+        nullptr;  // of each point: the first segment that starts there, the others follow by `next`
     std::uint32_t point_count = 0;
-    const contours* loops = nullptr;  // what was taken apart
+    const contours* loops = nullptr;  // where the segments come from
     bool is_bent = false;             // some segment does not lie on its contour edge
-    std::uint32_t most_active = no_number;  // how many segments are on the sweep line at a time
-    bool is_rounded = false;          // it was made by snap_rounding: nothing is to be bent
-    bool is_touching = false;         // the boundary of the filled area comes through some point more than once
+    std::uint32_t most_active = no_number;  // the largest number of segments on the sweep line
+    bool is_rounded = false;          // made by snap_rounding: nothing is left to be bent
+    bool is_touching = false;         // the boundary of the filled area passes through some point more than once
 
     struct edge {
         grid_point from, to;
@@ -110,7 +110,7 @@ struct arrangement {
         return {loops->points[s.origin], loops->points[s.target]};
     }
 
-    /// Room for `most` segments. What is there already is kept. False when there is no memory.
+    /// Takes memory for `most` segments and keeps those that exist. False when memory runs out.
     [[nodiscard]] bool reserve(workspace::scope& scratch, std::uint32_t most) noexcept
     {
         auto* const larger = scratch.take<segment>(most);
@@ -124,8 +124,8 @@ struct arrangement {
         return true;
     }
 
-    /// The same for pieces between numbered points that are given in `scratch`: the first `piece_count` and
-    /// `given_points` of two arrays of one size. False when there is no memory.
+    /// The same for segments between numbered points that already lie in `scratch`: the first `piece_count` and
+    /// `given_points` of two arrays of one size. False when memory runs out.
     [[nodiscard]] bool adopt(workspace::scope& scratch, std::span<segment> pieces, std::uint32_t piece_count,
                              std::span<grid_point> places, std::uint32_t given_points) noexcept
     {
@@ -142,8 +142,8 @@ struct arrangement {
         return true;
     }
 
-    /// Takes contours apart; edges without length vanish. Needs capacity >= given.points.size(),
-    /// its points sorted (see sort_points()), and `given` to stay while the arrangement is cut.
+    /// Makes segments of the edges of contours; edges without length vanish. Needs capacity >= given.points.size() and
+    /// sorted points (see sort_points()); `given` must outlive the cutting.
     [[nodiscard]] bool from_contours(const contours& given, workspace& space) noexcept
     {
         loops = &given;
@@ -152,7 +152,7 @@ struct arrangement {
         auto* const number = scratch.take<std::uint32_t>(n);
         if (number == nullptr) return false;
         const std::span<const std::uint32_t> order = given.order();
-        TYPEMESH_ASSERT(order.size() == n, "contours are sorted before they are taken apart: see sort_points()");
+        TYPEMESH_ASSERT(order.size() == n, "the points of contours must be sorted first: see sort_points()");
         const grid_point* const place = given.points.data();
         std::uint32_t different = 0;
         for (std::uint32_t i = 0; i < n; ++i) {
@@ -174,7 +174,7 @@ struct arrangement {
                 const std::uint32_t i = number[v], k = number[w];
                 if (i == k) continue;
                 const contour_edge e = edges[v];
-                void* const here = all + made;  // made in place: a copy of what has just been written stalls
+                void* const here = all + made;  // constructed in place: copying what has just been written stalls
                 if (i < k)
                     ::new (here) segment{place[v], place[w], i, k, 1, 0, e, v, w, first[i], 0, 0};
                 else
@@ -186,7 +186,7 @@ struct arrangement {
         return true;
     }
 
-    /// Numbers the points anew and lists the segments by where they start; drops those that are none.
+    /// Renumbers the points and lists the segments by where they start; drops those that do not count.
     [[nodiscard]] bool put_in_order(workspace& space) noexcept
     {
         std::uint32_t kept = 0;

@@ -6,18 +6,18 @@
 
 #include <cstdint>
 
-// What tells a walk that bends edges that it may not have done so as snap rounding does: see resolving_sweep.
+// How a sweep that bends edges finds that it may have deviated from snap rounding: see resolving_sweep.
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Whether s is the rest of a bent edge and p is no end of the contour's edge that it comes from.
+/// Whether s is the rest of a bent edge and p is not an end of the contour edge that it comes from.
 [[nodiscard]] inline bool goes_through(const arrangement& a, const segment& s, grid_point p) noexcept
 {
     return s.bent != 0 && !(a.loops->points[s.origin] == p) && !(a.loops->points[s.target] == p);
 }
 
-/// Where a bent edge goes through p, exactly one other edge may do so: with more, two of them could also cross near by
-/// unseen.
+/// Where a bent edge passes through p, exactly one other edge may do so: with more, two of them could also cross
+/// nearby, unseen.
 [[nodiscard]] inline bool is_rough(const arrangement& a, const std::uint32_t* ends, std::uint32_t ending_count,
                                    const std::uint32_t* starts, std::uint32_t starting_count, grid_point p) noexcept
 {
@@ -31,8 +31,8 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
     return !((e == g && f == h) || (e == h && f == g));
 }
 
-/// Two points of one column: an edge that ends in the upper one, or starts there, may come within a cell of the other,
-/// and the two never meet on the sweep line.
+/// For two points of one column: an edge that ends or starts in the upper one may come within a cell of the lower one,
+/// or the reverse, and the two never become neighbours on the sweep line.
 [[nodiscard]] inline bool is_close_in_column(const arrangement& a, std::uint32_t last_ended, std::uint32_t starting,
                                              grid_point before, grid_point p) noexcept
 {

@@ -11,10 +11,10 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Walks the boundary of the filled area and writes it down as loops.
+/// Traces the boundary of the filled area and writes it as loops.
 ///
-/// Of a finished arrangement, the segments with the interior on one side only are the boundary, run so that it lies on
-/// the left. Where boundaries touch, the walk stays in the sector of interior that it is in:
+/// In a finished arrangement, the segments with the interior on one side only are the boundary, directed so that it
+/// lies on the left. Where boundaries touch, a cycle stays in the sector of interior that it is in:
 ///
 ///      ::: \     / :::     What comes in along 1 goes out along 2, with the sector of interior on the left of both
 ///      ::: 2\   /3 :::     between them; 3 goes out along 4. So two outer loops that touch stay two, a hole that
@@ -28,8 +28,8 @@ public:
     std::uint32_t holes = 0;
     std::uint32_t outers = 0;
 
-    /// Goes round all loops once and remembers them in `scratch`. watch(s, t, p) is told of every two segments that
-    /// follow each other, s before t, in the point p. Of use once in an arrangement: what was walked is marked.
+    /// Traverses all loops once and stores them in `scratch`. Calls watch(s, t, p) for every two consecutive segments,
+    /// s before t, at the point p. Usable once per arrangement: what has been traversed is marked.
     ///
     /// Fails with error::out_of_memory. Links that do not close, which a finished arrangement cannot have, would be
     /// error::crossing_contours.
@@ -45,14 +45,14 @@ public:
         std::uint32_t size = 0;
         for (std::uint32_t i = 0; i < count; ++i) {
             if (all[i].interior == 0) continue;
-            std::uint64_t area = 0;  // doubled; below 2^60 in the end, may wrap on the way
+            std::uint64_t area = 0;  // doubled; below 2^60 in the end, may wrap before
             const std::uint32_t begin = starts_[loop_count_++] = size;
             std::uint32_t k = i;
             do {
                 segment& s = all[k];
                 const bool along = s.interior > 0;
                 if (s.interior == 0 || s.next >= count) return error::crossing_contours;
-                s.interior = 0;  // walked
+                s.interior = 0;  // traversed
                 steps_[size] = 2 * k + !along;
                 places_[size++] = along ? s.start : s.end;
                 const auto term =
@@ -68,9 +68,9 @@ public:
         return {};
     }
 
-    /// Replaces the loops by what was traced, and sorts their points: the arrangement's are, by its own sweep.
+    /// Replaces the loops by the traced ones, and sorts their points: the arrangement's are sorted by its own sweep.
     ///
-    /// Fails with error::out_of_memory, the loops being as they were.
+    /// Fails with error::out_of_memory, the loops being unchanged.
     [[nodiscard]] error write(const arrangement& a, contours& loops, workspace::scope& scratch) const noexcept
     {
         const std::uint32_t size = starts_[loop_count_];
@@ -99,9 +99,9 @@ public:
     }
 
 private:
-    /// The points that write() writes in the order of a sweep.
+    /// Lists the points that write() writes in sweep order.
     ///
-    ///     behind    of every point: room for the next one in the same place
+    ///     behind    an array of one entry per point: the next one in the same place
     void sort(const arrangement& a, std::uint32_t* order, std::uint32_t* behind) const noexcept
     {
         auto* const first = a.first;
@@ -114,9 +114,9 @@ private:
             for (std::uint32_t i = first[place]; i != no_number; i = behind[i]) *order++ = i;
     }
 
-    std::uint32_t* steps_ = nullptr;   // a segment's number times 2, and 1 where it is run from right to left
+    std::uint32_t* steps_ = nullptr;   // a segment's number times 2, plus 1 if it is traversed from right to left
     std::uint32_t* places_ = nullptr;  // the number of the point where each step begins
-    std::uint32_t* starts_ = nullptr;  // of the loops among the steps
+    std::uint32_t* starts_ = nullptr;  // the first step of each loop
     std::uint32_t loop_count_ = 0;
 };
 

@@ -9,36 +9,36 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// size * part / whole in whole numbers: size * part = floor * whole + rest, 0 <= rest < whole.
+/// size * share / whole in integers: size * share = floor * whole + rest, 0 <= rest < whole.
 struct quotient {
     std::int64_t floor;
     std::int64_t rest;
     std::int64_t whole;
     [[nodiscard]] bool is_exact() const noexcept { return rest == 0; }
-    /// Halves up.
+    /// Halves are rounded up.
     [[nodiscard]] std::int64_t nearest() const noexcept { return rest >= whole - rest ? floor + 1 : floor; }
 };
 
-/// For 0 <= part <= whole, whole > 0.
+/// For 0 <= share <= whole, whole > 0.
 ///
-/// Exact. Budget: |size| < 2^30, whole < 2^61, so the product has up to 91 bits and no word holds it. The quotient is
-/// guessed in floating point; what is left over, which is below 2^63 although its two terms are not, tells by
-/// arithmetic modulo 2^64 how far the guess is off. The guess only has to be good to a few units, so any rounding mode
-/// and compiler flag will do.
-[[nodiscard]] inline quotient scaled(std::int64_t size, std::int64_t part, std::int64_t whole) noexcept
+/// Exact. Budget: |size| < 2^30, whole < 2^61, so the product has up to 91 bits and fits into no word. The quotient is
+/// guessed in floating point; the remainder, which is below 2^63 although its two terms are not, tells by arithmetic
+/// modulo 2^64 how far the guess is off. The guess need only be good to a few units, so any rounding mode and compiler
+/// flag will do.
+[[nodiscard]] inline quotient scaled(std::int64_t size, std::int64_t share, std::int64_t whole) noexcept
 {
     auto guess =
-        static_cast<std::int64_t>(static_cast<double>(size) * (static_cast<double>(part) / static_cast<double>(whole)));
-    auto rest = static_cast<std::int64_t>(static_cast<std::uint64_t>(size) * static_cast<std::uint64_t>(part) -
+        static_cast<std::int64_t>(static_cast<double>(size) * (static_cast<double>(share) / static_cast<double>(whole)));
+    auto rest = static_cast<std::int64_t>(static_cast<std::uint64_t>(size) * static_cast<std::uint64_t>(share) -
                                           static_cast<std::uint64_t>(guess) * static_cast<std::uint64_t>(whole));
     for (; rest < 0; rest += whole) --guess;
     for (; rest >= whole; rest -= whole) ++guess;
     return {guess, rest, whole};
 }
 
-/// Where the inner parts of ab and cd cross: at a + (b - a) * part / whole; whole = 0 when they do not. O(1)
+/// Where the interiors of ab and cd cross: at a + (b - a) * share / whole; whole = 0 if they do not. O(1)
 struct crossing_share {
-    std::int64_t part;
+    std::int64_t share;
     std::int64_t whole;
 };
 [[nodiscard]] inline crossing_share share_of(grid_point a, grid_point b, grid_point c, grid_point d) noexcept
@@ -47,16 +47,16 @@ struct crossing_share {
     const std::int64_t cda = orientation(c, d, a), cdb = orientation(c, d, b);
     if ((abc >= 0) == (abd >= 0) || (cda >= 0) == (cdb >= 0) || abc == 0 || abd == 0 || cda == 0 || cdb == 0)
         return {0, 0};
-    const std::int64_t part = cda < 0 ? -cda : cda;
-    return {part, part + (cdb < 0 ? -cdb : cdb)};
+    const std::int64_t share = cda < 0 ? -cda : cda;
+    return {share, share + (cdb < 0 ? -cdb : cdb)};
 }
 
 }  // namespace detail
 
-/// The grid point nearest to the place where the segments ab and cd cross; false, `nearest` as it was, when no inner
+/// The grid point nearest to the crossing of the segments ab and cd; false, and `nearest` unchanged, if no interior
 /// point of both is there (they miss each other, only touch with an end, or are parallel).
 ///
-///     a ---.__            The exact place lies in the boxes of both segments, whose corners are grid points, and
+///     a ---.__            The exact crossing lies in the boxes of both segments, whose corners are grid points, and
 ///     c ____  '--.__ d    rounding keeps the order of coordinates: the nearest grid point lies in both boxes as well.
 ///           '-----x--- b
 ///
@@ -64,10 +64,10 @@ struct crossing_share {
 [[nodiscard]] inline bool crossing_of(grid_point a, grid_point b, grid_point c, grid_point d,
                                       grid_point& nearest) noexcept
 {
-    const auto [part, whole] = detail::share_of(a, b, c, d);
+    const auto [share, whole] = detail::share_of(a, b, c, d);
     if (whole == 0) return false;
-    nearest = {static_cast<std::int32_t>(a.x + detail::scaled(std::int64_t{b.x} - a.x, part, whole).nearest()),
-               static_cast<std::int32_t>(a.y + detail::scaled(std::int64_t{b.y} - a.y, part, whole).nearest())};
+    nearest = {static_cast<std::int32_t>(a.x + detail::scaled(std::int64_t{b.x} - a.x, share, whole).nearest()),
+               static_cast<std::int32_t>(a.y + detail::scaled(std::int64_t{b.y} - a.y, share, whole).nearest())};
     return true;
 }
 

@@ -14,18 +14,19 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Finds every place where edges cross, exactly, without cutting them: a sweep that swaps neighbours.
+/// Finds every crossing of edges, exactly, without cutting them: a sweep that swaps neighbours.
 ///
 ///     f ---.__              |     Between two grid points that are ends of edges, the edges on the sweep line stay the
-///     e ____  '--.__ e      |     same and only change their order. Two of them change it where they cross, so the
-///     |     '-----x--- f    |     crossings in between are the pairs in the wrong order there, and to swap neighbours
-///     p                     q     that are in the wrong order until none is left swaps each such pair once: in
-///                                 whatever order that is done.
+///     e ____  '--.__ e      |     same and only change their order. Two of them swap where they cross, so crossings in
+///     |     '-----x--- f    |     between are the pairs that are in the wrong order there; and swapping neighbours in
+///     p                     q     the wrong order until none are left swaps each such pair once, in whatever sequence
+///                                 that is done.
 ///
 /// So crossings need never be compared with each other (which takes 160 bits), only with grid points: before p, in p or
-/// behind p. That is a whole number: the crossing's coordinates rounded down, doubled, one more where they were rounded.
+/// after p. For that an integer suffices: the crossing's coordinates rounded down, doubled, plus one where they were
+/// rounded.
 ///
-/// Cost   O((n + k) log n) for n edges and k crossings, always; about 90 bytes an edge from `scratch`
+/// Cost   O((n + k) log n) for n edges and k crossings, always; about 90 bytes per edge from `scratch`
 /// Exact  crossing_place() and orientation(), in 64 bits
 /// From   Bentley & Ottmann, Algorithms for reporting and counting geometric intersections (1979); Boissonnat &
 ///        Preparata, Robust plane sweep for intersecting segments (2000)
@@ -39,19 +40,20 @@ class crossing_sweep {
 
 public:
     /// Calls met(x, is_exact) -> bool for every two edges that cross between their ends: x is the grid point nearest to
-    /// the crossing. Ends when met() says false. False then, and when there is no memory. `edges` are as net_edges makes them.
+    /// the crossing. Stops when met() returns false. False then, and when memory runs out. `edges` come from
+    /// make_net_edges().
     template <class Met>
     [[nodiscard]] static bool run(std::span<const net_edge> edges, workspace::scope& scratch, workspace& space,
                                   Met&& met) noexcept
     {
         crossing_sweep sweep{edges};
-        return sweep.open(scratch, space) && sweep.walk(met);
+        return sweep.open(scratch, space) && sweep.traverse(met);
     }
 
 private:
     explicit crossing_sweep(std::span<const net_edge> edges) noexcept : edges_{edges} {}
 
-    /// A grid point among the places of crossings.
+    /// A grid point as a place that compares with those of crossings.
     [[nodiscard]] static std::int64_t place_of(grid_point p) noexcept
     {
         return 2 * (std::int64_t{p.x} * (std::int64_t{1} << 32) + p.y);
@@ -76,7 +78,7 @@ private:
     }
 
     template <class Met>
-    [[nodiscard]] bool walk(Met&& met) noexcept
+    [[nodiscard]] bool traverse(Met&& met) noexcept
     {
         const std::size_t n = edges_.size();
         std::size_t starting = 0;
@@ -126,7 +128,7 @@ private:
         look_up_from(under);
     }
 
-    /// The first of all intersections: its edges change places.
+    /// The first intersection in the queue: its edges swap places.
     template <class Met>
     [[nodiscard]] bool swap(Met&& met) noexcept
     {
@@ -142,7 +144,7 @@ private:
         return met(first.nearest, first.is_exact);
     }
 
-    /// What is in a slot meets what is right above it when the one rises through the other: notes where, or that not.
+    /// Notes where the edge in a slot crosses the one right above it, or that it does not.
     void look_up_from(std::uint32_t low) noexcept
     {
         const std::uint32_t high = status_.above(low);
@@ -151,10 +153,10 @@ private:
         if (high == 0) return;
         const net_edge &l = edges_[edge_in_[low]], &h = edges_[edge_in_[high]];
         if (orientation(h.from, h.to, l.to) <= 0 && orientation(l.from, l.to, h.to) >= 0) return;
-        const auto [part, whole] = share_of(l.from, l.to, h.from, h.to);
+        const auto [share, whole] = share_of(l.from, l.to, h.from, h.to);
         if (whole == 0 || orientation(h.from, h.to, l.to) < 0) return;
-        const quotient x = scaled(std::int64_t{l.to.x} - l.from.x, part, whole);
-        const quotient y = scaled(std::int64_t{l.to.y} - l.from.y, part, whole);
+        const quotient x = scaled(std::int64_t{l.to.x} - l.from.x, share, whole);
+        const quotient y = scaled(std::int64_t{l.to.y} - l.from.y, share, whole);
         intersection m;
         m.nearest = {static_cast<std::int32_t>(l.from.x + x.nearest()),
                      static_cast<std::int32_t>(l.from.y + y.nearest())};
@@ -201,10 +203,10 @@ private:
 
     std::span<const net_edge> edges_;
     sweep_status status_;
-    std::uint32_t* edge_in_ = nullptr;  // of every slot; the next free one of a free slot
+    std::uint32_t* edge_in_ = nullptr;  // of every slot; for a free slot the next free one
     std::uint32_t* slot_of_ = nullptr;
-    std::uint32_t* by_end_ = nullptr;   // the edges in the order of their ends
-    intersection* heap_ = nullptr;           // from 1; the first one on top
+    std::uint32_t* by_end_ = nullptr;         // the edges in the order of their ends
+    intersection* heap_ = nullptr;            // from 1; the first one at the top
     std::uint32_t* place_in_heap_ = nullptr;  // of the intersection of each slot; 0: none
     std::uint32_t heap_size_ = 0;
     std::uint32_t slot_count_ = 0;

@@ -9,17 +9,17 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Something that a sweep will meet at a point that it did not know before.
+/// Something at a point that the sweep did not know of when it began.
 struct event {
-    std::int64_t place;     ///< of the point, as sweep_place()
+    std::int64_t place;     ///< the point's, as sweep_place()
     std::uint32_t segment;  ///< that starts there, or no_number
     std::uint32_t slot;     ///< in the status, of an edge that may end there; 0: none
 };
 
-/// Events by place, the first one on top: a binary heap of fixed room.
+/// Events by place, the first one at the top: a binary heap of fixed capacity.
 class event_queue {
 public:
-    /// False when there is no memory, or more room is asked for than 32-bit numbers hold.
+    /// False when memory runs out, or 32-bit numbers cannot hold so much room.
     [[nodiscard]] bool open(workspace::scope& scratch, std::size_t room) noexcept
     {
         if (room >= 0xFFFF'FFFFu) return false;
@@ -31,12 +31,12 @@ public:
         return true;
     }
     [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
-    /// Of the first event; behind all points when there is none.
+    /// The place of the first event; beyond all points if there is none.
     [[nodiscard]] std::int64_t first_place() const noexcept { return events_[0].place; }
     [[nodiscard]] std::uint32_t room() const noexcept { return room_ - size_; }
     [[nodiscard]] const event& top() const noexcept { return events_[0]; }
 
-    /// Needs room.
+    /// Needs free capacity.
     void push(const event& e) noexcept
     {
         std::uint32_t i = size_++;

@@ -11,16 +11,16 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The region that any contours fill under `rule`: nest() where they do not meet, which is found out on the way and
-/// leaves their points as they are, else resolve().
+/// The region that any contours fill under `rule`: by nest() where they do not meet, which is found out on the way and
+/// leaves their points unchanged, else by resolve().
 ///
-/// Replaces `loops`; nothing may be left: a region without points.
+/// Replaces `loops`; the result may be a region without points.
 ///
-///     how    where contours meet: see resolve()
+///     how    for contours that meet: see resolve()
 ///
-/// Fails  error::too_many_pieces where contours meet: more than how.most_pieces points, crossings or pieces
-///        error::too_large, error::out_of_memory; then `loops` is as it was
-/// Cost   O(n log n), and what resolve() takes where contours meet
+/// Fails  error::too_many_pieces, for contours that meet: more than how.most_pieces points, crossings or pieces
+///        error::too_large, error::out_of_memory; `loops` is then unchanged
+/// Cost   O(n log n), plus that of resolve() where contours meet
 [[nodiscard]] inline result<region> fill(contours& loops, fill_rule rule, workspace& space,
                                          const resolve_options& how = {}) noexcept
 {

@@ -14,7 +14,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// Disjoint sets of the numbers below n; each set is known by its lowest number.
+/// Disjoint sets of the numbers below n, by union-find; each set is known by its lowest number.
 struct number_sets {
     std::uint32_t* parent;
 
@@ -31,7 +31,7 @@ struct number_sets {
     }
 };
 
-/// The boxes of some regions, in the order in which a line that sweeps along one axis comes to them.
+/// The bounding boxes of some regions, in the order in which a line that sweeps along one axis reaches them.
 struct box_sweep {
     struct entry {
         placed_box around;
@@ -45,7 +45,7 @@ struct box_sweep {
     };
     std::span<entry> entries;
 
-    /// Sweeps along the axis on which fewer boxes lie side by side: along a line of text, across a page of many.
+    /// Picks the axis along which fewer boxes overlap: along a line of text, but across the lines of a page.
     void put_in_order() noexcept
     {
         double left = 0x1p62, right = -left, low = left, high = right, width = 0.0, height = 0.0;
@@ -77,11 +77,11 @@ struct box_sweep {
 ///       └─┼┘│  └─┼┘    └┼─┘
 ///         └─┘    └──────┘
 ///
-///     all      the regions; those without points are groups of one, and so are those of different kinds to each other
-///     group    as many numbers; after an error of no meaning
+///     all      the regions; those without points are groups of one, and no group has two kinds
+///     group    as many numbers; meaningless after an error
 ///
 /// Fails  error::too_large: 2^32 - 1 regions or more; error::out_of_memory
-/// Cost   O(n log n) and a comparison of every two regions whose boxes lie side by side; see meet()
+/// Cost   O(n log n), a look at every two regions that overlap along one axis, and meet() for those whose boxes do
 [[nodiscard]] inline error group_intersection(std::span<const placed_loops> all, std::span<std::uint32_t> group,
                                          workspace& space) noexcept
 {
@@ -90,7 +90,7 @@ struct box_sweep {
     if (n >= 0xFFFF'FFFFu) return error::too_large;
     workspace::scope scratch{space};
     auto* entries = scratch.take<detail::box_sweep::entry>(n);
-    auto* open = scratch.take<std::uint32_t>(n);  // the boxes that the sweep is in, as places in `entries`
+    auto* open = scratch.take<std::uint32_t>(n);  // the boxes that the sweep line crosses, as indices into `entries`
     if (n != 0 && (entries == nullptr || open == nullptr)) return error::out_of_memory;
 
     std::size_t count = 0;

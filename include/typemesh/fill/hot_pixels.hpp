@@ -12,18 +12,18 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Grid points in a tree of boxes, to find those whose cells a segment comes through.
+/// Grid points in a tree of boxes, to find those whose pixels a segment passes through.
 ///
-///      +-------------------+       The points lie in the order of their interleaved bits (Z order), four to a leaf;
-///      | 1  .  | .  2      |       every node holds the box of a run of leaves. A box that a segment passes at more
-///      |   .   |      . -..|--     than a cell is left out with all that is in it.
+///      +-------------------+       The points are in the order of their interleaved bits (Z order), four to a leaf;
+///      | 1  .  | .  2      |       every node holds the box of consecutive leaves. A box that a segment misses by more
+///      |   .   |      . -..|--     than a cell is skipped with all that is in it.
 ///      |-------.---.-'-----|
-///      |  __.-'|    4    . |       The cell of a point p is half open, [-1/2, 1/2)² round p. A segment comes through
-///      | 3 .   |  .        |       it when |2 s| < |dx| + |dy| for s = orientation(from, to, p), or when it touches it
-///      +-------------------+       in the one corner that belongs to it.
+///      |  __.-'|    4    . |       The pixel of a point p is half open, [-1/2, 1/2)² around p. A segment passes
+///      | 3 .   |  .        |       through it if |2 s| < |dx| + |dy| for s = orientation(from, to, p), or if it touches
+///      +-------------------+       it in the one corner that belongs to it.
 ///
-/// Build  O(m log m) for m points, 50 bytes a point. Query: O(sqrt m) boxes for points that are spread, O(m) at worst
-///        (points along the segment, beside it), and O(hits log hits) to put them in order.
+/// Build  O(m log m) for m points, 50 bytes per point. Query: O(sqrt m) boxes for scattered points, O(m) at worst
+///        (points along the segment, beside it), and O(hits log hits) to sort them.
 /// Exact  |coordinate| <= 2^28: s < 2^61, its double < 2^62.
 /// From   Morton, A computer oriented geodetic data base (1966)
 class hot_pixels {
@@ -33,13 +33,13 @@ class hot_pixels {
     static constexpr std::uint32_t leaf = 4;
 
 public:
-    /// A point by its number among those given, and whether the segment comes through the point itself.
+    /// A point by its index among those given, and whether the segment passes through the point itself.
     struct hit {
         std::uint32_t number;
         bool is_exact;
     };
 
-    /// False when there is no memory. Each point is given once.
+    /// False when memory runs out. The points are distinct.
     [[nodiscard]] bool open(std::span<const grid_point> points, workspace::scope& scratch, workspace& space) noexcept
     {
         count_ = points.size();
@@ -57,7 +57,7 @@ public:
             return false;
         box all{points[0].x, points[0].x, points[0].y, points[0].y};
         for (const grid_point p : points) grow(all, {p.x, p.x, p.y, p.y});
-        // Both sides of the whole take as many bits: else the boxes of a flat shape would be columns of its full height.
+        // Both sides of the whole take as many bits: else the boxes of a flat set would be columns of its full height.
         const auto bits = [](std::int32_t side) noexcept {
             return static_cast<std::uint32_t>(std::bit_width(static_cast<std::uint32_t>(side)));
         };
@@ -77,8 +77,8 @@ public:
         return true;
     }
 
-    /// Calls met(hit) for every point but its ends whose cell the segment comes through, in the order in which it does;
-    /// met() returns false to end that. False when it did. `from` comes before `to` in the sweep.
+    /// Calls met(hit) for every point, the segment's ends excepted, whose pixel the segment passes through, in the
+    /// order along it; met() returns false to stop, and then so does this. `from` precedes `to` in sweep order.
     template <class Met>
     [[nodiscard]] bool along(grid_point from, grid_point to, Met&& met) noexcept
     {
@@ -105,7 +105,7 @@ public:
                         hits_[hit_count++] = {key(p, dy < 0), static_cast<std::uint32_t>(i)};
                 }
             }
-            while (node % 2 == 1) node /= 2;  // the last of its parent: so far all of that one
+            while (node % 2 == 1) node /= 2;  // the last child: all of its parent is done
             if (node == 0) break;
             ++node;
         }
@@ -129,7 +129,7 @@ public:
     }
 
 private:
-    /// 30 bits to every other bit of 60.
+    /// Spreads 30 bits to every other bit of 60.
     [[nodiscard]] static std::uint64_t spread(std::uint64_t v) noexcept
     {
         v = (v | v << 16) & 0x0000'FFFF'0000'FFFFu;
@@ -142,7 +142,7 @@ private:
     {
         return p.x >= b.left && p.x <= b.right && p.y >= b.bottom && p.y <= b.top;
     }
-    /// By x, then in the direction of y in which the segment runs.
+    /// By x, then along the segment in y.
     [[nodiscard]] static std::uint64_t key(grid_point p, bool falling) noexcept
     {
         const auto y = static_cast<std::uint32_t>(p.y) ^ 0x8000'0000u;
@@ -173,7 +173,7 @@ private:
 
     grid_point* points_ = nullptr;
     box* boxes_ = nullptr;  // 1: the root; 2 i and 2 i + 1 below i
-    std::uint32_t* numbers_ = nullptr;  // of the points, as given
+    std::uint32_t* numbers_ = nullptr;  // the indices of the points, as given
     wide_sweep_key* hits_ = nullptr;
     std::size_t count_ = 0;
     std::size_t leaves_ = 0;

@@ -12,8 +12,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The loops of a region, set down on a grid that it shares with others: a point p lies at p + (x, y),
-/// which may be any place up to 2^60.
+/// The loops of a region, placed on a grid that it shares with others: a point p lies at p + (x, y), an offset of up to
+/// 2^60.
 struct placed_loops {
     std::span<const grid_point> points;
     std::span<const std::uint32_t> starts;
@@ -24,7 +24,7 @@ struct placed_loops {
 
 namespace detail {
 
-/// A place on a shared grid, in 64 bits.
+/// A position on a shared grid, in 64 bits.
 struct placed_point {
     std::int64_t x = 0;
     std::int64_t y = 0;
@@ -48,8 +48,8 @@ struct placed_segment {
     placed_box around;
 };
 
-/// Twice the signed area of a, b, c. Budget: points of boxes that meet, each at most 2^29 wide, differ by at most 2^30;
-/// products stay within 2^60, their difference within 2^61.
+/// Twice the signed area of a, b, c. Budget: points of boxes that overlap, each at most 2^29 wide, differ by at most
+/// 2^30; products stay within 2^60, their difference within 2^61.
 [[nodiscard]] inline std::int64_t turn(placed_point a, placed_point b, placed_point c) noexcept
 {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
@@ -80,7 +80,7 @@ struct placed_segment {
     return all;
 }
 
-/// Calls use(segment) for every edge, until it says true.
+/// Calls use(segment) for every edge, until it returns true.
 template <class Use>
 bool any_edge(const placed_loops& l, Use&& use) noexcept
 {
@@ -96,7 +96,7 @@ bool any_edge(const placed_loops& l, Use&& use) noexcept
     return false;
 }
 
-/// Whether p, which lies on no edge and within the loops' box, is inside: an upward ray crosses them an odd number of
+/// Whether p, which lies on no edge but within the loops' box, is inside: an upward ray crosses them an odd number of
 /// times.
 [[nodiscard]] inline bool holds(const placed_loops& l, placed_point p) noexcept
 {
@@ -124,7 +124,7 @@ bool any_edge(const placed_loops& l, Use&& use) noexcept
 
 }  // namespace detail
 
-/// Whether two regions share a point, be it one of their boundaries only:
+/// Whether two regions share a point, even if only one of their boundaries:
 ///
 ///     ┌───┐              ┌─────────┐            ┌─────────┐
 ///     │ ┌─┼─┐   ┌──┬──┐  │  ┌──┐   │    not:    │  ┌───┐  │    a hole is outside, so what stands in it
@@ -133,7 +133,7 @@ bool any_edge(const placed_loops& l, Use&& use) noexcept
 ///                                               └──┴───┴──┘
 ///
 /// Fails  error::out_of_memory
-/// Cost   O(a + b), and the product of the numbers of edges that reach into the other's box
+/// Cost   O(a + b), plus the product of the numbers of edges that reach into the other's box
 /// Exact  in 64 bits: see detail::turn
 [[nodiscard]] inline result<bool> meet(const placed_loops& a, const placed_loops& b, workspace& space) noexcept
 {

@@ -10,11 +10,11 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Two edges of the contours, and the grid point where they cross or where one of them ends on the other.
+/// Two edges of the contours, and the grid point where they cross or where one ends on the other.
 ///
 ///     a.from ---.__                        The edges are the contours' own, not the pieces that they are cut into.
-///     b.from ____  '--.__                  Where edges only share an end there is no intersection to tell of: that point
-///                '-----x-------- b.to      lies on the curves of both.
+///     b.from ____  '--.__                  Edges that only share an end do not intersect in this sense: that point is
+///                '-----x-------- b.to      on the curves of both.
 ///                        '---.__ a.to
 struct intersection {
     struct edge {
@@ -26,14 +26,14 @@ struct intersection {
     grid_point at;
 };
 
-/// Told of intersections: filter(m) is whether this one may stand. It is asked of all that the boundary of the filled area
-/// comes through, also when one does not.
+/// Decides about intersections: filter(m) is whether this one is accepted. It is called for all that lie on the
+/// boundary of the filled area, even after one was rejected.
 template <class J>
 concept intersection_filter = requires(J& filter, const intersection& m) {
     { filter(m) } noexcept -> std::same_as<bool>;
 };
 
-/// The filter that lets all pass.
+/// The filter that accepts all.
 struct every_intersection_stands {
     constexpr bool operator()(const intersection&) const noexcept { return true; }
 };
@@ -46,7 +46,7 @@ namespace detail {
     return {from, to, a.loops->edges[s.origin]};
 }
 
-/// Where edges only share an end there is nothing to filter.
+/// Edges that only share an end need no filter.
 template <intersection_filter Filter>
 [[nodiscard]] bool may_intersect(const arrangement& a, const segment& s, const segment& t, grid_point at,
                             Filter& filter) noexcept
@@ -55,7 +55,7 @@ template <intersection_filter Filter>
     return (m.a.ends_in(at) && m.b.ends_in(at)) || filter(m);
 }
 
-/// Judges the intersection where the boundary changes from one segment to another, if it is one.
+/// Filters the intersection where the boundary passes from one segment to another, if it is one.
 template <intersection_filter Filter>
 [[nodiscard]] bool filter_change(const arrangement& a, const segment& s, const segment& t, grid_point at,
                                 Filter& filter) noexcept
@@ -65,16 +65,16 @@ template <intersection_filter Filter>
     return may_intersect(a, s, t, at, filter);
 }
 
-/// Judges the intersections of all edges that bound the filled area in one point; false when there is no memory.
+/// Filters the intersections at one point of all edges that bound the filled area; false when memory runs out.
 ///
-/// Where more than 16 edges come through one point all stand: nothing there is made by chance, and the pairs would be
-/// many.
+/// Where more than 16 edges pass through one point all are accepted: nothing there is accidental, and there would be
+/// many pairs.
 template <intersection_filter Filter>
 [[nodiscard]] bool filter_touches(const arrangement& a, workspace& space, Filter& filter, bool& all_stand) noexcept
 {
     constexpr std::uint32_t most = 16;
     struct visit {
-        std::uint32_t segment, before;  // before: the visit before in the same point
+        std::uint32_t segment, before;  // before: the previous visit of the same point
     };
     workspace::scope scratch{space};
     auto* const last = scratch.take<std::uint32_t>(a.point_count);

@@ -15,24 +15,23 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The region that contours which do not meet fill under `rule`, whatever way they run and however they lie in each
-/// other.
+/// The region that contours which do not meet fill under `rule`, whatever their directions and their nesting.
 ///
 ///     .-----------------.        .-----------------.      non_zero, all three counter-clockwise: the inner ones
 ///     |  .-----------.  |        |                 |      have filled places on both sides and are no boundary.
-///     |  |  .-----.  |  |   ->   |                 |      even_odd would keep them all and turn the middle one.
+///     |  |  .-----.  |  |   ->   |                 |      even_odd would keep them all and reverse the middle one.
 ///     |  |  '-----'  |  |        |                 |
 ///     |  '-----------'  |        |                 |
 ///     '-----------------'        '-----------------'
 ///
-/// Works in place: contours that are no boundary vanish from `loops`, those that have the interior on their right are
-/// turned round (points and edges); the order of the others stays. Nothing may be left: a region without points.
+/// Works in place: contours that are no boundary are removed from `loops`, those that have the interior on their right
+/// are reversed (points and edges); the others keep their order. The result may be a region without points.
 ///
 /// Fails  error::crossing_contours: two edges cross, touch or overlap (neighbours of a contour may share their common
 ///        point and no more), or a contour has one or two points
 ///        error::out_of_memory
-/// In both cases `loops` is as it was.
-/// Cost   O(n log n), exact in 64-bit integers; about 100 bytes a point from `space`.
+/// In both cases `loops` is unchanged.
+/// Cost   O(n log n), exact in 64-bit integers; about 100 bytes per point from `space`.
 [[nodiscard]] inline result<region> nest(contours& loops, fill_rule rule, workspace& space) noexcept
 {
     workspace::scope scratch{space};

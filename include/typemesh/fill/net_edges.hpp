@@ -14,25 +14,26 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// The bits of a winding number that a rule looks at: what adds up to 0 in these has no effect.
+/// The bits of a winding number that matter to a rule: what adds up to 0 in these has no effect.
 [[nodiscard]] constexpr std::int32_t winding_mask(fill_rule rule) noexcept
 {
     return rule == fill_rule::even_odd ? 1 : -1;
 }
 
-/// What the contours' edges between the same two points are together.
+/// All contour edges between the same two points, added up.
 struct net_edge {
     grid_point from, to;           // from before to in the sweep order
-    std::uint32_t origin, target;  // the contour points that the edge joins whose curve has the lowest number
-    std::int32_t winding_delta;    // the winding number right above it less the one right below
+    std::uint32_t origin, target;  // the contour points joined by the edge whose curve has the lowest number
+    std::int32_t winding_delta;    // the winding number right above it minus that right below
 };
 
-/// Gives every point of sorted contours its number among the different ones, in the sweep order. How many there are.
+/// Numbers the distinct points of sorted contours, in sweep order, and returns how many there are.
 [[nodiscard]] inline std::uint32_t number_points(const contours& given, std::uint32_t* number) noexcept
 {
     const grid_point* const place = given.points.data();
     const std::span<const std::uint32_t> order = given.order();
-    TYPEMESH_ASSERT(order.size() == given.points.size(), "contours are sorted first: see sort_points()");
+    TYPEMESH_ASSERT(order.size() == given.points.size(),
+                    "the points of contours must be sorted first: see sort_points()");
     std::uint32_t different = 0;
     for (std::size_t i = 0; i < order.size(); ++i) {
         if (i == 0 || !(place[order[i - 1]] == place[order[i]])) ++different;
@@ -41,12 +42,12 @@ struct net_edge {
     return different;
 }
 
-/// The edges of contours, each pair of ends once; those that cancel, or have no length, are left out. So the result is
-/// the same wherever contours begin, in whatever order they come, and run all the other way (but for `winding_delta`); under
-/// even_odd also for each contour that runs the other way.
+/// The edges of contours, each pair of ends once; those that cancel, or have no length, are left out. So the result
+/// does not depend on where contours begin, on their order, or (except `winding_delta`) on their direction if all are
+/// reversed; under even_odd, nor on the direction of each.
 ///
-/// `edges` has room for as many as there are points, and is ordered by where they start. How many there are; none and
-/// false when there is no memory. The points are sorted. O(n)
+/// `edges` needs capacity for as many as there are points; it is sorted by where they start. `count` is how many there
+/// are; 0, and false returned, when memory runs out. The points must be sorted. O(n)
 [[nodiscard]] inline bool make_net_edges(const contours& given, fill_rule rule, workspace& space, net_edge* edges,
                                          std::uint32_t& count) noexcept
 {
@@ -56,8 +57,8 @@ struct net_edge {
     const grid_point* const place = given.points.data();
     count = 0;
     workspace::scope scratch{space};
-    auto* const number = scratch.take<std::uint32_t>(n);  // of every point, equal ones having one
-    auto* const first = scratch.take<std::uint32_t>(n);   // of the edges that start in each: the first
+    auto* const number = scratch.take<std::uint32_t>(n);  // of every point; equal ones share one
+    auto* const first = scratch.take<std::uint32_t>(n);   // of each number: the first edge that starts there
     auto* const next = scratch.take<std::uint32_t>(n);
     auto* const to = scratch.take<std::uint32_t>(n);    // of every edge: the contour point behind it
     auto* const seen = scratch.take<std::uint32_t>(n);  // of every point: the last edge that ends there

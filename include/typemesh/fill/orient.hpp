@@ -10,7 +10,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Turns one contour round in place: the same first point's neighbours swap roles, every edge runs against its curve.
+/// Reverses one contour in place: the neighbours of its first point swap roles, every edge runs against its curve.
 ///
 ///     points  a b c d            ->  d c b a
 ///     edges   ab bc cd da        ->  dc cb ba ad      with t0 and t1 swapped
@@ -23,7 +23,7 @@ inline void reverse_contour(std::span<grid_point> points, std::span<contour_edge
         points[j] = p;
     }
     const auto turned = [](const contour_edge& e) noexcept { return contour_edge{e.curve, e.t1, e.t0}; };
-    const std::size_t closing = edges.size() - 1;  // from the last point to the first: stays where it is
+    const std::size_t closing = edges.size() - 1;  // from the last point to the first: stays in place
     for (std::size_t i = 0, j = closing; i < j; ++i) {
         --j;
         const contour_edge e = turned(edges[i]);
@@ -33,11 +33,11 @@ inline void reverse_contour(std::span<grid_point> points, std::span<contour_edge
     edges[closing] = turned(edges[closing]);
 }
 
-/// Turns all contours round together when the signed areas that they enclose add up to less than zero: TrueType winds
-/// outer contours clockwise, PostScript counter-clockwise, and a region has its interior on the left.
+/// Reverses all contours together if the signed areas that they enclose add up to less than zero: TrueType winds outer
+/// contours clockwise, PostScript counter-clockwise, and a region has its interior on the left.
 ///
-/// A guess for simple outlines, made from exact sums: where contours overlap or disagree in direction it may be wrong,
-/// and then a proving triangulator refuses them and fill() finds the truth. O(n), nothing is allocated.
+/// A guess for simple outlines, from exact sums: where contours overlap or disagree in direction it may be wrong; a
+/// proving triangulator then refuses them and fill() finds the truth. O(n), allocates nothing.
 inline void orient(contours& loops) noexcept
 {
     std::int64_t high = 0, low = 0;  // 2^32 high + low: a sum of 2^32 terms below 2^58 has more than 64 bits

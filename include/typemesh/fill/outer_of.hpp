@@ -15,7 +15,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// What outer_of() knows of a loop.
+/// What outer_of() needs to know about a loop.
 struct loop_extent {
     grid_point low, high;    // its box
     std::uint32_t leftmost;  // its lexicographically smallest point
@@ -27,7 +27,7 @@ struct loop_extent {
     const auto points = r.points();
     const std::uint32_t first = r.starts()[loop], end = r.starts()[loop + 1];
     loop_extent made{points[first], points[first], first, 0};
-    std::uint64_t area = 0;  // sums may run over on the way; the whole, below 2^59, cannot
+    std::uint64_t area = 0;  // sums may wrap; the total, below 2^59, cannot
     grid_point before = points[end - 1];
     for (std::uint32_t i = first; i < end; ++i) {
         const grid_point p = points[i];
@@ -42,8 +42,8 @@ struct loop_extent {
     return made;
 }
 
-/// Whether the loop winds round the places right to the left of p: crossings of the ray from there to the left, which
-/// reaches an edge at its lower end and leaves it below its upper one.
+/// Whether the loop winds around the points just left of p: counts crossings of the ray from there to the left, which
+/// meets an edge at its lower end but not at its upper one.
 [[nodiscard]] inline bool winds_left_of(const region& r, std::uint32_t loop, grid_point p) noexcept
 {
     const auto points = r.points();
@@ -54,7 +54,7 @@ struct loop_extent {
         const grid_point b = points[i];
         if ((a.y <= p.y) != (b.y <= p.y)) {
             const auto side = orientation(a, b, p);
-            inside ^= a.y < b.y ? side < 0 : side > 0;  // p lies to the right of the edge
+            inside ^= a.y < b.y ? side < 0 : side > 0;  // p lies right of the edge
         }
         a = b;
     }
@@ -63,8 +63,8 @@ struct loop_extent {
 
 }  // namespace detail
 
-/// Which outer loop each loop of a region belongs to: out[k] is the number of the outer loop that bounds the same piece
-/// of interior as loop k does; an outer loop's is its own.
+/// Which outer loop each loop of a region belongs to: out[k] is the number of the outer loop that bounds the same
+/// component of the interior as loop k; an outer loop's is its own.
 ///
 ///     +----0----------------+
 ///     |  +--1--+  +--2--+   |      out = 0, 0, 0, 3: loop 3 is an island in the hole 2
@@ -74,11 +74,12 @@ struct loop_extent {
 ///
 ///     out    r.loop_count() numbers
 ///
-/// Right to the left of a hole's leftmost point lies the interior that the hole is cut out of, touching or not; of all
-/// outer loops round that place it belongs to the smallest.
+/// Just left of a hole's leftmost point lies the interior that the hole is cut out of, touching or not; of all outer
+/// loops around that place it belongs to the smallest.
+///
 /// Fails  error::out_of_memory
-/// Cost   O(n), and for each hole the points of those outer loops whose boxes hold it: none where there is one outer loop
-/// Space  32 bytes a loop from `space`
+/// Cost   O(n), and for each hole the points of the outer loops whose boxes contain it: none if there is one outer loop
+/// Space  32 bytes per loop from `space`
 /// Exact  in 64 bits
 [[nodiscard]] inline error outer_of(const region& r, workspace& space, std::span<std::uint32_t> out) noexcept
 {

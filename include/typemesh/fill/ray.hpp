@@ -8,12 +8,12 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// A segment as it leaves a point to the right: sorted, from below to above.
+/// A segment that leaves a point to the right; sorted from bottom to top.
 struct ray {
     std::int32_t x, y;  // to its other end: x > 0, or x = 0 and y > 0, both below 2^29 + 1 in size
     std::uint32_t segment;
 
-    /// Positive when `other` lies above, zero when both have one direction. Exact: products below 2^59, their
+    /// Positive if `other` lies above, zero if both have the same direction. Exact: products below 2^59, their
     /// difference below 2^60.
     [[nodiscard]] std::int64_t cross(ray other) const noexcept
     {
@@ -26,7 +26,7 @@ struct ray {
     }
 };
 
-/// O(count log count); few are the rule.
+/// O(count log count); usually there are few.
 inline void sort_rays(ray* rays, std::uint32_t count) noexcept
 {
     if (count <= 16)

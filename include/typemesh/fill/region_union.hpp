@@ -14,21 +14,21 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Regions of several glyphs, set down on one grid and joined to one region.
+/// The union of the regions of several glyphs, placed on one grid.
 ///
-///      ┌────┐  ┌────┐             ┌─────────────┐       begin(grid)          the grid that all are set down on
+///      ┌────┐  ┌────┐             ┌─────────────┐       begin(grid)          the grid that all are placed on
 ///      │ a ┌┼──┼┐ c │     ->      │             │       add(region, ...)      once for each member
 ///      │   └┼──┼┘   │             │             │       join(space)           what any of them fills
 ///      └────┘b └────┘             └─────────────┘       member_of(curve)      whose curve an edge comes from
 ///
-/// The members' curves are copied and numbered on; edges of the joined region name them. A place that several members'
-/// boundaries share belongs to the first of these. Crossings between members count as real however shallow they are.
-/// The tolerance is the members' largest. Memory stays for the next group.
+/// The members' curves are copied and renumbered; edges of the union refer to them. Where boundaries of several members
+/// coincide, the edge belongs to the first of these. Crossings between members count as real however shallow they are.
+/// The tolerance is the members' largest. Memory is kept for the next group.
 class region_union {
 public:
     explicit region_union(memory source = heap()) noexcept : loops_{source}, curves_{source}, first_curves_{source} {}
 
-    /// Forgets all members.
+    /// Removes all members.
     void begin(const grid& onto) noexcept
     {
         loops_.clear();
@@ -39,12 +39,12 @@ public:
 
     /// Adds a region, each of whose points p goes to scale * p + (x, y), rounded to the grid.
     ///
-    ///     scale    cells of this grid to a cell of the region's own. A power of two where both come from fonts of equal
+    ///     scale    cells of this grid per cell of the region's own. A power of two where both come from fonts of equal
     ///              units per em; with 1 nothing is rounded
     ///
-    /// Fails  error::outline_beyond_grid: a point would lie farther than grid::reach from 0
+    /// Fails  error::outline_beyond_grid: a point would be farther than grid::reach from 0
     ///        error::too_large: 2^32 - 1 points or curves and more
-    ///        error::out_of_memory; the group is as it was then
+    ///        error::out_of_memory; the group is then unchanged
     [[nodiscard]] error add(const region& r, double scale, std::int64_t x, std::int64_t y) noexcept
     {
         const std::size_t points = loops_.points.size(), edges = loops_.edges.size(), starts = loops_.starts.size(),
@@ -59,7 +59,7 @@ public:
         return e;
     }
 
-    /// The region that the members fill together, on this group's memory: it ends with the next begin().
+    /// The region that the members fill together, in this group's memory: valid until the next begin().
     ///
     /// Fails  as resolve() does
     [[nodiscard]] result<region> join(workspace& space, std::uint32_t most_pieces = default_most_pieces) noexcept
@@ -68,7 +68,7 @@ public:
         return resolve(loops_, fill_rule::non_zero, space, {.most_pieces = most_pieces});
     }
 
-    /// The member that a curve of the joined region comes from: 0 for the first that was added.
+    /// The member that a curve of the union comes from: 0 for the first that was added.
     [[nodiscard]] std::uint32_t member_of(std::uint32_t curve) const noexcept
     {
         return static_cast<std::uint32_t>(range_of(first_curves_.view(), curve));

@@ -20,22 +20,22 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What resolve() did, for those who want to know.
+/// What resolve() did, for diagnosis.
 struct resolve_effort {
-    std::uint32_t walks = 0;   ///< sweeps over the arrangement; nearly always one
+    std::uint32_t sweeps = 0;  ///< over the arrangement; nearly always one
     std::uint32_t rounds = 0;  ///< of snap rounding: none or one
     std::uint32_t pieces = 0;  ///< that the edges were cut into: n + k
 };
 
-/// What resolve() is told beside the contours.
+/// The options of resolve().
 struct resolve_options {
     std::uint32_t most_pieces = default_most_pieces;  ///< see resolve()
-    resolve_effort* effort = nullptr;                 ///< where to tell what was done
+    resolve_effort* effort = nullptr;                 ///< receives what was done, unless null
 };
 
 namespace detail {
 
-/// One resolve(), step by step. Everything in between lies in scratch memory that ends with it.
+/// One resolve(), step by step. All intermediate results are scratch memory that ends with it.
 class resolving {
 public:
     resolving(contours& loops, fill_rule rule, workspace& space, const resolve_options& how) noexcept
@@ -43,7 +43,7 @@ public:
     {
     }
 
-    /// Cuts the contours' edges where they cross: by a sweep where that will do, else by snap rounding.
+    /// Cuts the contours' edges where they cross: by a sweep if that suffices, else by snap rounding.
     [[nodiscard]] error cut() noexcept
     {
         bool is_cut = false;
@@ -54,7 +54,7 @@ public:
         return {};
     }
 
-    /// Goes round the boundary of what is filled, and asks the filter of all intersections that it comes through.
+    /// Traces the boundary of what is filled, and passes all intersections on it to the filter.
     template <intersection_filter Filter>
     [[nodiscard]] error trace(Filter& filter, bool& all_stand) noexcept
     {
@@ -75,7 +75,7 @@ public:
     }
 
 private:
-    /// One sweep, or a second; `is_cut` is false where these do not do.
+    /// One sweep, or two; `is_cut` is false if these do not suffice.
     [[nodiscard]] error cut_by_sweep(bool& is_cut) noexcept
     {
         constexpr std::size_t bytes_per_piece = 144;  // of the arrangement (84) and its sweep
@@ -94,7 +94,7 @@ private:
         return {};
     }
 
-    /// Snap rounding, and sweeps with more and more room.
+    /// Snap rounding, then sweeps with increasing capacity.
     [[nodiscard]] error cut_by_snap_rounding() noexcept
     {
         scratch_.keep();
@@ -107,7 +107,7 @@ private:
             report(1);
             if (!sweep.again) return {};
             if (!sweep.full) return error::crossing_contours;
-            // The room grows by half until it is twice what may be needed: nothing that may stand takes more.
+            // The capacity grows by half until it is twice what may be needed: no valid result takes more.
             if (a_.capacity / 2 > rounding.most_pieces() + 64)
                 return error{error::too_many_pieces, rounding.most_pieces()};
             a_.most_active = no_number;
@@ -118,7 +118,7 @@ private:
 
     void report(std::uint32_t rounds) noexcept
     {
-        if (how_.effort != nullptr) *how_.effort = {how_.effort->walks + 1, rounds, a_.count};
+        if (how_.effort != nullptr) *how_.effort = {how_.effort->sweeps + 1, rounds, a_.count};
     }
 
     contours& loops_;
@@ -132,43 +132,42 @@ private:
 
 }  // namespace detail
 
-/// The region that any closed polylines fill under `rule`, however they cross, touch, overlap or run back on
-/// themselves.
+/// The region that any closed polylines fill under `rule`, however they cross, touch, overlap or double back.
 ///
 ///      .------.                .------.            Crossings, corners on edges, shared edges, doubled contours,
 ///      |   .--|---.            |      '---.        spikes, edges without length, contours of one point, any nesting,
-///      |   |  |   |     ->     |          |        any winding number. In every point where boundaries touch, a walk
+///      |   |  |   |     ->     |          |        any winding number. In every point where boundaries touch, a cycle
 ///      '---|--'   |            '---.      |        stays in its own sector of interior: a hole that touches its outer
 ///          '------'                '------'        loop joins it, holes that touch become one, outer loops stay apart.
 ///
-/// Replaces `loops`; nothing may be left: a region without points. Edges keep the curve and t that they come from
-/// (where several lie upon each other, those of the curve with the lowest number), t0 > t1 where they are run against
-/// it. Points of the contours that lie on the boundary stay; points are added where edges are cut, and nowhere else.
-/// The region's points are sorted: see region::order().
+/// Replaces `loops`; the result may be a region without points. Edges keep the curve and t that they come from (of
+/// several that coincide, those of the curve with the lowest number), with t0 > t1 where they run against it. Points of
+/// the contours that lie on the boundary stay; points are added where edges are cut, and nowhere else. The region's
+/// points are sorted: see region::order().
 ///
 /// Crossings are rounded to the grid. The boundary stays within about 1.5 cells of the contours' edges, and farther
-/// from all edges every place is filled as the rule says; where all crossings are grid points, everywhere.
+/// than that from all edges every place is filled as the rule says; if all crossings are grid points, everywhere.
 ///
-/// What comes out depends on the set of edges alone, as loops, each a cyclic sequence of points: not on where contours
-/// begin, on their order, or on their direction when all are reversed; under even_odd, of each contour's for itself. It
-/// is the snap rounding of the edges (see snap_rounding.hpp); one quick walk makes it where no point lies within about
-/// a cell of an edge that is not its own, which is nearly always. Crossings are rounded half up in x and y, so a mirrored
-/// or turned shape may be rounded otherwise.
+/// The result, as loops that are each a cyclic sequence of points, depends on the set of edges alone: not on where
+/// contours begin, on their order, or on their direction if all are reversed; under even_odd, nor on the direction of
+/// each. It is the snap rounding of the edges (see snap_rounding.hpp); one fast sweep makes it where no point lies
+/// within about a cell of an edge that is not its own, which is nearly always. Crossings are rounded half up in x and
+/// y, so a mirrored or rotated figure may be rounded differently.
 ///
-/// Fails  error::too_many_pieces: more than most_pieces points, crossings or pieces; told as soon as it is known, after
-///        O(most_pieces log n) steps; more than 2^30 count as 2^30. error::too_large: more than 2^29 points.
-///        error::out_of_memory. Then `loops` is as it was. (error::crossing_contours stands for a mistake in here.)
-/// Cost   O((n + k) log n) for n points and k crossings, which may be n^2 / 2: 50 to 70 ns a piece for letters. Where snap
-///        rounding is needed, about five times as much, the first walk included, and about sqrt(n + k) steps an edge to
-///        find the hot pixels that it comes through; an edge is cut in each of them.
-/// Memory at most 200 bytes a piece from `space`, and a block of 16 kB, which is never smaller. Before the workspace has
-///        seen as many pieces they lie in several blocks: up to 210 bytes a piece where snap rounding is needed, and
-///        32 kB. The order of the points takes 4 bytes a point in `loops`.
-/// Exact  in 64 bits; from equal grid points every compiler makes the same region (t apart, which is floating point)
+/// Fails  error::too_many_pieces: more than most_pieces points, crossings or pieces; returned as soon as it is known,
+///        after O(most_pieces log n) steps; more than 2^30 count as 2^30. error::too_large: more than 2^29 points.
+///        error::out_of_memory. `loops` is then unchanged. (error::crossing_contours would be a mistake in here.)
+/// Cost   O((n + k) log n) for n points and k crossings, which may be n^2 / 2: 50 to 70 ns per piece for letters. Where
+///        snap rounding is needed, about five times as much, the first sweep included, and about sqrt(n + k) steps per
+///        edge to find the hot pixels that it passes through; an edge is cut in each of them.
+/// Memory at most 200 bytes per piece from `space`, and a block of 16 kB, which is never smaller. Before the workspace
+///        has seen as many pieces they lie in several blocks: up to 210 bytes per piece where snap rounding is needed,
+///        and 32 kB. The order of the points takes 4 bytes per point in `loops`.
+/// Exact  in 64 bits; from equal grid points every compiler makes the same region (except t, which is floating point)
 ///
-/// `filter` is told where edges of the contours cross, or one ends on the other, on the boundary of what they fill (see
-/// intersection.hpp). Where it does not let one stand, the answer is a region without points, and `loops` is as it was. About
-/// 15 instructions a point, and the filter's own.
+/// `filter` is called where edges of the contours cross, or one ends on the other, on the boundary of what they fill
+/// (see intersection.hpp). If it rejects one, the result is a region without points, and `loops` is unchanged. About 15
+/// instructions per point, plus the filter's own.
 template <intersection_filter Filter>
 [[nodiscard]] result<region> resolve(contours& loops, fill_rule rule, workspace& space, Filter& filter,
                                      const resolve_options& how = {}) noexcept

@@ -22,68 +22,70 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// One walk from left to right over an arrangement that cuts segments where they cross, touch or overlap.
+/// One sweep from left to right over an arrangement that cuts segments where they cross, touch or overlap.
 ///
-/// The sweep line crosses edges, ordered from below to above. Two that become neighbours are tested once: the one that
-/// ends first must end on its own side of the other. Where it does not, both are cut where they cross, at the nearest
-/// grid point x, and bent through it:
+/// The sweep line crosses edges, ordered from bottom to top. Two that become neighbours are tested once: the one that
+/// ends first must end on its own side of the other. If it does not, both are cut where they cross, at the nearest grid
+/// point x, and bent through it:
 ///
-///     a ---.__                     a ---.__      . d      The right parts wait in a queue until the sweep comes to x.
+///     a ---.__                     a ---.__      . d      The right halves wait in a queue until the sweep reaches x.
 ///     c ____  '--.__       ->      c ______'--x-'         An end that lies on the other edge cuts it without bending.
 ///           '---.___'-- b                      '--- b
 ///                    ' d
 ///
-/// In a point the edges that end there lie next to each other. Those that start there are put in order by their angle,
-/// and take the places of those that end; those that lie upon each other are joined, the longer one cut at the end of
-/// the shorter one.
+/// At a point, the edges that end there are adjacent in the status. Those that start there are sorted by angle, and
+/// take the places of those that end; those that lie upon each other are joined, the longer one cut at the end of the
+/// shorter one.
 ///
 /// Afterwards no two segments have more than an end in common, the winding numbers below them are right, and `next`
-/// joins those that bound the filled area, as boundary_cycles tells; or `again` asks for one more walk over what there is
-/// now, or for snap rounding. In a walk that ends so any step may have been wrong: it cut in wrong places, missed some, and nothing worse,
-/// for whatever is cut, the segments stay closed contours.
+/// links those that bound the filled area, as boundary_cycles needs; or `again` asks for one more sweep over the
+/// result, or for snap rounding. In a sweep that ends so any step may have been wrong: it may have cut in wrong places
+/// or missed some, but nothing worse, because the segments stay closed contours whatever is cut.
 ///
-/// Why what a walk believes is true. Bending moves an edge by less than a cell, and what the sweep has passed already
-/// may then lie on its other side. So every point p is held against the edges right below and right above it when the
-/// sweep is there (pass_by), and the walk is believed when 1, 2 and 3 hold. Where one edge ends in p and one starts,
-/// that has been done: when the edge that ends and its neighbour came to lie side by side, and whenever either was cut,
-/// p was tested against this neighbour, which ends later (is_clear); what was found counts when the sweep is in p.
+/// Why a sweep can be trusted. Bending moves an edge by less than a cell, and what the sweep has already passed may
+/// then lie on its other side. So every point p is tested against the edges right below and right above it when the
+/// sweep is there (pass_by), and the sweep is trusted if 1, 2 and 3 hold. Where one edge ends in p and one starts, that
+/// has been done: when the edge that ends and its neighbour became adjacent, and whenever either was cut, p was tested
+/// against this neighbour, which ends later (is_clear); the finding counts once the sweep is in p.
 ///
-///     1  the points came in ascending order, each once, and every edge ended where the sweep took it out;
-///     2  p lay strictly between those two edges, and does so still when they have been bent;
-///     3  no two edges that ended next to each other had begun together: all that end in a point lie side by side in
-///        the status, so to remember the one before is enough.
+///     1  the points came in ascending order, each once, and every edge ended where the sweep removed it;
+///     2  p lay strictly between those two edges, and still does after they have been bent;
+///     3  no two edges that ended next to each other had begun together: all that end in a point are adjacent in the
+///        status, so to remember the previous one is enough.
 ///
-/// Let X be the first place where final segments meet otherwise than in common ends; left of X the status is in order.
-/// If X is no end of a segment, two neighbours e below f cross there (they do not begin together in one direction: till
-/// one of them ends nothing can come between them, and ending in the same place breaks 3, in different places 2).
-/// Behind X nothing can be put between them, for what is above e is above f; so the one that ends first does so on the
-/// wrong side of the other, its neighbour, against 2. If X is an end p, an edge that goes through it lies next to those
-/// that end there, or where others start, against 2. Where nothing meets, the winding numbers add up.
+/// Let X be the first place where final segments meet other than in common ends; left of X the status is in order. If X
+/// is not an end of a segment, two neighbours e below f cross there (they do not begin together in one direction: until
+/// one of them ends nothing can come between them, and ending in the same place violates 3, in different places 2).
+/// After X nothing can be inserted between them, because what is above e is above f; so the one that ends first does so
+/// on the wrong side of the other, its neighbour, contrary to 2. If X is an end p, an edge that passes through it is
+/// next to those that end there, or to where others start, contrary to 2. Where nothing meets, the winding numbers add
+/// up.
 ///
-/// To see 2 without walking again: an edge ab is bent through x only if x is within one cell of its line, that is
-/// |orientation(a, b, x)| <= |dx| + |dy|, so all of ax is, and once; and if anything is bent, every point was farther
-/// away from the edges right below and right above it than that (else it is `close_`). So none of them changes sides;
-/// and a point behind x cannot have been held against ab yet, or x comes out of order (`late_`) or a second time.
+/// To check 2 without another sweep: an edge ab is bent through x only if x is within one cell of its line, that is
+/// |orientation(a, b, x)| <= |dx| + |dy|, so all of ax is, and only once; and if anything is bent, every point was
+/// farther away than that from the edges right below and right above it (else it is `close_`). So none of them changes
+/// sides; and a point after x cannot have been tested against ab yet, or x comes out of order (`late_`) or a second
+/// time.
 ///
-/// Why it is what snap rounding makes: each cut lies in a cell that the contour's own edge comes through (lead_home). If
-/// that edge came through the cell of a point that it is not cut in, some piece of it would lie within a cell of that
-/// point, and the nearest of all such pairs lie side by side in the status (or in one column: is_close_in_column). And a
-/// crossing that was not found belongs to two edges that come through one point beside it, where more than these two
-/// meet (is_rough). Tested against the definition, pair by pair.
+/// Why the result is the snap rounding: each cut lies in a pixel that the contour's own edge passes through
+/// (lead_home). If that edge passed through the pixel of a point in which it is not cut, some piece of it would lie
+/// within a cell of that point, and the nearest of all such pairs are adjacent in the status (or in one column:
+/// is_close_in_column). And a crossing that was not found belongs to two edges that pass through one point beside it,
+/// where more than these two meet (is_rough). Tested against the definition, pair by pair.
 ///
 /// From  Bentley & Ottmann, Algorithms for reporting and counting geometric intersections (1979); Hobby, Practical
 ///       segment intersection with finite precision output (1999)
 class resolving_sweep {
 public:
-    bool again = false;     ///< something may not add up: one more walk is needed
-    bool rough = false;     ///< something was bent that may not lie where snap rounding leads it: only that helps
-    bool partial = false;   ///< edges cancel each other in part: what crosses them there has not been sought
-    bool full = false;      ///< ended early, for there was no room for more segments
-    bool touching = false;  ///< the boundary comes through some point more than once
+    bool again = false;     ///< something may not add up: another sweep is needed
+    bool rough = false;     ///< something was bent that may deviate from snap rounding: only that helps
+    bool partial = false;   ///< edges cancel in part: what crosses them there was not sought
+    bool full = false;      ///< stopped early, because there was no capacity for more segments
+    bool touching = false;  ///< the boundary passes through some point more than once
 
     explicit resolving_sweep(arrangement& a, fill_rule rule) noexcept : a_{a}, rule_{rule}, mask_{winding_mask(rule)} {}
 
-    /// False when there is no memory; then the arrangement is of no use any more.
+    /// False when memory runs out; the arrangement is then unusable.
     [[nodiscard]] bool run(workspace& space) noexcept
     {
         {
@@ -131,7 +133,7 @@ private:
         const std::uint32_t count = a_.point_count;
         const grid_point* const points = a_.points;
         std::uint32_t next = 0;
-        constexpr std::int64_t column = std::int64_t{1} << 31;  // points of one x are closer, all others farther apart
+        constexpr std::int64_t column = std::int64_t{1} << 31;  // points of one x are closer, all others are not
         std::int64_t last = sweep_place({-beyond.x, -beyond.y});
         while (!full) {
             grid_point p = next < count ? points[next] : beyond;
@@ -179,7 +181,7 @@ private:
                 const std::uint32_t changed = dirty_[--dirty_count_], cut_slot = changed / 2;
                 const std::uint32_t low = changed % 2 != 0 ? cut_slot : status_.below(cut_slot);
                 const std::uint32_t high = status_.above(low);
-                if (!is_clear(low, high)) part(low, high);
+                if (!is_clear(low, high)) separate(low, high);
             }
         }
     }
@@ -196,12 +198,12 @@ private:
         finish(ending);
         begin(slot, starting, p, before.below);
         if (s.interior >= 0) before.next = starting;
-        s.next = ending;  // where the boundary runs from right to left, else of no account
-        if (!is_clear(under, slot)) part(under, slot);
-        if (!is_clear(slot, over)) part(slot, over);
+        s.next = ending;  // where the boundary runs from right to left, else irrelevant
+        if (!is_clear(under, slot)) separate(under, slot);
+        if (!is_clear(slot, over)) separate(slot, over);
     }
 
-    /// Holds p against the edges right below and right above it.
+    /// Tests p against the edges right below and right above it.
     void pass_by(std::uint32_t under, std::uint32_t over, grid_point p) noexcept
     {
         const auto hold = [&](const swept_edge& e, std::int64_t side) noexcept {
@@ -212,13 +214,13 @@ private:
         if (over != 0) hold(edges_[over], -orientation(edges_[over].from, edges_[over].to, p));
     }
 
-    /// Whether an edge ends in p; of a point that comes once more also whether it starts there.
+    /// Whether an edge ends in p; if p is met again, also whether it starts there.
     [[nodiscard]] bool is_here(std::uint32_t slot, grid_point p, bool repeated) const noexcept
     {
         return slot != 0 && (edges_[slot].to == p || (repeated && edges_[slot].from == p));
     }
 
-    /// The edge right below all that end in p, of which one is in `slot`.
+    /// The edge right below all that end in p, one of which is in `slot`.
     [[nodiscard]] std::uint32_t below_ending(std::uint32_t slot, grid_point p, bool repeated) const noexcept
     {
         std::uint32_t under = status_.below(slot);
@@ -250,13 +252,13 @@ private:
         start_edges(here, slot, starting_count);
     }
 
-    /// Those that end lie next to each other. One that goes through the point is cut; in a point that comes once more,
-    /// those that started there the first time start again. False when there is no room.
+    /// Those that end are adjacent. One that passes through the point is cut; if the point is met again, those that
+    /// started there the first time start again. False when there is no capacity left.
     [[nodiscard]] bool end_edges(point_event& here, std::uint32_t slot, bool repeated) noexcept
     {
         const grid_point p = here.at;
         unsure_ |= repeated;
-        grid_point began = p;  // the edge that ended last
+        grid_point began = p;  // where the edge that ended last began
         here.under = slot == 0 ? find(p) : below_ending(slot, p, repeated);
         std::uint32_t over = status_.above(here.under);
         for (; over != 0; over = status_.above(over), ++here.place_count) {
@@ -284,7 +286,7 @@ private:
         return true;
     }
 
-    /// Those that start take the places of those that end, if these are enough and seem to be right.
+    /// Those that start take the places of those that end, if these are enough and appear to be right.
     void start_edges(point_event here, std::uint32_t slot, std::uint32_t starting_count) noexcept
     {
         const grid_point p = here.at;
@@ -306,7 +308,7 @@ private:
             bends |= a_.segments[k].bent;
             winding = edges_[place].above;
             if (!enough) status_.insert_above(last, place);
-            if (i != 0 && !is_clear(last, place)) part(last, place);  // one may end near the other
+            if (i != 0 && !is_clear(last, place)) separate(last, place);  // one may end near the other
             links.take(k, true);
             last = place;
         }
@@ -315,8 +317,8 @@ private:
         if (winding != expected) unsure_ |= differ(winding, expected);
         for (std::uint32_t i = here.ending_count; i-- != 0;) links.take(ends_[i], false);
         touching |= links.close();
-        if (const std::uint32_t low = status_.above(under); !is_clear(under, low)) part(under, low);
-        if (last != under && !is_clear(last, over)) part(last, over);
+        if (const std::uint32_t low = status_.above(under); !is_clear(under, low)) separate(under, low);
+        if (last != under && !is_clear(last, over)) separate(last, over);
     }
 
     [[nodiscard]] std::uint32_t take_slot() noexcept
@@ -334,8 +336,8 @@ private:
         status_.erase(slot);
     }
 
-    /// Bent edges cross a little beside where the contours do: takes the contours' crossing. Else, or where the edges
-    /// cannot be cut there, they have left the way that snap rounding leads them.
+    /// Bent edges cross a little beside where the contours do: takes the contours' crossing. Where there is none, or
+    /// the edges cannot be cut there, they have left the course of snap rounding.
     void lead_home(std::uint32_t low, std::uint32_t high, grid_point& x) noexcept
     {
         const auto l = a_.home(a_.segments[edges_[low].segment]), h = a_.home(a_.segments[edges_[high].segment]);
@@ -346,7 +348,7 @@ private:
             rough_ = true;
     }
 
-    /// Whether two winding numbers are not the same to the fill rule.
+    /// Whether two winding numbers differ for the fill rule.
     [[nodiscard]] bool differ(std::int32_t a, std::int32_t b) const noexcept { return ((a - b) & mask_) != 0; }
 
     /// The last edge below p.
@@ -377,13 +379,13 @@ private:
         }
     }
 
-    /// Whether of two neighbours the one that ends first does so on its own side of the other; notes how close it
+    /// Whether the one of two neighbours that ends first does so on its own side of the other; notes how close it
     /// comes.
     [[nodiscard]] bool is_clear(std::uint32_t low, std::uint32_t high) noexcept
     {
         if (low == 0 || high == 0) return true;
         const bool low_first = sweep_place(edges_[low].to) < sweep_place(edges_[high].to);
-        const std::uint32_t change = (low ^ high) & (low_first - 1u);  // a branch would be guessed wrong often
+        const std::uint32_t change = (low ^ high) & (low_first - 1u);  // a branch would often be mispredicted
         const swept_edge& shorter = edges_[low ^ change];
         const swept_edge& longer = edges_[high ^ change];
         const std::int64_t turn = orientation(longer.from, longer.to, shorter.to);
@@ -393,8 +395,8 @@ private:
         return close_ = true;
     }
 
-    /// Two neighbours that are not clear of each other: cuts them where they meet, if that is not where both end.
-    void part(std::uint32_t low, std::uint32_t high) noexcept
+    /// Two neighbours that are not clear of each other: cuts them where they meet, unless both end there.
+    void separate(std::uint32_t low, std::uint32_t high) noexcept
     {
         const swept_edge &l = edges_[low], &h = edges_[high];
         if (l.to == h.to) return;
@@ -412,12 +414,11 @@ private:
             unsure_ = true;
     }
 
-    /// Cuts an edge in a grid point of its box and lets the right part wait; false when there is no room. The neighbour
-    /// on `side` (0: below, 1: above) is to be tested against it, the other one ends there, too.
+    /// Cuts an edge in a grid point of its box and queues the right half; false when there is no capacity left. The
+    /// neighbour on `side` (0: below, 1: above) has to be tested against it; the other one ends there, too.
     ///
-    /// A part of a nearly vertical edge may be vertical and run from above to below. The right part is turned round
-    /// then and waits where the edge ended; the left part is turned round when the sweep finishes it, which it does at
-    /// once.
+    /// A half of a nearly vertical edge may be vertical and run downwards. The right half is then reversed and queued
+    /// where the edge ended; the left half is reversed when the sweep finishes it, which it does at once.
     [[nodiscard]] bool cut(std::uint32_t slot, grid_point x, std::uint32_t side) noexcept
     {
         if (edges_[slot].to == x || edges_[slot].from == x) {
@@ -443,7 +444,7 @@ private:
         return true;
     }
 
-    /// The edge in a slot ends in x from now on; its rest is the last segment of all. False when there is no room.
+    /// The edge in a slot now ends in x; its rest is the last segment of all. False when there is no capacity left.
     [[nodiscard]] bool split(std::uint32_t slot, grid_point x) noexcept
     {
         if (a_.count == a_.capacity || queue_.room() < 2) {
@@ -468,15 +469,15 @@ private:
         return true;
     }
 
-    static constexpr grid_point beyond{1 << 29, 1 << 29};  // behind all points of the grid
+    static constexpr grid_point beyond{1 << 29, 1 << 29};  // after all points of the grid
 
     arrangement& a_;
     fill_rule rule_;
     std::int32_t mask_;  // of winding numbers
     swept_edge* edges_ = nullptr;
     std::uint32_t* ends_ = nullptr;
-    std::uint32_t* dirty_ = nullptr;  // edges that were cut: slots times 2, and 1 to be tested against the edge above
-    std::uint32_t* hints_ = nullptr;  // for every point: a slot whose edge ends there, perhaps
+    std::uint32_t* dirty_ = nullptr;  // edges that were cut: slots times 2, plus 1 to be tested against the edge above
+    std::uint32_t* hints_ = nullptr;  // for every point: a slot whose edge may end there
     sweep_status status_;
     event_queue queue_;
     start_order starts_{a_, queue_, mask_};
@@ -485,10 +486,10 @@ private:
     std::uint32_t slot_count_ = 0;
     std::uint32_t free_slot_ = 0;
     std::uint32_t most_slots_ = 0;
-    std::uint32_t last_ended_ = no_number;  // the uppermost in the last point that had any
+    std::uint32_t last_ended_ = no_number;  // the uppermost one in the last point that had any
     bool unsure_ = false;
     bool late_ = false;
-    bool unfinished_ = false;  // edges that nobody took out
+    bool unfinished_ = false;  // edges that were never removed
     bool close_ = false;       // a point lies within a cell of an edge that is not its own
     bool rough_ = false;       // see rough, if anything is bent
     bool bent_ = false;

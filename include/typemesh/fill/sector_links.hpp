@@ -7,8 +7,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Links the boundary of the filled area through a point: `next` of a segment that comes in is the one that goes out
-/// with the interior between them. Round the point, counter-clockwise, the interior follows every one that goes out.
+/// Links the boundary of the filled area through a point: `next` of an incoming segment is the outgoing one with the
+/// interior between them. Counter-clockwise around the point, the interior follows every outgoing one.
 ///
 ///     ::::: out      in :::::      in, then out, on either side
 ///     ------------p----------
@@ -16,8 +16,8 @@ class sector_links {
 public:
     explicit sector_links(segment* segments) noexcept : segments_{segments} {}
 
-    /// Takes the segments counter-clockwise: those that start in the point from below to above, then those that end
-    /// there from above to below.
+    /// Adds the segments counter-clockwise: those that start in the point from bottom to top, then those that end there
+    /// from top to bottom.
     void take(std::uint32_t i, bool starts) noexcept
     {
         const std::int32_t interior = segments_[i].interior;
@@ -32,7 +32,7 @@ public:
         out_count_ += last_goes_out_;
     }
 
-    /// After the last one. True when the boundary comes through the point more than once.
+    /// After the last one. True if the boundary passes through the point more than once.
     [[nodiscard]] bool close() noexcept
     {
         if (last_goes_out_ && !first_goes_out_) segments_[first_].next = last_;

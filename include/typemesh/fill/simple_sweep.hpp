@@ -13,23 +13,23 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// What a contour that meets no other separates.
+/// The winding numbers on both sides of a contour that meets no other.
 struct contour_sides {
     std::int32_t outside = 0;  ///< winding number just outside of it
     std::int32_t inside = 0;   ///< just inside
     bool counter_clockwise = false;
 };
 
-/// Walks from left to right over contours of which nothing is known: finds whether any two edges meet, and if none do,
-/// what every contour separates.
+/// Sweeps from left to right over contours about which nothing is known: finds whether any two edges meet, and if none
+/// do, what every contour separates.
 ///
-/// The sweep line crosses edges, ordered from below to above. Every point is tested against the edge below and the edge
-/// above it, strictly; that finds every intersection (the reason is told in triangulate/monotone_sweep.hpp). The winding
-/// numbers on the two sides of a contour are known where the sweep first meets it: from the edge right below.
+/// The sweep line crosses edges, ordered from bottom to top. Every point is tested against the edge below and the edge
+/// above it, strictly; that finds every intersection (for the reason see triangulate/monotone_sweep.hpp). The winding
+/// numbers on both sides of a contour are known where the sweep first meets it: from the edge right below.
 ///
-///        k ---------------     outside of l = above that edge of k = inside or outside of k, as that edge runs
+///        k ---------------     outside of l = above that edge of k = inside or outside of k, by that edge's direction
 ///               l  .---
-///                 p            inside of l = outside of l + 1 when l turns left in p, else - 1
+///                 p            inside of l = outside of l + 1 if l turns left in p, else - 1
 ///                  '---
 ///        k --------------- e   the edge right below
 class simple_sweep {
@@ -40,11 +40,11 @@ class simple_sweep {
     struct crossed_edge {
         grid_point from, to;  // from left to right
         std::uint32_t contour;
-        bool backwards;  // the contour runs it from right to left
+        bool backwards;  // the contour traverses it from right to left
     };
 
 public:
-    /// `sides` holds loops.contour_count() values; the points are sorted. Fails with crossing_contours, out_of_memory.
+    /// `sides` has loops.contour_count() elements; the points are sorted. Fails with crossing_contours, out_of_memory.
     [[nodiscard]] error run(const contours& loops, workspace& space, contour_sides* sides) noexcept
     {
         const std::size_t n = loops.points.size();
@@ -52,7 +52,7 @@ public:
         points_ = loops.points.data();
         workspace::scope scratch{space};
         const std::span<const std::uint32_t> order = loops.order();
-        TYPEMESH_ASSERT(order.size() == n, "contours are sorted before they are swept: see sort_points()");
+        TYPEMESH_ASSERT(order.size() == n, "the points of contours must be sorted first: see sort_points()");
         vertices_ = scratch.take<vertex>(n);
         contour_of_ = scratch.take<std::uint32_t>(n);
         edges_ = scratch.take<crossed_edge>(n + 1);
@@ -70,7 +70,7 @@ public:
             }
         }
 
-        grid_point last{-(1 << 28) - 1, 0};  // no point of the grid
+        grid_point last{-(1 << 28) - 1, 0};  // not on the grid
         for (std::size_t i = 0; i < n; ++i) {
             const std::uint32_t v = order[i];
             const grid_point p = points_[v];

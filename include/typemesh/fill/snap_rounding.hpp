@@ -18,31 +18,31 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Cuts the edges of contours where they cross, all at once: snap rounding, where something has to be rounded.
+/// Cuts the edges of contours where they cross, all at once: snap rounding, where anything has to be rounded.
 ///
-///      .   .   .   .   .      The cell round a grid point is hot when a contour's point lies in it, or two edges cross
-///        +---+   _.-''.       in it. Where an edge comes through a hot point itself it is cut in it. A part of an edge
-///      . | x-+-''  .   .      between two such cuts, if it has to be bent, is led through the middle of every hot pixel
-///     .-'+---+ `-.            that it comes through. No part moves by more than half a cell in x and y, and no two of
-///      .   .   .   `.  .      them cross afterwards: this is proven in the second paper.
+///      .   .   .   .   .      The pixel of a grid point is hot if a contour's point lies in it, or two edges cross in
+///        +---+   _.-''.       it. An edge that passes through a hot point itself is cut there. A piece of an edge
+///      . | x-+-''  .   .      between two such cuts, if it has to be bent, is routed through the centre of every hot
+///     .-'+---+ `-.            pixel that it passes through. No piece moves by more than half a cell in x and y, and no
+///      .   .   .   `.  .      two of them cross afterwards: this is proven in the second paper.
 ///
-/// Which parts have to be bent: those that cross others elsewhere than in a grid point; those that come through a hot
-/// cell through whose middle another part is led that did not come through it by itself; and so on. All others stay as
-/// they are. A part that is bent comes to lie beside points whose cells it does not come through, or on them; the walk
-/// behind it cuts it in these, bending nothing.
+/// Which pieces have to be bent: those that cross others elsewhere than in a grid point; those that pass through a hot
+/// pixel through whose centre another piece is routed that did not pass through it by itself; and so on. All others
+/// stay as they are. A bent piece comes to lie beside points whose pixels it does not pass through, or on them; the
+/// sweep that follows cuts it in these, bending nothing.
 ///
 /// All this depends on the set of edges alone: not on where contours begin, nor on their order.
 ///
-/// Cost   O((n + k) log n) for n points and k crossings, and for each edge a search among the hot pixels: about their
-///        number's square root. An edge that comes through many cells of others' crossings is cut in each.
+/// Cost   O((n + k) log n) for n points and k crossings, and for each edge a search among the hot pixels: about the
+///        square root of their number. An edge that passes through many pixels of others' crossings is cut in each.
 /// Exact  in 64 bits: see crossing_sweep and hot_pixels
 /// From   Hobby, Practical segment intersection with finite precision output (1999); Guibas & Marimont, Rounding
 ///        arrangements dynamically (1998)
 class snap_rounding {
 public:
-    static constexpr std::uint32_t most_ever = 1u << 30;  ///< pieces that 32-bit numbers hold with room for more
+    static constexpr std::uint32_t most_ever = 1u << 30;  ///< pieces that 32-bit numbers can count, with a margin
 
-    /// More `most_pieces` than most_ever are most_ever.
+    /// `most_pieces` is taken as most_ever at most.
     explicit snap_rounding(const contours& loops, std::uint32_t most_pieces) noexcept
         : loops_{&loops}, most_{most_pieces < most_ever ? most_pieces : most_ever}
     {
@@ -50,9 +50,9 @@ public:
 
     [[nodiscard]] std::uint32_t most_pieces() const noexcept { return most_; }
 
-    /// Finds what is to be cut, and makes the pieces an arrangement that lies in `scratch`, which holds nothing else.
+    /// Finds all cuts, and makes the pieces an arrangement that lies in `scratch`, which holds nothing else.
     ///
-    /// Fails  error::too_many_pieces: more than `most_pieces` crossings, or places to cut; as soon as that is known
+    /// Fails  error::too_many_pieces: more than `most_pieces` crossings or cuts; as soon as that is known
     ///        error::out_of_memory
     [[nodiscard]] error run(fill_rule rule, workspace& space, workspace::scope& scratch, arrangement& a) noexcept
     {
@@ -70,7 +70,7 @@ public:
     }
 
 private:
-    /// A hot point as one number, in the sweep order; its lowest bit: whether an edge has to be bent to come through it.
+    /// A hot point as one number, in sweep order; its lowest bit: whether an edge has to be bent to pass through it.
     [[nodiscard]] static packed_sweep_key hot(grid_point p, bool bends) noexcept
     {
         return {static_cast<std::uint64_t>(std::int64_t{p.x} + beyond) << 32 |
@@ -82,7 +82,7 @@ private:
                 static_cast<std::int32_t>(static_cast<std::int64_t>(key.word >> 1 & 0x7FFF'FFFFu) - beyond)};
     }
 
-    /// Sorts hot points and leaves each once; false when there is no memory.
+    /// Sorts hot points and removes duplicates; false when memory runs out.
     [[nodiscard]] static bool put_in_order(growing<packed_sweep_key>& all, workspace& space) noexcept
     {
         if (all.count == 0) return true;
@@ -101,7 +101,7 @@ private:
         return true;
     }
 
-    /// The hot points: all of the contours, and where edges cross.
+    /// Finds the hot points: all of the contours, and where edges cross.
     [[nodiscard]] error find_points(workspace::scope& scratch, workspace& space) noexcept
     {
         growing<packed_sweep_key> all{scratch};
@@ -112,7 +112,7 @@ private:
             const packed_sweep_key key = hot(x, !is_exact);
             if (++crossings > most_) return false;
             if (all.values[all.count - 1].word == key.word) return true;
-            if (all.count == all.room) {  // many may lie in one cell
+            if (all.count == all.room) {  // many may lie in one pixel
                 if (!put_in_order(all, space)) return false;
                 if (all.count > all.room / 2 && !all.reserve(2 * all.room)) return false;
             }
@@ -127,7 +127,7 @@ private:
         return {};
     }
 
-    /// For each edge the hot points in which it is cut, one edge behind the other.
+    /// Finds for each edge the hot points in which it is cut, one edge after the other.
     [[nodiscard]] error find_cuts(workspace::scope& scratch, workspace& space) noexcept
     {
         const std::size_t m = hot_.size();
@@ -135,7 +135,7 @@ private:
         auto* const group = scratch.take<std::uint32_t>(m);
         hot_pixels cells;
         if (bends == nullptr || group == nullptr) return error::out_of_memory;
-        // Each point is made in the place of its key, which is read before.
+        // Each point is made in the place of its key, which is read first.
         static_assert(sizeof(grid_point) == sizeof(packed_sweep_key) &&
                       alignof(grid_point) <= alignof(packed_sweep_key));
         points_ = {};
@@ -151,7 +151,7 @@ private:
         growing<std::uint32_t> cuts{scratch};
         for (std::size_t i = 0; i < edges_.size(); ++i) {
             const net_edge& e = edges_[i];
-            std::uint32_t last = no_number;  // on the same part
+            std::uint32_t last = no_number;  // on the same piece
             const auto step = [&](hot_pixels::hit h) noexcept {
                 if (edges_.size() + cuts.count >= most_ || !cuts.add(h.number | (h.is_exact ? exact : 0))) return false;
                 if (!h.is_exact && last != no_number) join(group, bends, last, h.number);
@@ -176,7 +176,7 @@ private:
         return {};
     }
 
-    /// The group of hot points that are bent to when one of them is.
+    /// The group of hot points that are all bent to if one of them is: union-find.
     [[nodiscard]] static std::uint32_t root(std::uint32_t* group, std::uint32_t i) noexcept
     {
         while (group[i] != i) i = group[i] = group[group[i]];
@@ -214,7 +214,7 @@ private:
                 s.source.t1 = rest.source.t0 = rest.t_at(p);
                 s.end = rest.start = cuts_[next_cut];
                 s.to = rest.from = p;
-                if (s.end < s.start) s.flip();  // upright, in one column of cells
+                if (s.end < s.start) s.flip();  // vertical, in one column of pixels
             }
             if (rest.end < rest.start) rest.flip();
             pieces[made++] = rest;
@@ -222,7 +222,7 @@ private:
         for (const grid_point p : points_) places[point_count++] = p;
         scratch.keep(pieces, places);
         a.loops = loops_;
-        // Of an edge, three pieces at a time: upright ones that it falls through, and those before and behind them.
+        // Three pieces of an edge at a time: vertical ones along which it falls, and those before and after them.
         a.most_active = 3 * static_cast<std::uint32_t>(edges_.size());
         return a.adopt(scratch, pieces, made, places, point_count) ? error{} : error{error::out_of_memory};
     }

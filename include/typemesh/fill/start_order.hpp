@@ -11,16 +11,16 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// The segments that start in one point of a walk, from below to above, those that lie upon each other joined.
+/// The segments that start in one point of a sweep, from bottom to top; those that lie upon each other are joined.
 class start_order {
 public:
-    bool full = false;     ///< there was no room
+    bool full = false;     ///< there was no capacity left
     bool rough = false;    ///< bent segments lie upon each other
-    bool partial = false;  ///< edges cancel each other in part
+    bool partial = false;  ///< edges cancel in part
 
     start_order(arrangement& a, event_queue& queue, std::int32_t mask) noexcept : a_{a}, queue_{queue}, mask_{mask} {}
 
-    /// Room for `most` segments in one point; false when there is no memory.
+    /// Takes memory for `most` segments in one point; false when memory runs out.
     [[nodiscard]] bool open(workspace::scope& scratch, std::uint32_t most) noexcept
     {
         most_starts_ = most;
@@ -31,7 +31,7 @@ public:
 
     [[nodiscard]] const std::uint32_t* all() const noexcept { return starts_; }
 
-    /// Puts the segments that start in p into all(), from below to above, each direction once; how many.
+    /// Puts the segments that start in p into all(), from bottom to top, each direction once; returns how many.
     [[nodiscard]] std::uint32_t put_in_order(std::uint32_t starting, grid_point p) noexcept
     {
         if (starting == no_number) return 0;
@@ -79,8 +79,8 @@ private:
         return (s.from == a && s.to == b) || (s.from == b && s.to == a);
     }
 
-    /// Two segments that start in one point and in one direction: what they share becomes one of them, which is
-    /// returned, the rest of the longer one the other.
+    /// Joins two segments that start in one point in one direction: what they share becomes one of them, which is
+    /// returned, the rest of the longer one becomes the other.
     [[nodiscard]] std::uint32_t joined(std::uint32_t i, std::uint32_t k) noexcept
     {
         if (sweep_place(a_.segments[k].to) < sweep_place(a_.segments[i].to)) {
@@ -106,7 +106,7 @@ private:
             partial |= shorter.winding_delta != 0 || !is_whole(shorter) || !is_whole(longer);
             cancelled_ = true;
         }
-        shorter.interior = longer.interior = 0;  // of a walk before: one of them may be none from now on
+        shorter.interior = longer.interior = 0;  // from an earlier sweep: one of them may not count from now on
         if (equal) {
             longer.winding_delta = 0;
         } else if (queue_.room() == 0) {

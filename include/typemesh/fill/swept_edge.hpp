@@ -14,7 +14,7 @@ struct alignas(32) swept_edge {
     std::uint32_t segment = no_number;
     std::int32_t above = 0;             ///< the winding number right above it
 
-    bool is_bent = false;               ///< in this walk: bending it again takes another one
+    bool is_bent = false;               ///< in this sweep: bending it again takes another one
 
     void begin(grid_point a, grid_point b, std::uint32_t s, std::int32_t winding) noexcept
     {

@@ -14,26 +14,26 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Walks contours that share points anew, so that in each of these a walk stays in its own sector of interior: what
+/// Relinks contours that share points, so that in each of these a cycle stays in its own sector of interior: what
 /// boundary_cycles does, for contours that only touch in points and have the interior on their left.
 ///
-///     .---------<--------.         .---------<--------.         The hole touches the outer loop: one walk through all.
+///     .---------<--------.         .---------<--------.         The hole touches the outer loop: one cycle for both.
 ///     |    .---->---.    |         |    .---->---.    |         Points and edges stay what they are and are put in
 ///     |    |        |    |   ->    |    |        |    |         another order; none is added or lost.
 ///     |     '.    .'     |         |     '.    .'     |
 ///     '->-----'--'----->-'         '->---'  '------->-'
 ///
-/// Whatever the contours do elsewhere, the same edges run the same way, so all winding numbers are what they were.
-/// Nothing is proven: that is for a triangulator that knows of such points (see triangulator.hpp).
+/// Whatever the contours do elsewhere, the same edges run in the same directions, so all winding numbers stay the same.
+/// Nothing is proven: that is for a triangulator that takes such points (see triangulator.hpp).
 class touching_cycles {
 public:
-    /// Changes `loops` in place. What is needed to undo that lives in `scratch`.
+    /// Changes `loops` in place. What is needed to undo that is kept in `scratch`.
     ///
-    /// Fails  error::crossing_contours: no two points are equal, or round some point the edges do not bound sectors:
-    ///        two run in one direction, or the interior is not on the left of all
+    /// Fails  error::crossing_contours: no two points are equal, or around some point the edges do not bound sectors:
+    ///        two run in one direction, or the interior is not on the left of each
     ///        error::out_of_memory
-    /// In both cases `loops` is as it was.
-    /// Cost   a sort of the points; about 50 bytes a point from `scratch`
+    /// In both cases `loops` is unchanged.
+    /// Cost   a sort of the points; about 50 bytes per point from `scratch`
     [[nodiscard]] error link(contours& loops, workspace::scope& scratch, workspace& space) noexcept
     {
         const std::size_t n = loops.points.size();
@@ -51,7 +51,7 @@ public:
         }
         if (visits == 0) return error::crossing_contours;
         auto* const outgoing_edges = scratch.take<outgoing_edge>(2 * most);
-        auto* const behind = scratch.take<std::uint32_t>(n);  // the point that a walk comes to next
+        auto* const behind = scratch.take<std::uint32_t>(n);  // the point that follows on its cycle
         if (outgoing_edges == nullptr || behind == nullptr) return error::out_of_memory;
         for (std::uint32_t c = 0; c < loops.contour_count(); ++c) {
             const std::uint32_t begin = loops.starts[c], end = loops.starts[c + 1];
@@ -89,7 +89,7 @@ public:
     }
 
 private:
-    /// The points before and behind one on its contour. O(log contours)
+    /// The points before and after one on its contour. O(log contours)
     [[nodiscard]] static std::pair<std::uint32_t, std::uint32_t> neighbours(const contours& loops,
                                                                             std::uint32_t v) noexcept
     {
