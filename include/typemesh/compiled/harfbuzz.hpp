@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The default mesher over HarfBuzz, compiled once for a program: link typemesh::compiled. That target adds harfbuzz.cpp,
-// beside this file, to your own sources, to be compiled with your own flags, and defines TYPEMESH_COMPILED, with which
-// <typemesh/typemesh.hpp> includes this file. Without CMake: do both yourself, the definition for all files of a program.
+// The default mesher over HarfBuzz, compiled once for a program: link typemesh::compiled. That target adds
+// harfbuzz.cpp, beside this file, to your own sources, to be compiled with your own flags, and defines
+// TYPEMESH_COMPILED, with which <typemesh/typemesh.hpp> includes this file. Without CMake: do both yourself, the
+// definition for all files of a program.
 //
 // Everything else stays in headers: other policies and fonts, and what depends on your vertices.
 

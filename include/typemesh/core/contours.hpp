@@ -57,9 +57,9 @@ struct contours {
         forget_order();
     }
 
-    /// The indices of the points in the order of a left-to-right sweep: by x, then y, then index. Empty unless they have
-    /// been sorted (see sort_points() in sweep/sweep_order.hpp) since their number last changed and since clear() or
-    /// forget_order(). After moving points one of these must be called; this is asserted.
+    /// The indices of the points in the order of a left-to-right sweep: by x, then y, then index. Empty unless they
+    /// have been sorted (see sort_points() in sweep/sweep_order.hpp) since their number last changed and since clear()
+    /// or forget_order(). After moving points one of these must be called; this is asserted.
     [[nodiscard]] std::span<const std::uint32_t> order() const noexcept
     {
         if (order_.size() != points.size()) return {};

@@ -88,8 +88,8 @@ struct certified {
 private:
     static constexpr double kept_share = 1.0 - 0x1p-20;  // of the tolerance; the rest is a margin for rounding
 
-    // Wang's bound is n pieces or fewer where bend <= pieces(n) * tolerance²; no root is needed. The bend is the largest
-    // squared second difference of the control points, times (d(d-1)/8)² for degree d.
+    // Wang's bound is n pieces or fewer where bend <= pieces(n) * tolerance²; no root is needed. The bend is the
+    // largest squared second difference of the control points, times (d(d-1)/8)² for degree d.
     static constexpr double quadratic_bend = 0.0625, cubic_bend = 0.5625;
     [[nodiscard]] static constexpr double pieces(int n) noexcept { return double(n) * n * n * n; }
 
@@ -333,9 +333,8 @@ private:
     [[nodiscard]] static int find_stops(const cubic& q, double (&stops)[4]) noexcept
     {
         constexpr int most_steps = 64, early = 10;
-        constexpr double hardly_slow =
-            0x1p-14;  // of the longest leg's square: after the early steps B'/3 moves by less
-                      // than 2^-8 of that leg
+        // Of the longest leg's square: after the early steps B'/3 moves by less than 2^-8 of that leg.
+        constexpr double hardly_slow = 0x1p-14;
         constexpr double at_an_end = 0x1p-20;
         const point d0 = q.p1 - q.p0, l1 = q.p2 - q.p1, l2 = q.p3 - q.p2;
         const point d1 = l1 - d0, d2 = (l2 - l1) - d1;  // B'/3 = d0 + 2 d1 t + d2 t²

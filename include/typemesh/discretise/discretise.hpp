@@ -210,7 +210,8 @@ public:
     {
     }
 
-    /// Flattens the contour of the curves [first, end), more finely if it would lose its area; false if nothing is left.
+    /// Flattens the contour of the curves [first, end), more finely if it would lose its area; false if nothing is
+    /// left.
     [[nodiscard]] bool flatten(std::uint32_t first, std::uint32_t end) noexcept
     {
         bool left = flatten(first, end, 0);

@@ -7,7 +7,8 @@
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// 4N vertices, and 2 for each contour's seam (extruded.hpp): caps flat, and a wall vertex' normal is the
-/// normalised sum of the unit normals of its two walls. Smooth everywhere, so corners are rounded off and flat walls beside them shaded unevenly.
+/// normalised sum of the unit normals of its two walls. Smooth everywhere, so corners are rounded off and flat walls
+/// beside them shaded unevenly.
 struct averaged_normals {
     static constexpr bool shares_caps = false;
 

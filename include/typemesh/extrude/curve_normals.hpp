@@ -195,7 +195,8 @@ private:
             return dot(curve_way, along) > 0.0 ? curve_way : along;
         }
 
-        /// What the wall from a to b is lit with for a normal n: its own where it is long and n more than 45 degrees off.
+        /// What the wall from a to b is lit with for a normal n: its own where it is long and n more than 45 degrees
+        /// off.
         [[nodiscard]] point lit(point n, grid_point a, grid_point b) const noexcept
         {
             const point own = outward(delta(a, b));

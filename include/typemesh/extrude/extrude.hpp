@@ -87,8 +87,8 @@ error write_solid(const planned_solid_of<Extruder>& s, const Extruder& how, cons
 ///
 /// For an extruder that asks for caps: plan_solid(), then write_solid().
 ///
-/// Fails  error::bad_option, error::out_of_memory, error::too_large, or what else the extruder's plan() says; nothing is
-///        written then. And as write_solid() does
+/// Fails  error::bad_option, error::out_of_memory, error::too_large, or what else the extruder's plan() says; nothing
+///        is written then. And as write_solid() does
 template <extruder Extruder, mesh_sink Sink>
 error extrude(const region& shape, std::span<const triangle> cap, const Extruder& how, const placement& at,
               plan_data_of<Extruder>& data, Sink& sink) noexcept

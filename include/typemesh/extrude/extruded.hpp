@@ -34,8 +34,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// A part that is switched off leaves out its vertices and triangles; only shared_normals and cap_normals keep the
 /// vertices of a cap that its walls stand on.
 ///
-/// plan() cannot know what a vertex will take: it finds the normals and places the seams in any case (box mapping has no
-/// seams). Writing computes only what is asked for.
+/// plan() cannot know what a vertex will take: it finds the normals and places the seams in any case (box mapping has
+/// no seams). Writing computes only what is asked for.
 ///
 ///     extruded{}                                     curve_normals, 0.2 em deep, a texture tile an em
 ///     extruded<>{.depth = 0.3f}                      the <> is for clang before 17; others do without
@@ -174,8 +174,8 @@ private:
         std::memset(static_cast<void*>(sides), 0, n * sizeof *sides);
     }
 
-    /// Lengths along each contour, from its first doubled point; where there is none its first point becomes one. How many
-    /// are doubled then.
+    /// Lengths along each contour, from its first doubled point; where there is none its first point becomes one. How
+    /// many are doubled then.
     static std::uint32_t measure(const region& shape, side_point* sides) noexcept
     {
         const grid_point* points = shape.points().data();

@@ -76,8 +76,8 @@ concept plans_with_caps = requires(const E& e, const region& r, plan_data_of<E>&
 
 /// Puts a filled region up into space.
 ///
-///     e.plan(region)                   counts exactly what the shape will need of each part: part_sizes; or solid_plan,
-///                                      if it goes beyond the region's own box in the plane, or not as far
+///     e.plan(region)                   counts exactly what the shape will need of each part: part_sizes; or
+///                                      solid_plan, if it goes beyond the region's own box in the plane, or not as far
 ///     e.heights()                      between which heights everything will lie
 ///     e.vertices<Wants>(part, s, at, put)      put(surface_point<Wants>) as often as plan() said for that part; its
 ///                                      glyph, cluster and part are not the extruder's business: write_vertices()
@@ -97,8 +97,8 @@ concept plans_with_caps = requires(const E& e, const region& r, plan_data_of<E>&
 ///     e.cache_key()                    all options that plan() goes by, where there are any: option_bits.hpp
 ///
 /// plan() is asked about an empty region first, so that a text without letters refuses the same options.
-/// What is emitted is counted in builds with asserts, and what was not planned is not passed on there; what lies outside
-/// of heights() and of the box is told.
+/// What is emitted is counted in builds with asserts, and what was not planned is not passed on there; what lies
+/// outside of heights() and of the box is told.
 /// It fails with error::bad_option for options out of range, error::out_of_memory, or an error of its own. The rest
 /// cannot fail.
 template <class E>

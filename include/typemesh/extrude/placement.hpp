@@ -40,7 +40,7 @@ struct placement {
 
     point pen = {};              ///< the glyph's origin, in cells
     double unit_per_cell = 1.0;  ///< output units to a cell
-    double unit_per_depth = 1.0; ///< output units to one unit of depths, which is an em unless text_options says otherwise
+    double unit_per_depth = 1.0; ///< output units to one unit of depths: an em, unless text_options says otherwise
     double em_per_depth = 1.0;   ///< em to one unit of depths
     double em_per_cell = 1.0;
     point em_pen = {};            ///< em mapping: the glyph's origin, in cells, seen from the text's own origin

@@ -57,8 +57,9 @@ struct plan_data<E> {
 ///     data.of<grid_point>()       in plan(): a buffer, empty at first
 ///     s.data.of<grid_point>()     when it writes: a span of what plan() left there
 ///
-/// The arrays are kept with their glyph, in its one block, and copied there as bytes. So the types are plain values that
-/// refer to nothing outside, of an alignment of at most 8. Two arrays of one type: give one of them a struct of its own.
+/// The arrays are kept with their glyph, in its one block, and copied there as bytes. So the types are plain values
+/// that refer to nothing outside, of an alignment of at most 8. Two arrays of one type: give one of them a struct of
+/// its own.
 template <class... Values>
 class plan_arrays : detail::growing_array<Values>... {
     static_assert(sizeof...(Values) != 0, "typemesh: an extruder without plan data has no plan_data at all");

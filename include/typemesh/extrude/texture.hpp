@@ -11,7 +11,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// uv_origin::top_left.
 ///
 ///     box    the text's (or line's, or glyph's) box becomes the square [0, 1], for caps and walls alike: walls show
-///            the caps' rim, drawn out into lines. For pictures made for one text, and for formats that hold [0, 1] only
+///            the caps' rim, drawn out into lines. For pictures made for one text, and for formats that hold [0, 1]
+///            only
 ///     em     the default: one texture tile is one em wide and high, everywhere, so coordinates go beyond [0, 1]:
 ///            caps    x and y from the text's origin
 ///            walls   u = way along the contour from its seam, in its own direction; v runs from 1 at the front down to

@@ -31,8 +31,9 @@ public:
     {
     }
 
-    /// On a surface of any kind, from the way in which u grows there: a unit vector at right angles to the normal, in the
-    /// text's own axes. facing is 1 where v, growing upwards, grows along cross(normal, u), and -1 where against it.
+    /// On a surface of any kind, from the way in which u grows there: a unit vector at right angles to the normal, in
+    /// the text's own axes. facing is 1 where v, growing upwards, grows along cross(normal, u), and -1 where against
+    /// it.
     template <class Axes>
     [[nodiscard]] vec4 along(const Axes& axes, vec3 u, float facing) const noexcept
     {

@@ -108,8 +108,8 @@ public:
     ///     loops ── orient ──▶ prove ──────────────────────────────────────▶ region + triangles
     ///                          └ refuses equal points ─▶ link ─▶ prove ──────▶
     ///
-    /// Fails with error::crossing_contours (all else is for resolve()) and error::out_of_memory; then loops() are turned
-    /// at most, and there are no triangles.
+    /// Fails with error::crossing_contours (all else is for resolve()) and error::out_of_memory; then loops() are
+    /// turned at most, and there are no triangles.
     template <proving_triangulator Triangulator>
     [[nodiscard]] result<region> prove(const Triangulator& cut) noexcept
     {

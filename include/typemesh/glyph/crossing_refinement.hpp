@@ -23,8 +23,8 @@ struct refinement_effort {
     std::uint64_t pieces = 0;      ///< that the contours fell into, those of all rounds together: see cap_builder
 };
 
-/// Tells the intersections of chords that their curves have as well from those that only discretising made, and which curves
-/// to discretise finer for the latter.
+/// Tells the intersections of chords that their curves have as well from those that only discretising made, and which
+/// curves to discretise finer for the latter.
 ///
 ///     curves      ``---..__        ``---..__       Two curves that pass each other, or cross at a small angle: their
 ///                 ___...---```     ___......___    chords may cross where the curves do not, or far from there.
@@ -36,8 +36,8 @@ struct refinement_effort {
 ///
 ///   1. both edges are lines, or the curves have the same control points (in either direction); or x is a point of the
 ///      one curve and the other is a line: it is there as drawn
-///   2. the chords cross at so large an angle, so far from their ends, that the curves must cross near by. A curve stays
-///      in a strip round its chord, of half its width d <= tolerance. Two strips that cross at the angle w share
+///   2. the chords cross at so large an angle, so far from their ends, that the curves must cross near by. A curve
+///      stays in a strip round its chord, of half its width d <= tolerance. Two strips that cross at the angle w share
 ///      a parallelogram, whose corners are within (da + db) / sin w of x:
 ///
 ///              '.  '.   |        Where (da + db) / sin w + d fits between x and the ends of both chords, each curve
@@ -52,8 +52,9 @@ struct refinement_effort {
 /// Else both curves are wanted finer: so often that their strips fit into the gap between them, or that the crossing
 /// comes near enough, once at least.
 ///
-/// Cost  a square root a steep intersection; up to a microsecond any other. Decided in double precision from grid points
-///       and control points: results can differ between compilers only where a distance is its bound to 15 digits.
+/// Cost  a square root a steep intersection; up to a microsecond any other. Decided in double precision from grid
+///       points and control points: results can differ between compilers only where a distance is its bound to 15
+///       digits.
 class crossing_refinement {
 public:
     static constexpr std::uint8_t most_halvings = 6;

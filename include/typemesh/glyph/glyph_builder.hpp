@@ -29,7 +29,8 @@ struct glyph_settings {
 /// memory that this takes, which stays for the next glyph. A builder serves one thread at a time.
 ///
 ///     glyph_builder builder;
-///     auto parts = builder.build(font, id, {.tolerance = quality::high}, policies{certified{}, monotone{}, flat{}, nobody});
+///     auto parts = builder.build(font, id, {.tolerance = quality::high},
+///                                policies{certified{}, monotone{}, flat{}, nobody});
 class glyph_builder {
 public:
     explicit glyph_builder(memory source = heap()) noexcept

@@ -45,9 +45,10 @@ public:
     /// Fills all.merged; all.shapes and numbers are given.
     ///
     /// Fails  error::too_large, error::out_of_memory, error::outline_beyond_grid with the group's first glyph
-    /// Cost   O(n log n) for n glyphs, and a comparison of every two whose boxes lie side by side (see group_intersection()).
-    ///        For every group its members' outlines are flattened and filled once more, and resolve(), the triangulator
-    ///        and the extruder work on the points of all of them. Glyphs that meet no other cost the comparison alone
+    /// Cost   O(n log n) for n glyphs, and a comparison of every two whose boxes lie side by side (see
+    ///        group_intersection()). For every group its members' outlines are flattened and filled once more, and
+    ///        resolve(), the triangulator and the extruder work on the points of all of them. Glyphs that meet no other
+    ///        cost the comparison alone
     template <outline_source Font, class... Policy>
     error operator()(text_glyphs& all, const glyph_run& run, glyph_builder& builder, Font& font,
                      const glyph_settings& how, const policies<Policy...>& with) noexcept

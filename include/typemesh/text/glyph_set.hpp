@@ -10,7 +10,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A glyph as it is built: its number in its face, and the look (run_looks::outlines_of()) that says which face, and how.
+/// A glyph as it is built: its number in its face, and the look (run_looks::outlines_of()) that says which face, and
+/// how.
 struct glyph_key {
     glyph_id id = no_glyph;
     std::uint32_t look = 0;

@@ -131,8 +131,8 @@ public:
     }
 
     /// Both by a team of workers (see glyph_workers.hpp), whose sources stand in for the mesher's font when lines are
-    /// shaped and glyphs built. The plan is the same, to the bit; of several errors that of the lowest glyph is told. It
-    /// lies in the team, which must outlive it. A cache needs a real lock.
+    /// shaped and glyphs built. The plan is the same, to the bit; of several errors that of the lowest glyph is told.
+    /// It lies in the team, which must outlive it. A cache needs a real lock.
     ///
     /// Policies are called by several threads at a time, as const. Of building the observer is told stage::outline
     /// alone. Merging (text_options::merge) is done by one worker.

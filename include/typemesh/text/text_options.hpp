@@ -37,10 +37,10 @@ enum class texture_box : std::uint8_t { text, line, glyph };
 ///     {.unit = output_unit::unit_box,              a box of [-1, 1], and the back of extruded<>{.depth = 1.0f} at
 ///      .depth_in = depth_unit::output}             z = -1
 ///
-/// Tolerance is given in em, and so is depth unless depth_in says otherwise: they grow and shrink with the size; vertices
-/// and triangles stay the same. What 32-bit floats cannot hold (an em below 2^-100 output units, a depth or a size that
-/// takes coordinates beyond 3.4e38) is error::bad_option; letters that stand farther away than fits are left out and
-/// reported.
+/// Tolerance is given in em, and so is depth unless depth_in says otherwise: they grow and shrink with the size;
+/// vertices and triangles stay the same. What 32-bit floats cannot hold (an em below 2^-100 output units, a depth or a
+/// size that takes coordinates beyond 3.4e38) is error::bad_option; letters that stand farther away than fits are left
+/// out and reported.
 struct text_options {
     shape_options shape = {};    ///< direction, language, script, features
     layout_options layout = {};  ///< alignment, spacing of lines and letters, tab stops

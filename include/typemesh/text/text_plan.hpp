@@ -35,8 +35,8 @@ struct glyph_span {
 ///
 /// Move-only. It refers to its mesher, which must outlive it; a move of the mesher ends it, and so does the mesher's
 /// next plan() (using it then is asserted). Until its end the shapes that it took from a glyph_cache stay where they
-/// are, whoever throws out others; those that a glyph_workers built lie in the team. Only glyphs that have triangles are
-/// counted among glyphs().
+/// are, whoever throws out others; those that a glyph_workers built lie in the team. Only glyphs that have triangles
+/// are counted among glyphs().
 template <extruder Extruder>
 class text_plan {
     friend class text_chunks;
@@ -165,8 +165,9 @@ public:
     /// Where one glyph stands, as its extruder is told.
     [[nodiscard]] placement place(std::size_t glyph) const noexcept { return fresh().place(fresh().records[glyph]); }
 
-    /// N and H of the vertex counts 2N, 4N and 4N + 2H: contour points, and the hard ones among them, whose side vertices
-    /// are doubled. Seams of em mapping are no hard points and come on top. Cost: O(glyphs), and O(points) for H.
+    /// N and H of the vertex counts 2N, 4N and 4N + 2H: contour points, and the hard ones among them, whose side
+    /// vertices are doubled. Seams of em mapping are no hard points and come on top. Cost: O(glyphs), and O(points) for
+    /// H.
     [[nodiscard]] std::uint64_t contour_points() const noexcept
     {
         std::uint64_t points = 0;
@@ -290,8 +291,8 @@ public:
     }
 
     /// The other half: put(const glyph_instance&) for every glyph, those of mesh 0 first (glyph_mesh::glyph_count of
-    /// them, style by style), then those of mesh 1, and so on. A mesh moved by the translation is the placed glyph, up to the rounding
-    /// of the sum and to where its textures begin.
+    /// them, style by style), then those of mesh 1, and so on. A mesh moved by the translation is the placed glyph, up
+    /// to the rounding of the sum and to where its textures begin.
     template <class Put>
     void write_instances(Put&& put) const noexcept
     {

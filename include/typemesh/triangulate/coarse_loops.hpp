@@ -90,8 +90,8 @@ private:
             dx = keep ? ex : dx;
             dy = keep ? ey : dy;
             step = keep ? 0 : step + 1;
-            const auto level =
-                static_cast<std::uint32_t>(std::countr_zero(step));  // 32 for kept points: a list that is never read
+            // 32 for kept points: a list that is never read.
+            const auto level = static_cast<std::uint32_t>(std::countr_zero(step));
             left_out_[v] = {v - (step & (0 - step)), first_of_level_[level]};
             first_of_level_[level] = v;
             p = q;

@@ -21,8 +21,8 @@ struct triangle_quality {
     std::uint64_t triangles = 0;
     double smallest_angle = 60.0;  ///< of all; 60 where there are none
     double largest_aspect = 0.0;   ///< of all; 0 where there are none
-    std::uint64_t angles[600] =
-        {};  ///< how many triangles have an angle in [i, i + 1) tenths of a degree; 60 is in the last
+    /// How many triangles have an angle in [i, i + 1) tenths of a degree; 60 is in the last.
+    std::uint64_t angles[600] = {};
 
     /// The angle below which a share (0 to 1) of the triangles lies, to a tenth of a degree: angle_at(0.05) is the 5th
     /// percentile, angle_at(0.5) the median. 0 where there are none.
