@@ -32,8 +32,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// matter whether outlines cross between coarse and fine: all triangles stay counter-clockwise throughout, and such
 /// triangles with a simple boundary cover what is inside once. A short outline that is not smooth is swept whole. Where
 /// it has too many points for that, or too many flips are needed, or outlines touch themselves, all points are
-/// triangulated by divide and conquer (delaunay_slabs): the same triangles in another order. Without coarse loops it
-/// would take 1.2 times the instructions (letters at 1/800 em), without slabs up to 3 times: docs/triangulation.md.
+/// triangulated by divide and conquer (delaunay_slabs): the same triangles in another order. What each way
+/// earns is in docs/triangulation.md: coarse loops a fifth of the instructions at 1/800 em, slabs the worst case.
 ///
 /// Cost   O(n log n)
 /// Space  at most 220 bytes per point and 128 per loop from `space`, nothing else once `out` has the capacity
