@@ -72,14 +72,10 @@ public:
 private:
     bool note(point p) noexcept
     {
-        if (trouble_) return false;
-        if (!open_) trouble_ = error::bad_outline;
-        else if (!is_finite(p.x) || !is_finite(p.y)) trouble_ = error::outline_not_finite;
-        else {
-            out_.bounds.add(p);
-            return true;
-        }
-        return false;
+        const bool good = !trouble_ && open_ && is_finite(p.x) && is_finite(p.y);
+        if (good) out_.bounds.add(p);
+        else if (!trouble_) trouble_ = open_ ? error::outline_not_finite : error::bad_outline;
+        return good;
     }
     void keep(const curve& c) noexcept
     {
