@@ -99,8 +99,7 @@ public:
         template <class T>
         [[nodiscard]] T* take(std::size_t count) noexcept
         {
-            static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>,
-                          "scratch memory holds plain values");
+            static_assert(std::is_trivially_copyable_v<T>, "scratch memory holds plain values");
             static_assert(alignof(T) <= alignment);
             if (count > (~std::size_t{0} >> 2) / sizeof(T)) return nullptr;
             return static_cast<T*>(workspace_.take_bytes(count * sizeof(T)));

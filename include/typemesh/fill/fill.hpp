@@ -21,8 +21,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Fails  error::too_many_pieces, for contours that meet: more than how.most_pieces points, crossings or pieces
 ///        error::too_large, error::out_of_memory; `loops` is then unchanged
 /// Cost   O(n log n), plus that of resolve() where contours meet
-[[nodiscard]] inline result<region> fill(contours& loops, fill_rule rule, workspace& space,
-                                         const resolve_options& how = {}) noexcept
+template <class = void>  // see resolve()
+[[nodiscard]] result<region> fill(contours& loops, fill_rule rule, workspace& space,
+                                  const resolve_options& how = {}) noexcept
 {
     auto nested = nest(loops, rule, space);
     if (nested || nested.error().code != error::crossing_contours) return nested;

@@ -183,8 +183,9 @@ template <intersection_filter Filter>
     return work.write();
 }
 
-[[nodiscard]] inline result<region> resolve(contours& loops, fill_rule rule, workspace& space,
-                                            const resolve_options& how = {}) noexcept
+template <class = void>  // compiled only where it is called, and so is what it calls
+[[nodiscard]] result<region> resolve(contours& loops, fill_rule rule, workspace& space,
+                                     const resolve_options& how = {}) noexcept
 {
     every_intersection_stands nobody;
     return resolve(loops, rule, space, nobody, how);

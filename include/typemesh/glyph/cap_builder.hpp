@@ -111,26 +111,7 @@ public:
     /// Fails with error::crossing_contours (all else is for resolve()) and error::out_of_memory; then loops() are
     /// turned at most, and there are no triangles.
     template <proving_triangulator Triangulator>
-    [[nodiscard]] result<region> prove(const Triangulator& cut) noexcept
-    {
-        triangles_.clear();
-        loops_.forget_order();  // it may be of points that the caller has moved
-        orient(loops_);
-        if (!sort_points(loops_, space_)) return error::out_of_memory;
-        auto proven = cut.prove(loops_, space_, triangles_);
-        if constexpr (touching_triangulator<Triangulator>) {
-            if (!proven && proven.error().code == error::crossing_contours && proven.error().count != 0) {
-                workspace::scope linking{space_};
-                touching_cycles cycles;
-                if (error e = cycles.link(loops_, linking, space_)) return e;
-                proven = cut.prove_touching(loops_, space_, triangles_);
-                if (!proven) cycles.undo(loops_);
-            }
-        }
-        if (proven)
-            if (error e = detail::settle_triangles<Triangulator>(*proven, triangles_, 0, space_)) return e;
-        return proven;
-    }
+    [[nodiscard]] result<region> prove(const Triangulator& cut) noexcept;
 
     /// The triangles of any region, as triangles().
     template <triangulator Triangulator>
@@ -244,5 +225,28 @@ private:
     resolve_effort resolved_;  // of the last round
     refinement_effort effort_;
 };
+
+// Behind the class, so that typemesh::compiled can keep it out of other units.
+template <proving_triangulator Triangulator>
+result<region> cap_builder::prove(const Triangulator& cut) noexcept
+{
+    triangles_.clear();
+    loops_.forget_order();  // it may be of points that the caller has moved
+    orient(loops_);
+    if (!sort_points(loops_, space_)) return error::out_of_memory;
+    auto proven = cut.prove(loops_, space_, triangles_);
+    if constexpr (touching_triangulator<Triangulator>) {
+        if (!proven && proven.error().code == error::crossing_contours && proven.error().count != 0) {
+            workspace::scope linking{space_};
+            touching_cycles cycles;
+            if (error e = cycles.link(loops_, linking, space_)) return e;
+            proven = cut.prove_touching(loops_, space_, triangles_);
+            if (!proven) cycles.undo(loops_);
+        }
+    }
+    if (proven)
+        if (error e = detail::settle_triangles<Triangulator>(*proven, triangles_, 0, space_)) return e;
+    return proven;
+}
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -39,6 +39,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Space  at most 220 bytes per point and 128 per loop from `space`, nothing else once `out` has the capacity
 /// Exact  orientation in 64 bits, in-circle in 128 (core/in_circle.hpp)
 struct constrained_delaunay {
+    // Its functions are templates, so that units that do not call them do not compile the sweep.
+
     static constexpr bool has_final_diagonals = true;  ///< low triangles stay, if there are any
 
     /// How many flips per triangle may be spent before divide and conquer takes over; 1 to 3 are usual, and 0 leaves
@@ -49,6 +51,7 @@ struct constrained_delaunay {
     [[nodiscard]] static option_bits cache_key() noexcept { return {}; }
 
     /// Relies on what a region promises. Fails with error::out_of_memory, `out` being unchanged.
+    template <class = void>
     [[nodiscard]] error operator()(const region& r, workspace& space, triangle_list& out) const noexcept
     {
         if (r.points().empty()) return error::none;
@@ -69,12 +72,14 @@ struct constrained_delaunay {
     }
 
     /// The region that `loops` bound, its triangles appended to `out`. Fails as monotone{}.prove() does.
+    template <class = void>
     [[nodiscard]] result<region> prove(const contours& loops, workspace& space, triangle_list& out) const noexcept
     {
         return proven_by<false>(loops, space, out);
     }
 
     /// The same for loops that touch in points. Fails as monotone{}.prove_touching() does.
+    template <class = void>
     [[nodiscard]] result<region> prove_touching(const contours& loops, workspace& space,
                                                 triangle_list& out) const noexcept
     {

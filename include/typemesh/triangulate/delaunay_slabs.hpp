@@ -63,6 +63,7 @@ class delaunay_slabs {
 
 public:
     /// Writes the triangles of r, r.triangle_count() of them. Fails with error::out_of_memory.
+    template <class = void>  // see constrained_delaunay
     [[nodiscard]] error run(const region& r, workspace& space, triangle* out) noexcept
     {
         points_ = r.points();

@@ -28,9 +28,12 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// From   de Berg et al., Computational Geometry, 3rd ed. (2008), 3.2 and 3.3; Shamos & Hoey, Geometric intersection
 ///        problems (1976)
 struct monotone {
+    // Its functions are templates, so that units that do not call them do not compile the sweep.
+
     static constexpr bool has_final_diagonals = true;  ///< low triangles are raised here already
 
     /// Relies on what a region promises. Fails with error::out_of_memory, `out` being unchanged.
+    template <class = void>
     [[nodiscard]] error operator()(const region& r, workspace& space, triangle_list& out) const noexcept
     {
         const auto nothing = [](const auto&) noexcept {};
@@ -46,6 +49,7 @@ struct monotone {
     ///        clockwise loop, one loop inside another of the same direction
     ///        error::out_of_memory
     /// In both cases `out` is unchanged. See triangulator.hpp for the error's count.
+    template <class = void>
     [[nodiscard]] result<region> prove(const contours& loops, workspace& space, triangle_list& out) const noexcept
     {
         region r = region::proven(loops, 0, 0);
@@ -59,6 +63,7 @@ struct monotone {
     /// The same for loops that may pass through a point more than once, each time along a sector of interior of their
     /// own (see fill/touching_cycles.hpp). Fails as prove() does, also where a visit does not keep to its sector. Takes
     /// about 40 bytes more per point from `space`.
+    template <class = void>
     [[nodiscard]] result<region> prove_touching(const contours& loops, workspace& space,
                                                 triangle_list& out) const noexcept
     {
