@@ -240,7 +240,7 @@ TEST_CASE("an extruder that emits more or fewer than it planned is told so, and 
     CHECK(told_by(how{{}, 0, 1}) == sentences{"an extruder emitted more triangles of a part than its plan() said"});
     CHECK(told_by(how{{}, 0, -1}) == sentences{"an extruder emitted fewer triangles of a part than its plan() said"});
     CHECK(told_by(how{{}, 0, 0, true}) ==
-          sentences{"an extruder emitted a triangle with a corner that is no vertex of its solid"});
+          sentences{"an extruder emitted a triangle with a corner that is not a vertex of its solid"});
 }
 
 TEST_CASE("a sink that is written past its end, or before it has begun, tells so", "[asserts]")

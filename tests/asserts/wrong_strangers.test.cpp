@@ -157,8 +157,8 @@ TEST_CASE("wrong discretisers, triangulators and extruders get their sentences",
     CHECK(told_by(text_mesher{font}.with(forgets_the_back{})) ==
           "an extruder emitted fewer triangles of a part than its plan() said");
     CHECK(told_by(text_mesher{font}.with(numbers_from_nought{})) ==
-          "an extruder emitted a triangle with a corner that is no vertex of its solid");
-    const std::string outside = "an extruder emitted a vertex outside of the bounds that it states";
+          "an extruder emitted a triangle with a corner that is not a vertex of its solid");
+    const std::string outside = "an extruder emitted a vertex outside the bounds that it states";
     CHECK(told_by(text_mesher{font}.with(forgets_the_box{})) == outside);
     CHECK(told_by(text_mesher{font}.with(halves_its_heights{})) == outside);
     CHECK(told_by(text_mesher{font}.with(stranger::flared{})) == "");

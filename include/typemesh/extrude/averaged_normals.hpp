@@ -6,17 +6,17 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// 4N vertices, and 2 for each contour's seam (extruded.hpp): caps flat, and a wall vertex' normal is the
-/// normalised sum of the unit normals of its two walls. Smooth everywhere, so corners are rounded off and flat walls
-/// beside them shaded unevenly.
+/// 4N vertices, and 2 for each contour's seam (extruded.hpp): flat caps; a wall vertex's normal is the normalised sum
+/// of the unit normals of its two walls. Smooth everywhere, so corners look rounded and flat walls beside them are
+/// shaded unevenly.
 struct averaged_normals {
     static constexpr bool shares_caps = false;
 
-    error operator()(const region& shape, std::span<side_point> sides) const noexcept
+    error operator()(const region& filled, std::span<side_point> sides) const noexcept
     {
-        const auto points = shape.points();
-        for (std::uint32_t loop = 0; loop < shape.loop_count(); ++loop) {
-            const std::uint32_t first = shape.starts()[loop], last = shape.starts()[loop + 1] - 1;
+        const auto points = filled.points();
+        for (std::uint32_t loop = 0; loop < filled.loop_count(); ++loop) {
+            const std::uint32_t first = filled.starts()[loop], last = filled.starts()[loop + 1] - 1;
             grid_point previous = points[last];
             point before = wall_normal(previous, points[first]);
             for (std::uint32_t i = first; i <= last; ++i) {

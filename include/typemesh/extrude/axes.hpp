@@ -5,23 +5,23 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A placement made ready for many points, for any frame: just what placement itself computes.
+/// A placement prepared for many points, for any frame: computes exactly what placement does.
 class free_axes {
 public:
     explicit free_axes(const placement& at) noexcept : at_{at} {}
 
-    /// The part of a position that is the same for all heights.
+    /// What a point's positions at all heights have in common.
     [[nodiscard]] placement::footprint foot(grid_point p) const noexcept { return at_.foot(p); }
     [[nodiscard]] placement::footprint foot(point p) const noexcept { return at_.foot(p); }
     [[nodiscard]] vec3 position(placement::footprint f, float z) const noexcept { return at_.position(f, z); }
     [[nodiscard]] vec3 direction(float x, float y, float z) const noexcept { return at_.frame(x, y, z); }
 
 private:
-    placement at_;  // a copy: writing vertices cannot seem to change it, so it stays in registers
+    placement at_;  // a copy: writing vertices cannot alias it, so it stays in registers
 };
 
-/// The same, in less than half the time, for frames whose first two axes are the text's own and whose third looks
-/// straight along z: most of them. The terms left out are products with 0 and 1, so the numbers are equal.
+/// The same, in less than half the time, for frames whose first two axes are the text's own and whose third is parallel
+/// to z: most of them. The terms left out are products with 0 and 1, so the results are equal.
 class upright_axes {
 public:
     explicit upright_axes(const placement& at) noexcept
@@ -49,7 +49,7 @@ private:
     float toward_;
 };
 
-/// Calls f with whichever of the two suits the placement's frame.
+/// Calls f with the one of the two that suits the placement's frame.
 template <class F>
 void with_axes(const placement& at, F&& f) noexcept
 {

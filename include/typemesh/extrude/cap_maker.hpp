@@ -10,21 +10,21 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What an extruder's plan() may ask for while it plans: caps of further regions (levels of a bevel, say), cut like all
-/// others of the text, and the scratch memory that all stages share.
+/// What an extruder's plan() may use: caps of further regions (levels of a bevel, say), triangulated like all others of
+/// the text, and the scratch memory that all stages share.
 ///
 ///     caps(region, out)    appends the region's triangles to `out`: indices into its points, as many as its
-///                          triangle_count(); `out` is as it was after an error
-///     caps.space()         for scopes of your own; what they took goes at their end
+///                          triangle_count(); `out` is unchanged after an error
+///     caps.space()         for scopes of your own, which give back what they took
 ///
-/// The library hands one in. Of your own: for an extruder's tests, or to call the stage by itself.
+/// The library passes one in. Your own are for an extruder's tests, or for calling the stage by itself.
 template <class C>
 concept cap_maker = requires(C& caps, const region& r, triangle_list& out) {
     { caps(r, out) } noexcept -> std::same_as<error>;
     { caps.space() } noexcept -> std::same_as<workspace&>;
 };
 
-/// One for an empty region: an extruder is asked about that before there are any others.
+/// A cap_maker for an empty region, which an extruder has to plan before any other.
 class no_caps {
 public:
     error operator()(const region&, triangle_list&) noexcept { return {}; }

@@ -6,13 +6,13 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// 4N + 2H vertices, and 2 for the seam of each contour without a hard point (extruded.hpp): as
-/// averaged_normals, but a point whose two walls' normals differ by more than the crease angle is
-/// hard: it is doubled, and each wall keeps its own normal.
+/// 4N + 2H vertices, and 2 for the seam of each contour without a hard point (extruded.hpp): like averaged_normals, but
+/// a point whose two walls' normals differ by more than the crease angle is hard: it is doubled, and each wall keeps
+/// its own normal.
 ///
-/// It knows the polygon alone, whose turns on coarse curves are as large as those of blunt corners: at 30 degrees and
-/// the `high` quality about 1 in 200 curve points is taken for a corner, at `normal` 1 in 13. curve_normals has no such
-/// trouble.
+/// It sees only the polygon, whose angles on coarse curves are as large as those of blunt corners: at 30 degrees and
+/// quality `high` it takes about 1 in 200 curve points for a corner, at `normal` 1 in 13. curve_normals does not have
+/// this problem.
 struct creased_normals {
     static constexpr bool shares_caps = false;
 
@@ -21,13 +21,13 @@ struct creased_normals {
     /// See option_bits.
     [[nodiscard]] option_bits cache_key() const noexcept { return {crease_degrees}; }
 
-    error operator()(const region& shape, std::span<side_point> sides) const noexcept
+    error operator()(const region& filled, std::span<side_point> sides) const noexcept
     {
         if (!is_crease_angle(crease_degrees)) return error::bad("crease_degrees");
         const double crease = crease_cosine(crease_degrees);
-        const auto points = shape.points();
-        for (std::uint32_t loop = 0; loop < shape.loop_count(); ++loop) {
-            const std::uint32_t first = shape.starts()[loop], last = shape.starts()[loop + 1] - 1;
+        const auto points = filled.points();
+        for (std::uint32_t loop = 0; loop < filled.loop_count(); ++loop) {
+            const std::uint32_t first = filled.starts()[loop], last = filled.starts()[loop + 1] - 1;
             grid_point previous = points[last];
             const point closing = wall_normal(previous, points[first]);
             point before = closing;

@@ -9,7 +9,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Emits a solid's vertices of one part into a sink, and tells them their glyph, cluster, part and style where the sink
+/// Emits a solid's vertices of one part into a sink, with their glyph, cluster, part and style filled in where the sink
 /// wants these.
 template <extruder Extruder, mesh_sink Sink>
 void write_vertices(part p, const solid_of<Extruder>& s, const Extruder& how, const placement& at, Sink& sink) noexcept
@@ -29,7 +29,7 @@ void write_vertices(part p, const solid_of<Extruder>& s, const Extruder& how, co
     }
 }
 
-/// Emits a solid's triangles of one part into a sink, turned as the frame asks (see frame::turns_triangles()).
+/// Emits a solid's triangles of one part into a sink, reversed if the frame needs it (see frame::turns_triangles()).
 template <extruder Extruder, mesh_sink Sink>
 void write_triangles(part p, const solid_of<Extruder>& s, const Extruder& how, const first_vertices& first, bool turned,
                      Sink& sink) noexcept
@@ -43,7 +43,7 @@ void write_triangles(part p, const solid_of<Extruder>& s, const Extruder& how, c
     }
 }
 
-/// The same, with the extruder held to its plan() in debug builds: what it emits too much is not passed on.
+/// The same, and checks the extruder against its plan() in debug builds: surplus output is not passed on.
 template <extruder Extruder, mesh_sink Sink>
 void write_vertices(part p, const planned_solid_of<Extruder>& s, const Extruder& how, const placement& at,
                     Sink& sink) noexcept
@@ -80,35 +80,36 @@ error write_solid(const planned_solid_of<Extruder>& s, const Extruder& how, cons
     return end_of(sink);
 }
 
-/// The stage by itself: puts one region up into space and writes it.
+/// The stage by itself: turns one region into a solid and writes it.
 ///
 ///     cap      the region's triangles, from any triangulator
-///     data     the extruder's plan data; what it held before is forgotten, its storage stays for the next call
+///     data     the extruder's plan data; its old content is replaced, its storage kept for the next call
 ///
 /// For an extruder that asks for caps: plan_solid(), then write_solid().
 ///
-/// Fails  error::bad_option, error::out_of_memory, error::too_large, or what else the extruder's plan() says; nothing
-///        is written then. And as write_solid() does
+/// Fails  error::bad_option, error::out_of_memory, error::too_large, or what else the extruder's plan() returns;
+///        nothing is written then. And as write_solid() does
 template <extruder Extruder, mesh_sink Sink>
-error extrude(const region& shape, std::span<const triangle> cap, const Extruder& how, const placement& at,
+error extrude(const region& filled, std::span<const triangle> cap, const Extruder& how, const placement& at,
               plan_data_of<Extruder>& data, Sink& sink) noexcept
 {
-    static_assert(!capping_extruder<Extruder>, "typemesh: this extruder asks for caps; call plan_solid() and write_solid()");
+    static_assert(!capping_extruder<Extruder>,
+                  "typemesh: this extruder asks for caps; call plan_solid() and write_solid()");
     data.clear();
     no_caps nothing;
-    const result<solid_plan> plan = plan_solid(how, shape, data, nothing);
+    const result<solid_plan> plan = plan_solid(how, filled, data, nothing);
     if (!plan) return plan.error();
-    const solid_of<Extruder> form{{shape.points(), shape.starts(), cap}, data.read()};
+    const solid_of<Extruder> form{{filled.points(), filled.starts(), cap}, data.read()};
     return write_solid<Extruder>({form, *plan}, how, at, sink);
 }
 
-/// The same for extruders without plan data, and for a single call.
+/// The same for extruders without plan data, or for a single call.
 template <extruder Extruder, mesh_sink Sink>
-error extrude(const region& shape, std::span<const triangle> cap, const Extruder& how, const placement& at,
+error extrude(const region& filled, std::span<const triangle> cap, const Extruder& how, const placement& at,
               Sink& sink) noexcept
 {
     plan_data_of<Extruder> data{heap()};
-    return extrude(shape, cap, how, at, data, sink);
+    return extrude(filled, cap, how, at, data, sink);
 }
 
 }  // namespace typemesh::inline TYPEMESH_ABI

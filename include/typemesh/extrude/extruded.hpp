@@ -24,29 +24,29 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 ///         front  z = 0                 vertices      front N, back N, walls 2N, and 2 more for every doubled point;
 ///     +----------+                                   with shared_normals the walls have none of their own
-///     |\         |\      walls:        triangles     front and back n + 2h - 2c each (region.hpp), walls 2 an edge
+///     |\         |\      walls:        triangles     front and back n + 2h - 2c each (region.hpp), walls 2 per edge
 ///     | +--------|-+     two triangles
-///     | |        | |     an edge       doubled       the H hard points that the style of normals finds; in em mapping
+///     | |        | |     per edge      doubled       the H hard points that the style of normals finds; in em mapping
 ///     +-|--------+ |                                 also one point of each contour without a hard one: its seam
 ///      \|         \|
 ///       +----------+  back  z = -depth
 ///
-/// A part that is switched off leaves out its vertices and triangles; only shared_normals and cap_normals keep the
-/// vertices of a cap that its walls stand on.
+/// A part that is switched off has no vertices and triangles; only shared_normals and cap_normals keep the vertices of
+/// a cap that its walls share.
 ///
-/// plan() cannot know what a vertex will take: it finds the normals and places the seams in any case (box mapping has
-/// no seams). Writing computes only what is asked for.
+/// plan() cannot know which attributes a vertex will want: it finds the normals and places the seams in any case (box
+/// mapping has no seams). Writing computes only what is requested.
 ///
-///     extruded{}                                     curve_normals, 0.2 em deep, a texture tile an em
+///     extruded{}                                     curve_normals, 0.2 em deep, one texture tile per em
 ///     extruded<>{.depth = 0.3f}                      the <> is for clang before 17; others do without
 ///     extruded<shared_normals>{.depth = 0.3f}
-///     extruded<>{.texture = texture_mapping::box}    a texture over the whole text instead (texture.hpp)
+///     extruded<>{.texture = texture_mapping::box}    one texture over the whole text instead (texture.hpp)
 ///     extruded<creased_normals>{.normals = {.crease_degrees = 20.0f}}
 ///
 /// Fails  error::bad_option: depth is not positive and finite, or an option of the normals is out of range
 ///        error::too_large: more than 2^30 - 1 points
 ///        error::out_of_memory
-/// Cost   O(n), and one side_point a contour point while there are walls
+/// Cost   O(n), and one side_point per contour point if there are walls
 template <side_normals Normals = curve_normals>
 struct extruded {
     float depth = 0.2f;    ///< in em, or in output units: see text_options::depth_in
@@ -57,8 +57,8 @@ struct extruded {
     texture_mapping texture = texture_mapping::em;
     [[no_unique_address]] Normals normals = {};
 
-    /// See option_bits. Depth matters only to writing, but one that plan() refuses must not find what another kept. The
-    /// normals have three of the numbers.
+    /// See option_bits. Depth matters only for writing, but a depth that plan() refuses must not find what another one
+    /// cached. The normals have three of the numbers.
     [[nodiscard]] option_bits cache_key() const noexcept
         requires std::is_empty_v<Normals> || requires(const Normals& n) { { n.cache_key() } noexcept; }
     {
@@ -71,27 +71,27 @@ struct extruded {
         return bits;
     }
 
-    using plan_data = plan_arrays<side_point>;  ///< one a contour point while there are walls to be lit
+    using plan_data = plan_arrays<side_point>;  ///< one per contour point, if there are walls to be lit
 
-    [[nodiscard]] result<part_sizes> plan(const region& shape, plan_data& data) const noexcept
+    [[nodiscard]] result<part_sizes> plan(const region& filled, plan_data& data) const noexcept
     {
         if (!is_finite(as_double(depth)) || !(depth > 0.0f)) return error::bad("depth");
-        const std::size_t n = shape.points().size();
+        const std::size_t n = filled.points().size();
         if (n > 0x3FFF'FFFFu) return error::too_large;
         if (!side || n == 0 || (Normals::shares_caps && !leans)) {
             if (error e = normals(region{}, {})) return e;
-            return sizes(shape, 0);
+            return sizes(filled, 0);
         }
 
         side_point* sides = data.of<side_point>().append(n);
         if (sides == nullptr) return error::out_of_memory;
         clear(sides, n);
-        if (error e = normals(shape, {sides, n})) return e;
-        if constexpr (Normals::shares_caps) return sizes(shape, 0);
-        if (texture == texture_mapping::em) return sizes(shape, measure(shape, sides));
+        if (error e = normals(filled, {sides, n})) return e;
+        if constexpr (Normals::shares_caps) return sizes(filled, 0);
+        if (texture == texture_mapping::em) return sizes(filled, measure(filled, sides));
         std::uint32_t doubled = 0;
         for (std::size_t i = 0; i < n; ++i) doubled += sides[i].doubled;
-        return sizes(shape, doubled);
+        return sizes(filled, doubled);
     }
 
     [[nodiscard]] height_range heights() const noexcept
@@ -100,7 +100,7 @@ struct extruded {
         return {side || back ? low : front ? high : 0.0, side || front ? high : back ? low : 0.0};
     }
 
-    /// The points whose walls meet hard: they have two pairs of vertices, seams apart.
+    /// The points whose walls meet hard: they have two pairs of vertices; seams are not counted.
     [[nodiscard]] std::uint64_t hard_edges(const solid_with<plan_data>& s) const noexcept
     {
         std::uint64_t hard = 0;
@@ -146,26 +146,26 @@ struct extruded {
     }
 
 private:
-    /// Whether the normals of caps lean towards the walls that stand on them.
+    /// Whether the normals of caps lean towards the walls that share their vertices.
     static constexpr bool leans = Normals::shares_caps && !requires { requires Normals::leaves_caps_alone; };
 
     [[nodiscard]] bool has_front() const noexcept { return front || (Normals::shares_caps && side); }
     [[nodiscard]] bool has_back() const noexcept { return back || (Normals::shares_caps && side); }
 
-    [[nodiscard]] part_sizes sizes(const region& shape, std::uint32_t doubled) const noexcept
+    [[nodiscard]] part_sizes sizes(const region& filled, std::uint32_t doubled) const noexcept
     {
-        const auto n = static_cast<std::uint32_t>(shape.points().size());
+        const auto n = static_cast<std::uint32_t>(filled.points().size());
         part_sizes all;
         all.vertices[part::front] = has_front() ? n : 0;
         all.vertices[part::back] = has_back() ? n : 0;
         all.vertices[part::side] = side && !Normals::shares_caps ? 2 * (n + doubled) : 0;
-        all.triangles[part::front] = front ? shape.triangle_count() : 0;
-        all.triangles[part::back] = back ? shape.triangle_count() : 0;
+        all.triangles[part::front] = front ? filled.triangle_count() : 0;
+        all.triangles[part::back] = back ? filled.triangle_count() : 0;
         all.triangles[part::side] = side ? 2 * n : 0;
         return all;
     }
 
-    /// n times side_point{}, whose bytes are zero: in pieces, for memset takes long to begin with large ones.
+    /// n times side_point{}, whose bytes are zero: in pieces, because memset is slow to start on large ones.
     static void clear(side_point* sides, std::size_t n) noexcept
     {
         static_assert(std::is_trivially_copyable_v<side_point>);
@@ -174,32 +174,32 @@ private:
         std::memset(static_cast<void*>(sides), 0, n * sizeof *sides);
     }
 
-    /// Lengths along each contour, from its first doubled point; where there is none its first point becomes one. How
-    /// many are doubled then.
-    static std::uint32_t measure(const region& shape, side_point* sides) noexcept
+    /// Measures lengths along each contour, from its first doubled point; without one its first point is doubled.
+    /// Returns how many are doubled then.
+    static std::uint32_t measure(const region& filled, side_point* sides) noexcept
     {
-        const grid_point* points = shape.points().data();
+        const grid_point* points = filled.points().data();
         std::uint32_t doubled = 0;
-        for (std::uint32_t loop = 0; loop < shape.loop_count(); ++loop) {
-            const std::uint32_t first = shape.starts()[loop], last = shape.starts()[loop + 1] - 1;
+        for (std::uint32_t loop = 0; loop < filled.loop_count(); ++loop) {
+            const std::uint32_t first = filled.starts()[loop], last = filled.starts()[loop + 1] - 1;
             std::uint32_t seam = first;
             while (seam < last && !sides[seam].doubled) ++seam;
             if (!sides[seam].doubled) seam = first;
             sides[seam].doubled = sides[seam].seam = true;
             double along = 0.0;
-            const auto walk = [&](std::uint32_t from, std::uint32_t to) noexcept {
+            const auto add_lengths = [&](std::uint32_t from, std::uint32_t to) noexcept {
                 for (std::uint32_t i = from; i < to; ++i) {
-                    const grid_point a = points[i], b = points[i + 1];  // below 2^28: differences fit, and cost less so
+                    const grid_point a = points[i], b = points[i + 1];  // below 2^28: differences fit, and are cheaper
                     along += length({static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y)});
                     sides[i + 1].along = static_cast<float>(along);
                     doubled += sides[i + 1].doubled;
                 }
             };
-            walk(seam, last);
+            add_lengths(seam, last);
             along += length(delta(points[last], points[first]));
             sides[first].along = static_cast<float>(along);
             doubled += sides[first].doubled;
-            walk(first, seam);
+            add_lengths(first, seam);
         }
         return doubled;
     }
@@ -298,7 +298,7 @@ private:
         }
     }
 
-    /// Two triangles an edge, between the caps' own vertices.
+    /// Two triangles per edge, between the caps' own vertices.
     template <class Put>
     static void join_caps(const solid& s, const first_vertices& first, Put& put) noexcept
     {

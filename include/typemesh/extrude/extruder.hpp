@@ -18,13 +18,13 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The heights between which a mesh lies, in em; the front is the higher.
+/// The heights between which a mesh lies, in em; the front is the higher one.
 struct height_range {
     double low = 0.0;
     double high = 0.0;
 };
 
-/// What an extruder is tried with.
+/// The output that the concept `extruder` is checked with.
 struct ignore_surface {
     template <attribute Wants>
     constexpr void operator()(const surface_point<Wants>&) const noexcept
@@ -33,22 +33,22 @@ struct ignore_surface {
     constexpr void operator()(std::uint32_t, std::uint32_t, std::uint32_t) const noexcept {}
 };
 
-/// How many parts an extruder writes: its part_count, or front, back and side.
+/// How many parts an extruder writes: its part_count, or else front, back and side.
 template <class E>
 inline constexpr std::size_t part_count_of = 3;
 template <class E>
     requires requires { E::part_count; }
 inline constexpr std::size_t part_count_of<E> = E::part_count;
 
-/// These parts.
+/// Those parts.
 template <class E>
 inline constexpr std::span<const part> parts_of = std::span{all_parts}.first(part_count_of<E>);
 
-/// The type of an extruder's plan data; no_plan_data where it has none.
+/// The type of an extruder's plan data; no_plan_data if it has none.
 template <class E>
 using plan_data_of = typename detail::plan_data<E>::type;
 
-/// What an extruder writes from: a solid, with its plan data where it has any.
+/// What an extruder writes from: a solid, with its plan data if it has any.
 template <class E>
 using solid_of = solid_with<plan_data_of<E>>;
 template <class E>
@@ -74,33 +74,33 @@ concept plans_with_caps = requires(const E& e, const region& r, plan_data_of<E>&
 
 }  // namespace detail
 
-/// Puts a filled region up into space.
+/// Makes a solid of a filled region.
 ///
-///     e.plan(region)                   counts exactly what the shape will need of each part: part_sizes; or
-///                                      solid_plan, if it goes beyond the region's own box in the plane, or not as far
+///     e.plan(region)                   counts exactly what the solid needs of each part: part_sizes; or solid_plan,
+///                                      if in the plane it extends beyond the region's own box, or not as far
 ///     e.heights()                      between which heights everything will lie
-///     e.vertices<Wants>(part, s, at, put)      put(surface_point<Wants>) as often as plan() said for that part; its
-///                                      glyph, cluster and part are not the extruder's business: write_vertices()
+///     e.vertices<Wants>(part, s, at, put)      put(surface_point<Wants>) as often as plan() said for that part; glyph,
+///                                      cluster and part are not the extruder's business: write_vertices()
 ///                                      (extrude.hpp) fills them in. `at` maps points and directions: placement.hpp
-///     e.triangles(part, s, first, put)         put(a, b, c) as often as plan() said: vertex numbers, of any part,
-///                                      each being first[part] + the place in which vertices() emitted it.
+///     e.triangles(part, s, first, put)         put(a, b, c) as often as plan() said: vertex numbers, of any part, each
+///                                      being first[part] + its position in the order in which vertices() emitted it.
 ///                                      Counter-clockwise seen from outside in a right-handed frame; mirroring is not
-///                                      its business.
+///                                      the extruder's business.
 ///
-/// That is all that a simple one needs. Beyond it:
+/// A simple extruder needs no more. Optional:
 ///
-///     E::plan_data                     what plan() learns and writing wants to know, see plan_arrays.hpp: plan(region,
-///                                      data) is given it empty, and `s` is a solid_with<plan_data>
-///     e.plan(region, data, caps)       instead, to have caps of further regions cut while it plans: cap_maker.hpp
+///     E::plan_data                     what plan() finds out and writing needs, see plan_arrays.hpp: the call is then
+///                                      plan(region, data) with `data` empty, and `s` is a solid_with<plan_data>
+///     e.plan(region, data, caps)       instead, to have caps of further regions made while it plans: cap_maker.hpp
 ///     E::part_count                    parts 0 to part_count - 1 instead of front, back and side; at most eight
 ///     e.hard_edges(s)                  how many contour points are doubled because their walls meet hard
-///     e.cache_key()                    all options that plan() goes by, where there are any: option_bits.hpp
+///     e.cache_key()                    all options that affect plan(), if there are any: option_bits.hpp
 ///
-/// plan() is asked about an empty region first, so that a text without letters refuses the same options.
-/// What is emitted is counted in builds with asserts, and what was not planned is not passed on there; what lies
-/// outside of heights() and of the box is told.
-/// It fails with error::bad_option for options out of range, error::out_of_memory, or an error of its own. The rest
-/// cannot fail.
+/// plan() is called with an empty region first, so that a text without letters refuses the same options. It fails with
+/// error::bad_option for options out of range, error::out_of_memory, or an error of its own. The rest cannot fail.
+///
+/// Builds with asserts count what is emitted, pass on nothing that was not planned, and report what lies outside of
+/// heights() or the box.
 template <class E>
 concept extruder =
     (detail::plans_by_itself<E> || detail::plans_with_data<E> || detail::plans_with_caps<E>) &&
@@ -112,7 +112,7 @@ concept extruder =
         requires part_count_of<E> >= 1 && part_count_of<E> <= most_parts;
     };
 
-/// An extruder that tells how many of a solid's contour points are doubled because their walls meet hard.
+/// An extruder that reports how many of a solid's contour points are doubled because their walls meet hard.
 template <class E>
 concept tells_hard_edges = extruder<E> && requires(const E& e, const solid_of<E>& s) {
     { e.hard_edges(s) } noexcept -> std::convertible_to<std::uint64_t>;
@@ -122,15 +122,15 @@ concept tells_hard_edges = extruder<E> && requires(const E& e, const solid_of<E>
 template <class E>
 concept capping_extruder = extruder<E> && detail::plans_with_caps<E>;
 
-/// Asks an extruder for its plan, in whichever way it takes. `data` is empty.
+/// Calls an extruder's plan() with the arguments that it takes. `data` is empty.
 template <extruder E, cap_maker Caps>
-[[nodiscard]] result<solid_plan> plan_solid(const E& how, const region& shape, plan_data_of<E>& data,
+[[nodiscard]] result<solid_plan> plan_solid(const E& how, const region& filled, plan_data_of<E>& data,
                                             Caps& caps) noexcept
 {
     const auto made = [&]() noexcept {
-        if constexpr (detail::plans_with_caps<E>) return how.plan(shape, data, caps);
-        else if constexpr (detail::plans_with_data<E>) return how.plan(shape, data);
-        else return how.plan(shape);
+        if constexpr (detail::plans_with_caps<E>) return how.plan(filled, data, caps);
+        else if constexpr (detail::plans_with_data<E>) return how.plan(filled, data);
+        else return how.plan(filled);
     }();
     if (!made) return made.error();
     const solid_plan plan{*made};
@@ -141,7 +141,7 @@ template <extruder E, cap_maker Caps>
     return plan;
 }
 
-/// Why an extruder refuses its options, or none: what its plan() says of an empty region.
+/// Why an extruder refuses its options, or none: what its plan() returns for an empty region.
 template <extruder E>
 [[nodiscard]] error refused_options(const E& how) noexcept
 {

@@ -8,19 +8,19 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The front alone, at z = 0: N vertices and n + 2h - 2c triangles (region.hpp).
+/// Only the front, at z = 0: N vertices and n + 2h - 2c triangles (region.hpp).
 struct flat {
     texture_mapping texture = texture_mapping::em;
 
-    /// See option_bits. Where texture coordinates come from matters only to writing.
+    /// See option_bits. The source of texture coordinates matters only for writing.
     [[nodiscard]] option_bits cache_key() const noexcept { return {}; }
 
-    [[nodiscard]] result<part_sizes> plan(const region& shape) const noexcept
+    [[nodiscard]] result<part_sizes> plan(const region& filled) const noexcept
     {
-        if (shape.points().size() > 0x3FFF'FFFFu) return error::too_large;
+        if (filled.points().size() > 0x3FFF'FFFFu) return error::too_large;
         part_sizes sizes;
-        sizes.vertices[part::front] = static_cast<std::uint32_t>(shape.points().size());
-        sizes.triangles[part::front] = shape.triangle_count();
+        sizes.vertices[part::front] = static_cast<std::uint32_t>(filled.points().size());
+        sizes.triangles[part::front] = filled.triangle_count();
         return sizes;
     }
 

@@ -40,7 +40,7 @@ struct part_counts {
         return sum;
     }
 
-    /// Where each part begins when the parts lie behind one another, the first at `first`; modulo 2^32.
+    /// Where each part begins when the parts are consecutive, the first at `first`; modulo 2^32.
     [[nodiscard]] constexpr part_counts starts(std::uint32_t first = 0) const noexcept
     {
         part_counts begin;
@@ -49,7 +49,7 @@ struct part_counts {
     }
 };
 
-/// How many vertices and triangles a shape gives to each part.
+/// How many vertices and triangles a solid has in each part.
 struct part_sizes {
     part_counts vertices;
     part_counts triangles;
@@ -67,10 +67,10 @@ struct part_sizes {
     /// All parts together.
     [[nodiscard]] constexpr mesh_size total() const noexcept { return {vertices.total(), triangles.total()}; }
 
-    /// Where each part begins when the parts lie behind one another from 0 on.
+    /// Where each part begins when the parts are consecutive, from 0.
     [[nodiscard]] constexpr part_sizes starts() const noexcept { return {vertices.starts(), triangles.starts()}; }
 
-    /// Where one part lies when the parts lie behind one another, from a place on that is given.
+    /// Where one part lies when the parts are consecutive, from a given position.
     ///
     ///     vertices    [ ... | front | back | side ]       indices likewise; total().fits_32_bits() must hold
     ///                  first ^

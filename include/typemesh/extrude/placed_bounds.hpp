@@ -10,8 +10,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The box around all that stands over a box of the plane, in cells, between two heights, where it is placed. Exact for
-/// frames whose axes lie along the coordinate axes, else it may be larger. `around` is not empty.
+/// The bounding box, where it is placed, of all that stands over a box of the plane, in cells, between two heights.
+/// Exact for frames whose axes are parallel to the coordinate axes, else it may be larger. `around` is not empty.
 [[nodiscard]] inline bounds3 placed_bounds(const box& around, height_range heights, const placement& at) noexcept
 {
     const float bottom = at.height(heights.low), top = at.height(heights.high);
@@ -27,8 +27,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// The box that an extruder's vertices are held to in builds with asserts, where its plan() gave one or none; larger by
-/// what positions computed in another way may be rounded by.
+/// The box that an extruder's vertices must lie in, in builds with asserts, whether or not its plan() gave one;
+/// enlarged by what positions computed in another way may be rounded by.
 [[nodiscard]] inline bounds3 promised_bounds(box around, std::span<const grid_point> points, height_range heights,
                                              const placement& at) noexcept
 {

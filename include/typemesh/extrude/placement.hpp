@@ -10,28 +10,28 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A point of a solid as its extruder computes it: no grid holds it.
+/// A point of a solid as its extruder computes it, not rounded to a grid.
 struct solid_point {
-    double x = 0.0;  ///< cells, as the region's points
+    double x = 0.0;  ///< in cells, like the region's points
     double y = 0.0;
     double z = 0.0;  ///< in the unit of the extruder's heights()
 };
 
-/// Where a shape stands and in which unit it is written: from grid cells to the caller's coordinates.
+/// Where a glyph stands and in which unit it is written: from grid cells to the caller's coordinates.
 ///
 ///     output = frame((cell + pen) * unit_per_cell)        z = depth * unit_per_depth
 ///
 ///     at.position({x, y, z})          any point, in double precision; a grid point's to the bit
 ///     at.direction({x, y, z})         a normal or a tangent: x along the text, y up, z towards the reader
-///     at.cells_per_depth()            what a slope is measured by: cells to one unit of heights
+///     at.cells_per_depth()            for slopes: cells per unit of heights
 ///     planar_texture, wall_texture    texture coordinates: texture.hpp
 ///     texture_tangent                 and their tangents: texture_tangent.hpp
 ///
-/// The sum is exact in double precision and rounded once, to the 24 bits of a float, so equal places give equal floats.
-/// The frame's products are of 24 bits by 24 bits, hence exact in double precision too: whether or not a compiler joins
-/// them with the additions (FMA), cap and wall meet in the same bits.
+/// The sum is exact in double precision and rounded once, to the 24 bits of a float, so equal positions give equal
+/// floats. The frame's products are of 24 bits by 24 bits, hence exact in double precision too: whether or not a
+/// compiler fuses them with the additions (FMA), cap and wall meet in the same bits.
 struct placement {
-    /// A place over the plane z = 0, in the caller's axes; position() lifts it.
+    /// A position over the plane z = 0, in the caller's axes; position() lifts it.
     struct footprint {
         double x = 0.0;
         double y = 0.0;
@@ -39,19 +39,19 @@ struct placement {
     };
 
     point pen = {};              ///< the glyph's origin, in cells
-    double unit_per_cell = 1.0;  ///< output units to a cell
-    double unit_per_depth = 1.0; ///< output units to one unit of depths: an em, unless text_options says otherwise
-    double em_per_depth = 1.0;   ///< em to one unit of depths
+    double unit_per_cell = 1.0;  ///< output units per cell
+    double unit_per_depth = 1.0; ///< output units per unit of depths, which is an em unless text_options says otherwise
+    double em_per_depth = 1.0;   ///< em per unit of depths
     double em_per_cell = 1.0;
-    point em_pen = {};            ///< em mapping: the glyph's origin, in cells, seen from the text's own origin
-    point texture_pen = {};       ///< box mapping: the glyph's origin, in cells, seen from the box's lower left corner
-    point texture_per_cell = {};  ///< box mapping: how much u and v grow with a cell; 0 where the box has no extent
+    point em_pen = {};            ///< em mapping: the glyph's origin, in cells, relative to the text's own origin
+    point texture_pen = {};       ///< box mapping: the glyph's origin, in cells, from the box's lower left corner
+    point texture_per_cell = {};  ///< box mapping: by how much u and v grow per cell; 0 where the box has no extent
     typemesh::frame frame = {};
-    glyph_id glyph = no_glyph;        ///< whose shape it is: what vertices that want `glyph` carry
-    cluster_id cluster = no_cluster;  ///< its place in the caller's text, likewise
+    glyph_id glyph = no_glyph;        ///< what vertices that want `glyph` carry
+    cluster_id cluster = no_cluster;  ///< its position in the caller's text, likewise
     style_id style = no_style;        ///< that of its look, likewise
 
-    /// Where a grid point stands: the part of position() that is the same for all heights.
+    /// What a grid point's positions at all heights have in common.
     [[nodiscard]] footprint foot(grid_point p) const noexcept { return foot(exact(p)); }
 
     /// The same for a point in double precision, in cells.
@@ -81,13 +81,13 @@ struct placement {
         return position(foot(point{p.x, p.y}), height(p.z));
     }
 
-    /// A height as extruders tell it, in output units.
+    /// An extruder's height, in output units.
     [[nodiscard]] float height(double depth) const noexcept { return static_cast<float>(depth * unit_per_depth); }
 
-    /// How many cells are as long as one unit of heights.
+    /// Cells per unit of heights.
     [[nodiscard]] double cells_per_depth() const noexcept { return unit_per_depth / unit_per_cell; }
 
-    /// A direction, given in the text's own axes (x along the text, y up, z towards the reader), in the caller's.
+    /// A direction given in the text's own axes (x along the text, y up, z towards the reader), in the caller's.
     [[nodiscard]] vec3 direction(vec3 d) const noexcept { return frame(d.x, d.y, d.z); }
     [[nodiscard]] vec3 direction(float x, float y, float z) const noexcept { return frame(x, y, z); }
 
@@ -105,8 +105,8 @@ struct placement {
     }
 
 private:
-    /// What a cast to float and back gives, done on the bits: seeing the casts, -ffast-math would compute the whole
-    /// position in floats, where FMA does matter, and differently in each loop.
+    /// The result of a cast to float and back, made on the bits: if it saw the casts, -ffast-math would compute the
+    /// whole position in floats, where FMA does matter, and differently in each loop.
     [[nodiscard]] static double to_24_bits(double v) noexcept
     {
         std::uint64_t bits = 0;

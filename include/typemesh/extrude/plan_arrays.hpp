@@ -51,15 +51,15 @@ struct plan_data<E> {
 
 }  // namespace detail
 
-/// What an extruder's plan() leaves for writing: an array of each of some types.
+/// What an extruder's plan() leaves for writing: an array of each of several types.
 ///
 ///     using plan_data = plan_arrays<side_point, grid_point, triangle>;     in the extruder
 ///     data.of<grid_point>()       in plan(): a buffer, empty at first
 ///     s.data.of<grid_point>()     when it writes: a span of what plan() left there
 ///
-/// The arrays are kept with their glyph, in its one block, and copied there as bytes. So the types are plain values
-/// that refer to nothing outside, of an alignment of at most 8. Two arrays of one type: give one of them a struct of
-/// its own.
+/// The arrays are stored with their glyph, in its one block, where they are copied as bytes. So the types are plain
+/// values that refer to nothing outside, with an alignment of at most 8. For two arrays of one type, wrap one of them
+/// in a struct of its own.
 template <class... Values>
 class plan_arrays : detail::growing_array<Values>... {
     static_assert(sizeof...(Values) != 0, "typemesh: an extruder without plan data has no plan_data at all");
@@ -70,7 +70,7 @@ class plan_arrays : detail::growing_array<Values>... {
                   "typemesh: plan_arrays have one array of each type; give a second one a struct of its own");
 
 public:
-    /// The arrays to be read, wherever they lie.
+    /// Read access to the arrays, wherever they are stored.
     class view : detail::read_array<Values>... {
         friend class plan_arrays;
 
@@ -92,10 +92,10 @@ public:
         return detail::growing_array<T>::values;
     }
 
-    /// Empties all arrays; their storage stays.
+    /// Empties all arrays; their storage is kept.
     void clear() noexcept { (detail::growing_array<Values>::values.clear(), ...); }
 
-    /// As they are now; growing ends it.
+    /// The arrays as they are now; growth invalidates it.
     [[nodiscard]] view read() const noexcept
     {
         view all;
@@ -103,9 +103,9 @@ public:
         return all;
     }
 
-    // --- as bytes: what keeps a glyph
+    // --- as bytes: for what stores a glyph
 
-    /// How many bytes copy_to() writes; a multiple of 8.
+    /// The number of bytes that copy_to() writes; a multiple of 8.
     [[nodiscard]] std::size_t bytes() const noexcept
     {
         return (std::size_t{0} + ... + (8 + rounded(detail::growing_array<Values>::values.view().size_bytes())));

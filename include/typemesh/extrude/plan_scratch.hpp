@@ -10,8 +10,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The plan data of one glyph after another, of whichever extruder plans it. Its storage stays for the next glyph;
-/// where that is planned with data of another type, the old goes.
+/// The plan data of one glyph after another, of whichever extruder plans it. Its storage is kept for the next glyph; if
+/// that is planned with data of another type, the old data goes.
 class plan_scratch {
 public:
     explicit plan_scratch(memory source = heap()) noexcept : source_{source} {}
@@ -32,7 +32,7 @@ public:
     }
     ~plan_scratch() { release(); }
 
-    /// Data of this type, empty; null when the memory gives none.
+    /// Data of this type, empty; null when memory runs out.
     template <class Data>
     [[nodiscard]] Data* fresh() noexcept
     {
@@ -49,7 +49,7 @@ public:
         return data;
     }
 
-    /// What keeps a glyph: how many bytes its data takes, and the data there, for Data::read_from().
+    /// For what stores a glyph: how many bytes its data takes, and the data there, for Data::read_from().
     [[nodiscard]] std::size_t bytes() const noexcept { return data_ == nullptr ? 0 : how_->bytes(data_); }
     void copy_to(std::byte* block) const noexcept
     {

@@ -10,9 +10,9 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Stands between an extruder and the sink, for the vertices of one part of a solid: counts them, and passes on no more
-/// than were planned, so that no sink is written past its end; looks whether they lie where they must. Where asserts
-/// look at nothing it only passes on.
+/// Stands between an extruder and the sink, for the vertices of one part of a solid: counts them, passes on no more
+/// than were planned, so that no sink is written past its end, and checks whether they lie where they must. Without
+/// asserts it only passes them on.
 template <mesh_sink Sink>
 struct planned_vertices {
     static constexpr attribute wants = Sink::wants;
@@ -26,7 +26,7 @@ struct planned_vertices {
     void vertex(const surface_point<wants>& v) noexcept
     {
         if constexpr (has(wants, attribute::position)) {
-            TYPEMESH_ASSERT(bounds.holds(v.position), "an extruder emitted a vertex outside of the bounds that it states");
+            TYPEMESH_ASSERT(bounds.holds(v.position), "an extruder emitted a vertex outside the bounds that it states");
         }
         bool due = true;
         TYPEMESH_ASSERT((due = emitted++ < planned), "an extruder emitted more vertices of a part than its plan() said");
@@ -55,12 +55,12 @@ struct planned_triangles {
         TYPEMESH_ASSERT((due = emitted++ < planned), "an extruder emitted more triangles of a part than its plan() said");
         if (!due) return;
         TYPEMESH_ASSERT((due = numbers(a) && numbers(b) && numbers(c)),
-                        "an extruder emitted a triangle with a corner that is no vertex of its solid");
+                        "an extruder emitted a triangle with a corner that is not a vertex of its solid");
         if (due) sink.triangle(a, b, c);
     }
     void end() noexcept {}
 
-    /// Whether a number is that of a vertex of the solid.
+    /// Whether a number belongs to a vertex of the solid.
     [[nodiscard]] bool numbers(std::uint32_t v) const noexcept
     {
         for (const part p : all_parts)

@@ -6,17 +6,17 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// 2N vertices: walls stand on the caps' own vertices, whose normal is the normalised sum of the unit normals of the
-/// cap and the two walls that meet there; parts that are switched off do not count. As small as cap_normals; caps look
-/// like cushions, and walls fade from front to back. Texture coordinates are the caps', planar, on the walls as well.
+/// 2N vertices: walls share the caps' vertices, whose normal is the normalised sum of the unit normals of the cap and
+/// the two walls that meet there; parts that are switched off do not count. As small as cap_normals; caps look like
+/// cushions, and walls fade from front to back. Texture coordinates are the caps', planar, on the walls as well.
 struct shared_normals {
     static constexpr bool shares_caps = true;
 
-    error operator()(const region& shape, std::span<side_point> sides) const noexcept
+    error operator()(const region& filled, std::span<side_point> sides) const noexcept
     {
-        const auto points = shape.points();
-        for (std::uint32_t loop = 0; loop < shape.loop_count(); ++loop) {
-            const std::uint32_t first = shape.starts()[loop], last = shape.starts()[loop + 1] - 1;
+        const auto points = filled.points();
+        for (std::uint32_t loop = 0; loop < filled.loop_count(); ++loop) {
+            const std::uint32_t first = filled.starts()[loop], last = filled.starts()[loop + 1] - 1;
             vec2 before = rounded(wall_normal(points[last], points[first]));
             for (std::uint32_t i = first; i <= last; ++i) {
                 const vec2 after = rounded(wall_normal(points[i], points[i == last ? first : i + 1]));

@@ -11,22 +11,21 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How the walls of an extruded shape are lit, and so which contour points need a vertex pair for each of their two
-/// walls.
+/// How walls are lit, and so which contour points need a vertex pair for each of their two walls.
 ///
-///     S::shares_caps     true: walls stand on the caps' own vertices and have none themselves; `doubled` then means
-///                        nothing
-///     S::leaves_caps_alone   true, beside shares_caps: the caps' vertices keep the caps' normals, and the walls take
-///                        them as they are; the sides are not asked for then. Need not be there
-///     s(shape, sides)    fills before, after and doubled of sides[i] for every point i of shape.points();
-///                        there are as many of one as of the other. Everything else has its default value.
+///     S::shares_caps     true: walls share the caps' vertices and have none of their own; `doubled` is then
+///                        meaningless
+///     S::leaves_caps_alone   optional, true beside shares_caps: the caps' vertices keep the caps' normals, and the
+///                        walls take them as they are; the sides are then not requested
+///     s(filled, sides)   fills in before, after and doubled of sides[i] for every point i of filled.points(); there
+///                        are as many of one as of the other. Everything else has its default value.
 ///
 /// Ready ones: cap_normals, shared_normals, averaged_normals, creased_normals, curve_normals. Options out of range are
 /// error::bad_option, for an empty region as well.
 template <class S>
-concept side_normals = requires(const S& s, const region& shape, std::span<side_point> sides) {
+concept side_normals = requires(const S& s, const region& filled, std::span<side_point> sides) {
     { S::shares_caps } -> std::convertible_to<bool>;
-    { s(shape, sides) } noexcept -> std::same_as<error>;
+    { s(filled, sides) } noexcept -> std::same_as<error>;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -7,18 +7,18 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What an extruder's plan() learnt about one contour point, kept so that writing need not compute it twice.
+/// What an extruder's plan() found out about one contour point, stored so that writing need not compute it again.
 ///
 ///        wall before        both normals lie in the plane, are of unit length and point away from the interior.
-///     ──────────────●       A point that is not doubled has one normal, `before` and `after` being equal
-///       interior    │       (but for shared_normals, which joins them with the caps' own when it writes).
+///     ──────────────●       A point that is not doubled has one normal: `before` and `after` are equal
+///       interior    │       (except with shared_normals, which adds the caps' own when it writes).
 ///                   │ wall after
 struct side_point {
     vec2 before;
     vec2 after;
     float along = 0.0f;    ///< length of the contour from its seam to this point, in cells; at the seam, all of it
     bool doubled = false;  ///< has a vertex pair for each of its two walls
-    bool seam = false;     ///< `along` starts here at 0 again: for the wall after; such a point is doubled
+    bool seam = false;     ///< `along` starts here at 0 again, for the wall after; such a point is doubled
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

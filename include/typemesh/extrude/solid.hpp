@@ -10,7 +10,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// One planned shape, as an extruder gets it back to write it.
+/// One planned solid, as an extruder gets it back to write it.
 ///
 ///     points, starts    the region's (region.hpp)
 ///     triangles         its cap, indices into points
@@ -20,28 +20,28 @@ struct solid {
     std::span<const triangle> triangles;
 };
 
-/// The same with what the extruder's own plan() left for it: see plan_arrays.hpp.
+/// The same with the plan data that the extruder's own plan() left: see plan_arrays.hpp.
 template <class Data>
 struct solid_with : solid {
     typename Data::view data;
 };
 
-/// What an extruder's plan() says of a solid: its exact sizes, and how far it reaches in the plane.
+/// What an extruder's plan() says about a solid: its exact sizes, and how far it extends in the plane.
 ///
-/// The box is around everything that will be written, in cells; empty, it stands for that of the region's own points.
+/// The box bounds everything that will be written, in cells; empty, it stands for that of the region's own points.
 struct solid_plan {
     part_sizes sizes;
     box around = {};
 };
 
-/// A solid, and what its extruder's plan() said of it.
+/// A solid, and what its extruder's plan() said about it.
 template <class Data>
 struct planned_solid {
     solid_with<Data> form;
     const solid_plan& plan;
 };
 
-/// The index of a shape's first vertex in each part of the whole mesh.
+/// The index of a solid's first vertex in each part of the whole mesh.
 using first_vertices = part_counts;
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -7,21 +7,20 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Where texture coordinates come from. v grows upwards, or downwards as 1 - v where the frame says
-/// uv_origin::top_left.
+/// Where texture coordinates come from. v grows upwards, or downwards as 1 - v if the frame says uv_origin::top_left.
 ///
 ///     box    the text's (or line's, or glyph's) box becomes the square [0, 1], for caps and walls alike: walls show
-///            the caps' rim, drawn out into lines. For pictures made for one text, and for formats that hold [0, 1]
-///            only
+///            the caps' rim, drawn out into lines. For pictures made for one text, and for formats limited to [0, 1]
 ///     em     the default: one texture tile is one em wide and high, everywhere, so coordinates go beyond [0, 1]:
 ///            caps    x and y from the text's origin
-///            walls   u = way along the contour from its seam, in its own direction; v runs from 1 at the front down to
-///                    1 - depth (in em), so that an upright image stands upright on a wall whose front edge is its top
+///            walls   u = distance along the contour from its seam, in its own direction; v runs from 1 at the front
+///                    down to 1 - depth (in em), so that an upright image is upright on a wall whose front edge is its
+///                    top
 enum class texture_mapping : std::uint8_t { box, em };
 
-/// Texture coordinates of points by their place in the plane.
+/// Texture coordinates of points by their position in the plane.
 ///
-/// The upper edge of a box gives exactly 1 (and 0 turned): the product is rounded to 32 bits before it is turned.
+/// The upper edge of a box gives exactly 1 (and 0 flipped): the product is rounded to 32 bits before it is flipped.
 class planar_texture {
 public:
     planar_texture(texture_mapping mapping, const placement& at) noexcept
@@ -51,8 +50,8 @@ private:
     float sign_;
 };
 
-/// Texture coordinates of walls, and of all that stands in for them, in em mapping: by the way along the contour, in
-/// cells, and by the way down from its front edge, in the unit of an extruder's heights.
+/// Texture coordinates of walls, and of all that takes their place, in em mapping: by the distance along the contour,
+/// in cells, and the distance down from its front edge, in the unit of an extruder's heights.
 class wall_texture {
 public:
     explicit wall_texture(const placement& at) noexcept

@@ -7,22 +7,22 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Tangents of the texture mappings, in closed form: no triangle is looked at, and nothing is averaged.
+/// Tangents of the texture mappings, in closed form: computed without triangles or averaging.
 ///
-///     x, y, z   unit length, at right angles to the vertex' normal: the way in which u grows
-///     w         +1 or -1: w * cross(normal, tangent), computed in the caller's own coordinates, is the way in which v
-///               grows, as v is written. So it turns with uv_origin, and with a frame that mirrors
+///     x, y, z   unit length, perpendicular to the vertex's normal: the direction in which u grows
+///     w         +1 or -1: w * cross(normal, tangent), computed in the caller's own coordinates, is the direction in
+///               which v grows, as v is written. So it changes with uv_origin, and with a frame that mirrors
 ///
-///          caps       u grows along the text, in both mappings; so it does on the back, where the text is seen from
-///                     behind. shared_normals lean: their tangent is the text's direction without its share of the
-///                     normal
+///          caps       u grows along the text, in both mappings; also on the back, where the text is seen from behind.
+///                     With shared_normals they lean: the tangent is the text's direction without its component along
+///                     the normal
 ///          walls      u grows along the contour, in its own direction (the interior on the left): a quarter turn from
 ///                     the normal, exact wherever the normal is. In box mapping u and v are the same at both ends of a
-///                     wall's height and no tangent follows from them; that of em mapping stands in
+///                     wall's height and define no tangent; that of em mapping stands in
 ///
 /// The convention is that of MikkTSpace (M. S. Mikkelsen, "Simulation of Wrinkled Surfaces Revisited", 2008), where
 /// bitangent = sign * cross(normal, tangent). Engines whose normal maps have "green up" while v grows downwards (glTF,
-/// Godot) want -w.
+/// Godot) need -w.
 class texture_tangent {
 public:
     texture_tangent() noexcept = default;
@@ -31,9 +31,8 @@ public:
     {
     }
 
-    /// On a surface of any kind, from the way in which u grows there: a unit vector at right angles to the normal, in
-    /// the text's own axes. facing is 1 where v, growing upwards, grows along cross(normal, u), and -1 where against
-    /// it.
+    /// On any surface, from the direction in which u grows there: a unit vector perpendicular to the normal, in the
+    /// text's own axes. facing is 1 if v, growing upwards, grows along cross(normal, u), and -1 if against it.
     template <class Axes>
     [[nodiscard]] vec4 along(const Axes& axes, vec3 u, float facing) const noexcept
     {

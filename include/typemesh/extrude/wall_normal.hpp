@@ -9,16 +9,16 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A direction turned to the right: out of the interior, which lies on the left of every edge. Not of unit length.
+/// A direction rotated to the right: out of the interior, which lies on the left of every edge. Not of unit length.
 [[nodiscard]] constexpr point outward(point direction) noexcept { return {direction.y, -direction.x}; }
 
-/// The way from one grid point to another, in cells; exact.
+/// The vector from one grid point to another, in cells; exact.
 [[nodiscard]] constexpr point delta(grid_point from, grid_point to) noexcept
 {
     return {static_cast<double>(to.x) - from.x, static_cast<double>(to.y) - from.y};
 }
 
-/// A vector brought to unit length; it must not be zero.
+/// A vector scaled to unit length; it must not be zero.
 [[nodiscard]] inline point unit(point v) noexcept { return (1.0 / length(v)) * v; }
 
 /// The unit normal of the wall over the edge from a to b, which differ.
@@ -28,9 +28,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// The normalised sum of the unit normals of two walls that meet in b, over a-b and b-c. It points out of both walls.
 ///
-///      ^ normal       At the tip of a needle the two normals all but cancel. The difference of the edges' directions
-///      b              lies on the same line then and is long, and which way along it is out is known exactly from the
-///     / \             turn.
+///      ^ normal       At the tip of a needle the two normals nearly cancel. The difference of the edges' directions
+///      b              then lies on the same line and is long, and which direction along it is outward is known exactly
+///     / \             from the orientation.
 ///    c   a
 [[nodiscard]] inline point joint_normal(grid_point a, grid_point b, grid_point c, point before, point after) noexcept
 {
@@ -39,10 +39,10 @@ namespace typemesh::inline TYPEMESH_ABI {
     return orientation(a, b, c) >= 0 ? unit(along) : unit(-1.0 * along);
 }
 
-/// An angle, as what the dot product of two unit normals falls below where they make a larger one.
+/// An angle, as the dot product of two unit normals that make this angle.
 ///
-/// A 2^-30 less than its cosine: a break equal to the angle is soft, whatever the compiler's rounding (0 means above
-/// 0.0025 degrees). Normals that cancel (within 0.08 degrees of opposite) are beyond every angle, as they have no sum.
+/// Smaller than its cosine by 2^-30: an angle equal to it is soft, whatever the compiler's rounding (0 means above
+/// 0.0025 degrees). Normals that cancel (within 0.08 degrees of opposite) exceed every angle, as they have no sum.
 [[nodiscard]] inline double crease_cosine(float degrees) noexcept
 {
     const double cosine = std::cos(as_double(degrees) * (3.14159265358979323846 / 180.0)) - 0x1p-30;

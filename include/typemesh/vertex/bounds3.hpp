@@ -5,7 +5,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The box around all vertices, in the caller's frame and unit. Both corners zero for an empty mesh.
+/// The bounding box of all vertices, in the caller's frame and unit. Both corners are zero for an empty mesh.
 struct bounds3 {
     vec3 low;
     vec3 high;
@@ -16,7 +16,7 @@ struct bounds3 {
         high = {p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y, p.z > high.z ? p.z : high.z};
     }
 
-    /// Whether a point lies in it; one that is not finite is not told.
+    /// Whether a point lies in it; NaN counts as inside.
     [[nodiscard]] constexpr bool holds(vec3 p) const noexcept
     {
         return !(p.x < low.x || p.y < low.y || p.z < low.z || p.x > high.x || p.y > high.y || p.z > high.z);

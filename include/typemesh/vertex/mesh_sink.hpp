@@ -39,7 +39,7 @@ concept nothing_or_error = std::same_as<T, void> || std::same_as<T, error>;
 ///     s.begin(exact)       comes first, with the exact sizes; if it fails, nothing else is called
 ///     s.vertex(p)          exactly exact.vertices times: vertex 0, 1, 2, ...; p is a surface_point<S::wants>
 ///     s.triangle(a, b, c)  exactly exact.triangles times, after all vertices: numbers below exact.vertices
-///     s.end()              comes last; gives nothing, or an error: error::not_written, say
+///     s.end()              comes last; returns nothing, or an error: error::not_written, say
 template <class S>
 concept mesh_sink = requires(S& s, mesh_size exact, const surface_point<S::wants>& p, std::uint32_t v) {
     { S::wants } -> std::convertible_to<attribute>;
@@ -49,7 +49,7 @@ concept mesh_sink = requires(S& s, mesh_size exact, const surface_point<S::wants
     { s.end() } noexcept -> detail::nothing_or_error;
 };
 
-/// Ends a sink, whichever way it ends.
+/// Ends a sink, whichever form its end() has.
 template <mesh_sink S>
 error end_of(S& s) noexcept
 {
