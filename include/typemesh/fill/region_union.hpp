@@ -62,6 +62,7 @@ public:
     /// The region that the members fill together, in this group's memory: valid until the next begin().
     ///
     /// Fails  as resolve() does
+    template <class = void>  // see resolve()
     [[nodiscard]] result<region> join(workspace& space, std::uint32_t most_pieces = default_most_pieces) noexcept
     {
         loops_.curves = curves_.view();
