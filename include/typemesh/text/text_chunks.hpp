@@ -115,8 +115,8 @@ public:
         return found;
     }
 
-    /// Writes all chunks: every vertex and every index once, ascending. Only the sink's begin_chunks() can fail;
-    /// nothing is allocated. `plan` is the one that was cut.
+    /// Writes all chunks: every vertex and every index once, ascending. Only the sink can fail, in begin_chunks() or
+    /// end(); nothing is allocated. `plan` is the one that was cut.
     template <extruder Extruder, class Sink>
         requires chunked_sink<std::remove_reference_t<Sink>>
     error write(const text_plan<Extruder>& plan, Sink&& sink) const noexcept

@@ -183,8 +183,8 @@ public:
         return hard;
     }
 
-    /// Emits every vertex and every triangle once, in ascending order. Only the sink's begin() can fail; nothing is
-    /// allocated.
+    /// Emits every vertex and every triangle once, in ascending order. Only the sink can fail, in begin() or end();
+    /// nothing is allocated.
     template <class Sink>
         requires mesh_sink<std::remove_reference_t<Sink>>
     error write(Sink&& sink) const noexcept
