@@ -10,6 +10,19 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
+/// Adds all that stands over a box of the plane, in cells, between two heights, in output units, where it is placed.
+/// `around` is not empty; along_axes is frame::is_along_axes().
+inline void add_placed(bounds3& all, const box& around, float bottom, float top, const placement& at,
+                       bool along_axes) noexcept
+{
+    all.add(at.position(at.foot(around.low), bottom));
+    all.add(at.position(at.foot(around.high), top));
+    if (along_axes) return;  // two opposite corners are enough
+    for (const float z : {bottom, top})
+        for (const point p : {around.low, around.high, point{around.low.x, around.high.y}, point{around.high.x, around.low.y}})
+            all.add(at.position(at.foot(p), z));
+}
+
 /// The bounding box, where it is placed, of all that stands over a box of the plane, in cells, between two heights.
 /// Exact for frames whose axes are parallel to the coordinate axes, else it may be larger. `around` is not empty.
 [[nodiscard]] inline bounds3 placed_bounds(const box& around, height_range heights, const placement& at) noexcept
@@ -17,11 +30,7 @@ namespace typemesh::inline TYPEMESH_ABI {
     const float bottom = at.height(heights.low), top = at.height(heights.high);
     const vec3 corner = at.position(at.foot(around.low), bottom);
     bounds3 all{corner, corner};
-    all.add(at.position(at.foot(around.high), top));
-    if (at.frame.is_along_axes()) return all;  // two opposite corners are enough
-    for (const float z : {bottom, top})
-        for (const point p : {around.low, around.high, point{around.low.x, around.high.y}, point{around.high.x, around.low.y}})
-            all.add(at.position(at.foot(p), z));
+    add_placed(all, around, bottom, top, at, at.frame.is_along_axes());
     return all;
 }
 

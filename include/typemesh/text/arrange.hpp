@@ -57,13 +57,17 @@ inline error arrange(text_glyphs& all, const glyph_run& run, const text_options&
     placement at;
     at.unit_per_depth = placed.unit_per_depth;
     at.frame = placed.frame;
+    const float bottom = at.height(heights.low), top = at.height(heights.high);
+    const bool along_axes = placed.frame.is_along_axes();
     for (const drawn_glyph& s : all.records) {
         at.pen = s.built->cells() * (s.origin - placed.centre);
         at.unit_per_cell = placed.unit_per_font_unit * s.built->font_units_per_cell();
-        const bounds3 own = placed_bounds(s.built->around(), heights, at);
-        if (&s == all.records.begin()) all.bounds = own;
-        all.bounds.add(own.low);
-        all.bounds.add(own.high);
+        const box& around = s.built->around();
+        if (&s == all.records.begin()) {
+            const vec3 corner = at.position(at.foot(around.low), bottom);
+            all.bounds = {corner, corner};
+        }
+        add_placed(all.bounds, around, bottom, top, at, along_axes);
     }
     return {};
 }
