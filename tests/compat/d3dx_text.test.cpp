@@ -12,6 +12,7 @@
 #include <cstring>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 using namespace typemesh;
@@ -30,6 +31,19 @@ struct tall_font : test::toy_font {
         features.clear();
         for (const feature& f : o.features) features.push_back(f.tag + std::string{"="} + std::to_string(f.value));
         return toy_font::shape(text, first, last, o, run);
+    }
+};
+
+/// The toy font, every other letter of it in a style of its own, a descending one.
+struct styled_font : test::toy_font {
+    result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& o, glyph_run& run)
+    noexcept
+    {
+        const std::size_t before = run.glyphs.size();
+        const auto advance = toy_font::shape(text, first, last, o, run);
+        for (std::size_t i = before; i < run.glyphs.size(); i += 2)
+            run.glyphs[i].look = *run.number_of({.style = style_id{static_cast<std::uint32_t>(900 - i)}});
+        return advance;
     }
 };
 
@@ -161,6 +175,24 @@ TEST_CASE("the size is that of the cell, as in Direct3D, or of the em", "[compat
         CHECK(cell.vertices[i].position.y * 1.25f == Approx(em.vertices[i].position.y).margin(1e-6));
         CHECK(cell.vertices[i].position.z == Approx(em.vertices[i].position.z));  // and so is the extrusion
     }
+}
+
+TEST_CASE("metrics do not depend on the styles of a font of one's own", "[compat]")
+{
+    test::toy_font plain;
+    styled_font styled;
+    d3dx_text plain_maker{plain};
+    d3dx_text styled_maker{styled};
+    constexpr std::string_view text = "oE x\nixoE o";
+    const auto a = plain_maker.plan(text);
+    const auto b = styled_maker.plan(text);
+    REQUIRE(a);
+    REQUIRE(b);
+    REQUIRE(b->text().styles().size() > 2);
+    std::vector<d3dx_glyph_metrics> expected(text.size()), found(text.size());
+    REQUIRE_FALSE(a->metrics(expected));
+    REQUIRE_FALSE(b->metrics(found));
+    CHECK(std::memcmp(found.data(), expected.data(), text.size() * sizeof(d3dx_glyph_metrics)) == 0);
 }
 
 TEST_CASE("each character has its metrics", "[compat]")

@@ -16,7 +16,8 @@ using namespace typemesh;
 
 namespace {
 
-/// Every code point is a glyph of that number; '?' is missing, '!' refused, what is no UTF-8 noted.
+/// Every code point is a glyph of that number; '?' is missing, '!' refused, what is no UTF-8 noted. 'g' and 'h' have looks
+/// of their own; that of '$' is in no table.
 struct counting_shaper {
     double units_per_em() const noexcept { return 1000.0; }
     line_metrics metrics(direction) const noexcept { return {700.0, -200.0, 100.0}; }
@@ -30,9 +31,12 @@ struct counting_shaper {
             const auto cluster = static_cast<cluster_id>(i);
             if (c.value == '!') return error{error::mixed_direction}.at(no_glyph, cluster);
             const bool missing = c.value == '?';
-            if (missing && run.missing++ == 0) run.first_missing = cluster;
-            if (!c.valid && run.invalid_units++ == 0) run.first_invalid_unit = cluster;
-            if (!run.glyphs.push_back({static_cast<glyph_id>(c.value), cluster, pen, missing}))
+            if (missing) run.note_missing(cluster);
+            if (!c.valid) run.note_invalid_units(cluster);
+            const look own = c.value == 'g' ? look{.style = style_id{1}} : c.value == 'h' ? look{.face = 1} : look{};
+            const auto number = c.value == '$' ? result<std::uint32_t>{999u} : run.number_of(own);
+            if (!number) return number.error();
+            if (!run.glyphs.push_back({static_cast<glyph_id>(c.value), cluster, pen, missing, *number}))
                 return error::out_of_memory;
             (down ? pen.y : pen.x) += (down ? -1.0 : 1.0) * (400.0 + c.value);
             i = c.next;
@@ -69,6 +73,14 @@ void check_same(const glyph_run& a, const glyph_run& b)
                          return g.id == h.id && g.cluster == h.cluster && g.origin == h.origin &&
                                 g.missing == h.missing;
                      }));
+    CHECK(a.looks.size() == b.looks.size());
+    const auto look_of = [](const glyph_run& run, const placed_glyph& g) {
+        return run.looks.empty() ? look{} : run.looks[g.look];
+    };
+    bool alike = true;
+    for (std::size_t i = 0; i < a.glyphs.size() && i < b.glyphs.size(); ++i)
+        alike = alike && look_of(a, a.glyphs[i]) == look_of(b, b.glyphs[i]);
+    CHECK(alike);
     CHECK(std::equal(a.lines.begin(), a.lines.end(), b.lines.begin(), b.lines.end(),
                      [](const text_line& l, const text_line& m) {
                          return l.first_glyph == m.first_glyph && l.glyph_count == m.glyph_count &&
@@ -121,6 +133,17 @@ TEST_CASE("several workers set a text as one does", "[layout][threads]")
             check_same(run, expected);
         }
     }
+}
+
+TEST_CASE("a look that a shaper names and no table holds is refused by name", "[layout][threads]")
+{
+    workers_at_hand team{3, 1};
+    glyph_run run;
+    const error e = team.set(long_text(3000) + "gh\n$", {}, {}, run);
+    CHECK(e == error::no_such_look);
+    CHECK(e.glyph == '$');
+    CHECK(run.glyphs.empty());
+    CHECK(run.looks.empty());
 }
 
 TEST_CASE("of several lines that are refused the first is told, and the run is empty", "[layout][threads]")

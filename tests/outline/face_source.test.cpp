@@ -6,6 +6,9 @@
 #include <typemesh/outline/recorded_outlines.hpp>
 #include <typemesh/outline/transformed_outlines.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 using namespace typemesh;
 
 namespace {
@@ -42,7 +45,9 @@ static_assert(outline_source<mapped_face<const recorded_outlines>>);
 
 bool same_curves(const outline& a, const outline& b)
 {
-    if (a.curves.size() != b.curves.size() || a.rule != b.rule) return false;
+    if (a.curves.size() != b.curves.size() || a.rule != b.rule || a.starts.size() != b.starts.size()) return false;
+    if (!(a.bounds.low == b.bounds.low) || !(a.bounds.high == b.bounds.high)) return false;
+    if (!std::equal(a.starts.begin(), a.starts.end(), b.starts.begin())) return false;
     for (std::size_t i = 0; i < a.curves.size(); ++i)
         for (std::size_t k = 0; k < 4; ++k)
             if (!(a.curves[i].p[k] == b.curves[i].p[k])) return false;
@@ -84,4 +89,32 @@ TEST_CASE("a mapped face draws one face through a map, in the units that it was 
     REQUIRE_FALSE(record(transformed, 0, expected));
     REQUIRE_FALSE(record(mapped, 0, found));
     CHECK(same_curves(found, expected));
+    outline_recorder recorder{found};
+    REQUIRE_FALSE(mapped.outline(0, recorder));
+    REQUIRE_FALSE(recorder.finish());
+    CHECK(same_curves(found, expected));
+}
+
+TEST_CASE("a map that shrinks curves to points drops them, contour by contour, as drawing through it does", "[outline]")
+{
+    recorded_outlines drawings{1000.0};
+    REQUIRE(drawings.add([](auto& pen) {
+        pen.move({5, 0}), pen.line({5, 9}), pen.line({5, 3}), pen.close();                              // upright: gone
+        pen.move({0, 0}), pen.line({8, 0}), pen.quadratic({8, 4}, {8, 8}), pen.line({0, 8}), pen.close();
+        pen.move({7, 1}), pen.cubic({7, 2}, {7, 3}, {7, 4}), pen.close();                               // gone
+        pen.move({1, 1}), pen.line({2, 5}), pen.line({3, 1}), pen.close();
+    }));
+    for (const affine& map : {affine{.yy = 0.0}, affine{.xx = 1.0, .yy = 0.0}, affine{.xx = 0.0}, affine{.xx = 0.0, .yy = 0.0},
+                              affine{.xx = 0.0, .xy = 1.0, .yx = -1.0, .yy = 0.0}}) {
+        outline expected, found;
+        transformed_outlines transformed{drawings, map};
+        mapped_face mapped{drawings, 0, &map, 1000.0};
+        REQUIRE_FALSE(record(transformed, 0, expected));
+        REQUIRE_FALSE(record(mapped, 0, found));
+        CHECK(same_curves(found, expected));
+    }
+    const affine nowhere{.dx = std::nan("")};
+    outline found;
+    mapped_face mapped{drawings, 0, &nowhere, 1000.0};
+    CHECK(record(mapped, 0, found) == error::outline_not_finite);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
+#include "support/counting_memory.hpp"
 #include "support/executors.hpp"
 #include "support/style_laws.hpp"
 #include "support/toy_font.hpp"
@@ -135,4 +136,31 @@ TEST_CASE("an instanced mesh is of no style, its instances are", "[text][styles]
     CHECK(plan->instances(0, style_id{2}).count == 2);
     CHECK(plan->instances(0, style_id{4}).first == 2);
     CHECK(plan->instances(0, style_id{3}).count == 0);
+}
+
+TEST_CASE("a text of many looks planned again needs no memory, and memory that fails is reported", "[text][styles]")
+{
+    test::toy_font font;
+    const glyph_run run = test::styled_at_random(crowded_run(), 3);
+    test::counting_memory counted;
+    text_mesher mesher{font, counted.source()};
+    glyph_cache cache;
+    text_mesher cached = text_mesher{font, counted.source()}.with(cached_in{cache, 1});
+    for (int i = 0; i < 2; ++i) {
+        CHECK(mesher.plan(run, {.merge = true}));
+        CHECK(cached.plan(run));
+    }
+    const std::size_t before = counted.requests;
+    CHECK(mesher.plan(run, {.merge = true}));
+    CHECK(cached.plan(run));
+    CHECK(counted.requests == before);
+    bool done = false;
+    for (std::size_t n = 1; !done; ++n) {
+        test::counting_memory failing{.fail_at = n, .fail_once = true};
+        text_mesher poor{font, failing.source()};
+        const auto plan = poor.plan(run);
+        done = failing.requests < n;
+        if (plan) CHECK(plan->styles().size() == 4);
+        else CHECK(plan.error() == error::out_of_memory);
+    }
 }

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <typemesh/core/affine.hpp>
+#include <typemesh/core/finite.hpp>
+#include <typemesh/core/outline.hpp>
+#include <typemesh/outline/outline_recorder.hpp>
 #include <typemesh/outline/outline_source.hpp>
 #include <typemesh/outline/variation_key.hpp>
 
@@ -74,6 +77,34 @@ template <class Source>
         return static_cast<void>(face), variation_of(source);
 }
 
+/// Maps every point of an outline. Curves that shrink to a point are dropped, and contours that hold no others.
+///
+/// Fails  error::outline_not_finite; `out` then holds nothing meaningful
+inline error map_outline(const affine& map, outline& out) noexcept
+{
+    std::uint32_t first = 0, kept = 0, contours = 0;
+    out.bounds = {};
+    for (std::uint32_t k = 0, count = out.contour_count(); k < count; ++k) {
+        const std::uint32_t last = out.starts[k + 1], begin = kept;
+        for (; first < last; ++first) {
+            curve c = out.curves[first];
+            bool is_point = true;
+            for (std::uint32_t i = 0; i <= c.degree; ++i) {
+                c.p[i] = map(c.p[i]);
+                if (!is_finite(c.p[i].x) || !is_finite(c.p[i].y)) return error::outline_not_finite;
+                is_point = is_point && c.p[i] == c.p[0];
+            }
+            if (is_point) continue;
+            for (std::uint32_t i = 0; i <= c.degree; ++i) out.bounds.add(c.p[i]);
+            out.curves[kept++] = c;
+        }
+        if (kept != begin) out.starts[++contours] = kept;
+    }
+    out.curves.truncate(kept);
+    out.starts.truncate(contours == 0 ? 0 : contours + 1);
+    return {};
+}
+
 /// One face of an outline source as a source by itself, its outlines drawn through a map, in units that the caller
 /// names. The source and the map must outlive it.
 template <outline_source Source>
@@ -91,21 +122,31 @@ public:
     template <outline_sink Sink>
     error outline(glyph_id id, Sink& sink) noexcept
     {
-        mapping_sink<Sink> through{sink, map_};
+        if (map_ == nullptr) return outline_of(*source_, face_, id, sink);
+        mapping_sink<Sink> through{sink, *map_};
         return outline_of(*source_, face_, id, through);
+    }
+
+    /// record() of it, to the same curves: mapped when they are recorded, so that the source draws into one kind of sink.
+    error record(glyph_id id, typemesh::outline& out) noexcept
+    {
+        outline_recorder recorder{out};
+        if (error e = outline_of(*source_, face_, id, recorder)) return e;
+        out.rule = fill();
+        if (error e = recorder.finish()) return e;
+        return map_ == nullptr ? error{} : map_outline(*map_, out);
     }
 
 private:
     template <outline_sink Sink>
     struct mapping_sink {
         Sink& to;
-        const affine* map;
+        const affine& map;
 
-        [[nodiscard]] point at(point p) const noexcept { return map == nullptr ? p : (*map)(p); }
-        void move(point p) noexcept { to.move(at(p)); }
-        void line(point p) noexcept { to.line(at(p)); }
-        void quadratic(point c, point p) noexcept { to.quadratic(at(c), at(p)); }
-        void cubic(point c1, point c2, point p) noexcept { to.cubic(at(c1), at(c2), at(p)); }
+        void move(point p) noexcept { to.move(map(p)); }
+        void line(point p) noexcept { to.line(map(p)); }
+        void quadratic(point c, point p) noexcept { to.quadratic(map(c), map(p)); }
+        void cubic(point c1, point c2, point p) noexcept { to.cubic(map(c1), map(c2), map(p)); }
         void close() noexcept { to.close(); }
     };
 
@@ -114,5 +155,11 @@ private:
     double units_per_em_;
     std::uint32_t face_;
 };
+
+template <outline_source Source>
+error record(mapped_face<Source>& face, glyph_id id, outline& out) noexcept
+{
+    return face.record(id, out);
+}
 
 }  // namespace typemesh::inline TYPEMESH_ABI
