@@ -34,7 +34,7 @@ concept intersection_filter = requires(J& filter, const intersection& m) {
 };
 
 /// The filter that accepts all.
-struct every_intersection_stands {
+struct accept_all_intersections {
     constexpr bool operator()(const intersection&) const noexcept { return true; }
 };
 
@@ -70,7 +70,7 @@ template <intersection_filter Filter>
 /// Where more than 16 edges pass through one point all are accepted: nothing there is accidental, and there would be
 /// many pairs.
 template <intersection_filter Filter>
-[[nodiscard]] bool filter_touches(const arrangement& a, workspace& space, Filter& filter, bool& all_stand) noexcept
+[[nodiscard]] bool filter_touches(const arrangement& a, workspace& space, Filter& filter, bool& all_accepted) noexcept
 {
     constexpr std::uint32_t most = 16;
     struct visit {
@@ -102,7 +102,7 @@ template <intersection_filter Filter>
         if (size > most) continue;
         for (std::uint32_t i = 1; i < size; ++i)
             for (std::uint32_t k = 0; k < i; ++k)
-                if (!may_intersect(a, *edges[i], *edges[k], a.points[place], filter)) all_stand = false;
+                if (!may_intersect(a, *edges[i], *edges[k], a.points[place], filter)) all_accepted = false;
     }
     return true;
 }

@@ -56,14 +56,14 @@ public:
 
     /// Traces the boundary of what is filled, and passes all intersections on it to the filter.
     template <intersection_filter Filter>
-    [[nodiscard]] error trace(Filter& filter, bool& all_stand) noexcept
+    [[nodiscard]] error trace(Filter& filter, bool& all_accepted) noexcept
     {
-        constexpr bool filters = !std::is_same_v<Filter, every_intersection_stands>;
+        constexpr bool filters = !std::is_same_v<Filter, accept_all_intersections>;
         const bool changing = filters && !a_.is_touching;
-        all_stand = true;
-        if (filters && a_.is_touching && !filter_touches(a_, space_, filter, all_stand)) return error::out_of_memory;
+        all_accepted = true;
+        if (filters && a_.is_touching && !filter_touches(a_, space_, filter, all_accepted)) return error::out_of_memory;
         return boundary_.trace(a_, scratch_, [&](const auto& s, const auto& t, grid_point at) noexcept {
-            if (changing && !filter_change(a_, s, t, at, filter)) all_stand = false;
+            if (changing && !filter_change(a_, s, t, at, filter)) all_accepted = false;
         });
     }
 
@@ -177,9 +177,9 @@ template <intersection_filter Filter>
     if (n > how.most_pieces) return error{error::too_many_pieces, how.most_pieces};
     detail::resolving work{loops, rule, space, how};
     if (error e = work.cut()) return e;
-    bool all_stand = true;
-    if (error e = work.trace(filter, all_stand)) return e;
-    if (!all_stand) return region{};
+    bool all_accepted = true;
+    if (error e = work.trace(filter, all_accepted)) return e;
+    if (!all_accepted) return region{};
     return work.write();
 }
 
@@ -187,8 +187,8 @@ template <class = void>  // compiled only where it is called, and so is what it 
 [[nodiscard]] result<region> resolve(contours& loops, fill_rule rule, workspace& space,
                                      const resolve_options& how = {}) noexcept
 {
-    every_intersection_stands nobody;
-    return resolve(loops, rule, space, nobody, how);
+    accept_all_intersections all;
+    return resolve(loops, rule, space, all, how);
 }
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -15,35 +15,35 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What building one glyph gave, while it still lies in the builder's scratch memory: see glyph_builder.
+/// The result of building one glyph, while it is still in the builder's scratch memory: see glyph_builder.
 struct glyph_draft {
-    solid form;           ///< all empty for a blank glyph and for one that is refused
+    solid form;           ///< all empty for a blank glyph and for a refused one
     solid_plan plan;      ///< what the extruder will write of it
-    double cells = 512.0; ///< its grid's cells a font unit
-    error refusal;        ///< why the glyph cannot be built; none when it can, or is blank
-    const plan_scratch* data = nullptr;  ///< the extruder's plan data; null for a glyph that has none
+    double cells = 512.0; ///< its grid's cells per font unit
+    error refusal;        ///< why the glyph cannot be built; none if it can, or is blank
+    const plan_scratch* data = nullptr;  ///< the extruder's plan data; null if it has none
 };
 
-/// Everything of one glyph that does not depend on where it stands, in one block of memory, never changed once made.
+/// Everything about one glyph that does not depend on where it stands, in one block of memory, never changed once made.
 ///
 ///     block   [ built_glyph | plan data | points | starts | triangles ]      form() refers to the rest of the block
 ///
-/// A blank glyph has a shape without points, a refused one carries its error: asking again costs no more than for
-/// others. Shapes may be read from any number of threads.
+/// A blank glyph has no points, a refused one carries its error: requesting it again costs no more than any other.
+/// Built glyphs may be read from any number of threads.
 class built_glyph {
 public:
-    /// How long a block the parts need; alignof(built_glyph) is its alignment.
-    [[nodiscard]] static std::size_t bytes_for(const glyph_draft& parts) noexcept
+    /// The size of the block that a draft needs; its alignment is alignof(built_glyph).
+    [[nodiscard]] static std::size_t bytes_for(const glyph_draft& draft) noexcept
     {
-        const solid& s = parts.form;
-        const std::size_t data = parts.data == nullptr ? 0 : parts.data->bytes();
+        const solid& s = draft.form;
+        const std::size_t data = draft.data == nullptr ? 0 : draft.data->bytes();
         return sizeof(built_glyph) + data + s.points.size_bytes() + s.starts.size_bytes() + s.triangles.size_bytes();
     }
 
-    /// Copies the parts into a block of bytes_for(parts) bytes. Nothing needs to be destroyed later.
-    [[nodiscard]] static built_glyph* make(void* block, const glyph_draft& parts) noexcept
+    /// Copies a draft into a block of bytes_for(draft) bytes. Nothing needs to be destroyed later.
+    [[nodiscard]] static built_glyph* make(void* block, const glyph_draft& draft) noexcept
     {
-        return new (block) built_glyph{parts};
+        return new (block) built_glyph{draft};
     }
 
     built_glyph(const built_glyph&) = delete;
@@ -52,7 +52,7 @@ public:
     [[nodiscard]] const solid& form() const noexcept { return form_; }
     [[nodiscard]] const part_sizes& sizes() const noexcept { return plan_.sizes; }
 
-    /// As its extruder gets it back: the one that planned it.
+    /// As passed back to its extruder, the one that planned it.
     template <extruder Extruder>
     [[nodiscard]] planned_solid_of<Extruder> planned() const noexcept
     {
@@ -61,31 +61,31 @@ public:
     [[nodiscard]] double cells() const noexcept { return cells_; }
     [[nodiscard]] double font_units_per_cell() const noexcept { return font_units_per_cell_; }
 
-    /// The box around all that is written of it in the plane, in cells and in font units. Nothing sensible without
+    /// The bounding box in the plane of all that is written of it, in cells and in font units. Meaningless without
     /// points.
     [[nodiscard]] const box& around() const noexcept { return plan_.around; }
     [[nodiscard]] const box& ink() const noexcept { return ink_; }
-    /// The box around its region's points, in cells.
+    /// The bounding box of its region's points, in cells.
     [[nodiscard]] grid_point low() const noexcept { return low_; }
     [[nodiscard]] grid_point high() const noexcept { return high_; }
 
     /// Why it cannot be built, or none.
     [[nodiscard]] const error& refusal() const noexcept { return refusal_; }
-    /// Without anything to draw, and not refused.
+    /// Nothing to draw, and not refused.
     [[nodiscard]] bool is_blank() const noexcept { return form_.points.empty() && !refusal_; }
 
 private:
-    explicit built_glyph(const glyph_draft& parts) noexcept
-        : plan_{parts.plan}, cells_{parts.cells}, font_units_per_cell_{1.0 / parts.cells}, refusal_{parts.refusal}
+    explicit built_glyph(const glyph_draft& draft) noexcept
+        : plan_{draft.plan}, cells_{draft.cells}, font_units_per_cell_{1.0 / draft.cells}, refusal_{draft.refusal}
     {
         std::byte* free = reinterpret_cast<std::byte*>(this + 1);
-        if (parts.data != nullptr) {
-            parts.data->copy_to(free);
-            free += parts.data->bytes();
+        if (draft.data != nullptr) {
+            draft.data->copy_to(free);
+            free += draft.data->bytes();
         }
-        form_.points = copied(parts.form.points, free);
-        form_.starts = copied(parts.form.starts, free);
-        form_.triangles = copied(parts.form.triangles, free);
+        form_.points = copied(draft.form.points, free);
+        form_.starts = copied(draft.form.starts, free);
+        form_.triangles = copied(draft.form.triangles, free);
         if (form_.points.empty()) return;
         low_ = high_ = form_.points.front();
         for (const grid_point p : form_.points) {
@@ -101,7 +101,7 @@ private:
     template <class T>
     static std::span<const T> copied(std::span<const T> from, std::byte*& free) noexcept
     {
-        static_assert(alignof(T) <= 4 && sizeof(T) % 4 == 0, "the pieces of a block follow each other without gaps");
+        static_assert(alignof(T) <= 4 && sizeof(T) % 4 == 0, "the arrays of a block follow each other without gaps");
         if (from.empty()) return {};
         std::memcpy(free, from.data(), from.size_bytes());
         const T* first = reinterpret_cast<const T*>(free);

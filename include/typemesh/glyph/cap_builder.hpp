@@ -25,14 +25,14 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What a cap_builder fills, and how far it may go for it.
+/// By which rule a cap_builder fills, and its limit.
 struct cap_settings {
     fill_rule rule = fill_rule::non_zero;
-    std::uint32_t most_pieces = default_most_pieces;  ///< that contours which cross may fall into; see resolve()
+    std::uint32_t most_pieces = default_most_pieces;  ///< that contours which cross may be cut into; see resolve()
 };
 
-/// Makes caps: the region that curves or contours fill, and its triangles. Holds the contours, the order of their
-/// points, the triangles, and the scratch memory that this takes, which stays for the next cap.
+/// Makes caps: the region that curves or contours fill, with its triangles. Owns the contours, the order of their
+/// points, the triangles, and the scratch memory for all this, which is kept for the next cap.
 ///
 ///     curves ── flatten ──▶ loops() ── prove ──────────────────────────▶ region + triangles()
 ///                  ▲                     └ refuses ─▶ resolve ─▶ cap ──────▶
@@ -43,21 +43,21 @@ struct cap_settings {
 ///     caps.loops() = ...;                                                                          // or from here on
 ///     auto filled = caps.fill({fill_rule::even_odd}, monotone{});
 ///
-/// Outlines that are simple, which is nearly all, pay for one sweep, and those that only touch in points for two at
-/// most. The points of an outline that crosses are sorted once for all sweeps. A region is valid until the next call. A
-/// builder serves one thread at a time.
+/// Outlines that are simple, which is nearly all, take one sweep, and those that only touch in points at most two. The
+/// points of an outline that crosses are sorted once for all sweeps. A region is valid until the next call. A builder
+/// serves one thread at a time.
 class cap_builder {
 public:
     explicit cap_builder(memory source = heap()) noexcept : space_{source}, loops_{source}, triangles_{source} {}
 
-    /// The region that curves fill, and its triangles. A region without points where nothing is filled.
+    /// The region that curves fill, with its triangles; a region without points if nothing is filled.
     ///
     ///     curves      the region refers to them
     ///     tolerance   in font units
     ///     cells       the grid, see grid::fitting
     ///
-    /// Fails  with what discretise(), resolve() and the triangulator fail with
-    /// Cost   theirs; where chords cross that of refine()
+    /// Fails  as discretise(), resolve() and the triangulator do
+    /// Cost   theirs; where chords cross, that of refine()
     template <discretiser Discretiser, class... Policy>
     [[nodiscard]] result<region> build(const outline& curves, double tolerance, const grid& cells,
                                        const cap_settings& how, const policies<Discretiser, Policy...>& with) noexcept
@@ -76,17 +76,17 @@ public:
         }
     }
 
-    /// The region that loops() fill, and its triangles.
+    /// The region that loops() fill, with its triangles.
     ///
-    /// Fails  with what resolve() and the triangulator fail with
+    /// Fails  as resolve() and the triangulator do
     template <triangulator Triangulator, stage_observer Observer>
     [[nodiscard]] result<region> fill(const cap_settings& how, const Triangulator& cut, Observer& observe) noexcept
     {
         triangles_.clear();
         const auto proven = prove(how.rule, cut, observe);
         if (proven || proven.error().code != error::crossing_contours) return proven;
-        every_intersection_stands nobody;
-        return resolve(how, cut, nobody, observe);
+        accept_all_intersections all;
+        return resolve(how, cut, all, observe);
     }
     template <triangulator Triangulator>
     [[nodiscard]] result<region> fill(const cap_settings& how, const Triangulator& cut) noexcept
@@ -95,7 +95,7 @@ public:
         return fill(how, cut, nobody);
     }
 
-    /// loops() become the outline's curves as polylines: see discretise().
+    /// Flattens the outline's curves into loops(): see discretise().
     template <discretiser Discretiser>
     [[nodiscard]] error flatten(const outline& curves, const Discretiser& how, double tolerance, const grid& cells,
                                 std::span<const std::uint8_t> halvings = {}) noexcept
@@ -103,17 +103,17 @@ public:
         return discretise(curves, how, tolerance, cells, loops_, halvings);
     }
 
-    /// Proves that loops() bound a region as they are, or where they only touch in points and are linked anew there.
+    /// Proves that loops() bound a region: as they are, or, if they only touch in points, once relinked there.
     ///
     ///     loops ── orient ──▶ prove ──────────────────────────────────────▶ region + triangles
     ///                          └ refuses equal points ─▶ link ─▶ prove ──────▶
     ///
-    /// Fails with error::crossing_contours (all else is for resolve()) and error::out_of_memory; then loops() are
-    /// turned at most, and there are no triangles.
+    /// Fails with error::crossing_contours (the rest is for resolve()) and error::out_of_memory; loops() are then
+    /// reversed at most, and there are no triangles.
     template <proving_triangulator Triangulator>
     [[nodiscard]] result<region> prove(const Triangulator& cut) noexcept;
 
-    /// The triangles of any region, as triangles().
+    /// Triangulates any region, into triangles().
     template <triangulator Triangulator>
     [[nodiscard]] error cap(const region& r, const Triangulator& how) noexcept
     {
@@ -127,7 +127,7 @@ public:
         return cut_region(r, how, space_, out);
     }
 
-    /// The contours, of your own or of the last outline.
+    /// The contours: your own, or those of the last outline.
     [[nodiscard]] contours& loops() noexcept { return loops_; }
     [[nodiscard]] const contours& loops() const noexcept { return loops_; }
 
@@ -143,7 +143,7 @@ public:
     /// Where its memory comes from.
     [[nodiscard]] memory source() const noexcept { return space_.source(); }
 
-    /// Gives all memory back to its source; what was made last goes with it.
+    /// Gives all memory back to its source, and with it what was made last.
     void trim() noexcept
     {
         space_.trim();
@@ -152,7 +152,7 @@ public:
     }
 
 private:
-    /// prove(), or for triangulators that do not prove nest() and cap().
+    /// prove(), or, for triangulators that do not prove, nest() and cap().
     template <triangulator Triangulator, stage_observer Observer>
     [[nodiscard]] result<region> prove(fill_rule rule, const Triangulator& cut, Observer& observe) noexcept
     {
@@ -170,7 +170,7 @@ private:
         }
     }
 
-    /// What loops() fill, however they cross, and its triangles; a region without points when the filter refuses.
+    /// What loops() fill, however they cross, with its triangles; a region without points if the filter rejects one.
     template <triangulator Triangulator, intersection_filter Filter, stage_observer Observer>
     [[nodiscard]] result<region> resolve(const cap_settings& how, const Triangulator& cut, Filter& filter,
                                          Observer& observe) noexcept
@@ -185,12 +185,12 @@ private:
     }
 
     /// Where the chords of two curves cross or touch and the curves do not, or do so more than 4 tolerances away, these
-    /// curves are flattened finer (see crossing_refinement.hpp), and all is done again: often the outline is simple
-    /// then.
+    /// curves are flattened more finely (see crossing_refinement.hpp), and everything is done again: often the outline
+    /// is then simple.
     ///
     /// Cost   each round as much as the first; there are hardly ever two, and never more than 12. The last one begins
-    ///        when the contours have fallen into more pieces than `most_pieces`, or than four times those of the first
-    ///        round and 2,048. What is doubtful then stands.
+    ///        when the contours have been cut into more pieces than `most_pieces`, or than four times those of the first
+    ///        round and 2,048. Doubtful intersections are then accepted.
     template <class... Policy>
     [[nodiscard]] result<region> refine(const outline& curves, double tolerance, const grid& cells,
                                         const cap_settings& how, const policies<Policy...>& with) noexcept
@@ -201,12 +201,12 @@ private:
         if (!refinement.open(scratch, curves, tolerance, cells)) return error::out_of_memory;
         std::uint64_t first = 0;  // pieces of the first round
         for (;;) {
-            every_intersection_stands nobody;
+            accept_all_intersections all;
             const std::uint64_t spent = effort_.pieces;
             const bool last =
                 effort_.rounds == most_rounds || spent > times_as_many * first + few_pieces || spent > how.most_pieces;
             const auto made =
-                last ? resolve(how, with.cut, nobody, with.observe) : resolve(how, with.cut, refinement, with.observe);
+                last ? resolve(how, with.cut, all, with.observe) : resolve(how, with.cut, refinement, with.observe);
             if (spent == 0) first = resolved_.pieces;
             const bool content = refinement.is_content();
             effort_ = refinement.effort();

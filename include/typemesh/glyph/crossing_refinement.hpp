@@ -17,14 +17,14 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// What a crossing_refinement did for one glyph.
 struct refinement_effort {
-    std::uint32_t rounds = 0;      ///< how often curves were discretised finer
+    std::uint32_t rounds = 0;      ///< how often curves were discretised more finely
     std::uint32_t curves = 0;      ///< how many of them
-    std::uint32_t unsettled = 0;   ///< intersections that stand only because their curves cannot be made finer
-    std::uint64_t pieces = 0;      ///< that the contours fell into, those of all rounds together: see cap_builder
+    std::uint32_t unsettled = 0;   ///< intersections accepted only because their curves cannot be made finer
+    std::uint64_t pieces = 0;      ///< that the contours were cut into, all rounds together: see cap_builder
 };
 
-/// Tells the intersections of chords that their curves have as well from those that only discretising made, and which
-/// curves to discretise finer for the latter.
+/// Distinguishes the intersections of chords that their curves have as well from those that only discretising made, and
+/// finds which curves to discretise more finely for the latter.
 ///
 ///     curves      ``---..__        ``---..__       Two curves that pass each other, or cross at a small angle: their
 ///                 ___...---```     ___......___    chords may cross where the curves do not, or far from there.
@@ -32,41 +32,41 @@ struct refinement_effort {
 ///     chords      \__    __/       \___   ____
 ///                    \/\/              \_/     x   intersection
 ///
-/// A intersection x stands when
+/// An intersection x is accepted if
 ///
 ///   1. both edges are lines, or the curves have the same control points (in either direction); or x is a point of the
 ///      one curve and the other is a line: it is there as drawn
-///   2. the chords cross at so large an angle, so far from their ends, that the curves must cross near by. A curve
-///      stays in a strip round its chord, of half its width d <= tolerance. Two strips that cross at the angle w share
+///   2. the chords cross at so large an angle, so far from their ends, that the curves must cross nearby. A curve stays
+///      in a strip around its chord, of half its width d <= tolerance. Two strips that cross at the angle w share
 ///      a parallelogram, whose corners are within (da + db) / sin w of x:
 ///
-///              '.  '.   |        Where (da + db) / sin w + d fits between x and the ends of both chords, each curve
-///         ------'.--'.-----      comes in by one side of the parallelogram and leaves by the opposite one: so they
-///          curve  '. x'.         cross in it. With da = db = tolerance and sin w >= 1/2 that is within 4 tolerances.
-///         ---------'.--'.--
+///              '.  '.   |        If (da + db) / sin w + d fits between x and the ends of both chords, each curve
+///         ------'.--'.-----      enters through one side of the parallelogram and leaves through the opposite one: so
+///          curve  '. x'.         they cross in it. With da = db = tolerance and sin w >= 1/2 that is within 4
+///         ---------'.--'.--      tolerances.
 ///                    '.  '.
-///   3. Newton's iteration from x, along the contours, comes to a common point of the curves within 4 tolerances; or
+///   3. Newton's iteration from x, along the contours, reaches a common point of the curves within 4 tolerances; or
 ///      the curves come within half a cell of each other beside x (they touch, or run together)
 ///   4. both curves have been made finer six times, or the grid allows no more
 ///
-/// Else both curves are wanted finer: so often that their strips fit into the gap between them, or that the crossing
-/// comes near enough, once at least.
+/// Otherwise both curves are made finer: until their strips fit into the gap between them, or the crossing comes near
+/// enough, at least once.
 ///
-/// Cost  a square root a steep intersection; up to a microsecond any other. Decided in double precision from grid
-///       points and control points: results can differ between compilers only where a distance is its bound to 15
+/// Cost  a square root per steep intersection; up to a microsecond for any other. Decided in double precision from grid
+///       points and control points: results can differ between compilers only where a distance equals its bound to 15
 ///       digits.
 class crossing_refinement {
 public:
     static constexpr std::uint8_t most_halvings = 6;
-    static constexpr double farthest = 4.0;  ///< how far a intersection may be from the curves' own, in tolerances
+    static constexpr double farthest = 4.0;  ///< how far an intersection may be from the curves' own, in tolerances
 
-    /// False when there is no memory. `shape` must stay.
+    /// False when memory runs out. `curves` must outlive this.
     ///
-    ///     tolerance   what `shape` is discretised with, in font units
-    [[nodiscard]] bool open(workspace::scope& scratch, const outline& shape, double tolerance, const grid& g) noexcept
+    ///     tolerance   that `curves` are discretised with, in font units
+    [[nodiscard]] bool open(workspace::scope& scratch, const outline& curves, double tolerance, const grid& g) noexcept
     {
-        const std::size_t n = shape.curves.size();
-        shape_ = &shape;
+        const std::size_t n = curves.curves.size();
+        outline_ = &curves;
         cells_ = g.cells;
         tolerance_ = tolerance * g.cells;
         if (tolerance_ < 2.0 * snap) tolerance_ = 2.0 * snap;
@@ -79,32 +79,32 @@ public:
         return true;
     }
 
-    /// For discretise().
+    /// For discretise(): how often each curve's tolerance is halved.
     [[nodiscard]] std::span<const std::uint8_t> halvings() const noexcept
     {
-        return {halvings_, shape_->curves.size()};
+        return {halvings_, outline_->curves.size()};
     }
     [[nodiscard]] const refinement_effort& effort() const noexcept { return effort_; }
 
-    /// True when no intersection since the last call was refused; else makes the curves finer that want it.
+    /// True if no intersection since the last call was rejected; else makes the curves concerned finer.
     [[nodiscard]] bool is_content() noexcept
     {
         if (doubts_ == 0) return true;
         doubts_ = 0;
         ++effort_.rounds;
-        for (std::size_t i = 0; i < shape_->curves.size(); ++i) {
+        for (std::size_t i = 0; i < outline_->curves.size(); ++i) {
             effort_.curves += halvings_[i] == 0 && wanted_[i] != 0;
             halvings_[i] = wanted_[i];
         }
         return false;
     }
 
-    /// Whether a intersection may stand (models intersection_filter).
+    /// Whether an intersection is accepted (models intersection_filter).
     [[nodiscard]] bool operator()(const intersection& m) noexcept
     {
         const std::uint32_t i = m.a.source.curve, k = m.b.source.curve;
-        const curve& a = shape_->curves[i];
-        const curve& b = shape_->curves[k];
+        const curve& a = outline_->curves[i];
+        const curve& b = outline_->curves[k];
         if (a.degree == 1 && b.degree == 1) return true;
         if ((b.degree == 1 && m.a.ends_in(m.at)) || (a.degree == 1 && m.b.ends_in(m.at))) return true;
         const double da = strip(i), db = strip(k);
@@ -133,10 +133,10 @@ private:
         point at, derivative;  // in cells
     };
 
-    /// Half the width of the strip round a chord in which its curve lies, in cells.
+    /// Half the width of the strip around a chord in which its curve lies, in cells.
     [[nodiscard]] double strip(std::uint32_t i) const noexcept
     {
-        if (shape_->curves[i].degree == 1) return snap;
+        if (outline_->curves[i].degree == 1) return snap;
         const double finer = tolerance_ / static_cast<double>(1u << halvings_[i]);
         return finer > 2.0 * snap ? finer : 2.0 * snap;
     }
@@ -173,7 +173,7 @@ private:
     /// True when this makes the curve finer.
     [[nodiscard]] bool want(std::uint32_t i, std::uint32_t levels) noexcept
     {
-        if (shape_->curves[i].degree == 1 || halvings_[i] == most_halvings) return false;
+        if (outline_->curves[i].degree == 1 || halvings_[i] == most_halvings) return false;
         if (strip(i) <= 2.0 * snap) return false;
         const std::uint32_t sum = halvings_[i] + levels;
         const auto capped = static_cast<std::uint8_t>(sum < most_halvings ? sum : most_halvings);
@@ -188,7 +188,7 @@ private:
         return levels;
     }
 
-    /// How many halvings a intersection asks for; 0: it stands.
+    /// How many halvings an intersection needs; 0: it is accepted.
     [[nodiscard]] std::uint32_t missing_levels(const intersection& m, double strips) const noexcept
     {
         const point x{static_cast<double>(m.at.x), static_cast<double>(m.at.y)};
@@ -230,7 +230,7 @@ private:
 
     [[nodiscard]] sample at(place p) const noexcept
     {
-        const curve& c = shape_->curves[p.curve];
+        const curve& c = outline_->curves[p.curve];
         if (c.degree == 1) return {cells_ * lerp(c.p[0], c.p[1], p.t), cells_ * (c.p[1] - c.p[0])};
         point a = lerp(c.p[0], c.p[1], p.t), b = lerp(c.p[1], c.p[2], p.t);
         if (c.degree == 3) {
@@ -254,7 +254,7 @@ private:
         return p;
     }
 
-    /// The place beside p on its curve that is nearest to x, nearly.
+    /// The place near p on its curve that is nearest to x, approximately.
     [[nodiscard]] place nearest(place p, point x) const noexcept
     {
         for (int step = 0; step < 4; ++step) {
@@ -267,16 +267,16 @@ private:
         return p;
     }
 
-    /// The curve behind or before one, on its contour.
+    /// The curve after or before one, on its contour.
     [[nodiscard]] std::uint32_t neighbour(std::uint32_t i, bool behind) const noexcept
     {
-        const std::size_t contour = range_of(shape_->starts.view(), i);
-        const std::uint32_t first = shape_->starts[contour], last = shape_->starts[contour + 1] - 1;
+        const std::size_t contour = range_of(outline_->starts.view(), i);
+        const std::uint32_t first = outline_->starts[contour], last = outline_->starts[contour + 1] - 1;
         if (behind) return i == last ? first : i + 1;
         return i == first ? last : i - 1;
     }
 
-    /// Whether two places are one because the contour is the same, not because it comes there again.
+    /// Whether two places are one because they are the same on the contour, not because it passes there again.
     [[nodiscard]] bool is_one_place(place p, place q) const noexcept
     {
         constexpr double little = 0x1p-10;
@@ -286,7 +286,7 @@ private:
         return false;
     }
 
-    const outline* shape_ = nullptr;
+    const outline* outline_ = nullptr;
     std::uint8_t* halvings_ = nullptr;
     std::uint8_t* wanted_ = nullptr;
     double cells_ = 1.0;

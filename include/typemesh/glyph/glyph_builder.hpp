@@ -18,18 +18,18 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What a glyph is asked for with, beside the policies.
+/// What a glyph is built with, besides the policies.
 struct glyph_settings {
     double tolerance = 0.0;              ///< the largest distance between curve and mesh, in em
     std::optional<fill_rule> fill = {};  ///< instead of the outline source's own
-    std::uint32_t most_pieces = default_most_pieces;  ///< that contours which cross may fall into; see resolve()
+    std::uint32_t most_pieces = default_most_pieces;  ///< that contours which cross may be cut into; see resolve()
 };
 
-/// Makes one glyph from its outline: record, discretise, fill, triangulate, and the extruder's count. Holds the scratch
-/// memory that this takes, which stays for the next glyph. A builder serves one thread at a time.
+/// Builds one glyph from its outline: record, discretise, fill, triangulate, and the extruder's plan. Owns the scratch
+/// memory for this, which is kept for the next glyph. A builder serves one thread at a time.
 ///
 ///     glyph_builder builder;
-///     auto parts = builder.build(font, id, {.tolerance = quality::high},
+///     auto draft = builder.build(font, id, {.tolerance = quality::high},
 ///                                policies{certified{}, monotone{}, flat{}, nobody});
 class glyph_builder {
 public:
@@ -38,8 +38,8 @@ public:
     {
     }
 
-    /// The glyph's parts, which lie in this builder until its next call. A glyph that cannot be built is no failure
-    /// here: its parts are empty and carry the reason.
+    /// The glyph's draft, which lies in this builder until its next call. A glyph that cannot be built is no failure
+    /// here: its draft is empty and carries the reason.
     ///
     /// Fails  with what concerns more than the glyph: error::out_of_memory, bad_option, bad_tolerance, too_large
     template <outline_source Font, class... Policy>
@@ -54,9 +54,9 @@ public:
         return made;
     }
 
-    /// The region that the glyph fills, in this builder until its next call; an empty one for a blank glyph.
+    /// The region that the glyph fills, in this builder until its next call; empty for a blank glyph.
     ///
-    /// Fails  with whatever the glyph met
+    /// Fails  with any error of the glyph
     template <outline_source Font, class... Policy>
     [[nodiscard]] result<region> build_region(Font& font, glyph_id id, const glyph_settings& how,
                                               const policies<Policy...>& with) noexcept
@@ -71,7 +71,7 @@ public:
         return caps_.build(outline_, how.tolerance * units_per_em, *fitting, filled, with);
     }
 
-    /// Gives all memory back to its source; what was built last goes with it. The next glyph takes what it needs anew.
+    /// Gives all memory back to its source, and with it what was built last. The next glyph allocates anew.
     void trim() noexcept
     {
         caps_.trim();
@@ -79,7 +79,7 @@ public:
         plan_.release();
     }
 
-    /// Whether a text may go on without the glyph that met this error.
+    /// Whether a text may continue without the glyph that has this error.
     [[nodiscard]] static constexpr bool concerns_the_glyph_alone(const error& e) noexcept
     {
         for (const error::kind k :

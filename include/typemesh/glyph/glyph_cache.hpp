@@ -13,43 +13,43 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How a cache is kept from being used by two threads at a time.
+/// Protects a cache from being used by two threads at once.
 template <class L>
 concept cache_lock = requires(L& l) {
     { l.lock() } noexcept;
     { l.unlock() } noexcept;
 };
 
-/// The lock of a cache that one thread uses alone. One on std::mutex is in adapt/threads.hpp.
+/// The lock of a cache that only one thread uses. One on std::mutex is in adapt/threads.hpp.
 struct no_lock {
     constexpr void lock() noexcept {}
     constexpr void unlock() noexcept {}
 };
 
 struct cache_statistics {
-    std::uint64_t hits = 0;       ///< how often find() found
+    std::uint64_t hits = 0;       ///< how often find() succeeded
     std::uint64_t misses = 0;     ///< how often it did not
-    std::uint64_t evictions = 0;  ///< shapes thrown out to keep the bound
-    std::size_t entries = 0;      ///< shapes held, blank and refused ones included
-    std::size_t bytes = 0;        ///< of their blocks, all in all
+    std::uint64_t evictions = 0;  ///< glyphs removed to keep the bound
+    std::size_t entries = 0;      ///< glyphs held, blank and refused ones included
+    std::size_t bytes = 0;        ///< of their blocks, in total
     std::size_t pinned = 0;       ///< entries that are pinned
     std::size_t pinned_bytes = 0;
 };
 
-/// Keeps the shapes of glyphs for the next text that needs them.
+/// Keeps built glyphs for the next text that needs them.
 ///
 ///     glyph_cache cache;                                             // 64 MiB, for one thread
 ///     auto mesher = text_mesher{font}.with(cached_in{cache, 1});     // 1: your number for this font
 ///
-/// Shapes are told apart by glyph and glyph_context: font, variation, tolerance, fill rule, policies with their
+/// Glyphs are distinguished by id and glyph_context: font, variation, tolerance, fill rule, policies with their
 /// options. Blank glyphs and refusals are kept as well, so nothing is tried twice.
 ///
-/// What find() and keep() give is pinned: it stays, unchanged and where it is, until release(), whatever others do. The
-/// bound holds for all that is not pinned; what was released longest ago goes first. Any number of threads may use it
-/// when Lock is a real one, each call being one short stretch under the lock; reading a pinned shape takes none.
+/// What find() and keep() return is pinned: it stays, unchanged and in place, until release(), whatever others do. The
+/// bound applies to all that is not pinned; what was released longest ago goes first. Any number of threads may use the
+/// cache if Lock is a real one; each call is one short critical section, and reading a pinned glyph needs no lock.
 ///
-/// Memory   one block a shape, and the table; used under the lock only. clear() and the destructor give it back.
-/// Cost     O(1) a call
+/// Memory   one block per glyph, and the table; used under the lock only. clear() and the destructor give it back.
+/// Cost     O(1) per call
 template <cache_lock Lock = no_lock>
 class glyph_cache {
     struct entry {
@@ -87,10 +87,10 @@ public:
     ~glyph_cache()
     {
         clear();
-        TYPEMESH_ASSERT(numbers_.entries == 0, "a glyph_cache ended while plans still read its shapes");
+        TYPEMESH_ASSERT(numbers_.entries == 0, "a glyph_cache ended while plans still read its glyphs");
     }
 
-    /// A glyph's shape, pinned; null when it is not here.
+    /// A built glyph, pinned; null if it is not here.
     [[nodiscard]] const built_glyph* find(const glyph_context& context, glyph_id id) noexcept
     {
         return find(context, context.hash(), id);
@@ -107,14 +107,14 @@ public:
         return shape_of(e);
     }
 
-    /// Keeps a copy of the parts and gives it, pinned. Where another thread was quicker, its shape is given and nothing
-    /// kept. Null when the memory gives none; then all is as it was.
-    [[nodiscard]] const built_glyph* keep(const glyph_context& context, glyph_id id, const glyph_draft& parts) noexcept
+    /// Keeps a copy of the draft and returns it, pinned. If another thread was faster, its glyph is returned and
+    /// nothing kept. Null when memory runs out; then nothing has changed.
+    [[nodiscard]] const built_glyph* keep(const glyph_context& context, glyph_id id, const glyph_draft& draft) noexcept
     {
-        return keep(context, context.hash(), id, parts);
+        return keep(context, context.hash(), id, draft);
     }
     [[nodiscard]] const built_glyph* keep(const glyph_context& context, std::uint64_t hash, glyph_id id,
-                                          const glyph_draft& parts) noexcept
+                                          const glyph_draft& draft) noexcept
     {
         const locked until_end{lock_};
         hash = mixed_key(hash, id);
@@ -123,7 +123,7 @@ public:
             return shape_of(e);
         }
         if (numbers_.entries >= buckets_.size() && !grow() && buckets_.empty()) return nullptr;
-        const std::size_t bytes = header + built_glyph::bytes_for(parts);
+        const std::size_t bytes = header + built_glyph::bytes_for(draft);
         void* block = source_.allocate(source_.user, bytes, alignment);
         if (block == nullptr) return nullptr;
         entry*& bucket = bucket_of(hash);
@@ -133,18 +133,18 @@ public:
         ++numbers_.pinned;
         numbers_.bytes += bytes;
         numbers_.pinned_bytes += bytes;
-        return built_glyph::make(static_cast<std::byte*>(block) + header, parts);
+        return built_glyph::make(static_cast<std::byte*>(block) + header, draft);
     }
 
-    /// Takes one pin from each of these, which find() or keep() gave; nulls are passed over. They count as used just
-    /// now, the last one last.
-    void release(std::span<const built_glyph* const> shapes) noexcept
+    /// Removes one pin from each of these, which find() or keep() returned; nulls are skipped. They count as just used,
+    /// the last one last.
+    void release(std::span<const built_glyph* const> glyphs) noexcept
     {
         const locked until_end{lock_};
-        for (const built_glyph* built : shapes) {
+        for (const built_glyph* built : glyphs) {
             if (built == nullptr) continue;
             entry* e = entry_of(built);
-            TYPEMESH_ASSERT(e->pins != 0, "a shape was released more often than pinned");
+            TYPEMESH_ASSERT(e->pins != 0, "a glyph was released more often than it was pinned");
             if (--e->pins != 0) continue;
             --numbers_.pinned;
             numbers_.pinned_bytes -= e->bytes;
@@ -156,7 +156,7 @@ public:
         keep_bound();
     }
 
-    /// How many bytes may be held that are not pinned. A smaller bound takes effect at once.
+    /// How many bytes of unpinned glyphs may be held. A smaller bound takes effect at once.
     void set_bound(std::size_t bytes) noexcept
     {
         const locked until_end{lock_};
@@ -206,7 +206,7 @@ private:
         numbers_.pinned_bytes += e.bytes;
     }
 
-    /// Out of the row of those that are not pinned.
+    /// Removes an entry from the list of those that are not pinned.
     void take_out(entry& e) noexcept
     {
         (e.older != nullptr ? e.older->newer : oldest_) = e.newer;
@@ -230,7 +230,7 @@ private:
         source_.deallocate(source_.user, e, e->bytes, alignment);
     }
 
-    /// Twice as many buckets. Without memory for them chains only grow longer.
+    /// Doubles the number of buckets. When memory runs out, chains just grow longer.
     bool grow() noexcept
     {
         const std::size_t wanted = buckets_.empty() ? 256 : 2 * buckets_.size();
@@ -259,10 +259,9 @@ private:
     mutable Lock lock_;
 };
 
-/// What text_mesher's with() takes to use a cache: which, and the caller's number for the font. Fonts of your
-/// own that share a cache need different numbers; the adapters' (all that have variation_key()) are told apart by
-/// themselves, axes included.
-/// The cache must outlive the mesher.
+/// What text_mesher's with() takes to use a cache: the cache, and the caller's number for the font. Fonts of your own
+/// that share a cache need different numbers; the adapters' (all that have variation_key()) are distinguished
+/// automatically, axes included. The cache must outlive the mesher.
 template <cache_lock Lock>
 struct cached_in {
     glyph_cache<Lock>* cache;
@@ -271,7 +270,7 @@ struct cached_in {
     cached_in(glyph_cache<Lock>& c, std::uint64_t font_number) noexcept : cache{&c}, font{font_number} {}
 };
 
-/// Stands for the missing cache of a mesher.
+/// Stands in for the cache of a mesher without one.
 struct no_cache {
 };
 

@@ -13,7 +13,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What tells one policy from another: its type, and those of its options that matter.
+/// What distinguishes one policy from another: its type, and those of its options that matter.
 struct policy_key {
     const void* type = nullptr;
     option_bits options;
@@ -21,13 +21,13 @@ struct policy_key {
     friend bool operator==(const policy_key&, const policy_key&) noexcept = default;
 };
 
-/// A policy that says its options itself: `option_bits cache_key() const noexcept`.
+/// A policy that states its options itself: `option_bits cache_key() const noexcept`.
 template <class P>
 concept says_cache_key = requires(const P& p) {
     { p.cache_key() } noexcept -> std::convertible_to<option_bits>;
 };
 
-/// A policy's key. One without members needs to say nothing: its type is all.
+/// A policy's key. One without data members needs no cache_key(): its type is enough.
 template <class Policy>
 [[nodiscard]] policy_key key_of(const Policy& p) noexcept
 {
@@ -40,10 +40,10 @@ template <class Policy>
     return key;
 }
 
-/// Everything that a shape depends on but its glyph: two texts may share shapes exactly when theirs are equal.
+/// Everything that a built glyph depends on except its id: two texts may share glyphs exactly if theirs are equal.
 struct glyph_context {
     std::uint64_t font = 0;       ///< the caller's number for the font
-    std::uint64_t variation = 0;  ///< what the font itself tells of its variation and face; see variation_of()
+    std::uint64_t variation = 0;  ///< what the font itself reports of its variation and face; see variation_of()
     std::uint64_t tolerance = 0;  ///< the bits of the double
     std::uint64_t fill = 0;       ///< 0: the outline source's own rule; else one more than the rule
     std::uint64_t most_pieces = 0;
@@ -51,7 +51,7 @@ struct glyph_context {
 
     friend bool operator==(const glyph_context&, const glyph_context&) noexcept = default;
 
-    /// A number that is mostly another for another context.
+    /// A hash: mostly different for different contexts.
     [[nodiscard]] std::uint64_t hash() const noexcept
     {
         std::uint64_t h = 0;
@@ -69,7 +69,7 @@ struct glyph_context {
     }
 };
 
-/// The context of shapes that glyph_builder makes with these policies.
+/// The context of glyphs that glyph_builder builds with these policies.
 template <class Font, class... Policy>
 [[nodiscard]] glyph_context context_of(std::uint64_t font_number, const Font& font, const glyph_settings& how,
                                        const policies<Policy...>& with) noexcept

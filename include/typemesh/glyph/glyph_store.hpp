@@ -10,9 +10,9 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Where the shapes of one text lie that no cache keeps: blocks that never move, given up all at once and used again
-/// for the next text. When several blocks were needed, they are replaced by one of their joint size: after warm-up
-/// nothing is allocated.
+/// The built glyphs of one text that no cache keeps: in blocks that never move, freed all at once and used again for
+/// the next text. If several blocks were needed, one of their total size replaces them: after warm-up nothing is
+/// allocated.
 class glyph_store {
     struct block {
         block* next;
@@ -42,20 +42,20 @@ public:
     }
     ~glyph_store() { release(); }
 
-    /// A shape of these parts, or null when the memory gives none.
-    [[nodiscard]] const built_glyph* keep(const glyph_draft& parts) noexcept
+    /// Copies a draft; null when memory runs out.
+    [[nodiscard]] const built_glyph* keep(const glyph_draft& draft) noexcept
     {
-        const std::size_t bytes = (built_glyph::bytes_for(parts) + alignment - 1) / alignment * alignment;
+        const std::size_t bytes = (built_glyph::bytes_for(draft) + alignment - 1) / alignment * alignment;
         if (newest_ == nullptr || bytes > newest_->bytes - used_) {
             const std::size_t more = total_ / 4 > 16 * 1024 ? total_ / 4 : 16 * 1024;  // never much more than is needed
             if (!add_block(bytes > more ? bytes : more)) return nullptr;
         }
         void* place = newest_->data() + used_;
         used_ += bytes;
-        return built_glyph::make(place, parts);
+        return built_glyph::make(place, draft);
     }
 
-    /// Ends all shapes.
+    /// Removes all glyphs.
     void clear() noexcept
     {
         used_ = 0;

@@ -10,7 +10,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The shapes of a text's different glyphs, by number, and the cache that must hold them still meanwhile, if one does.
+/// The built ones of a text's different glyphs, by number, and the cache, if any, in which they are pinned.
 class pinned_glyphs {
 public:
     explicit pinned_glyphs(memory source = heap()) noexcept : glyphs_{source} {}
@@ -27,8 +27,8 @@ public:
     }
     ~pinned_glyphs() { release(); }
 
-    /// Room for `count` shapes, all null as yet. Those that are set must be pinned in `cache`, which outlives this.
-    /// False when the memory gives none.
+    /// Reserves `count` entries, all null at first. Those that are set must be pinned in `cache`, which outlives this.
+    /// False when memory runs out.
     template <class Cache>
     [[nodiscard]] bool reserve(std::size_t count, Cache* cache) noexcept
     {
@@ -39,7 +39,7 @@ public:
         };
         return true;
     }
-    /// The same for shapes that nobody pins.
+    /// The same for glyphs that are not pinned.
     [[nodiscard]] bool reserve(std::size_t count) noexcept
     {
         clear();
@@ -51,7 +51,7 @@ public:
     void set(std::size_t number, const built_glyph* built) noexcept { glyphs_[number] = built; }
     [[nodiscard]] const built_glyph* operator[](std::size_t number) const noexcept { return glyphs_[number]; }
 
-    /// Gives the pins back; the shapes must not be read any more.
+    /// Gives the pins back; the glyphs must no longer be read.
     void release() noexcept
     {
         if (cache_ != nullptr) release_(std::exchange(cache_, nullptr), glyphs_.view());

@@ -13,7 +13,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// The caps that an extruder's plan() asks for, cut by the text's own triangulator.
+/// The caps that an extruder's plan() asks for, made by the text's own triangulator.
 template <triangulator Triangulator>
 class region_caps {
 public:
@@ -29,8 +29,8 @@ private:
 
 }  // namespace detail
 
-/// What the extruder plans for a region; its plan data lies in `data` afterwards. `caps` cuts the caps of further
-/// regions that it asks for, and keeps its own.
+/// The extruder's plan for a region; its plan data is then in `data`. `caps` makes the caps of further regions that it
+/// asks for, and keeps its own.
 ///
 /// Fails  error::out_of_memory, and with what its plan() fails with
 template <class... Policy>

@@ -8,7 +8,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What a glyph is built with: one of each policy, and who is passed the stages. It refers to them; none is copied.
+/// What a glyph is built with: one policy of each kind, and the observer of stages. It refers to them; none is copied.
 ///
 ///     no_observer nobody;
 ///     const policies with{certified{}, monotone{}, flat{}, nobody};
