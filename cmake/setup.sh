@@ -32,6 +32,7 @@ fontconfig-dev header:fontconfig/fontconfig.h                 libfontconfig-dev 
 lib3mf       header:lib3mf/Model/COM/NMR_DLLInterfaces.h      lib3mf-dev         -                      -           -                 -
 admesh       command:admesh                                   admesh             admesh                 admesh      admesh            -
 openscad     command:openscad                                 openscad           openscad               openscad    openscad          -
+clang-format command:clang-format-19                          clang-format-19    -                      -           -                 -
 node         command:node                                     nodejs             nodejs                 nodejs      node              -
 npm          command:npm                                      npm                nodejs-npm             npm         node              -
 chromium     command:chromium,chromium-browser,google-chrome  chromium           chromium               chromium    -                 -

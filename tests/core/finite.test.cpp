@@ -13,7 +13,8 @@ using namespace typemesh;
 TEST_CASE("every number is finite but NaN and the infinities, also where the compiler takes none for granted", "[core]")
 {
     using limits = std::numeric_limits<double>;
-    for (const double v : {0.0, -0.0, 1.0, -1.5, limits::denorm_min(), (limits::min)(), (limits::max)(), limits::lowest()})
+    for (const double v :
+         {0.0, -0.0, 1.0, -1.5, limits::denorm_min(), (limits::min)(), (limits::max)(), limits::lowest()})
         CHECK(is_finite(v));
     // The exponent alone decides: by bits, so that -ffast-math cannot fold the question away.
     for (const std::uint64_t sign : {std::uint64_t{0}, std::uint64_t{1} << 63}) {

@@ -33,8 +33,7 @@ TEST_CASE("grid points are equal when both coordinates are, at the ends of their
     for (const std::int32_t x : values)
         for (const std::int32_t y : values)
             for (const std::int32_t u : values)
-                for (const std::int32_t v : values)
-                    CHECK((grid_point{x, y} == grid_point{u, v}) == (x == u && y == v));
+                for (const std::int32_t v : values) CHECK((grid_point{x, y} == grid_point{u, v}) == (x == u && y == v));
 }
 
 TEST_CASE("vectors are equal by all their components, and NaN is equal to nothing", "[core]")

@@ -95,7 +95,8 @@ TEST_CASE("any point goes where a grid point goes, to the bit", "[extrude][place
             CHECK(at.direction(0.0f, 0.0f, 1.0f) == f.toward);
 
             // Between two of them it lies between where they go.
-            const vec3 half = at.position({x + 0.5, y, z}), next = at.position({x + 1.0, y, z}), here = at.position({x, y, z});
+            const vec3 half = at.position({x + 0.5, y, z}), next = at.position({x + 1.0, y, z}),
+                       here = at.position({x, y, z});
             CHECK(((here.x <= half.x && half.x <= next.x) || (here.x >= half.x && half.x >= next.x)));
         }
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/sweep/sweep_order.hpp>
 #include <typemesh/fill/resolve.hpp>
+#include <typemesh/sweep/sweep_order.hpp>
 #include <typemesh/triangulate/monotone.hpp>
 
 #include "support/catch.hpp"
@@ -41,7 +41,8 @@ bool knows_its_way(const region& made, const contours& given)
         const std::uint32_t begin = made.starts()[l], end = made.starts()[l + 1];
         for (std::uint32_t i = begin; i < end; ++i) {
             const contour_edge e = made.edges()[i];
-            if ((e.t0 == e.t1 && !is_large) || !(0.25f <= e.t0 && e.t0 <= 0.75f && 0.25f <= e.t1 && e.t1 <= 0.75f)) return false;
+            if ((e.t0 == e.t1 && !is_large) || !(0.25f <= e.t0 && e.t0 <= 0.75f && 0.25f <= e.t1 && e.t1 <= 0.75f))
+                return false;
             std::uint32_t c = 0;
             while (given.starts[c + 1] <= e.curve) ++c;
             const grid_point from = given.points[e.curve],
@@ -49,7 +50,8 @@ bool knows_its_way(const region& made, const contours& given)
                              a = made.points()[i], b = made.points()[i + 1 < end ? i + 1 : begin];
             const double x = double(b.x) - a.x, y = double(b.y) - a.y;
             const double along = x * (double(to.x) - from.x) + y * (double(to.y) - from.y);
-            if (x * x + y * y > 25.0 && (along > 0 ? e.t0 > e.t1 : e.t0 < e.t1)) return false;  // too long for bends to turn it
+            if (x * x + y * y > 25.0 && (along > 0 ? e.t0 > e.t1 : e.t0 < e.t1))
+                return false;  // too long for bends to turn it
         }
     }
     return true;
@@ -369,16 +371,16 @@ TEST_CASE("An edge that is bent by rounding does not cross another one", "[fill]
 
 TEST_CASE("A crossing that waits for an edge that has ended is forgotten", "[fill][resolve][snap_rounding]")
 {
-    const test::shape s{"three knots",
-                        {{{13, 2}, {13, 4}, {7, 5}, {1, 1}, {10, 13}, {4, 3}, {10, 2}, {10, 1}},
-                         {{7, 11}, {13, 0}, {3, 8}, {12, 7}, {6, 2}, {7, 13}, {11, 4}, {1, 9}, {0, 6}, {10, 4}, {3, 7},
-                          {8, 8}},
-                         {{13, 9}, {7, 0}, {9, 13}, {7, 8}, {9, 11}, {1, 9}, {5, 1}, {6, 4}, {12, 0}, {3, 10},
-                          {4, 8}}}};
+    const test::shape s{
+        "three knots",
+        {{{13, 2}, {13, 4}, {7, 5}, {1, 1}, {10, 13}, {4, 3}, {10, 2}, {10, 1}},
+         {{7, 11}, {13, 0}, {3, 8}, {12, 7}, {6, 2}, {7, 13}, {11, 4}, {1, 9}, {0, 6}, {10, 4}, {3, 7}, {8, 8}},
+         {{13, 9}, {7, 0}, {9, 13}, {7, 8}, {9, 11}, {1, 9}, {5, 1}, {6, 4}, {12, 0}, {3, 10}, {4, 8}}}};
     CHECK(mistake_on(s) == "");
 }
 
-TEST_CASE("A resolved region's points are sorted, and it is the same whether they were before or not", "[fill][resolve]")
+TEST_CASE("A resolved region's points are sorted, and it is the same whether they were before or not",
+          "[fill][resolve]")
 {
     test::dice d{91};
     int touching = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/fill/resolving_sweep.hpp>
 #include <typemesh/fill/resolve.hpp>
+#include <typemesh/fill/resolving_sweep.hpp>
 #include <typemesh/fill/snap_rounding.hpp>
 
 #include "support/catch.hpp"
@@ -163,7 +163,9 @@ TEST_CASE("A segment comes through exactly the hot pixels that trying all of the
                 return true;
             }));
             for (const grid_point p : points) {
-                if (p == a || p == b || p.x < a.x || p.x > b.x || p.y < (std::min)(a.y, b.y) || p.y > (std::max)(a.y, b.y)) continue;
+                if (p == a || p == b || p.x < a.x || p.x > b.x || p.y < (std::min)(a.y, b.y) ||
+                    p.y > (std::max)(a.y, b.y))
+                    continue;
                 if (detail::hot_pixels::comes_through(a, b, p)) expected.push_back(p);
             }
             std::sort(expected.begin(), expected.end(), [&](grid_point p, grid_point q) {

@@ -22,7 +22,8 @@ struct draft {
     std::vector<typemesh::triangle> triangles;
     std::vector<typemesh::side_point> sides;  // as extruded<> plans them
     double cells;
-    std::shared_ptr<typemesh::plan_scratch> scratch = std::make_shared<typemesh::plan_scratch>();  // filled anew by parts()
+    std::shared_ptr<typemesh::plan_scratch> scratch =
+        std::make_shared<typemesh::plan_scratch>();  // filled anew by parts()
 
     explicit draft(dice& d) : cells{static_cast<double>(1 << d.roll(10))}
     {
@@ -77,7 +78,8 @@ struct draft {
         };
         const typemesh::glyph_draft wanted = parts();
         return same(points, g.form().points, plain) && same(starts, g.form().starts, plain) &&
-               same(triangles, g.form().triangles, plain) && same(sides, g.planned<typemesh::extruded<>>().form.data.of<typemesh::side_point>(), side) &&
+               same(triangles, g.form().triangles, plain) &&
+               same(sides, g.planned<typemesh::extruded<>>().form.data.of<typemesh::side_point>(), side) &&
                g.sizes().total() == wanted.plan.sizes.total() && typemesh::same(g.cells(), cells) && !g.refusal();
     }
 };

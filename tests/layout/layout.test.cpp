@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
-#include "toy_shaper.hpp"
 #include "support/counting_memory.hpp"
+#include "toy_shaper.hpp"
 
 #include <typemesh/layout/layout.hpp>
 #include <typemesh/layout/utf.hpp>

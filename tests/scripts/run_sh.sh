@@ -42,7 +42,7 @@ stand_in() {  # stand_in NAME, its body on standard input; every call is recorde
     # shellcheck disable=SC2016  # for the stand-in
     { printf '#!/usr/bin/env bash\necho "%s $*" >>"$scratch/calls"\n' "$1" && cat; } >"$bin/$1" && chmod +x "$bin/$1"
 }
-for name in g++ clang++ ninja pkg-config wine x86_64-w64-mingw32-g++-posix; do stand_in $name </dev/null; done
+for name in g++ clang++ clang-format-19 ninja pkg-config wine x86_64-w64-mingw32-g++-posix; do stand_in $name </dev/null; done
 stand_in cmake <<'END'
 if [ "$1" = --preset ]; then mkdir -p "build/$2" && exit; fi
 echo "[1/2] Building CXX object a.o"

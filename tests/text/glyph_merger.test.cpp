@@ -80,12 +80,12 @@ TEST_CASE("merging lists every glyph that is drawn once, and groups are chains o
 {
     test::toy_font font;
     text_mesher mesher{font};
-    const glyph_run run = run_of({{stick, 0, {0, 0}},       // 0: touches 3 along an edge
+    const glyph_run run = run_of({{stick, 0, {0, 0}},      // 0: touches 3 along an edge
                                   {ring, 0, {1000, 0}},    // 1: holds 4 in its hole
-                                  {blank, 0, {0, 0}},   // 2: blank
-                                  {stick, 0, {100, 0}},     // 3
-                                  {stick, 0, {1100, -0}},   // 4: crosses the ring of 1
-                                  {broken, 0, {0, 0}},  // 5: refused
+                                  {blank, 0, {0, 0}},      // 2: blank
+                                  {stick, 0, {100, 0}},    // 3
+                                  {stick, 0, {1100, -0}},  // 4: crosses the ring of 1
+                                  {broken, 0, {0, 0}},     // 5: refused
                                   {bars, 0, {3000, 0}},    // 6: alone
                                   {star, 0, {3100, 150}}}  // 7: inside the bays of 6 and over its stem
     );

@@ -29,10 +29,7 @@ bool same(const full_mesh& a, const full_mesh& b)
 
 /// Refuses every shape, with the number of its points.
 struct counting_refusal {
-    result<part_sizes> plan(const region& r) const noexcept
-    {
-        return error{error::bad_option, r.points().size()};
-    }
+    result<part_sizes> plan(const region& r) const noexcept { return error{error::bad_option, r.points().size()}; }
     height_range heights() const noexcept { return {}; }
     template <attribute Wants, class Put>
     void vertices(part, const solid&, const placement&, Put&&) const noexcept

@@ -53,7 +53,8 @@ TEST_CASE("levels are exact for triangles of all sizes", "[triangulate][triangle
                            static_cast<std::int32_t>(a.y + along * (b.y - a.y)) + d.roll(5) - 2};
         if (orientation(a, b, c) <= 0) continue;
         const auto side = [](grid_point p, grid_point q) { return std::hypot(double(p.x) - q.x, double(p.y) - q.y); };
-        const double height = static_cast<double>(orientation(a, b, c)) / (std::max)({side(a, b), side(b, c), side(c, a)});
+        const double height =
+            static_cast<double>(orientation(a, b, c)) / (std::max)({side(a, b), side(b, c), side(c, a)});
         const std::uint32_t level = heights.level(a, b, c);
         const double whole = std::floor(em);
         if (level > 0) CHECK(height * std::ldexp(1.0, 15 + static_cast<int>(level)) < whole * (1.0 + 1e-12));

@@ -13,8 +13,8 @@ struct camera {
     double centre_x = 0.0, centre_y = 0.0;
 
     struct projected {
-        double x, y;      ///< in pixels from the picture's top left corner
-        double inverse;   ///< 1 / distance along the view: greater is nearer, and linear across a flat triangle
+        double x, y;     ///< in pixels from the picture's top left corner
+        double inverse;  ///< 1 / distance along the view: greater is nearer, and linear across a flat triangle
     };
 
     /// A camera turned to the side and raised; angles in degrees, positive yaw shows the solid's right side, positive

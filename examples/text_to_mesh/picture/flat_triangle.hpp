@@ -10,10 +10,10 @@ namespace text_to_mesh {
 /// A triangle on the picture.
 struct flat_triangle {
     raster_point at[3];
-    double inverse[3];      ///< 1 / distance at the corners
-    double plane[3];        ///< 1 / distance = plane[0] + plane[1] x + plane[2] y, x and y in steps from at[0]
-    double lowest, highest; ///< of `inverse`, against rounding where the triangle is seen edge on
-    std::uint32_t first;    ///< place of its first index
+    double inverse[3];       ///< 1 / distance at the corners
+    double plane[3];         ///< 1 / distance = plane[0] + plane[1] x + plane[2] y, x and y in steps from at[0]
+    double lowest, highest;  ///< of `inverse`, against rounding where the triangle is seen edge on
+    std::uint32_t first;     ///< place of its first index
     std::uint32_t part;
     bool turned_away;
 };

@@ -75,8 +75,8 @@ void painter::cover(const flat_triangle& t, std::uint32_t number, int x, int y, 
         t.plane[0] + t.plane[1] * (x * pixel_steps - t.at[0].x) + t.plane[2] * (y * pixel_steps - t.at[0].y);
     for (; mask != 0; mask &= mask - 1) {
         const auto s = static_cast<std::size_t>(std::countr_zero(mask));
-        const double inverse = (std::min)(
-            t.highest, (std::max)(t.lowest, corner + t.plane[1] * sample_x[s] + t.plane[2] * sample_y[s]));
+        const double inverse =
+            (std::min)(t.highest, (std::max)(t.lowest, corner + t.plane[1] * sample_x[s] + t.plane[2] * sample_y[s]));
         if (static_cast<float>(inverse) <= depth_[first_sample + s]) continue;
         depth_[first_sample + s] = static_cast<float>(inverse);
         owner_[first_sample + s] = number;
@@ -102,7 +102,7 @@ vec3 painter::resolve(int x, int y, std::size_t first_sample) const
         const vec3 colour = owner == nothing
                                 ? backdrop_.at(x, y)
                                 : surface_.shade(scene_.triangle(owner), double(x) * pixel_steps + double(sx) / count,
-                                        double(y) * pixel_steps + double(sy) / count, x, y, mine);
+                                                 double(y) * pixel_steps + double(sy) / count, x, y, mine);
         sum = sum + (double(count) / samples_per_pixel) * colour;
     }
     return sum;

@@ -27,7 +27,7 @@ struct picture_options {
     text_to_mesh::shading shading = shading::phong;
     text_to_mesh::texture texture = texture::none;
     text_to_mesh::background background = background::studio;
-    bool wireframe = false;      ///< the edges of the triangles that are in sight
+    bool wireframe = false;  ///< the edges of the triangles that are in sight
     /// Degrees the eye is moved to the right; by default -26 (less for a long line), 0 if flat.
     std::optional<float> yaw;
     std::optional<float> pitch;  ///< degrees the eye is raised; by default 12 (less for a long line), 0 if flat

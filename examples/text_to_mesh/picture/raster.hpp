@@ -35,8 +35,7 @@ struct raster_edge {
     std::int64_t dx, dy, constant;
 
     constexpr raster_edge() : dx(0), dy(0), constant(0) {}
-    constexpr raster_edge(raster_point a, raster_point b)
-        : dx(b.x - a.x), dy(b.y - a.y), constant(dy * a.x - dx * a.y)
+    constexpr raster_edge(raster_point a, raster_point b) : dx(b.x - a.x), dy(b.y - a.y), constant(dy * a.x - dx * a.y)
     {
         if (dy > 0 || (dy == 0 && dx < 0)) constant += 1;  // "> 0" below then means ">= 0"
     }

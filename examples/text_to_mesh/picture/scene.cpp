@@ -18,8 +18,7 @@ namespace {
 /// False for what no picture can hold: infinite or absurd places.
 [[nodiscard]] bool drawable(const camera::projected& p)
 {
-    return p.x > -16000.0 && p.x < 16000.0 && p.y > -16000.0 && p.y < 16000.0 && p.inverse > 0.0 &&
-           p.inverse < 1e30;
+    return p.x > -16000.0 && p.x < 16000.0 && p.y > -16000.0 && p.y < 16000.0 && p.inverse > 0.0 && p.inverse < 1e30;
 }
 
 /// For each vertex the first at its place, bit by bit: texture seams and hard corners double vertices, not edges.
@@ -126,8 +125,7 @@ void scene::add_wireframe(const model& mesh, double radius)
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     static const unsigned char ink[3] = {28, 30, 38};
     for (const std::uint64_t edge : edges)
-        add_line(mesh.vertices[edge >> 32].position, mesh.vertices[edge & 0xFFFFFFFFu].position, ink, radius,
-                 0.6);
+        add_line(mesh.vertices[edge >> 32].position, mesh.vertices[edge & 0xFFFFFFFFu].position, ink, radius, 0.6);
 }
 
 void scene::add_overlay(const overlay& over, double radius)
@@ -141,7 +139,7 @@ void scene::add_overlay(const overlay& over, double radius)
 }
 
 void scene::add_line(const float (&a)[3], const float (&b)[3], const unsigned char (&rgb)[3], double radius,
-                  double opacity)
+                     double opacity)
 {
     const camera::projected p = from_.project(to_vec3(a)), q = from_.project(to_vec3(b));
     if (!drawable(p) || !drawable(q)) return;

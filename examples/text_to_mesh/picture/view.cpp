@@ -87,8 +87,8 @@ view view_of(const model& mesh, const overlay& over, const picture_options& opti
         out.height = static_cast<int>((std::max)(360.0, (std::min)(960.0, ratio * (out.width - free) + free)));
         if (options.width <= 0 && out.height == 960) {
             const double upright_free = 2.0 * border * 960.0;
-            out.width = static_cast<int>(
-                (std::max)(480.0, (std::min)(1280.0, (960.0 - upright_free) / ratio + upright_free)));
+            out.width =
+                static_cast<int>((std::max)(480.0, (std::min)(1280.0, (960.0 - upright_free) / ratio + upright_free)));
         }
     }
 

@@ -27,8 +27,8 @@ struct boxed_edge {
     for (std::size_t l = 0; l < loops.size(); ++l)
         for (std::size_t i = 0; i < loops[l].size(); ++i) {
             const grid_point a = loops[l][i], b = loops[l][(i + 1) % loops[l].size()];
-            edges.push_back({a, b, l, i, edges.size(), (std::min)(a.x, b.x), (std::max)(a.x, b.x),
-                             (std::min)(a.y, b.y), (std::max)(a.y, b.y)});
+            edges.push_back({a, b, l, i, edges.size(), (std::min)(a.x, b.x), (std::max)(a.x, b.x), (std::min)(a.y, b.y),
+                             (std::max)(a.y, b.y)});
         }
     std::sort(edges.begin(), edges.end(), [](const boxed_edge& p, const boxed_edge& q) { return p.left < q.left; });
     return edges;
