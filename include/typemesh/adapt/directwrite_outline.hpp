@@ -49,7 +49,7 @@ public:
     geometry_pen(Sink& sink, double scale, bool lowers) noexcept : sink_{sink}, scale_{scale}, lowers_{lowers} {}
 
     [[nodiscard]] fill_rule fill() const noexcept { return fill_; }
-    [[nodiscard]] error trouble() const noexcept { return trouble_; }
+    [[nodiscard]] error first_error() const noexcept { return first_error_; }
 
     void STDMETHODCALLTYPE SetFillMode(D2D1_FILL_MODE mode) noexcept override
     {
@@ -95,12 +95,12 @@ private:
 
     bool is_drawn(point p) noexcept
     {
-        if (trouble_) return false;
+        if (first_error_) return false;
         if (!open_)
-            trouble_ = error::bad_outline;
+            first_error_ = error::bad_outline;
         else if (!is_finite(p.x) || !is_finite(p.y))
-            trouble_ = error::outline_not_finite;
-        return !trouble_ && !hollow_;
+            first_error_ = error::outline_not_finite;
+        return !first_error_ && !hollow_;
     }
 
     Sink& sink_;
@@ -110,7 +110,7 @@ private:
     bool open_ = false;
     point at_;  // in font units
     fill_rule fill_ = fill_rule::non_zero;
-    error trouble_;
+    error first_error_;
 };
 
 /// Whether a face has a table; with a 'glyf' table its outlines are made of quadratics.
@@ -137,7 +137,7 @@ error draw_glyph(IDWriteFontFace* face, double units_per_em, double scale, bool 
     const HRESULT code = face->GetGlyphRunOutline(static_cast<FLOAT>(units_per_em), &index, nullptr, nullptr, 1,
                                                   sideways ? TRUE : FALSE, FALSE, &pen);
     rule = pen.fill();
-    const error e = FAILED(code) ? directwrite_error(code) : pen.trouble();
+    const error e = FAILED(code) ? directwrite_error(code) : pen.first_error();
     return e ? e.at(id, no_cluster) : e;
 }
 

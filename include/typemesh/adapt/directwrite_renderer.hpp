@@ -21,7 +21,7 @@ class directwrite_renderer final : public stack_object<IDWriteTextRenderer> {
 public:
     explicit directwrite_renderer(To& to) noexcept : to_{to} {}
 
-    [[nodiscard]] const error& trouble() const noexcept { return first_error_; }
+    [[nodiscard]] const error& first_error() const noexcept { return first_error_; }
 
     HRESULT STDMETHODCALLTYPE IsPixelSnappingDisabled(void*, BOOL* disabled) noexcept override
     {

@@ -97,7 +97,7 @@ public:
         if (!e) {
             detail::directwrite_renderer<directwrite_text> draws{*this};
             const HRESULT code = layout->Draw(context, &draws, 0.0f, 0.0f);
-            e = draws.trouble() ? draws.trouble() : directwrite_error(code);
+            e = draws.first_error() ? draws.first_error() : directwrite_error(code);
         }
         if (!e) e = put_in_order();
         if (e) release();

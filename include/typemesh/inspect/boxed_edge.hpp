@@ -12,7 +12,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI::inspect {
 
-/// An edge of some loops, where it stands among them, and the box around it.
+/// An edge of some loops, its position among them, and its bounding box.
 struct boxed_edge {
     grid_point a, b;
     std::size_t loop, index;  ///< from point `index` of the loop to the next
@@ -34,7 +34,7 @@ struct boxed_edge {
     return edges;
 }
 
-/// Calls visit(p, q) for every two edges whose boxes meet, each pair once, until it returns false; then false.
+/// Calls visit(p, q) for every two edges whose boxes overlap, each pair once, until it returns false; then false.
 ///
 /// Cost   for n edges O(n) and the pairs that lie above each other
 template <class Visit>

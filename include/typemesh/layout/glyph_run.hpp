@@ -18,7 +18,7 @@ struct placed_glyph {
     cluster_id cluster = 0;
     point origin = {};
     bool missing = false;    ///< the font has no glyph for this text: `id` is its .notdef, drawn only on request
-    std::uint32_t look = 0;  ///< its place in glyph_run::looks; 0 where there are none
+    std::uint32_t look = 0;  ///< its index in glyph_run::looks; 0 if there are none
 };
 
 /// One line (or column) of a run: which glyphs, where its baseline begins, how long it is.
@@ -32,13 +32,13 @@ struct text_line {
 /// Shaped text: what every stage after shaping works from. Make one by hand and no shaper is needed.
 ///
 /// Glyphs are in drawing order (left to right in a horizontal line, whatever the script's direction); a line's glyphs
-/// are contiguous. A run made by hand may leave `lines` empty: it then counts as one line. A run without looks
-/// is drawn from one face in one style. `id` is the number of a glyph in its own face.
+/// are contiguous. A run made by hand may leave `lines` empty: it then counts as one line. A run without looks is drawn
+/// from one face in one style. `id` is the number of a glyph in its own face.
 struct glyph_run {
     buffer<placed_glyph> glyphs;
     buffer<text_line> lines;
-    buffer<look> looks;         ///< what placed_glyph::look names; mostly empty
-    double units_per_em = 0.0;  ///< of the source's first face, in whose units places are; 0: whatever they are there
+    buffer<look> looks;         ///< what placed_glyph::look refers to; usually empty
+    double units_per_em = 0.0;  ///< of the source's first face, the unit of positions; 0: whatever they are there
 
     std::uint32_t missing = 0;              ///< glyphs that the font lacks (drawn as .notdef only on request)
     cluster_id first_missing = no_cluster;  ///< the position of the first of them in the text
@@ -47,21 +47,21 @@ struct glyph_run {
 
     explicit glyph_run(memory source = heap()) noexcept : glyphs{source}, lines{source}, looks{source} {}
 
-    /// For shapers: one glyph more is missing, for the text at this cluster (placed_glyph::missing is set beside).
+    /// For shapers: counts another missing glyph, for the text at this cluster (besides setting placed_glyph::missing).
     void note_missing(cluster_id cluster) noexcept
     {
         ++missing;
         if (cluster < first_missing) first_missing = cluster;
     }
-    /// For shapers: so many places more were not valid UTF, the first of them here.
+    /// For shapers: counts further places that were not valid UTF, the first of them here.
     void note_invalid_units(cluster_id first, std::uint32_t count = 1) noexcept
     {
         invalid_units += count;
         if (first < first_invalid_unit) first_invalid_unit = first;
     }
 
-    /// The number by which glyphs name a look: that of an equal one in the table, else of a new one at its end. In a
-    /// table made by this alone the plain look has number 0.
+    /// The number by which glyphs refer to a look: that of an equal one in the table, else of a new one at its end. In a
+    /// table made only by this the plain look has number 0.
     ///
     /// Fails  error::out_of_memory
     /// Cost   O(looks)

@@ -31,7 +31,7 @@ error layout(Shaper& shaper, text_view text, const shape_options& how, const lay
              glyph_run& run) noexcept
 {
     run.clear();
-    if (error e = trouble_of(options)) return e;
+    if (error e = refused_option(options)) return e;
     if (static_cast<std::uint64_t>(text.size()) > 0xFFFF'FFFFu) return error::too_large;
 
     const auto fail = [&run](error e) noexcept {

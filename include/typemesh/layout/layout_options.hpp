@@ -16,7 +16,7 @@ struct layout_options {
 };
 
 /// The error of an option that is out of range, or none.
-[[nodiscard]] inline error trouble_of(const layout_options& options) noexcept
+[[nodiscard]] inline error refused_option(const layout_options& options) noexcept
 {
     if (!is_finite(options.line_spacing)) return error::bad("line_spacing");
     if (!is_finite(options.tab_width) || options.tab_width < 0.0) return error::bad("tab_width");

@@ -8,15 +8,15 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How glyphs of a run are drawn: from which face, through which map, in which style.
+/// How a glyph of a run is drawn: from which face, through which map, in which style.
 ///
 ///     {}                                 the source's first face as it is
 ///     {.face = 1}                        another face, its em as large as the first one's
-///     {.map = {.xx = 0.6, .yy = 0.6}}    small letters, which are no less deep
+///     {.map = {.xx = 0.6, .yy = 0.6}}    small letters, as deep as the others
 ///     {.map = {.xy = 0.2}}               slanted
-///     {.style = style_id{3}}             in a material or colour of its own
+///     {.style = style_id{3}}             with a material or colour of its own
 ///
-/// Looks that differ in style alone share what is built.
+/// Looks that differ only in style share what is built.
 struct look {
     std::uint32_t face = 0;  ///< which face of the outline source; see outline/face_source.hpp
     affine map = {};         ///< of the outline, about the glyph's own (0, 0), in the run's units

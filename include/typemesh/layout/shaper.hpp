@@ -33,7 +33,7 @@ struct line_metrics {
 ///                                         the right, vertical lines down. Clusters count from the start of `text`, in
 ///                                         its units. Flags missing glyphs and calls run.note_missing() for each;
 ///                                         calls run.note_invalid_units() where the text is not valid UTF.
-///                                         Glyphs that the source's first face does not draw as they are name
+///                                         Glyphs that are not simply drawn by the source's first face refer to
 ///                                         a look: run.number_of(look).
 ///
 /// Fails  error::mixed_direction: the line holds text of both directions and the shaper has no

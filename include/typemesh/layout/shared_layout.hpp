@@ -30,7 +30,7 @@ public:
                      const shape_options& how, const layout_options& options, glyph_run& run) noexcept
     {
         run.clear();
-        if (error e = trouble_of(options)) return e;
+        if (error e = refused_option(options)) return e;
         if (static_cast<std::uint64_t>(text.size()) > 0xFFFF'FFFFu) return error::too_large;
         const std::size_t count = workers.workers();
         if (error e = find_lines(text, 8 * count)) return e;
@@ -51,7 +51,7 @@ public:
                 if (l.begin == l.end) continue;
                 const auto advance = shape_line(shaper_of(worker), text, l.begin, l.end, how, options, own);
                 if (!advance) {
-                    l.trouble = advance.error();
+                    l.failure = advance.error();
                     return;  // later lines of this block do not matter
                 }
                 l.count = own.glyphs.size() - l.first;
@@ -64,7 +64,7 @@ public:
             of_it.first_invalid_unit = own.first_invalid_unit;
         });
         for (const line& l : lines_)
-            if (l.trouble) return l.trouble;
+            if (l.failure) return l.failure;
 
         if (error e = number_looks(run_of, count, run)) return e;
         if (error e = place_lines(places, run)) return e;
@@ -87,7 +87,7 @@ private:
         std::size_t first, count;   // its glyphs in the worker's run
         std::uint32_t worker;
         double advance;
-        error trouble;
+        error failure;
     };
 
     /// Lines that one worker shapes, one after the other, and what it found.
@@ -125,7 +125,7 @@ private:
         return lines_.view().subspan(blocks_[b].first_line, last - blocks_[b].first_line);
     }
 
-    /// Looks that the workers' runs name get numbers of the whole run, in the order in which its glyphs name them.
+    /// Renumbers the looks of the workers' runs for the whole run, in the order in which its glyphs use them.
     template <class RunOf>
     error number_looks(const RunOf& run_of, std::size_t workers, glyph_run& run) noexcept
     {

@@ -13,14 +13,14 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// An outline source of several faces, numbered from 0: what the looks of a glyph_run choose from. As an outline_source
-/// it is its face 0.
+/// An outline source of several faces, numbered from 0, for the looks of a glyph_run to choose from. As an
+/// outline_source it is its face 0.
 ///
 ///     s.face_count()                how many there are; at least 1
 ///     s.units_per_em(face)          as an outline_source's, of one face; face < face_count()
 ///     s.fill(face)
 ///     s.outline(face, id, sink)
-///     s.variation_key(face)         only if there is a variation_key(); see variation_key.hpp
+///     s.variation_key(face)         only if it has a variation_key(); see variation_key.hpp
 template <class S>
 concept face_source = outline_source<S> && requires(S& s, std::uint32_t face, glyph_id id, ignore_outline& sink) {
     { s.face_count() } noexcept -> std::convertible_to<std::uint32_t>;
@@ -29,7 +29,7 @@ concept face_source = outline_source<S> && requires(S& s, std::uint32_t face, gl
     { s.outline(face, id, sink) } noexcept -> std::same_as<error>;
 };
 
-/// How many faces an outline source has: one, if it says nothing of faces.
+/// The number of faces of an outline source: one unless it has a face_count().
 template <outline_source Source>
 [[nodiscard]] std::uint32_t face_count_of(Source& source) noexcept
 {
@@ -39,7 +39,7 @@ template <outline_source Source>
         return 1;
 }
 
-/// The font units to an em of one face. face < face_count_of(source).
+/// The font units per em of one face. face < face_count_of(source).
 template <outline_source Source>
 [[nodiscard]] double units_per_em_of(Source& source, std::uint32_t face) noexcept
 {
@@ -77,7 +77,7 @@ template <class Source>
         return static_cast<void>(face), variation_of(source);
 }
 
-/// Maps every point of an outline. Curves that shrink to a point are dropped, and contours that hold no others.
+/// Maps every point of an outline. Curves that shrink to a point are dropped, and so are contours of nothing else.
 ///
 /// Fails  error::outline_not_finite; `out` then holds nothing meaningful
 inline error map_outline(const affine& map, outline& out) noexcept
@@ -105,8 +105,8 @@ inline error map_outline(const affine& map, outline& out) noexcept
     return {};
 }
 
-/// One face of an outline source as a source by itself, its outlines drawn through a map, in units that the caller
-/// names. The source and the map must outlive it.
+/// One face of an outline source as a source of its own, its outlines mapped, in units that the caller chooses.
+/// The source and the map must outlive it.
 template <outline_source Source>
 class mapped_face {
 public:
@@ -127,7 +127,7 @@ public:
         return outline_of(*source_, face_, id, through);
     }
 
-    /// record() of it, to the same curves: mapped when they are recorded, so that the source draws into one kind of sink.
+    /// record() with the same result, but mapped after recording, so that the source draws into one type of sink.
     error record(glyph_id id, typemesh::outline& out) noexcept
     {
         outline_recorder recorder{out};

@@ -50,15 +50,15 @@ public:
         if (!open_) return;
         if (!(current_ == start_)) line(start_);
         open_ = false;
-        if (trouble_) return;
+        if (error_) return;
         const auto end = static_cast<std::uint32_t>(out_.curves.size());
         const std::uint32_t begin = out_.starts.empty() ? 0u : out_.starts.back();
         if (end == begin) {
             out_.bounds = bounds_before_;
             return;
         }
-        if (out_.starts.empty() && !out_.starts.push_back(0)) trouble_ = error::out_of_memory;
-        else if (!out_.starts.push_back(end)) trouble_ = error::out_of_memory;
+        if (out_.starts.empty() && !out_.starts.push_back(0)) error_ = error::out_of_memory;
+        else if (!out_.starts.push_back(end)) error_ = error::out_of_memory;
     }
 
     /// Closes the last contour and returns how it went: error::outline_not_finite, error::bad_outline (a contour that
@@ -66,21 +66,21 @@ public:
     error finish() noexcept
     {
         close();
-        return trouble_;
+        return error_;
     }
 
 private:
     bool note(point p) noexcept
     {
-        const bool good = !trouble_ && open_ && is_finite(p.x) && is_finite(p.y);
+        const bool good = !error_ && open_ && is_finite(p.x) && is_finite(p.y);
         if (good) out_.bounds.add(p);
-        else if (!trouble_) trouble_ = open_ ? error::outline_not_finite : error::bad_outline;
+        else if (!error_) error_ = open_ ? error::outline_not_finite : error::bad_outline;
         return good;
     }
     void keep(const curve& c) noexcept
     {
-        if (out_.curves.size() == 0xFFFF'FFFFu) trouble_ = error::too_large;
-        else if (!out_.curves.push_back(c)) trouble_ = error::out_of_memory;
+        if (out_.curves.size() == 0xFFFF'FFFFu) error_ = error::too_large;
+        else if (!out_.curves.push_back(c)) error_ = error::out_of_memory;
     }
 
     outline& out_;
@@ -88,7 +88,7 @@ private:
     point current_;
     box bounds_before_;  // of the contours before the current one
     bool open_ = false;
-    error trouble_;
+    error error_;
 };
 
 static_assert(outline_sink<outline_recorder>);

@@ -29,7 +29,7 @@ template <class Source>
     return key ^ key >> 32;
 }
 
-/// A map more in a key.
+/// Mixes a map into a key.
 [[nodiscard]] inline std::uint64_t mixed_key(std::uint64_t key, const affine& map) noexcept
 {
     for (const double number : {map.xx, map.xy, map.dx, map.yx, map.yy, map.dy}) {

@@ -11,8 +11,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What is known of a text only when all its glyphs are: the box of its ink and those of its lines, its unit, and the
-/// bounds of its vertices between two heights, given as the extruder tells them.
+/// Computes what is known of a text only when all its glyphs are: the bounding box of its ink and those of its lines,
+/// its unit, and the bounds of its vertices between two heights, given in the extruder's own unit.
 ///
 /// Fails  error::out_of_memory
 inline error arrange(text_glyphs& all, const glyph_run& run, const text_options& options, double units_per_em,

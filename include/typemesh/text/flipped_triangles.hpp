@@ -9,14 +9,14 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How many triangles of the caps the rounding of placed positions to 32-bit floats turns over or flattens: none where
+/// How many triangles of the caps are reversed or flattened when placed positions are rounded to 32-bit floats: none if
 /// every triangle's height is more than two of the plan's position_step(). Each part that is drawn has as many. Walls
-/// over such a cap's rim may be flattened with it.
+/// over the rim of such a cap may be flattened with it.
 ///
-/// On the grid no triangle is turned or flat; floats are coarser than it wherever units per em are no power of two, and
-/// far from the origin everywhere. Within 4 em of it there are none but those that no other diagonals avoid (see
-/// triangulate/low_triangles.hpp), or that a triangulator wants kept (has_final_diagonals). Glyphs that stand
-/// each at an origin of their own (see text_plan::write_meshes) do not suffer from it.
+/// On the grid no triangle is reversed or flat; floats are coarser than it wherever units per em are not a power of
+/// two, and far from the origin everywhere. Within 4 em of it there are only those that no other diagonals avoid (see
+/// triangulate/low_triangles.hpp), or that a triangulator wants kept (has_final_diagonals). Glyphs that each stand at
+/// an origin of their own (see text_plan::write_meshes) do not have this problem.
 ///
 /// Cost   O(triangles), computed in double precision from the positions as they are written
 template <extruder Extruder>

@@ -11,11 +11,11 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Several fonts, or drawings, as the faces of one source, in the order given:
+/// Several fonts, or sets of drawings, as the faces of one source, in the given order:
 ///
 ///     font_faces faces{latin, arabic, icons};              // all must outlive it
 ///     text_mesher mesher{faces};
-///     run.looks: {{.face = 0}, {.face = 1}, {.face = 2}}   // what placed_glyph::look names
+///     run.looks: {{.face = 0}, {.face = 1}, {.face = 2}}   // the table that placed_glyph::look refers to
 ///
 /// Plain text is shaped by the first one, if that is a shaper.
 template <outline_source... Sources>
@@ -42,7 +42,7 @@ public:
         return rule;
     }
 
-    /// See variation_key.hpp: the first one's, as that of the whole.
+    /// See variation_key.hpp: the first one's stands for the whole.
     [[nodiscard]] std::uint64_t variation_key() const noexcept { return variation_of(first()); }
     [[nodiscard]] std::uint64_t variation_key(std::uint32_t face) const noexcept
     {

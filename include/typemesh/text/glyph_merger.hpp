@@ -16,17 +16,17 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Joins the glyphs of a text whose outlines meet, group by group, to shapes of their own:
+/// Merges the glyphs of a text whose outlines meet, group by group:
 ///
 ///      ╭──╮╭─╮     ╭──╮                    ╭─────╮     ╭──╮        A group is a chain of glyphs of which each
 ///      │a ││b│ ╭╮  │d │        ->          │     │ ╭╮  │d │        shares a point with the next; all others are
-///      ╰──┼╯ │ ││  ╰──╯                    ╰───╮ │ ││  ╰──╯        left as they are. "c" here stands alone.
+///      ╰──┼╯ │ ││  ╰──╯                    ╰───╮ │ ││  ╰──╯        left unchanged. "c" here stands alone.
 ///         ╰──╯ ╰╯c                             ╰─╯ ╰╯
 ///
-/// Pens are rounded to the finest grid of the text's glyphs, half a cell at most (1/1024 font unit in ordinary fonts),
-/// and a group that does not fit onto it takes the finest that it fits onto. A glyph so large that its own grid is
-/// coarser than others' (more than 2^19 font units in ordinary fonts) is left alone, and so is what stands farther than
-/// 2^48 cells from the text's origin.
+/// Pens are rounded to the finest grid of the text's glyphs, half a cell at most (1/1024 font unit in ordinary fonts);
+/// a group that does not fit onto it takes the finest that it fits onto. A glyph so large that its own grid is coarser
+/// than others' (more than 2^19 font units in ordinary fonts) is left alone, and so is one farther than 2^48 cells from
+/// the text's origin.
 class glyph_merger {
 public:
     explicit glyph_merger(memory source = heap()) noexcept
@@ -42,13 +42,12 @@ public:
         plan_.release();
     }
 
-    /// Fills all.merged; all.shapes and numbers are given.
+    /// Fills in all.merged; needs all.pinned and all.numbers.
     ///
     /// Fails  error::too_large, error::out_of_memory, error::outline_beyond_grid with the group's first glyph
-    /// Cost   O(n log n) for n glyphs, and a comparison of every two whose boxes lie side by side (see
-    ///        group_intersection()). For every group its members' outlines are flattened and filled once more, and
-    ///        resolve(), the triangulator and the extruder work on the points of all of them. Glyphs that meet no other
-    ///        cost the comparison alone
+    /// Cost   as group_intersection() for n glyphs. For every group its members' outlines are flattened and filled once
+    ///        more, and resolve(), the triangulator and the extruder work on the points of all of them. Glyphs that meet
+    ///        no other cost the comparison alone
     template <outline_source Font, class... Policy>
     error operator()(text_glyphs& all, const glyph_run& run, glyph_builder& builder, Font& font,
                      const glyph_settings& how, const policies<Policy...>& with) noexcept
@@ -99,7 +98,7 @@ private:
                 static_cast<std::int64_t>(std::nearbyint(origin.y * cells))};
     }
 
-    /// The grid of nearly all glyphs.
+    /// The grid of nearly all glyphs: the finest.
     static double finest(const text_glyphs& all) noexcept
     {
         double cells = 0.0;
@@ -131,7 +130,7 @@ private:
         return group_intersection({loops, first_of.size()}, first_of, caps_.space());
     }
 
-    /// The finest grid onto which all members fit, seen from the first one's pen.
+    /// The finest grid onto which all members fit, relative to the first one's pen.
     static result<grid> grid_for(const text_glyphs& all, const glyph_run& run,
                                  std::span<const std::uint32_t> members) noexcept
     {
@@ -158,7 +157,7 @@ private:
         return g;
     }
 
-    /// The group's members, whose regions region_of(placed_glyph) builds, as one glyph.
+    /// Makes one glyph of the group's members, whose regions region_of(placed_glyph) builds.
     template <class Region, class... Policy>
     error join(merged_group& made, text_glyphs& all, const glyph_run& run, const Region& region_of,
                std::uint32_t most_pieces, const policies<Policy...>& with) noexcept
@@ -177,7 +176,7 @@ private:
         }
         with.observe(stage::fill);
         const auto joined = union_.join(caps_.space(), most_pieces);
-        if (!joined && joined.error() == error::too_many_pieces) {  // the text goes on without this group
+        if (!joined && joined.error() == error::too_many_pieces) {  // the text continues without this group
             glyph_draft none;
             none.refusal = joined.error();
             made.built = all.store.keep(none);

@@ -10,8 +10,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A glyph as it is built: its number in its face, and the look (run_looks::outlines_of()) that says which face, and
-/// how.
+/// A glyph as it is built: its number in its face, and the look (run_looks::outlines_of()) that gives the face and the
+/// map.
 struct glyph_key {
     glyph_id id = no_glyph;
     std::uint32_t look = 0;
@@ -19,9 +19,9 @@ struct glyph_key {
     friend constexpr bool operator==(const glyph_key&, const glyph_key&) noexcept = default;
 };
 
-/// The different glyphs of a text, numbered from 0 in the order in which they came.
+/// The different glyphs of a text, numbered from 0 in the order of first use.
 ///
-/// A table with open addressing, at most half full; it begins small with every text, so that clear() costs nothing.
+/// A table with open addressing, at most half full; it starts small for every text, so that clear() costs nothing.
 class glyph_set {
 public:
     static constexpr std::uint32_t no_room = 0xFFFF'FFFFu;
@@ -36,7 +36,7 @@ public:
 
     [[nodiscard]] std::span<const glyph_key> keys() const noexcept { return keys_.view(); }
 
-    /// The glyph's number, a new one where it was not known; no_room when the memory gives none.
+    /// The glyph's number, a new one if it was unknown; no_room when memory runs out.
     [[nodiscard]] std::uint32_t number_of(glyph_key key) noexcept
     {
         if (2 * keys_.size() >= slots_.size() && !grow()) return no_room;
@@ -49,7 +49,7 @@ public:
         return number;
     }
 
-    /// A number of its own for a glyph that shall not be found again.
+    /// A number of its own for a glyph that must not be found again.
     [[nodiscard]] std::uint32_t append(glyph_key key) noexcept
     {
         if (keys_.size() >= no_room - 1 || !keys_.push_back(key)) return no_room;
@@ -57,7 +57,7 @@ public:
     }
 
 private:
-    /// Neighbouring ids, as those of an alphabet, go to places far apart.
+    /// Neighbouring ids, as those of an alphabet, are sent to places far apart.
     static std::size_t place_of(glyph_key key) noexcept
     {
         const std::uint32_t mixed = key.id * 0x9E37'79B1u + key.look * 0x85EB'CA6Bu;

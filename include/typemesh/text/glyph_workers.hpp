@@ -20,15 +20,15 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Makes the outline source of one worker: clone(worker) gives a result<Source>, for each worker once.
+/// Makes the outline source of one worker: clone(worker) returns a result<Source>, once per worker.
 ///
-/// All must draw and shape alike, and none may share with another, or with the mesher's font, what either changes:
+/// All must draw and shape alike, and none may share mutable state with another, or with the mesher's font:
 ///
 ///     HarfBuzz    [&](std::size_t) noexcept { return harfbuzz_font::wrap(font.handle()); }
-///                 all that is large is shared; only the text's own buffers are not
+///                 all large data is shared; only the text's own buffers are not
 ///     FreeType    [&](std::size_t) noexcept { return freetype_font::open(path, options); }
-///                 a face each, and a library each: neither may be used by two threads at a time
-///     your own    if reading it changes nothing, transformed_outlines<const My_source> over the one that all share
+///                 a face and a library for each: neither may be used by two threads at once
+///     your own    if reading it changes nothing, transformed_outlines<const My_source> over one that all share
 template <class C>
 concept source_maker = requires(C& clone, std::size_t worker) {
     { clone(worker) } noexcept;
@@ -36,27 +36,27 @@ concept source_maker = requires(C& clone, std::size_t worker) {
     { clone(worker).error() } noexcept -> std::same_as<error>;
 };
 
-/// The workers that shape a text's lines and build its glyphs side by side: an executor, and for each of its workers an
-/// outline source, scratch memory, and room for the shapes that it makes. See workers_of().
+/// The workers that shape a text's lines and build its glyphs in parallel: an executor, and for each of its workers an
+/// outline source, scratch memory, and a store for the glyphs that it builds. See workers_of().
 ///
-/// Move-only. It refers to its executor. One plan at a time lies in it: the next plan() that is given the team ends the
-/// one before, whichever mesher made it, unless a glyph_cache holds the shapes.
+/// Move-only. It refers to its executor. It holds one plan at a time: the next plan() with these workers ends the one
+/// before, whichever mesher made it, unless a glyph_cache holds the glyphs.
 ///
-/// Memory   from `source`, by several workers at a time: it must be made for that, as heap() is. It stays for the next
-///          text. Who builds which glyph is open, so a worker may need more than the last time until each has built
-///          most of what there is.
+/// Memory   from `source`, by several workers at once: it must allow that, as heap() does. It is kept for the next
+///          text. Which worker builds which glyph is open, so a worker may need more than the last time until each has
+///          built most of what there is.
 template <executor Executor, outline_source Source>
 class glyph_workers {
-    struct alignas(64) member {  // a cache line: what one worker changes is not in another's way
+    struct alignas(64) member {  // a cache line of its own: no false sharing between workers
         Source font;
         glyph_builder builder;
         glyph_store store;
         glyph_run lines;
-        error trouble;
-        std::size_t trouble_at;
+        error failure;
+        std::size_t failed_at;
     };
     struct block {
-        std::uint64_t plans = 0;  // how many have begun
+        std::uint64_t plans = 0;  // begun so far
         std::size_t count = 0;
         shared_layout lines;
 
@@ -76,15 +76,15 @@ public:
         const std::size_t bytes = header + count * sizeof(member);
         void* raw = source.allocate(source.user, bytes, alignof(member));
         if (raw == nullptr) return error::out_of_memory;
-        glyph_workers team{workers, source, new (raw) block{source}, bytes};
-        for (; team.block_->count < count; ++team.block_->count) {
-            const std::size_t worker = team.block_->count;
+        glyph_workers made{workers, source, new (raw) block{source}, bytes};
+        for (; made.block_->count < count; ++made.block_->count) {
+            const std::size_t worker = made.block_->count;
             auto made = clone(worker);
             if (!made) return made.error();
-            new (team.members() + worker)
+            new (made.members() + worker)
                 member{std::move(*made), glyph_builder{source}, glyph_store{source}, glyph_run{source}, {}, 0};
         }
-        return result<glyph_workers>{std::move(team)};
+        return result<glyph_workers>{std::move(made)};
     }
 
     glyph_workers(glyph_workers&& other) noexcept
@@ -110,14 +110,14 @@ public:
         source_.deallocate(source_.user, block_, bytes_, alignof(member));
     }
 
-    /// Who carries out the tasks, for writing the plan with the same workers.
+    /// The executor, for writing the plan with the same workers.
     [[nodiscard]] Executor& pool() noexcept { return *executor_; }
 
-    /// The font units to an em of its sources.
+    /// The font units per em of its sources.
     [[nodiscard]] double units_per_em() noexcept { return members()[0].font.units_per_em(); }
 
-    /// What typemesh::layout() does, to the same result: lines are shaped by all workers where the sources are shapers
-    /// of the mesher's own kind, else by its font.
+    /// layout(), with the same result: lines are shaped by all workers if the sources are shapers of the mesher's own
+    /// type, else by its font.
     template <shaper Shaper>
     error layout(Shaper& font, text_view text, const shape_options& how, const layout_options& options,
                  glyph_run& run) noexcept
@@ -133,8 +133,8 @@ public:
         return typemesh::layout(font, text, how, options, run);
     }
 
-    /// Ends the shapes of the plan before, and gives the number by which the new one is known. It stays where it is
-    /// when the team moves.
+    /// Removes the glyphs of the previous plan, and returns the number that identifies the new one. Its address stays
+    /// the same when the workers are moved.
     const std::uint64_t* begin_plan() noexcept
     {
         for (std::size_t i = 0; i < block_->count; ++i) members()[i].store.clear();
@@ -142,32 +142,33 @@ public:
         return &block_->plans;
     }
 
-    /// Gives the scratch memory that glyphs were built in back to its source. Plans stay as they are.
+    /// Gives the scratch memory for building glyphs back to its source. Plans stay as they are.
     void trim() noexcept
     {
         for (std::size_t i = 0; i < block_->count; ++i) members()[i].builder.trim();
     }
 
-    /// Calls task(k, font, builder, store, observer) for each k < n, each with the belongings of its worker. Gives the
-    /// error of the lowest k that met one; above it not all may have been called. The observer looks away.
+    /// Calls task(k, font, builder, store, observer) for each k < n, with the per-worker state of whoever runs it.
+    /// Returns the error of the lowest k that has one; above it not all may have been called. The observer is the null
+    /// observer.
     template <class Task>
     error each(std::size_t n, const Task& task) noexcept
     {
         member* all = members();
-        for (std::size_t i = 0; i < block_->count; ++i) all[i].trouble = {};
+        for (std::size_t i = 0; i < block_->count; ++i) all[i].failure = {};
         executor_->run(n, [all, &task](std::size_t k, std::size_t worker) noexcept {
             member& own = all[worker];
-            if (own.trouble && own.trouble_at < k) return;
+            if (own.failure && own.failed_at < k) return;
             no_observer nobody;
             if (error e = task(k, own.font, own.builder, own.store, nobody)) {
-                own.trouble = e;
-                own.trouble_at = k;
+                own.failure = e;
+                own.failed_at = k;
             }
         });
         const member* first = nullptr;
         for (std::size_t i = 0; i < block_->count; ++i)
-            if (all[i].trouble && (first == nullptr || all[i].trouble_at < first->trouble_at)) first = all + i;
-        return first == nullptr ? error{} : first->trouble;
+            if (all[i].failure && (first == nullptr || all[i].failed_at < first->failed_at)) first = all + i;
+        return first == nullptr ? error{} : first->failure;
     }
 
 private:
@@ -183,16 +184,16 @@ private:
 
     Executor* executor_;
     memory source_;
-    block* block_;  // and the members behind it
+    block* block_;  // and the members after it
     std::size_t bytes_;
 };
 
-/// A team of an executor's workers, each with a source of its own:
+/// The workers of an executor, each with a source of its own:
 ///
 ///     thread_pool pool;                                                                // adapt/threads.hpp
-///     auto team = workers_of(pool, [&](std::size_t) noexcept { return harfbuzz_font::wrap(font.handle()); });
-///     if (!team) return puts(team.error().message());
-///     auto plan = mesher.plan(text, options, *team);
+///     auto workers = workers_of(pool, [&](std::size_t) noexcept { return harfbuzz_font::wrap(font.handle()); });
+///     if (!workers) return puts(workers.error().message());
+///     auto plan = mesher.plan(text, options, *workers);
 ///     if (plan) plan->write(into(vertices, indices), pool);
 ///
 /// Fails  as glyph_workers::make() does

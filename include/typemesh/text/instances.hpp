@@ -14,15 +14,15 @@ namespace typemesh::inline TYPEMESH_ABI {
 struct glyph_mesh {
     const built_glyph* built = nullptr;
     glyph_id id = no_glyph;
-    std::uint32_t first_vertex = 0;    ///< where it begins in what write_meshes() writes
+    std::uint32_t first_vertex = 0;    ///< where it begins in the output of write_meshes()
     std::uint32_t first_index = 0;
-    std::uint32_t first_instance = 0;  ///< its place among what write_instances() emits
+    std::uint32_t first_instance = 0;  ///< the position of its first one in the output of write_instances()
     std::uint32_t glyph_count = 0;     ///< how many instances there are
-    std::uint32_t first_glyph = 0;     ///< the first and the last of them among the text's glyphs; the others hang
-    std::uint32_t last_glyph = 0;      ///< together by drawn_glyph::next_alike
+    std::uint32_t first_glyph = 0;     ///< the first and the last of them among the text's glyphs; the others are
+    std::uint32_t last_glyph = 0;      ///< linked by drawn_glyph::next_alike
 };
 
-/// One occurrence of a glyph_mesh: every position of the mesh is moved by `translation`, and nothing else changes.
+/// One occurrence of a glyph_mesh: every position of the mesh is translated, and nothing else changes.
 struct glyph_instance {
     vec3 translation;         ///< in the output's unit and frame
     std::uint32_t mesh = 0;   ///< which of the plan's meshes()
@@ -32,7 +32,7 @@ struct glyph_instance {
     style_id style = {};
 };
 
-/// Instances that follow one another in what write_instances() emits.
+/// Consecutive instances in the output of write_instances().
 struct instance_range {
     std::uint32_t first = 0;
     std::uint32_t count = 0;

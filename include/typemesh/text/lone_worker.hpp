@@ -12,7 +12,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The plan_workers of a mesher that works alone: with its own font, builder, store and observer.
+/// The plan_workers of a mesher without others: its own font, builder, store and observer.
 template <outline_source Font, stage_observer Observer>
 struct lone_worker {
     static constexpr bool is_alone = true;

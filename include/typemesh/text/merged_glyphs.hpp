@@ -11,10 +11,10 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Which glyph a triangle of merged glyphs belongs to, when it is not one's alone.
+/// The owner of a triangle of merged glyphs that does not belong to one glyph alone.
 inline constexpr std::uint32_t shared_glyph = 0xFFFF'FFFFu;
 
-/// Some glyphs that are merged to one shape.
+/// Several glyphs merged to one.
 struct merged_group {
     const built_glyph* built = nullptr;
     point origin;                    ///< font units: that of its first glyph, rounded to the grid
@@ -23,12 +23,12 @@ struct merged_group {
     std::uint32_t first_owner = 0;   ///< into merged_glyphs::owners
 };
 
-/// The groups of a text, and who is in them; glyphs go by their places in the run. All empty where nothing is merged.
+/// The groups of a text and their members; glyphs are given by their index in the run. All empty if nothing is merged.
 struct merged_glyphs {
-    buffer<std::uint32_t> first_of;  ///< for each glyph of the run the first of its group; itself where it is alone
-    buffer<merged_group> groups;     ///< those of two glyphs and more, in the order of their first ones
+    buffer<std::uint32_t> first_of;  ///< for each glyph of the run the first of its group; itself if it is alone
+    buffer<merged_group> groups;     ///< those of two glyphs and more, in the order of their first members
     buffer<std::uint32_t> members;   ///< [ first group's glyphs, ascending | second group's | ... ]
-    buffer<std::uint32_t> owners;    ///< [ first group's contour points | ... ]: whose outline runs from there to the
+    buffer<std::uint32_t> owners;    ///< [ first group's contour points | ... ]: whose outline leads from there to the
                                      ///< next point
 
     explicit merged_glyphs(memory source) noexcept
@@ -53,7 +53,7 @@ struct merged_glyphs {
         return owners.view().subspan(g.first_owner, g.built->form().points.size());
     }
 
-    /// Whose a cap triangle is: the one glyph's whose outline all edges at its three corners follow, or shared_glyph.
+    /// The owner of a cap triangle: the glyph whose outline all edges at its three corners follow, or shared_glyph.
     [[nodiscard]] std::uint32_t owner_of(const merged_group& g, const triangle& t) const noexcept
     {
         const auto owner = owners_of(g);

@@ -11,12 +11,12 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Where each of some neighbouring glyphs of a text lies, when these alone make a mesh, and how they are written there.
+/// Where each of several consecutive glyphs of a text lies in a mesh of these alone, and how they are written there.
 ///
 ///     vertices   [ front: first glyph ... last glyph | back: ... | side: ... ]
 ///     indices    [ front: first glyph ... last glyph | back: ... | side: ... ]
 ///
-/// Refers to the text's shapes. Glyphs are numbered as in the whole text; vertices from 0 on.
+/// Refers to the text's built glyphs. Glyphs are numbered as in the whole text; vertices from 0.
 class mesh_layout {
 public:
     /// The glyphs [first, last).
@@ -28,11 +28,11 @@ public:
     [[nodiscard]] std::size_t first_glyph() const noexcept { return first_; }
     [[nodiscard]] std::size_t last_glyph() const noexcept { return last_; }
 
-    /// How much the mesh holds of each part, and altogether.
+    /// The size of the mesh in each part, and in total.
     [[nodiscard]] part_sizes sizes() const noexcept { return before(last_) - before_; }
     [[nodiscard]] mesh_size size() const noexcept { return sizes().total(); }
 
-    /// Where the share of the glyphs [first, last) in a part lies; by default that of all.
+    /// The range of the glyphs [first, last) in a part; by default that of all.
     [[nodiscard]] mesh_range range(part p, std::size_t first, std::size_t last) const noexcept
     {
         const part_sizes from = before(first), at = starts_ + (from - before_), own = before(last) - from;
@@ -70,8 +70,8 @@ public:
         for (const part p : parts_of<Extruder>) triangles(p, first_, last_, how, sink);
     }
 
-    /// Emits share `k` of `shares`, which are about equal in what they cost: whole glyphs of one part or of several,
-    /// each part's as a subrange of its own. All shares together are the mesh.
+    /// Emits share `k` of `shares`, which cost about the same: whole glyphs of one part or of several, each part's as a
+    /// subrange of its own. All shares together are the mesh.
     template <extruder Extruder, ranged_sink Sink>
     void share(std::size_t k, std::size_t shares, const Extruder& how, const Sink& sink) const noexcept
     {
@@ -80,7 +80,7 @@ public:
         for (const part p : parts_of<Extruder>) all += work(own, p);
         const std::uint64_t begin = all / shares * k + all % shares * k / shares,
                             end = all / shares * (k + 1) + all % shares * (k + 1) / shares;
-        std::uint64_t start = 0;  // the work of the parts before
+        std::uint64_t start = 0;  // the work of the previous parts
         for (const part p : parts_of<Extruder>) {
             const std::size_t from = glyph_at(p, begin > start ? begin - start : 0),
                               to = glyph_at(p, end > start ? end - start : 0);
@@ -93,7 +93,7 @@ public:
     }
 
 private:
-    /// The counts of all glyphs of the text before this one.
+    /// The counts of all glyphs of the text that precede this one.
     [[nodiscard]] part_sizes before(std::size_t glyph) const noexcept
     {
         return glyph < all_->records.size() ? all_->records[glyph].before : all_->totals;
@@ -105,7 +105,7 @@ private:
         return std::uint64_t{4} * some.vertices[p] + some.triangles[p];
     }
 
-    /// The first glyph with at least so much work of its part before it, or the last.
+    /// The first glyph with at least that much work of its part before it, or the last.
     [[nodiscard]] std::size_t glyph_at(part p, std::uint64_t wanted) const noexcept
     {
         return first_where(first_, last_,

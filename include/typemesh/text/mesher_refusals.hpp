@@ -18,10 +18,10 @@ struct keep_the_font_in_a_variable {};
 struct keep_the_mesher_in_a_variable;
 struct keep_the_run_in_a_variable;
 
-/// The overloads of text_mesher that are there to refuse, with a sentence, what is easily written by mistake.
+/// The overloads of text_mesher that exist only to refuse, in one sentence, what is easily written by mistake.
 template <class Mesher, class Plan>
 struct mesher_refusals {
-    // Policies are exchanged on the way to a variable, and a cache goes in with the font's number.
+    // Policies are replaced on the way to a variable, and a cache is passed with the font's number.
     template <class Policy>
     Mesher&& with(Policy) & noexcept
     {
@@ -39,7 +39,7 @@ struct mesher_refusals {
         return static_cast<Mesher&&>(*this);
     }
 
-    // A plan refers to its run and to its mesher: temporaries would leave it in the air.
+    // A plan refers to its run and to its mesher: those of temporaries would dangle.
     keep_the_run_in_a_variable plan(glyph_run&& run, const text_options& options = {}) & = delete;
     keep_the_mesher_in_a_variable plan(text_view text, const text_options& options = {}) && = delete;
     keep_the_mesher_in_a_variable plan(const glyph_run& run, const text_options& options = {}) && = delete;

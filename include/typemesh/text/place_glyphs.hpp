@@ -16,7 +16,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// Why nothing can stand there, or none.
+/// Why nothing can be placed there, or none.
 [[nodiscard]] inline error misplaced(point origin) noexcept
 {
     if (!is_finite(origin.x) || !is_finite(origin.y)) return error::outline_not_finite;
@@ -25,7 +25,7 @@ namespace detail {
     return {};
 }
 
-/// The line of a glyph of the run, of several that begin with it the last; at most one line is 0.
+/// The line of a glyph of the run (of several that begin with it, the last); 0 if there is at most one line.
 [[nodiscard]] inline std::uint32_t line_of(const glyph_run& run, std::uint32_t glyph) noexcept
 {
     const std::size_t after =
@@ -33,7 +33,7 @@ namespace detail {
     return static_cast<std::uint32_t>(after - 1);
 }
 
-/// The group that begins with a glyph of the run, or drawn_glyph::none.
+/// The group whose first member is this glyph of the run, or drawn_glyph::none.
 [[nodiscard]] inline std::uint32_t group_of(const merged_glyphs& merged, std::uint32_t glyph) noexcept
 {
     const auto first_of = [&](std::size_t k) noexcept { return merged.members_of(merged.groups[k]).front(); };
@@ -45,11 +45,11 @@ namespace detail {
 
 }  // namespace detail
 
-/// Puts each glyph of the run at its place, style by style, a group of merged ones at that of the first; all.numbers,
-/// pinned, looks and merged are given. What is blank or cannot be drawn is counted in the report.
+/// Places each glyph of the run, style by style, a group of merged ones where its first member stands; needs
+/// all.numbers, pinned, looks and merged. Blank glyphs and those that cannot be drawn are counted in the report.
 ///
 /// Fails  error::too_large, error::out_of_memory
-/// Cost   O(glyphs) where there is one style and nothing is merged, else O(glyphs log glyphs)
+/// Cost   O(glyphs) if there is one style and nothing is merged, else O(glyphs log glyphs)
 inline error place_glyphs(text_glyphs& all, const glyph_run& run) noexcept
 {
     text_report& report = all.report;

@@ -13,7 +13,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What workers are tried with.
+/// The task that the concept `plan_workers` is checked with.
 struct ignore_glyphs {
     template <class Font, class Observer>
     error operator()(std::size_t, Font&, glyph_builder&, glyph_store&, Observer&) const noexcept
@@ -22,14 +22,14 @@ struct ignore_glyphs {
     }
 };
 
-/// Who does the work of a plan: shapes the lines of a text and builds its glyphs. lone_worker, or glyph_workers.
+/// What carries out a plan: shapes the lines of a text and builds its glyphs. lone_worker, or glyph_workers.
 ///
-///     w.layout(font, text, how, options, run)    what layout() does, to the same result; asked of shapers alone
+///     w.layout(font, text, how, options, run)    layout(), with the same result; required of shapers only
 ///     w.units_per_em()    of the sources that glyphs come from
-///     w.begin_plan()      ends the glyphs that were built for the plan before. Null when they lie in the plan itself;
-///                         else where a number stands that the next begin_plan() changes
-///     w.each(n, task)     calls task(k, font, builder, store, observe) for each k < n, each with what is the worker's
-///                         own. Gives the error of the lowest k that met one; above it not all may have been called
+///     w.begin_plan()      removes the glyphs that were built for the previous plan. Null if they lie in the plan
+///                         itself; else the address of a number that the next begin_plan() changes
+///     w.each(n, task)     calls task(k, font, builder, store, observe) for each k < n, each with per-worker state.
+///                         Returns the error of the lowest k that has one; above it not all may have been called
 ///     W::is_alone         one worker: k ascends, the observer is the mesher's, a cache needs no lock
 template <class W, class Font>
 concept plan_workers =

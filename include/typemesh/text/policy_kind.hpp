@@ -12,7 +12,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What a type is to text_mesher::with(): of the concepts there, the one that it models.
+/// Which of the concepts of text_mesher::with() a type models.
 enum class policy_kind : std::uint8_t { none, discretiser, triangulator, extruder, observer, cache, several };
 
 template <class P>
@@ -32,7 +32,7 @@ template <class P>
 
 namespace detail {
 
-// What a type was meant to be that models no concept: it can be called as such a policy is, but promises less.
+// A type that models no concept, but was meant to model one: it can be called like such a policy, but promises less.
 template <class P>
 concept nearly_discretiser =
     requires(P& how, const quadratic& q, ignore_points put) { how(q, 1.0, put); } ||
@@ -50,7 +50,7 @@ concept nearly_extruder =
 template <class P>
 concept nearly_observer = requires(P& observe) { observe(stage::idle); };
 
-/// Says why with() takes no such type; where it is nearly a policy, the compiler adds what that concept misses.
+/// Says why with() does not take a type; if it is nearly a policy, the compiler adds what the concept misses.
 template <class P>
 constexpr void refuse_policy() noexcept
 {

@@ -13,9 +13,10 @@
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// Whether a text so placed can be written in 32-bit floats at all: every position is finite, the cells of the grid are
-/// larger than the smallest normal float (an em has 2^25 of them at most), and so is what lies between two heights.
+/// larger than the smallest normal float (an em has 2^25 of them at most), and so is the distance between the two
+/// heights.
 ///
-/// Fails  error::bad_option: "size", or what the heights are called
+/// Fails  error::bad_option: "size", or the given name of the heights
 inline error refuse_extremes(const text_placement& placed, const bounds3& bounds, height_range heights,
                              const char* heights_name) noexcept
 {

@@ -21,8 +21,8 @@ struct hashed_context {
     std::uint64_t hash = 0;
 };
 
-/// What the looks of a run come to: which face and map each draws with, which of them draw alike, and in which order
-/// their styles are written. All empty for a run without a table of looks.
+/// What the looks of a run mean: which face and map each draws with, which of them draw alike, and in which order their
+/// styles are written. All empty for a run without a table of looks.
 class run_looks {
 public:
     explicit run_looks(memory source) noexcept
@@ -76,10 +76,10 @@ public:
         return drawn_.empty() ? style_id{} : drawn_[look].style;
     }
 
-    /// Of the font's first face, in whose units the run is.
+    /// Of the font's first face, in whose units the run is given.
     [[nodiscard]] double units_per_em() const noexcept { return units_per_em_; }
 
-    /// What glyphs of this look are drawn from.
+    /// The source that glyphs of this look are drawn from.
     template <outline_source Font>
     [[nodiscard]] mapped_face<Font> face_of(Font& font, std::uint32_t look) const noexcept
     {
@@ -88,7 +88,7 @@ public:
         return {font, l.face, l.map == affine{} ? nullptr : &l.map, units_per_em_};
     }
 
-    /// For each look the context of its glyphs, given that of the first face as it is; at least one.
+    /// Finds the context of each look's glyphs, given that of the first face as it is; at least one.
     ///
     /// Fails  error::out_of_memory
     template <class Font>
@@ -111,7 +111,7 @@ public:
     }
     [[nodiscard]] std::span<const hashed_context> contexts() const noexcept { return contexts_.view(); }
 
-    /// Sorts the glyphs of the run by style, those of a style as they are.
+    /// Sorts the glyphs of the run by style, and keeps their order within a style.
     ///
     /// Fails  error::out_of_memory
     /// Cost   O(glyphs + looks)
@@ -129,7 +129,7 @@ public:
         return {};
     }
 
-    /// The places of the run's glyphs, sorted by style; empty where all are of one style, hence sorted already.
+    /// The indices of the run's glyphs, sorted by style; empty if all are of one style, hence sorted already.
     [[nodiscard]] std::span<const std::uint32_t> order() const noexcept { return order_.view(); }
 
 private:
@@ -182,7 +182,7 @@ private:
     buffer<hashed_context> contexts_;
     buffer<std::uint32_t> starts_;
     buffer<std::uint32_t> order_;
-    std::uint32_t styles_ = 0;  // different ones
+    std::uint32_t styles_ = 0;  // how many different ones
     double units_per_em_ = 0.0;
 };
 

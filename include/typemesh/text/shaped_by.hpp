@@ -8,8 +8,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A shaper and an outline source that go together: text shaped by one library, drawn by another. Both must outlive it
-/// and speak of the same font, with the same units per em.
+/// A shaper and an outline source combined: text shaped by one library, drawn by another. Both must outlive it and be
+/// of the same font, with the same units per em.
 template <shaper Shaper, outline_source Source>
 class shaped_by {
 public:
@@ -19,7 +19,7 @@ public:
     [[nodiscard]] fill_rule fill() noexcept { return draws_->fill(); }
     [[nodiscard]] std::uint64_t variation_key() const noexcept { return variation_of(*draws_); }
 
-    // Of several faces, where the source has them.
+    // For sources of several faces.
     [[nodiscard]] std::uint32_t face_count() noexcept { return face_count_of(*draws_); }
     [[nodiscard]] double units_per_em(std::uint32_t face) noexcept { return units_per_em_of(*draws_, face); }
     [[nodiscard]] fill_rule fill(std::uint32_t face) noexcept { return fill_of(*draws_, face); }

@@ -13,8 +13,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Shapes with more vertices than a mesh may have, split into pieces that fit: for each piece the numbers of the
-/// vertices that it uses, ascending, and its triangles over these. What lies in several pieces is repeated.
+/// Glyphs with more vertices than a mesh may have, split into pieces that fit: for each piece the numbers of the
+/// vertices that it uses, ascending, and its triangles over these. Vertices of several pieces are repeated.
 ///
 /// Pieces take the extruder's triangles in its own order (front, back, side), each as many as fit. Vertices that no
 /// triangle uses are left out.
@@ -32,15 +32,15 @@ public:
         pieces_.clear();
     }
 
-    /// How many pieces there are, of all shapes; and how much of each part one of them holds.
+    /// How many pieces there are, of all glyphs; and how much of each part one of them holds.
     [[nodiscard]] std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(pieces_.size()); }
     [[nodiscard]] const part_sizes& sizes(std::size_t number) const noexcept { return pieces_[number].sizes; }
 
-    /// Splits a shape into pieces of at most `most` vertices, most >= 3, behind those that are there already.
+    /// Splits a glyph into pieces of at most `most` vertices, most >= 3, and appends them to those that exist.
     ///
-    /// Fails  error::out_of_memory, error::too_large; what this holds then means nothing until clear()
-    /// Cost   O(n + t) for n vertices and t triangles, and for each piece the numbers between its least vertex and its
-    ///        greatest, in each part
+    /// Fails  error::out_of_memory, error::too_large; the content is then meaningless until clear()
+    /// Cost   O(n + t) for n vertices and t triangles, plus for each piece the numbers from its lowest vertex to its
+    ///        highest, in each part
     template <extruder Extruder>
     error split(const built_glyph& built, const Extruder& how, bool turned, std::uint32_t most) noexcept
     {
@@ -59,11 +59,11 @@ public:
             write_triangles(p, built.planned<Extruder>(), how, first, turned, to);
         }
         to.close();
-        return to.trouble;
+        return to.failure;
     }
 
-    /// Writes one piece of the shape that it was split from: all vertices, then all triangles. The numbers that the
-    /// triangles get count from 0.
+    /// Writes one piece of the glyph that it was split from: all vertices, then all triangles, which are numbered from
+    /// 0.
     template <extruder Extruder, mesh_sink Sink>
     void write(std::size_t number, const built_glyph& built, const Extruder& how, const placement& at,
                Sink& sink) const noexcept
@@ -87,7 +87,7 @@ private:
         std::size_t first_used = 0, first_triangle = 0;
     };
 
-    /// The sink that triangles of a whole shape are given, with the shape's own numbers.
+    /// The sink for the triangles of a whole glyph, with the glyph's own numbers.
     struct collector {
         static constexpr attribute wants = attribute::none;
 
@@ -98,7 +98,7 @@ private:
         piece open = {{}, 0, 0, to.used_.size(), to.triangles_.size()};
         std::uint32_t lowest[most_parts] = {};  // of the vertices that the open piece uses, in each part of which it
         std::uint32_t highest[most_parts] = {}; // uses any
-        error trouble = {};
+        error failure = {};
 
         error begin(mesh_size) noexcept { return {}; }
         void vertex(const surface_point<wants>&) noexcept {}
@@ -106,12 +106,12 @@ private:
 
         void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept
         {
-            if (trouble) return;
+            if (failure) return;
             const std::uint32_t* place = to.place_.data();
             const auto fresh = static_cast<std::uint32_t>((place[a] == unused) + (place[b] == unused && b != a) +
                                                           (place[c] == unused && c != a && c != b));
             if (fresh > most - open.used_count) close();
-            if (trouble) return;
+            if (failure) return;
             for (const std::uint32_t v : {a, b, c}) use(v);
             to.triangles_.push_back_unchecked({a, b, c});
             ++open.triangle_count;
@@ -133,10 +133,10 @@ private:
         /// Numbers the vertices of the open piece, and begins another.
         void close() noexcept
         {
-            if (trouble || open.triangle_count == 0) return;
+            if (failure || open.triangle_count == 0) return;
             std::uint32_t* used = to.used_.append(open.used_count);
             if (used == nullptr) {
-                trouble = error::out_of_memory;
+                failure = error::out_of_memory;
                 return;
             }
             std::uint32_t* place = to.place_.data();
@@ -152,12 +152,12 @@ private:
             for (typemesh::triangle& t : to.triangles_.view().subspan(open.first_triangle))
                 t = {place[t.a], place[t.b], place[t.c]};
             for (std::uint32_t i = 0; i < number; ++i) place[used[i]] = unused;
-            if (!to.pieces_.push_back(open)) trouble = error::out_of_memory;
+            if (!to.pieces_.push_back(open)) failure = error::out_of_memory;
             open = {{}, 0, 0, to.used_.size(), to.triangles_.size()};
         }
     };
 
-    /// Passes on the vertices of one piece, among all of a shape.
+    /// Passes on the vertices of one piece, out of all those of a glyph.
     template <mesh_sink Sink>
     struct picker {
         static constexpr attribute wants = Sink::wants;
@@ -182,7 +182,7 @@ private:
     buffer<std::uint32_t> used_;
     triangle_list triangles_;
     buffer<piece> pieces_;
-    buffer<std::uint32_t> place_;  // scratch of split(): for each of the shape's vertices, its number in the piece
+    buffer<std::uint32_t> place_;  // scratch of split(): for each of the glyph's vertices, its number in the piece
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

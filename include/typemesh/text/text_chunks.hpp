@@ -14,22 +14,22 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// One chunk of a text: where it lies in the output, and what of the text it holds.
+/// One chunk of a text: its range of the output, and what of the text it holds.
 struct text_chunk {
     std::uint32_t first_vertex = 0;
     std::uint32_t first_index = 0;
     part_sizes sizes;
     std::uint32_t first_glyph = 0;  ///< in plan.glyphs()
     std::uint32_t glyph_count = 0;
-    std::uint32_t piece = whole_glyphs;  ///< which piece of its one glyph, where the glyph had to be split
+    std::uint32_t piece = whole_glyphs;  ///< which piece of its only glyph, if that had to be split
 
     static constexpr std::uint32_t whole_glyphs = 0xFFFF'FFFFu;
 
     [[nodiscard]] mesh_size size() const noexcept { return sizes.total(); }
 
-    /// Where a part of the chunk lies in the output. Its indices count from first_vertex.
+    /// The range of one of the chunk's parts in the output. Its indices count from first_vertex.
     [[nodiscard]] mesh_range range(part p) const noexcept { return sizes.range(p, first_vertex, first_index); }
-    /// Where all of it lies.
+    /// The range of all of it.
     [[nodiscard]] mesh_range range() const noexcept
     {
         return {first_vertex, static_cast<std::uint32_t>(size().vertices), first_index,
@@ -37,10 +37,10 @@ struct text_chunk {
     }
 };
 
-/// A planned text cut into chunks that small indices can number, each a mesh of its own with indices from 0 on.
+/// A planned text cut into chunks that small indices can number, each a mesh of its own with indices from 0.
 ///
 ///     vertices   [ chunk 0: front | back | side ][ chunk 1: front | back | side ] ...
-///     indices    [ chunk 0: front | back | side ][ chunk 1: front | back | side ] ...      each from 0 on
+///     indices    [ chunk 0: front | back | side ][ chunk 1: front | back | side ] ...      each from 0
 ///
 ///     text_chunks chunks;                                              // keeps its memory for the next text
 ///     if (error e = chunks.cut(*plan)) ...                             // 65,535 vertices: 16-bit indices up to 65,534
@@ -51,20 +51,20 @@ struct text_chunk {
 /// or one by one, each into buffers of its own: chunks.write(*plan, k, sink).
 ///
 /// Chunks hold whole glyphs in drawing order, as many as fit. A glyph that is too large for a chunk is split: its
-/// triangles in the order in which they come, each piece with the vertices that it uses, so those along the cuts are
-/// repeated. The pieces have chunks of their own.
+/// triangles in their order, each piece with the vertices that it uses, so those along the cuts are repeated. Each
+/// piece has a chunk of its own.
 ///
-/// It knows the plan only while the plan lasts; after that, cut() again.
+/// They are valid as long as the plan is; after that, cut() again.
 class text_chunks {
 public:
     static constexpr std::uint32_t most_for_16_bits = 0xFFFF;  ///< 0xFFFF itself stays free: it means "restart"
 
     explicit text_chunks(memory source = heap()) noexcept : chunks_{source}, pieces_{source} {}
 
-    /// Cuts a text into chunks of at most `most` vertices, replacing what was cut before.
+    /// Cuts a text into chunks of at most `most` vertices, replacing the previous ones.
     ///
     /// Fails  error::bad_option: most < 3; error::too_large: more than 2^32 - 1 vertices or indices;
-    ///        error::out_of_memory; there are no chunks then
+    ///        error::out_of_memory; there are then no chunks
     template <extruder Extruder>
     error cut(const text_plan<Extruder>& plan, std::uint32_t most = most_for_16_bits) noexcept
     {
@@ -88,10 +88,10 @@ public:
     /// The chunks, in the order of the output.
     [[nodiscard]] std::span<const text_chunk> view() const noexcept { return chunks_.view(); }
 
-    /// What all chunks hold together.
+    /// The size of all chunks together.
     [[nodiscard]] mesh_size size() const noexcept { return total_; }
 
-    /// Where a style's share of a part of chunk k lies in the output. `plan` is the one that was cut.
+    /// The range of a style in a part of chunk k. `plan` is the one that was cut.
     template <extruder Extruder>
     [[nodiscard]] mesh_range range(const text_plan<Extruder>& plan, std::size_t k, style_id style, part p) const noexcept
     {
@@ -125,7 +125,7 @@ public:
         return write(plan, std::forward<Sink>(sink), alone);
     }
 
-    /// The same by several workers, chunk by chunk. The output is the same to the bit.
+    /// The same by several workers, chunk by chunk. The output is identical.
     template <extruder Extruder, class Sink, executor Executor>
         requires chunked_sink<std::remove_reference_t<Sink>>
     error write(const text_plan<Extruder>& plan, Sink&& sink, Executor& workers) const noexcept
@@ -139,7 +139,7 @@ public:
         return end_of(sink);
     }
 
-    /// Writes chunk k alone, as a whole mesh.
+    /// Writes only chunk k, as a whole mesh.
     template <extruder Extruder, class Sink>
         requires mesh_sink<std::remove_reference_t<Sink>>
     error write(const text_plan<Extruder>& plan, std::size_t k, Sink&& sink) const noexcept

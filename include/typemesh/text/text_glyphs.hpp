@@ -21,8 +21,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// One glyph of the mesh: who it is, what it looks like and where it stands. Or several that are merged to one shape:
-/// then the first of them.
+/// One glyph of the mesh: its id and cluster, its built glyph and its position. Or several merged ones, represented by
+/// the first of them.
 struct drawn_glyph {
     const built_glyph* built = nullptr;
     point origin;  ///< font units
@@ -30,31 +30,31 @@ struct drawn_glyph {
     cluster_id cluster = no_cluster;
     style_id style = {};
     std::uint32_t line = 0;
-    std::uint32_t glyph = 0;              ///< its place in the run
-    std::uint32_t merged = none;          ///< its place in text_glyphs::merged.groups, or none
+    std::uint32_t glyph = 0;              ///< its index in the run
+    std::uint32_t merged = none;          ///< its index in text_glyphs::merged.groups, or none
     std::uint32_t mesh = 0;               ///< which of the text's meshes it is an instance of
     std::uint32_t next_alike = none;      ///< the next record of that mesh, or none
-    part_sizes before = {};               ///< the counts of all glyphs before it
+    part_sizes before = {};               ///< the counts of all preceding glyphs
 
     static constexpr std::uint32_t none = 0xFFFF'FFFFu;
 };
 
-/// How placements are made: the same for all glyphs of a text.
+/// What the placements of all glyphs of a text have in common.
 struct text_placement {
     double units_per_em = 1000.0;
     double em_per_font_unit = 1e-3;
-    double unit_per_font_unit = 1.0;  ///< output units a font unit
+    double unit_per_font_unit = 1.0;  ///< output units per font unit
     double unit_per_em = 1000.0;
-    double unit_per_depth = 1000.0;   ///< output units to one unit of an extruder's depths
+    double unit_per_depth = 1000.0;   ///< output units per unit of an extruder's depths
     double em_per_depth = 1.0;
-    point centre;                     ///< what is moved to the output's origin, font units
-    point texture_per_font_unit;      ///< how much u and v grow over the whole text's box, with texture_box::text
+    point centre;                     ///< what becomes the output's origin, in font units
+    point texture_per_font_unit;      ///< by how much u and v grow over the whole text's box, with texture_box::text
     texture_box texture_over = texture_box::text;
     typemesh::frame frame;
 };
 
-/// By what a plan knows whether its shapes are still those that it was made of: another number after every clear() and
-/// every move, out of them or into them.
+/// Tells a plan whether the text_glyphs that it was made from still hold the same: another number after every clear()
+/// and every move, out of them or into them.
 struct plan_generation {
     std::uint64_t number = 0;
 
@@ -67,7 +67,7 @@ struct plan_generation {
     }
 };
 
-/// By what a plan knows whether shapes that lie elsewhere are still there: a number that another plan changes.
+/// Tells a plan whether glyphs that lie elsewhere still exist: a number that another plan changes.
 struct lent_glyphs {
     const std::uint64_t* now = nullptr;  ///< null: nothing lies elsewhere
     std::uint64_t then = 0;
@@ -75,22 +75,22 @@ struct lent_glyphs {
     [[nodiscard]] bool are_there() const noexcept { return now == nullptr || *now == then; }
 };
 
-/// All of one text: its different glyphs, each meshed once, and its glyphs, each at its place. What a plan measured and
-/// write() reads.
+/// All of one text: its different glyphs, each built once, and its drawn glyphs, each at its position. What a plan has
+/// measured and write() reads.
 struct text_glyphs {
-    glyph_set different;                 ///< the glyphs that the text asks for
-    pinned_glyphs pinned;                ///< theirs, blank and refused ones included
+    glyph_set different;                 ///< the glyphs that the text needs
+    pinned_glyphs pinned;                ///< the built ones, blank and refused ones included
     buffer<std::uint32_t> numbers;       ///< for each glyph of the run, which of them it is
-    glyph_store store;                   ///< where shapes lie that no cache keeps, and no glyph_workers
+    glyph_store store;                   ///< holds those that neither a cache nor a glyph_workers keeps
     lent_glyphs lent;                    ///< those that a glyph_workers keeps
-    merged_glyphs merged;                ///< and glyphs that are drawn together
+    merged_glyphs merged;                ///< glyphs that are drawn together
     buffer<std::uint32_t> mesh_of;       ///< for each of the different glyphs, which mesh it is, or drawn_glyph::none
     buffer<glyph_mesh> meshes;           ///< those of the different glyphs that are drawn
     run_looks looks;                     ///< how they are drawn
     buffer<drawn_glyph> records;         ///< what is drawn, style by style
-    buffer<style_id> several_styles;     ///< those of the records, ascending; empty where there is one at most
-    buffer<box> line_boxes;              ///< in font units; filled for texture_box::line alone
-    box ink;                             ///< around all records, font units
+    buffer<style_id> several_styles;     ///< those of the records, ascending; empty if there is at most one
+    buffer<box> line_boxes;              ///< in font units; only for texture_box::line
+    box ink;                             ///< of all records, in font units
     part_sizes totals;
     text_placement placed;
     text_report report;
@@ -133,7 +133,7 @@ struct text_glyphs {
         ++generation.number;
     }
 
-    /// Room for so many glyphs of the run to be placed. False when the memory gives none.
+    /// Reserves space for that many glyphs of the run. False when memory runs out.
     [[nodiscard]] bool reserve_records(std::size_t count) noexcept
     {
         const std::size_t kinds = different.keys().size();
@@ -143,11 +143,11 @@ struct text_glyphs {
         return true;
     }
 
-    /// Puts a shape that is neither blank nor refused at its place, after reserve_records(); `number` says which of the
-    /// different glyphs it is; merged ones make a mesh of their own. What hangs on other records (mesh, next_alike,
-    /// before) is found here.
-    /// Records are placed style by style, ascending.
-    /// Fails with error::too_large where 32 bits do not suffice, or with error::out_of_memory
+    /// Places a glyph that is neither blank nor refused, after reserve_records(); `number` says which of the different
+    /// glyphs it is; merged ones make a mesh of their own. Finds what depends on other records (mesh, next_alike,
+    /// before). Records are placed style by style, ascending.
+    ///
+    /// Fails with error::too_large if 32 bits do not suffice, or with error::out_of_memory
     error place_glyph(drawn_glyph s, std::uint32_t number) noexcept
     {
         const part_sizes& sizes = s.built->sizes();
@@ -174,7 +174,7 @@ struct text_glyphs {
         return {};
     }
 
-    /// Once all are placed: where each mesh begins, and its instances.
+    /// Once all are placed: finds where each mesh begins, and its instances.
     void number_meshes() noexcept
     {
         std::uint32_t vertex = 0, index = 0, instance = 0;  // no larger than the text's own
@@ -207,7 +207,7 @@ struct text_glyphs {
         return first_where(0, records.size(), [&](std::size_t i) noexcept { return records[i].style > style; });
     }
 
-    /// A glyph's own box, in font units, seen from the text's origin.
+    /// A glyph's own box, in font units, relative to the text's origin.
     [[nodiscard]] static box ink_of(const drawn_glyph& s) noexcept
     {
         return {s.origin + s.built->ink().low, s.origin + s.built->ink().high};
@@ -228,7 +228,7 @@ struct text_glyphs {
         return at;
     }
 
-    /// A mesh for itself, at the output's origin: textures spread over its own box.
+    /// A mesh by itself, at the output's origin: textures span its own box.
     [[nodiscard]] placement place(const glyph_mesh& m) const noexcept
     {
         const box& own = m.built->ink();
@@ -237,13 +237,13 @@ struct text_glyphs {
         return at;
     }
 
-    /// How much u and v grow with a font unit if they span a box; 0 where it has no extent.
+    /// By how much u and v grow per font unit if they span a box; 0 where it has no extent.
     [[nodiscard]] static point texture_over(const box& b) noexcept
     {
         return {b.width() > 0.0 ? 1.0 / b.width() : 0.0, b.height() > 0.0 ? 1.0 / b.height() : 0.0};
     }
 
-    /// How a record's glyph is moved from where its mesh stands alone.
+    /// The translation of a record's glyph from where its mesh stands by itself.
     [[nodiscard]] vec3 translation_of(const drawn_glyph& s) const noexcept
     {
         placement at;
@@ -254,8 +254,8 @@ struct text_glyphs {
     }
 
 private:
-    /// No division here: this runs for each part of each glyph. Cells are a power of two, so that multiplying with them
-    /// or with their inverse is exact.
+    /// No division here: this runs for each part of each glyph. Cells are a power of two, so multiplying by them or by
+    /// their inverse is exact.
     [[nodiscard]] placement place(const built_glyph& built, point origin, point centre, point texture_low,
                                   point texture_per_font_unit) const noexcept
     {

@@ -32,7 +32,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Joins the stages: text in, mesh out.
+/// Connects the stages: text in, mesh out.
 ///
 ///     text_mesher mesher{font};                                 // certified, monotone, extruded with curve normals
 ///     auto made = mesher.build("Hello world!", into(vertices, indices));
@@ -44,10 +44,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     auto deep_text = text_mesher{font}.with(extruded<>{.depth = 0.5f}).with(two_lines{});
 ///     auto quick_text = text_mesher{font}.with(cached_in{cache, 1});            // see glyph_cache.hpp
 ///
-/// `font` is an outline source and, for plan(text), a shaper as well; it is referred to and must outlive the mesher.
-/// A glyph that occurs more than once in a text is built once. Memory grows to what the largest text needs and stays:
-/// after warm-up a text of the same size allocates nothing here.
-/// A mesher serves one thread at a time.
+/// `font` is an outline source and, for plan(text), a shaper as well; it must outlive the mesher. A glyph that occurs
+/// more than once in a text is built once. Memory grows to what the largest text needs and is kept: after warm-up a
+/// text of the same size allocates nothing here. A mesher serves one thread at a time.
 template <outline_source Font, discretiser Discretiser = certified, triangulator Triangulator = monotone,
           extruder Extruder = extruded<>, stage_observer Observer = no_observer, class Cache = no_cache>
 class text_mesher
@@ -66,7 +65,7 @@ public:
     {
     }
 
-    // The mesher refers to its font: a temporary will not do, nor a result without its `*`.
+    // The mesher refers to its font: neither a temporary nor a result without its `*` will do.
     text_mesher(const Font&&, memory = heap(), detail::keep_the_font_in_a_variable = {}) = delete;
     template <std::same_as<Font> Made>
     explicit text_mesher(const result<Made>&, memory source = heap()) noexcept
@@ -75,8 +74,8 @@ public:
         (void)refuse_result<Made>();
     }
 
-    /// The same mesher with one policy exchanged: a discretiser, a triangulator, an extruder or a stage_observer; or
-    /// with the cache that its glyphs shall be kept in, as cached_in (no_cache{}: in none).
+    /// The same mesher with one policy replaced: a discretiser, a triangulator, an extruder or a stage_observer; or
+    /// with a cache for its glyphs, as cached_in (no_cache{}: without one).
     template <class Policy>
     [[nodiscard]] auto with(Policy policy) && noexcept
     {
@@ -101,7 +100,7 @@ public:
     [[nodiscard]] Extruder& extruder_policy() noexcept { return extruder_; }
     [[nodiscard]] Observer& observer() noexcept { return observer_; }
 
-    /// Gives the scratch memory that glyphs were built in back to its source: after a text of unusual glyphs, say.
+    /// Gives the scratch memory for building glyphs back to its source, after a text of unusual glyphs for example.
     /// Plans stay as they are.
     void trim() noexcept
     {
@@ -109,11 +108,12 @@ public:
         merger_.trim();
     }
 
-    /// Shapes, lays out and meshes a text: everything but the writing. Ends the plan before it.
+    /// Shapes, lays out and meshes a text: everything except the writing. Ends the previous plan.
     ///
     /// Glyphs that cannot be built are left out and reported by the plan; empty text and blank glyphs give an empty
     /// mesh.
-    /// Fails  what layout() fails with (error::mixed_direction, ...); error::bad_tolerance, error::bad_option;
+    ///
+    /// Fails  as layout() does (error::mixed_direction, ...); error::bad_tolerance, error::bad_option;
     ///        error::too_large; error::out_of_memory
     [[nodiscard]] result<plan_type> plan(text_view text,
                                          const text_options& options = {}) & noexcept requires shaper<Font>
@@ -122,7 +122,7 @@ public:
         return plan_text(text, options, worker);
     }
 
-    /// The same from shaped text; no shaper is needed. The run must stay as it is while the plan is used.
+    /// The same from shaped text; needs no shaper. The run must not change while the plan is used.
     [[nodiscard]] result<plan_type> plan(const glyph_run& run, const text_options& options = {}) & noexcept
     {
         glyphs_.clear();
@@ -130,12 +130,12 @@ public:
         return plan_run(run, options, worker);
     }
 
-    /// Both by a team of workers (see glyph_workers.hpp), whose sources stand in for the mesher's font when lines are
-    /// shaped and glyphs built. The plan is the same, to the bit; of several errors that of the lowest glyph is told.
-    /// It lies in the team, which must outlive it. A cache needs a real lock.
+    /// Both by several workers (see glyph_workers.hpp), whose sources stand in for the mesher's font when lines are
+    /// shaped and glyphs built. The plan is the same, to the bit; of several errors that of the lowest glyph is
+    /// returned. Its glyphs lie in the workers, which must outlive it. A cache needs a real lock.
     ///
-    /// Policies are called by several threads at a time, as const. Of building the observer is told stage::outline
-    /// alone. Merging (text_options::merge) is done by one worker.
+    /// Policies are called by several threads at once, as const. While glyphs are built the observer sees only
+    /// stage::outline. Merging (text_options::merge) is done by one worker.
     template <executor Executor, outline_source Source>
     [[nodiscard]] result<plan_type> plan(text_view text, const text_options& options,
                                          glyph_workers<Executor, Source>& workers) & noexcept requires shaper<Font>
@@ -150,8 +150,8 @@ public:
         return plan_run(run, options, workers);
     }
 
-    /// plan() and write() in one: the report of what was built, or the error. Nothing reaches the sink if the plan
-    /// fails.
+    /// plan() and write() in one: returns the report of what was built, or the error. Nothing reaches the sink if the
+    /// plan fails.
     template <class Text, class Sink>
     requires mesh_sink<std::remove_reference_t<Sink>> result<text_report> build(const Text& text, Sink&& sink,
                                                                                 const text_options& options = {})
@@ -166,7 +166,7 @@ public:
         return made->report();
     }
 
-    /// The same by a team of workers. The sink is written by all of them if it takes subranges (see ranged_sink).
+    /// The same by several workers. All of them write the sink if it takes subranges (see ranged_sink).
     template <class Text, class Sink, executor Executor, outline_source Source>
     requires mesh_sink<std::remove_reference_t<Sink>> result<text_report> build(
         const Text& text, Sink&& sink, const text_options& options, glyph_workers<Executor, Source>& workers)
@@ -226,13 +226,13 @@ private:
 
     [[nodiscard]] lone_worker<Font, Observer> alone() noexcept { return {*font_, builder_, glyphs_.store, observer_}; }
 
-    // Defined behind the class, so that typemesh::compiled can keep them out of other units.
+    // Defined after the class, so that typemesh::compiled can keep them out of other units.
     template <plan_workers<Font> Workers>
     result<plan_type> plan_text(text_view text, const text_options& options, Workers& workers) noexcept;
     template <plan_workers<Font> Workers>
     result<plan_type> plan_run(const glyph_run& run, const text_options& options, Workers& workers) noexcept;
 
-    /// The option behind heights that cannot be written.
+    /// The name of the option to blame for heights that cannot be written.
     static constexpr const char* heights_name() noexcept
     {
         if constexpr (requires(const Extruder& e) { e.depth; })
@@ -286,8 +286,8 @@ private:
                     [&cache, of_look](const glyph_key& key) noexcept {
                         return cache.find(of_look[key.look].context, of_look[key.look].hash, key.id);
                     },
-                    [&cache, of_look](const glyph_key& key, const glyph_draft& parts, glyph_store&) noexcept {
-                        return cache.keep(of_look[key.look].context, of_look[key.look].hash, key.id, parts);
+                    [&cache, of_look](const glyph_key& key, const glyph_draft& draft, glyph_store&) noexcept {
+                        return cache.keep(of_look[key.look].context, of_look[key.look].hash, key.id, draft);
                     });
             }
         }
@@ -296,7 +296,7 @@ private:
         if (glyphs_.lent.now != nullptr) glyphs_.lent.then = *glyphs_.lent.now;
         return each_shape(
             keys, how, workers, [](const glyph_key&) noexcept { return static_cast<const built_glyph*>(nullptr); },
-            [](const glyph_key&, const glyph_draft& parts, glyph_store& store) noexcept { return store.keep(parts); });
+            [](const glyph_key&, const glyph_draft& draft, glyph_store& store) noexcept { return store.keep(draft); });
     }
 
     template <class Workers, class Find, class Keep>
@@ -309,9 +309,9 @@ private:
                                 const built_glyph* built = find(keys[k]);
                                 if (built == nullptr) {
                                     auto face = glyphs_.looks.face_of(font, keys[k].look);
-                                    const auto parts = builder.build(face, keys[k].id, how, policies_for(observe));
-                                    if (!parts) return parts.error();
-                                    built = keep(keys[k], *parts, store);
+                                    const auto draft = builder.build(face, keys[k].id, how, policies_for(observe));
+                                    if (!draft) return draft.error();
+                                    built = keep(keys[k], *draft, store);
                                     if (built == nullptr) return error::out_of_memory;
                                 }
                                 glyphs_.pinned.set(k, built);

@@ -12,35 +12,34 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// In what unit positions are written, before text_options::size multiplies them. x and y as said; z likewise,
-/// unless text_options::depth_in says otherwise.
+/// The unit of positions, before text_options::size multiplies them. x and y as said; z likewise, unless
+/// text_options::depth_in says otherwise.
 enum class output_unit : std::uint8_t {
     em,          ///< an em is 1, so that `size` is how large an em is
-    font_units,  ///< the font's own units, units_per_em to the em
-    pixels,      ///< pixels_per_em to the em
-    unit_box,    ///< the text's box, made to fit [-1, 1]: its longer side does, its centre is at 0
+    font_units,  ///< the font's own units, units_per_em per em
+    pixels,      ///< pixels_per_em per em
+    unit_box,    ///< the text's box, made to fit [-1, 1]: its longer side spans it, its centre is at 0
 };
 
-/// In what unit an extruder's depths are.
+/// The unit of an extruder's depths.
 enum class depth_unit : std::uint8_t {
-    em,      ///< in em: letters of another size are as much deeper
+    em,      ///< in em: depth scales with the size of the letters
     output,  ///< in output units, whatever the unit and the size of x and y: a depth of 1 ends at z = -1
 };
 
-/// Over what the `box` texture mapping spreads the square [0, 1]: the whole text, each line, or each glyph.
+/// What the square [0, 1] of the `box` texture mapping spans: the whole text, each line, or each glyph.
 enum class texture_box : std::uint8_t { text, line, glyph };
 
-/// How a text is set and written. All have defaults that suit a headline in a 3D scene.
+/// How a text is set and written. All defaults suit a headline in a 3D scene.
 ///
-///     {.size = 0.37}                               letters of 0.37 units of your world to the em
+///     {.size = 0.37}                               letters of 0.37 units of your world per em
 ///     {.layout = {.align = alignment::centre}}     lines centred on x = 0
 ///     {.unit = output_unit::unit_box,              a box of [-1, 1], and the back of extruded<>{.depth = 1.0f} at
 ///      .depth_in = depth_unit::output}             z = -1
 ///
-/// Tolerance is given in em, and so is depth unless depth_in says otherwise: they grow and shrink with the size;
-/// vertices and triangles stay the same. What 32-bit floats cannot hold (an em below 2^-100 output units, a depth or a
-/// size that takes coordinates beyond 3.4e38) is error::bad_option; letters that stand farther away than fits are left
-/// out and reported.
+/// Tolerance is given in em, and so is depth unless depth_in says otherwise: they scale with the size; vertices and
+/// triangles stay the same. What 32-bit floats cannot hold (an em below 2^-100 output units, a depth or a size that
+/// takes coordinates beyond 3.4e38) is error::bad_option; letters that are too far away are left out and reported.
 struct text_options {
     shape_options shape = {};    ///< direction, language, script, features
     layout_options layout = {};  ///< alignment, spacing of lines and letters, tab stops
@@ -48,26 +47,25 @@ struct text_options {
     double tolerance = quality::high;    ///< the largest distance between curve and mesh, in em; see quality.hpp
     std::optional<fill_rule> fill = {};  ///< instead of the outline source's own rule
 
-    /// A glyph (or a group of merged ones) whose contours cross so often that their edges fall into more pieces is left
-    /// out and reported: error::too_many_pieces. This bounds memory; a hostile glyph may still take ten seconds.
+    /// A glyph (or a group of merged ones) whose contours cross so often that their edges are cut into more pieces is
+    /// left out and reported: error::too_many_pieces. This bounds memory; a hostile glyph may still take ten seconds.
     std::uint32_t most_pieces = default_most_pieces;
 
     output_unit unit = output_unit::em;
-    double size = 1.0;            ///< what the unit is multiplied by: how large an em is in your world
-    double pixels_per_em = 64.0;  ///< for output_unit::pixels alone
+    double size = 1.0;            ///< multiplies the unit: how large an em is in your world
+    double pixels_per_em = 64.0;  ///< only for output_unit::pixels
     depth_unit depth_in = depth_unit::em;
-    texture_box texture_over = texture_box::text;  ///< for the `box` texture mapping alone; see texture.hpp
+    texture_box texture_over = texture_box::text;  ///< only for the `box` texture mapping; see texture.hpp
     typemesh::frame frame = right_handed_y_up;
 
-    /// Join glyphs whose outlines meet (kerned, cursive or accented ones) to one solid without inner walls: see
+    /// Merge glyphs whose outlines meet (kerned, cursive or accented ones) to one solid without inner walls: see
     /// glyph_merger.hpp.
     bool merge = false;
 
-    /// Build a glyph that occurs again only once. Without, every occurrence is built anew, to the same mesh: for
-    /// measuring.
+    /// Build a repeated glyph only once. If false, every occurrence is built anew, to the same mesh: for measurements.
     bool reuse = true;
 
-    /// Draw the font's .notdef (a box, mostly) for glyphs that it lacks; they are reported either way.
+    /// Draw the font's .notdef (usually a box) for glyphs that it lacks; they are reported either way.
     bool draw_missing = false;
 };
 

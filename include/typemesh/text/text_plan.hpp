@@ -19,7 +19,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Neighbouring glyphs of a plan: glyphs [first, last).
+/// Consecutive glyphs of a plan: glyphs [first, last).
 struct glyph_span {
     std::size_t first = 0;
     std::size_t last = 0;
@@ -27,16 +27,15 @@ struct glyph_span {
 
 /// A text, meshed and measured but not yet written: exact sizes first, then write() as often as you like.
 ///
-///     vertices   [ front: glyph 0, glyph 1, ... | back: ... | side: ... ]       each part in one piece, so that it can
+///     vertices   [ front: glyph 0, glyph 1, ... | back: ... | side: ... ]       each part is contiguous, so it can
 ///     indices    [ front: glyph 0, glyph 1, ... | back: ... | side: ... ]       be drawn with a material of its own
 ///
-/// Glyphs are numbered style by style (see look.hpp), in each style in drawing order, so that each style's share of a
-/// part is in one piece too. Where nobody speaks of styles there is one, and that order is the drawing order.
+/// Glyphs are numbered style by style (see look.hpp), within a style in drawing order, so that each style is contiguous
+/// within a part, too. Unless looks say otherwise there is one style, and that order is the drawing order.
 ///
-/// Move-only. It refers to its mesher, which must outlive it; a move of the mesher ends it, and so does the mesher's
-/// next plan() (using it then is asserted). Until its end the shapes that it took from a glyph_cache stay where they
-/// are, whoever throws out others; those that a glyph_workers built lie in the team. Only glyphs that have triangles
-/// are counted among glyphs().
+/// Move-only. It refers to its mesher, which must outlive it; moving the mesher ends it, and so does the mesher's next
+/// plan() (using it then is asserted). Until then the glyphs that it took from a glyph_cache stay in place, whatever
+/// others evict; those that a glyph_workers built lie there. Only glyphs that have triangles count as glyphs().
 template <extruder Extruder>
 class text_plan {
     friend class text_chunks;
@@ -69,39 +68,39 @@ public:
     /// Exactly how many vertices and triangles write() will emit.
     [[nodiscard]] mesh_size size() const noexcept { return whole().size(); }
 
-    /// The parts that its extruder writes: front, back and side, and what else there may be.
+    /// The parts that its extruder writes: front, back and side, and any further ones.
     [[nodiscard]] static constexpr std::span<const part> parts() noexcept { return parts_of<Extruder>; }
 
-    /// Where one part lies in the output.
+    /// The range of one part in the output.
     [[nodiscard]] mesh_range range(part p) const noexcept { return whole().range(p); }
 
-    /// Where one glyph's share of a part lies. glyph < glyphs().size().
+    /// The range of one glyph in a part. glyph < glyphs().size().
     [[nodiscard]] mesh_range range(std::size_t glyph, part p) const noexcept
     {
         return range(glyph_span{glyph, glyph + 1}, p);
     }
 
-    /// Where the share of neighbouring glyphs lies; it is in one piece.
+    /// The range of consecutive glyphs in a part.
     [[nodiscard]] mesh_range range(glyph_span some, part p) const noexcept
     {
         return whole().range(p, some.first, some.last);
     }
 
-    /// Where one style's share of a part lies: what is drawn with one material.
+    /// The range of one style in a part: what is drawn with one material.
     [[nodiscard]] mesh_range range(style_id style, part p) const noexcept { return range(glyphs_of(style), p); }
 
     /// The styles in the mesh, ascending.
     [[nodiscard]] std::span<const style_id> styles() const noexcept { return fresh().styles(); }
 
-    /// The glyphs of one style; none (first == last) where it has none in the mesh. Cost: O(log glyphs).
+    /// The glyphs of one style; none (first == last) if it has none in the mesh. Cost: O(log glyphs).
     [[nodiscard]] glyph_span glyphs_of(style_id style) const noexcept
     {
         return {fresh().first_of(style), fresh().last_of(style)};
     }
 
-    /// The glyphs that come from a place of the caller's text; none (first == last) where it left no glyph in the mesh.
-    /// The glyphs of a cluster are neighbours, whichever way the script runs; of a cluster in several styles, those of
-    /// its first style are given. Cost: O(glyphs).
+    /// The glyphs that come from a position in the caller's text; none (first == last) if it left no glyph in the mesh.
+    /// The glyphs of a cluster are consecutive, whatever the script's direction; of a cluster in several styles, it
+    /// returns those of its first style. Cost: O(glyphs).
     [[nodiscard]] glyph_span glyphs_of(cluster_id cluster) const noexcept { return glyphs_of(cluster, all_glyphs()); }
 
     /// Those of them that are of one style. Cost: O(glyphs of the style).
@@ -110,11 +109,11 @@ public:
         return glyphs_of(cluster, glyphs_of(style));
     }
 
-    /// The glyphs in the mesh: style by style, each style's in drawing order.
+    /// The glyphs in the mesh: style by style, within a style in drawing order.
     [[nodiscard]] std::span<const drawn_glyph> glyphs() const noexcept { return fresh().records.view(); }
 
-    /// Which glyphs of the run one of glyphs() stands for: itself alone, or all that text_options::merge joined to it,
-    /// ascending. glyph < glyphs().size().
+    /// Which glyphs of the run one of glyphs() stands for: itself alone, or all that text_options::merge merged with
+    /// it, ascending. glyph < glyphs().size().
     [[nodiscard]] std::span<const std::uint32_t> members(std::size_t glyph) const noexcept
     {
         const drawn_glyph& s = fresh().records[glyph];
@@ -122,11 +121,12 @@ public:
         return glyphs_->merged.members_of(glyphs_->merged.groups[s.merged]);
     }
 
-    /// Whose a triangle is: the place in the run of the one glyph whose outline all contour edges at its corners follow
-    /// (a wall's: whose outline it stands on), or shared_glyph where merged glyphs run together. For extruders that
-    /// write caps in the order of the region's triangles and walls two triangles an edge, as flat and extruded do.
+    /// The owner of a triangle: the index in the run of the one glyph whose outline all contour edges at its corners
+    /// follow (for a wall: on whose outline it stands), or shared_glyph where merged glyphs run together. For extruders
+    /// that write caps in the order of the region's triangles and walls as two triangles per edge, as flat and extruded
+    /// do.
     ///
-    ///     triangle    the place in range(glyph, p), below index_count / 3
+    ///     triangle    its position in range(glyph, p), below index_count / 3
     [[nodiscard]] std::uint32_t owner(std::size_t glyph, part p, std::uint32_t triangle) const noexcept
     {
         const drawn_glyph& s = fresh().records[glyph];
@@ -140,18 +140,19 @@ public:
     /// What is not in the mesh, and why.
     [[nodiscard]] const text_report& report() const noexcept { return fresh().report; }
 
-    /// The shaped text behind the mesh: every glyph with its place and cluster, every line.
+    /// The shaped text behind the mesh: every glyph with its position and cluster, every line.
     [[nodiscard]] const glyph_run& run() const noexcept
     {
         (void)fresh();
         return *run_;
     }
 
-    /// The box around all vertices; exact for frames whose axes lie along the coordinate axes, else it may be larger.
+    /// The bounding box of all vertices; exact for frames whose axes are parallel to the coordinate axes, else it may be
+    /// larger.
     [[nodiscard]] bounds3 bounds() const noexcept { return fresh().bounds; }
 
-    /// The distance between neighbouring 32-bit floats at the mesh's farthest coordinate, in em: no position is rounded
-    /// by more than half of it. What is thinner than two such steps may fall together; see flipped_triangles.hpp.
+    /// The distance between adjacent 32-bit floats at the mesh's farthest coordinate, in em: no position is rounded by
+    /// more than half of it. What is thinner than two such steps may collapse; see flipped_triangles.hpp.
     [[nodiscard]] double position_step() const noexcept
     {
         const text_glyphs& all = fresh();
@@ -162,12 +163,12 @@ public:
         return (as_double(next) - as_double(farthest)) / (all.placed.unit_per_font_unit * all.placed.units_per_em);
     }
 
-    /// Where one glyph stands, as its extruder is told.
+    /// The placement of one glyph, as its extruder gets it.
     [[nodiscard]] placement place(std::size_t glyph) const noexcept { return fresh().place(fresh().records[glyph]); }
 
     /// N and H of the vertex counts 2N, 4N and 4N + 2H: contour points, and the hard ones among them, whose side
-    /// vertices are doubled. Seams of em mapping are no hard points and come on top. Cost: O(glyphs), and O(points) for
-    /// H.
+    /// vertices are doubled. Seams of em mapping are not hard points and are counted in addition. Cost: O(glyphs), and
+    /// O(points) for H.
     [[nodiscard]] std::uint64_t contour_points() const noexcept
     {
         std::uint64_t points = 0;
@@ -195,7 +196,7 @@ public:
     }
 
     /// The same by several workers, in equal shares; the output is the same to the bit. The sink must take subranges
-    /// (see ranged_sink), as those over arrays and containers do. A share is written ascending.
+    /// (see ranged_sink), as those over arrays and containers do. Each share is written in ascending order.
     template <class Sink, executor Executor>
         requires ranged_sink<std::remove_reference_t<Sink>>
     error write(Sink&& sink, Executor& workers) const noexcept
@@ -209,17 +210,17 @@ public:
         return end_of(sink);
     }
 
-    /// Writes only some neighbouring glyphs, each part to where it lies in the whole mesh: for a text of which little
-    /// has changed since it was written. Vertices ascend, then indices, in each part; all else is left alone.
+    /// Writes only some consecutive glyphs, each part to its range of the whole mesh: for a text that has changed
+    /// little since it was written. Vertices ascend, then indices, in each part; everything else is left alone.
     ///
-    ///     keep of the text before     size(), and range(glyph, part) of each glyph that will change
+    ///     keep of the previous text   size(), and range(glyph, part) of each glyph that will change
     ///     if size() is the same now and these ranges are, nothing else has moved: write these glyphs
     ///     else                        write the whole
     ///
-    /// Besides, the others' vertices must be what they were: pen positions (the advance of what changed), and with
-    /// texture_box::text or ::line or output_unit::unit_box the box that they are measured by.
-    /// Fails as write() does. For sinks over memory that holds the whole mesh; a container that has another size is not
-    /// that any more.
+    /// The vertices of the others must be unchanged, too: their pen positions (the advance of what changed), and with
+    /// texture_box::text or ::line or output_unit::unit_box the box that they are relative to.
+    ///
+    /// Fails as write() does. For sinks over memory that holds the whole mesh, not for a container of another size.
     template <class Sink>
         requires ranged_sink<std::remove_reference_t<Sink>>
     error write(glyph_span some, Sink&& sink) const noexcept
@@ -262,7 +263,7 @@ public:
         return all;
     }
 
-    /// Where one part of a mesh lies in what write_meshes() writes. mesh < meshes().size().
+    /// The range of one part of a mesh in the output of write_meshes(). mesh < meshes().size().
     [[nodiscard]] mesh_range mesh_part(std::size_t mesh, part p) const noexcept
     {
         const glyph_mesh& m = fresh().meshes[mesh];
@@ -273,7 +274,7 @@ public:
     ///
     ///     vertices   [ mesh 0: front, back, side | mesh 1: front, back, side | ... ]      indices likewise
     ///
-    /// Textures spread over each glyph's own box, or, in em mapping, begin at its own origin. Fails as write() does.
+    /// Textures span each glyph's own box or, in em mapping, begin at its own origin. Fails as write() does.
     template <class Sink>
         requires mesh_sink<std::remove_reference_t<Sink>>
     error write_meshes(Sink&& sink) const noexcept
@@ -291,8 +292,8 @@ public:
     }
 
     /// The other half: put(const glyph_instance&) for every glyph, those of mesh 0 first (glyph_mesh::glyph_count of
-    /// them, style by style), then those of mesh 1, and so on. A mesh moved by the translation is the placed glyph, up
-    /// to the rounding of the sum and to where its textures begin.
+    /// them, style by style), then those of mesh 1, and so on. A mesh moved by the translation is the placed glyph,
+    /// except for the rounding of the sum and for where its textures begin.
     template <class Put>
     void write_instances(Put&& put) const noexcept
     {
@@ -321,7 +322,7 @@ public:
 private:
     const text_glyphs& fresh() const noexcept
     {
-        TYPEMESH_ASSERT(glyphs_ != nullptr, "a text_plan was used that has been moved away");
+        TYPEMESH_ASSERT(glyphs_ != nullptr, "a text_plan was used after it had been moved from");
         TYPEMESH_ASSERT(glyphs_->generation.number == generation_,
                         "this text_plan is stale: its mesher has made another plan or was moved since");
         TYPEMESH_ASSERT(glyphs_->lent.are_there(), "this text_plan is stale: its glyph_workers has built another since");
@@ -330,7 +331,7 @@ private:
 
     [[nodiscard]] glyph_span all_glyphs() const noexcept { return {0, fresh().records.size()}; }
 
-    /// The first neighbouring glyphs of a cluster among some.
+    /// The first consecutive glyphs of a cluster among some.
     [[nodiscard]] glyph_span glyphs_of(cluster_id cluster, glyph_span among) const noexcept
     {
         const auto records = glyphs();
@@ -343,7 +344,7 @@ private:
 
     [[nodiscard]] mesh_layout whole() const noexcept { return {fresh(), 0, fresh().records.size()}; }
 
-    /// Enough shares that no worker waits long for another, none so small that it is not worth the asking.
+    /// Enough shares that no worker waits long for another, none too small to be worth handing out.
     [[nodiscard]] std::size_t shares_for(std::size_t workers) const noexcept
     {
         if (workers <= 1) return 1;

@@ -7,18 +7,18 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What happened to a text's glyphs: what is not in the mesh, and why. A text that lost glyphs is still built.
+/// What happened to a text's glyphs: what is not in the mesh, and why. A text is built even if glyphs were lost.
 struct text_report {
     std::uint32_t glyphs = 0;   ///< in the run, blank and missing ones included
     std::uint32_t blank = 0;    ///< without an outline, such as spaces, or enclosing nothing
     std::uint32_t refused = 0;  ///< left out because their outline cannot be built
-    error first_refusal;        ///< why, with glyph and cluster; none when refused == 0
+    error first_refusal;        ///< why, with glyph and cluster; none if refused == 0
     std::uint32_t missing = 0;  ///< the font lacks them
     cluster_id first_missing = no_cluster;
-    std::uint32_t invalid_units = 0;  ///< places of the text that are not valid UTF, read as U+FFFD
+    std::uint32_t invalid_units = 0;  ///< places of the text that were not valid UTF and were read as U+FFFD
     cluster_id first_invalid_unit = no_cluster;
 
-    /// True when nothing was lost: every glyph of the text is in the mesh, and no place of it read as U+FFFD.
+    /// True if nothing was lost: every glyph of the text is in the mesh, and no place of it was read as U+FFFD.
     [[nodiscard]] constexpr bool complete() const noexcept
     {
         return refused == 0 && missing == 0 && invalid_units == 0;
