@@ -76,15 +76,15 @@ public:
         const std::size_t bytes = header + count * sizeof(member);
         void* raw = source.allocate(source.user, bytes, alignof(member));
         if (raw == nullptr) return error::out_of_memory;
-        glyph_workers made{workers, source, new (raw) block{source}, bytes};
-        for (; made.block_->count < count; ++made.block_->count) {
-            const std::size_t worker = made.block_->count;
+        glyph_workers all{workers, source, new (raw) block{source}, bytes};
+        for (; all.block_->count < count; ++all.block_->count) {
+            const std::size_t worker = all.block_->count;
             auto made = clone(worker);
             if (!made) return made.error();
-            new (made.members() + worker)
+            new (all.members() + worker)
                 member{std::move(*made), glyph_builder{source}, glyph_store{source}, glyph_run{source}, {}, 0};
         }
-        return result<glyph_workers>{std::move(made)};
+        return result<glyph_workers>{std::move(all)};
     }
 
     glyph_workers(glyph_workers&& other) noexcept
