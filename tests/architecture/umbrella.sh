@@ -29,6 +29,6 @@ sort -u "$scratch/standard" >"$scratch/is"
 grep -v '^#' "$here/standard_headers.txt" | sort >"$scratch/was"
 comm -23 "$scratch/is" "$scratch/was" | sed 's,.*,typemesh.hpp now includes <&>: do without it,' | grep . && status=1
 comm -13 "$scratch/is" "$scratch/was" | sed 's,.*,typemesh.hpp no longer includes <&>: take it out of standard_headers.txt,' | grep . && status=1
-grep -E '^typemesh/(inspect|compat|adapt)/' "$scratch/seen" | sed 's,.*,typemesh.hpp includes &,' && status=1
+grep -E '^typemesh/(inspect|compat|adapt)/' "$scratch/seen" | sed 's,.*,typemesh.hpp includes &,' | grep . && status=1
 echo "headers: $(grep -c . "$scratch/seen"), lines: $(tr '\n' '\0' <"$scratch/seen" | xargs -0 cat | grep -c .)"
 exit $status

@@ -11,7 +11,7 @@ template result<harfbuzz_mesher::plan_type> harfbuzz_mesher::plan_run(const glyp
 template error discretise(const outline&, const certified&, double, const grid&, contours&,
                           std::span<const std::uint8_t>) noexcept;
 template result<region> cap_builder::prove(const monotone&) noexcept;
-template result<region> resolve(contours&, fill_rule, workspace&, every_intersection_stands&,
+template result<region> resolve(contours&, fill_rule, workspace&, accept_all_intersections&,
                                 const resolve_options&) noexcept;
 template result<region> resolve(contours&, fill_rule, workspace&, crossing_refinement&,
                                 const resolve_options&) noexcept;

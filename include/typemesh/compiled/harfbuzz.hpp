@@ -23,7 +23,7 @@ extern template result<harfbuzz_mesher::plan_type> harfbuzz_mesher::plan_run(con
 extern template error discretise(const outline&, const certified&, double, const grid&, contours&,
                                  std::span<const std::uint8_t>) noexcept;
 extern template result<region> cap_builder::prove(const monotone&) noexcept;
-extern template result<region> resolve(contours&, fill_rule, workspace&, every_intersection_stands&,
+extern template result<region> resolve(contours&, fill_rule, workspace&, accept_all_intersections&,
                                        const resolve_options&) noexcept;
 extern template result<region> resolve(contours&, fill_rule, workspace&, crossing_refinement&,
                                        const resolve_options&) noexcept;
