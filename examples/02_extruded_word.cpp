@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// An extruded word with everything a renderer asks for: normals, texture coordinates, exact sizes before anything is written,
+// An extruded word with everything a renderer needs: normals, texture coordinates, exact sizes before anything is written,
 // one range of indices for each material.
 //
 //     02_extruded_word FONT [TEXT]

@@ -14,7 +14,7 @@ namespace engine {
 
 struct vertex {  // 20 bytes
     float position[3];
-    std::uint32_t normal;  // 10 bits a component, signed
+    std::uint32_t normal;  // 10 bits per component, signed
     std::uint32_t colour;  // RGBA
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Windows alone: text set by DirectWrite, in an installed font, wrapped, centred and underlined, as one mesh. Neither
+// Windows only: text set by DirectWrite, in an installed font, wrapped, centred and underlined, as one mesh. Neither
 // FreeType nor HarfBuzz is needed.
 //
 //     06_directwrite_word [TEXT [FAMILY]]
@@ -23,7 +23,7 @@ struct typemesh::vertex_traits<vertex> {
     vertex operator()(const surface_point<wants>& s) const noexcept { return {s.position, s.normal}; }
 };
 
-// The layout is an application's own: any IDWriteTextLayout will do. Give back what is made here as your program does.
+// The layout is an application's own: any IDWriteTextLayout will do. Release what is made here as your program does.
 IDWriteTextLayout* make_layout(const wchar_t* text, const wchar_t* family)
 {
     IDWriteFactory* factory = nullptr;

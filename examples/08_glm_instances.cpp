@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-// GLM: a sign that leans back, its letters written once each, and a matrix for every place where one is drawn.
+// GLM: a sign that leans back, each of its letters written once, and a matrix for every place where one is drawn.
 //
 //     08_glm_instances FONT TEXT
 
@@ -34,12 +34,12 @@ int main(int argc, char** argv)
     auto font = typemesh::harfbuzz_font::open(argv[1]);
     if (!font) return std::puts(font.error().message()), 1;
 
-    // Where the text runs, stands and looks: the columns of a rotation by 30 degrees about x.
+    // Where the text runs, stands and faces: the columns of a rotation by 30 degrees about x.
     const float c = std::cos(0.5235988f), s = std::sin(0.5235988f);
     const glm::mat3 leaning{{1.0f, 0.0f, 0.0f}, {0.0f, c, -s}, {0.0f, s, c}};
     typemesh::text_options options;
     options.frame = typemesh::frame_from_glm(leaning);
-    options.frame.uv = typemesh::uv_origin::bottom_left;  // as OpenGL has it
+    options.frame.uv = typemesh::uv_origin::bottom_left;  // as in OpenGL
 
     typemesh::text_mesher mesher{*font};
     auto plan = mesher.plan(argv[2], options);
@@ -54,7 +54,7 @@ int main(int argc, char** argv)
         models.push_back(typemesh::translation_matrix(i.translation));
     });
 
-    // One instanced call a letter and part, with the matrices from first_instance on as an instanced attribute.
+    // One instanced call per letter and part, with the matrices from first_instance on as an instanced attribute.
     for (std::size_t k = 0; k < plan->meshes().size(); ++k) {
         const auto& letter = plan->meshes()[k];
         const auto front = plan->mesh_part(k, typemesh::part::front);

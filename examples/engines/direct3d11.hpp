@@ -42,7 +42,7 @@ struct packed_vertex {
     typemesh::snorm8 normal[4];
     typemesh::snorm8 tangent[4];
     typemesh::half uv[2];
-    std::uint32_t cluster;  ///< where in the text, for colouring or picking
+    std::uint32_t cluster;  ///< position in the text, for colouring or picking
 };
 static_assert(sizeof(packed_vertex) == 28);
 

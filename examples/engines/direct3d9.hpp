@@ -59,7 +59,7 @@ namespace engines::direct3d9 {
 
 /// Writes a plan into two buffers; their sizes and the format of the indices are their own.
 ///
-/// Fails  what array_sink fails with; error::refused_by_user where a buffer cannot be locked. Nothing is written then.
+/// Fails  as array_sink does; error::refused_by_user if a buffer cannot be locked. Nothing is written then.
 template <class Plan>
 [[nodiscard]] typemesh::error fill(const Plan& plan, IDirect3DVertexBuffer9& vertices,
                                    IDirect3DIndexBuffer9& indices) noexcept

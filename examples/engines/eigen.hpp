@@ -2,8 +2,8 @@
 #pragma once
 
 // Eigen, as libigl and its like hold a mesh: a matrix of vertices and a matrix of triangles, a row each (row-major, so
-// that a row lies in one piece), or a column each (Eigen's own order). Right-handed, z up, text on the x axis looking
-// along -y, as CAD has it; Eigen itself asks for nothing.
+// that rows are contiguous), or a column each (Eigen's own order). Right-handed, z up, text on the x axis facing
+// -y, as in CAD; Eigen itself has no convention.
 //
 // Include <Eigen/Core> first.
 //
@@ -32,7 +32,7 @@ template <class Matrix>
 inline constexpr bool holds_triples_in_one_piece = (Matrix::ColsAtCompileTime == 3 && bool(Matrix::IsRowMajor)) ||
                                                    (Matrix::RowsAtCompileTime == 3 && !bool(Matrix::IsRowMajor));
 
-/// Sizes the three matrices and fills them: places, normals, triangles. float, and any integer.
+/// Resizes the three matrices and fills them: positions, normals, triangles. float, and any integer.
 template <class Plan, class Places, class Normals, class Triangles>
 [[nodiscard]] typemesh::error write(const Plan& plan, Places& places, Normals& normals, Triangles& triangles)
 {

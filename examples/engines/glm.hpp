@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// GLM's vectors as vertex, for renderers that keep them: right-handed, y up, v upwards, as OpenGL has it.
+// A vertex of GLM's vectors, for renderers that use them: right-handed, y up, v upwards, as in OpenGL.
 //
 //     std::vector<engines::glm_vertex> vertices;
 //     std::vector<std::uint32_t> indices;

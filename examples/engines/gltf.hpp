@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// glTF 2.0, as one binary file in memory (GLB): one mesh, one primitive a part, one buffer. Right-handed, y up, front
-// faces counter-clockwise, looking along +z; v downwards, normal maps with green up: a tangent's w is turned. Each part
+// glTF 2.0, as one binary file in memory (GLB): one mesh, one primitive per part, one buffer. Right-handed, y up, front
+// faces counter-clockwise, looking along +z; v downwards, normal maps with green up: a tangent's w is negated. Each part
 // has a material of its own, named after it (front, back, side), for colours and textures of yours: without one a
 // primitive is drawn as bare metal, which mirrors a black surrounding.
 //
-//     plain        48 bytes a vertex: floats
-//     quantised    20 bytes a vertex, by KHR_mesh_quantization (required by the file):
+//     plain        48 bytes per vertex: floats
+//     quantised    20 bytes per vertex, by KHR_mesh_quantization (required by the file):
 //                    POSITION   unsigned short x 3, normalised, at 0     each letter has a box, a mesh and a node of its
 //                    NORMAL     byte x 3, normalised, at 8               own, whose translation and scale undo it: one
 //                    TANGENT    byte x 4, normalised, at 12              scale for all axes, so normals stay as they are
@@ -17,7 +17,7 @@
 //                                                                        material has a white one, of one pixel: what
 //                                                                        you put in its place keeps its transform
 //
-// A step of a quantised letter is 1/65,535 of its longest side; triangles lower than that may be turned over, which
+// A step of a quantised letter is 1/65,535 of its longest side; triangles lower than that may flip over, which
 // turned_by_quantising(plan) counts. The letters share the accessors of all vertices: an importer that copies those for
 // every primitive is better served by plain.
 //
@@ -71,13 +71,13 @@ struct unorm16x2 {
     typemesh::unorm16 u, v;
 };
 
-/// Numbers into text, JSON's way.
+/// Formats numbers as JSON.
 inline void say(std::string& out, const char* format, auto... values)
 {
     const int length = std::snprintf(nullptr, 0, format, values...);
     if (length <= 0) return;
     const std::size_t before = out.size(), more = static_cast<std::size_t>(length);
-    out.resize(before + more + 1);  // snprintf ends with a zero of its own
+    out.resize(before + more + 1);  // snprintf adds a terminating zero
     std::snprintf(out.data() + before, more + 1, format, values...);
     out.resize(before + more);
 }
@@ -90,7 +90,7 @@ inline constexpr unsigned char white_pixel[] = {
     0x01, 0x01, 0x00, 0x1C, 0xB0, 0x8C, 0x99, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4E, 0x44, 0xAE,
     0x42, 0x60, 0x82};
 
-/// A sink that only looks: from where to where texture coordinates run, [0, 1] at least.
+/// A sink that writes nothing: finds the range of texture coordinates, [0, 1] at least.
 struct uv_range {
     static constexpr auto wants = typemesh::attribute::uv;
     float2 low{0.0f, 0.0f}, high{1.0f, 1.0f};
@@ -141,7 +141,7 @@ void say_materials(std::string& json, const Plan& plan, const uv_range* packed)
     json += "],";
 }
 
-/// The cube round one letter: the positions of its vertices are numbers in there.
+/// The cube around one letter, to which the positions of its vertices are relative.
 template <class Plan>
 [[nodiscard]] typemesh::position_box box_of(const Plan& plan, std::size_t glyph) noexcept
 {
@@ -152,8 +152,8 @@ template <class Plan>
     return typemesh::position_box::cube_around({low.x, low.y, plan.bounds().low.z}, {high.x, high.y, plan.bounds().high.z});
 }
 
-/// How many triangles of one cap of every letter turn over or go flat in the quantised layout; walls on their rims may
-/// go flat with them.
+/// How many triangles of one cap of every letter flip over or become flat in the quantised layout; walls on their
+/// rims may become flat with them.
 template <class Plan>
 [[nodiscard]] std::uint64_t turned_by_quantising(const Plan& plan) noexcept
 {
@@ -207,7 +207,7 @@ template <class Index, class Plan>
     return {};
 }
 
-/// Nodes and meshes of the quantised layout: a letter each, below one node for the text. The first accessor of indices
+/// Nodes and meshes of the quantised layout: one per letter, below one node for the text. The first accessor of indices
 /// is number 4; they follow letter by letter, part by part.
 template <class Plan>
 void say_letters(std::string& json, const Plan& plan)

@@ -3,14 +3,14 @@
 
 // Godot 4: the arrays of an ArrayMesh surface, from a GDExtension (godot-cpp) or a module. Right-handed, y up, front
 // faces clockwise as the viewer sees them: frame::winding is -1. v downwards, normal maps with green up: the fourth
-// number of a tangent is turned.
+// number of a tangent is negated.
 //
 // Include godot_cpp/classes/array_mesh.hpp and the packed arrays' headers first.
 //
 //     godot::Array arrays;
 //     if (typemesh::error e = engines::godot_mesh::write(*plan, arrays)) return e;
 //     mesh->add_surface_from_arrays(godot::Mesh::PRIMITIVE_TRIANGLES, arrays);
-//     // or one surface a part, for materials of their own: the same vertices, and slices of ARRAY_INDEX by plan->range(part)
+//     // or one surface per part, for materials of their own: the same vertices, and slices of ARRAY_INDEX by plan->range(part)
 
 #include <typemesh/text/text_options.hpp>
 #include <typemesh/vertex/computed_stream.hpp>

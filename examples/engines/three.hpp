@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// three.js, typemesh compiled to WebAssembly: one typed array an attribute, in the module's memory. Right-handed, y up,
+// three.js, typemesh compiled to WebAssembly: one typed array per attribute, in the module's memory. Right-handed, y up,
 // front faces counter-clockwise; v upwards (Texture.flipY is true by default); bitangent = w * cross(normal, tangent).
 //
 //     // JavaScript
@@ -22,7 +22,7 @@
 
 namespace engines::three {
 
-/// Five typed arrays of the caller's: Float32Array with 3, 3, 4 and 2 numbers a vertex, Uint32Array or Uint16Array.
+/// Five typed arrays of the caller's: Float32Array with 3, 3, 4 and 2 numbers per vertex, Uint32Array or Uint16Array.
 template <class Index = std::uint32_t>
 struct buffer_geometry {
     std::span<float> position, normal, tangent, uv;

@@ -7,7 +7,7 @@
 // The byte size of every attribute is a multiple of 4, the attributes come in the order of UnityEngine's enumeration:
 //
 //     stream 0    Position  Float32 x 3                       12 bytes
-//     stream 1    Normal    SNorm16 x 4     at 0              24 bytes a vertex
+//     stream 1    Normal    SNorm16 x 4     at 0              24 bytes per vertex
 //                 Tangent   SNorm16 x 4     at 8
 //                 Color     UNorm8  x 4     at 16
 //                 TexCoord0 Float16 x 2     at 20
@@ -63,7 +63,7 @@ static_assert(sizeof(snorm16x4) == 8 && sizeof(half2) == 4);
     return o;
 }
 
-/// Writes a plan; the colour tells the parts apart.
+/// Writes a plan; parts have different colours.
 template <class Plan>
 [[nodiscard]] typemesh::error write(const Plan& plan, const mesh_data& to,
                                     const typemesh::part_colours<>& colours = {

@@ -2,8 +2,8 @@
 #pragma once
 
 // Unreal Engine: the vertex buffers of a static mesh's level of detail (position, tangent basis, texture coordinates,
-// colour apart from each other) and its indices. Left-handed, z up, centimetres; text runs along +y and looks along -x,
-// so that a camera that looks along +x reads it. v downwards, normal maps with green down: TangentY is where v grows.
+// colour, each in its own buffer) and its indices. Left-handed, z up, centimetres; text runs along +y and faces -x,
+// so that a camera that looks along +x reads it. v downwards, normal maps with green down: TangentY points where v grows.
 //
 // Winding: Epic's page on face winding says that the cross product of consecutive vertices opposes the normal; so
 // frame::winding is -1 here.
@@ -13,7 +13,7 @@
 //     auto plan = mesher.plan(text_view{text}, engines::unreal::options(100.0));        // an em is a metre
 //     engines::unreal::write(*plan, LODResources.VertexBuffers, indices);               // TArray<uint32>
 //     LODResources.IndexBuffer.SetIndices(indices, EIndexBufferStride::AutoDetect);
-//     // LODResources.Sections: one FStaticMeshSection a part, FirstIndex and NumTriangles from plan->range(part)
+//     // LODResources.Sections: one FStaticMeshSection per part, FirstIndex and NumTriangles from plan->range(part)
 
 #include <typemesh/text/text_options.hpp>
 #include <typemesh/vertex/mesh_sink.hpp>
@@ -33,7 +33,7 @@ namespace engines::unreal {
     return o;
 }
 
-/// A sink over FStaticMeshVertexBuffers, by the setters that they offer. Indices is a TArray of uint32 or uint16.
+/// A sink over FStaticMeshVertexBuffers, through their setters. Indices is a TArray of uint32 or uint16.
 template <class Buffers, class Indices>
 class static_mesh_sink {
 public:

@@ -2,13 +2,13 @@
 #pragma once
 
 // Vulkan: one interleaved vertex of 24 bytes, written into mapped, write-combined memory, several texts in one buffer.
-// Vulkan has no world of its own; this recipe's is right-handed with y up, v downwards as images lie in memory. In clip
+// Vulkan has no world space of its own; this recipe's is right-handed with y up, v downwards as images lie in memory. In clip
 // space y points down: with the customary flipped viewport (negative height, VK_KHR_maintenance1, core since 1.1) the
 // front faces are VK_FRONT_FACE_COUNTER_CLOCKWISE.
 //
-// VK_FORMAT_A2B10G10R10_SNORM_PACK32 is no format that every device must read vertices from: query
-// vkGetPhysicalDeviceFormatProperties(...).bufferFeatures for VK_FORMAT_FEATURE_VERTEX_BUFFER_BIT once, and where it is
-// missing take snorm8 x 4 instead (VK_FORMAT_R8G8B8A8_SNORM, which every device has; the same 4 bytes).
+// VK_FORMAT_A2B10G10R10_SNORM_PACK32 is not a format that every device must support for vertices: query
+// vkGetPhysicalDeviceFormatProperties(...).bufferFeatures for VK_FORMAT_FEATURE_VERTEX_BUFFER_BIT once, and if it is
+// missing use snorm8 x 4 instead (VK_FORMAT_R8G8B8A8_SNORM, which every device has; the same 4 bytes).
 //
 // Include <vulkan/vulkan.h> first.
 //
@@ -52,7 +52,7 @@ inline constexpr VkVertexInputAttributeDescription attributes[] = {
     return o;
 }
 
-/// Two mapped buffers that fill up with texts. Indices are of 32 bits and count from the first vertex of the buffer, so
+/// Two mapped buffers that fill up with texts. Indices have 32 bits and count from the first vertex of the buffer, so
 /// that texts can be drawn together.
 struct room {
     struct drawn {
@@ -82,7 +82,7 @@ struct typemesh::vertex_traits<engines::vulkan::vertex> {
     }
 };
 
-/// Fails as array_sink does; the room is as it was then.
+/// Fails as array_sink does; the room is then unchanged.
 template <class Plan>
 typemesh::result<engines::vulkan::room::drawn> engines::vulkan::room::add(const Plan& plan) noexcept
 {

@@ -122,7 +122,7 @@ std::string write_output(const options& o, const Plan& plan, model& mesh, file_s
     return {};
 }
 
-/// The tolerance in em of the picture's own mesh, by the size at which it will be drawn; but what was asked for where
+/// The tolerance in em of the picture's own mesh, by the size at which it will be drawn; but the requested one where
 /// the picture is to show it. `bounds` are those of the text, one em large.
 double picture_tolerance(const options& o, const typemesh::bounds3& bounds, const picture_options& look)
 {
@@ -166,7 +166,7 @@ std::string draw_picture(const options& o, typemesh::harfbuzz_font& font, const 
     return write_png(pixels, width, height, o.picture, files);
 }
 
-/// What the user is told of a plan. Gives why nothing is written, or an empty string.
+/// Warns the user about a plan. Gives why nothing is written, or an empty string.
 template <class Plan>
 std::string name_warnings(const options& o, const Plan& plan, const typemesh::harfbuzz_font& font)
 {

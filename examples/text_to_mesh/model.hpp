@@ -15,7 +15,7 @@ struct model_vertex {
     float uv[2];
 };
 
-/// A finished mesh. Three indices a triangle, counter-clockwise seen from outside; right-handed, y up.
+/// A finished mesh. Three indices per triangle, counter-clockwise seen from outside; right-handed, y up.
 struct model {
     /// A run of indices that share a material: "front", "back", "side".
     struct part {
@@ -24,7 +24,7 @@ struct model {
         std::size_t index_count;
     };
 
-    /// One of the different letters of an instanced model: neighbouring vertices and neighbouring parts.
+    /// One of the different letters of an instanced model: consecutive vertices and consecutive parts.
     struct letter {
         std::string name;
         std::size_t first_vertex;

@@ -93,7 +93,7 @@ struct chosen_extruder {
 [[nodiscard]] chosen_triangulator triangulator_of(const options& o);
 [[nodiscard]] chosen_extruder extruder_of(const options& o);
 
-/// Adds up how long each stage took, and tells how many letters have been begun.
+/// Adds up how long each stage took, and counts the letters begun.
 struct stage_clock {
     using clock = std::chrono::steady_clock;
 

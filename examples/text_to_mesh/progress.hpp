@@ -7,10 +7,10 @@
 
 namespace text_to_mesh {
 
-/// Tells on standard error what a long text is waiting for.
+/// Reports on standard error what a long text is waiting for.
 ///
 ///     on a terminal   one line, written over and over, gone at the end
-///     else            nothing for two seconds, then a line a step, and seldom one within a step
+///     else            nothing for two seconds, then one line per step, rarely one within a step
 ///
 /// Must end, or clear(), before anything else is written to the terminal.
 class progress {

@@ -13,7 +13,7 @@ namespace text_to_mesh {
 /// The error's sentence; places in the text are bytes, for the text is UTF-8.
 [[nodiscard]] std::string in_words(const typemesh::error& e);
 
-// What a user should know of a text that is drawn nevertheless, a line each on standard error.
+// What a user should know about a text that is drawn nevertheless, one line each on standard error.
 
 /// What is not in the mesh; true when something is not.
 bool name_losses(const typemesh::text_report& report);
@@ -22,7 +22,7 @@ bool name_losses(const typemesh::text_report& report);
 /// there is one.
 bool name_missing_features(const typemesh::harfbuzz_font& font, std::span<const typemesh::feature> wanted);
 
-/// Triangles that 32-bit positions turn over or flatten: typemesh::flipped_triangles. True where there are some.
+/// Triangles that 32-bit positions flip or flatten: typemesh::flipped_triangles. True where there are some.
 /// `instances_help` where --instances can be given.
 bool name_flipped_triangles(std::uint64_t flipped, bool instances_help);
 

@@ -54,7 +54,7 @@ struct memory_file {
     }
 };
 
-/// The materials, one a part, and which of them each triangle has. An object whose triangles have some must have a
+/// The materials, one per part, and which of them each triangle has. An object whose triangles have some must have a
 /// default too.
 bool paint(NMR::PLib3MFModel* file, NMR::PLib3MFModelMeshObject* object, const model& mesh)
 {
@@ -90,7 +90,7 @@ std::int64_t written(float coordinate, double units)
 }
 
 /// True where the six decimals that lib3mf writes keep the solid solid: it has a depth, and no two places become one.
-/// `units` to a millimetre.
+/// `units` per millimetre.
 bool holds(const model& mesh, double units)
 {
     struct place {

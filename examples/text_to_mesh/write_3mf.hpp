@@ -8,7 +8,7 @@
 
 namespace text_to_mesh {
 
-/// Writes a 3MF through lib3mf: one object, a material for each part, one unit to the millimetre. Normals and texture
+/// Writes a 3MF through lib3mf: one object, a material for each part, one unit per millimetre. Normals and texture
 /// coordinates have no place in it.
 ///
 /// The vertices are taken as they are, so a solid must share them between its parts, as typemesh::shared_normals does:

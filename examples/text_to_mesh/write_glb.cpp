@@ -38,7 +38,7 @@ int add_accessor(tinygltf::Model& file, int view, std::size_t offset, std::size_
     return static_cast<int>(file.accessors.size()) - 1;
 }
 
-/// The material of a part, made where it is not there yet.
+/// The material of a part, made if it does not exist yet.
 int material_of(tinygltf::Model& file, const std::string& name)
 {
     for (std::size_t i = 0; i < file.materials.size(); ++i)
@@ -91,7 +91,7 @@ geometry add_geometry(tinygltf::Model& file, const model& mesh, const std::vecto
     return made;
 }
 
-/// A mesh of one letter, a primitive a part.
+/// A mesh of one letter, a primitive per part.
 void add_mesh(tinygltf::Model& file, const model& mesh, const model::letter& l, const geometry& in)
 {
     const std::size_t start = l.first_vertex * geometry::stride;

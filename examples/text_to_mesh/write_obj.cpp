@@ -44,7 +44,7 @@ void faces(byte_writer& out, const model& mesh, std::size_t first, std::size_t c
     }
 }
 
-/// One material a part, named after it.
+/// One material per part, named after it.
 byte_writer materials(const model& mesh)
 {
     byte_writer out;

@@ -8,7 +8,7 @@
 
 namespace text_to_mesh {
 
-/// Writes a Wavefront OBJ: v, vt, vn and one group a part. Decimal texts read back as the same floats. A model with
+/// Writes a Wavefront OBJ: v, vt, vn and one group per part. Decimal texts read back as the same floats. A model with
 /// parts gets a file of materials beside it, "x.mtl" beside "x.obj", with one of each part's name; both files are
 /// written or none.
 ///

@@ -135,7 +135,7 @@ public:
         if (f.wrong = oracle::broken_law(*made, caps_.triangles().view()); !f.wrong.empty()) return f;
         if (f.wrong = broken_delaunay(*made); !f.wrong.empty()) return f;
         if (f.resolved)
-            if (f.wrong = oracle::broken_walk(kept); !f.wrong.empty()) return f;
+            if (f.wrong = oracle::broken_cycle(kept); !f.wrong.empty()) return f;
         const double area = static_cast<double>(oracle::doubled_area(kept));
         if (!f.resolved) {
             const double filled = oracle::doubled_filled_area(given, outline_.rule);

@@ -10,13 +10,13 @@ using namespace typemesh;
 
 namespace {
 
-struct walked {
+struct traced {
     std::vector<test::polyline> loops;
     std::uint32_t holes = 0, outers = 0;
 };
 
-/// One walk of the sweep, which suffices where every crossing is a grid point, and the boundary's.
-walked walk(const std::vector<test::polyline>& given, fill_rule rule)
+/// One sweep, which suffices where every crossing is a grid point, and the boundary's.
+traced trace_boundary(const std::vector<test::polyline>& given, fill_rule rule)
 {
     contours loops = test::contours_of(given);
     workspace space;
@@ -34,30 +34,30 @@ walked walk(const std::vector<test::polyline>& given, fill_rule rule)
     std::vector<std::uint32_t> sorted(loops.points.size());
     REQUIRE(sweep_order(loops.points.view(), space, sorted.data()));
     CHECK(std::equal(sorted.begin(), sorted.end(), loops.order().begin(), loops.order().end()));
-    walked w{{}, boundary.holes, boundary.outers};
+    traced w{{}, boundary.holes, boundary.outers};
     for (const auto l : test::oracle::loops_of(loops)) w.loops.emplace_back(l.begin(), l.end());
     return w;
 }
 
-std::vector<test::oracle::loop> views(const walked& w) { return {w.loops.begin(), w.loops.end()}; }
+std::vector<test::oracle::loop> views(const traced& w) { return {w.loops.begin(), w.loops.end()}; }
 
 }  // namespace
 
-TEST_CASE("A walk stays in its sector: outer loops that touch stay apart, holes that touch are one",
+TEST_CASE("A boundary cycle stays in its sector: outer loops that touch stay apart, holes that touch are one",
           "[fill][boundary_cycles]")
 {
     const test::polyline around{{0, 0}, {8, 0}, {8, 8}, {0, 8}};
-    const walked two = walk({test::square(0, 0, 4), test::square(4, 4, 4)}, fill_rule::non_zero);
+    const traced two = trace_boundary({test::square(0, 0, 4), test::square(4, 4, 4)}, fill_rule::non_zero);
     CHECK(two.outers == 2);
     CHECK(two.holes == 0);
-    CHECK(test::oracle::broken_walk(views(two)).empty());
+    CHECK(test::oracle::broken_cycle(views(two)).empty());
 
-    const walked holes = walk({around, {{2, 2}, {2, 4}, {4, 4}}, {{4, 4}, {4, 6}, {6, 6}}}, fill_rule::non_zero);
+    const traced holes = trace_boundary({around, {{2, 2}, {2, 4}, {4, 4}}, {{4, 4}, {4, 6}, {6, 6}}}, fill_rule::non_zero);
     CHECK(holes.outers == 1);
     CHECK(holes.holes == 1);
-    CHECK(test::oracle::broken_walk(views(holes)).empty());
+    CHECK(test::oracle::broken_cycle(views(holes)).empty());
 
-    const walked joined = walk({around, {{0, 0}, {2, 4}, {4, 2}}}, fill_rule::even_odd);
+    const traced joined = trace_boundary({around, {{0, 0}, {2, 4}, {4, 2}}}, fill_rule::even_odd);
     CHECK(joined.outers == 1);
     CHECK(joined.holes == 0);
     REQUIRE(joined.loops.size() == 1);
@@ -72,17 +72,17 @@ TEST_CASE("Any number of sectors round one point are told apart", "[fill][bounda
     for (std::size_t wings = 1; wings <= 8; ++wings) {
         std::vector<test::polyline> loops;
         for (std::size_t i = 0; i < wings; ++i) loops.push_back({{0, 0}, rim[2 * i], rim[2 * i + 1]});
-        const walked outers = walk(loops, fill_rule::non_zero);
+        const traced outers = trace_boundary(loops, fill_rule::non_zero);
         INFO(wings);
         CHECK(outers.outers == wings);
         CHECK(outers.holes == 0);
-        CHECK(test::oracle::broken_walk(views(outers)).empty());
+        CHECK(test::oracle::broken_cycle(views(outers)).empty());
 
         loops.push_back({{-20, -20}, {20, -20}, {20, 20}, {-20, 20}});
-        const walked holes = walk(loops, fill_rule::even_odd);
+        const traced holes = trace_boundary(loops, fill_rule::even_odd);
         CHECK(holes.outers == 1);
         CHECK(holes.holes == 1);  // they touch in one point: one
-        CHECK(test::oracle::broken_walk(views(holes)).empty());
+        CHECK(test::oracle::broken_cycle(views(holes)).empty());
     }
 }
 
@@ -103,9 +103,9 @@ TEST_CASE("The boundary encloses what is filled and nothing else, where all cros
         }
         const std::vector<test::oracle::loop> in(given.begin(), given.end());
         for (const fill_rule rule : {fill_rule::non_zero, fill_rule::even_odd}) {
-            const walked w = walk(given, rule);
+            const traced w = trace_boundary(given, rule);
             const auto out = views(w);
-            REQUIRE(test::oracle::broken_walk(out).empty());
+            REQUIRE(test::oracle::broken_cycle(out).empty());
             REQUIRE(static_cast<double>(test::oracle::doubled_area(out)) ==
                     Approx(test::oracle::doubled_filled_area(in, rule)));
             std::uint32_t holes = 0;

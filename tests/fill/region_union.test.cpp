@@ -63,7 +63,7 @@ TEST_CASE("a union fills what any member fills, and its edges know whose they ar
         const auto joined = joined_by.join(space);
         REQUIRE(joined);
         const auto boundary = test::oracle::loops_of(*joined);
-        CHECK(test::oracle::broken_walk(boundary) == "");
+        CHECK(test::oracle::broken_cycle(boundary) == "");
 
         std::vector<std::vector<test::polyline>> placed;
         for (const member& m : members) placed.push_back(m.placed());

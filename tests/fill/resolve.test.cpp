@@ -59,7 +59,7 @@ bool knows_its_way(const region& made, const contours& given)
 
 /// What is wrong with what resolve() makes of a shape under a rule; empty when nothing is.
 ///
-/// The walks must be walks, and fill what the contours fill: at every grid point (of `samples` by `samples` round the
+/// The cycles must be proper cycles, and fill what the contours fill: at every grid point (of `samples` by `samples` round the
 /// shape) farther than a cell or so from all contours. Where nothing was bent the areas are equal.
 std::string mistake_on(const test::shape& s, fill_rule rule, int samples = 12)
 {
@@ -72,7 +72,7 @@ std::string mistake_on(const test::shape& s, fill_rule rule, int samples = 12)
     ++all_shapes;
     if (!made) return made.error().message();
     const auto given = test::loops_of(s), kept = test::oracle::loops_of(*made);
-    if (std::string broken = test::oracle::broken_walk(kept); !broken.empty()) return broken;
+    if (std::string broken = test::oracle::broken_cycle(kept); !broken.empty()) return broken;
     std::uint32_t holes = 0, outers = 0;
     for (const auto l : kept) ++(test::oracle::doubled_area(l) > 0 ? outers : holes);
     if (holes != made->holes() || outers != made->outers()) return "holes and outer loops are miscounted";
@@ -249,7 +249,7 @@ TEST_CASE("loops that touch in a point stay in their sector of interior", "[fill
         {"a spike vanishes", {{{0, 0}, {8, 0}, {8, 8}, {4, 8}, {4, 20}, {4, 8}, {0, 8}}}, 5, 0, 1},
         {"a contour and its reverse cancel", {around, test::reversed(around)}, 0, 0, 0},
         {"a doubled contour is one", {around, around}, 4, 0, 1},
-        {"a bridge walked both ways leaves a hole",
+        {"a bridge traversed both ways leaves a hole",
          {{{0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 0}, {2, 2}, {2, 4}, {4, 2}, {2, 2}}},
          7,
          1,

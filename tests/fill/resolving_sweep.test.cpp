@@ -11,7 +11,7 @@ using namespace typemesh;
 
 namespace {
 
-/// What is wrong with an arrangement that a walk believes in; empty when nothing is.
+/// What is wrong with an arrangement that a sweep trusts; empty if nothing is.
 ///
 /// No two segments may have more than an end in common, the turns must be those of closed contours, and the winding
 /// number below each must be what counting along a ray gives, just below its middle.
@@ -52,7 +52,7 @@ std::string mistake_in(const detail::arrangement& a)
 
 }  // namespace
 
-TEST_CASE("What a walk believes is an arrangement of closed contours, with the right winding numbers",
+TEST_CASE("What a sweep trusts is an arrangement of closed contours, with the right winding numbers",
           "[fill][resolving_sweep]")
 {
     test::dice d{91};
@@ -79,12 +79,12 @@ TEST_CASE("What a walk believes is an arrangement of closed contours, with the r
         REQUIRE(a.reserve(scratch, 500));
         REQUIRE(sort_points(loops, space));
         REQUIRE(a.from_contours(loops, space));
-        for (int walk = 0; walk < 4; ++walk) {
+        for (int round = 0; round < 4; ++round) {
             detail::resolving_sweep sweep{a, d.roll(2) == 0 ? fill_rule::non_zero : fill_rule::even_odd};
             REQUIRE(sweep.run(space));
             if (sweep.again) continue;
             ++believed;
-            for (std::uint32_t k = 0; k < a.count; ++k) bent += a.segments[k].bent != 0 && walk == 0;
+            for (std::uint32_t k = 0; k < a.count; ++k) bent += a.segments[k].bent != 0 && round == 0;
             const std::string mistake = mistake_in(a);
             if (!mistake.empty()) {
                 INFO(s);
@@ -94,10 +94,10 @@ TEST_CASE("What a walk believes is an arrangement of closed contours, with the r
         }
     }
     CHECK(believed > 10'000);
-    CHECK(bent > 2000);  // of those that one walk sufficed for: the shortcut is taken
+    CHECK(bent > 2000);  // of those that one sweep sufficed for: the shortcut is taken
 }
 
-TEST_CASE("Contours of ordinary size nearly always need one walk although every crossing is bent",
+TEST_CASE("Contours of ordinary size nearly always need one sweep although every crossing is bent",
           "[fill][resolving_sweep]")
 {
     test::dice d{92};
@@ -120,7 +120,7 @@ TEST_CASE("Contours of ordinary size nearly always need one walk although every 
     CHECK(once >= 450);
 }
 
-TEST_CASE("A walk without room says so and leaves closed contours", "[fill][resolving_sweep]")
+TEST_CASE("A sweep without capacity says so and leaves closed contours", "[fill][resolving_sweep]")
 {
     test::polyline star;
     for (int i = 0; i < 31; ++i) star.push_back(test::on_circle(0, 0, 10'000, test::turn_once * i * 13 / 31));

@@ -16,7 +16,7 @@ struct piece {
     detail::arrangement::edge home;
 };
 
-/// What snap rounding makes of contours; a walk over that must have nothing to bend.
+/// What snap rounding makes of contours; a sweep over that must have nothing to bend.
 std::vector<piece> rounded(const test::shape& s)
 {
     contours loops = test::contours_of(s);

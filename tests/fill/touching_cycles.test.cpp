@@ -51,9 +51,9 @@ TEST_CASE("Walking anew keeps every directed edge, is done after one time, and c
         contours loops = test::contours_of(s);
         workspace space;
         workspace::scope scratch{space};
-        touching_cycles walks, again;
+        touching_cycles cycles, again;
         INFO(s);
-        if (const error e = walks.link(loops, scratch, space)) {
+        if (const error e = cycles.link(loops, scratch, space)) {
             REQUIRE(e == error::crossing_contours);
             REQUIRE(equal(loops, given));
             continue;
@@ -64,20 +64,20 @@ TEST_CASE("Walking anew keeps every directed edge, is done after one time, and c
         const std::vector<grid_point> first{loops.points.begin(), loops.points.end()};
         REQUIRE_FALSE(again.link(loops, scratch, space));
         REQUIRE(std::equal(first.begin(), first.end(), loops.points.begin(), loops.points.end()));
-        walks.undo(loops);
+        cycles.undo(loops);
         REQUIRE(equal(loops, given));
     }
     CHECK(linked > 1000);
     CHECK(changed > 100);
 }
 
-TEST_CASE("Contours without equal points are not walked anew", "[fill][touching_cycles]")
+TEST_CASE("Contours without equal points are not relinked", "[fill][touching_cycles]")
 {
     for (const test::shape& s : {test::shape{"a square", {test::square(0, 0, 9)}}, test::shape{"nothing", {}}}) {
         contours loops = test::contours_of(s);
         workspace space;
         workspace::scope scratch{space};
-        touching_cycles walks;
-        CHECK(walks.link(loops, scratch, space) == error::crossing_contours);
+        touching_cycles cycles;
+        CHECK(cycles.link(loops, scratch, space) == error::crossing_contours);
     }
 }

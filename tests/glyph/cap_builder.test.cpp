@@ -9,7 +9,7 @@
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
 #include "support/regions.hpp"
-#include "support/walks.hpp"
+#include "support/cycles.hpp"
 
 #include <tuple>
 
@@ -117,12 +117,12 @@ std::string mistake_on(const test::shape& s, fill_rule rule)
     }
     if (!only_touches) return "accepted, and edges meet";
     if (slow->points().size() != fast->points().size()) return "another number of points than resolved";
-    if (test::walks_of(*fast) != test::walks_of(*slow)) return "other walks than resolved";
+    if (test::cycles_of(*fast) != test::cycles_of(*slow)) return "other cycles than resolved";
     if (fast->holes() != slow->holes() || fast->outers() != slow->outers()) return "holes and outers are miscounted";
     if (fast->is_touching() != slow->is_touching()) return "is_touching() is wrong";
     touching += fast->is_touching();
     ++proven_fast;
-    if (std::string broken = test::oracle::broken_walk(test::oracle::loops_of(*fast)); !broken.empty()) return broken;
+    if (std::string broken = test::oracle::broken_cycle(test::oracle::loops_of(*fast)); !broken.empty()) return broken;
     return test::oracle::broken_law(*fast, out.view());
 }
 
@@ -205,7 +205,7 @@ TEMPLATE_LIST_TEST_CASE("patterns of squares and rhombs that touch in corners ar
     CHECK(touching > 20'000);
 }
 
-TEMPLATE_LIST_TEST_CASE("any number of sectors round one point is proven, walked as one loop or as many",
+TEMPLATE_LIST_TEST_CASE("any number of sectors round one point is proven, as one loop or as many",
                         "[glyph][cap_builder]", triangulators)
 {
     for (int sectors = 2; sectors <= 40; ++sectors) {
@@ -317,10 +317,10 @@ TEMPLATE_LIST_TEST_CASE(
         const auto b = two.fill({}, plain_prover<TestType>{});
         REQUIRE(a);
         REQUIRE(b);
-        CHECK(test::walks_of(*a) == test::walks_of(*b));
+        CHECK(test::cycles_of(*a) == test::cycles_of(*b));
         REQUIRE(a->holes() == b->holes());
         REQUIRE(taken.size() == sorted.size());
-        if (!a->is_touching())  // else one may have been walked anew, from other first points
+        if (!a->is_touching())  // else one may have been relinked, from other first points
             CHECK(std::equal(taken.begin(), taken.end(), sorted.begin(), [](const triangle& s, const triangle& t) {
                 return s.a == t.a && s.b == t.b && s.c == t.c;
             }));

@@ -148,7 +148,7 @@ std::string broken_law(const capped& c, const outline& o, double tolerance, fill
     if (c.made.points().empty()) return {};
     if (std::string s = test::oracle::broken_law(c.made, c.triangles().view()); !s.empty()) return s;
     const auto kept = test::oracle::loops_of(c.made);
-    if (std::string s = test::oracle::broken_walk(kept); !s.empty()) return s;
+    if (std::string s = test::oracle::broken_cycle(kept); !s.empty()) return s;
     const auto curves = dense(o, c.cells, tolerance);
     const double allowed = 1.01 * tolerance * c.cells + 1.5;  // 1.5 cells: crossings are rounded
     for (const auto l : kept)

@@ -16,7 +16,7 @@ std::string broken(const std::vector<test::polyline>& loops) { return check_boun
 
 }  // namespace
 
-TEST_CASE("walks that keep to their sectors pass, and each fault that is planted in one shows", "[inspect]")
+TEST_CASE("boundary cycles that keep to their sectors pass, and each fault that is planted in one shows", "[inspect]")
 {
     const test::polyline box = test::square(0, 0, 10), beside = test::square(10, 10, 10);
     CHECK(broken({box, beside}) == "");                                                  // a common corner
@@ -37,7 +37,7 @@ TEST_CASE("walks that keep to their sectors pass, and each fault that is planted
     CHECK(check_boundary({across, box}).crossings == 2);
 }
 
-TEST_CASE("loops that do not meet are boundary walks", "[inspect]")
+TEST_CASE("loops that do not meet are boundary cycles", "[inspect]")
 {
     int regions = 0;
     for (const test::shape& s : test::generated_regions()) {

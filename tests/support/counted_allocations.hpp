@@ -15,7 +15,7 @@
 
 namespace test {
 
-inline std::atomic<std::size_t> allocations{0};  ///< so far, by anybody
+inline std::atomic<std::size_t> allocations{0};  ///< so far, by the whole program
 
 namespace detail {
 
@@ -25,7 +25,7 @@ inline void* counted(std::size_t bytes) noexcept
     return std::malloc(bytes == 0 ? 1 : bytes);
 }
 
-/// The block's own begin is kept before what is handed out.
+/// The start of the block is stored before what is returned.
 inline void* counted(std::size_t bytes, std::align_val_t wanted) noexcept
 {
     const auto alignment = static_cast<std::size_t>(wanted);

@@ -125,7 +125,7 @@ inline polyline sawtooth(int teeth, bool cut)
     return l;
 }
 
-/// Squares that meet at their corners, as on a chess board: hundreds of points that boundaries come through twice.
+/// Squares that meet at their corners, as on a chess board: hundreds of points that boundaries pass through twice.
 inline shape chess_board(int rows)
 {
     shape s{"chess board of " + std::to_string(rows), {}};

@@ -8,7 +8,7 @@
 
 namespace test {
 
-/// Several workers without a thread: tasks come in an order that nobody would choose, each to the next worker.
+/// Several workers without a thread: tasks come in an unlikely order, each to the next worker.
 struct scrambled_workers {
     std::size_t count = 3;
     std::uint32_t seed = 1;
@@ -19,7 +19,7 @@ struct scrambled_workers {
     void run(std::size_t n, const Task& task) noexcept
     {
         if (n == 0) return;
-        // A step that has no divisor in common with n meets each task once.
+        // A step that has no divisor in common with n reaches each task once.
         std::size_t step = seed = seed * 1664525u + 1013904223u;
         const auto common = [](std::size_t a, std::size_t b) {
             while (b != 0) a %= b, std::swap(a, b);

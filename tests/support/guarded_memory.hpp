@@ -18,7 +18,7 @@
 
 namespace test {
 
-/// An array between two pages that no one may touch: a write one byte too far ends the program.
+/// An array between two inaccessible pages: a write one byte too far ends the program.
 ///
 ///     | no access | elements .......... rest | no access |      at_end: the rest comes first
 template <class T>

@@ -48,7 +48,7 @@ struct cross_product {
 
 using typemesh::inspect::closedness;
 
-/// Whether some triangles are closed, once vertices in equal positions are one.
+/// Whether some triangles are closed, with vertices at equal positions welded.
 inline closedness examine(std::span<const full_vertex> vertices, std::span<const std::uint32_t> indices,
                           int depth_axis = 2)
 {

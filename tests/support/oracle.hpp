@@ -19,8 +19,8 @@ namespace test::oracle {
 using namespace typemesh::inspect;
 using typemesh::grid_point;
 
-/// What keeps loops from being walks round an area, as region promises; empty when nothing does.
-inline std::string broken_walk(const std::vector<loop>& loops) { return check_boundary(loops).broken(); }
+/// What keeps loops from being the boundary cycles of an area, as region promises; empty if nothing does.
+inline std::string broken_cycle(const std::vector<loop>& loops) { return check_boundary(loops).broken(); }
 
 /// The first law that a triangulation breaks; empty when it obeys all.
 inline std::string broken_law(const typemesh::region& r, std::span<const typemesh::triangle> triangles)

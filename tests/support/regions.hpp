@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Shapes to test with: generators of all sizes, a reader of corpus/regions.txt, and ways to turn them.
+// Shapes to test with: generators of all sizes, a reader of corpus/regions.txt, and ways to rotate them.
 
 #include <typemesh/core/contours.hpp>
 
@@ -116,7 +116,7 @@ inline polyline reversed(polyline l)
     return l;
 }
 
-/// Teeth that point to the right; turned by 180 degrees they all start where the sweep begins.
+/// Teeth that point to the right; rotated by 180 degrees they all start where the sweep begins.
 inline polyline comb(int teeth, std::int32_t length = 100'000)
 {
     polyline l{{0, 0}};
@@ -165,7 +165,7 @@ inline polyline staircase(int steps)
     return l;
 }
 
-/// A polygon through random points of a grid, uncrossed by turning round what lies between two crossing edges. Mostly
+/// A polygon through random points of a grid, uncrossed by reversing what lies between two crossing edges. Mostly
 /// simple.
 inline polyline random_polygon(int n, std::int32_t width, dice& d)
 {
@@ -254,7 +254,7 @@ inline std::vector<shape> generated_regions()
 
 // --- turning -----------------------------------------------------------------------------------------------------
 
-/// Turned about the origin and snapped; quarter turns are exact. Equal neighbours that snapping makes are dropped.
+/// Rotated about the origin and snapped; quarter turns are exact. Equal neighbours that snapping makes are dropped.
 inline shape turned(const shape& s, double degrees)
 {
     const bool quarters = std::fmod(degrees, 90.0) == 0.0;
@@ -280,7 +280,7 @@ inline shape turned(const shape& s, double degrees)
     return t;
 }
 
-/// Every contour run the other way.
+/// Every contour reversed.
 inline shape reversed(shape s)
 {
     s.name += ", reversed";
@@ -288,7 +288,7 @@ inline shape reversed(shape s)
     return s;
 }
 
-/// x and y swapped, and every contour run the other way, so that what was left stays left.
+/// x and y swapped, and every contour reversed, so that what was left stays left.
 inline shape mirrored(shape s)
 {
     s.name += ", mirrored";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Snap rounding by its definition: every pair of edges, every cell, in whole numbers. Slow, plain, and without a line in
+// Snap rounding by its definition: every pair of edges, every pixel, in integers. Slow, plain, and without a line in
 // common with the library. For |coordinate| < 2^15.
 
 #include <typemesh/core/fill_rule.hpp>
@@ -21,7 +21,7 @@ namespace test::oracle {
 
 using place = std::pair<std::int64_t, std::int64_t>;  // x, y
 
-/// Directed pieces and how often each is run, from left to right.
+/// Directed pieces and how often each is traversed, from left to right.
 using pieces = std::map<std::pair<place, place>, int>;
 
 inline std::int64_t turn(place a, place b, place c)
@@ -29,7 +29,7 @@ inline std::int64_t turn(place a, place b, place c)
     return (b.first - a.first) * (c.second - a.second) - (b.second - a.second) * (c.first - a.first);
 }
 
-/// Whether the closed segment ab has a point in the cell [-1/2, 1/2) x [-1/2, 1/2) round p: the part of it within each
+/// Whether the closed segment ab has a point in the pixel [-1/2, 1/2) x [-1/2, 1/2) around p: what of it lies within each
 /// pair of half planes is one interval of its parameter, open at the upper sides.
 inline bool comes_through_cell(place a, place b, place p)
 {
@@ -65,8 +65,8 @@ inline bool comes_through_cell(place a, place b, place p)
 
 /// What resolve() promises to cut edges into. Edges between two points that cancel (under even_odd: every pair of them)
 /// are none. Hot are the contours' points and the grid points nearest to crossings, halves up. An edge is cut in every
-/// hot point that it runs through; of the parts between, those that have to bend somewhere are led through every hot
-/// cell that they come through.
+/// hot point that it passes through; of the pieces between, those that have to bend somewhere are routed through every
+/// hot pixel that they pass through.
 inline pieces snapped(const std::vector<loop>& loops, typemesh::fill_rule rule)
 {
     const bool parity = rule == typemesh::fill_rule::even_odd;
@@ -165,7 +165,7 @@ inline std::set<std::pair<place, place>> boundary_of(const pieces& all, typemesh
             if (other == piece) continue;
             place c{2 * other.first.first, 2 * other.first.second}, d{2 * other.second.first, 2 * other.second.second};
             int crossed = u;
-            if (a.first == b.first) {  // upright: along the ray to the right
+            if (a.first == b.first) {  // vertical: along the ray to the right
                 if (c.second > d.second) std::swap(c, d), crossed = -u;
                 if (c.second <= middle.second && middle.second < d.second && turn(c, d, middle) > 0) below += crossed;
             } else if (c.first <= middle.first && middle.first < d.first && turn(c, d, middle) > 0) {
@@ -198,12 +198,12 @@ inline std::vector<std::vector<place>> cyclic(const std::vector<loop>& loops)
 {
     std::vector<std::vector<place>> all;
     for (const loop l : loops) {
-        std::vector<place> walk;
-        for (const grid_point p : l) walk.emplace_back(p.x, p.y);
-        std::vector<place> smallest = walk;
-        for (std::size_t i = 0; i < walk.size(); ++i) {
-            std::rotate(walk.begin(), walk.begin() + 1, walk.end());
-            smallest = (std::min)(smallest, walk);
+        std::vector<place> points;
+        for (const grid_point p : l) points.emplace_back(p.x, p.y);
+        std::vector<place> smallest = points;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            std::rotate(points.begin(), points.begin() + 1, points.end());
+            smallest = (std::min)(smallest, points);
         }
         all.push_back(smallest);
     }

@@ -275,12 +275,12 @@ inline void check_instances(const auto& plan)
     CHECK(std::count(seen.begin(), seen.end(), 1) == static_cast<std::ptrdiff_t>(seen.size()));
 }
 
-/// Merged, a styled text is what its styles are when each is merged alone; whose a triangle is has its style too.
+/// Merged, a styled text is what its styles are when each is merged alone; a triangle's owner has its style, too.
 inline void check_merging(auto& mesher, const typemesh::glyph_run& run, typemesh::text_options options)
 {
     using namespace typemesh;
     options.merge = true;
-    options.texture_over = texture_box::glyph;  // over the whole text it would tell who else is there
+    options.texture_over = texture_box::glyph;  // over the whole text it would depend on the other glyphs
     std::vector<drawn_triangle> expected;
     std::map<style_id, std::vector<std::uint32_t>> members;
     std::map<style_id, bool> in_use;
@@ -290,7 +290,7 @@ inline void check_merging(auto& mesher, const typemesh::glyph_run& run, typemesh
         alone.units_per_em = run.units_per_em;
         REQUIRE(alone.lines.append(run.lines.view()));
         for (placed_glyph g : run.glyphs) {
-            g.missing = g.missing || run.looks[g.look].style != s;  // its place stays, and nothing is drawn there
+            g.missing = g.missing || run.looks[g.look].style != s;  // its position stays, and nothing is drawn there
             g.look = 0;
             REQUIRE(alone.glyphs.push_back(g));
         }
@@ -323,7 +323,7 @@ inline void check_merging(auto& mesher, const typemesh::glyph_run& run, typemesh
     for (const std::uint32_t most : {200u, 5000u}) check_chunks(*plan, merged, most);
 }
 
-/// All of it. `mesher`, `other_mesher`: two of one kind; `pool`: of the second one's sources.
+/// All of it. `mesher`, `other_mesher`: two of one type; `pool`: workers with sources of the second one.
 template <class Mesher, class Team>
 void check_styles(Mesher& mesher, Mesher& other_mesher, Team& pool, const typemesh::glyph_run& plain_run,
                   const typemesh::text_options& options, std::uint32_t seed)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A font without a font file: a few drawn glyphs and a shaper that maps characters to them. 1000 units to the em.
+// A font without a font file: a few drawn glyphs and a shaper that maps characters to them. 1000 units per em.
 
 #include <typemesh/layout/shaper.hpp>
 #include <typemesh/layout/utf.hpp>

@@ -27,7 +27,7 @@ inline std::vector<std::string> workload_lines(const std::string& file)
 struct workload_font {
     std::string role, name, package, path;
 
-    /// Too large for every machine: where it is not installed, the test says so and goes on.
+    /// Too large for every machine: where it is not installed, the test says so and continues.
     [[nodiscard]] bool optional() const { return package == "fonts-mplus" || package == "fonts-noto-cjk"; }
     [[nodiscard]] bool serves(const std::string& script) const { return role.find(script) != std::string::npos; }
 

@@ -15,10 +15,10 @@ namespace {
 
 constexpr int fine = 1024;  // so that a place right beside the middle of an edge is a grid point
 
-/// Whether loops of small coordinates are walks with the interior on the left, found by trying everything.
+/// Whether loops of small coordinates are boundary cycles with the interior on the left, by brute force.
 bool is_touching_region(const std::vector<test::oracle::loop>& loops)
 {
-    if (!test::oracle::broken_walk(loops).empty()) return false;
+    if (!test::oracle::broken_cycle(loops).empty()) return false;
     std::vector<test::polyline> large;
     for (const auto l : loops) {
         large.emplace_back();

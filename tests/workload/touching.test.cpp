@@ -5,7 +5,7 @@
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
 #include "support/oracle.hpp"
-#include "support/walks.hpp"
+#include "support/cycles.hpp"
 
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/glyph/cap_builder.hpp>
@@ -39,7 +39,7 @@ TEST_CASE("glyphs that only touch in points are the region that resolve() makes 
                 REQUIRE_FALSE(discretise(shape, certified{}, tolerance, *g, resolved));
                 const result<region> made = resolve(resolved, rule, space);
                 REQUIRE(made);
-                CHECK(test::walks_of(*proven) == test::walks_of(*made));
+                CHECK(test::cycles_of(*proven) == test::cycles_of(*made));
                 CHECK(proven->holes() == made->holes());
                 CHECK(proven->outers() == made->outers());
                 CHECK(made->is_touching());

@@ -12,7 +12,7 @@ namespace text_to_mesh {
 /// model. A box around a model answers for it well enough, before it is made.
 [[nodiscard]] double pixels_per_unit(const model& mesh, const picture_options& options);
 
-/// Draws the model with a software rasteriser: 16 samples a pixel, exact coverage, a depth for every sample. No GPU, no
+/// Draws the model with a software rasteriser: 16 samples per pixel, exact coverage, a depth per sample. No GPU, no
 /// clock, no threads: the same model gives the same picture (up to the last bit of the compiler's floating point, which
 /// golden images should allow for).
 ///

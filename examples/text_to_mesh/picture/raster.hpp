@@ -5,11 +5,11 @@
 
 namespace text_to_mesh {
 
-/// Pixels are cut into 256 steps a side, so that "which side of this edge?" is an exact integer question.
+/// Pixels are divided into 256 steps per side, so that "which side of this edge?" is an exact integer question.
 inline constexpr std::int32_t pixel_steps = 256;
 
-/// Sixteen samples a pixel. Each of the 16 rows and columns of the pixel holds exactly one (the standard Direct3D
-/// pattern), so that nearly upright and nearly level edges get 16 grey steps too.
+/// Sixteen samples per pixel. Each of the 16 rows and columns of the pixel holds exactly one (the standard Direct3D
+/// pattern), so that nearly vertical and nearly horizontal edges get 16 grey steps too.
 inline constexpr int samples_per_pixel = 16;
 inline constexpr std::int32_t sample_x[samples_per_pixel] = {152, 120, 88, 200, 56, 168, 216, 184,
                                                              104, 136, 72, 40,  8,  248, 232, 24};
@@ -48,7 +48,7 @@ struct raster_edge {
 
 /// Visits each pixel of `window` in which the triangle covers a sample: visit(x, y, mask), bit i for sample i.
 ///
-/// Triangles that share edges cover every sample inside their union exactly once: no crack, no overlap. The turn of the
+/// Triangles that share edges cover every sample inside their union exactly once: no crack, no overlap. The orientation of the
 /// triangle does not matter; one without area covers nothing.
 template <class Visit>
 void each_covered_pixel(raster_point a, raster_point b, raster_point c, raster_window window, Visit&& visit)

@@ -5,7 +5,7 @@
 
 namespace text_to_mesh {
 
-/// The smallest pyramid of view around some points, seen from one direction: as far away as they ask, and no farther.
+/// The smallest pyramid of view around some points, seen from one direction: as far away as necessary, and no farther.
 ///
 /// A point (x, y, z) in the camera's axes is inside a pyramid of half width t (at distance one) from eye (ex, ey, ez)
 /// when |x - ex| <= t (ez - z), which is linear in the eye: the four greatest values of +-x + t z and +-y + t z hold

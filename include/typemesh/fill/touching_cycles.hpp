@@ -75,7 +75,7 @@ public:
                 next = outgoing_edges[i].visit;
             }
         }
-        return changed ? walk(loops, behind, scratch) : error{};
+        return changed ? relink(loops, behind, scratch) : error{};
     }
 
     /// Undoes link(), while its scratch memory lasts.
@@ -103,9 +103,9 @@ private:
         return {v == first ? last : v - 1, v == last ? first : v + 1};
     }
 
-    [[nodiscard]] error walk(contours& loops, std::uint32_t* behind, workspace::scope& scratch) noexcept
+    [[nodiscard]] error relink(contours& loops, std::uint32_t* behind, workspace::scope& scratch) noexcept
     {
-        constexpr std::uint32_t walked = 0xFFFF'FFFFu;
+        constexpr std::uint32_t done = 0xFFFF'FFFFu;
         const auto n = static_cast<std::uint32_t>(loops.points.size());
         start_count_ = loops.starts.size();
         auto* const points = scratch.take<grid_point>(n);
@@ -118,11 +118,11 @@ private:
         points_ = points;
         std::uint32_t size = 0;
         for (std::uint32_t first = 0; first < n; ++first) {
-            if (behind[first] == walked) continue;
-            for (std::uint32_t v = first; behind[v] != walked;) {
+            if (behind[first] == done) continue;
+            for (std::uint32_t v = first; behind[v] != done;) {
                 points_[size] = loops.points[v];
                 edges_[size++] = loops.edges[v];
-                v = std::exchange(behind[v], walked);
+                v = std::exchange(behind[v], done);
             }
             loops.starts.push_back_unchecked(size);
         }

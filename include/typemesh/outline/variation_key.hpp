@@ -6,6 +6,7 @@
 #include <concepts>
 #include <cstdint>
 #include <cstring>
+#include <initializer_list>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
