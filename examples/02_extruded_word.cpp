@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// An extruded word with everything a renderer needs: normals, texture coordinates, exact sizes before anything is written,
-// one range of indices for each material.
+// An extruded word with everything a renderer needs: normals, texture coordinates, exact sizes before anything is
+// written, one range of indices for each material.
 //
 //     02_extruded_word FONT [TEXT]
 
@@ -34,7 +34,8 @@ int main(int argc, char** argv)
     auto plan = mesher.plan(argc > 2 ? argv[2] : "Hello world!", {.tolerance = quality::high, .frame = left_handed_y_up});
     if (!plan) return std::puts(plan.error().message()), 1;
 
-    // The sizes are exact: this could be a mapped GPU buffer just as well. It is written once, ascending, and never read.
+    // The sizes are exact: this could be a mapped GPU buffer just as well. It is written once, ascending, and never
+    // read.
     std::vector<vertex> vertices(plan->size().vertices);
     std::vector<std::uint32_t> indices(plan->size().indices());
     if (error e = plan->write(into(std::span{vertices}, std::span{indices}))) return std::puts(e.message()), 1;

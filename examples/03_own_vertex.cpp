@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Your vertex, your encoding: a writer with state packs a normal into 32 bits and adds a colour. Only what it `wants` is computed.
+// Your vertex, your encoding: a writer with state packs a normal into 32 bits and adds a colour. Only what it `wants`
+// is computed.
 //
 //     03_own_vertex FONT
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Policies of your own: a discretiser that gives every curve the same number of pieces, and a fan-shaped outline source that needs
-// no font at all. Both are plain structs; the concepts say what they must provide.
+// Policies of your own: a discretiser that gives every curve the same number of pieces, and a fan-shaped outline source
+// that needs no font at all. Both are plain structs; the concepts say what they must provide.
 //
 //     04_own_policy
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One array for each attribute, as many engines keep them, and 16-bit indices. The arrays may lie anywhere and at any stride.
+// One array for each attribute, as many engines keep them, and 16-bit indices. The arrays may lie anywhere and at any
+// stride.
 //
 //     05_structure_of_arrays FONT
 

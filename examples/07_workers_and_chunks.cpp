@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A long text, built on all processors, cut into meshes that 16-bit indices can number. An executor of your own job system
-// serves as well as thread_pool: see typemesh/core/executor.hpp.
+// A long text, built on all processors, cut into meshes that 16-bit indices can number. An executor of your own job
+// system serves as well as thread_pool: see typemesh/core/executor.hpp.
 //
 //     07_workers_and_chunks FONT
 

@@ -2,8 +2,8 @@
 #pragma once
 
 // typemesh for a program that is not compiled as C++20. Irrlicht 1.8's own header cannot be (its irrXML.h writes a
-// constructor as `xmlChar<T>()`, which C++20 no longer allows), and typemesh needs C++20. So each has a source file of its
-// own, and this header stands between them: it includes neither and is plain C++11.
+// constructor as `xmlChar<T>()`, which C++20 no longer allows), and typemesh needs C++20. So each has a source file of
+// its own, and this header stands between them: it includes neither and is plain C++11.
 //
 //     your sources            C++98 to C++17   irrlicht.h, engines/irrlicht.hpp, which includes this header
 //     irrlicht_text.cpp       C++20            typemesh, and this header
@@ -25,8 +25,8 @@ struct text_vertex {
     float uv[2];
 };
 
-/// A font, and texts of it as meshes: left-handed, y up, to be read from -z, front faces clockwise, v downwards, an em is
-/// 1. What can fail returns a sentence, or nullptr if all is well.
+/// A font, and texts of it as meshes: left-handed, y up, to be read from -z, front faces clockwise, v downwards, an em
+/// is 1. What can fail returns a sentence, or nullptr if all is well.
 class text {
 public:
     text();

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// three.js, typemesh compiled to WebAssembly: one typed array per attribute, in the module's memory. Right-handed, y up,
-// front faces counter-clockwise; v upwards (Texture.flipY is true by default); bitangent = w * cross(normal, tangent).
+// three.js, typemesh compiled to WebAssembly: one typed array per attribute, in the module's memory. Right-handed, y
+// up, front faces counter-clockwise; v upwards (Texture.flipY is true by default); bitangent = w * cross(normal,
+// tangent).
 //
 //     // JavaScript
 //     const geometry = new THREE.BufferGeometry();

@@ -2,8 +2,8 @@
 #pragma once
 
 // Unreal Engine: the vertex buffers of a static mesh's level of detail (position, tangent basis, texture coordinates,
-// colour, each in its own buffer) and its indices. Left-handed, z up, centimetres; text runs along +y and faces -x,
-// so that a camera that looks along +x reads it. v downwards, normal maps with green down: TangentY points where v grows.
+// colour, each in its own buffer) and its indices. Left-handed, z up, centimetres; text runs along +y and faces -x, so
+// that a camera that looks along +x reads it. v downwards, normal maps with green down: TangentY points where v grows.
 //
 // Winding: Epic's page on face winding says that the cross product of consecutive vertices opposes the normal; so
 // frame::winding is -1 here.

@@ -2,9 +2,9 @@
 #pragma once
 
 // Vulkan: one interleaved vertex of 24 bytes, written into mapped, write-combined memory, several texts in one buffer.
-// Vulkan has no world space of its own; this recipe's is right-handed with y up, v downwards as images lie in memory. In clip
-// space y points down: with the customary flipped viewport (negative height, VK_KHR_maintenance1, core since 1.1) the
-// front faces are VK_FRONT_FACE_COUNTER_CLOCKWISE.
+// Vulkan has no world space of its own; this recipe's is right-handed with y up, v downwards as images lie in memory.
+// In clip space y points down: with the customary flipped viewport (negative height, VK_KHR_maintenance1, core since
+// 1.1) the front faces are VK_FRONT_FACE_COUNTER_CLOCKWISE.
 //
 // VK_FORMAT_A2B10G10R10_SNORM_PACK32 is not a format that every device must support for vertices: query
 // vkGetPhysicalDeviceFormatProperties(...).bufferFeatures for VK_FORMAT_FEATURE_VERTEX_BUFFER_BIT once, and if it is

@@ -83,8 +83,8 @@ void add_named_instance(unsigned number, font_file& out)
     hb_blob_destroy(blob);
 }
 
-/// What the asked name's words after its colons get wrong: "DejaVu Sans:bold:slant=0". fontconfig passes over those that
-/// it does not know. Gives an empty string, or one sentence.
+/// What the asked name's words after its colons get wrong: "DejaVu Sans:bold:slant=0". fontconfig passes over those
+/// that it does not know. Gives an empty string, or one sentence.
 std::string unknown_words(const std::string& name)
 {
     std::string_view left{name};

@@ -50,7 +50,8 @@ inline void* or_die(void* block) noexcept
 
 }  // namespace detail
 
-/// Whether a block of typemesh::heap() counts, of any alignment, and a plain one. Without this a count of 0 says nothing.
+/// Whether a block of typemesh::heap() counts, of any alignment, and a plain one. Without this a count of 0 says
+/// nothing.
 inline bool every_allocation_counts() noexcept
 {
     const typemesh::memory heap = typemesh::heap();

@@ -51,7 +51,8 @@ inline bool operator_less(const placed_triangle& s, const placed_triangle& t)
     return false;
 }
 
-/// The triangles as places, each from its smallest corner on, sorted: equal when the sets are equal, however points are numbered.
+/// The triangles as places, each from its smallest corner on, sorted: equal when the sets are equal, however points are
+/// numbered.
 inline std::vector<placed_triangle> as_set(std::span<const grid_point> points,
                                            std::span<const typemesh::triangle> triangles)
 {

@@ -22,8 +22,8 @@ struct meshed {
     std::vector<oracle::placed_triangle> triangles;
 };
 
-/// Fills and triangulates a shape: the triangles as a set, and the first law that they break. Without laws only shapes whose
-/// loops do not meet: crossings are rounded to the grid, which turning and scaling change.
+/// Fills and triangulates a shape: the triangles as a set, and the first law that they break. Without laws only shapes
+/// whose loops do not meet: crossings are rounded to the grid, which turning and scaling change.
 inline meshed mesh_of(const shape& s, typemesh::constrained_delaunay how = {}, bool lawful = true)
 {
     using namespace typemesh;

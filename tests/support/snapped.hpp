@@ -29,8 +29,8 @@ inline std::int64_t turn(place a, place b, place c)
     return (b.first - a.first) * (c.second - a.second) - (b.second - a.second) * (c.first - a.first);
 }
 
-/// Whether the closed segment ab has a point in the pixel [-1/2, 1/2) x [-1/2, 1/2) around p: what of it lies within each
-/// pair of half planes is one interval of its parameter, open at the upper sides.
+/// Whether the closed segment ab has a point in the pixel [-1/2, 1/2) x [-1/2, 1/2) around p: what of it lies within
+/// each pair of half planes is one interval of its parameter, open at the upper sides.
 inline bool comes_through_cell(place a, place b, place p)
 {
     struct fraction {

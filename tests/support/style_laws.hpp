@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the styles of a run's looks may change of a mesh, and what not: a styled text against the same text in one style.
+// What the styles of a run's looks may change of a mesh, and what not: a styled text against the same text in one
+// style.
 
 #include "support/catch.hpp"
 #include "support/executors.hpp"

@@ -12,9 +12,9 @@
 
 namespace test {
 
-/// Glyphs: 0 .notdef (a box with a hole), 'o' (round, with a round hole), 'E' (straight lines), 'x' (contours that cross),
-/// ' ' (blank), 'i' (a box), '~' (a coordinate that is not a number). Every other character is missing.
-/// Advance 600 for all; ascender 800, descender -200.
+/// Glyphs: 0 .notdef (a box with a hole), 'o' (round, with a round hole), 'E' (straight lines), 'x' (contours that
+/// cross), ' ' (blank), 'i' (a box), '~' (a coordinate that is not a number). Every other character is missing. Advance
+/// 600 for all; ascender 800, descender -200.
 class toy_font {
 public:
     explicit toy_font(typemesh::memory source = typemesh::heap())

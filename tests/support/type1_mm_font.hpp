@@ -23,9 +23,10 @@ inline std::string encrypted(std::string_view plain, std::uint16_t key)
     return out;
 }
 
-/// The glyph A is a box, 700 units high and 100 units wide in the light narrow master, 400 in the bold narrow, 600 in the
-/// light wide and 1100 in the bold wide one; the axes are: "Weight" from 200 to 800, "Width" from 50 to 150. `vector` holds the weights of the four masters (light
-/// narrow, bold narrow, light wide, bold wide) with which the font is opened.
+/// The glyph A is a box, 700 units high and 100 units wide in the light narrow master, 400 in the bold narrow, 600 in
+/// the light wide and 1100 in the bold wide one; the axes are: "Weight" from 200 to 800, "Width" from 50 to 150.
+/// `vector` holds the weights of the four masters (light narrow, bold narrow, light wide, bold wide) with which the
+/// font is opened.
 inline std::vector<std::byte> type1_mm_font(std::string_view vector)
 {
     const auto number = [](int v) {

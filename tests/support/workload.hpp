@@ -54,8 +54,8 @@ inline std::vector<workload_font> workload_fonts()
     return fonts;
 }
 
-/// All texts of one script ("latin", "arabic", "chinese", "japanese"): its characters joined to one line, its phrases, and the
-/// long text.
+/// All texts of one script ("latin", "arabic", "chinese", "japanese"): its characters joined to one line, its phrases,
+/// and the long text.
 inline std::vector<std::string> workload_texts(const std::string& script)
 {
     std::string characters;

@@ -48,8 +48,8 @@ struct raster_edge {
 
 /// Visits each pixel of `window` in which the triangle covers a sample: visit(x, y, mask), bit i for sample i.
 ///
-/// Triangles that share edges cover every sample inside their union exactly once: no crack, no overlap. The orientation of the
-/// triangle does not matter; one without area covers nothing.
+/// Triangles that share edges cover every sample inside their union exactly once: no crack, no overlap. The orientation
+/// of the triangle does not matter; one without area covers nothing.
 template <class Visit>
 void each_covered_pixel(raster_point a, raster_point b, raster_point c, raster_window window, Visit&& visit)
 {

@@ -25,7 +25,7 @@ struct fill_check {
 ///
 ///     given     contours, which may cross in any way
 ///     kept      the region's loops: filled where their winding number is 1, not filled where it is 0
-///     rows      so many rows of so many places, over the box of `given`; where that is small, all its grid points
+///     rows      this many rows of this many places, over the box of `given`; if that is small, all its grid points
 ///     margin    how far from all edges of `given` a place must be to be compared, in cells: 1.5 where crossings are
 ///               rounded to the grid. Places on an edge are never compared
 ///

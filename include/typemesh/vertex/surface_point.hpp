@@ -110,7 +110,7 @@ struct with_part<Wants, false> : with_style<Wants> {
 ///     glyph      glyph_id     the glyph it belongs to, in its font; no_glyph if unknown
 ///     cluster    cluster_id   the position in the caller's text that it comes from; no_cluster if unknown
 ///     part       part         front, back or side
-///     style      style_id     its look's (layout/look.hpp); no_style where nobody knows
+///     style      style_id     its look's (layout/look.hpp); no_style if unknown
 ///
 /// What is not in `Wants` takes no space and is never computed.
 template <attribute Wants>
