@@ -153,9 +153,8 @@ void add(const set& s)
     entry("delaunay proving", [&s](workspace& w, triangle_list& out) { pass<constrained_delaunay>(s, true, w, out); });
     entry("delaunay trusting",
           [&s](workspace& w, triangle_list& out) { pass<constrained_delaunay>(s, false, w, out); });
-    entry("delaunay by slabs, trusting", [&s](workspace& w, triangle_list& out) {
-        pass(s, false, w, out, constrained_delaunay{.most_flips = 0});
-    });
+    entry("delaunay by slabs, trusting",
+          [&s](workspace& w, triangle_list& out) { pass(s, false, w, out, constrained_delaunay{.most_flips = 0}); });
 #ifdef TYPEMESH_BENCH_PEERS
     for (const auto& [name, peer] : bench::peers())
         benchmark::RegisterBenchmark((s.name + " / " + name).c_str(),

@@ -39,7 +39,8 @@ std::deque<glyph>& glyphs()
     static std::deque<glyph> all = [] {
         std::deque<glyph> some;
         const char* folder = std::getenv("TYPEMESH_FONT_DIR");
-        const std::string path = std::string{folder != nullptr ? folder : "/usr/share/fonts"} + "/truetype/liberation/LiberationSans-Regular.ttf";
+        const std::string path = std::string{folder != nullptr ? folder : "/usr/share/fonts"} +
+                                 "/truetype/liberation/LiberationSans-Regular.ttf";
         auto font = harfbuzz_font::open(path.c_str());
         if (!font) {
             std::fprintf(stderr, "%s: %s (Debian package fonts-liberation)\n", path.c_str(), font.error().message());
@@ -96,7 +97,8 @@ void extrude_font(benchmark::State& state)
         for (int i = 0; i < 9; ++i) {
             const auto start = std::chrono::steady_clock::now();
             f();
-            least = std::min(least, std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count());
+            least = std::min(
+                least, std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count());
         }
         return least;
     };

@@ -17,8 +17,5 @@ static_assert(sizeof(full_vertex) == 32);
 template <>
 struct typemesh::vertex_traits<bench::full_vertex> {
     static constexpr auto wants = attribute::position | attribute::normal | attribute::uv;
-    bench::full_vertex operator()(const surface_point<wants>& s) const noexcept
-    {
-        return {s.position, s.normal, s.uv};
-    }
+    bench::full_vertex operator()(const surface_point<wants>& s) const noexcept { return {s.position, s.normal, s.uv}; }
 };

@@ -60,10 +60,8 @@ struct glu_run {
                 static_cast<glu_run*>(self)->triangles.push_back(
                     static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(index)));
             });
-        set(
-            GLU_TESS_EDGE_FLAG, +[](GLboolean) {});  // so that triangles come one by one
-        set(
-            GLU_TESS_COMBINE, +[](double*, void**, float*, void** out) { *out = nullptr; });
+        set(GLU_TESS_EDGE_FLAG, +[](GLboolean) {});  // so that triangles come one by one
+        set(GLU_TESS_COMBINE, +[](double*, void**, float*, void** out) { *out = nullptr; });
         gluTessProperty(tessellator, GLU_TESS_WINDING_RULE, GLU_TESS_WINDING_NONZERO);
         gluTessNormal(tessellator, 0, 0, 1);
     }

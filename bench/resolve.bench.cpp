@@ -69,9 +69,9 @@ struct drawing {
 struct set {
     std::string name;
     std::vector<polygon> simple, touching, crossing;
-    double simple_ns = 0;                               // a point
+    double simple_ns = 0;                                               // a point
     std::vector<drawing> simple_drawings = {}, crossing_drawings = {};  // of the same glyphs; none for other shapes
-    double tolerance = 0;                               // of these, in font units
+    double tolerance = 0;                                               // of these, in font units
 
     [[nodiscard]] const std::vector<polygon>& glyphs(way w) const
     {
@@ -187,12 +187,9 @@ void run(benchmark::State& state, set& s, way w, int passes)
 
 void add(set& s, int passes)
 {
-    const std::pair<const char*, way> all[] = {{"simple", way::simple},
-                                               {"touching", way::touching},
-                                               {"all", way::all},
-                                               {"refuse", way::refuse},
-                                               {"resolve", way::resolve},
-                                               {"triangulate", way::triangulate}};
+    const std::pair<const char*, way> all[] = {{"simple", way::simple},   {"touching", way::touching},
+                                               {"all", way::all},         {"refuse", way::refuse},
+                                               {"resolve", way::resolve}, {"triangulate", way::triangulate}};
     for (const auto& [name, w] : all) {
         if (s.glyphs(w).empty()) continue;
         benchmark::RegisterBenchmark((s.name + " / " + name).c_str(),

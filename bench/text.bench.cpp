@@ -32,7 +32,8 @@
 
 static std::size_t mallocs = 0;
 
-#if defined(__GLIBC__)  // every allocation of the process is counted, HarfBuzz's and the aligned operator new's among them
+#if defined( \
+    __GLIBC__)  // every allocation of the process is counted, HarfBuzz's and the aligned operator new's among them
 extern "C" {
 void* __libc_malloc(std::size_t) noexcept;
 void* __libc_calloc(std::size_t, std::size_t) noexcept;
@@ -211,11 +212,13 @@ void register_sample(const sample& s)
         state.counters["warm_of_hand"] = cached / (shaping + hand);
         auto vertices_to = vertices;
         auto indices_to = indices;
-        state.counters["memcpy_of_hand"] = nanoseconds_each([&] {
-            std::memcpy(static_cast<void*>(vertices_to.data()), vertices.data(), vertices.size() * sizeof(vertex));
-            std::memcpy(indices_to.data(), indices.data(), indices.size() * 4);
-            benchmark::ClobberMemory();
-        }) / hand;
+        state.counters["memcpy_of_hand"] =
+            nanoseconds_each([&] {
+                std::memcpy(static_cast<void*>(vertices_to.data()), vertices.data(), vertices.size() * sizeof(vertex));
+                std::memcpy(indices_to.data(), indices.data(), indices.size() * 4);
+                benchmark::ClobberMemory();
+            }) /
+            hand;
         state.counters["shaping_ns"] = shaping;
         state.counters["hand_ns"] = hand;
         state.counters["vertices"] = static_cast<double>(vertices.size());
@@ -231,8 +234,10 @@ void register_sample(const sample& s)
         const double of_font = counted([&] { floor_of(font, s.text, run); });
         state.counters["mallocs_of_font"] = of_font;
         state.counters["mallocs_of_typemesh"] = counted([&] {
-            if (!cold.build(s.text, into(vertices, indices), {.reuse = false})) std::abort();
-        }) - of_font;
+                                                    if (!cold.build(s.text, into(vertices, indices), {.reuse = false}))
+                                                        std::abort();
+                                                }) -
+                                                of_font;
     });
     benchmark::RegisterBenchmark((std::string{"plan_only/"} + s.name).c_str(), [&font, s](benchmark::State& state) {
         text_mesher mesher{font};
@@ -269,7 +274,8 @@ void register_sample(const sample& s)
             if (!mesher.build(s.text, into(vertices, indices))) std::abort();
         const char* names[] = {"shape", "outline", "discretise", "fill", "triangulate", "extrude"};
         for (int i = 0; i < 6; ++i)
-            state.counters[names[i]] = benchmark::Counter(mesher.observer().nanoseconds[i], benchmark::Counter::kAvgIterations);
+            state.counters[names[i]] =
+                benchmark::Counter(mesher.observer().nanoseconds[i], benchmark::Counter::kAvgIterations);
     });
 }
 
@@ -284,11 +290,14 @@ int main(int argc, char** argv)
     if (mallocs == before) return std::fputs("what typemesh takes from its heap is not counted\n", stderr), 1;
 #endif
     const sample samples[] = {
-        {"hello", "truetype/liberation/LiberationSans-Regular.ttf", "fonts-liberation", line_of("phrases-latin.txt", 0)},
+        {"hello", "truetype/liberation/LiberationSans-Regular.ttf", "fonts-liberation",
+         line_of("phrases-latin.txt", 0)},
         {"lorem", "truetype/liberation/LiberationSans-Regular.ttf", "fonts-liberation", line_of("long-latin.txt", 0)},
         {"hello_cff", "opentype/comic-neue/ComicNeue-Regular.otf", "fonts-comic-neue", line_of("phrases-latin.txt", 0)},
-        {"arabic", "opentype/fonts-hosny-amiri/Amiri-Regular.ttf", "fonts-hosny-amiri", line_of("phrases-arabic.txt", 0)},
-        {"japanese", "truetype/sawarabi-mincho/sawarabi-mincho-medium.ttf", "fonts-sawarabi-mincho", line_of("phrases-japanese.txt", 0)},
+        {"arabic", "opentype/fonts-hosny-amiri/Amiri-Regular.ttf", "fonts-hosny-amiri",
+         line_of("phrases-arabic.txt", 0)},
+        {"japanese", "truetype/sawarabi-mincho/sawarabi-mincho-medium.ttf", "fonts-sawarabi-mincho",
+         line_of("phrases-japanese.txt", 0)},
         {"chinese", "truetype/wqy/wqy-microhei.ttc", "fonts-wqy-microhei", line_of("phrases-chinese.txt", 0)},
     };
     for (const sample& s : samples) register_sample(s);

@@ -65,7 +65,8 @@ struct counted_heap {
                     auto& self = *static_cast<counted_heap*>(user);
                     const std::size_t now = self.held += bytes;
                     std::size_t seen = self.most;
-                    while (now > seen && !self.most.compare_exchange_weak(seen, now)) {}
+                    while (now > seen && !self.most.compare_exchange_weak(seen, now)) {
+                    }
                     return heap().allocate(nullptr, bytes, alignment);
                 },
                 [](void* user, void* block, std::size_t bytes, std::size_t alignment) noexcept {
@@ -126,12 +127,13 @@ void measure(const std::string& name, harfbuzz_font& font, const auto& text, std
     all = time_of([&] { (void)alone.build(text, into(vertices, indices), options, *watched_team); }).cpu;
 
     const double output = static_cast<double>(vertices.size() * sizeof(vertex) + indices.size() * 4);
-    std::printf("%-18s %2zu workers  one %8.1f ms wall %8.1f cpu   all %8.1f wall %8.1f cpu   speedup %.2f  cpu %.2f  "
-                "in_order %.3f  each %7.0f ns  %8.1f MB  memory %.2f, %.2f\n",
-                name.c_str(), pool.workers(), 1e3 * one.wall, 1e3 * one.cpu, 1e3 * many.wall, 1e3 * many.cpu,
-                one.wall / many.wall, one.cpu / many.cpu, 1.0 - watched.seconds / all,
-                1e9 * one.cpu / static_cast<double>(characters), output / 1e6,
-                static_cast<double>(memory_of_one.most) / output, static_cast<double>(memory_of_many.most) / output);
+    std::printf(
+        "%-18s %2zu workers  one %8.1f ms wall %8.1f cpu   all %8.1f wall %8.1f cpu   speedup %.2f  cpu %.2f  "
+        "in_order %.3f  each %7.0f ns  %8.1f MB  memory %.2f, %.2f\n",
+        name.c_str(), pool.workers(), 1e3 * one.wall, 1e3 * one.cpu, 1e3 * many.wall, 1e3 * many.cpu,
+        one.wall / many.wall, one.cpu / many.cpu, 1.0 - watched.seconds / all,
+        1e9 * one.cpu / static_cast<double>(characters), output / 1e6, static_cast<double>(memory_of_one.most) / output,
+        static_cast<double>(memory_of_many.most) / output);
     std::fflush(stdout);
 }
 

@@ -143,25 +143,24 @@ const int registered = [] {
         std::uint32_t glyph, cluster, part;
     };
     vertex_of("attributes/position", makes<places>([](const auto& s) noexcept { return three{s.position}; }));
-    vertex_of("attributes/position_normal", makes<lit>([](const auto& s) noexcept {
-                  return lit_vertex{s.position, s.normal};
-              }));
-    vertex_of("attributes/position_normal_uv", makes<full>([](const auto& s) noexcept {
-                  return bench::full_vertex{s.position, s.normal, s.uv};
-              }));
+    vertex_of("attributes/position_normal",
+              makes<lit>([](const auto& s) noexcept { return lit_vertex{s.position, s.normal}; }));
+    vertex_of("attributes/position_normal_uv",
+              makes<full>([](const auto& s) noexcept { return bench::full_vertex{s.position, s.normal, s.uv}; }));
     // The same 32 bytes, from a point that has everything: what the compiler drops when the vertex does not take it.
-    vertex_of("attributes/all_wanted_three_taken",
-              makes<framed | attribute::glyph | attribute::cluster | attribute::part>([](const auto& s) noexcept {
-                  return bench::full_vertex{s.position, s.normal, s.uv};
-              }));
+    vertex_of("attributes/all_wanted_three_taken", makes < framed | attribute::glyph | attribute::cluster |
+                                                       attribute::part > ([](const auto& s) noexcept {
+                                                           return bench::full_vertex{s.position, s.normal, s.uv};
+                                                       }));
     vertex_of("attributes/and_tangent", makes<framed>([](const auto& s) noexcept {
                   return framed_vertex{s.position, s.normal, s.uv, s.tangent};
               }));
     vertex_of("attributes/and_glyph_cluster_part",
-              makes<full | attribute::glyph | attribute::cluster | attribute::part>([](const auto& s) noexcept {
-                  return named_vertex{s.position, s.normal,  s.uv,
-                                      s.glyph,    s.cluster, static_cast<std::uint32_t>(s.part)};
-              }));
+              makes < full | attribute::glyph | attribute::cluster |
+                  attribute::part > ([](const auto& s) noexcept {
+                      return named_vertex{s.position, s.normal,  s.uv,
+                                          s.glyph,    s.cluster, static_cast<std::uint32_t>(s.part)};
+                  }));
 
     struct half_uv {
         vec3 a, n;
@@ -212,9 +211,8 @@ const int registered = [] {
         octahedral16 n;
         half u, v;
     };
-    vertex_of("packed/half_uv", makes<full>([](const auto& s) noexcept {
-                  return half_uv{s.position, s.normal, s.uv.x, s.uv.y};
-              }));
+    vertex_of("packed/half_uv",
+              makes<full>([](const auto& s) noexcept { return half_uv{s.position, s.normal, s.uv.x, s.uv.y}; }));
     vertex_of("packed/snorm8_normal", makes<full>([](const auto& s) noexcept {
                   return byte_normal{s.position, {s.normal.x, s.normal.y, s.normal.z, 0.0f}, s.uv};
               }));
@@ -231,9 +229,8 @@ const int registered = [] {
                   return oct32_normal{s.position, {s.normal.x, s.normal.y, s.normal.z}, s.uv};
               }));
     const auto box = position_box::around({0, -1, -1}, {800, 1, 0});
-    vertex_of("packed/unorm16_position", makes<full>([box](const auto& s) noexcept {
-                  return boxed{box(s.position), s.normal, s.uv};
-              }));
+    vertex_of("packed/unorm16_position",
+              makes<full>([box](const auto& s) noexcept { return boxed{box(s.position), s.normal, s.uv}; }));
     vertex_of("packed/snorm8_tangent", makes<framed>([](const auto& s) noexcept {
                   return byte_tangent{s.position, s.normal, s.uv, {s.tangent.x, s.tangent.y, s.tangent.z, s.tangent.w}};
               }));

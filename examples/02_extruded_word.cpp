@@ -31,7 +31,8 @@ int main(int argc, char** argv)
     if (!font) return std::puts(font.error().message()), 1;
 
     auto mesher = text_mesher{*font}.with(extruded<>{.depth = 0.3f});
-    auto plan = mesher.plan(argc > 2 ? argv[2] : "Hello world!", {.tolerance = quality::high, .frame = left_handed_y_up});
+    auto plan =
+        mesher.plan(argc > 2 ? argv[2] : "Hello world!", {.tolerance = quality::high, .frame = left_handed_y_up});
     if (!plan) return std::puts(plan.error().message()), 1;
 
     // The sizes are exact: this could be a mapped GPU buffer just as well. It is written once, ascending, and never
@@ -43,12 +44,12 @@ int main(int argc, char** argv)
     const char* names[] = {"front", "back", "side"};
     for (const part p : plan->parts()) {
         const mesh_range r = plan->range(p);
-        std::printf("%-5s  indices %6u + %6u    vertices %6u + %6u\n", names[int(p)], r.first_index, r.index_count, r.first_vertex,
-                    r.vertex_count);
+        std::printf("%-5s  indices %6u + %6u    vertices %6u + %6u\n", names[int(p)], r.first_index, r.index_count,
+                    r.first_vertex, r.vertex_count);
     }
     const bounds3 b = plan->bounds();
-    std::printf("from (%g, %g, %g) to (%g, %g, %g) em\n", double(b.low.x), double(b.low.y), double(b.low.z), double(b.high.x),
-                double(b.high.y), double(b.high.z));
+    std::printf("from (%g, %g, %g) to (%g, %g, %g) em\n", double(b.low.x), double(b.low.y), double(b.low.z),
+                double(b.high.x), double(b.high.y), double(b.high.z));
     if (!plan->report().complete())
         std::printf("%u glyphs refused, %u missing\n", plan->report().refused, plan->report().missing);
 }

@@ -31,7 +31,9 @@ struct writer {
 private:
     static std::uint32_t pack(typemesh::vec3 n) noexcept
     {
-        const auto bits = [](float v) { return static_cast<std::uint32_t>(static_cast<int>(v * 511.0f + (v < 0 ? -0.5f : 0.5f))) & 0x3FFu; };
+        const auto bits = [](float v) {
+            return static_cast<std::uint32_t>(static_cast<int>(v * 511.0f + (v < 0 ? -0.5f : 0.5f))) & 0x3FFu;
+        };
         return bits(n.x) | bits(n.y) << 10 | bits(n.z) << 20;
     }
 };
@@ -52,5 +54,6 @@ int main(int argc, char** argv)
     if (!made) return std::puts(made.error().message()), 1;
     if (vertices.empty()) return std::puts("The font has none of these letters."), 1;
 
-    std::printf("%zu vertices of %zu bytes, the first normal is 0x%08x\n", vertices.size(), sizeof(engine::vertex), vertices[0].normal);
+    std::printf("%zu vertices of %zu bytes, the first normal is 0x%08x\n", vertices.size(), sizeof(engine::vertex),
+                vertices[0].normal);
 }

@@ -51,7 +51,10 @@ struct vertex {
 template <>
 struct typemesh::vertex_traits<vertex> {
     static constexpr auto wants = attribute::position;
-    vertex operator()(const surface_point<wants>& s) const noexcept { return {s.position.x, s.position.y, s.position.z}; }
+    vertex operator()(const surface_point<wants>& s) const noexcept
+    {
+        return {s.position.x, s.position.y, s.position.z};
+    }
 };
 
 int main()

@@ -35,8 +35,8 @@ int main(int argc, char** argv)
     std::vector<float2> uvs(size.vertices);
     std::vector<std::uint16_t> indices(size.indices());
 
-    stream_sink sink{std::span{indices}, stream<attribute::position, float3>{positions}, stream<attribute::normal, float3>{normals},
-                     stream<attribute::uv, float2>{uvs}};
+    stream_sink sink{std::span{indices}, stream<attribute::position, float3>{positions},
+                     stream<attribute::normal, float3>{normals}, stream<attribute::uv, float2>{uvs}};
     if (error e = plan->write(sink)) return std::puts(e.message()), 1;  // error::index_overflow past 65,535 vertices
 
     std::printf("%zu vertices in three arrays, %zu indices of 16 bits\n", positions.size(), indices.size());

@@ -84,11 +84,10 @@ inline void say(std::string& out, const char* format, auto... values)
 
 /// A PNG of one white pixel.
 inline constexpr unsigned char white_pixel[] = {
-    0x89, 0x50, 0x4E, 0x47, 0x0D, 0x0A, 0x1A, 0x0A, 0x00, 0x00, 0x00, 0x0D, 0x49, 0x48, 0x44, 0x52,
-    0x00, 0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x01, 0x08, 0x00, 0x00, 0x00, 0x00, 0x3A, 0x7E, 0x9B,
-    0x55, 0x00, 0x00, 0x00, 0x0A, 0x49, 0x44, 0x41, 0x54, 0x78, 0xDA, 0x63, 0xF8, 0x0F, 0x00, 0x01,
-    0x01, 0x01, 0x00, 0x1C, 0xB0, 0x8C, 0x99, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4E, 0x44, 0xAE,
-    0x42, 0x60, 0x82};
+    0x89, 0x50, 0x4E, 0x47, 0x0D, 0x0A, 0x1A, 0x0A, 0x00, 0x00, 0x00, 0x0D, 0x49, 0x48, 0x44, 0x52, 0x00,
+    0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x01, 0x08, 0x00, 0x00, 0x00, 0x00, 0x3A, 0x7E, 0x9B, 0x55, 0x00,
+    0x00, 0x00, 0x0A, 0x49, 0x44, 0x41, 0x54, 0x78, 0xDA, 0x63, 0xF8, 0x0F, 0x00, 0x01, 0x01, 0x01, 0x00,
+    0x1C, 0xB0, 0x8C, 0x99, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4E, 0x44, 0xAE, 0x42, 0x60, 0x82};
 
 /// A sink that writes nothing: finds the range of texture coordinates, [0, 1] at least.
 struct uv_range {
@@ -133,9 +132,13 @@ void say_materials(std::string& json, const Plan& plan, const uv_range* packed)
     for (const part p : plan.parts()) {
         if (plan.range(p).index_count == 0) continue;
         const bool side = p == part::side;
-        say(json, R"(%s{"name":"%s","pbrMetallicRoughness":{%s"baseColorFactor":%s,"metallicFactor":0,"roughnessFactor":0.45}})",
-            before, side ? "side" : p == part::front ? "front" : "back", texture.c_str(),
-            side ? "[0.617,0.061,0.03,1]" : "[0.871,0.138,0.051,1]");
+        say(json,
+            R"(%s{"name":"%s","pbrMetallicRoughness":{%s"baseColorFactor":%s,"metallicFactor":0,"roughnessFactor":0.45}})",
+            before,
+            side               ? "side"
+            : p == part::front ? "front"
+                               : "back",
+            texture.c_str(), side ? "[0.617,0.061,0.03,1]" : "[0.871,0.138,0.051,1]");
         before = ",";
     }
     json += "],";
@@ -149,7 +152,8 @@ template <class Plan>
     const typemesh::built_glyph& shape = *plan.glyphs()[glyph].built;
     const typemesh::point from = shape.around().low, to = shape.around().high;
     const typemesh::vec3 low = at.position({from.x, from.y, 0.0}), high = at.position({to.x, to.y, 0.0});
-    return typemesh::position_box::cube_around({low.x, low.y, plan.bounds().low.z}, {high.x, high.y, plan.bounds().high.z});
+    return typemesh::position_box::cube_around({low.x, low.y, plan.bounds().low.z},
+                                               {high.x, high.y, plan.bounds().high.z});
 }
 
 /// How many triangles of one cap of every letter flip over or become flat in the quantised layout; walls on their
@@ -193,15 +197,15 @@ template <class Index, class Plan>
         const position_box box = box_of(plan, i);
         const error e = plan.write(
             glyph_span{i, i + 1},
-            stream_sink{indices,
-                        computed_stream<attribute::position, box_position>(
-                            vertices, 0, 20,
-                            [box](const surface_point<attribute::position>& s) noexcept { return box(s.position); }),
-                        stream<attribute::normal, snorm8x3>::in(vertices, 8, 20),
-                        computed_stream<attribute::tangent, snorm8x4>(vertices, 12, 20, turned(snorm8x4{})),
-                        computed_stream<attribute::uv, unorm16x2>(
-                            vertices, 16, 20,
-                            [uv](const surface_point<attribute::uv>& s) noexcept { return uv(s.uv); })});
+            stream_sink{
+                indices,
+                computed_stream<attribute::position, box_position>(
+                    vertices, 0, 20,
+                    [box](const surface_point<attribute::position>& s) noexcept { return box(s.position); }),
+                stream<attribute::normal, snorm8x3>::in(vertices, 8, 20),
+                computed_stream<attribute::tangent, snorm8x4>(vertices, 12, 20, turned(snorm8x4{})),
+                computed_stream<attribute::uv, unorm16x2>(
+                    vertices, 16, 20, [uv](const surface_point<attribute::uv>& s) noexcept { return uv(s.uv); })});
         if (e) return e;
     }
     return {};
@@ -220,8 +224,8 @@ void say_letters(std::string& json, const Plan& plan)
     for (std::size_t i = 0; i < letters; ++i) {
         const position_box box = box_of(plan, i);
         say(json, R"(,{"mesh":%zu,"name":"glyph %u","translation":[%.9g,%.9g,%.9g],"scale":[%.9g,%.9g,%.9g]})", i,
-            plan.glyphs()[i].id, as_double(box.offset.x), as_double(box.offset.y), as_double(box.offset.z), as_double(box.scale.x),
-            as_double(box.scale.y), as_double(box.scale.z));
+            plan.glyphs()[i].id, as_double(box.offset.x), as_double(box.offset.y), as_double(box.offset.z),
+            as_double(box.scale.x), as_double(box.scale.y), as_double(box.scale.z));
     }
     json += R"(],"meshes":[)";
     int accessor = 4;
@@ -285,8 +289,7 @@ template <class Plan, class Bytes>
             R"(,"buffers":[{"byteLength":%zu}],"bufferViews":[{"buffer":0,"byteLength":%zu,"byteStride":%zu,"target":34962},)",
             bytes, vertex_bytes, stride);
         say(json, R"({"buffer":0,"byteOffset":%zu,"byteLength":%zu,"target":34963})", vertex_bytes, index_bytes);
-        if (pixel_bytes != 0)
-            say(json, R"(,{"buffer":0,"byteOffset":%zu,"byteLength":%zu})", pixel_at, pixel_bytes);
+        if (pixel_bytes != 0) say(json, R"(,{"buffer":0,"byteOffset":%zu,"byteLength":%zu})", pixel_at, pixel_bytes);
         json += R"(],"accessors":[)";
         const auto n = static_cast<unsigned>(size.vertices);
         if (packed) {

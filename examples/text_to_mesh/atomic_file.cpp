@@ -126,8 +126,10 @@ std::string pending_file::prepare(const std::string& path, std::span<const unsig
 std::string pending_file::finish()
 {
     std::error_code why;
-    if (device_ != nullptr) why = write_and_close(std::exchange(device_, nullptr), for_device_);
-    else fs::rename(temporary_, target_, why);
+    if (device_ != nullptr)
+        why = write_and_close(std::exchange(device_, nullptr), for_device_);
+    else
+        fs::rename(temporary_, target_, why);
     if (why) return sentence(path_, "cannot be written", why);
     temporary_.clear();
     return {};

@@ -17,7 +17,7 @@ enum class file_kind { unknown, glb, obj, stl, ply, three_mf, png };
     for (char& c : end)
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     constexpr std::pair<std::string_view, file_kind> known[] = {
-        {".glb", file_kind::glb}, {".obj", file_kind::obj}, {".stl", file_kind::stl},
+        {".glb", file_kind::glb}, {".obj", file_kind::obj},      {".stl", file_kind::stl},
         {".ply", file_kind::ply}, {".3mf", file_kind::three_mf}, {".png", file_kind::png}};
     for (const auto& [name, kind] : known)
         if (end == name) return kind;

@@ -90,7 +90,8 @@ std::string unknown_words(const std::string& name)
     std::string_view left{name};
     while (true) {
         std::size_t colon = left.find(':');
-        while (colon != std::string_view::npos && colon > 0 && left[colon - 1] == '\\') colon = left.find(':', colon + 1);
+        while (colon != std::string_view::npos && colon > 0 && left[colon - 1] == '\\')
+            colon = left.find(':', colon + 1);
         if (colon == std::string_view::npos) return {};
         left.remove_prefix(colon + 1);
         const std::string word{left.substr(0, left.find(':'))};
@@ -99,7 +100,8 @@ std::string unknown_words(const std::string& name)
         };
         const auto equals = word.find('=');
         if (equals == std::string::npos) {
-            if (!known(word)) return name + ": fontconfig knows no style \"" + word + "\"; bold, italic or light are such.";
+            if (!known(word))
+                return name + ": fontconfig knows no style \"" + word + "\"; bold, italic or light are such.";
             continue;
         }
         const std::string key = word.substr(0, equals), value = word.substr(equals + 1);
@@ -151,8 +153,8 @@ std::string find_family(const std::string& name, font_file& out)
     if (!match || !has_family(match.get(), family)) return nobody;
     if (const std::string lacks = style_not_found(words.get(), match.get()); !lacks.empty())
         return name + ": no installed font of this family has that " +
-               (lacks == FC_WEIGHT || lacks == FC_WIDTH || lacks == FC_SLANT ? lacks : "style") +
-               "; `fc-list \"" + family + "\" style` lists the styles.";
+               (lacks == FC_WEIGHT || lacks == FC_WIDTH || lacks == FC_SLANT ? lacks : "style") + "; `fc-list \"" +
+               family + "\" style` lists the styles.";
     out.path = word(match.get(), FC_FILE);
     int index = 0;
     FcPatternGetInteger(match.get(), FC_INDEX, 0, &index);
@@ -167,8 +169,10 @@ std::string find_family(const std::string& name, font_file& out)
 
 std::string find_family(const std::string& name, font_file&)
 {
-    return name + " is no file, and this program was built without fontconfig, which finds families: "
-                  "`fc-match --format '%{file}' \"" + name + "\"` may tell the file.";
+    return name +
+           " is no file, and this program was built without fontconfig, which finds families: "
+           "`fc-match --format '%{file}' \"" +
+           name + "\"` may tell the file.";
 }
 
 #endif

@@ -132,7 +132,9 @@ double picture_tolerance(const options& o, const typemesh::bounds3& bounds, cons
     for (unsigned corner = 0; corner < 8; ++corner) {
         const auto pick = [&](unsigned bit, float low, float high) { return (corner & bit) != 0 ? high : low; };
         box.vertices.push_back({{pick(1, bounds.low.x, bounds.high.x), pick(2, bounds.low.y, bounds.high.y),
-                                 pick(4, bounds.low.z, bounds.high.z)}, {}, {}});
+                                 pick(4, bounds.low.z, bounds.high.z)},
+                                {},
+                                {}});
         box.indices.push_back(corner);
     }
     constexpr double error_in_pixels = 0.125;  // half of what is hard to see: lines here are long and their edges sharp
@@ -153,8 +155,10 @@ std::string draw_picture(const options& o, typemesh::harfbuzz_font& font, const 
     typemesh::text_options how = text_options_of(o);
     how.size = 1.0;
     typemesh::bounds3 bounds;  // of a mesh of the picture's size: those of the file's may be too small to be told apart
-    if (const auto first = mesher.plan(o.text, how)) bounds = first->bounds();
-    else return in_words(first.error());
+    if (const auto first = mesher.plan(o.text, how))
+        bounds = first->bounds();
+    else
+        return in_words(first.error());
     how.tolerance = picture_tolerance(o, bounds, look);
     auto plan = mesher.plan(o.text, how);
     if (!plan) return in_words(plan.error());
@@ -233,11 +237,10 @@ std::string run(const options& o, progress& tell)
     font_file found;
     if (std::string trouble = find_font(o.font, found); !trouble.empty()) return trouble;
     found.variations.insert(found.variations.end(), o.variations.begin(), o.variations.end());
-    auto font = typemesh::harfbuzz_font::open(found.path.c_str(), {.face = o.face.value_or(found.face),
-                                                                   .variations = found.variations});
+    auto font = typemesh::harfbuzz_font::open(found.path.c_str(),
+                                              {.face = o.face.value_or(found.face), .variations = found.variations});
     if (!font) return found.path + ": " + in_words(font.error());
-    return std::visit([&](const auto& d) { return run(o, tell, *font, d); },
-                      discretiser_of(o, font->units_per_em()));
+    return std::visit([&](const auto& d) { return run(o, tell, *font, d); }, discretiser_of(o, font->units_per_em()));
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ struct model {
     std::vector<part> parts;      ///< together all the indices; none at all stands for one nameless part
     std::vector<letter> letters;  ///< none: the model is one mesh, and stands where its vertices say
     std::vector<place> places;
-    std::string name;             ///< UTF-8, best effort: writers replace what their format cannot hold
+    std::string name;  ///< UTF-8, best effort: writers replace what their format cannot hold
 };
 
 /// Lines and dots drawn over a picture, in the model's own space; a solid in front of them hides them.

@@ -37,8 +37,9 @@ CLI::Option* add_number(CLI::App& app, const char* option, const char* meaning, 
         const auto value = decimal(given);
         return value && holds(*value) ? std::string{} : "must be " + std::string{what} + ", not " + given;
     };
-    return app.add_option_function<std::string>(option, [take](const std::string& given) { take(*decimal(given)); },
-                                                meaning)
+    return app
+        .add_option_function<std::string>(
+            option, [take](const std::string& given) { take(*decimal(given)); }, meaning)
         ->check(CLI::Validator{complaint, ""});
 }
 
@@ -151,8 +152,8 @@ void add_mesh_options(CLI::App& app, options& out, raw_values& raw)
         app, "--quality", out.quality, "largest distance to the curve: 1/100, 1/160, 1/800 (default high), 1/16000 em",
         {{"low", preset::low}, {"normal", preset::normal}, {"high", preset::high}, {"best", preset::best}});
     add_number(
-        app, "--tolerance", "the same as a number, for --discretiser certified",
-        "a positive number", [](double n) { return n > 0.0; }, [&out](double n) { out.tolerance = n; })
+        app, "--tolerance", "the same as a number, for --discretiser certified", "a positive number",
+        [](double n) { return n > 0.0; }, [&out](double n) { out.tolerance = n; })
         ->type_name("EM")
         ->excludes(named);
     add_named<discretiser_name>(app, "--discretiser", out.discretiser,
@@ -190,7 +191,8 @@ void add_output_options(CLI::App& app, options& out, raw_values& raw)
 {
     app.add_option("--output", out.output, "the mesh: .glb, .obj (with its .mtl), .stl, .ply or .3mf")
         ->type_name("FILE");
-    app.add_option("--picture", out.picture, "a picture of it, as fine as its pixels, or of the quality given")->type_name("FILE.png");
+    app.add_option("--picture", out.picture, "a picture of it, as fine as its pixels, or of the quality given")
+        ->type_name("FILE.png");
     add_named<shading>(app, "--shading", out.shading, "of the picture (default phong)",
                        {{"flat", shading::flat}, {"gouraud", shading::gouraud}, {"phong", shading::phong}});
     app.add_option("--show", raw.show,

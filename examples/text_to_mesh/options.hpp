@@ -20,7 +20,7 @@ enum class preset { low, normal, high, best };
 /// What the command line asks for.
 struct options {
     std::string text;
-    std::string font;  ///< a file's name or a family's
+    std::string font;              ///< a file's name or a family's
     std::optional<unsigned> face;  ///< in a collection
     std::vector<typemesh::variation> variations;
     std::vector<typemesh::feature> features;
@@ -30,7 +30,7 @@ struct options {
     double letter_spacing = 0.0;  ///< em
     double line_spacing = 1.0;    ///< times the font's own
 
-    double size = 1.0;    ///< of an em in the file
+    double size = 1.0;   ///< of an em in the file
     float depth = 0.2f;  ///< em; 0 makes a flat mesh
     preset quality = preset::high;
     double tolerance = typemesh::quality::high;

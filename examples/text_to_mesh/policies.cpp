@@ -11,8 +11,7 @@ chosen_discretiser discretiser_of(const options& o, double units_per_em)
     using typemesh::thesis_quality;
     if (o.discretiser == discretiser_name::two_lines) return unbounded_discretiser{typemesh::two_lines{}};
     if (o.discretiser == discretiser_name::adaptive)
-        return unbounded_discretiser{
-            thesis_quality{static_cast<thesis_quality::preset>(o.quality), units_per_em}};
+        return unbounded_discretiser{thesis_quality{static_cast<thesis_quality::preset>(o.quality), units_per_em}};
     return typemesh::certified{};
 }
 

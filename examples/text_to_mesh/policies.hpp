@@ -57,8 +57,10 @@ struct chosen_extruder {
     [[nodiscard]] typemesh::result<typemesh::part_sizes> plan(const typemesh::region& r, plan_data& data) const noexcept
     {
         const auto plan = [&](const auto& e) {
-            if constexpr (requires { e.plan(r, data); }) return e.plan(r, data);
-            else return e.plan(r);
+            if constexpr (requires { e.plan(r, data); })
+                return e.plan(r, data);
+            else
+                return e.plan(r);
         };
         return std::visit(plan, choice);
     }
@@ -81,8 +83,10 @@ struct chosen_extruder {
     [[nodiscard]] std::uint64_t hard_edges(const typemesh::solid_with<plan_data>& s) const noexcept
     {
         const auto count = [&](const auto& e) -> std::uint64_t {
-            if constexpr (requires { e.hard_edges(s); }) return e.hard_edges(s);
-            else return 0;
+            if constexpr (requires { e.hard_edges(s); })
+                return e.hard_edges(s);
+            else
+                return 0;
         };
         return std::visit(count, choice);
     }

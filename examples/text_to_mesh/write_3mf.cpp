@@ -84,10 +84,7 @@ bool paint(NMR::PLib3MFModel* file, NMR::PLib3MFModelMeshObject* object, const m
 }
 
 /// A coordinate as lib3mf writes it, in millionths of the file's unit.
-std::int64_t written(float coordinate, double units)
-{
-    return std::llround(double{coordinate} * units * 1e6);
-}
+std::int64_t written(float coordinate, double units) { return std::llround(double{coordinate} * units * 1e6); }
 
 /// True where the six decimals that lib3mf writes keep the solid solid: it has a depth, and no two places become one.
 /// `units` per millimetre.
@@ -157,8 +154,9 @@ std::string write_3mf(const model& mesh, const std::string& path, file_set& file
     memory_file file;
     const double units = mesh.vertices.empty() ? 1.0 : units_to_a_millimetre(mesh);
     if (units == 0.0)
-        return path + " cannot be written: --depth or --size is too small for the digits of a 3MF file (six decimals of a "
-                      "micrometre).";
+        return path +
+               " cannot be written: --depth or --size is too small for the digits of a 3MF file (six decimals of a "
+               "micrometre).";
     if (!make(mesh, units, file)) return path + " cannot be written: lib3mf refused the mesh.";
     return files.add(path, file.bytes);
 }

@@ -118,10 +118,10 @@ void add_mesh(tinygltf::Model& file, const model& mesh, const model::letter& l, 
         tinygltf::Primitive primitive;
         primitive.mode = TINYGLTF_MODE_TRIANGLES;
         primitive.attributes = {{"POSITION", position}, {"NORMAL", normal}, {"TEXCOORD_0", uv}};
-        primitive.indices = add_accessor(
-            file, in.index_view, part.first_index * (in.wide ? 4 : 2), part.index_count,
-            in.wide ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT : TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
-            TINYGLTF_TYPE_SCALAR);
+        primitive.indices =
+            add_accessor(file, in.index_view, part.first_index * (in.wide ? 4 : 2), part.index_count,
+                         in.wide ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT : TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
+                         TINYGLTF_TYPE_SCALAR);
         primitive.material = material_of(file, part.name);
         made.primitives.push_back(std::move(primitive));
     }

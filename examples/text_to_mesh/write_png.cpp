@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "write_png.hpp"
 
-
 #include <vector>
 
 #define STB_IMAGE_WRITE_STATIC  // other libraries carry a copy of their own
@@ -15,7 +14,8 @@
 
 namespace text_to_mesh {
 
-std::string write_png(std::span<const unsigned char> rgb, int width, int height, const std::string& path, file_set& files)
+std::string write_png(std::span<const unsigned char> rgb, int width, int height, const std::string& path,
+                      file_set& files)
 {
     if (width <= 0 || height <= 0 || rgb.size() != std::size_t(width) * std::size_t(height) * 3)
         return path + " cannot be written: the picture has no pixels.";

@@ -257,13 +257,14 @@ TEST_CASE("a FreeType face that does not open says why", "[adapt][freetype]")
     CHECK(freetype_font::open(font_file("../wine/fonts/coure.fon").c_str()).error() == error::no_outlines);
 }
 
-TEST_CASE("FreeType: a Type 1 Multiple Master font is opened with the font's own shares of its masters", "[adapt][freetype]")
+TEST_CASE("FreeType: a Type 1 Multiple Master font is opened with the font's own shares of its masters",
+          "[adapt][freetype]")
 {
     const struct {
         const char* vector;
         double shares[4];
-    } fonts[] = {{"0.12 0.18 0.28 0.42", {0.12, 0.18, 0.28, 0.42}},  // what weight 0.6 and width 0.7 give
-                 {"0.1 0.2 0.3 0.4", {0.1, 0.2, 0.3, 0.4}},          // what no weight and width give
+    } fonts[] = {{"0.12 0.18 0.28 0.42", {0.12, 0.18, 0.28, 0.42}},          // what weight 0.6 and width 0.7 give
+                 {"0.1 0.2 0.3 0.4", {0.1, 0.2, 0.3, 0.4}},                  // what no weight and width give
                  {"0.375 0.125 0.125 0.375", {0.375, 0.125, 0.125, 0.375}},  // nor these, in the middle of both axes
                  {"0 0 0 1", {0, 0, 0, 1}}};
     const double widths[] = {100.0, 400.0, 600.0, 1100.0};
@@ -294,8 +295,7 @@ TEST_CASE("FreeType: a Type 1 Multiple Master font is opened with the font's own
                                        {"wdth", static_cast<float>(50.0 + 100.0 * wide)}};
         auto alike = freetype_font::open(bytes, {0, same_axes});
         REQUIRE(alike);
-        if (std::abs(width_of(*alike) - width_of(*own)) > 1.5)
-            CHECK(alike->variation_key() != own->variation_key());
+        if (std::abs(width_of(*alike) - width_of(*own)) > 1.5) CHECK(alike->variation_key() != own->variation_key());
         auto again = freetype_font::open(bytes);
         REQUIRE(again);
         CHECK(again->variation_key() == own->variation_key());

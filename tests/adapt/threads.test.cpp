@@ -21,8 +21,8 @@ TEST_CASE("a pool does every task once, each by a worker that does nothing else 
     REQUIRE(pool.workers() >= 1);
     REQUIRE(pool.workers() <= workers);
     for (const std::size_t n : {0u, 1u, 2u, 3u, 100u, 5000u}) {
-        std::vector<std::uint8_t> times(n, 0);                             // each written by one task alone
-        std::vector<std::uint64_t> work(pool.workers() + 1, 0);            // plain: the sanitizer sees an overlap
+        std::vector<std::uint8_t> times(n, 0);                   // each written by one task alone
+        std::vector<std::uint64_t> work(pool.workers() + 1, 0);  // plain: the sanitizer sees an overlap
         pool.run(n, [&](std::size_t i, std::size_t worker) noexcept {
             ++times[i];
             ++work[worker < pool.workers() ? worker : pool.workers()];

@@ -31,9 +31,10 @@ TEMPLATE_TEST_CASE("a font's variation key tells its file, its face and its axes
     CHECK(key(0, 0, collection.c_str()) != key(0, 1, collection.c_str()));
 
     std::set<std::uint64_t> files;  // a number that the caller gives twice by mistake does no harm
-    for (const char* file : {"truetype/dejavu/DejaVuSans.ttf", "truetype/dejavu/DejaVuSans-Bold.ttf",
-                             "truetype/liberation/LiberationSans-Regular.ttf",
-                             "truetype/liberation/LiberationSans-Bold.ttf", "opentype/comic-neue/ComicNeue-Regular.otf"})
+    for (const char* file :
+         {"truetype/dejavu/DejaVuSans.ttf", "truetype/dejavu/DejaVuSans-Bold.ttf",
+          "truetype/liberation/LiberationSans-Regular.ttf", "truetype/liberation/LiberationSans-Bold.ttf",
+          "opentype/comic-neue/ComicNeue-Regular.otf"})
         CHECK(files.insert(key(0, 0, font_file(file).c_str())).second);
 }
 

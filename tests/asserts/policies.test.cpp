@@ -117,7 +117,8 @@ struct miscounting : flat {
         const auto count = static_cast<int>(s.triangles.size()) + more_triangles;
         for (int i = 0; i < count; ++i) {
             const bool last = i + 1 == count;
-            put(first[p], first[p] + 1, wild && last ? first[p] + static_cast<std::uint32_t>(s.points.size()) : first[p] + 2);
+            put(first[p], first[p] + 1,
+                wild && last ? first[p] + static_cast<std::uint32_t>(s.points.size()) : first[p] + 2);
         }
     }
 };
@@ -172,7 +173,9 @@ TEST_CASE("a triangulator that appends other triangles than a region has is told
                       area = "a triangulator appended triangles that do not have the region's area";
     const auto fewer = [](triangle_list& out, std::size_t) noexcept { out.truncate(out.size() - 1); };
     const auto more = [](triangle_list& out, std::size_t before) noexcept { (void)out.push_back(out[before]); };
-    const auto turned = [](triangle_list& out, std::size_t before) noexcept { std::swap(out[before].a, out[before].b); };
+    const auto turned = [](triangle_list& out, std::size_t before) noexcept {
+        std::swap(out[before].a, out[before].b);
+    };
     const auto thin = [](triangle_list& out, std::size_t before) noexcept { out[before].a = out[before].b; };
     const auto twice = [](triangle_list& out, std::size_t before) noexcept { out[before] = out[before + 1]; };
     const auto outside = [](triangle_list& out, std::size_t before) noexcept { out[before].c = 0x7FFF'FFFFu; };
@@ -299,6 +302,7 @@ TEST_CASE("a shaper whose glyphs come from elsewhere, or that does not count wha
         return told();
     };
     CHECK(told_by(0, true) == sentences{});
-    CHECK(told_by(1, true) == sentences{"a shaper gave a glyph a cluster outside the range of text that it was to shape"});
+    CHECK(told_by(1, true) ==
+          sentences{"a shaper gave a glyph a cluster outside the range of text that it was to shape"});
     CHECK(told_by(0, false) == sentences{"a shaper must flag each missing glyph and count it in the run"});
 }

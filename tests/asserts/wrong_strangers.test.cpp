@@ -128,7 +128,8 @@ struct numbers_from_nought : stranger::tapering_twist {
 /// Numbers the characters of each line from 0 on.
 struct counts_by_line : stranger::monospace_shaper {
     using monospace_shaper::monospace_shaper;
-    result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& how, glyph_run& run) noexcept
+    result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& how,
+                        glyph_run& run) noexcept
     {
         const std::size_t before = run.glyphs.size();
         const auto way = monospace_shaper::shape(text, first, last, how, run);

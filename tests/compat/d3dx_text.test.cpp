@@ -25,8 +25,8 @@ struct tall_font : test::toy_font {
     std::vector<std::string> features;
 
     [[nodiscard]] line_metrics metrics(direction) const noexcept { return {900.0, -350.0, 77.0}; }
-    result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& o, glyph_run& run)
-    noexcept
+    result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& o,
+                        glyph_run& run) noexcept
     {
         features.clear();
         for (const feature& f : o.features) features.push_back(f.tag + std::string{"="} + std::to_string(f.value));
@@ -36,8 +36,8 @@ struct tall_font : test::toy_font {
 
 /// The toy font, every other letter of it in a style of its own, a descending one.
 struct styled_font : test::toy_font {
-    result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& o, glyph_run& run)
-    noexcept
+    result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& o,
+                        glyph_run& run) noexcept
     {
         const std::size_t before = run.glyphs.size();
         const auto advance = toy_font::shape(text, first, last, o, run);
@@ -216,9 +216,9 @@ TEST_CASE("each character has its metrics", "[compat]")
     is(0, 0.4f, 0.7f, 0.05f, 0.7f, 0.6f);
     is(1, 0.0f, 0.0f, 0.0f, 0.0f, 0.6f);
     is(2, 0.1f, 0.5f, 0.1f, 0.5f, 0.6f);
-    is(3, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f);   // a line break
-    is(4, 0.5f, 0.5f, 0.0f, 0.5f, 0.6f);   // from its own line's baseline
-    is(5, 0.0f, 0.0f, 0.0f, 0.0f, 0.6f);   // missing, and not drawn
+    is(3, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f);  // a line break
+    is(4, 0.5f, 0.5f, 0.0f, 0.5f, 0.6f);  // from its own line's baseline
+    is(5, 0.0f, 0.0f, 0.0f, 0.0f, 0.6f);  // missing, and not drawn
 }
 
 TEST_CASE("arrays that are too small are left as they are, and the error says how much is needed", "[compat]")
@@ -441,7 +441,8 @@ TEST_CASE("another triangulator changes the caps' triangles and nothing else", "
     test::toy_font font;
     d3dx_text usual{font};
     auto fair = d3dx_text{font}.with(constrained_delaunay{});
-    static_assert(std::is_same_v<decltype(fair), d3dx_text<test::toy_font, curve_normals, no_cache, constrained_delaunay>>);
+    static_assert(
+        std::is_same_v<decltype(fair), d3dx_text<test::toy_font, curve_normals, no_cache, constrained_delaunay>>);
     for (const auto* text : {u"o", u"Eo i", u""}) {
         const auto a = usual.plan(text), b = fair.plan(text);
         REQUIRE(a);

@@ -9,7 +9,4 @@
 
 using namespace typemesh;
 
-void exchange(test::toy_font& font)
-{
-    auto flat_maker = d3dx_text{font}.with(flat{});
-}
+void exchange(test::toy_font& font) { auto flat_maker = d3dx_text{font}.with(flat{}); }

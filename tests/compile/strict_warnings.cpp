@@ -42,8 +42,10 @@ struct typemesh::vertex_traits<packed_vertex> {
         const vec3 n = s.normal;
         const vec4 t = s.tangent;
         const part_colours<> colours{{1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 1.0f}};
-        return {s.position, {s.uv.x, s.uv.y}, {n.x, n.y, n.z}, {s.uv.x, s.uv.y}, {n.x, n.y, n.z}, {s.uv.x, s.uv.y, 0.0f},
-                {n.x, n.y, n.z}, {t.x, t.y, t.z, t.w}, s.glyph, s.cluster, colours(s.part)};
+        return {s.position,       {s.uv.x, s.uv.y},     {n.x, n.y, n.z},
+                {s.uv.x, s.uv.y}, {n.x, n.y, n.z},      {s.uv.x, s.uv.y, 0.0f},
+                {n.x, n.y, n.z},  {t.x, t.y, t.z, t.w}, s.glyph,
+                s.cluster,        colours(s.part)};
     }
 };
 
@@ -70,10 +72,10 @@ error everything(Mesher&& mesher)
     const bounds3 bounds = plan->bounds();
     const position_box box = position_box::around(bounds.low, bounds.high);
     (void)box.decoded(box(bounds.low));
-    stream_sink streams{std::span{indices}, stream<attribute::position, vec3>{std::span{places}},
-                        computed_stream<attribute::position>(
-                            std::span{boxed},
-                            [box](const surface_point<attribute::position>& s) noexcept { return box(s.position); })};
+    stream_sink streams{
+        std::span{indices}, stream<attribute::position, vec3>{std::span{places}},
+        computed_stream<attribute::position>(
+            std::span{boxed}, [box](const surface_point<attribute::position>& s) noexcept { return box(s.position); })};
     if (!e) e = plan->write(streams);
     text_chunks chunks;
     if (!e) e = chunks.cut(*plan);
@@ -96,7 +98,8 @@ error every_policy(Font& font)
     glyph_cache<> cache;
     if (error e = everything(text_mesher{font})) return e;
     if (error e = everything(text_mesher{font}.with(constrained_delaunay{}).with(two_lines{}))) return e;
-    if (error e = everything(text_mesher{font}.with(thesis_quality{thesis_quality::high, font.units_per_em()}).with(flat{})))
+    if (error e =
+            everything(text_mesher{font}.with(thesis_quality{thesis_quality::high, font.units_per_em()}).with(flat{})))
         return e;
     if (error e = everything(text_mesher{font}.with(extruded<shared_normals>{}))) return e;
     if (error e = everything(text_mesher{font}.with(extruded<cap_normals>{}))) return e;

@@ -3,7 +3,4 @@
 
 int version_seen_by_the_other_unit();
 
-int main()
-{
-    return version_seen_by_the_other_unit() == TYPEMESH_VERSION_MAJOR * 100 + TYPEMESH_VERSION_MINOR ? 0 : 1;
-}
+int main() { return version_seen_by_the_other_unit() == TYPEMESH_VERSION_MAJOR * 100 + TYPEMESH_VERSION_MINOR ? 0 : 1; }

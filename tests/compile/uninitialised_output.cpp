@@ -29,8 +29,8 @@ bool writes_all(const char* name, Mesher mesher)
     const bool written = vertices != nullptr && indices != nullptr &&
                          !plan->write(into(std::span{vertices, static_cast<std::size_t>(size.vertices)},
                                            std::span{indices, static_cast<std::size_t>(size.indices())}));
-    const bool all = written && __msan_test_shadow(vertices, vertex_bytes) == -1 &&
-                     __msan_test_shadow(indices, index_bytes) == -1;
+    const bool all =
+        written && __msan_test_shadow(vertices, vertex_bytes) == -1 && __msan_test_shadow(indices, index_bytes) == -1;
     std::printf("%s: %s\n", name, all ? "all is written" : "something is not written");
     std::free(vertices);
     std::free(indices);

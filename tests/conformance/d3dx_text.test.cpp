@@ -41,7 +41,7 @@ float width_of(const std::vector<d3dx_glyph_metrics>& metrics)
 }
 
 const std::vector<std::string> fonts{"truetype/dejavu/DejaVuSans.ttf", "truetype/liberation/LiberationSans-Regular.ttf",
-                             "opentype/comic-neue/ComicNeue-Regular.otf"};
+                                     "opentype/comic-neue/ComicNeue-Regular.otf"};
 
 }  // namespace
 

@@ -29,8 +29,8 @@ static_assert(!std::is_default_constructible_v<adaptive_subdivision>);
 
 TEST_CASE("adaptive_subdivision halves even a straight curve once", "[adaptive_subdivision]")
 {
-    const adaptive_subdivision how =
-        GENERATE(adaptive_subdivision{.distance = 0.5}, adaptive_subdivision{0, 1e9, 4.0}, adaptive_subdivision{15, 1e9, 4.0});
+    const adaptive_subdivision how = GENERATE(adaptive_subdivision{.distance = 0.5}, adaptive_subdivision{0, 1e9, 4.0},
+                                              adaptive_subdivision{15, 1e9, 4.0});
     CHECK(ts_of(how, curve::from(cubic{{0, 0}, {1, 0}, {2, 0}, {3, 0}})) == list{0.5, 1.0});
     CHECK(ts_of(how, curve::from(quadratic{{0, 0}, {1, 0}, {3, 0}})) == list{0.5, 1.0});
     CHECK(ts_of(how, curve::from(quadratic{{1, 1}, {1, 1}, {1, 1}})) == list{0.5, 1.0});

@@ -217,8 +217,8 @@ TEST_CASE("contours tell the tolerance that they keep, in cells, or none where n
 TEST_CASE("the tolerance is halved for a curve as often as its halvings say, and for no other", "[discretise]")
 {
     const auto bow = [](double x) { return curve::from(quadratic{{x, 0}, {x + 300, 600}, {x + 600, 0}}); };
-    const outline o = outline_of(
-        {{bow(0), curve::from({600, 0}, {0, 0})}, {bow(700), curve::from({1300, 0}, {700, 0})}});
+    const outline o =
+        outline_of({{bow(0), curve::from({600, 0}, {0, 0})}, {bow(700), curve::from({1300, 0}, {700, 0})}});
     contours plain, finer;
     REQUIRE_FALSE(discretise(o, certified{}, 4.0, grid{}, plain));
     for (std::uint8_t times = 0; times <= 6; ++times) {

@@ -37,8 +37,7 @@ TEST_CASE("thesis_quality is two_lines at low and the thesis' halving above, at 
                            curve::from(cubic{{0, 0}, {part, 0}, {2 * part, 0}, {3 * part, 0}})};
     for (const curve& c : drawn) {
         CHECK(alike(thesis_quality{thesis_quality::low, em}, two_lines{}, c));
-        for (const auto& [preset, halving] : halvings)
-            CHECK(alike(thesis_quality{preset, em}, halving, c));
+        for (const auto& [preset, halving] : halvings) CHECK(alike(thesis_quality{preset, em}, halving, c));
     }
 }
 
@@ -46,7 +45,8 @@ TEST_CASE("better qualities of the thesis never take fewer points", "[thesis_qua
 {
     const curve c = curve::from(cubic{{0, 0}, {0, 400}, {500, 640}, {640, 0}});
     std::size_t before = 0;
-    for (const auto preset : {thesis_quality::low, thesis_quality::normal, thesis_quality::high, thesis_quality::best}) {
+    for (const auto preset :
+         {thesis_quality::low, thesis_quality::normal, thesis_quality::high, thesis_quality::best}) {
         const std::size_t now = points_of(thesis_quality{preset, 1000.0}, c, 1.0).size();
         CHECK(now > before);
         before = now;

@@ -146,9 +146,8 @@ TEST_CASE("every attribute and every packed format is written without taking mem
             stream<attribute::glyph, std::uint32_t>::in(bytes, 36, 80),
             stream<attribute::cluster, std::uint32_t>::in(bytes, 40, 80),
             stream<attribute::part, std::uint32_t>::in(bytes, 44, 80),
-            computed_stream<attribute::none, rgba8>(bytes, 48, 80, [](const auto&) noexcept {
-                return rgba8{1, 0, 0};
-            })});
+            computed_stream<attribute::none, rgba8>(bytes, 48, 80,
+                                                    [](const auto&) noexcept { return rgba8{1, 0, 0}; })});
     });
 }
 

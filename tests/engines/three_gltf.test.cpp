@@ -90,7 +90,8 @@ struct letter_node {
 std::vector<letter_node> letter_nodes(const std::string& json)
 {
     std::vector<letter_node> nodes;
-    for (std::size_t at = json.find("\"translation\":"); at != std::string::npos; at = json.find("\"translation\":", at + 1))
+    for (std::size_t at = json.find("\"translation\":"); at != std::string::npos;
+         at = json.find("\"translation\":", at + 1))
         nodes.push_back({numbers_after(json.substr(at), "translation"), numbers_after(json.substr(at), "scale")});
     return nodes;
 }
@@ -239,7 +240,8 @@ TEST_CASE("of a long line a box for each letter turns over a tenth of what a box
           "[engines]")
 {
     bench b;
-    const std::string line = "Sphinx of black quartz, judge my vow & quick @ the lazy dogs; Sphinx of black quartz, judge my vow & quick";
+    const std::string line =
+        "Sphinx of black quartz, judge my vow & quick @ the lazy dogs; Sphinx of black quartz, judge my vow & quick";
     std::uint64_t by_line = 0, by_letter = 0;
     for (const double tolerance : {quality::normal, quality::high, quality::best}) {
         auto options = engines::gltf::options();
@@ -259,15 +261,19 @@ TEST_CASE("of a long line a box for each letter turns over a tenth of what a box
             const placement at = plan->place(i);
             const std::uint32_t first = plan->range(i, part::front).first_vertex;
             for (const triangle t : shape.triangles) {
-                by_line += turns([&](std::uint32_t p) {
-                    const box_position q = one(at.position(shape.points[p], 0.0f));
-                    return grid_point{q.x.bits, q.y.bits};
-                }, t);
-                in_file += turns([&](std::uint32_t p) {
-                    std::uint16_t q[2];
-                    std::memcpy(q, g.bin.data() + 20 * (first + p), sizeof q);
-                    return grid_point{q[0], q[1]};
-                }, t);
+                by_line += turns(
+                    [&](std::uint32_t p) {
+                        const box_position q = one(at.position(shape.points[p], 0.0f));
+                        return grid_point{q.x.bits, q.y.bits};
+                    },
+                    t);
+                in_file += turns(
+                    [&](std::uint32_t p) {
+                        std::uint16_t q[2];
+                        std::memcpy(q, g.bin.data() + 20 * (first + p), sizeof q);
+                        return grid_point{q[0], q[1]};
+                    },
+                    t);
             }
         }
         const std::uint64_t told = engines::gltf::turned_by_quantising(*plan);

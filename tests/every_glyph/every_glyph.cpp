@@ -28,8 +28,8 @@ struct job {
 
 struct total {
     std::string name;
-    std::size_t faces = 0, glyphs = 0, blank = 0, resolved = 0, touching = 0, crowded = 0, broken = 0, points = 0, refined = 0,
-                unsettled = 0, bent_more = 0;
+    std::size_t faces = 0, glyphs = 0, blank = 0, resolved = 0, touching = 0, crowded = 0, broken = 0, points = 0,
+                refined = 0, unsettled = 0, bent_more = 0;
     double moved = 0;
 };
 
@@ -188,9 +188,9 @@ int main(int argc, char** argv)
     total sum{.name = "all"};
     const auto print = [](const total& t) {
         const std::string name = t.name.size() > 52 ? "..." + t.name.substr(t.name.size() - 49) : t.name;
-        std::printf("%-52s %6zu %8zu %9zu %9zu %8zu %9zu %9zu %9zu %11zu %6zu %6.3f %7zu\n", name.c_str(), t.faces, t.glyphs,
-                    t.blank, t.resolved, t.refined, t.unsettled, t.touching, t.crowded, t.points, t.bent_more, t.moved,
-                    t.broken);
+        std::printf("%-52s %6zu %8zu %9zu %9zu %8zu %9zu %9zu %9zu %11zu %6zu %6.3f %7zu\n", name.c_str(), t.faces,
+                    t.glyphs, t.blank, t.resolved, t.refined, t.unsettled, t.touching, t.crowded, t.points, t.bent_more,
+                    t.moved, t.broken);
     };
     for (const total& t : totals) {
         print(t);

@@ -43,15 +43,16 @@ TEST_CASE("glyphs with hairpins, soft joints and corners beside long walls obey 
     const struct {
         const char* file;
         typemesh::glyph_id glyph;
-    } named[] = {{"truetype/dejavu/DejaVuSerif.ttf", 357},             // a corner, doubled, and 74 degrees off a wall
-                 {"truetype/ancient-scripts/Symbola_hint.ttf", 8256},  // hairpins inside curves
-                 {"opentype/fonts-hosny-amiri/Amiri-Regular.ttf", 527},    // a rounded corner, 46 degrees
+    } named[] = {{"truetype/dejavu/DejaVuSerif.ttf", 357},               // a corner, doubled, and 74 degrees off a wall
+                 {"truetype/ancient-scripts/Symbola_hint.ttf", 8256},    // hairpins inside curves
+                 {"opentype/fonts-hosny-amiri/Amiri-Regular.ttf", 527},  // a rounded corner, 46 degrees
                  {"opentype/fonts-hosny-amiri/Amiri-Regular.ttf", 4659}};  // a soft joint
     test::glyph_laws laws;
     for (const auto& [file, glyph] : named) {
         auto font = typemesh::harfbuzz_font::open(font_file(file).c_str());
         REQUIRE(font);
-        for (const double tolerance : {0.01, typemesh::quality::normal, typemesh::quality::high, typemesh::quality::best}) {
+        for (const double tolerance :
+             {0.01, typemesh::quality::normal, typemesh::quality::high, typemesh::quality::best}) {
             INFO(file << " " << glyph << " at " << tolerance);
             CHECK(laws.examine(*font, glyph, tolerance).wrong == "");
         }

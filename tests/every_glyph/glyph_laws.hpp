@@ -95,12 +95,12 @@ struct glyph_findings {
     bool resolved = false;  ///< its contours meet
     bool touching = false;  ///< and so do its region's
     std::size_t points = 0;
-    std::size_t crowded = 0;  ///< vertical edges with more than two faces
-    bool refined = false;     ///< the guard made curves finer
+    std::size_t crowded = 0;      ///< vertical edges with more than two faces
+    bool refined = false;         ///< the guard made curves finer
     std::uint32_t unsettled = 0;  ///< meetings that the guard let stand only because their curves cannot be finer
-    bool bent_more = false;   ///< the area is not exactly that of the contours led through their rounded crossings
-    double moved = 0.0;       ///< then: by how much it differs, over the bound that holds (see examine)
-    std::string wrong;        ///< the first law that is broken; empty: none
+    bool bent_more = false;       ///< the area is not exactly that of the contours led through their rounded crossings
+    double moved = 0.0;           ///< then: by how much it differs, over the bound that holds (see examine)
+    std::string wrong;            ///< the first law that is broken; empty: none
 };
 
 /// Holds what is needed to look at one glyph after another. Use each on one thread.
@@ -273,7 +273,8 @@ private:
                 const auto chords_of = [&](const std::vector<std::uint32_t>& curves) {  // and on along the contour
                     std::vector<chord> all;
                     for (const std::uint32_t k : curves) chords_within(k, all);
-                    for (std::uint32_t k = curves.back(), n = 0; n < 16 && chords_within(k = round(k).back(), all);) ++n;
+                    for (std::uint32_t k = curves.back(), n = 0; n < 16 && chords_within(k = round(k).back(), all);)
+                        ++n;
                     for (std::uint32_t k = curves[0], n = 0; n < 16 && chords_within(k = round(k)[0], all);) ++n;
                     return all;
                 };
@@ -303,7 +304,8 @@ private:
         using namespace typemesh;
         delaunay_.clear();
         by_slabs_.clear();
-        if (const error e = constrained_delaunay{}(r, space_, delaunay_)) return std::string{"Delaunay: "} + e.message();
+        if (const error e = constrained_delaunay{}(r, space_, delaunay_))
+            return std::string{"Delaunay: "} + e.message();
         if (const error e = constrained_delaunay{.most_flips = 0}(r, space_, by_slabs_))
             return std::string{"Delaunay by slabs: "} + e.message();
         std::string wrong = oracle::broken_law(r, delaunay_.view());

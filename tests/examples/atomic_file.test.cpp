@@ -118,7 +118,7 @@ TEST_CASE("of several files all are written or none", "[atomic_file]")
         std::string path;
         std::vector<unsigned char> bytes;
     };
-    const auto written = [](const file (&both)[2]) {
+    const auto written = [](const file(&both)[2]) {
         file_set files;
         for (const file& f : both)
             if (std::string trouble = files.add(f.path, f.bytes); !trouble.empty()) return trouble;

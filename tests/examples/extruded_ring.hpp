@@ -17,12 +17,14 @@ inline text_to_mesh::model extruded_ring(std::uint32_t steps = 24, float depth =
         const auto r = static_cast<float>(radius);
         const auto sign = static_cast<float>(normal == 2 ? 1 : -1);  // 0 front, 1 back, 2 outwards, 3 inwards
         ring.vertices.push_back({{r * c, r * s, z},
-                                 {normal < 2 ? 0.0F : sign * c, normal < 2 ? 0.0F : sign * s, normal == 0 ? 1.0F : (normal == 1 ? -1.0F : 0.0F)},
+                                 {normal < 2 ? 0.0F : sign * c, normal < 2 ? 0.0F : sign * s,
+                                  normal == 0 ? 1.0F : (normal == 1 ? -1.0F : 0.0F)},
                                  {0.5F + 0.5F * r * c, 0.5F - 0.5F * r * s}});
         return static_cast<std::uint32_t>(ring.vertices.size() - 1);
     };
     const auto quad = [&](double r0, float z0, double r1, float z1, int normal, std::uint32_t i) {
-        const std::uint32_t a = vertex(r0, i, z0, normal), b = vertex(r1, i, z1, normal), c = vertex(r1, i + 1, z1, normal), d = vertex(r0, i + 1, z0, normal);
+        const std::uint32_t a = vertex(r0, i, z0, normal), b = vertex(r1, i, z1, normal),
+                            c = vertex(r1, i + 1, z1, normal), d = vertex(r0, i + 1, z0, normal);
         for (const std::uint32_t index : {a, b, c, a, c, d}) ring.indices.push_back(index);
     };
     const auto part = [&](const char* name, auto&& fill) {

@@ -41,8 +41,10 @@ TEST_CASE("the picture of the README is what text_to_mesh draws today", "[golden
 {
     scratch_folder folder;
     const std::string drawn = folder.file("hello.png");
-    const std::string command = "'" TYPEMESH_TEXT_TO_MESH "' 'Hello world!' --font "
-                                "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf --picture '" + drawn + "'";
+    const std::string command = "'" TYPEMESH_TEXT_TO_MESH
+                                "' 'Hello world!' --font "
+                                "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf --picture '" +
+                                drawn + "'";
     REQUIRE(std::system(command.c_str()) == 0);
 
     const picture today = read(drawn), golden = read(TYPEMESH_TEST_DATA "/../docs/pictures/hello.png");

@@ -17,10 +17,19 @@ struct image {
     int w = 0, h = 0;
     std::vector<unsigned char> rgb;
 
-    image(const model& mesh, const picture_options& options, const overlay& over = {}) { rgb = draw(mesh, over, options, w, h); }
+    image(const model& mesh, const picture_options& options, const overlay& over = {})
+    {
+        rgb = draw(mesh, over, options, w, h);
+    }
     [[nodiscard]] const unsigned char* at(int x, int y) const { return rgb.data() + (y * w + x) * 3; }
-    [[nodiscard]] bool white(int x, int y) const { return at(x, y)[0] == 255 && at(x, y)[1] == 255 && at(x, y)[2] == 255; }
-    [[nodiscard]] bool same(int x, int y, const unsigned char* other) const { return std::equal(other, other + 3, at(x, y)); }
+    [[nodiscard]] bool white(int x, int y) const
+    {
+        return at(x, y)[0] == 255 && at(x, y)[1] == 255 && at(x, y)[2] == 255;
+    }
+    [[nodiscard]] bool same(int x, int y, const unsigned char* other) const
+    {
+        return std::equal(other, other + 3, at(x, y));
+    }
 };
 
 picture_options plain(int width, int height)
@@ -40,12 +49,16 @@ model square(int cells, float z, const char* part)
         for (int i = 0; i <= cells; ++i) {
             const bool inner = i > 0 && j > 0 && i < cells && j < cells;
             const double wave = inner ? 0.3 / cells * std::sin(double(7 * i + 3 * j)) : 0.0;
-            m.vertices.push_back({{static_cast<float>(2.0 * i / cells - 1.0 + wave), static_cast<float>(2.0 * j / cells - 1.0 - wave), z}, {0, 0, 1}, {0, 0}});
+            m.vertices.push_back({{static_cast<float>(2.0 * i / cells - 1.0 + wave),
+                                   static_cast<float>(2.0 * j / cells - 1.0 - wave), z},
+                                  {0, 0, 1},
+                                  {0, 0}});
         }
     }
     for (int j = 0; j < cells; ++j) {
         for (int i = 0; i < cells; ++i) {
-            const auto a = static_cast<std::uint32_t>(j * (cells + 1) + i), b = a + 1, d = a + static_cast<std::uint32_t>(cells) + 1, c = d + 1;
+            const auto a = static_cast<std::uint32_t>(j * (cells + 1) + i), b = a + 1,
+                       d = a + static_cast<std::uint32_t>(cells) + 1, c = d + 1;
             for (const std::uint32_t index : {a, b, c, a, c, d}) m.indices.push_back(index);
         }
     }
@@ -140,8 +153,10 @@ TEST_CASE("a closed solid shows nothing of its inside", "[picture]")
     options.pitch = 0.0F;
     model ring = extruded_ring(32);
     const image whole(ring, options);
-    std::vector<std::uint32_t> kept(ring.indices.begin(), ring.indices.begin() + static_cast<std::ptrdiff_t>(ring.parts[0].index_count));
-    kept.insert(kept.end(), ring.indices.begin() + static_cast<std::ptrdiff_t>(ring.parts[2].first_index), ring.indices.end());
+    std::vector<std::uint32_t> kept(ring.indices.begin(),
+                                    ring.indices.begin() + static_cast<std::ptrdiff_t>(ring.parts[0].index_count));
+    kept.insert(kept.end(), ring.indices.begin() + static_cast<std::ptrdiff_t>(ring.parts[2].first_index),
+                ring.indices.end());
     model open = ring;
     open.parts[2].first_index = open.parts[0].index_count;
     open.parts = {open.parts[0], open.parts[2]};
@@ -182,7 +197,8 @@ TEST_CASE("places that are no numbers and triangles without area are left out", 
     broken.vertices.push_back({{std::numeric_limits<float>::quiet_NaN(), 0, 0}, {0, 0, 1}, {0, 0}});
     broken.vertices.push_back({{std::numeric_limits<float>::infinity(), 0, 0}, {0, 0, 1}, {0, 0}});
     broken.vertices.push_back({{0.9F, 0, 0}, {0, 0, 0}, {0, 0}});
-    for (const std::uint32_t i : {first, first + 2, 0u, first + 1, 1u, 2u, first + 2, first + 2, first + 2}) broken.indices.push_back(i);
+    for (const std::uint32_t i : {first, first + 2, 0u, first + 1, 1u, 2u, first + 2, first + 2, first + 2})
+        broken.indices.push_back(i);
     broken.parts[2].index_count += 9;
     picture_options options = plain(200, 160);
     options.wireframe = true;
@@ -220,13 +236,15 @@ TEST_CASE("the wireframe draws each edge once, however many vertices are doubled
     // Not equal to the last bit: the edges come in another order.
     const image doubled(split, options);
     int most = 0;
-    for (std::size_t i = 0; i < shared.rgb.size(); ++i) most = (std::max)(most, std::abs(int{shared.rgb[i]} - int{doubled.rgb[i]}));
+    for (std::size_t i = 0; i < shared.rgb.size(); ++i)
+        most = (std::max)(most, std::abs(int{shared.rgb[i]} - int{doubled.rgb[i]}));
     CHECK(most <= 1);
     options.wireframe = false;
     CHECK((image(wall, options).rgb != shared.rgb));
 }
 
-TEST_CASE("no triangle is drawn larger than the largest pixels per unit, and the box around a model foretells them", "[picture]")
+TEST_CASE("no triangle is drawn larger than the largest pixels per unit, and the box around a model foretells them",
+          "[picture]")
 {
     const model ring = extruded_ring();
     picture_options look;

@@ -20,7 +20,8 @@ public:
     {
         each_covered_pixel(a, b, c, {0, 0, side_, side_}, [&](int x, int y, unsigned mask) {
             for (; mask != 0; mask &= mask - 1)
-                times_[static_cast<std::size_t>(y * side_ + x) * samples_per_pixel + static_cast<std::size_t>(std::countr_zero(mask))] += 1;
+                times_[static_cast<std::size_t>(y * side_ + x) * samples_per_pixel +
+                       static_cast<std::size_t>(std::countr_zero(mask))] += 1;
         });
     }
 
@@ -57,10 +58,15 @@ TEST_CASE("a square cut into many triangles covers every sample exactly once", "
     const std::int32_t step = whole / cells;
     for (int j = 0; j <= cells; ++j) {
         for (int i = 0; i <= cells; ++i) {
-            const auto shake = [&] { return static_cast<std::int32_t>(random() % static_cast<unsigned>(step / 2 + 1)) - step / 4; };
-            const auto line = [&](int k, std::int32_t shaken) { return k == 0 ? -8 : (k == cells ? whole + 8 : k * step + shaken); };
+            const auto shake = [&] {
+                return static_cast<std::int32_t>(random() % static_cast<unsigned>(step / 2 + 1)) - step / 4;
+            };
+            const auto line = [&](int k, std::int32_t shaken) {
+                return k == 0 ? -8 : (k == cells ? whole + 8 : k * step + shaken);
+            };
             raster_point p{line(i, shake()), line(j, shake())};
-            if (random() % 3 == 0 && i > 0 && i < cells && j > 0 && j < cells) p = {p.x / 16 * 16 + 8, p.y / 16 * 16 + 8};
+            if (random() % 3 == 0 && i > 0 && i < cells && j > 0 && j < cells)
+                p = {p.x / 16 * 16 + 8, p.y / 16 * 16 + 8};
             net.push_back(p);
         }
     }
@@ -90,7 +96,10 @@ TEST_CASE("a fan around a sample covers it once, whatever its outgoing_edges", "
     for (int edge = 0; edge < 4; ++edge) {
         std::int32_t at = 0;
         while (at < whole) {
-            rim.push_back(edge == 0 ? raster_point{at, 0} : edge == 1 ? raster_point{whole, at} : edge == 2 ? raster_point{whole - at, whole} : raster_point{0, whole - at});
+            rim.push_back(edge == 0   ? raster_point{at, 0}
+                          : edge == 1 ? raster_point{whole, at}
+                          : edge == 2 ? raster_point{whole - at, whole}
+                                      : raster_point{0, whole - at});
             at += 1 + static_cast<std::int32_t>(random() % 300);
         }
     }

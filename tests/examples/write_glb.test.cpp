@@ -36,7 +36,9 @@ std::vector<std::uint32_t> indices_of(const tinygltf::Model& file)
         const unsigned char* at = file.buffers[0].data.data() + v.byteOffset + a.byteOffset;
         const bool wide = a.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
         for (std::size_t i = 0; i < a.count; ++i, at += wide ? 4 : 2)
-            all.push_back(wide ? at[0] | std::uint32_t{at[1]} << 8 | std::uint32_t{at[2]} << 16 | std::uint32_t{at[3]} << 24 : at[0] | std::uint32_t{at[1]} << 8);
+            all.push_back(wide ? at[0] | std::uint32_t{at[1]} << 8 | std::uint32_t{at[2]} << 16 |
+                                     std::uint32_t{at[3]} << 24
+                               : at[0] | std::uint32_t{at[1]} << 8);
     }
     return all;
 }
@@ -57,15 +59,19 @@ TEST_CASE("a GLB read again holds the same vertices, indices, parts and bounds",
     CHECK(file.materials[static_cast<std::size_t>(file.meshes[0].primitives[2].material)].name == "side");
     CHECK(indices_of(file) == ring.indices);
     const tinygltf::Accessor& index = file.accessors[static_cast<std::size_t>(file.meshes[0].primitives[0].indices)];
-    CHECK(index.componentType == (steps < 4096 ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT : TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT));
+    CHECK(index.componentType ==
+          (steps < 4096 ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT : TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT));
 
     const auto& attributes = file.meshes[0].primitives[0].attributes;
     REQUIRE(attributes.size() == 3);
     const tinygltf::Accessor& position = file.accessors[static_cast<std::size_t>(attributes.at("POSITION"))];
     REQUIRE(position.count == ring.vertices.size());
-    CHECK(std::memcmp(file.buffers[0].data.data(), ring.vertices.data(), ring.vertices.size() * sizeof(model_vertex)) == 0);
+    CHECK(std::memcmp(file.buffers[0].data.data(), ring.vertices.data(), ring.vertices.size() * sizeof(model_vertex)) ==
+          0);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto less = [axis](const model_vertex& a, const model_vertex& b) { return a.position[axis] < b.position[axis]; };
+        const auto less = [axis](const model_vertex& a, const model_vertex& b) {
+            return a.position[axis] < b.position[axis];
+        };
         const auto bounds = std::minmax_element(ring.vertices.begin(), ring.vertices.end(), less);
         CHECK(position.minValues[axis] == double{bounds.first->position[axis]});
         CHECK(position.maxValues[axis] == double{bounds.second->position[axis]});
@@ -90,7 +96,8 @@ TEST_CASE("a name that is not UTF-8 is written with replacement characters", "[w
     ring.name = "a\x80\xC3\xA9\xED\xA0\x80\xF4\x90\x80\x80\xE0\x9F\xBF\xC3";
     REQUIRE(written_alone(write_glb, ring, folder.file("name.glb")) == "");
     const std::string r = "\xEF\xBF\xBD";
-    CHECK(reread(folder.file("name.glb")).meshes[0].name == "a" + r + "\xC3\xA9" + r + r + r + r + r + r + r + r + r + r + r);
+    CHECK(reread(folder.file("name.glb")).meshes[0].name ==
+          "a" + r + "\xC3\xA9" + r + r + r + r + r + r + r + r + r + r + r);
 }
 
 TEST_CASE("a model without parts is one primitive, and a part without triangles is none", "[write_glb]")

@@ -58,7 +58,8 @@ TEST_CASE("an OBJ read again holds the same floats, triangles and groups", "[wri
     bool equal = true;
     for (std::size_t i = 0; i < v.size(); ++i) {
         const model_vertex& given = ring.vertices[i];
-        equal = equal && v[i] == std::vector<float>(given.position, given.position + 3) && vt[i] == std::vector<float>(given.uv, given.uv + 2) &&
+        equal = equal && v[i] == std::vector<float>(given.position, given.position + 3) &&
+                vt[i] == std::vector<float>(given.uv, given.uv + 2) &&
                 vn[i] == std::vector<float>(given.normal, given.normal + 3);
     }
     CHECK(equal);

@@ -23,7 +23,8 @@ TEST_CASE("a PLY read again holds the same vertices and triangles", "[write_ply]
     const std::string header = file.substr(0, start);
     CHECK(header.find("ply\nformat binary_little_endian 1.0\n") == 0);
     CHECK(header.find("comment O ring") != std::string::npos);
-    CHECK(header.find("element vertex " + std::to_string(ring.vertices.size()) + "\nproperty float x\n") != std::string::npos);
+    CHECK(header.find("element vertex " + std::to_string(ring.vertices.size()) + "\nproperty float x\n") !=
+          std::string::npos);
     CHECK(header.find("element face " + std::to_string(ring.indices.size() / 3) + "\n") != std::string::npos);
 
     const std::size_t vertex_bytes = ring.vertices.size() * sizeof(model_vertex);

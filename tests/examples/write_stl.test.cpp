@@ -45,7 +45,8 @@ TEST_CASE("an STL read again is closed, and its facet normals are unit and outwa
         CHECK(f[0] * first.normal[0] + f[1] * first.normal[1] + f[2] * first.normal[2] > 0.9F);
         volume += (double(p[0][0]) * (double(p[1][1]) * p[2][2] - double(p[1][2]) * p[2][1]) +
                    double(p[0][1]) * (double(p[1][2]) * p[2][0] - double(p[1][0]) * p[2][2]) +
-                   double(p[0][2]) * (double(p[1][0]) * p[2][1] - double(p[1][1]) * p[2][0])) / 6.0;
+                   double(p[0][2]) * (double(p[1][0]) * p[2][1] - double(p[1][1]) * p[2][0])) /
+                  6.0;
     }
     bool closed = true;
     for (const auto& edge : edges) closed = closed && edge.second == 0;

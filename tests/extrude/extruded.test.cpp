@@ -108,8 +108,8 @@ TEMPLATE_TEST_CASE("extruded is closed, faces outward and turns as the frame ask
                 const built b = build(s, extruded<TestType>{.texture = texture}, in_em(f));
                 CHECK(open_edges(b) == 0);
                 const auto indices = indices_of(b);
-                const auto normals = check_normals(inspect::mesh_view{b.vertices, indices},
-                                                   [](const auto& v) { return v.normal; }, f.winding, 1e-6);
+                const auto normals = check_normals(
+                    inspect::mesh_view{b.vertices, indices}, [](const auto& v) { return v.normal; }, f.winding, 1e-6);
                 CHECK(normals.is_right());
                 CHECK(normals.triangles == b.triangles.size());
             }

@@ -160,7 +160,8 @@ TEST_CASE("shared normals keep planar coordinates on their walls in em mapping t
     }
 }
 
-TEST_CASE("any point gets the texture coordinates of a grid point, to the bit, and walls theirs by length and depth", "[extrude]")
+TEST_CASE("any point gets the texture coordinates of a grid point, to the bit, and walls theirs by length and depth",
+          "[extrude]")
 {
     for (const auto origin : {uv_origin::top_left, uv_origin::bottom_left}) {
         for (const auto mapping : {texture_mapping::box, texture_mapping::em}) {

@@ -52,7 +52,8 @@ TEST_CASE("A boundary cycle stays in its sector: outer loops that touch stay apa
     CHECK(two.holes == 0);
     CHECK(test::oracle::broken_cycle(views(two)).empty());
 
-    const traced holes = trace_boundary({around, {{2, 2}, {2, 4}, {4, 4}}, {{4, 4}, {4, 6}, {6, 6}}}, fill_rule::non_zero);
+    const traced holes =
+        trace_boundary({around, {{2, 2}, {2, 4}, {4, 4}}, {{4, 4}, {4, 6}, {6, 6}}}, fill_rule::non_zero);
     CHECK(holes.outers == 1);
     CHECK(holes.holes == 1);
     CHECK(test::oracle::broken_cycle(views(holes)).empty());
@@ -67,7 +68,7 @@ TEST_CASE("A boundary cycle stays in its sector: outer loops that touch stay apa
 TEST_CASE("Any number of sectors round one point are told apart", "[fill][boundary_cycles]")
 {
     // A windmill of n triangles round (0, 0), which alternate with holes of a square round them.
-    const test::polyline rim{{9, 0}, {9, 4}, {9, 9}, {4, 9}, {0, 9}, {-4, 9}, {-9, 9}, {-9, 4},
+    const test::polyline rim{{9, 0},  {9, 4},   {9, 9},   {4, 9},   {0, 9},  {-4, 9}, {-9, 9}, {-9, 4},
                              {-9, 0}, {-9, -4}, {-9, -9}, {-4, -9}, {0, -9}, {4, -9}, {9, -9}, {9, -4}};
     for (std::size_t wings = 1; wings <= 8; ++wings) {
         std::vector<test::polyline> loops;

@@ -63,7 +63,7 @@ TEST_CASE("scaled() is the nearest integer to size * part / whole in 128-bit ari
         CHECK(detail::scaled(size, 0, whole).nearest() == 0);
         CHECK(detail::scaled(size, whole, whole).nearest() == size);
     }
-    CHECK(detail::scaled(3, 1, 2).nearest() == 2);    // halves go up
+    CHECK(detail::scaled(3, 1, 2).nearest() == 2);  // halves go up
     CHECK(detail::scaled(-3, 1, 2).nearest() == -1);
     CHECK(detail::scaled(-3, 1, 2).floor == -2);
     CHECK(detail::scaled(3, 1, 2).floor == 1);

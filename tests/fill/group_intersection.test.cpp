@@ -30,7 +30,8 @@ struct tiles {
 
 }  // namespace
 
-TEST_CASE("groups are the classes of the relation that two regions meet, closed under chains", "[fill][group_intersection]")
+TEST_CASE("groups are the classes of the relation that two regions meet, closed under chains",
+          "[fill][group_intersection]")
 {
     test::dice d{31};
     for (int round = 0; round < 300; ++round) {

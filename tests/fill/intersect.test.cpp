@@ -25,10 +25,7 @@ struct owned_region {
         REQUIRE(r);
         made = *r;
     }
-    [[nodiscard]] placed_loops at(std::int64_t x, std::int64_t y) const
-    {
-        return {made.points(), made.starts(), x, y};
-    }
+    [[nodiscard]] placed_loops at(std::int64_t x, std::int64_t y) const { return {made.points(), made.starts(), x, y}; }
 };
 
 bool do_meet(const placed_loops& a, const placed_loops& b)
@@ -68,7 +65,6 @@ test::shape random_shape(test::dice& d, int width, int scale)
     }
     return s;
 }
-
 
 }  // namespace
 

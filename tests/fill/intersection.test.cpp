@@ -103,7 +103,8 @@ TEST_CASE("a filter is told of loops that touch, but not where more than 16 edge
                        [](const auto& t) { return std::get<0>(t) == 0 && std::get<1>(t) == 0; }));
 }
 
-TEST_CASE("where a filter refuses, all are asked none the less, and the contours stay as they were", "[fill][intersection]")
+TEST_CASE("where a filter refuses, all are asked none the less, and the contours stay as they were",
+          "[fill][intersection]")
 {
     contours loops = test::contours_of({square, over_its_corner});
     const std::vector<grid_point> before(loops.points.begin(), loops.points.end());

@@ -70,7 +70,9 @@ test::shape heap_of_boxes(test::dice& d, int count, int width)
     for (int i = 0; i < count; ++i) {
         const int x = d.roll(width), y = d.roll(width), w = 1 + d.roll(width / 4 + 1), h = 1 + d.roll(width / 4 + 1);
         if (d.roll(3) == 0)
-            s.loops.push_back({{8 * x, 8 * (y + w)}, {8 * (x + w), 8 * y}, {8 * (x + 2 * w), 8 * (y + w)},
+            s.loops.push_back({{8 * x, 8 * (y + w)},
+                               {8 * (x + w), 8 * y},
+                               {8 * (x + 2 * w), 8 * (y + w)},
                                {8 * (x + w), 8 * (y + 2 * w)}});
         else
             s.loops.push_back({{8 * x, 8 * y}, {8 * (x + w), 8 * y}, {8 * (x + w), 8 * (y + h)}, {8 * x, 8 * (y + h)}});

@@ -128,7 +128,8 @@ TEST_CASE("The triangles of crossings within two cells of each other do not depe
         auto& triangles = all.emplace_back();
         for (const triangle t : out) {
             auto& corners = triangles.emplace_back();
-            for (const std::uint32_t i : {t.a, t.b, t.c}) corners.emplace_back(made->points()[i].x, made->points()[i].y);
+            for (const std::uint32_t i : {t.a, t.b, t.c})
+                corners.emplace_back(made->points()[i].x, made->points()[i].y);
             std::sort(corners.begin(), corners.end());
         }
         std::sort(triangles.begin(), triangles.end());
@@ -136,9 +137,10 @@ TEST_CASE("The triangles of crossings within two cells of each other do not depe
     }
 }
 
-TEST_CASE("A spike that cancels leaves the point where it stood, and those where it ends on the boundary, whichever "
-          "way it is run",
-          "[fill][resolve]")
+TEST_CASE(
+    "A spike that cancels leaves the point where it stood, and those where it ends on the boundary, whichever "
+    "way it is run",
+    "[fill][resolve]")
 {
     const test::polyline notched{{0, 0}, {8, 0}, {8, 8}, {4, 8}, {4, 0}, {4, 8}, {0, 8}};
     for (const fill_rule rule : {fill_rule::non_zero, fill_rule::even_odd}) {

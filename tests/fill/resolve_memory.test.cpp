@@ -60,8 +60,14 @@ test::shape comb(int n)
 
 std::vector<test::shape> hostile()
 {
-    return {random_star(700, 200, 1),  random_star(1000, 100'000, 2), round_star(301, 1000), round_star(301, 2e8),
-            needles(120),              stacked(40),                   comb(999),             round_star(101, 20),
+    return {random_star(700, 200, 1),
+            random_star(1000, 100'000, 2),
+            round_star(301, 1000),
+            round_star(301, 2e8),
+            needles(120),
+            stacked(40),
+            comb(999),
+            round_star(101, 20),
             {"one crossing", {test::circle(800, 100'000, 0, 0), test::circle(5, 2000, 100'000, 0)}},
             {"one crossing, rounded", {test::circle(6000, 100'000, 0, 0), test::circle(5, 2000, 100'000, 0)}}};
 }

@@ -35,7 +35,8 @@ bool equal(const contours& a, const contours& b)
 
 }  // namespace
 
-TEST_CASE("Walking anew keeps every directed edge, is done after one time, and can be undone", "[fill][touching_cycles]")
+TEST_CASE("Walking anew keeps every directed edge, is done after one time, and can be undone",
+          "[fill][touching_cycles]")
 {
     test::dice d{611};
     int linked = 0, changed = 0;

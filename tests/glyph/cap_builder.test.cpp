@@ -8,8 +8,8 @@
 
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
-#include "support/regions.hpp"
 #include "support/cycles.hpp"
+#include "support/regions.hpp"
 
 #include <tuple>
 

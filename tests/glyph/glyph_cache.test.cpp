@@ -238,9 +238,9 @@ TEST_CASE("settings and policies that shape glyphs differently never share them"
     glyph_cache cache;
     const auto drawn_by = [&](auto mesher, const text_options& options = {}) {
         auto with_cache = std::move(mesher).with(cached_in{cache, 1});
-        auto without = std::move(text_mesher{font}.with(with_cache.discretiser_policy())
-                                     .with(with_cache.triangulator_policy()))
-                           .with(with_cache.extruder_policy());
+        auto without =
+            std::move(text_mesher{font}.with(with_cache.discretiser_policy()).with(with_cache.triangulator_policy()))
+                .with(with_cache.extruder_policy());
         const std::size_t before = font.drawn;
         const auto m = build(with_cache, "ox", options);
         const std::size_t drawn = font.drawn - before;

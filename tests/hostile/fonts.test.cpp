@@ -38,12 +38,12 @@ struct tally {
 bool is_an_answer(error e)
 {
     switch (e.code) {
-        case error::not_a_font:
-        case error::no_such_face:
-        case error::no_outlines:
-        case error::font_library_failed:
-        case error::unreadable_file: return true;
-        default: return false;
+    case error::not_a_font:
+    case error::no_such_face:
+    case error::no_outlines:
+    case error::font_library_failed:
+    case error::unreadable_file: return true;
+    default: return false;
     }
 }
 
@@ -157,24 +157,23 @@ TEST_CASE("a font with damaged bytes is refused or drawn finitely", "[hostile]")
             INFO(name << ", round " << round);
             auto damaged = whole;
             switch (round % 4) {
-                case 0:  // single bits
-                    for (int k = 0; k < 64; ++k)
-                        damaged[below(damaged.size())] ^= static_cast<std::byte>(1u << below(8));
-                    break;
-                case 1:  // a stretch of noise
-                    for (std::size_t k = 0, at = below(damaged.size() - 256); k < 256; ++k)
-                        damaged[at + k] = static_cast<std::byte>(below(256));
-                    break;
-                case 2:  // extreme numbers
-                    for (int k = 0; k < 32; ++k) {
-                        const std::size_t at = below(damaged.size() - 2);
-                        const unsigned extreme = std::vector<unsigned>{0x0000, 0xFFFF, 0x7FFF, 0x8000}[below(4)];
-                        damaged[at] = static_cast<std::byte>(extreme >> 8);
-                        damaged[at + 1] = static_cast<std::byte>(extreme & 0xFF);
-                    }
-                    break;
-                default:  // the directory of tables
-                    for (int k = 0; k < 4; ++k) damaged[below(12 + 16 * 16)] = static_cast<std::byte>(below(256));
+            case 0:  // single bits
+                for (int k = 0; k < 64; ++k) damaged[below(damaged.size())] ^= static_cast<std::byte>(1u << below(8));
+                break;
+            case 1:  // a stretch of noise
+                for (std::size_t k = 0, at = below(damaged.size() - 256); k < 256; ++k)
+                    damaged[at + k] = static_cast<std::byte>(below(256));
+                break;
+            case 2:  // extreme numbers
+                for (int k = 0; k < 32; ++k) {
+                    const std::size_t at = below(damaged.size() - 2);
+                    const unsigned extreme = std::vector<unsigned>{0x0000, 0xFFFF, 0x7FFF, 0x8000}[below(4)];
+                    damaged[at] = static_cast<std::byte>(extreme >> 8);
+                    damaged[at + 1] = static_cast<std::byte>(extreme & 0xFF);
+                }
+                break;
+            default:  // the directory of tables
+                for (int k = 0; k < 4; ++k) damaged[below(12 + 16 * 16)] = static_cast<std::byte>(below(256));
             }
             CHECK(try_both(damaged, 60, seen) == 0);
         }

@@ -12,14 +12,17 @@ using namespace typemesh::inspect;
 
 namespace {
 
-std::string broken(const std::vector<test::polyline>& loops) { return check_boundary({loops.begin(), loops.end()}).broken(); }
+std::string broken(const std::vector<test::polyline>& loops)
+{
+    return check_boundary({loops.begin(), loops.end()}).broken();
+}
 
 }  // namespace
 
 TEST_CASE("boundary cycles that keep to their sectors pass, and each fault that is planted in one shows", "[inspect]")
 {
     const test::polyline box = test::square(0, 0, 10), beside = test::square(10, 10, 10);
-    CHECK(broken({box, beside}) == "");                                                  // a common corner
+    CHECK(broken({box, beside}) == "");  // a common corner
     CHECK(broken({box, {{20, 0}, {30, 0}}}) == "a loop has fewer than three points");
     CHECK(broken({box, {{20, 0}, {30, 0}, {30, 0}, {25, 9}}}) == "a point is repeated");
     CHECK(broken({box, {{20, 0}, {30, 0}, {25, 0}, {25, 9}}}) == "a spike");
@@ -31,8 +34,10 @@ TEST_CASE("boundary cycles that keep to their sectors pass, and each fault that 
 
     // A hole that touches its outer loop joins it; two squares that touch in a corner stay apart.
     CHECK(broken({{{0, 0}, {5, 0}, {3, 4}, {7, 4}, {5, 0}, {10, 0}, {10, 10}, {0, 10}}}) == "");
-    CHECK(broken({{{0, 0}, {5, 0}, {7, 4}, {3, 4}, {5, 0}, {10, 0}, {10, 10}, {0, 10}}}) == "a boundary cycle leaves its sector");
-    CHECK(broken({{{0, 0}, {10, 0}, {10, 10}, {20, 10}, {20, 20}, {10, 20}, {10, 10}, {0, 10}}}) == "a boundary cycle leaves its sector");
+    CHECK(broken({{{0, 0}, {5, 0}, {7, 4}, {3, 4}, {5, 0}, {10, 0}, {10, 10}, {0, 10}}}) ==
+          "a boundary cycle leaves its sector");
+    CHECK(broken({{{0, 0}, {10, 0}, {10, 10}, {20, 10}, {20, 20}, {10, 20}, {10, 10}, {0, 10}}}) ==
+          "a boundary cycle leaves its sector");
     const test::polyline across{{5, 5}, {15, 5}, {15, 8}};
     CHECK(check_boundary({across, box}).crossings == 2);
 }

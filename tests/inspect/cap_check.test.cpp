@@ -66,7 +66,8 @@ TEST_CASE("a cap that covers its region passes, and each fault that is planted i
 
     // The diagonal of a quadrilateral exchanged is no fault here; a triangle across the hole is.
     ring across;
-    across.cut = {{0, 1, 2}, {0, 2, 3}, right.cut[2], right.cut[3], right.cut[4], right.cut[5], right.cut[6], right.cut[7]};
+    across.cut = {{0, 1, 2},    {0, 2, 3},    right.cut[2], right.cut[3],
+                  right.cut[4], right.cut[5], right.cut[6], right.cut[7]};
     CHECK_FALSE(across.broken().empty());
     CHECK(across.check().doubled_excess != 0);
 

@@ -44,7 +44,8 @@ TEST_CASE("edges of more than two faces are counted, and which of them are not u
     const auto box = [](double x, double y, std::vector<place>& at, std::vector<int>& indices) {
         const int first = static_cast<int>(at.size());
         for (int i = 0; i < 8; ++i) at.push_back({x + (i & 1), y + (i >> 1 & 1), double(i >> 2)});
-        for (const int i : {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5})
+        for (const int i : {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
+                            2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5})
             indices.push_back(first + i);
     };
     std::vector<place> at;
@@ -64,7 +65,9 @@ TEST_CASE("edges of more than two faces are counted, and which of them are not u
 TEST_CASE("an edge is crowded from three faces on, whichever way they run along it", "[inspect]")
 {
     const std::vector<place> at{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}};
-    const auto crowded = [&](std::vector<int> indices) { return check_closedness(mesh_view{at, indices}).crowded_edges; };
+    const auto crowded = [&](std::vector<int> indices) {
+        return check_closedness(mesh_view{at, indices}).crowded_edges;
+    };
     CHECK(crowded({0, 1, 2, 1, 0, 3}) == 0);
     CHECK(crowded({0, 1, 2, 0, 1, 3}) == 0);  // two, although they do not fit together
     CHECK(crowded({0, 1, 2, 1, 0, 3, 1, 0, 4}) == 1);

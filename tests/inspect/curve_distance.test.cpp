@@ -56,7 +56,8 @@ TEST_CASE("the boundary keeps its tolerance, and a point beyond it shows", "[ins
         const grid_point kept = r.loops.points[i];
         const point middle{250 * r.cells, 250 * r.cells}, out = point{double(kept.x), double(kept.y)} - middle;
         const double more = 1.05 * r.allowed / length(out);
-        r.loops.points[i] = {static_cast<std::int32_t>(kept.x + more * out.x), static_cast<std::int32_t>(kept.y + more * out.y)};
+        r.loops.points[i] = {static_cast<std::int32_t>(kept.x + more * out.x),
+                             static_cast<std::int32_t>(kept.y + more * out.y)};
         CHECK(inspect::check_distance(r.filled, r.curves, r.allowed).strays > 0);
         r.loops.points[i] = kept;
     }

@@ -33,7 +33,8 @@ TEST_CASE("what fill() keeps of crossing contours is what they fill, and a lost 
             with_turned[i] = turned;
             CHECK(check_fill(given, rule, with_turned, 50).wrong > 0);
         }
-        const auto by_other = check_fill(given, rule == fill_rule::non_zero ? fill_rule::even_odd : fill_rule::non_zero, kept, 50);
+        const auto by_other =
+            check_fill(given, rule == fill_rule::non_zero ? fill_rule::even_odd : fill_rule::non_zero, kept, 50);
         CHECK(by_other.wrong > 0);
     }
 }

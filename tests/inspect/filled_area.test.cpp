@@ -7,8 +7,8 @@
 #include "support/regions.hpp"
 
 using namespace typemesh::inspect;
-using typemesh::fill_rule;
 using Catch::Approx;
+using typemesh::fill_rule;
 
 TEST_CASE("the filled area of crossing loops is that of the figure, by both rules", "[inspect]")
 {

@@ -6,8 +6,8 @@
 #include "support/regions.hpp"
 
 using namespace typemesh::inspect;
-using typemesh::grid_point;
 using Catch::Approx;
+using typemesh::grid_point;
 
 TEST_CASE("winding numbers, areas and distances of polylines are those of the figure", "[inspect]")
 {

@@ -25,14 +25,14 @@ TEST_CASE("each way of two edges to meet is found", "[inspect]")
 {
     const test::polyline box = test::square(0, 0, 10);
     const test::polyline crossing[] = {
-        {{5, 5}, {15, 5}, {15, 8}},                      // an edge across another
-        {{10, 5}, {15, 5}, {15, 8}},                     // a corner on an edge
-        {{10, 10}, {15, 15}, {10, 15}},                  // a corner on a corner
-        {{10, 2}, {20, 2}, {20, 8}, {10, 8}},            // edges upon each other
-        {{20, 0}, {30, 0}, {25, 0}, {25, 9}},            // a spike
-        {{20, 0}, {30, 0}, {30, 0}, {25, 9}},            // a point twice
-        {{20, 0}, {30, 10}, {30, 0}, {20, 10}},          // an hourglass
-        {{20, 0}, {30, 0}},                              // no area
+        {{5, 5}, {15, 5}, {15, 8}},              // an edge across another
+        {{10, 5}, {15, 5}, {15, 8}},             // a corner on an edge
+        {{10, 10}, {15, 15}, {10, 15}},          // a corner on a corner
+        {{10, 2}, {20, 2}, {20, 8}, {10, 8}},    // edges upon each other
+        {{20, 0}, {30, 0}, {25, 0}, {25, 9}},    // a spike
+        {{20, 0}, {30, 0}, {30, 0}, {25, 9}},    // a point twice
+        {{20, 0}, {30, 10}, {30, 0}, {20, 10}},  // an hourglass
+        {{20, 0}, {30, 0}},                      // no area
     };
     for (const test::polyline& l : crossing) CHECK(is_crossing({box, l}));
     CHECK_FALSE(is_crossing({box, test::square(11, 0, 5)}));

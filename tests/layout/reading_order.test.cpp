@@ -85,8 +85,9 @@ TEST_CASE("invalid places are counted and the first is told in the caller's unit
     CHECK(none.count == 0);
     CHECK(none.first == no_cluster);
 
-    const std::string_view broken = "ab\xFF"
-                                    "c\xE2\x82";
+    const std::string_view broken =
+        "ab\xFF"
+        "c\xE2\x82";
     const invalid_places two = read_line(broken, 0, 6).invalid;
     CHECK(two.count == 2);
     CHECK(two.first == 2);

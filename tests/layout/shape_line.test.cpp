@@ -105,14 +105,16 @@ std::string utf8(const std::u32string& text)
 {
     std::string out;
     for (const char32_t c : text) {
-        if (c < 0x80) out += static_cast<char>(c);
-        else out += {static_cast<char>(0xC0 | (c >> 6)), static_cast<char>(0x80 | (c & 0x3F))};
+        if (c < 0x80)
+            out += static_cast<char>(c);
+        else
+            out += {static_cast<char>(0xC0 | (c >> 6)), static_cast<char>(0x80 | (c & 0x3F))};
     }
     return out;
 }
 
-const std::u32string samples[] = {U"a\tb",       U"\tab",     U"ab\t", U"\t", U"\t\t\t",
-                                  U"a\t\tb\tc",  U"a b\tc d", U"abcdefgh\tabc\t\tz\t"};
+const std::u32string samples[] = {U"a\tb",   U"\tab",      U"ab\t",     U"\t",
+                                  U"\t\t\t", U"a\t\tb\tc", U"a b\tc d", U"abcdefgh\tabc\t\tz\t"};
 
 }  // namespace
 

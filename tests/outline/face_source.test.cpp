@@ -99,13 +99,13 @@ TEST_CASE("a map that shrinks curves to points drops them, contour by contour, a
 {
     recorded_outlines drawings{1000.0};
     REQUIRE(drawings.add([](auto& pen) {
-        pen.move({5, 0}), pen.line({5, 9}), pen.line({5, 3}), pen.close();                              // upright: gone
+        pen.move({5, 0}), pen.line({5, 9}), pen.line({5, 3}), pen.close();  // upright: gone
         pen.move({0, 0}), pen.line({8, 0}), pen.quadratic({8, 4}, {8, 8}), pen.line({0, 8}), pen.close();
-        pen.move({7, 1}), pen.cubic({7, 2}, {7, 3}, {7, 4}), pen.close();                               // gone
+        pen.move({7, 1}), pen.cubic({7, 2}, {7, 3}, {7, 4}), pen.close();  // gone
         pen.move({1, 1}), pen.line({2, 5}), pen.line({3, 1}), pen.close();
     }));
-    for (const affine& map : {affine{.yy = 0.0}, affine{.xx = 1.0, .yy = 0.0}, affine{.xx = 0.0}, affine{.xx = 0.0, .yy = 0.0},
-                              affine{.xx = 0.0, .xy = 1.0, .yx = -1.0, .yy = 0.0}}) {
+    for (const affine& map : {affine{.yy = 0.0}, affine{.xx = 1.0, .yy = 0.0}, affine{.xx = 0.0},
+                              affine{.xx = 0.0, .yy = 0.0}, affine{.xx = 0.0, .xy = 1.0, .yx = -1.0, .yy = 0.0}}) {
         outline expected, found;
         transformed_outlines transformed{drawings, map};
         mapped_face mapped{drawings, 0, &map, 1000.0};

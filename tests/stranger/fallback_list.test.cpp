@@ -41,7 +41,8 @@ TEST_CASE("a stranger's fallback from font to font is set and drawn like one fon
     REQUIRE(plan);
     REQUIRE(plan->glyphs().size() == 5);
     CHECK(plan->run().looks.size() == 2);
-    CHECK(plan->run().glyphs[2].origin.x == Catch::Approx(90.0 + 50.0));  // behind an A and an a, in the first one's units
+    CHECK(plan->run().glyphs[2].origin.x ==
+          Catch::Approx(90.0 + 50.0));  // behind an A and an a, in the first one's units
     std::vector<vec3> places(plan->size().vertices);
     std::vector<std::uint32_t> indices(plan->size().indices());
     stream_sink sink{std::span{indices}, stream<attribute::position, vec3>{std::span{places}}};

@@ -120,7 +120,8 @@ private:
         for (std::uint32_t k = 0; k < r.loop_count(); ++k) {
             for (std::uint32_t i = r.starts()[k]; i < r.starts()[k + 1]; ++i) {
                 const std::uint32_t next = i + 1 == r.starts()[k + 1] ? r.starts()[k] : i + 1;
-                const double x = double(r.points()[next].y) - r.points()[i].y, y = double(r.points()[i].x) - r.points()[next].x;
+                const double x = double(r.points()[next].y) - r.points()[i].y,
+                             y = double(r.points()[i].x) - r.points()[next].x;
                 const double l = std::hypot(x, y);
                 edges.push_back_unchecked({next, {static_cast<float>(x / l), static_cast<float>(y / l)}});
             }
@@ -160,13 +161,15 @@ private:
                          down = (above.z - below.z) * at.cells_per_depth(), l = std::hypot(inwards, down);
             const auto along = static_cast<float>(down / l), towards = static_cast<float>(-inwards / l);
             typemesh::surface_point<Wants> v;
-            if constexpr (has(Wants, attribute::normal)) v.normal = at.direction({along * out.x, along * out.y, towards});
+            if constexpr (has(Wants, attribute::normal))
+                v.normal = at.direction({along * out.x, along * out.y, towards});
             if constexpr (has(Wants, attribute::tangent))
                 v.tangent = typemesh::texture_tangent{at.frame}.along(at, {-out.y, out.x, 0.0f}, 1.0f);
             for (const std::uint32_t end : {i, edges[i].next}) {
                 for (const level* which : {&above, &below}) {
                     const auto p = which->points[end];
-                    if constexpr (has(Wants, attribute::position)) v.position = at.position({double(p.x), double(p.y), which->z});
+                    if constexpr (has(Wants, attribute::position))
+                        v.position = at.position({double(p.x), double(p.y), which->z});
                     if constexpr (has(Wants, attribute::uv)) v.uv = texture(0.0f, -which->z);
                     put(v);
                 }

@@ -66,7 +66,10 @@ private:
             work.failed = typemesh::error::out_of_memory;
     }
     static void only_triangles(GLboolean, void*) {}
-    static void join(const GLdouble*, void* met[4], const GLfloat*, void** out, void*) { *out = met[0]; }  // equal points
+    static void join(const GLdouble*, void* met[4], const GLfloat*, void** out, void*)
+    {
+        *out = met[0];
+    }  // equal points
     static void fail(GLenum, void* data) { static_cast<job*>(data)->failed = typemesh::error::refused_by_user; }
 };
 static_assert(typemesh::triangulator<glu_tessellator>);

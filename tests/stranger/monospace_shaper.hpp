@@ -20,7 +20,10 @@ public:
     }
 
     double units_per_em() noexcept { return units_per_em_; }
-    typemesh::line_metrics metrics(typemesh::direction) noexcept { return {0.8 * units_per_em_, -0.2 * units_per_em_, 0.0}; }
+    typemesh::line_metrics metrics(typemesh::direction) noexcept
+    {
+        return {0.8 * units_per_em_, -0.2 * units_per_em_, 0.0};
+    }
 
     typemesh::result<typemesh::point> shape(typemesh::text_view text, std::size_t first, std::size_t last,
                                             const typemesh::shape_options& options, typemesh::glyph_run& run) noexcept
@@ -28,7 +31,8 @@ public:
         const bool down = options.direction == typemesh::direction::top_to_bottom;
         typemesh::point pen;
         for (std::size_t i = first; i < last; ++i) {
-            const std::size_t found = text.unit(i) < 0x80 ? characters_.find(static_cast<char>(text.unit(i))) : std::string::npos;
+            const std::size_t found =
+                text.unit(i) < 0x80 ? characters_.find(static_cast<char>(text.unit(i))) : std::string::npos;
             typemesh::placed_glyph g;
             g.cluster = static_cast<typemesh::cluster_id>(i);
             g.origin = pen;

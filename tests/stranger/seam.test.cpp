@@ -42,7 +42,8 @@ bool same(const mesh& a, const mesh& b)
     if (a.indices != b.indices || a.vertices.size() != b.vertices.size()) return false;
     for (std::size_t i = 0; i < a.vertices.size(); ++i) {
         const vertex &v = a.vertices[i], &w = b.vertices[i];
-        if (!(v.place == w.place && v.normal == w.normal && v.tangent == w.tangent && v.uv == w.uv && v.of == w.of)) return false;
+        if (!(v.place == w.place && v.normal == w.normal && v.tangent == w.tangent && v.uv == w.uv && v.of == w.of))
+            return false;
     }
     return true;
 }
@@ -53,7 +54,10 @@ template <>
 struct typemesh::vertex_traits<vertex> {
     static constexpr auto wants =
         attribute::position | attribute::normal | attribute::tangent | attribute::uv | attribute::part;
-    vertex operator()(const surface_point<wants>& s) const noexcept { return {s.position, s.normal, s.tangent, s.uv, s.part}; }
+    vertex operator()(const surface_point<wants>& s) const noexcept
+    {
+        return {s.position, s.normal, s.tangent, s.uv, s.part};
+    }
 };
 
 namespace {
@@ -121,7 +125,8 @@ TEST_CASE("a stranger's extruder of five parts makes closed solids of exact size
     CHECK(alone->hard_edges() == 4);
 
     const double area = 0.1 * 0.5, rim = double{how.rim}, between = double{how.depth} - 2.0 * rim;
-    CHECK(inspect::measure(lawful(*alone).view()).volume == Approx(area * (between + 2.0 * rim * 7.0 / 3.0)).epsilon(1e-5));
+    CHECK(inspect::measure(lawful(*alone).view()).volume ==
+          Approx(area * (between + 2.0 * rim * 7.0 / 3.0)).epsilon(1e-5));
     CHECK(alone->bounds().low == vec3{0.05f, -0.25f, -0.3f});
     CHECK(alone->bounds().high == vec3{0.25f, 0.75f, 0.0f});
 
@@ -142,7 +147,8 @@ TEST_CASE("a stranger's extruder of five parts makes closed solids of exact size
     CHECK(fits->bounds().high.x == 1.0f);
 }
 
-TEST_CASE("a stranger's five parts come out of caches, teams and constrained Delaunay as they are built alone", "[stranger]")
+TEST_CASE("a stranger's five parts come out of caches, teams and constrained Delaunay as they are built alone",
+          "[stranger]")
 {
     test::toy_font font;
     auto mesher = text_mesher{font}.with(stranger::flared{});

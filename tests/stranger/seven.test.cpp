@@ -55,7 +55,9 @@ struct ply_mesh {
     {
         const char* text = reinterpret_cast<const char*>(file.data());
         const std::string end = "end_header\n", header{text, std::string{text, 300}.find(end) + end.size()};
-        const auto number = [&](const char* what) { return std::stoul(header.substr(header.find(what) + std::strlen(what))); };
+        const auto number = [&](const char* what) {
+            return std::stoul(header.substr(header.find(what) + std::strlen(what)));
+        };
         places.resize(number("element vertex "));
         indices.resize(3 * number("element face "));
         const std::byte* next = file.data() + header.size();
@@ -138,7 +140,8 @@ TEST_CASE("a stranger's packed vertex holds a closed mesh with right normals", "
         const inspect::mesh_view mesh{vertices, indices, &stranger::fixed_point_vertex::place};
         CHECK(inspect::check_closedness(mesh).is_closed());
         const auto normals = inspect::check_normals(
-            mesh, [](const auto& v) { return inspect::place{v.normal[0] / 127.0, v.normal[1] / 127.0, v.normal[2] / 127.0}; },
+            mesh,
+            [](const auto& v) { return inspect::place{v.normal[0] / 127.0, v.normal[1] / 127.0, v.normal[2] / 127.0}; },
             1, 0.01);
         CHECK(normals.is_right());
         const auto back = plan->range(part::back);

@@ -8,9 +8,9 @@
 #include <typemesh/discretise/discretiser.hpp>
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/extrude/side_normals.hpp>
+#include <typemesh/glyph/stage.hpp>
 #include <typemesh/layout/shaper.hpp>
 #include <typemesh/outline/outline_source.hpp>
-#include <typemesh/glyph/stage.hpp>
 #include <typemesh/triangulate/triangulator.hpp>
 #include <typemesh/vertex/mesh_sink.hpp>
 #include <typemesh/vertex/stream_sink.hpp>
@@ -219,24 +219,24 @@ public:
     typemesh::error outline(typemesh::glyph_id id, Sink& sink) noexcept
     {
         switch (id) {
-            case 1: box(sink, 10, 0, 90, 80); return {};
-            case 2:
-                box(sink, 10, 0, 90, 80);
-                sink.move({50, 20});
-                sink.quadratic({80, 20}, {80, 40});
-                sink.quadratic({80, 60}, {50, 60});
-                sink.quadratic({20, 60}, {20, 40});
-                sink.quadratic({20, 20}, {50, 20});
-                sink.close();
-                return {};
-            case 3:
-                sink.move({0, 30});
-                sink.cubic({30, 0}, {70, 60}, {100, 30});
-                sink.line({100, 50});
-                sink.cubic({70, 80}, {30, 20}, {0, 50});
-                return {};  // left open: it is closed with a line
-            case 4: return {};
-            default: return typemesh::error::unknown_glyph;
+        case 1: box(sink, 10, 0, 90, 80); return {};
+        case 2:
+            box(sink, 10, 0, 90, 80);
+            sink.move({50, 20});
+            sink.quadratic({80, 20}, {80, 40});
+            sink.quadratic({80, 60}, {50, 60});
+            sink.quadratic({20, 60}, {20, 40});
+            sink.quadratic({20, 20}, {50, 20});
+            sink.close();
+            return {};
+        case 3:
+            sink.move({0, 30});
+            sink.cubic({30, 0}, {70, 60}, {100, 30});
+            sink.line({100, 50});
+            sink.cubic({70, 80}, {30, 20}, {0, 50});
+            return {};  // left open: it is closed with a line
+        case 4: return {};
+        default: return typemesh::error::unknown_glyph;
         }
     }
 

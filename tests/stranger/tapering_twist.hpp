@@ -11,8 +11,8 @@ namespace stranger {
 /// Letters that turn about their own origin and grow thinner towards the back, in so many steps: from the comments on
 /// extruder, plan_arrays and placement alone. Points are computed once, in plan(), so that all who write one write the same.
 struct tapering_twist {
-    double depth = 0.3;             ///< em
-    double turn = 0.2, taper = 0.8; ///< at the back: radians, and the scale
+    double depth = 0.3;              ///< em
+    double turn = 0.2, taper = 0.8;  ///< at the back: radians, and the scale
     std::uint32_t steps = 4;
 
     using plan_data = typemesh::plan_arrays<typemesh::solid_point>;  // [ level 0: a point each | level 1: ... | ... ]
@@ -53,7 +53,8 @@ struct tapering_twist {
         const auto levels = s.data.of<typemesh::solid_point>();
         const auto put = [&](std::uint32_t i, std::uint32_t level, const auto& normal) noexcept {
             typemesh::surface_point<Wants> v;
-            if constexpr (has(Wants, attribute::position)) v.position = at.position(levels[level * s.points.size() + i]);
+            if constexpr (has(Wants, attribute::position))
+                v.position = at.position(levels[level * s.points.size() + i]);
             if constexpr (has(Wants, attribute::normal)) v.normal = at.direction(normal());
             if constexpr (has(Wants, attribute::uv)) v.uv = {static_cast<float>(i), static_cast<float>(level)};
             emit(v);
@@ -107,7 +108,8 @@ private:
         const double tx = after.x - before.x, ty = after.y - before.y, scale = 1.0 + (taper - 1.0) * level / steps;
         const double shrink = (taper - 1.0) / scale, down = depth * at.cells_per_depth();
         const double dx = shrink * p.x - turn * p.y, dy = shrink * p.y + turn * p.x;
-        const double x = ty * down, y = -tx * down, z = dy * tx - dx * ty, l = std::sqrt(x * x + y * y + z * z) + 1e-300;
+        const double x = ty * down, y = -tx * down, z = dy * tx - dx * ty,
+                     l = std::sqrt(x * x + y * y + z * z) + 1e-300;
         return {static_cast<float>(x / l), static_cast<float>(y / l), static_cast<float>(-z / l)};
     }
 };

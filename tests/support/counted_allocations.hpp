@@ -76,8 +76,14 @@ void* operator new(std::size_t n, const std::nothrow_t&) noexcept { return test:
 void* operator new[](std::size_t n, const std::nothrow_t&) noexcept { return test::detail::counted(n); }
 void* operator new(std::size_t n, std::align_val_t a) { return test::detail::or_die(test::detail::counted(n, a)); }
 void* operator new[](std::size_t n, std::align_val_t a) { return test::detail::or_die(test::detail::counted(n, a)); }
-void* operator new(std::size_t n, std::align_val_t a, const std::nothrow_t&) noexcept { return test::detail::counted(n, a); }
-void* operator new[](std::size_t n, std::align_val_t a, const std::nothrow_t&) noexcept { return test::detail::counted(n, a); }
+void* operator new(std::size_t n, std::align_val_t a, const std::nothrow_t&) noexcept
+{
+    return test::detail::counted(n, a);
+}
+void* operator new[](std::size_t n, std::align_val_t a, const std::nothrow_t&) noexcept
+{
+    return test::detail::counted(n, a);
+}
 void operator delete(void* p) noexcept { std::free(p); }
 void operator delete[](void* p) noexcept { std::free(p); }
 void operator delete(void* p, std::size_t) noexcept { std::free(p); }

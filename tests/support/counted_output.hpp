@@ -40,7 +40,10 @@ public:
     static constexpr auto wants = typemesh::vertex_traits<full_vertex>::wants;
 
     counted_segment(counted_output& to, typemesh::mesh_range range) noexcept
-        : to_{&to}, vertex_{range.first_vertex}, vertices_end_{vertex_ + range.vertex_count}, index_{range.first_index},
+        : to_{&to},
+          vertex_{range.first_vertex},
+          vertices_end_{vertex_ + range.vertex_count},
+          index_{range.first_index},
           indices_end_{index_ + range.index_count}
     {
     }

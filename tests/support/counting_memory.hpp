@@ -11,9 +11,9 @@ namespace test {
 struct counting_memory {
     std::size_t requests = 0;
     std::size_t bytes_held = 0;
-    std::size_t fail_at = 0;   ///< from this request on (counted from 1) all fail; 0: never fails
-    bool fail_once = false;    ///< only that one request fails
-    std::size_t peak = 0;      ///< the most bytes that were held at a time
+    std::size_t fail_at = 0;  ///< from this request on (counted from 1) all fail; 0: never fails
+    bool fail_once = false;   ///< only that one request fails
+    std::size_t peak = 0;     ///< the most bytes that were held at a time
 
     [[nodiscard]] typemesh::memory source() noexcept
     {

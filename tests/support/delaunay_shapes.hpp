@@ -29,7 +29,8 @@ inline meshed mesh_of(const shape& s, typemesh::constrained_delaunay how = {}, b
     using namespace typemesh;
     contours loops = contours_of(s);
     workspace space;
-    const result<region> filled = lawful ? fill(loops, fill_rule::non_zero, space) : nest(loops, fill_rule::non_zero, space);
+    const result<region> filled =
+        lawful ? fill(loops, fill_rule::non_zero, space) : nest(loops, fill_rule::non_zero, space);
     if (!filled) return {filled.error() == error::crossing_contours ? "" : filled.error().message(), {}};
     triangle_list out;
     if (const error e = how(*filled, space, out)) return {e.message(), {}};

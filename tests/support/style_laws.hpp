@@ -42,7 +42,12 @@ struct typemesh::vertex_traits<test::styled_vertex> {
                                   attribute::cluster | attribute::part | attribute::style;
     test::styled_vertex operator()(const surface_point<wants>& s) const noexcept
     {
-        return {s.position, s.normal, s.uv, s.glyph, s.cluster, static_cast<std::uint32_t>(s.part),
+        return {s.position,
+                s.normal,
+                s.uv,
+                s.glyph,
+                s.cluster,
+                static_cast<std::uint32_t>(s.part),
                 static_cast<std::uint32_t>(s.style)};
     }
 };
@@ -231,8 +236,8 @@ inline void check_chunks(const auto& plan, const styled_mesh& whole, std::uint32
                 CHECK(r.first_index == index);
                 bool of_its_style = true;
                 for (std::uint32_t v = 0; v < r.vertex_count; ++v)
-                    of_its_style = of_its_style &&
-                                   m.vertices[vertex - c.first_vertex + v].style == static_cast<std::uint32_t>(s);
+                    of_its_style =
+                        of_its_style && m.vertices[vertex - c.first_vertex + v].style == static_cast<std::uint32_t>(s);
                 for (std::uint32_t i = 0; i < r.index_count; ++i)
                     of_its_style = of_its_style && m.vertices[m.indices[index - c.first_index + i]].style ==
                                                        static_cast<std::uint32_t>(s);
@@ -316,7 +321,8 @@ inline void check_merging(auto& mesher, const typemesh::glyph_run& run, typemesh
         for (const part p : all_parts)
             for (std::uint32_t t = 0; t < plan->range(g, p).index_count / 3; ++t) {
                 const std::uint32_t owner = plan->owner(g, p, t);
-                if (owner != shared_glyph && run.looks[run.glyphs[owner].look].style != s) FAIL("another style's triangle");
+                if (owner != shared_glyph && run.looks[run.glyphs[owner].look].style != s)
+                    FAIL("another style's triangle");
             }
     }
     CHECK(found == members);

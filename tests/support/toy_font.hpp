@@ -23,7 +23,7 @@ public:
         add([](auto& pen) { box(pen, 50, 0, 500, 700), hole(pen, 100, 50, 450, 650); });
         add([](auto& pen) { ring(pen, 250, 250, 250, true), ring(pen, 250, 250, 150, false); });
         add([](auto& pen) {
-            const typemesh::point e[] = {{50, 0}, {450, 0}, {450, 100}, {150, 100}, {150, 300}, {400, 300},
+            const typemesh::point e[] = {{50, 0},    {450, 0},   {450, 100}, {150, 100}, {150, 300}, {400, 300},
                                          {400, 400}, {150, 400}, {150, 600}, {450, 600}, {450, 700}, {50, 700}};
             pen.move(e[0]);
             for (int i = 1; i < 12; ++i) pen.line(e[i]);

@@ -47,11 +47,13 @@ inline std::vector<std::byte> type1_mm_font(std::string_view vector)
         "/ND {def} executeonly def\n/NP {put} executeonly def\n/BlueValues [] def\n/MinFeature {16 16} def\n"
         "/password 5839 def\n2 index /CharStrings 2 dict dup begin\n/.notdef " +
         std::to_string(notdef.size()) + " RD " + notdef + " ND\n/A " + std::to_string(a.size()) + " RD " + a +
-        " ND\nend\nend\nreadonly put\nnoaccess put\ndup /FontName get exch definefont pop\nmark currentfile closefile\n";
+        " ND\nend\nend\nreadonly put\nnoaccess put\ndup /FontName get exch definefont pop\nmark currentfile "
+        "closefile\n";
     std::string file =
         "%!PS-AdobeFont-1.0: ToyMM 001.000\n12 dict begin\n/FontInfo 8 dict dup begin\n"
         "/BlendDesignPositions [[0 0][1 0][0 1][1 1]] def\n"
-        "/BlendDesignMap [[[200 0][800 1]][[50 0][150 1]]] def\n/BlendAxisTypes [/Weight /Width] def\nend readonly def\n"
+        "/BlendDesignMap [[[200 0][800 1]][[50 0][150 1]]] def\n/BlendAxisTypes [/Weight /Width] def\nend readonly "
+        "def\n"
         "/FontName /ToyMM def\n/PaintType 0 def\n/FontType 1 def\n/FontMatrix [0.001 0 0 0.001 0 0] readonly def\n"
         "/Encoding 256 array\n0 1 255 {1 index exch /.notdef put} for\ndup 65 /A put\nreadonly def\n"
         "/FontBBox {0 0 1000 1000} readonly def\n/WeightVector [" +

@@ -9,7 +9,8 @@
 
 using namespace typemesh;
 
-TEST_CASE("Spokes of different directions that take turns are sorted into sectors, others are refused", "[core][sectors]")
+TEST_CASE("Spokes of different directions that take turns are sorted into sectors, others are refused",
+          "[core][sectors]")
 {
     test::dice d{511};
     int accepted = 0, refused = 0;
@@ -22,7 +23,8 @@ TEST_CASE("Spokes of different directions that take turns are sorted into sector
             const outgoing_edge s{d.roll(2 * width + 1) - width, d.roll(2 * width + 1) - width, 0, false};
             if (s.x != 0 || s.y != 0) outgoing_edges.push_back(s);
         }
-        std::sort(outgoing_edges.begin(), outgoing_edges.end(), [&](const outgoing_edge& a, const outgoing_edge& b) { return angle(a) < angle(b); });
+        std::sort(outgoing_edges.begin(), outgoing_edges.end(),
+                  [&](const outgoing_edge& a, const outgoing_edge& b) { return angle(a) < angle(b); });
         for (int k = 0; k < count; ++k) outgoing_edges[std::size_t(k)].goes_out = (k + i) % 2 == 0;
         bool differ = true;  // exact, and not by angle
         for (int k = 0; k < count; ++k) {
@@ -34,7 +36,8 @@ TEST_CASE("Spokes of different directions that take turns are sorted into sector
             outgoing_edges[0].goes_out = !outgoing_edges[0].goes_out;
             differ = false;
         }
-        for (int k = count; k-- > 1;) std::swap(outgoing_edges[std::size_t(k)], outgoing_edges[std::size_t(d.roll(k + 1))]);
+        for (int k = count; k-- > 1;)
+            std::swap(outgoing_edges[std::size_t(k)], outgoing_edges[std::size_t(d.roll(k + 1))]);
         const bool sectors = sort_into_sectors(outgoing_edges.data(), outgoing_edges.size());
         CHECK(sectors == differ);
         (sectors ? accepted : refused) += 1;

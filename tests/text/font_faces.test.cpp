@@ -87,7 +87,9 @@ TEST_CASE("a face is drawn as large as the first one's em, by its own fill rule,
     const full_mesh m = mesh_of(*plan);
     const auto area_of = [&](std::size_t glyph) {
         const mesh_range r = plan->range(glyph, part::front);
-        return inspect::measure(inspect::mesh_view{m.vertices, std::span{m.indices}.subspan(r.first_index, r.index_count)}).area;
+        return inspect::measure(
+                   inspect::mesh_view{m.vertices, std::span{m.indices}.subspan(r.first_index, r.index_count)})
+            .area;
     };
     CHECK(area_of(1) == Catch::Approx(1.0));
     CHECK(area_of(2) == Catch::Approx(1.0 - 0.3 * 0.3));
@@ -113,13 +115,15 @@ TEST_CASE("a face of the same units draws what it draws alone, to the bit", "[te
 TEST_CASE("a look's map is that of transformed_outlines, to the bit, also when glyphs are merged", "[text][looks]")
 {
     test::toy_font font;
-    const affine map = GENERATE(affine{.xx = 0.6, .yy = 0.6}, affine{.xy = 0.2}, affine{.dx = 30, .dy = -40},
-                                affine{.xx = 0, .xy = 1, .yx = -1, .yy = 0}, affine{.xx = -1}, affine{.xx = 3, .yy = 2});
+    const affine map =
+        GENERATE(affine{.xx = 0.6, .yy = 0.6}, affine{.xy = 0.2}, affine{.dx = 30, .dy = -40},
+                 affine{.xx = 0, .xy = 1, .yx = -1, .yy = 0}, affine{.xx = -1}, affine{.xx = 3, .yy = 2});
     const bool merge = GENERATE(false, true);
     transformed_outlines transformed{font, map};
     text_mesher mesher{font};
     text_mesher alone{transformed};
-    const std::initializer_list<placed_glyph> glyphs = {{1, 0, {0, 0}}, {2, 1, {300, 0}}, {3, 2, {700, 10}}, {1, 3, {3000, 0}}};
+    const std::initializer_list<placed_glyph> glyphs = {
+        {1, 0, {0, 0}}, {2, 1, {300, 0}}, {3, 2, {700, 10}}, {1, 3, {3000, 0}}};
     const glyph_run run = run_of({{.map = map}}, glyphs), plain = run_of({}, glyphs);
     const auto found = mesher.plan(run, {.merge = merge}), expected = alone.plan(plain, {.merge = merge});
     REQUIRE(found);
@@ -151,16 +155,13 @@ TEST_CASE("a letter in several styles is built once, in several shapes once a sh
     glyph_cache cache;
     auto mesher = text_mesher{font}.with(cached_in{cache, 1});
     const affine slanted{.xy = 0.2};
-    const glyph_run run = run_of({{},
-                                  {.style = style_id{1}},
-                                  {.map = slanted},
-                                  {.map = slanted, .style = style_id{1}},
-                                  {.map = {.xy = 0.3}}},
-                                 {{1, 0, {0, 0}, false, 0},
-                                  {1, 1, {600, 0}, false, 1},
-                                  {1, 2, {1200, 0}, false, 2},
-                                  {1, 3, {1800, 0}, false, 3},
-                                  {1, 4, {2400, 0}, false, 4}});
+    const glyph_run run = run_of(
+        {{}, {.style = style_id{1}}, {.map = slanted}, {.map = slanted, .style = style_id{1}}, {.map = {.xy = 0.3}}},
+        {{1, 0, {0, 0}, false, 0},
+         {1, 1, {600, 0}, false, 1},
+         {1, 2, {1200, 0}, false, 2},
+         {1, 3, {1800, 0}, false, 3},
+         {1, 4, {2400, 0}, false, 4}});
     {
         const auto plan = mesher.plan(run);
         REQUIRE(plan);

@@ -10,7 +10,8 @@
 
 using namespace typemesh;
 
-TEST_CASE("different glyphs get the numbers 0, 1, 2, ... in the order in which they came, equal ones the same", "[text]")
+TEST_CASE("different glyphs get the numbers 0, 1, 2, ... in the order in which they came, equal ones the same",
+          "[text]")
 {
     const glyph_id spread = GENERATE(10u, 300u, 70'000u, 0xFFFF'FFFFu);
     std::mt19937 random{7};

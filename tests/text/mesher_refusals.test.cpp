@@ -11,10 +11,7 @@ namespace {
 using mesher = text_mesher<test::toy_font>;
 
 template <class Mesher, class Text>
-concept plans = requires(Mesher&& m, Text&& text)
-{
-    static_cast<Mesher&&>(m).plan(static_cast<Text&&>(text));
-};
+concept plans = requires(Mesher&& m, Text&& text) { static_cast<Mesher&&>(m).plan(static_cast<Text&&>(text)); };
 
 }  // namespace
 

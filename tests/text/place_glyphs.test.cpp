@@ -26,7 +26,8 @@ TEST_CASE("a glyph keeps its line and its place whatever its style, beside lines
             REQUIRE(run.lines.push_back({static_cast<std::uint32_t>(run.glyphs.size()), count, {}, 0.0}));
             for (std::uint32_t i = 0; i < count; ++i) {
                 const double x = 600.0 * static_cast<double>(run.glyphs.size());
-                REQUIRE(run.glyphs.push_back({1, line, {x, 0.0}, false, static_cast<std::uint32_t>(random() % styles)}));
+                REQUIRE(
+                    run.glyphs.push_back({1, line, {x, 0.0}, false, static_cast<std::uint32_t>(random() % styles)}));
             }
         }
         const auto plan = mesher.plan(run);

@@ -97,7 +97,8 @@ TEST_CASE("whatever size and depth, a mesh is finite and whole, or the option is
     test::toy_font font;
     const double s = 0.70710678118654752;
     const frame leaning{.right = {float(s), float(s), 0.0f}, .up = {float(-s), float(s), 0.0f}};
-    for (const output_unit unit : {output_unit::em, output_unit::font_units, output_unit::pixels, output_unit::unit_box})
+    for (const output_unit unit :
+         {output_unit::em, output_unit::font_units, output_unit::pixels, output_unit::unit_box})
         for (const double size : {5e-324, 1e-300, 1e-45, 1e-38, 1e-31, 1e-20, 1.0, 1e9, 0x1p30})
             for (const frame& f : {right_handed_y_up, left_handed_z_up, leaning}) {
                 const text_options options{.unit = unit, .size = size, .pixels_per_em = 1.0, .frame = f};
@@ -119,7 +120,8 @@ TEST_CASE("whatever size and depth, a mesh is finite and whole, or the option is
 TEST_CASE("sizes and depths within reason are never refused", "[text]")
 {
     test::toy_font font;
-    for (const output_unit unit : {output_unit::em, output_unit::font_units, output_unit::pixels, output_unit::unit_box})
+    for (const output_unit unit :
+         {output_unit::em, output_unit::font_units, output_unit::pixels, output_unit::unit_box})
         for (const double size : {1e-20, 1e-6, 1.0, 1e6})
             for (const float depth : {1e-6f, 0.2f, 1e6f}) {
                 text_mesher mesher = text_mesher{font}.with(extruded<>{.depth = depth});
@@ -130,7 +132,8 @@ TEST_CASE("sizes and depths within reason are never refused", "[text]")
 TEST_CASE("depths in output units are written as they are, whatever the unit and the size", "[text]")
 {
     test::toy_font font;
-    for (const output_unit unit : {output_unit::em, output_unit::font_units, output_unit::pixels, output_unit::unit_box})
+    for (const output_unit unit :
+         {output_unit::em, output_unit::font_units, output_unit::pixels, output_unit::unit_box})
         for (const double size : {0.37, 1.0, 7.0})
             for (const float depth : {0.1f, 1.0f, 3.5f}) {
                 text_mesher mesher = text_mesher{font}.with(extruded<>{.depth = depth, .texture = texture_mapping::em});
@@ -146,15 +149,16 @@ TEST_CASE("depths in output units are written as they are, whatever the unit and
                 const mesh_range walls = plan->range(part::side);
                 const auto* first = &vertices[walls.first_vertex + 2];  // its seam's second pair, then the next point's
                 const test::full_vertex &a = first[0], &b = first[1], &c = first[2];
-                const double along = std::sqrt(test::dot(test::subtract(c.position, a.position),
-                                                         test::subtract(c.position, a.position)));
+                const double along = std::sqrt(
+                    test::dot(test::subtract(c.position, a.position), test::subtract(c.position, a.position)));
                 const double of_u = std::abs(as_double(c.uv.x) - as_double(a.uv.x)) / along,
                              of_v = std::abs(as_double(b.uv.y) - as_double(a.uv.y)) / as_double(depth);
                 CHECK(of_u == Catch::Approx(of_v).epsilon(1e-3).margin(1e-6));
             }
 }
 
-TEST_CASE("a depth whose halves fit into floats and whose whole does not is refused for its texture coordinates", "[text]")
+TEST_CASE("a depth whose halves fit into floats and whose whole does not is refused for its texture coordinates",
+          "[text]")
 {
     test::toy_font font;
     auto mesher = text_mesher{font}.with(extruded<>{.depth = 3e38f, .centred = true});

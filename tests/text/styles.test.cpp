@@ -20,9 +20,11 @@ glyph_run crowded_run()
     const char* lines[] = {"oEi xoo", "EEo?~oi", "xxioEo"};
     cluster_id cluster = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-        REQUIRE(run.lines.push_back({static_cast<std::uint32_t>(run.glyphs.size()), 0, {0.0, -900.0 * double(k)}, 0.0}));
+        REQUIRE(
+            run.lines.push_back({static_cast<std::uint32_t>(run.glyphs.size()), 0, {0.0, -900.0 * double(k)}, 0.0}));
         for (const char* c = lines[k]; *c != '\0'; ++c) {
-            placed_glyph g{test::toy_font::glyph_of(static_cast<unsigned char>(*c)), cluster++,
+            placed_glyph g{test::toy_font::glyph_of(static_cast<unsigned char>(*c)),
+                           cluster++,
                            {380.0 * double(c - lines[k]), -900.0 * double(k)}};
             g.missing = g.id == 0;
             REQUIRE(run.glyphs.push_back(g));
@@ -160,7 +162,9 @@ TEST_CASE("a text of many looks planned again needs no memory, and memory that f
         text_mesher poor{font, failing.source()};
         const auto plan = poor.plan(run);
         done = failing.requests < n;
-        if (plan) CHECK(plan->styles().size() == 4);
-        else CHECK(plan.error() == error::out_of_memory);
+        if (plan)
+            CHECK(plan->styles().size() == 4);
+        else
+            CHECK(plan.error() == error::out_of_memory);
     }
 }

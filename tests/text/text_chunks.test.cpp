@@ -118,7 +118,10 @@ recorded_outlines cog(int teeth)
         for (int i = 0; i < teeth; ++i) {
             const double a = i * turn, b = a + 0.5 * turn;
             const auto at = [](double angle, double r) { return point{r * std::cos(angle), r * std::sin(angle)}; };
-            if (i == 0) pen.move(at(a, 30000)); else pen.line(at(a, 30000));
+            if (i == 0)
+                pen.move(at(a, 30000));
+            else
+                pen.line(at(a, 30000));
             pen.line(at(b, 30000)), pen.line(at(b, 20000)), pen.line(at(a + turn, 20000));
         }
         pen.close();

@@ -28,7 +28,7 @@ struct span2 {
     float low, high;
 };
 
-span2 extent(const full_mesh& m, float vec3::*axis)
+span2 extent(const full_mesh& m, float vec3::* axis)
 {
     span2 e{m.vertices.at(0).position.*axis, m.vertices.at(0).position.*axis};
     for (const auto& v : m.vertices) e = {std::fmin(e.low, v.position.*axis), std::fmax(e.high, v.position.*axis)};
@@ -154,8 +154,10 @@ TEST_CASE("the size multiplies every position of every unit, and nothing else ch
     const auto check = [&](vec3 p, vec3 q) {
         for (const auto axis : {&vec3::x, &vec3::y, &vec3::z}) {
             const double expected = size * static_cast<double>(p.*axis);
-            if (exact) CHECK(q.*axis == expected);
-            else CHECK(std::fabs(q.*axis - expected) <= 3e-7 * std::fabs(expected));
+            if (exact)
+                CHECK(q.*axis == expected);
+            else
+                CHECK(std::fabs(q.*axis - expected) <= 3e-7 * std::fabs(expected));
         }
     };
     CHECK(sized.indices == plain.indices);
@@ -170,8 +172,10 @@ TEST_CASE("the size multiplies every position of every unit, and nothing else ch
     REQUIRE(sized_moved.size() == moved.size());
     for (std::size_t i = 0; i < moved.size(); ++i) check(moved[i], sized_moved[i]);
     // In em: the same, but for where in its power of two the farthest coordinate lies.
-    if (exact) CHECK(sized_step == step);
-    else CHECK((sized_step > 0.49 * step && sized_step < 2.01 * step));
+    if (exact)
+        CHECK(sized_step == step);
+    else
+        CHECK((sized_step > 0.49 * step && sized_step < 2.01 * step));
 }
 
 TEST_CASE("a size is how large an em is", "[text]")
@@ -260,7 +264,8 @@ TEST_CASE("a glyph that cannot be built is left out, counted and named, and the 
     CHECK(made->first_refusal.cluster == 2);
     CHECK_FALSE(made->complete());
     char words[160];
-    CHECK(std::string(describe(made->first_refusal, words)) == "glyph 6, cluster 2: The outline holds a coordinate that is not a finite number.");
+    CHECK(std::string(describe(made->first_refusal, words)) ==
+          "glyph 6, cluster 2: The outline holds a coordinate that is not a finite number.");
 
     const auto alone = build(mesher, "Ex o");
     CHECK(alone.vertices.size() == m.vertices.size());
@@ -400,8 +405,8 @@ TEST_CASE("memory that fails at any request gives a clear error and leaves the m
             CHECK(made.error() == error::out_of_memory);
             CHECK(m.vertices.size() == 2);  // nothing of the caller's was touched
             CHECK(m.indices.size() == 1);
-        }
-        else CHECK(made->complete());
+        } else
+            CHECK(made->complete());
         counted.fail_at = 0;
         made = mesher.build("oEi", into(m.vertices, m.indices));
         REQUIRE(made);

@@ -112,7 +112,8 @@ TEST_CASE("neighbouring glyphs lie in one piece of each part, and so do those of
     glyph_run run;
     const cluster_id clusters[] = {7, 3, 3, 3, 0};  // right to left, as it were
     for (std::size_t i = 0; i < 5; ++i)
-        REQUIRE(run.glyphs.push_back({static_cast<glyph_id>(i == 2 ? 4 : 1 + i % 2), clusters[i], {600.0 * static_cast<double>(i), 0}}));
+        REQUIRE(run.glyphs.push_back(
+            {static_cast<glyph_id>(i == 2 ? 4 : 1 + i % 2), clusters[i], {600.0 * static_cast<double>(i), 0}}));
     const auto plan = mesher.plan(run);
     REQUIRE(plan);
     REQUIRE(plan->glyphs().size() == 4);  // the blank one is no part of the mesh
@@ -183,8 +184,8 @@ TEST_CASE("glyphs that changed are written into the old mesh, and nothing else i
               copy.indices.size() - plan->range(2, part::front).index_count * 2 -
                   plan->range(2, part::side).index_count);
 
-        const error e = plan->write(glyph_span{0, 1}, into(std::span{copy.vertices}.first(whole.vertices.size() - 1),
-                                                           std::span{copy.indices}));
+        const error e = plan->write(
+            glyph_span{0, 1}, into(std::span{copy.vertices}.first(whole.vertices.size() - 1), std::span{copy.indices}));
         CHECK(e == error::buffer_too_small);
     }
 }
@@ -207,8 +208,9 @@ TEST_CASE("instances of meshes are the placed glyphs, up to rounding", "[text]")
     std::vector<glyph_instance> instances;
     plan->write_instances([&](const glyph_instance& i) noexcept { instances.push_back(i); });
     REQUIRE(instances.size() == plan->glyphs().size());
-    const float step = static_cast<float>(4.0 * plan->position_step()) *
-                       (unit == output_unit::font_units ? 1000.0f : unit == output_unit::unit_box ? 2.0f : 1.0f);
+    const float step = static_cast<float>(4.0 * plan->position_step()) * (unit == output_unit::font_units ? 1000.0f
+                                                                          : unit == output_unit::unit_box ? 2.0f
+                                                                                                          : 1.0f);
     std::vector<std::size_t> seen(plan->glyphs().size());
     for (std::size_t k = 0; k < instances.size(); ++k) {
         const glyph_instance& i = instances[k];

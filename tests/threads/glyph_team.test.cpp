@@ -139,9 +139,8 @@ TEST_CASE("HarfBuzz: and with other scripts, glyphs that overlap among them", "[
     auto font = open(file);
     text_mesher mesher{font};
     const bool merge = GENERATE(false, true);
-    check_teams(
-        mesher, phrases(text), [&](std::size_t) noexcept { return harfbuzz_font::wrap(font.handle()); },
-        {.merge = merge});
+    check_teams(mesher, phrases(text), [&](std::size_t) noexcept { return harfbuzz_font::wrap(font.handle()); },
+                {.merge = merge});
 }
 
 TEST_CASE("FreeType: a face and a library a worker", "[threads][freetype]")

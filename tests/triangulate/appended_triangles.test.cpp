@@ -17,7 +17,8 @@ TEST_CASE("triangles that keep a triangulator's promise are told from those that
     const auto of = [&](const std::vector<triangle>& all) {
         const appended_triangles t{r, all};
         const bool readable = t.are_over_its_points();
-        return std::vector<bool>{t.are_as_many_as_promised(), readable, readable && t.turn_left(), readable && t.have_its_area()};
+        return std::vector<bool>{t.are_as_many_as_promised(), readable, readable && t.turn_left(),
+                                 readable && t.have_its_area()};
     };
     using kept = std::vector<bool>;
     CHECK(of({{0, 1, 2}, {0, 2, 3}}) == kept{true, true, true, true});
@@ -26,5 +27,6 @@ TEST_CASE("triangles that keep a triangulator's promise are told from those that
     CHECK(of({{0, 1, 2}, {0, 2, 4}}) == kept{true, false, false, false});
     CHECK(of({{0, 1, 2}, {0, 3, 2}}) == kept{true, true, false, false});
     CHECK(of({{0, 1, 1}, {0, 2, 3}}) == kept{true, true, false, false});
-    CHECK(of({{0, 1, 2}, {0, 1, 2}}) == kept{true, true, true, true});  // has the area, which is not all: see inspect/cap_check.hpp
+    CHECK(of({{0, 1, 2}, {0, 1, 2}}) ==
+          kept{true, true, true, true});  // has the area, which is not all: see inspect/cap_check.hpp
 }

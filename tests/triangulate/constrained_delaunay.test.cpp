@@ -134,9 +134,10 @@ std::vector<test::polyline> sorted(std::vector<test::polyline> cells)
 
 }  // namespace
 
-TEST_CASE("quarter turns and mirrors leave the cells of co-circular points and the Delaunay triangles outside them as "
-          "they are",
-          "[triangulate][delaunay]")
+TEST_CASE(
+    "quarter turns and mirrors leave the cells of co-circular points and the Delaunay triangles outside them as "
+    "they are",
+    "[triangulate][delaunay]")
 {
     for (const test::shape& s : test::delaunay_shapes()) {
         const auto cells = cells_of(s);

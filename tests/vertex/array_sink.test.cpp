@@ -67,8 +67,7 @@ void write(Sink& sink, std::uint32_t vertices, std::uint32_t triangles)
 }  // namespace
 
 template <>
-struct typemesh::vertex_traits<corner> : corner_writer {
-};
+struct typemesh::vertex_traits<corner> : corner_writer {};
 
 static_assert(mesh_vertex<corner>);
 static_assert(!mesh_vertex<untouched>);
@@ -176,7 +175,8 @@ TEST_CASE("arrays of a fixed size are written as spans of any size are", "[verte
     CHECK(into(std::span{vertices}, std::span{indices}, corner_writer{}).begin({4, 1}) == error::buffer_too_small);
 }
 
-TEST_CASE("array_sink fills memory to its last byte and writes no byte farther, and none at all when it refuses", "[vertex]")
+TEST_CASE("array_sink fills memory to its last byte and writes no byte farther, and none at all when it refuses",
+          "[vertex]")
 {
     const test::guarded_bytes vertices{5 * sizeof(corner)}, indices{6 * sizeof(std::uint16_t)};
     auto sink = into(vertices.as<corner>(), indices.as<std::uint16_t>(), 7);

@@ -27,7 +27,8 @@ struct scarce {
         if (n > most) throw std::bad_alloc{};
         held.resize(n);
     }
-    void reserve(std::size_t n) requires HasReserve
+    void reserve(std::size_t n)
+        requires HasReserve
     {
         if (n > most) throw std::bad_alloc{};
     }
@@ -121,7 +122,8 @@ TEST_CASE("a container that throws becomes error::out_of_memory", "[vertex]")
     CHECK_FALSE(into(without, indices_without).begin({4, 1}));
 }
 
-TEST_CASE("growing_sink adds the base vertex to every index, and counts it among what the index must number", "[vertex]")
+TEST_CASE("growing_sink adds the base vertex to every index, and counts it among what the index must number",
+          "[vertex]")
 {
     std::vector<corner> vertices;
     std::vector<std::uint16_t> indices;

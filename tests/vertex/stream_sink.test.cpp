@@ -109,7 +109,7 @@ TEST_CASE("streams may lie in one interleaved array, and one may be packed by it
     stream_sink sink{std::span{indices}, stream<attribute::position, float3>{&vertices[0].position, 3, sizeof(vertex)},
                      packed_normals{normals.data(), normals.size()}};
     REQUIRE_FALSE(sink.begin({3, 1}));
-    for (std::uint32_t i = 0; i < 3; ++i) sink.vertex(only<attribute::position | attribute::normal>(numbered(i)));
+    for (std::uint32_t i = 0; i < 3; ++i) sink.vertex(only < attribute::position | attribute::normal > (numbered(i)));
     sink.triangle(0, 1, 2);
     sink.end();
     CHECK(vertices[2].position == float3{2.0f, 2.25f, 2.5f});
@@ -166,9 +166,12 @@ TEST_CASE("every attribute has a stream", "[vertex]")
     std::vector<float> parts(2);
     std::vector<std::uint8_t> styles(2);
     std::vector<std::uint32_t> indices;
-    stream_sink sink{std::span{indices}, stream<attribute::tangent, float4>{tangents},
-                     stream<attribute::glyph, std::uint16_t>{glyphs}, stream<attribute::cluster, std::uint32_t>{clusters},
-                     stream<attribute::part, float>{parts}, stream<attribute::style, std::uint8_t>{styles}};
+    stream_sink sink{std::span{indices},
+                     stream<attribute::tangent, float4>{tangents},
+                     stream<attribute::glyph, std::uint16_t>{glyphs},
+                     stream<attribute::cluster, std::uint32_t>{clusters},
+                     stream<attribute::part, float>{parts},
+                     stream<attribute::style, std::uint8_t>{styles}};
     static_assert(mesh_sink<decltype(sink)>);
     REQUIRE_FALSE(sink.begin({2, 0}));
     surface_point<sink.wants> s;
@@ -210,7 +213,7 @@ TEST_CASE("streams in bytes hold as many elements as fit, and write up to the la
     CHECK(memory.untouched());
     CHECK(indices.untouched());
     REQUIRE_FALSE(sink.begin({7, 1}));
-    for (std::uint32_t i = 0; i < 7; ++i) sink.vertex(only<attribute::position | attribute::uv>(numbered(i)));
+    for (std::uint32_t i = 0; i < 7; ++i) sink.vertex(only < attribute::position | attribute::uv > (numbered(i)));
     sink.triangle(4, 5, 6);
     sink.end();
     for (std::size_t i = 0; i < 7; ++i) {
@@ -240,7 +243,7 @@ TEST_CASE("streams of packed formats are told like all others", "[vertex]")
     stream_sink sink{std::span{indices}, stream<attribute::uv, half2>{uvs}, stream<attribute::normal, snorm8x4>{bytes},
                      stream<attribute::normal, octahedral32>{normals}, stream<attribute::normal, snorm10>{ten}};
     REQUIRE_FALSE(sink.begin({3, 0}));
-    for (std::uint32_t i = 0; i < 3; ++i) sink.vertex(only<attribute::normal | attribute::uv>(numbered(i)));
+    for (std::uint32_t i = 0; i < 3; ++i) sink.vertex(only < attribute::normal | attribute::uv > (numbered(i)));
     sink.end();
     CHECK(static_cast<float>(uvs[2].u) == -2.0f);
     CHECK(bytes[1].z.bits == 127);

@@ -13,22 +13,16 @@ using namespace typemesh;
 namespace {
 
 template <attribute Wants>
-concept tells_uv = requires(const surface_point<Wants>& s)
-{
-    s.uv.x;
-};
+concept tells_uv = requires(const surface_point<Wants>& s) { s.uv.x; };
 
 template <attribute Wants>
-concept tells_position = requires(const surface_point<Wants>& s)
-{
-    s.position.x;
-};
+concept tells_position = requires(const surface_point<Wants>& s) { s.position.x; };
 
 }  // namespace
 
 static_assert(tells_uv<attribute::uv>);
-static_assert(tells_uv<attribute::position | attribute::uv>);
-static_assert(!tells_uv<attribute::position | attribute::normal>);
+static_assert(tells_uv < attribute::position | attribute::uv >);
+static_assert(!tells_uv < attribute::position | attribute::normal >);
 static_assert(!tells_position<attribute::none>);
 // A point is as large as what it holds, for every set of attributes: 12 + 12 + 8 + 16 + 4 + 4 + 4 + 1 bytes, the last
 // filled up to 4.
@@ -36,12 +30,11 @@ template <std::uint32_t Set>
 constexpr bool takes_no_more_room_than_wanted()
 {
     constexpr auto wants = static_cast<attribute>(Set);
-    constexpr std::size_t bytes = (has(wants, attribute::position) ? 12u : 0u) +
-                                  (has(wants, attribute::normal) ? 12u : 0u) + (has(wants, attribute::uv) ? 8u : 0u) +
-                                  (has(wants, attribute::tangent) ? 16u : 0u) +
-                                  (has(wants, attribute::glyph) ? 4u : 0u) +
-                                  (has(wants, attribute::cluster) ? 4u : 0u) + (has(wants, attribute::style) ? 4u : 0u) +
-                                  (has(wants, attribute::part) ? 4u : 0u);
+    constexpr std::size_t bytes =
+        (has(wants, attribute::position) ? 12u : 0u) + (has(wants, attribute::normal) ? 12u : 0u) +
+        (has(wants, attribute::uv) ? 8u : 0u) + (has(wants, attribute::tangent) ? 16u : 0u) +
+        (has(wants, attribute::glyph) ? 4u : 0u) + (has(wants, attribute::cluster) ? 4u : 0u) +
+        (has(wants, attribute::style) ? 4u : 0u) + (has(wants, attribute::part) ? 4u : 0u);
     constexpr bool lonely_part = wants == attribute::part;
     static_assert(std::is_trivially_copyable_v<surface_point<wants>>);
     return sizeof(surface_point<wants>) == (bytes == 0 || lonely_part ? 1 : bytes);
@@ -72,11 +65,11 @@ TEST_CASE("a point with fewer attributes keeps those it has", "[vertex]")
     full.style = style_id{8};
     CHECK(only<attribute::position>(full).position == vec3{1, 2, 3});
     CHECK(only<attribute::uv>(full).uv == vec2{4, 5});
-    const auto both = only<attribute::normal | attribute::uv>(full);
+    const auto both = only < attribute::normal | attribute::uv > (full);
     CHECK(both.normal == vec3{0, 1, 0});
     CHECK(both.uv == vec2{4, 5});
     const auto five =
-        only<attribute::tangent | attribute::glyph | attribute::cluster | attribute::part | attribute::style>(full);
+        only < attribute::tangent | attribute::glyph | attribute::cluster | attribute::part | attribute::style > (full);
     CHECK(five.tangent == vec4{1, 0, 0, -1});
     CHECK(five.glyph == 6);
     CHECK(five.cluster == 7);

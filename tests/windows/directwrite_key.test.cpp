@@ -124,16 +124,15 @@ TEST_CASE("a DirectWrite font's key tells font, face and simulations, and is the
 
     const test::font_files files{{dejavu}};
     test::com_ptr<IDWriteFontFile> file;
-    REQUIRE(SUCCEEDED(
-        files.factory()->CreateFontFileReference(test::windows_path(dejavu).c_str(), nullptr, file.put())));
+    REQUIRE(
+        SUCCEEDED(files.factory()->CreateFontFileReference(test::windows_path(dejavu).c_str(), nullptr, file.put())));
     IDWriteFontFile* const one[] = {file.get()};
     std::set<std::uint64_t> keys;
     glyph_cache cache;
     for (const auto how : {DWRITE_FONT_SIMULATIONS_NONE, DWRITE_FONT_SIMULATIONS_BOLD, DWRITE_FONT_SIMULATIONS_OBLIQUE,
                            DWRITE_FONT_SIMULATIONS_BOLD | DWRITE_FONT_SIMULATIONS_OBLIQUE}) {
         test::com_ptr<IDWriteFontFace> face;
-        REQUIRE(
-            SUCCEEDED(files.factory()->CreateFontFace(DWRITE_FONT_FACE_TYPE_TRUETYPE, 1, one, 0, how, face.put())));
+        REQUIRE(SUCCEEDED(files.factory()->CreateFontFace(DWRITE_FONT_FACE_TYPE_TRUETYPE, 1, one, 0, how, face.put())));
         CHECK(keys.insert(key_of_face(face.get())).second);
         CHECK(key_of_face(face.get()) == key_of_face(face.get()));
         auto font = directwrite_font::wrap(face.get());

@@ -118,8 +118,8 @@ public:
         return E_NOTIMPL;
     }
     DWRITE_GLYPH_IMAGE_FORMATS STDMETHODCALLTYPE GetGlyphImageFormats() noexcept override { return {}; }
-    HRESULT STDMETHODCALLTYPE GetGlyphImageData(UINT16, UINT32, DWRITE_GLYPH_IMAGE_FORMATS,
-                                                DWRITE_GLYPH_IMAGE_DATA*, void**) noexcept override
+    HRESULT STDMETHODCALLTYPE GetGlyphImageData(UINT16, UINT32, DWRITE_GLYPH_IMAGE_FORMATS, DWRITE_GLYPH_IMAGE_DATA*,
+                                                void**) noexcept override
     {
         return E_NOTIMPL;
     }

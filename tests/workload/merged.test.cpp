@@ -28,9 +28,8 @@ std::vector<joined_text> joined_texts()
     const std::string fonts = font_folder().string();
     std::vector<joined_text> all;
     for (const std::string& phrase : test::workload_texts("arabic"))
-        for (const char* font :
-             {"/opentype/fonts-hosny-amiri/Amiri-Regular.ttf", "/truetype/awami/AwamiNastaliq-Regular.ttf",
-              "/truetype/dejavu/DejaVuSans.ttf"})
+        for (const char* font : {"/opentype/fonts-hosny-amiri/Amiri-Regular.ttf",
+                                 "/truetype/awami/AwamiNastaliq-Regular.ttf", "/truetype/dejavu/DejaVuSans.ttf"})
             all.push_back({fonts + font, phrase});
     for (const std::string& phrase : test::workload_texts("latin"))
         all.push_back({fonts + "/truetype/GreatVibes-Regular.ttf", phrase.substr(0, 200)});

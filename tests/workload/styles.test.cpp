@@ -68,7 +68,8 @@ TEST_CASE("lines of two fonts, a face each, are what each font draws alone", "[w
         CHECK(plan->range(glyph_span{0, letters}, p).vertex_count == of_latin->range(p).vertex_count);
         // Another grid, to which curves are snapped otherwise: the same shapes, but for half a cell.
         for (std::size_t g = 0; g < of_arabic->glyphs().size(); ++g) {
-            const box one = text_glyphs::ink_of(plan->glyphs()[letters + g]), two = text_glyphs::ink_of(of_arabic->glyphs()[g]);
+            const box one = text_glyphs::ink_of(plan->glyphs()[letters + g]),
+                      two = text_glyphs::ink_of(of_arabic->glyphs()[g]);
             CHECK(one.width() == Catch::Approx(scale * two.width()).margin(0.01));
             CHECK(one.height() == Catch::Approx(scale * two.height()).margin(0.01));
         }

@@ -3,9 +3,9 @@
 // Glyphs whose contours only touch in points: proven as they are, and the region that resolve() makes of them.
 
 #include "support/catch.hpp"
+#include "support/cycles.hpp"
 #include "support/font_file.hpp"
 #include "support/oracle.hpp"
-#include "support/cycles.hpp"
 
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/glyph/cap_builder.hpp>

@@ -2,10 +2,10 @@
 //
 // Every text of the workload with every font of its script, glyph by glyph, against the laws and the oracle.
 
+#include "support/workload.hpp"
 #include "support/catch.hpp"
 #include "support/mesh_laws.hpp"
 #include "support/oracle.hpp"
-#include "support/workload.hpp"
 
 #include <typemesh/adapt/freetype.hpp>
 #include <typemesh/adapt/harfbuzz.hpp>
@@ -208,7 +208,9 @@ TEST_CASE("caps have exactly the area of the region and walls close, however the
         const double cells = grid_of->cells;
         const double area = cap_area(mesh, own->range(part::front)) * cells * cells;
         const double filled_area = test::oracle::doubled_filled_area(test::oracle::loops_of(loops), shape.rule);
-        const double snapped = test::oracle::is_crossing(test::oracle::loops_of(loops)) ? 2.0 * test::oracle::length(test::oracle::loops_of(loops)) : 0.0;
+        const double snapped = test::oracle::is_crossing(test::oracle::loops_of(loops))
+                                   ? 2.0 * test::oracle::length(test::oracle::loops_of(loops))
+                                   : 0.0;
         CHECK(std::fabs(area - filled_area) <= 1e-11 * filled_area + snapped);
         orient(loops);
         const auto filled = fill(loops, shape.rule, space);

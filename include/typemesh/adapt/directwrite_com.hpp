@@ -18,14 +18,14 @@ namespace typemesh::inline TYPEMESH_ABI {
     if (SUCCEEDED(code)) return {};
     const auto number = static_cast<std::uint32_t>(code);
     switch (number) {
-        case 0x8007'000Eu: return error::out_of_memory;  // E_OUTOFMEMORY
-        case 0x8898'5000u: return error::not_a_font;     // DWRITE_E_FILEFORMAT
-        case 0x8007'0002u:  // HRESULT_FROM_WIN32(ERROR_FILE_NOT_FOUND), ..._PATH_NOT_FOUND,
-        case 0x8007'0003u:  // ERROR_ACCESS_DENIED
-        case 0x8007'0005u:
-        case 0x8898'5003u:                                 // DWRITE_E_FILENOTFOUND
-        case 0x8898'5004u: return error::unreadable_file;  // DWRITE_E_FILEACCESS
-        default: return error{error::font_library_failed, number};
+    case 0x8007'000Eu: return error::out_of_memory;  // E_OUTOFMEMORY
+    case 0x8898'5000u: return error::not_a_font;     // DWRITE_E_FILEFORMAT
+    case 0x8007'0002u:                               // HRESULT_FROM_WIN32(ERROR_FILE_NOT_FOUND), ..._PATH_NOT_FOUND,
+    case 0x8007'0003u:                               // ERROR_ACCESS_DENIED
+    case 0x8007'0005u:
+    case 0x8898'5003u:                                 // DWRITE_E_FILENOTFOUND
+    case 0x8898'5004u: return error::unreadable_file;  // DWRITE_E_FILEACCESS
+    default: return error{error::font_library_failed, number};
     }
 }
 

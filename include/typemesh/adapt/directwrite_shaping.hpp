@@ -202,8 +202,7 @@ private:
     }
     error take_feature(const feature& f) noexcept
     {
-        const bool taken =
-            features_.push_back({static_cast<DWRITE_FONT_FEATURE_TAG>(directwrite_tag(f.tag)), f.value});
+        const bool taken = features_.push_back({static_cast<DWRITE_FONT_FEATURE_TAG>(directwrite_tag(f.tag)), f.value});
         return taken ? error{} : error{error::out_of_memory};
     }
     bool has_feature(const char (&tag)[5]) const noexcept

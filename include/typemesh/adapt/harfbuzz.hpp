@@ -22,8 +22,9 @@
 // hb_font_draw_glyph.
 #if defined(HB_NO_DRAW) || \
     ((defined(HB_TINY) || defined(HB_LEAN)) && !defined(HB_CONFIG_OVERRIDE_H) && !defined(HB_CONFIG_OVERRIDE_LAST_H))
-#error "typemesh: this HarfBuzz is configured without outlines (HB_TINY, HB_LEAN or HB_NO_DRAW), and text cannot be meshed \
-without: build it with a HB_CONFIG_OVERRIDE_H that has `#undef HB_NO_DRAW`, or take freetype_font."
+#error \
+    "typemesh: this HarfBuzz is configured without outlines (HB_TINY, HB_LEAN or HB_NO_DRAW), and text cannot be \
+meshed without: build it with a HB_CONFIG_OVERRIDE_H that has `#undef HB_NO_DRAW`, or take freetype_font."
 #endif
 
 namespace typemesh::inline TYPEMESH_ABI {
@@ -218,8 +219,7 @@ private:
         return key;
     }
 
-    explicit harfbuzz_font(hb_font_t* owned) noexcept
-        : font_{owned}, draw_{hb_draw_funcs_create()}
+    explicit harfbuzz_font(hb_font_t* owned) noexcept : font_{owned}, draw_{hb_draw_funcs_create()}
     {
         hb_face_t* face = hb_font_get_face(font_);
         units_per_em_ = hb_face_get_upem(face);

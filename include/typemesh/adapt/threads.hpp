@@ -92,8 +92,10 @@ private:
             ++run_;
             open_ = true;
         }
-        if (n > 2) wake_.notify_all();
-        else if (n == 2) wake_.notify_one();
+        if (n > 2)
+            wake_.notify_all();
+        else if (n == 2)
+            wake_.notify_one();
         work(0);
         std::unique_lock lock{state_};
         open_ = false;  // threads that have not joined find nothing to do

@@ -34,13 +34,13 @@ struct d3dx_text_options {
     double extrusion = 0.4;   ///< positive, in output units: the text lies between z = 0 and z = -extrusion
     d3dx_size size = d3dx_size::cell_height;
 
-    bool kerning = false;    ///< kern pairs of letters as the font says; Direct3D never does
-    bool ligatures = false;  ///< join letters (fi) where the font does so by default; Direct3D never does
-    shape_options shape = {};     ///< direction, language, script, further features
-    layout_options layout = {};   ///< alignment, spacing of lines and letters
+    bool kerning = false;        ///< kern pairs of letters as the font says; Direct3D never does
+    bool ligatures = false;      ///< join letters (fi) where the font does so by default; Direct3D never does
+    shape_options shape = {};    ///< direction, language, script, further features
+    layout_options layout = {};  ///< alignment, spacing of lines and letters
 
     texture_box texture_over = texture_box::text;  ///< what texture coordinates span, if the vertex has them
-    bool draw_missing = true;  ///< draw the font's box for characters that it lacks, as GDI does
+    bool draw_missing = true;                      ///< draw the font's box for characters that it lacks, as GDI does
 };
 
 /// Text as D3DXCreateText makes it, without Direct3D, GDI or windows.h: a replacement with the same meaning that fills
@@ -103,24 +103,25 @@ public:
             return d3dx_text<Font, Normals, Cache, Policy>{font_, std::move(mesher_).with(std::move(policy)),
                                                            std::move(features_)};
         } else {
-            static_assert(sizeof(Policy) == 0, "typemesh: with() of a d3dx_text takes a triangulator; everything else is "
-                                               "as Direct3D has it. A text_mesher takes other policies too.");
+            static_assert(sizeof(Policy) == 0,
+                          "typemesh: with() of a d3dx_text takes a triangulator; everything else is "
+                          "as Direct3D has it. A text_mesher takes other policies too.");
             return std::move(*this);
         }
     }
     template <class Policy>
     d3dx_text&& with(Policy) & noexcept
     {
-        static_assert(sizeof(Policy) == 0, "typemesh: with() makes another d3dx_text of this one, which ends: write "
-                                           "`d3dx_text{font}.with(...)`, or `std::move(maker).with(...)`.");
+        static_assert(sizeof(Policy) == 0,
+                      "typemesh: with() makes another d3dx_text of this one, which ends: write "
+                      "`d3dx_text{font}.with(...)`, or `std::move(maker).with(...)`.");
         return std::move(*this);
     }
 
     // The font is referred to: neither a temporary nor a result without its `*` will do.
     d3dx_text(const Font&&, memory = heap(), detail::keep_the_font_in_a_variable = {}) = delete;
     template <std::same_as<Font> Made>
-    explicit d3dx_text(const result<Made>& font, memory = heap()) noexcept
-        : mesher_{font}
+    explicit d3dx_text(const result<Made>& font, memory = heap()) noexcept : mesher_{font}
     {
     }
 

@@ -36,8 +36,7 @@ static_assert(sizeof(d3dx_glyph_metrics) == 24);
 template <extruder Extruder>
 class d3dx_text_plan {
 public:
-    d3dx_text_plan(text_plan<Extruder>&& made, double unit_per_font_unit, std::size_t text_size,
-                   bool vertical) noexcept
+    d3dx_text_plan(text_plan<Extruder>&& made, double unit_per_font_unit, std::size_t text_size, bool vertical) noexcept
         : plan_{std::move(made)}, unit_{unit_per_font_unit}, text_size_{text_size}, vertical_{vertical}
     {
     }
@@ -103,8 +102,8 @@ public:
                 while (next < glyphs.size() && glyphs[next].cluster == cluster) ++next;
                 const box ink = ink_of(line.first_glyph + i, line.first_glyph + next);
                 d3dx_glyph_metrics m;
-                const point step = next < glyphs.size() ? glyphs[next].origin - pen
-                                                       : rest_of(line, pen - glyphs.front().origin);
+                const point step =
+                    next < glyphs.size() ? glyphs[next].origin - pen : rest_of(line, pen - glyphs.front().origin);
                 if (!ink.empty()) {
                     m.box_width = in_output(ink.width());
                     m.box_height = in_output(ink.height());
@@ -127,8 +126,8 @@ private:
         box ink;
         for (const style_id style : plan_.styles()) {
             const glyph_span own = plan_.glyphs_of(style);
-            std::size_t g = first_where(own.first, own.last,
-                                        [&](std::size_t k) noexcept { return drawn[k].glyph >= first; });
+            std::size_t g =
+                first_where(own.first, own.last, [&](std::size_t k) noexcept { return drawn[k].glyph >= first; });
             for (; g < own.last && drawn[g].glyph < last; ++g) ink.merge(text_glyphs::ink_of(drawn[g]));
         }
         return ink;

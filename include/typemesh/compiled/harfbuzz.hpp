@@ -3,7 +3,8 @@
 
 // What most programs use, compiled once for each: link typemesh::compiled. That target adds harfbuzz.cpp, beside this
 // file, to your own sources, to be compiled with your own flags, and defines TYPEMESH_COMPILED, with which
-// <typemesh/typemesh.hpp> includes this file. Without CMake: do both yourself, the definition for all units of a target.
+// <typemesh/typemesh.hpp> includes this file. Without CMake: do both yourself, the definition for all units of a
+// target.
 
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/text/text_mesher.hpp>

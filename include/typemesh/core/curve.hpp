@@ -11,10 +11,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 struct quadratic {
     point p0, p1, p2;
 
-    [[nodiscard]] constexpr point at(double t) const noexcept
-    {
-        return lerp(lerp(p0, p1, t), lerp(p1, p2, t), t);
-    }
+    [[nodiscard]] constexpr point at(double t) const noexcept { return lerp(lerp(p0, p1, t), lerp(p1, p2, t), t); }
 };
 
 /// A Bézier curve of degree three: p0, two control points, p3.

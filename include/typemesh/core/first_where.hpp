@@ -18,8 +18,10 @@ template <class Holds>
 {
     while (first < last) {
         const std::size_t middle = first + (last - first) / 2;
-        if (holds(middle)) last = middle;
-        else first = middle + 1;
+        if (holds(middle))
+            last = middle;
+        else
+            first = middle + 1;
     }
     return first;
 }

@@ -33,10 +33,7 @@ struct grid_point {
     std::int32_t y = 0;
 
     /// Without a branch: sweeps compare equal points about as often as different ones.
-    friend constexpr bool operator==(grid_point a, grid_point b) noexcept
-    {
-        return ((a.x ^ b.x) | (a.y ^ b.y)) == 0;
-    }
+    friend constexpr bool operator==(grid_point a, grid_point b) noexcept { return ((a.x ^ b.x) | (a.y ^ b.y)) == 0; }
 };
 
 /// A float as a double, which is exact: named, so that compilers may warn about every other conversion from float to

@@ -48,8 +48,9 @@ private:
 template <class T>
 constexpr error refuse_result() noexcept
 {
-    static_assert(sizeof(T) == 0, "typemesh: this is a typemesh::result, not its value. Test it first, "
-                                  "`if (!made) ... made.error()`, then pass the value: `*made`.");
+    static_assert(sizeof(T) == 0,
+                  "typemesh: this is a typemesh::result, not its value. Test it first, "
+                  "`if (!made) ... made.error()`, then pass the value: `*made`.");
     return error::bad_option;
 }
 

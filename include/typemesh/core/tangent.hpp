@@ -45,7 +45,8 @@ public:
     [[nodiscard]] tangents at(double t) const noexcept
     {
         const point first = derivative(t);
-        if (dot(first, first) > least_) [[likely]] return {first, first};
+        if (dot(first, first) > least_) [[likely]]
+            return {first, first};
         return limits(t);
     }
 

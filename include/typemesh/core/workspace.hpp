@@ -22,7 +22,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// needed, one block replaces them, as large as the most that was ever taken at a time: after warm-up nothing is
 /// allocated. It is kept until trim(). A workspace serves one thread at a time.
 class workspace {
-    static constexpr std::size_t alignment = 64;  // a cache line, and enough for any vector register
+    static constexpr std::size_t alignment = 64;     // a cache line, and enough for any vector register
     static constexpr std::size_t least = 16 * 1024;  // bytes per block; more if more is taken at once
 
     struct alignas(alignment) block {
@@ -80,10 +80,7 @@ public:
     class scope {
     public:
         explicit scope(workspace& w) noexcept
-            : workspace_{w},
-              block_{w.current_},
-              used_{w.current_ != nullptr ? w.current_->used : 0},
-              taken_{w.taken_}
+            : workspace_{w}, block_{w.current_}, used_{w.current_ != nullptr ? w.current_->used : 0}, taken_{w.taken_}
         {
             ++w.depth_;
         }

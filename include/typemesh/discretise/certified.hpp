@@ -185,7 +185,8 @@ private:
                 bool good = t[now] <= to;
                 for (int i = 0; i < now; ++i) good = good & (t[i] < t[i + 1]) & chords_.fits(t[i], t[i + 1]);
                 if (!good) [[unlikely]]
-                    return place_carefully(shares, {t[0], share * static_cast<float>(done), left}, to, sure_step(wang4));
+                    return place_carefully(shares, {t[0], share * static_cast<float>(done), left}, to,
+                                           sure_step(wang4));
                 const int inner = now == left ? now - 1 : now;
                 for (int i = 1; i <= inner; ++i) put_(chords_.at(t[i]), t[i]);
                 if (now == left) return;

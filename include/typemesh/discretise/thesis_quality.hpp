@@ -44,8 +44,10 @@ public:
     template <class Curve, class Put>
     void operator()(const Curve& c, double tolerance, Put&& put) const noexcept
     {
-        if (quality_ == low) two_lines{}(c, tolerance, put);
-        else halving_(c, tolerance, put);
+        if (quality_ == low)
+            two_lines{}(c, tolerance, put);
+        else
+            halving_(c, tolerance, put);
     }
 
 private:

@@ -110,8 +110,7 @@ private:
 
     class wall_light {
     public:
-        wall_light(const region& filled, double crease) noexcept
-            : curves_{filled.curves()}, crease_{crease}
+        wall_light(const region& filled, double crease) noexcept : curves_{filled.curves()}, crease_{crease}
         {
             const double longest = 16.0 * filled.tolerance();
             if (longest > 0.0 && crease > 0.0) long_square_ = longest * longest;

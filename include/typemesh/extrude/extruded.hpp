@@ -60,7 +60,9 @@ struct extruded {
     /// See option_bits. Depth matters only for writing, but a depth that plan() refuses must not find what another one
     /// cached. The normals have three of the numbers.
     [[nodiscard]] option_bits cache_key() const noexcept
-        requires std::is_empty_v<Normals> || requires(const Normals& n) { { n.cache_key() } noexcept; }
+        requires std::is_empty_v<Normals> || requires(const Normals& n) {
+            { n.cache_key() } noexcept;
+        }
     {
         option_bits bits;
         if constexpr (requires { normals.cache_key(); }) bits = normals.cache_key();
@@ -205,8 +207,8 @@ private:
     }
 
     template <attribute Wants, class Axes, class Put>
-    void cap(const solid_with<plan_data>& s, const Axes& axes, float z, float facing, bool lit_by_cap, planar_texture uv,
-             texture_tangent tangents, Put& put) const noexcept
+    void cap(const solid_with<plan_data>& s, const Axes& axes, float z, float facing, bool lit_by_cap,
+             planar_texture uv, texture_tangent tangents, Put& put) const noexcept
     {
         const vec3 flat_normal = axes.direction(0.0f, 0.0f, facing);
         vec4 flat_tangent;
@@ -254,8 +256,8 @@ private:
     /// Pairs (front, back) along each contour; a doubled point has one for the wall before it and one for the wall
     /// after.
     template <attribute Wants, class Axes, class Put>
-    void walls(const solid_with<plan_data>& s, const Axes& axes, float top, float bottom, const placement& at, planar_texture planar,
-               texture_tangent tangents, Put& put) const noexcept
+    void walls(const solid_with<plan_data>& s, const Axes& axes, float top, float bottom, const placement& at,
+               planar_texture planar, texture_tangent tangents, Put& put) const noexcept
     {
         const bool by_length = texture == texture_mapping::em;
         const wall_texture wall{at};
@@ -274,8 +276,7 @@ private:
                 front_point.normal = back_point.normal = axes.direction(here.before.x, here.before.y, 0.0f);
             }
             if constexpr (has(Wants, attribute::uv)) {
-                front_point.uv = back_point.uv =
-                    by_length ? vec2{wall.u(here.along), v_top} : planar(g);
+                front_point.uv = back_point.uv = by_length ? vec2{wall.u(here.along), v_top} : planar(g);
                 if (by_length) back_point.uv.y = v_bottom;
             }
             if constexpr (has(Wants, attribute::tangent)) {

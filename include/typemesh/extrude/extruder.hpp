@@ -102,15 +102,14 @@ concept plans_with_caps = requires(const E& e, const region& r, plan_data_of<E>&
 /// Builds with asserts count what is emitted, pass on nothing that was not planned, and report what lies outside of
 /// heights() or the box.
 template <class E>
-concept extruder =
-    (detail::plans_by_itself<E> || detail::plans_with_data<E> || detail::plans_with_caps<E>) &&
-    requires(const E& e, const solid_of<E>& s, const placement& at, part p, const first_vertices& first,
-             ignore_surface put) {
-        { e.heights() } noexcept -> std::same_as<height_range>;
-        { e.template vertices<attribute::position>(p, s, at, put) } noexcept;
-        { e.triangles(p, s, first, put) } noexcept;
-        requires part_count_of<E> >= 1 && part_count_of<E> <= most_parts;
-    };
+concept extruder = (detail::plans_by_itself<E> || detail::plans_with_data<E> || detail::plans_with_caps<E>) &&
+                   requires(const E& e, const solid_of<E>& s, const placement& at, part p, const first_vertices& first,
+                            ignore_surface put) {
+                       { e.heights() } noexcept -> std::same_as<height_range>;
+                       { e.template vertices<attribute::position>(p, s, at, put) } noexcept;
+                       { e.triangles(p, s, first, put) } noexcept;
+                       requires part_count_of<E> >= 1 && part_count_of<E> <= most_parts;
+                   };
 
 /// An extruder that reports how many of a solid's contour points are doubled because their walls meet hard.
 template <class E>
@@ -128,9 +127,12 @@ template <extruder E, cap_maker Caps>
                                             Caps& caps) noexcept
 {
     const auto made = [&]() noexcept {
-        if constexpr (detail::plans_with_caps<E>) return how.plan(filled, data, caps);
-        else if constexpr (detail::plans_with_data<E>) return how.plan(filled, data);
-        else return how.plan(filled);
+        if constexpr (detail::plans_with_caps<E>)
+            return how.plan(filled, data, caps);
+        else if constexpr (detail::plans_with_data<E>)
+            return how.plan(filled, data);
+        else
+            return how.plan(filled);
     }();
     if (!made) return made.error();
     const solid_plan plan{*made};

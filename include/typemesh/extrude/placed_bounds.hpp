@@ -19,7 +19,8 @@ inline void add_placed(bounds3& all, const box& around, float bottom, float top,
     all.add(at.position(at.foot(around.high), top));
     if (along_axes) return;  // two opposite corners are enough
     for (const float z : {bottom, top})
-        for (const point p : {around.low, around.high, point{around.low.x, around.high.y}, point{around.high.x, around.low.y}})
+        for (const point p :
+             {around.low, around.high, point{around.low.x, around.high.y}, point{around.high.x, around.low.y}})
             all.add(at.position(at.foot(p), z));
 }
 
@@ -47,7 +48,8 @@ namespace detail {
     bounds3 all = placed_bounds(around, heights, at);
     float farthest = 0.0f;
     for (const vec3 corner : {all.low, all.high})
-        for (const float v : {corner.x, corner.y, corner.z}) farthest = std::fabs(v) > farthest ? std::fabs(v) : farthest;
+        for (const float v : {corner.x, corner.y, corner.z})
+            farthest = std::fabs(v) > farthest ? std::fabs(v) : farthest;
     const float more = farthest * 0x1p-20f;
     all.low = {all.low.x - more, all.low.y - more, all.low.z - more};
     all.high = {all.high.x + more, all.high.y + more, all.high.z + more};

@@ -40,8 +40,9 @@ struct placement {
 
     point pen = {};              ///< the glyph's origin, in cells
     double unit_per_cell = 1.0;  ///< output units per cell
-    double unit_per_depth = 1.0; ///< output units per unit of depths, which is an em unless text_options says otherwise
-    double em_per_depth = 1.0;   ///< em per unit of depths
+    double unit_per_depth =
+        1.0;                    ///< output units per unit of depths, which is an em unless text_options says otherwise
+    double em_per_depth = 1.0;  ///< em per unit of depths
     double em_per_cell = 1.0;
     point em_pen = {};            ///< em mapping: the glyph's origin, in cells, relative to the text's own origin
     point texture_pen = {};       ///< box mapping: the glyph's origin, in cells, from the box's lower left corner

@@ -78,7 +78,8 @@ public:
         template <class T>
         [[nodiscard]] std::span<const T> of() const noexcept
         {
-            static_assert(detail::times_among<T, Values...> == 1, "typemesh: these plan_arrays have no array of this type");
+            static_assert(detail::times_among<T, Values...> == 1,
+                          "typemesh: these plan_arrays have no array of this type");
             return detail::read_array<T>::values;
         }
     };

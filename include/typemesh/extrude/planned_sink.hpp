@@ -29,7 +29,8 @@ struct planned_vertices {
             TYPEMESH_ASSERT(bounds.holds(v.position), "an extruder emitted a vertex outside the bounds that it states");
         }
         bool due = true;
-        TYPEMESH_ASSERT((due = emitted++ < planned), "an extruder emitted more vertices of a part than its plan() said");
+        TYPEMESH_ASSERT((due = emitted++ < planned),
+                        "an extruder emitted more vertices of a part than its plan() said");
         if (due) sink.vertex(v);
     }
     void triangle(std::uint32_t, std::uint32_t, std::uint32_t) noexcept {}
@@ -52,7 +53,8 @@ struct planned_triangles {
     void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept
     {
         bool due = true;
-        TYPEMESH_ASSERT((due = emitted++ < planned), "an extruder emitted more triangles of a part than its plan() said");
+        TYPEMESH_ASSERT((due = emitted++ < planned),
+                        "an extruder emitted more triangles of a part than its plan() said");
         if (!due) return;
         TYPEMESH_ASSERT((due = numbers(a) && numbers(b) && numbers(c)),
                         "an extruder emitted a triangle with a corner that is not a vertex of its solid");

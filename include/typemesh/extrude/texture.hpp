@@ -55,7 +55,9 @@ private:
 class wall_texture {
 public:
     explicit wall_texture(const placement& at) noexcept
-        : planar_{texture_mapping::em, at}, per_cell_{static_cast<float>(at.em_per_cell)}, em_per_depth_{at.em_per_depth}
+        : planar_{texture_mapping::em, at},
+          per_cell_{static_cast<float>(at.em_per_cell)},
+          em_per_depth_{at.em_per_depth}
     {
     }
 

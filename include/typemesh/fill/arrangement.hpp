@@ -89,16 +89,15 @@ struct arrangement {
     segment* segments = nullptr;
     std::uint32_t count = 0;
     std::uint32_t capacity = 0;
-    grid_point* points = nullptr;  // distinct, in sweep order; capacity for as many as there may be segments
-    grid_point* spare = nullptr;   // of the same capacity
-    std::uint32_t* first =
-        nullptr;  // of each point: the first segment that starts there, the others follow by `next`
+    grid_point* points = nullptr;    // distinct, in sweep order; capacity for as many as there may be segments
+    grid_point* spare = nullptr;     // of the same capacity
+    std::uint32_t* first = nullptr;  // of each point: the first segment that starts there, the others follow by `next`
     std::uint32_t point_count = 0;
-    const contours* loops = nullptr;  // where the segments come from
-    bool is_bent = false;             // some segment does not lie on its contour edge
+    const contours* loops = nullptr;        // where the segments come from
+    bool is_bent = false;                   // some segment does not lie on its contour edge
     std::uint32_t most_active = no_number;  // the largest number of segments on the sweep line
-    bool is_rounded = false;          // made by snap_rounding: nothing is left to be bent
-    bool is_touching = false;         // the boundary of the filled area passes through some point more than once
+    bool is_rounded = false;                // made by snap_rounding: nothing is left to be bent
+    bool is_touching = false;               // the boundary of the filled area passes through some point more than once
 
     struct edge {
         grid_point from, to;

@@ -27,8 +27,8 @@ struct quotient {
 /// flag will do.
 [[nodiscard]] inline quotient scaled(std::int64_t size, std::int64_t share, std::int64_t whole) noexcept
 {
-    auto guess =
-        static_cast<std::int64_t>(static_cast<double>(size) * (static_cast<double>(share) / static_cast<double>(whole)));
+    auto guess = static_cast<std::int64_t>(static_cast<double>(size) *
+                                           (static_cast<double>(share) / static_cast<double>(whole)));
     auto rest = static_cast<std::int64_t>(static_cast<std::uint64_t>(size) * static_cast<std::uint64_t>(share) -
                                           static_cast<std::uint64_t>(guess) * static_cast<std::uint64_t>(whole));
     for (; rest < 0; rest += whole) --guess;

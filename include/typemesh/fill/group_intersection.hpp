@@ -83,7 +83,7 @@ struct box_sweep {
 /// Fails  error::too_large: 2^32 - 1 regions or more; error::out_of_memory
 /// Cost   O(n log n), a look at every two regions that overlap along one axis, and meet() for those whose boxes do
 [[nodiscard]] inline error group_intersection(std::span<const placed_loops> all, std::span<std::uint32_t> group,
-                                         workspace& space) noexcept
+                                              workspace& space) noexcept
 {
     const std::size_t n = all.size();
     TYPEMESH_ASSERT(group.size() == n, "group_intersection() gives one number for each region");

@@ -19,8 +19,8 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///      |   .   |      . -..|--     than a cell is skipped with all that is in it.
 ///      |-------.---.-'-----|
 ///      |  __.-'|    4    . |       The pixel of a point p is half open, [-1/2, 1/2)² around p. A segment passes
-///      | 3 .   |  .        |       through it if |2 s| < |dx| + |dy| for s = orientation(from, to, p), or if it touches
-///      +-------------------+       it in the one corner that belongs to it.
+///      | 3 .   |  .        |       through it if |2 s| < |dx| + |dy| for s = orientation(from, to, p), or touches it
+///      +-------------------+       in the one corner that belongs to it.
 ///
 /// Build  O(m log m) for m points, 50 bytes per point. Query: O(sqrt m) boxes for scattered points, O(m) at worst
 ///        (points along the segment, beside it), and O(hits log hits) to sort them.
@@ -172,7 +172,7 @@ private:
     }
 
     grid_point* points_ = nullptr;
-    box* boxes_ = nullptr;  // 1: the root; 2 i and 2 i + 1 below i
+    box* boxes_ = nullptr;              // 1: the root; 2 i and 2 i + 1 below i
     std::uint32_t* numbers_ = nullptr;  // the indices of the points, as given
     wide_sweep_key* hits_ = nullptr;
     std::size_t count_ = 0;

@@ -49,7 +49,7 @@ namespace detail {
 /// Edges that only share an end need no filter.
 template <intersection_filter Filter>
 [[nodiscard]] bool may_intersect(const arrangement& a, const segment& s, const segment& t, grid_point at,
-                            Filter& filter) noexcept
+                                 Filter& filter) noexcept
 {
     const intersection m{edge_of(a, s), edge_of(a, t), at};
     return (m.a.ends_in(at) && m.b.ends_in(at)) || filter(m);
@@ -58,7 +58,7 @@ template <intersection_filter Filter>
 /// Filters the intersection where the boundary passes from one segment to another, if it is one.
 template <intersection_filter Filter>
 [[nodiscard]] bool filter_change(const arrangement& a, const segment& s, const segment& t, grid_point at,
-                                Filter& filter) noexcept
+                                 Filter& filter) noexcept
 {
     if (s.origin == t.origin) return true;
     if (s.target == t.origin && a.loops->points[t.origin] == at) return true;  // the contour's next edge: nearly always

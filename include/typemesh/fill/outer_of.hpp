@@ -17,8 +17,8 @@ namespace detail {
 
 /// What outer_of() needs to know about a loop.
 struct loop_extent {
-    grid_point low, high;    // its box
-    std::uint32_t leftmost;  // its lexicographically smallest point
+    grid_point low, high;     // its box
+    std::uint32_t leftmost;   // its lexicographically smallest point
     std::int64_t twice_area;  // negative for a hole
 };
 

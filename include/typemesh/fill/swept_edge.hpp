@@ -12,9 +12,9 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 struct alignas(32) swept_edge {
     grid_point from, to;
     std::uint32_t segment = no_number;
-    std::int32_t above = 0;             ///< the winding number right above it
+    std::int32_t above = 0;  ///< the winding number right above it
 
-    bool is_bent = false;               ///< in this sweep: bending it again takes another one
+    bool is_bent = false;  ///< in this sweep: bending it again takes another one
 
     void begin(grid_point a, grid_point b, std::uint32_t s, std::int32_t winding) noexcept
     {

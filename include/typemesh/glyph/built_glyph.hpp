@@ -17,10 +17,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// The result of building one glyph, while it is still in the builder's scratch memory: see glyph_builder.
 struct glyph_draft {
-    solid form;           ///< all empty for a blank glyph and for a refused one
-    solid_plan plan;      ///< what the extruder will write of it
-    double cells = 512.0; ///< its grid's cells per font unit
-    error refusal;        ///< why the glyph cannot be built; none if it can, or is blank
+    solid form;                          ///< all empty for a blank glyph and for a refused one
+    solid_plan plan;                     ///< what the extruder will write of it
+    double cells = 512.0;                ///< its grid's cells per font unit
+    error refusal;                       ///< why the glyph cannot be built; none if it can, or is blank
     const plan_scratch* data = nullptr;  ///< the extruder's plan data; null if it has none
 };
 

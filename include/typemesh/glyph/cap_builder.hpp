@@ -189,8 +189,8 @@ private:
     /// is then simple.
     ///
     /// Cost   each round as much as the first; there are hardly ever two, and never more than 12. The last one begins
-    ///        when the contours have been cut into more pieces than `most_pieces`, or than four times those of the first
-    ///        round and 2,048. Doubtful intersections are then accepted.
+    ///        when the contours have been cut into more pieces than `most_pieces`, or than four times those of the
+    ///        first round and 2,048. Doubtful intersections are then accepted.
     template <class... Policy>
     [[nodiscard]] result<region> refine(const outline& curves, double tolerance, const grid& cells,
                                         const cap_settings& how, const policies<Policy...>& with) noexcept

@@ -17,10 +17,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// What a crossing_refinement did for one glyph.
 struct refinement_effort {
-    std::uint32_t rounds = 0;      ///< how often curves were discretised more finely
-    std::uint32_t curves = 0;      ///< how many of them
-    std::uint32_t unsettled = 0;   ///< intersections accepted only because their curves cannot be made finer
-    std::uint64_t pieces = 0;      ///< that the contours were cut into, all rounds together: see cap_builder
+    std::uint32_t rounds = 0;     ///< how often curves were discretised more finely
+    std::uint32_t curves = 0;     ///< how many of them
+    std::uint32_t unsettled = 0;  ///< intersections accepted only because their curves cannot be made finer
+    std::uint64_t pieces = 0;     ///< that the contours were cut into, all rounds together: see cap_builder
 };
 
 /// Distinguishes the intersections of chords that their curves have as well from those that only discretising made, and

@@ -20,8 +20,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// What a glyph is built with, besides the policies.
 struct glyph_settings {
-    double tolerance = 0.0;              ///< the largest distance between curve and mesh, in em
-    std::optional<fill_rule> fill = {};  ///< instead of the outline source's own
+    double tolerance = 0.0;                           ///< the largest distance between curve and mesh, in em
+    std::optional<fill_rule> fill = {};               ///< instead of the outline source's own
     std::uint32_t most_pieces = default_most_pieces;  ///< that contours which cross may be cut into; see resolve()
 };
 
@@ -33,10 +33,7 @@ struct glyph_settings {
 ///                                policies{certified{}, monotone{}, flat{}, nobody});
 class glyph_builder {
 public:
-    explicit glyph_builder(memory source = heap()) noexcept
-        : outline_{source}, caps_{source}, plan_{source}
-    {
-    }
+    explicit glyph_builder(memory source = heap()) noexcept : outline_{source}, caps_{source}, plan_{source} {}
 
     /// The glyph's draft, which lies in this builder until its next call. A glyph that cannot be built is no failure
     /// here: its draft is empty and carries the reason.

@@ -62,8 +62,8 @@ class glyph_cache {
         entry* newer;  // while not pinned
         entry* older;
     };
-    static constexpr std::size_t alignment =
-        alignof(entry) > alignof(built_glyph) ? alignof(entry) : alignof(built_glyph);
+    static constexpr std::size_t alignment = alignof(entry) > alignof(built_glyph) ? alignof(entry)
+                                                                                   : alignof(built_glyph);
     static constexpr std::size_t header = (sizeof(entry) + alignment - 1) / alignment * alignment;
 
     class locked {
@@ -271,8 +271,7 @@ struct cached_in {
 };
 
 /// Stands in for the cache of a mesher without one.
-struct no_cache {
-};
+struct no_cache {};
 
 namespace detail {
 template <class T>

@@ -31,10 +31,11 @@ concept says_cache_key = requires(const P& p) {
 template <class Policy>
 [[nodiscard]] policy_key key_of(const Policy& p) noexcept
 {
-    static_assert(says_cache_key<Policy> || std::is_empty_v<Policy>,
-                  "typemesh: a policy with data members needs `typemesh::option_bits cache_key() const noexcept` "
-                  "before its glyphs can be kept in a glyph_cache, which otherwise could not tell those of different options "
-                  "apart; see typemesh/core/option_bits.hpp.");
+    static_assert(
+        says_cache_key<Policy> || std::is_empty_v<Policy>,
+        "typemesh: a policy with data members needs `typemesh::option_bits cache_key() const noexcept` "
+        "before its glyphs can be kept in a glyph_cache, which otherwise could not tell those of different options "
+        "apart; see typemesh/core/option_bits.hpp.");
     policy_key key{&detail::place_of_type<Policy>, {}};
     if constexpr (says_cache_key<Policy>) key.options = p.cache_key();
     return key;

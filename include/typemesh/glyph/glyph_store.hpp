@@ -19,8 +19,8 @@ class glyph_store {
         std::size_t bytes;  // behind the header
         [[nodiscard]] std::byte* data() noexcept { return reinterpret_cast<std::byte*>(this) + header; }
     };
-    static constexpr std::size_t alignment =
-        alignof(built_glyph) > alignof(block) ? alignof(built_glyph) : alignof(block);
+    static constexpr std::size_t alignment = alignof(built_glyph) > alignof(block) ? alignof(built_glyph)
+                                                                                   : alignof(block);
     static constexpr std::size_t header = (sizeof(block) + alignment - 1) / alignment * alignment;
 
 public:

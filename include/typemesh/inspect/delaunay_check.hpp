@@ -66,7 +66,10 @@ struct long_number {
     return determinant.sign();
 }
 
-[[nodiscard]] constexpr bool comes_first(grid_point a, grid_point b) noexcept { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+[[nodiscard]] constexpr bool comes_first(grid_point a, grid_point b) noexcept
+{
+    return a.x != b.x ? a.x < b.x : a.y < b.y;
+}
 
 /// Which inner edges do not belong to the constrained Delaunay triangulation.
 struct delaunay_check {

@@ -23,7 +23,8 @@ struct euler_count {
 
     [[nodiscard]] constexpr std::int64_t characteristic() const noexcept
     {
-        return static_cast<std::int64_t>(places) - static_cast<std::int64_t>(edges) + static_cast<std::int64_t>(triangles);
+        return static_cast<std::int64_t>(places) - static_cast<std::int64_t>(edges) +
+               static_cast<std::int64_t>(triangles);
     }
     /// How many holes pass through closed solids that do not touch.
     [[nodiscard]] constexpr std::int64_t holes() const noexcept

@@ -15,9 +15,9 @@ namespace typemesh::inline TYPEMESH_ABI::inspect {
 
 /// Places that were tested, and whether the right ones are filled.
 struct fill_check {
-    std::size_t places = 0;  ///< that were compared
-    std::size_t skipped = 0; ///< that lie on the given contours or curves, or too near to them to tell
-    std::size_t wrong = 0;   ///< that are filled and should not be, or the reverse
+    std::size_t places = 0;   ///< that were compared
+    std::size_t skipped = 0;  ///< that lie on the given contours or curves, or too near to them to tell
+    std::size_t wrong = 0;    ///< that are filled and should not be, or the reverse
 };
 
 /// Compares what contours fill under a rule with the region made from them, at grid points in rows: by brute force,
@@ -30,8 +30,8 @@ struct fill_check {
 ///               rounded to the grid. Places on an edge are never compared
 ///
 /// Cost   O(rows^2 * n) for n points
-[[nodiscard]] inline fill_check check_fill(const std::vector<loop>& given, fill_rule rule, const std::vector<loop>& kept,
-                                           std::int32_t rows = 12, double margin = 1.5)
+[[nodiscard]] inline fill_check check_fill(const std::vector<loop>& given, fill_rule rule,
+                                           const std::vector<loop>& kept, std::int32_t rows = 12, double margin = 1.5)
 {
     std::int32_t left = 1 << 29, right = -left, bottom = left, top = -left;
     for (const loop l : given) {

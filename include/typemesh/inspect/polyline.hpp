@@ -19,14 +19,18 @@ namespace typemesh::inline TYPEMESH_ABI::inspect {
 /// A closed polyline: its last point is joined to its first. |coordinate| <= 2^28.
 using loop = std::span<const grid_point>;
 
-[[nodiscard]] inline std::vector<loop> loops_of(std::span<const grid_point> points, std::span<const std::uint32_t> starts)
+[[nodiscard]] inline std::vector<loop> loops_of(std::span<const grid_point> points,
+                                                std::span<const std::uint32_t> starts)
 {
     std::vector<loop> loops;
     for (std::size_t i = 0; i + 1 < starts.size(); ++i)
         loops.push_back(points.subspan(starts[i], starts[i + 1] - starts[i]));
     return loops;
 }
-[[nodiscard]] inline std::vector<loop> loops_of(const contours& c) { return loops_of(c.points.view(), c.starts.view()); }
+[[nodiscard]] inline std::vector<loop> loops_of(const contours& c)
+{
+    return loops_of(c.points.view(), c.starts.view());
+}
 [[nodiscard]] inline std::vector<loop> loops_of(const region& r) { return loops_of(r.points(), r.starts()); }
 
 /// -1: c lies right of the line from a to b, 0: on it, 1: left of it. Exact for |coordinate| <= 2^29.

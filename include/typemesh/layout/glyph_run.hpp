@@ -60,8 +60,8 @@ struct glyph_run {
         if (first < first_invalid_unit) first_invalid_unit = first;
     }
 
-    /// The number by which glyphs refer to a look: that of an equal one in the table, else of a new one at its end. In a
-    /// table made only by this the plain look has number 0.
+    /// The number by which glyphs refer to a look: that of an equal one in the table, else of a new one at its end. In
+    /// a table made only by this the plain look has number 0.
     ///
     /// Fails  error::out_of_memory
     /// Cost   O(looks)

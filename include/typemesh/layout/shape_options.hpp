@@ -11,7 +11,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// The direction in which a line is set.
 enum class direction : std::uint8_t {
-    automatic,      ///< left-to-right or right-to-left, by the line's script
+    automatic,  ///< left-to-right or right-to-left, by the line's script
     left_to_right,
     right_to_left,
     top_to_bottom,  ///< columns, each to the left of the one before

@@ -82,9 +82,9 @@ public:
 
 private:
     struct line {
-        std::size_t begin, end;     // in the text
-        std::size_t number;         // among the lines
-        std::size_t first, count;   // its glyphs in the worker's run
+        std::size_t begin, end;    // in the text
+        std::size_t number;        // among the lines
+        std::size_t first, count;  // its glyphs in the worker's run
         std::uint32_t worker;
         double advance;
         error failure;

@@ -74,10 +74,9 @@ private:
 
 /// Text in an encoding that text_view does not take: UTF-32, or wchar_t, which differs from system to system.
 template <class Text>
-concept foreign_text = !std::is_convertible_v<const Text&, text_view> &&
-                       !std::is_convertible_v<const Text&, std::string_view> &&
-                       (std::is_convertible_v<const Text&, std::u32string_view> ||
-                        std::is_convertible_v<const Text&, std::wstring_view>);
+concept foreign_text =
+    !std::is_convertible_v<const Text&, text_view> && !std::is_convertible_v<const Text&, std::string_view> &&
+    (std::is_convertible_v<const Text&, std::u32string_view> || std::is_convertible_v<const Text&, std::wstring_view>);
 
 /// For overloads beside those that take a text, so that such a text is refused in one sentence.
 template <class Text>

@@ -71,7 +71,9 @@ error outline_of(Source& source, std::uint32_t face, glyph_id id, Sink& sink) no
 template <class Source>
 [[nodiscard]] std::uint64_t variation_of(const Source& source, std::uint32_t face) noexcept
 {
-    if constexpr (requires { { source.variation_key(face) } noexcept -> std::convertible_to<std::uint64_t>; })
+    if constexpr (requires {
+                      { source.variation_key(face) } noexcept -> std::convertible_to<std::uint64_t>;
+                  })
         return source.variation_key(face);
     else
         return static_cast<void>(face), variation_of(source);

@@ -57,8 +57,10 @@ public:
             out_.bounds = bounds_before_;
             return;
         }
-        if (out_.starts.empty() && !out_.starts.push_back(0)) error_ = error::out_of_memory;
-        else if (!out_.starts.push_back(end)) error_ = error::out_of_memory;
+        if (out_.starts.empty() && !out_.starts.push_back(0))
+            error_ = error::out_of_memory;
+        else if (!out_.starts.push_back(end))
+            error_ = error::out_of_memory;
     }
 
     /// Closes the last contour and returns how it went: error::outline_not_finite, error::bad_outline (a contour that
@@ -73,14 +75,18 @@ private:
     bool note(point p) noexcept
     {
         const bool good = !error_ && open_ && is_finite(p.x) && is_finite(p.y);
-        if (good) out_.bounds.add(p);
-        else if (!error_) error_ = open_ ? error::outline_not_finite : error::bad_outline;
+        if (good)
+            out_.bounds.add(p);
+        else if (!error_)
+            error_ = open_ ? error::outline_not_finite : error::bad_outline;
         return good;
     }
     void keep(const curve& c) noexcept
     {
-        if (out_.curves.size() == 0xFFFF'FFFFu) error_ = error::too_large;
-        else if (!out_.curves.push_back(c)) error_ = error::out_of_memory;
+        if (out_.curves.size() == 0xFFFF'FFFFu)
+            error_ = error::too_large;
+        else if (!out_.curves.push_back(c))
+            error_ = error::out_of_memory;
     }
 
     outline& out_;

@@ -61,9 +61,12 @@ public:
             sink.move(curves_[first].start());
             for (std::size_t i = first; i < last; ++i) {
                 const curve& c = curves_[i];
-                if (c.degree == 1) sink.line(c.p[1]);
-                else if (c.degree == 2) sink.quadratic(c.p[1], c.p[2]);
-                else sink.cubic(c.p[1], c.p[2], c.p[3]);
+                if (c.degree == 1)
+                    sink.line(c.p[1]);
+                else if (c.degree == 2)
+                    sink.quadratic(c.p[1], c.p[2]);
+                else
+                    sink.cubic(c.p[1], c.p[2], c.p[3]);
             }
             sink.close();
         }

@@ -20,10 +20,7 @@ public:
     [[nodiscard]] fill_rule fill() const noexcept { return source_->fill(); }
 
     /// See variation_key.hpp.
-    [[nodiscard]] std::uint64_t variation_key() const noexcept
-    {
-        return mixed_key(variation_of(*source_), map_);
-    }
+    [[nodiscard]] std::uint64_t variation_key() const noexcept { return mixed_key(variation_of(*source_), map_); }
 
     template <outline_sink Sink>
     error outline(glyph_id id, Sink& sink) noexcept

@@ -17,7 +17,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 template <class Source>
 [[nodiscard]] std::uint64_t variation_of(const Source& source) noexcept
 {
-    if constexpr (requires { { source.variation_key() } noexcept -> std::convertible_to<std::uint64_t>; })
+    if constexpr (requires {
+                      { source.variation_key() } noexcept -> std::convertible_to<std::uint64_t>;
+                  })
         return source.variation_key();
     else
         return 0;

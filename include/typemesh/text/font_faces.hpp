@@ -64,12 +64,14 @@ public:
         return e;
     }
 
-    [[nodiscard]] line_metrics metrics(direction d) const noexcept requires shaper<first_type>
+    [[nodiscard]] line_metrics metrics(direction d) const noexcept
+        requires shaper<first_type>
     {
         return first().metrics(d);
     }
     [[nodiscard]] result<point> shape(text_view text, std::size_t begin, std::size_t end, const shape_options& options,
-                                      glyph_run& run) const noexcept requires shaper<first_type>
+                                      glyph_run& run) const noexcept
+        requires shaper<first_type>
     {
         return first().shape(text, begin, end, options, run);
     }

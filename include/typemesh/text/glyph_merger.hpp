@@ -29,10 +29,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// the text's origin.
 class glyph_merger {
 public:
-    explicit glyph_merger(memory source = heap()) noexcept
-        : caps_{source}, union_{source}, plan_{source}
-    {
-    }
+    explicit glyph_merger(memory source = heap()) noexcept : caps_{source}, union_{source}, plan_{source} {}
 
     /// Gives its scratch memory back to its source.
     void trim() noexcept
@@ -46,8 +43,8 @@ public:
     ///
     /// Fails  error::too_large, error::out_of_memory, error::outline_beyond_grid with the group's first glyph
     /// Cost   as group_intersection() for n glyphs. For every group its members' outlines are flattened and filled once
-    ///        more, and resolve(), the triangulator and the extruder work on the points of all of them. Glyphs that meet
-    ///        no other cost the comparison alone
+    ///        more, and resolve(), the triangulator and the extruder work on the points of all of them. Glyphs that
+    ///        meet no other cost the comparison alone
     template <outline_source Font, class... Policy>
     error operator()(text_glyphs& all, const glyph_run& run, glyph_builder& builder, Font& font,
                      const glyph_settings& how, const policies<Policy...>& with) noexcept

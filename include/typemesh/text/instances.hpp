@@ -14,7 +14,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 struct glyph_mesh {
     const built_glyph* built = nullptr;
     glyph_id id = no_glyph;
-    std::uint32_t first_vertex = 0;    ///< where it begins in the output of write_meshes()
+    std::uint32_t first_vertex = 0;  ///< where it begins in the output of write_meshes()
     std::uint32_t first_index = 0;
     std::uint32_t first_instance = 0;  ///< the position of its first one in the output of write_instances()
     std::uint32_t glyph_count = 0;     ///< how many instances there are

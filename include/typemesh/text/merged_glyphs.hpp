@@ -20,7 +20,7 @@ struct merged_group {
     point origin;                    ///< font units: that of its first glyph, rounded to the grid
     std::uint32_t first_member = 0;  ///< into merged_glyphs::members
     std::uint32_t member_count = 0;
-    std::uint32_t first_owner = 0;   ///< into merged_glyphs::owners
+    std::uint32_t first_owner = 0;  ///< into merged_glyphs::owners
 };
 
 /// The groups of a text and their members; glyphs are given by their index in the run. All empty if nothing is merged.
@@ -31,8 +31,7 @@ struct merged_glyphs {
     buffer<std::uint32_t> owners;    ///< [ first group's contour points | ... ]: whose outline leads from there to the
                                      ///< next point
 
-    explicit merged_glyphs(memory source) noexcept
-        : first_of{source}, groups{source}, members{source}, owners{source}
+    explicit merged_glyphs(memory source) noexcept : first_of{source}, groups{source}, members{source}, owners{source}
     {
     }
 

@@ -34,19 +34,17 @@ namespace detail {
 
 // A type that models no concept, but was meant to model one: it can be called like such a policy, but promises less.
 template <class P>
-concept nearly_discretiser =
-    requires(P& how, const quadratic& q, ignore_points put) { how(q, 1.0, put); } ||
-    requires(P& how, const cubic& c, ignore_points put) { how(c, 1.0, put); };
+concept nearly_discretiser = requires(P& how, const quadratic& q, ignore_points put) { how(q, 1.0, put); } ||
+                             requires(P& how, const cubic& c, ignore_points put) { how(c, 1.0, put); };
 template <class P>
 concept nearly_triangulator =
     requires(P& how, const region& r, workspace& space, triangle_list& out) { how(r, space, out); };
 template <class P>
-concept nearly_extruder =
-    requires(P& how, const solid& s, const placement& at, ignore_surface put) {
-        how.template vertices<attribute::position>(part::front, s, at, put);
-    } || requires(P& how, const solid& s, const first_vertices& first, ignore_surface put) {
-        how.triangles(part::front, s, first, put);
-    };
+concept nearly_extruder = requires(P& how, const solid& s, const placement& at, ignore_surface put) {
+    how.template vertices<attribute::position>(part::front, s, at, put);
+} || requires(P& how, const solid& s, const first_vertices& first, ignore_surface put) {
+    how.triangles(part::front, s, first, put);
+};
 template <class P>
 concept nearly_observer = requires(P& observe) { observe(stage::idle); };
 

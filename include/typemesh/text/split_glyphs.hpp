@@ -20,8 +20,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// triangle uses are left out.
 class split_glyphs {
 public:
-    explicit split_glyphs(memory source) noexcept
-        : used_{source}, triangles_{source}, pieces_{source}, place_{source}
+    explicit split_glyphs(memory source) noexcept : used_{source}, triangles_{source}, pieces_{source}, place_{source}
     {
     }
 
@@ -71,8 +70,10 @@ public:
         const piece& one = pieces_[number];
         picker<Sink> to{sink, used_.view().subspan(one.first_used, one.used_count)};
         for (const part p : parts_of<Extruder>) {
-            if (one.sizes.vertices[p] != 0) write_vertices(p, built.planned<Extruder>(), how, at, to);
-            else to.number += built.sizes().vertices[p];
+            if (one.sizes.vertices[p] != 0)
+                write_vertices(p, built.planned<Extruder>(), how, at, to);
+            else
+                to.number += built.sizes().vertices[p];
         }
         for (const triangle t : triangles_.view().subspan(one.first_triangle, one.triangle_count))
             sink.triangle(t.a, t.b, t.c);
@@ -96,8 +97,8 @@ private:
         std::uint32_t most;
         part now = part::front;
         piece open = {{}, 0, 0, to.used_.size(), to.triangles_.size()};
-        std::uint32_t lowest[most_parts] = {};  // of the vertices that the open piece uses, in each part of which it
-        std::uint32_t highest[most_parts] = {}; // uses any
+        std::uint32_t lowest[most_parts] = {};   // of the vertices that the open piece uses, in each part of which it
+        std::uint32_t highest[most_parts] = {};  // uses any
         error failure = {};
 
         error begin(mesh_size) noexcept { return {}; }

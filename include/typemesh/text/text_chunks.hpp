@@ -93,7 +93,8 @@ public:
 
     /// The range of a style in a part of chunk k. `plan` is the one that was cut.
     template <extruder Extruder>
-    [[nodiscard]] mesh_range range(const text_plan<Extruder>& plan, std::size_t k, style_id style, part p) const noexcept
+    [[nodiscard]] mesh_range range(const text_plan<Extruder>& plan, std::size_t k, style_id style,
+                                   part p) const noexcept
     {
         const text_glyphs& all = fresh(plan);
         const text_chunk& c = chunks_[k];
@@ -214,7 +215,7 @@ private:
     error add(const part_sizes& sizes, std::size_t first, std::size_t last, std::uint32_t piece) noexcept
     {
         text_chunk c{static_cast<std::uint32_t>(total_.vertices), static_cast<std::uint32_t>(total_.indices()), sizes,
-                     static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last - first), piece};
+                     static_cast<std::uint32_t>(first),           static_cast<std::uint32_t>(last - first),     piece};
         const mesh_size own = c.size();
         total_ = total_ + own;
         if (own.vertices > largest_) largest_ = static_cast<std::uint32_t>(own.vertices);

@@ -30,11 +30,11 @@ struct drawn_glyph {
     cluster_id cluster = no_cluster;
     style_id style = {};
     std::uint32_t line = 0;
-    std::uint32_t glyph = 0;              ///< its index in the run
-    std::uint32_t merged = none;          ///< its index in text_glyphs::merged.groups, or none
-    std::uint32_t mesh = 0;               ///< which of the text's meshes it is an instance of
-    std::uint32_t next_alike = none;      ///< the next record of that mesh, or none
-    part_sizes before = {};               ///< the counts of all preceding glyphs
+    std::uint32_t glyph = 0;          ///< its index in the run
+    std::uint32_t merged = none;      ///< its index in text_glyphs::merged.groups, or none
+    std::uint32_t mesh = 0;           ///< which of the text's meshes it is an instance of
+    std::uint32_t next_alike = none;  ///< the next record of that mesh, or none
+    part_sizes before = {};           ///< the counts of all preceding glyphs
 
     static constexpr std::uint32_t none = 0xFFFF'FFFFu;
 };
@@ -45,10 +45,10 @@ struct text_placement {
     double em_per_font_unit = 1e-3;
     double unit_per_font_unit = 1.0;  ///< output units per font unit
     double unit_per_em = 1000.0;
-    double unit_per_depth = 1000.0;   ///< output units per unit of an extruder's depths
+    double unit_per_depth = 1000.0;  ///< output units per unit of an extruder's depths
     double em_per_depth = 1.0;
-    point centre;                     ///< what becomes the output's origin, in font units
-    point texture_per_font_unit;      ///< by how much u and v grow over the whole text's box, with texture_box::text
+    point centre;                 ///< what becomes the output's origin, in font units
+    point texture_per_font_unit;  ///< by how much u and v grow over the whole text's box, with texture_box::text
     texture_box texture_over = texture_box::text;
     typemesh::frame frame;
 };
@@ -78,19 +78,19 @@ struct lent_glyphs {
 /// All of one text: its different glyphs, each built once, and its drawn glyphs, each at its position. What a plan has
 /// measured and write() reads.
 struct text_glyphs {
-    glyph_set different;                 ///< the glyphs that the text needs
-    pinned_glyphs pinned;                ///< the built ones, blank and refused ones included
-    buffer<std::uint32_t> numbers;       ///< for each glyph of the run, which of them it is
-    glyph_store store;                   ///< holds those that neither a cache nor a glyph_workers keeps
-    lent_glyphs lent;                    ///< those that a glyph_workers keeps
-    merged_glyphs merged;                ///< glyphs that are drawn together
-    buffer<std::uint32_t> mesh_of;       ///< for each of the different glyphs, which mesh it is, or drawn_glyph::none
-    buffer<glyph_mesh> meshes;           ///< those of the different glyphs that are drawn
-    run_looks looks;                     ///< how they are drawn
-    buffer<drawn_glyph> records;         ///< what is drawn, style by style
-    buffer<style_id> several_styles;     ///< those of the records, ascending; empty if there is at most one
-    buffer<box> line_boxes;              ///< in font units; only for texture_box::line
-    box ink;                             ///< of all records, in font units
+    glyph_set different;              ///< the glyphs that the text needs
+    pinned_glyphs pinned;             ///< the built ones, blank and refused ones included
+    buffer<std::uint32_t> numbers;    ///< for each glyph of the run, which of them it is
+    glyph_store store;                ///< holds those that neither a cache nor a glyph_workers keeps
+    lent_glyphs lent;                 ///< those that a glyph_workers keeps
+    merged_glyphs merged;             ///< glyphs that are drawn together
+    buffer<std::uint32_t> mesh_of;    ///< for each of the different glyphs, which mesh it is, or drawn_glyph::none
+    buffer<glyph_mesh> meshes;        ///< those of the different glyphs that are drawn
+    run_looks looks;                  ///< how they are drawn
+    buffer<drawn_glyph> records;      ///< what is drawn, style by style
+    buffer<style_id> several_styles;  ///< those of the records, ascending; empty if there is at most one
+    buffer<box> line_boxes;           ///< in font units; only for texture_box::line
+    box ink;                          ///< of all records, in font units
     part_sizes totals;
     text_placement placed;
     text_report report;

@@ -115,8 +115,8 @@ public:
     ///
     /// Fails  as layout() does (error::mixed_direction, ...); error::bad_tolerance, error::bad_option;
     ///        error::too_large; error::out_of_memory
-    [[nodiscard]] result<plan_type> plan(text_view text,
-                                         const text_options& options = {}) & noexcept requires shaper<Font>
+    [[nodiscard]] result<plan_type> plan(text_view text, const text_options& options = {}) & noexcept
+        requires shaper<Font>
     {
         auto worker = alone();
         return plan_text(text, options, worker);
@@ -138,7 +138,8 @@ public:
     /// stage::outline. Merging (text_options::merge) is done by one worker.
     template <executor Executor, outline_source Source>
     [[nodiscard]] result<plan_type> plan(text_view text, const text_options& options,
-                                         glyph_workers<Executor, Source>& workers) & noexcept requires shaper<Font>
+                                         glyph_workers<Executor, Source>& workers) & noexcept
+        requires shaper<Font>
     {
         return plan_text(text, options, workers);
     }
@@ -153,9 +154,8 @@ public:
     /// plan() and write() in one: returns the report of what was built, or the error. Nothing reaches the sink if the
     /// plan fails.
     template <class Text, class Sink>
-    requires mesh_sink<std::remove_reference_t<Sink>> result<text_report> build(const Text& text, Sink&& sink,
-                                                                                const text_options& options = {})
-    noexcept
+        requires mesh_sink<std::remove_reference_t<Sink>>
+    result<text_report> build(const Text& text, Sink&& sink, const text_options& options = {}) noexcept
     {
         auto made = plan(text, options);
         if (!made) return made.error();
@@ -168,9 +168,9 @@ public:
 
     /// The same by several workers. All of them write the sink if it takes subranges (see ranged_sink).
     template <class Text, class Sink, executor Executor, outline_source Source>
-    requires mesh_sink<std::remove_reference_t<Sink>> result<text_report> build(
-        const Text& text, Sink&& sink, const text_options& options, glyph_workers<Executor, Source>& workers)
-    noexcept
+        requires mesh_sink<std::remove_reference_t<Sink>>
+    result<text_report> build(const Text& text, Sink&& sink, const text_options& options,
+                              glyph_workers<Executor, Source>& workers) noexcept
     {
         auto made = plan(text, options, workers);
         if (!made) return made.error();
@@ -252,8 +252,7 @@ private:
         for (std::size_t i = 0; i < count; ++i) {
             const placed_glyph& glyph = run.glyphs[i];
             numbers[i] = glyph_set::no_room;
-            if (glyph.look >= looks)
-                return error{error::no_such_look, run.looks.size()}.at(glyph.id, glyph.cluster);
+            if (glyph.look >= looks) return error{error::no_such_look, run.looks.size()}.at(glyph.id, glyph.cluster);
             if (glyph.missing && !options.draw_missing) continue;
             const glyph_key key{glyph.id, glyphs_.looks.outlines_of(glyph.look)};
             numbers[i] = options.reuse ? glyphs_.different.number_of(key) : glyphs_.different.append(key);

@@ -147,8 +147,8 @@ public:
         return *run_;
     }
 
-    /// The bounding box of all vertices; exact for frames whose axes are parallel to the coordinate axes, else it may be
-    /// larger.
+    /// The bounding box of all vertices; exact for frames whose axes are parallel to the coordinate axes, else it may
+    /// be larger.
     [[nodiscard]] bounds3 bounds() const noexcept { return fresh().bounds; }
 
     /// The distance between adjacent 32-bit floats at the mesh's farthest coordinate, in em: no position is rounded by
@@ -158,7 +158,8 @@ public:
         const text_glyphs& all = fresh();
         float farthest = 0.0f;
         for (const vec3 corner : {all.bounds.low, all.bounds.high})
-            for (const float v : {corner.x, corner.y, corner.z}) farthest = std::fabs(v) > farthest ? std::fabs(v) : farthest;
+            for (const float v : {corner.x, corner.y, corner.z})
+                farthest = std::fabs(v) > farthest ? std::fabs(v) : farthest;
         const float next = std::nextafter(farthest, (std::numeric_limits<float>::max)());
         return (as_double(next) - as_double(farthest)) / (all.placed.unit_per_font_unit * all.placed.units_per_em);
     }
@@ -179,8 +180,7 @@ public:
         requires tells_hard_edges<Extruder>
     {
         std::uint64_t hard = 0;
-        for (const drawn_glyph& r : fresh().records)
-            hard += extruder_.hard_edges(r.built->planned<Extruder>().form);
+        for (const drawn_glyph& r : fresh().records) hard += extruder_.hard_edges(r.built->planned<Extruder>().form);
         return hard;
     }
 
@@ -282,11 +282,13 @@ public:
         const text_glyphs& all = fresh();
         if (error e = sink.begin(meshes_size())) return e;
         for (const glyph_mesh& m : all.meshes)
-            for (const part p : parts_of<Extruder>) write_vertices(p, m.built->planned<Extruder>(), extruder_, all.place(m), sink);
+            for (const part p : parts_of<Extruder>)
+                write_vertices(p, m.built->planned<Extruder>(), extruder_, all.place(m), sink);
         const bool turned = all.placed.frame.turns_triangles();
         for (const glyph_mesh& m : all.meshes) {
             const first_vertices first = m.built->sizes().vertices.starts(m.first_vertex);
-            for (const part p : parts_of<Extruder>) write_triangles(p, m.built->planned<Extruder>(), extruder_, first, turned, sink);
+            for (const part p : parts_of<Extruder>)
+                write_triangles(p, m.built->planned<Extruder>(), extruder_, first, turned, sink);
         }
         return end_of(sink);
     }
@@ -299,7 +301,8 @@ public:
     {
         const text_glyphs& all = fresh();
         for (std::uint32_t mesh = 0; mesh < all.meshes.size(); ++mesh) {
-            for (std::uint32_t i = all.meshes[mesh].first_glyph; i != drawn_glyph::none; i = all.records[i].next_alike) {
+            for (std::uint32_t i = all.meshes[mesh].first_glyph; i != drawn_glyph::none;
+                 i = all.records[i].next_alike) {
                 const drawn_glyph& s = all.records[i];
                 put(glyph_instance{all.translation_of(s), mesh, i, s.id, s.cluster, s.style});
             }
@@ -313,8 +316,10 @@ public:
         const text_glyphs& all = fresh();
         instance_range found{all.meshes[mesh].first_instance, 0};
         for (std::uint32_t i = all.meshes[mesh].first_glyph; i != drawn_glyph::none; i = all.records[i].next_alike) {
-            if (all.records[i].style < style) ++found.first;
-            else if (all.records[i].style == style) ++found.count;
+            if (all.records[i].style < style)
+                ++found.first;
+            else if (all.records[i].style == style)
+                ++found.count;
         }
         return found;
     }
@@ -325,7 +330,8 @@ private:
         TYPEMESH_ASSERT(glyphs_ != nullptr, "a text_plan was used after it had been moved from");
         TYPEMESH_ASSERT(glyphs_->generation.number == generation_,
                         "this text_plan is stale: its mesher has made another plan or was moved since");
-        TYPEMESH_ASSERT(glyphs_->lent.are_there(), "this text_plan is stale: its glyph_workers has built another since");
+        TYPEMESH_ASSERT(glyphs_->lent.are_there(),
+                        "this text_plan is stale: its glyph_workers has built another since");
         return *glyphs_;
     }
 

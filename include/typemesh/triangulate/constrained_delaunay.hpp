@@ -103,7 +103,7 @@ private:
     /// Regular patterns of many holes put whole columns of points on one vertical line, where a sweep makes needles.
     static constexpr std::size_t sheared_from = 1000;
     static constexpr std::size_t slabs_from = 400;  ///< below this, flips from a sweep of all points are faster
-    static constexpr double worth_it = 0.875;  ///< keeping a larger share of the points saves nothing
+    static constexpr double worth_it = 0.875;       ///< keeping a larger share of the points saves nothing
 
     /// Fails with error::crossing_contours where this way does not work; once flips have begun, no budget is left for
     /// another attempt. When all points are kept nothing needs proof.

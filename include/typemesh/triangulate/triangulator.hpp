@@ -40,8 +40,8 @@ concept triangulator = requires(const T& t, const region& r, workspace& space, t
 template <class T>
 concept proving_triangulator =
     triangulator<T> && requires(const T& t, const contours& loops, workspace& space, triangle_list& out) {
-    { t.prove(loops, space, out) } noexcept -> std::same_as<result<region>>;
-};
+        { t.prove(loops, space, out) } noexcept -> std::same_as<result<region>>;
+    };
 
 /// A proving triangulator that also takes loops which pass through a point more than once.
 ///
@@ -50,8 +50,8 @@ concept proving_triangulator =
 template <class T>
 concept touching_triangulator =
     proving_triangulator<T> && requires(const T& t, const contours& loops, workspace& space, triangle_list& out) {
-    { t.prove_touching(loops, space, out) } noexcept -> std::same_as<result<region>>;
-};
+        { t.prove_touching(loops, space, out) } noexcept -> std::same_as<result<region>>;
+    };
 
 /// Whether a triangulator's diagonals must stay as they are, which it declares by `static constexpr bool
 /// has_final_diagonals = true;`. In all others, edges of triangles too low for 32-bit floats are flipped when caps are

@@ -108,8 +108,9 @@ template <class Vertex, std::size_t V, class Index, std::size_t I, vertex_writer
 template <class Vertex, class Index, class... More>
 [[nodiscard]] auto into(Vertex*, Index*, More...) noexcept
 {
-    static_assert(sizeof(Vertex) == 0, "typemesh: into() must know the sizes: replace the pointers by "
-                                       "`std::span{vertices, how_many}` and `std::span{indices, how_many}`.");
+    static_assert(sizeof(Vertex) == 0,
+                  "typemesh: into() must know the sizes: replace the pointers by "
+                  "`std::span{vertices, how_many}` and `std::span{indices, how_many}`.");
     return into(std::span<Vertex>{}, std::span<Index>{});
 }
 

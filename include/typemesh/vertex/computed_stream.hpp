@@ -56,9 +56,8 @@ template <attribute Wants, class T, class Make>
 template <class T, std::size_t N>
 [[nodiscard]] constexpr auto constant_stream(std::span<T, N> elements, T value) noexcept
 {
-    return computed_stream<attribute::none>(elements, [value](const surface_point<attribute::none>&) noexcept {
-        return value;
-    });
+    return computed_stream<attribute::none>(elements,
+                                            [value](const surface_point<attribute::none>&) noexcept { return value; });
 }
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -83,7 +83,10 @@ private:
 #if defined(__cpp_exceptions)
         try {
 #endif
-            if constexpr (requires { vertices_->reserve(vertices); indices_->reserve(indices); }) {
+            if constexpr (requires {
+                              vertices_->reserve(vertices);
+                              indices_->reserve(indices);
+                          }) {
                 vertices_->reserve(vertices);
                 indices_->reserve(indices);
             }

@@ -30,8 +30,9 @@ template <vertex_index Index>
 /// order, never read back. Shared by all sinks over memory.
 template <class Index>
 class index_writer {
-    static_assert(vertex_index<Index>, "typemesh: indices are integers of 8 to 64 bits that can be written, signed or "
-                                       "unsigned: std::uint16_t, std::uint32_t, int and the like.");
+    static_assert(vertex_index<Index>,
+                  "typemesh: indices are integers of 8 to 64 bits that can be written, signed or "
+                  "unsigned: std::uint16_t, std::uint32_t, int and the like.");
 
 public:
     explicit constexpr index_writer(std::uint32_t base_vertex) noexcept : base_{base_vertex} {}

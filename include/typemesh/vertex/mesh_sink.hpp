@@ -53,22 +53,27 @@ concept mesh_sink = requires(S& s, mesh_size exact, const surface_point<S::wants
 template <mesh_sink S>
 error end_of(S& s) noexcept
 {
-    if constexpr (std::same_as<decltype(s.end()), error>) return s.end();
-    else return s.end(), error{};
+    if constexpr (std::same_as<decltype(s.end()), error>)
+        return s.end();
+    else
+        return s.end(), error{};
 }
 
 /// An array or a container of the caller's, passed where a sink is needed.
 template <class A>
 concept array_without_sink =
-    !mesh_sink<std::remove_reference_t<A>> &&
-    (std::is_array_v<std::remove_reference_t<A>> || requires(A& a) { a.data(); a.size(); });
+    !mesh_sink<std::remove_reference_t<A>> && (std::is_array_v<std::remove_reference_t<A>> || requires(A& a) {
+        a.data();
+        a.size();
+    });
 
 /// For overloads beside those that take a sink, so that a forgotten into() is reported in one sentence.
 template <class A>
 constexpr error refuse_arrays() noexcept
 {
-    static_assert(sizeof(A) == 0, "typemesh: vertices and indices go together into one sink: "
-                                  "`into(vertices, indices)`, of two std::vector or two std::span.");
+    static_assert(sizeof(A) == 0,
+                  "typemesh: vertices and indices go together into one sink: "
+                  "`into(vertices, indices)`, of two std::vector or two std::span.");
     return error::bad_option;
 }
 

@@ -31,13 +31,12 @@ namespace typemesh::inline TYPEMESH_ABI {
 template <attribute A, class T>
 struct stream {
     static constexpr attribute wants = A;
-    static_assert(A == attribute::position || A == attribute::normal || A == attribute::uv ||
-                      A == attribute::tangent || A == attribute::glyph || A == attribute::cluster ||
-                      A == attribute::part || A == attribute::style,
+    static_assert(A == attribute::position || A == attribute::normal || A == attribute::uv || A == attribute::tangent ||
+                      A == attribute::glyph || A == attribute::cluster || A == attribute::part || A == attribute::style,
                   "typemesh: a stream holds one attribute; computed_stream takes several");
 
-    void* data = nullptr;        ///< the first element; aligned for T
-    std::size_t capacity = 0;    ///< elements
+    void* data = nullptr;      ///< the first element; aligned for T
+    std::size_t capacity = 0;  ///< elements
     std::size_t stride = sizeof(T);
 
     constexpr stream(void* first, std::size_t elements, std::size_t bytes_apart = sizeof(T)) noexcept
@@ -58,14 +57,22 @@ struct stream {
     void put(std::size_t i, const surface_point<wants>& s) const noexcept
     {
         T* place = reinterpret_cast<T*>(static_cast<std::byte*>(data) + i * stride);
-        if constexpr (A == attribute::position) *place = T{s.position.x, s.position.y, s.position.z};
-        else if constexpr (A == attribute::normal) *place = T{s.normal.x, s.normal.y, s.normal.z};
-        else if constexpr (A == attribute::uv) *place = T{s.uv.x, s.uv.y};
-        else if constexpr (A == attribute::tangent) *place = T{s.tangent.x, s.tangent.y, s.tangent.z, s.tangent.w};
-        else if constexpr (A == attribute::glyph) *place = static_cast<T>(s.glyph);
-        else if constexpr (A == attribute::cluster) *place = static_cast<T>(s.cluster);
-        else if constexpr (A == attribute::part) *place = static_cast<T>(s.part);
-        else *place = static_cast<T>(s.style);
+        if constexpr (A == attribute::position)
+            *place = T{s.position.x, s.position.y, s.position.z};
+        else if constexpr (A == attribute::normal)
+            *place = T{s.normal.x, s.normal.y, s.normal.z};
+        else if constexpr (A == attribute::uv)
+            *place = T{s.uv.x, s.uv.y};
+        else if constexpr (A == attribute::tangent)
+            *place = T{s.tangent.x, s.tangent.y, s.tangent.z, s.tangent.w};
+        else if constexpr (A == attribute::glyph)
+            *place = static_cast<T>(s.glyph);
+        else if constexpr (A == attribute::cluster)
+            *place = static_cast<T>(s.cluster);
+        else if constexpr (A == attribute::part)
+            *place = static_cast<T>(s.part);
+        else
+            *place = static_cast<T>(s.style);
     }
 };
 

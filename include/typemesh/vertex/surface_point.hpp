@@ -114,8 +114,7 @@ struct with_part<Wants, false> : with_style<Wants> {
 ///
 /// What is not in `Wants` takes no space and is never computed.
 template <attribute Wants>
-struct surface_point : detail::with_part<Wants> {
-};
+struct surface_point : detail::with_part<Wants> {};
 
 /// The same point with fewer attributes; Fewer must be a subset of Wants.
 template <attribute Fewer, attribute Wants>
