@@ -7,8 +7,8 @@
 //     large/C         C characters of Latin text (quality::low), each different one built once, all written
 //
 // "speedup" is the time of one worker by that of all, rounds taken in turns, the best of each; "cpu" the same by
-// processor time (1: sharing the work costs nothing), which holds on a busy machine too; "in_order" is the part of one
-// worker's time that is not shared out. "memory" is the most that the mesher ever held, and mesher and team, by the
+// processor time (1: sharing the work costs nothing), which holds on a busy machine too; "in_order" is the share of one
+// worker's time that is not shared out. "memory" is the most that the mesher ever held, and mesher and workers, by the
 // size of the output; "each" is one worker's processor time for one character.
 //
 //     bench_threads [WORKERS]          fonts are looked for under $TYPEMESH_FONT_DIR (default /usr/share/fonts)

@@ -36,11 +36,11 @@ int main(int argc, char** argv)
     for (int i = 0; i < 1000; ++i) text += "Line " + std::to_string(i) + " of a long text\n";
 
     thread_pool pool;  // each worker needs a font of its own: here, a view of the one that was opened
-    auto team = workers_of(pool, [&](std::size_t) noexcept { return harfbuzz_font::wrap(font->handle()); });
-    if (!team) return std::puts(team.error().message()), 1;
+    auto workers = workers_of(pool, [&](std::size_t) noexcept { return harfbuzz_font::wrap(font->handle()); });
+    if (!workers) return std::puts(workers.error().message()), 1;
 
     text_mesher mesher{*font};
-    auto plan = mesher.plan(text, {.tolerance = quality::low}, *team);
+    auto plan = mesher.plan(text, {.tolerance = quality::low}, *workers);
     if (!plan) return std::puts(plan.error().message()), 1;
 
     text_chunks chunks;

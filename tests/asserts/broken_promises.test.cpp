@@ -64,7 +64,7 @@ TEST_CASE("a plan whose mesher was moved is told so", "[asserts]")
     CHECK(asserted() == "");
 }
 
-TEST_CASE("a plan whose team has built another, and chunks of another plan, are told so", "[asserts]")
+TEST_CASE("a plan whose workers have built another, and chunks of another plan, are told so", "[asserts]")
 {
     test::toy_font font;
     text_mesher mesher{font}, other{font};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-// A cache without a lock cannot serve a team of workers. The message must say what to write.
+// A cache without a lock cannot serve several workers. The message must say what to write.
 
 #include <typemesh/typemesh.hpp>
 

@@ -51,7 +51,7 @@ TEST_CASE("a value of the buffer itself can be appended while it grows", "[core]
     CHECK(values(b) == std::vector<int>(101, 42));
 }
 
-TEST_CASE("a stretch of the buffer itself can be appended while it grows", "[core][buffer]")
+TEST_CASE("a subrange of the buffer itself can be appended while it grows", "[core][buffer]")
 {
     buffer<int> b;
     REQUIRE(b.append(std::span<const int>{}));

@@ -160,7 +160,7 @@ TEST_CASE("a font with damaged bytes is refused or drawn finitely", "[hostile]")
             case 0:  // single bits
                 for (int k = 0; k < 64; ++k) damaged[below(damaged.size())] ^= static_cast<std::byte>(1u << below(8));
                 break;
-            case 1:  // a stretch of noise
+            case 1:  // a run of noise
                 for (std::size_t k = 0, at = below(damaged.size() - 256); k < 256; ++k)
                     damaged[at + k] = static_cast<std::byte>(below(256));
                 break;

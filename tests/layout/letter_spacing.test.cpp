@@ -80,7 +80,7 @@ TEST_CASE("letters that are written joined stay together, their words do not", "
     CHECK_FALSE(is_written_joined(0x4E00));
 }
 
-TEST_CASE("each stretch between tabs is spaced by itself, and stops stay where they are", "[layout][letter_spacing]")
+TEST_CASE("each segment between tabs is spaced by itself, and stops stay where they are", "[layout][letter_spacing]")
 {
     const layout_options narrow{.letter_spacing = 0.1};
     const glyph_run run = set("abc\tdef", narrow);  // 1500 + 2 x 100 units, then a stop after each 2000

@@ -45,7 +45,7 @@ struct counting_shaper {
     }
 };
 
-/// A team's belongings.
+/// What each worker has.
 struct workers_at_hand {
     test::scrambled_workers several;
     std::vector<counting_shaper> shapers;

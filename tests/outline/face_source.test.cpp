@@ -13,7 +13,7 @@ using namespace typemesh;
 
 namespace {
 
-/// Two faces: 0 draws a wedge of glyph 0, 1 the same twice as large and even-odd.
+/// Two faces: 0 draws a triangle of glyph 0, 1 the same twice as large and even-odd.
 struct two_faces {
     double units_per_em() noexcept { return 100.0; }
     double units_per_em(std::uint32_t face) noexcept { return face == 0 ? 100.0 : 200.0; }

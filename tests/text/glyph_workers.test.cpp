@@ -52,7 +52,7 @@ struct own_lock {
 static_assert(source_maker<decltype(another_font)>);
 static_assert(!source_maker<int (*)(std::size_t) noexcept>);
 
-TEMPLATE_TEST_CASE("a team makes and writes the same mesh as one worker alone", "[text][team]", flat,
+TEMPLATE_TEST_CASE("several workers make and write the same mesh as one alone", "[text][workers]", flat,
                    extruded<curve_normals>, extruded<creased_normals>, extruded<averaged_normals>,
                    extruded<shared_normals>)
 {
@@ -91,7 +91,7 @@ TEMPLATE_TEST_CASE("a team makes and writes the same mesh as one worker alone", 
     CHECK(same(one, built));
 }
 
-TEST_CASE("shares of a text cover it, each ascending and each element once", "[text][team]")
+TEST_CASE("shares of a text cover it, each ascending and each element once", "[text][workers]")
 {
     test::toy_font font;
     text_mesher mesher{font};
@@ -111,7 +111,7 @@ TEST_CASE("shares of a text cover it, each ascending and each element once", "[t
     }
 }
 
-TEST_CASE("every sink over memory is written in subranges as it is in one piece", "[text][team]")
+TEST_CASE("every sink over memory is written in subranges as it is in one piece", "[text][workers]")
 {
     test::toy_font font;
     text_mesher mesher{font};
@@ -153,7 +153,7 @@ TEST_CASE("every sink over memory is written in subranges as it is in one piece"
     CHECK(untouched == std::vector<std::uint32_t>(size.indices(), 77u));
 }
 
-TEST_CASE("of several workers' errors that of the lowest glyph is told", "[text][team]")
+TEST_CASE("of several workers' errors that of the lowest glyph is returned", "[text][workers]")
 {
     test::toy_font font;
     auto mesher = text_mesher{font}.with(counting_refusal{});
@@ -170,7 +170,7 @@ TEST_CASE("of several workers' errors that of the lowest glyph is told", "[text]
     }
 }
 
-TEST_CASE("a source that cannot be made makes no team, and the others end", "[text][team]")
+TEST_CASE("a source that cannot be made makes no workers, and the others end", "[text][workers]")
 {
     test::counting_memory counted;
     test::scrambled_workers several{4};
@@ -185,7 +185,7 @@ TEST_CASE("a source that cannot be made makes no team, and the others end", "[te
     CHECK(workers_of(several, another_font, counted.source()).error() == error::out_of_memory);
 }
 
-TEST_CASE("a team's memory that fails at any request gives a clear error and leaves both usable", "[text][team]")
+TEST_CASE("workers' memory that fails at any request gives a clear error and leaves both usable", "[text][workers]")
 {
     const bool once = GENERATE(true, false);
     test::toy_font font;
@@ -193,7 +193,7 @@ TEST_CASE("a team's memory that fails at any request gives a clear error and lea
     full_mesh expected;
     REQUIRE(mesher.build("oEix", into(expected.vertices, expected.indices)));
     std::size_t failures = 0;
-    for (std::size_t n = 2; n < 300; ++n) {  // the first request is the team itself
+    for (std::size_t n = 2; n < 300; ++n) {  // the first request is for the workers themselves
         test::counting_memory counted{.fail_at = n, .fail_once = once};
         test::scrambled_workers several{3};
         auto team = workers_of(several, another_font, counted.source());
@@ -214,7 +214,7 @@ TEST_CASE("a team's memory that fails at any request gives a clear error and lea
     CHECK(failures > 5);
 }
 
-TEST_CASE("the same text built by the same workers again allocates nothing", "[text][team]")
+TEST_CASE("the same text built by the same workers again allocates nothing", "[text][workers]")
 {
     test::counting_memory counted, own;
     {
@@ -235,7 +235,7 @@ TEST_CASE("the same text built by the same workers again allocates nothing", "[t
     CHECK(own.bytes_held == 0);
 }
 
-TEST_CASE("a plan outlives a move of its team, and a cache holds what a team has built", "[text][team]")
+TEST_CASE("a plan outlives a move of its workers, and a cache holds what they have built", "[text][workers]")
 {
     test::toy_font font;
     text_mesher mesher{font};
@@ -264,7 +264,7 @@ TEST_CASE("a plan outlives a move of its team, and a cache holds what a team has
         CHECK(cache.statistics().hits == 3u * static_cast<unsigned>(round));
         cache.set_bound(0);  // pins hold
         cache.clear();
-        auto elsewhere = mesher.plan("ooEEx", {}, *team);  // another text by the same team does not disturb it
+        auto elsewhere = mesher.plan("ooEEx", {}, *team);  // another text by the same workers does not disturb it
         REQUIRE(elsewhere);
         REQUIRE_FALSE(plan->write(into(m.vertices, m.indices), several));
         CHECK(same(m, expected));
@@ -273,7 +273,7 @@ TEST_CASE("a plan outlives a move of its team, and a cache holds what a team has
     CHECK(cache.statistics().pinned == 0);
 }
 
-TEST_CASE("one set of drawings serves a whole team where reading changes nothing", "[text][team]")
+TEST_CASE("one set of drawings serves all workers where reading changes nothing", "[text][workers]")
 {
     recorded_outlines shapes{1000.0};
     REQUIRE(shapes.add([](auto& pen) { pen.move({0, 0}), pen.line({10, 0}), pen.line({0, 10}), pen.close(); }));
@@ -291,7 +291,7 @@ TEST_CASE("one set of drawings serves a whole team where reading changes nothing
     CHECK(same(m, expected));
 }
 
-TEST_CASE("trim() gives back the workers' scratch memory, plans stay, and the next text is the same", "[text][team]")
+TEST_CASE("trim() gives back the workers' scratch memory, plans stay, and the next text is the same", "[text][workers]")
 {
     test::counting_memory memory;
     {
