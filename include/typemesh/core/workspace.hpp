@@ -27,7 +27,7 @@ class workspace {
 
     struct alignas(alignment) block {
         block* next;
-        std::size_t bytes;  // behind the header
+        std::size_t bytes;  // after the header
         std::size_t used;
         [[nodiscard]] std::byte* data() noexcept { return reinterpret_cast<std::byte*>(this + 1); }
     };
@@ -111,7 +111,7 @@ public:
         }
 
         /// Gives back all that was taken through this scope except these values, which move down to where it began, one
-        /// array behind the other. List them in the order in which they were taken; no inner scope may be open. Takes
+        /// array after the other. List them in the order in which they were taken; no inner scope may be open. Takes
         /// no memory. Empty blocks go back to their source, so that what is taken next does not come on top of them.
         template <class... T>
         void keep(std::span<T>&... kept) noexcept

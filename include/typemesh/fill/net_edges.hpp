@@ -60,7 +60,7 @@ struct net_edge {
     auto* const number = scratch.take<std::uint32_t>(n);  // of every point; equal ones share one
     auto* const first = scratch.take<std::uint32_t>(n);   // of each number: the first edge that starts there
     auto* const next = scratch.take<std::uint32_t>(n);
-    auto* const to = scratch.take<std::uint32_t>(n);    // of every edge: the contour point behind it
+    auto* const to = scratch.take<std::uint32_t>(n);    // of every edge: the contour point after it
     auto* const seen = scratch.take<std::uint32_t>(n);  // of every point: the last edge that ends there
     if (number == nullptr || first == nullptr || next == nullptr || to == nullptr || seen == nullptr) return false;
     const std::uint32_t different = number_points(given, number);

@@ -16,7 +16,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 class glyph_store {
     struct block {
         block* next;
-        std::size_t bytes;  // behind the header
+        std::size_t bytes;  // after the header
         [[nodiscard]] std::byte* data() noexcept { return reinterpret_cast<std::byte*>(this) + header; }
     };
     static constexpr std::size_t alignment = alignof(built_glyph) > alignof(block) ? alignof(built_glyph)

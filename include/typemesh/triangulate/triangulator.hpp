@@ -22,7 +22,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// of the triangles) is asserted.
 ///
 /// Scratch memory comes from `space`. When memory runs out: error::out_of_memory, and `out` is unchanged. Where
-/// r.order() is not empty, it is the order of the points from left to right, and nobody need sort them.
+/// r.order() is not empty, it is the order of the points from left to right, which saves a sort.
 template <class T>
 concept triangulator = requires(const T& t, const region& r, workspace& space, triangle_list& out) {
     { t(r, space, out) } noexcept -> std::same_as<error>;

@@ -37,7 +37,7 @@ class index_writer {
 public:
     explicit constexpr index_writer(std::uint32_t base_vertex) noexcept : base_{base_vertex} {}
 
-    /// error::index_overflow if Index cannot number so many vertices behind the base vertex, else none.
+    /// error::index_overflow if Index cannot number so many vertices after the base vertex, else none.
     [[nodiscard]] constexpr error numbers(std::uint64_t vertices) const noexcept
     {
         return index_can_number<Index>(base_ + vertices) ? error{} : error{error::index_overflow, base_ + vertices};
