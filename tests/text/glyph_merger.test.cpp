@@ -62,7 +62,53 @@ std::vector<T> list(std::span<const T> s)
     return {s.begin(), s.end()};
 }
 
+/// Refuses what has more than a number of points.
+struct few_points {
+    std::size_t most;
+    flat faces = {};
+
+    option_bits cache_key() const noexcept { return {static_cast<std::uint32_t>(most)}; }
+    result<part_sizes> plan(const region& r) const noexcept
+    {
+        if (r.points().size() > most) return error::refused_by_user;
+        return faces.plan(r);
+    }
+    height_range heights() const noexcept { return faces.heights(); }
+    template <attribute Wants, class Put>
+    void vertices(part p, const solid& s, const placement& at, Put&& put) const noexcept
+    {
+        faces.vertices<Wants>(p, s, at, put);
+    }
+    template <class Put>
+    void triangles(part p, const solid& s, const first_vertices& first, Put&& put) const noexcept
+    {
+        faces.triangles(p, s, first, put);
+    }
+};
+
 }  // namespace
+
+TEST_CASE("A group that a policy refuses is left out as a glyph is, and the text goes on", "[text][merge]")
+{
+    test::toy_font font;
+    text_mesher measured{font};
+    const glyph_run apart = run_of({{ring, 0, {0, 0}}, {ring, 0, {9000, 0}}});
+    auto plain = measured.plan(apart, {});
+    REQUIRE(plain);
+    const std::size_t points = static_cast<std::size_t>(plain->contour_points()) / 2;
+
+    auto mesher = text_mesher{font}.with(few_points{points});
+    const glyph_run run = run_of({{ring, 0, {0, 0}}, {ring, 0, {150, 0}}, {ring, 0, {9000, 0}}});
+    auto unmerged = mesher.plan(run, {});
+    REQUIRE(unmerged);
+    CHECK(unmerged->glyphs().size() == 3);
+    auto plan = mesher.plan(run, {.merge = true});
+    REQUIRE(plan);
+    CHECK(plan->glyphs().size() == 1);
+    CHECK(plan->glyphs()[0].glyph == 2);
+    CHECK(plan->report().first_refusal == error::refused_by_user);
+    CHECK(plan->report().refused != 0);
+}
 
 TEST_CASE("glyphs that overlap become one solid whose volume is that of their union", "[text][merge]")
 {

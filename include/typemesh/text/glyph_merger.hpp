@@ -41,7 +41,9 @@ public:
 
     /// Fills in all.merged; needs all.pinned and all.numbers.
     ///
-    /// Fails  error::too_large, error::out_of_memory, error::outline_beyond_grid with the group's first glyph
+    /// A group that cannot be built is refused, as a glyph is: see glyph_builder::concerns_the_glyph_alone().
+    ///
+    /// Fails  error::too_large, error::out_of_memory, and errors of policies' own, with the group's first glyph
     /// Cost   as group_intersection() for n glyphs. For every group its members' outlines are flattened and filled once
     ///        more, and resolve(), the triangulator and the extruder work on the points of all of them. Glyphs that
     ///        meet no other cost the comparison alone
@@ -154,10 +156,23 @@ private:
         return g;
     }
 
-    /// Makes one glyph of the group's members, whose regions region_of(placed_glyph) builds.
+    /// try_to_join(); a group that cannot be built is refused, as a glyph is, and the text continues without it.
     template <class Region, class... Policy>
     error join(merged_group& made, text_glyphs& all, const glyph_run& run, const Region& region_of,
                std::uint32_t most_pieces, const policies<Policy...>& with) noexcept
+    {
+        const error e = try_to_join(made, all, run, region_of, most_pieces, with);
+        if (!e || !glyph_builder::concerns_the_glyph_alone(e)) return e;
+        glyph_draft none;
+        none.refusal = e;
+        made.built = all.store.keep(none);
+        return made.built == nullptr ? error{error::out_of_memory} : error{};
+    }
+
+    /// Makes one glyph of the group's members, whose regions region_of(placed_glyph) builds.
+    template <class Region, class... Policy>
+    error try_to_join(merged_group& made, text_glyphs& all, const glyph_run& run, const Region& region_of,
+                      std::uint32_t most_pieces, const policies<Policy...>& with) noexcept
     {
         const std::span<const std::uint32_t> members = all.merged.members_of(made);
         const auto onto = grid_for(all, run, members);
@@ -173,12 +188,6 @@ private:
         }
         with.observe(stage::fill);
         const auto joined = union_.join(caps_.space(), most_pieces);
-        if (!joined && joined.error() == error::too_many_pieces) {  // the text continues without this group
-            glyph_draft none;
-            none.refusal = joined.error();
-            made.built = all.store.keep(none);
-            return made.built == nullptr ? error{error::out_of_memory} : error{};
-        }
         if (!joined) return joined.error();
         with.observe(stage::triangulate);
         if (error e = caps_.cap(*joined, with.cut)) return e;
