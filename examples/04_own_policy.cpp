@@ -12,7 +12,11 @@
 
 /// Every curve becomes `pieces` lines, whatever its size: cheap to reason about, and wrong for large curves.
 struct equal_steps {
+    static constexpr bool keeps_no_tolerance = true;  // a finer one would change nothing
     int pieces = 4;
+
+    /// What tells its glyphs apart in a glyph_cache.
+    typemesh::option_bits cache_key() const noexcept { return {pieces}; }
 
     template <class Curve, class Put>
     void operator()(const Curve& curve, double /*tolerance*/, Put&& put) const noexcept

@@ -117,6 +117,9 @@ TEST_CASE("plain text is set by character map, advances and kerning", "[adapt][f
     shape_options how;
     how.features = off;
     CHECK(shaped(font, "AV", how).lines[0].advance == a + v);
+    const feature off_and_on[] = {{"kern", 0}, {"kern", 1}};
+    how.features = off_and_on;  // the last one counts
+    CHECK(shaped(font, "AV", how).lines[0].advance == kerned.lines[0].advance);
 }
 
 TEST_CASE("letters of a FreeType face are spaced beside their kerning", "[adapt][freetype]")

@@ -31,6 +31,14 @@ struct extruder_without_plan : flat {
     void plan() const noexcept {}
 };
 
+struct throwing_extruder : extruded<> {
+    template <attribute Wants, class Put>
+    void vertices(part p, const solid_of<extruded<>>& s, const placement& at, Put&& put) const
+    {
+        extruded<>::vertices<Wants>(p, s, at, put);
+    }
+};
+
 struct throwing_observer {
     void operator()(stage) const {}
 };
@@ -41,5 +49,6 @@ void exchange(test::toy_font& font)
     auto b = text_mesher{font}.with(throwing_discretiser{});
     auto c = text_mesher{font}.with(throwing_triangulator{});
     auto d = text_mesher{font}.with(extruder_without_plan{});
-    auto e = text_mesher{font}.with(throwing_observer{});
+    auto e = text_mesher{font}.with(throwing_extruder{});
+    auto f = text_mesher{font}.with(throwing_observer{});
 }

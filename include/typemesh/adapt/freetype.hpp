@@ -166,8 +166,8 @@ public:
     }
 
     /// See shaper; for left-to-right lines of plain text (plain_text.hpp) only. Ligatures, language and script are
-    /// ignored, and so are features except {"kern", 0}, which turns kerning off. Default-ignorable characters give no
-    /// glyph.
+    /// ignored, and so are features except {"kern", 0}, which turns kerning off; of several the last one counts.
+    /// Default-ignorable characters give no glyph.
     ///
     /// Fails besides  error::needs_shaping: a character of a complex script (`cluster`), or another direction requested
     result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& options,
@@ -179,7 +179,7 @@ public:
         bool kerning = FT_HAS_KERNING(face_);
         for (const feature& f : options.features)
             if (f.tag[0] == 'k' && f.tag[1] == 'e' && f.tag[2] == 'r' && f.tag[3] == 'n')
-                kerning = kerning && f.value != 0;
+                kerning = FT_HAS_KERNING(face_) && f.value != 0;
 
         point at;
         FT_UInt before = 0;

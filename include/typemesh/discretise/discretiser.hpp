@@ -18,7 +18,8 @@ struct ignore_points {
 /// positive and in the curve's own unit. `put` is noexcept and takes any number of points, but broken fonts hold
 /// curves as large as the grid: cap the count. That t ascends and that the curve's end comes last is asserted.
 ///
-///     struct thirds {                                       // a discretiser of your own
+///     struct thirds {                                             // a discretiser of your own
+///         static constexpr bool keeps_no_tolerance = true;        // always three
 ///         template <class Curve, class Put>
 ///         void operator()(const Curve& c, double, Put&& put) const noexcept
 ///         {

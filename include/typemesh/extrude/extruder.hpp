@@ -18,7 +18,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The heights between which a mesh lies, in em; the front is the higher one.
+/// The heights between which a mesh lies, in the unit of the extruder's depths (em, or output units by
+/// text_options::depth_in); the front is the higher one.
 struct height_range {
     double low = 0.0;
     double high = 0.0;
@@ -33,7 +34,7 @@ struct ignore_surface {
     constexpr void operator()(std::uint32_t, std::uint32_t, std::uint32_t) const noexcept {}
 };
 
-/// How many parts an extruder writes: its part_count, or else front, back and side.
+/// How many parts an extruder writes: its part_count, or else three.
 template <class E>
 inline constexpr std::size_t part_count_of = 3;
 template <class E>
@@ -80,7 +81,7 @@ concept plans_with_caps = requires(const E& e, const region& r, plan_data_of<E>&
 ///                                      if in the plane it extends beyond the region's own box, or not as far
 ///     e.heights()                      between which heights everything will lie
 ///     e.vertices<Wants>(part, s, at, put)      put(surface_point<Wants>) as often as plan() said for that part; glyph,
-///                                      cluster and part are not the extruder's business: write_vertices()
+///                                      cluster, part and style are not the extruder's business: write_vertices()
 ///                                      (extrude.hpp) fills them in. `at` maps points and directions: placement.hpp
 ///     e.triangles(part, s, first, put)         put(a, b, c) as often as plan() said: vertex numbers, of any part, each
 ///                                      being first[part] + its position in the order in which vertices() emitted it.
@@ -96,8 +97,10 @@ concept plans_with_caps = requires(const E& e, const region& r, plan_data_of<E>&
 ///     e.hard_edges(s)                  how many contour points are doubled because their walls meet hard
 ///     e.cache_key()                    all options that affect plan(), if there are any: option_bits.hpp
 ///
-/// plan() is called with an empty region first, so that a text without letters refuses the same options. It fails with
-/// error::bad_option for options out of range, error::out_of_memory, or an error of its own. The rest cannot fail.
+/// Of several plan() the one with most arguments is called. text_mesher calls it with an empty region first, so that a
+/// text without letters refuses the same options. plan() fails with error::refused_by_user and others that concern the
+/// glyph alone, which is then left out (glyph_builder::concerns_the_glyph_alone), or with error::bad_option for options
+/// out of range, error::too_large, error::out_of_memory, which end the text. The rest cannot fail.
 ///
 /// Builds with asserts count what is emitted, pass on nothing that was not planned, and report what lies outside of
 /// heights() or the box.

@@ -27,23 +27,23 @@ struct solid_point {
 ///     planar_texture, wall_texture    texture coordinates: texture.hpp
 ///     texture_tangent                 and their tangents: texture_tangent.hpp
 ///
-/// The sum is exact in double precision and rounded once, to the 24 bits of a float, so equal positions give equal
-/// floats. The frame's products are of 24 bits by 24 bits, hence exact in double precision too: whether or not a
-/// compiler fuses them with the additions (FMA), cap and wall meet in the same bits.
+/// Sum and product are computed in double precision and their result is rounded to the 24 bits of a float, by the same
+/// operations everywhere: so equal sums give equal floats. The frame's products are then exact, whether or not a
+/// compiler fuses them with additions (FMA); where its axes are not parallel to the coordinate axes, their sum is
+/// rounded once more.
 struct placement {
-    /// A position over the plane z = 0, in the caller's axes; position() lifts it.
+    /// The position of a point of the plane z = 0, in the caller's axes; position() lifts it.
     struct footprint {
         double x = 0.0;
         double y = 0.0;
         double z = 0.0;
     };
 
-    point pen = {};              ///< the glyph's origin, in cells
-    double unit_per_cell = 1.0;  ///< output units per cell
-    double unit_per_depth =
-        1.0;                    ///< output units per unit of depths, which is an em unless text_options says otherwise
-    double em_per_depth = 1.0;  ///< em per unit of depths
-    double em_per_cell = 1.0;
+    point pen = {};               ///< the glyph's origin, in cells
+    double unit_per_cell = 1.0;   ///< output units per cell
+    double unit_per_depth = 1.0;  ///< output units per unit of depths: em, unless text_options::depth_in says otherwise
+    double em_per_depth = 1.0;    ///< em per unit of depths
+    double em_per_cell = 1.0;     ///< em per cell
     point em_pen = {};            ///< em mapping: the glyph's origin, in cells, relative to the text's own origin
     point texture_pen = {};       ///< box mapping: the glyph's origin, in cells, from the box's lower left corner
     point texture_per_cell = {};  ///< box mapping: by how much u and v grow per cell; 0 where the box has no extent

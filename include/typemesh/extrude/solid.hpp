@@ -28,7 +28,7 @@ struct solid_with : solid {
 
 /// What an extruder's plan() says about a solid: its exact sizes, and how far it extends in the plane.
 ///
-/// The box bounds everything that will be written, in cells; empty, it stands for that of the region's own points.
+/// The box bounds everything that will be written, in cells. An empty box means: the box of the region's points.
 struct solid_plan {
     part_sizes sizes;
     box around = {};

@@ -44,7 +44,8 @@ struct cap_settings {
 ///     auto filled = caps.fill({fill_rule::even_odd}, monotone{});
 ///
 /// Outlines that are simple, which is nearly all, take one sweep, and those that only touch in points at most two. The
-/// points of an outline that crosses are sorted once for all sweeps. A region is valid until the next call. A builder
+/// points of an outline that crosses are sorted once for all sweeps (of a round, see refine()). A region is valid until
+/// the next build(), fill(), flatten(), prove() or trim(), or until loops() change; cap() leaves it alone. A builder
 /// serves one thread at a time.
 class cap_builder {
 public:

@@ -10,8 +10,11 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// What a glyph is built with: one policy of each kind, and the observer of stages. It refers to them; none is copied.
 ///
+///     certified flatten;
+///     monotone cut;
+///     flat raise;
 ///     no_observer nobody;
-///     const policies with{certified{}, monotone{}, flat{}, nobody};
+///     const policies with{flatten, cut, raise, nobody};
 template <discretiser Discretiser, triangulator Triangulator, extruder Extruder, stage_observer Observer>
 struct policies {
     const Discretiser& flatten;

@@ -12,7 +12,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Turns a glyph id into an outline: a font, or a set of drawings of your own.
 ///
 ///     s.units_per_em()      font units per em; positive
-///     s.fill()              the rule by which its contours are filled; fonts use non_zero
+///     s.fill()              the rule by which the outline drawn last is filled, asked for after outline(); fonts use
+///                           non_zero
 ///     s.outline(id, sink)   makes the sink's five calls (any outline_sink). A blank glyph makes none, which is no
 ///                           error; an id that does not exist, or that cannot be loaded, is error::unknown_glyph.
 template <class S>

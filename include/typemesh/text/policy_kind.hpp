@@ -40,9 +40,9 @@ template <class P>
 concept nearly_triangulator =
     requires(P& how, const region& r, workspace& space, triangle_list& out) { how(r, space, out); };
 template <class P>
-concept nearly_extruder = requires(P& how, const solid& s, const placement& at, ignore_surface put) {
+concept nearly_extruder = requires(P& how, const solid_of<P>& s, const placement& at, ignore_surface put) {
     how.template vertices<attribute::position>(part::front, s, at, put);
-} || requires(P& how, const solid& s, const first_vertices& first, ignore_surface put) {
+} || requires(P& how, const solid_of<P>& s, const first_vertices& first, ignore_surface put) {
     how.triangles(part::front, s, first, put);
 };
 template <class P>

@@ -261,12 +261,17 @@ private:
         return {};
     }
 
+    static glyph_settings settings_of(const text_options& options) noexcept
+    {
+        return {.tolerance = options.tolerance, .fill = options.fill, .most_pieces = options.most_pieces};
+    }
+
     /// Finds or builds each different glyph.
     template <plan_workers<Font> Workers>
     error build_glyphs(const text_options& options, Workers& workers) noexcept
     {
         const auto keys = glyphs_.different.keys();
-        const glyph_settings how{options.tolerance, options.fill, options.most_pieces};
+        const glyph_settings how = settings_of(options);
         TYPEMESH_ASSERT(same(workers.units_per_em(), font_->units_per_em()),
                         "the sources of a glyph_workers are of another font");
         if constexpr (!Workers::is_alone) observer_(stage::outline);
@@ -320,7 +325,7 @@ private:
 
     error merge(const glyph_run& run, const text_options& options) noexcept
     {
-        const glyph_settings how{options.tolerance, options.fill, options.most_pieces};
+        const glyph_settings how = settings_of(options);
         return merger_(glyphs_, run, builder_, *font_, how, policies_for(observer_));
     }
 

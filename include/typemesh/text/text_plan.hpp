@@ -35,7 +35,7 @@ struct glyph_span {
 ///
 /// Move-only. It refers to its mesher, which must outlive it; moving the mesher ends it, and so does the mesher's next
 /// plan() (using it then is asserted). Until then the glyphs that it took from a glyph_cache stay in place, whatever
-/// others evict; those that a glyph_workers built lie there. Only glyphs that have triangles count as glyphs().
+/// others evict; those that a glyph_workers built lie there. Only glyphs that fill something count as glyphs().
 template <extruder Extruder>
 class text_plan {
     friend class text_chunks;
@@ -152,7 +152,8 @@ public:
     [[nodiscard]] bounds3 bounds() const noexcept { return fresh().bounds; }
 
     /// The distance between adjacent 32-bit floats at the mesh's farthest coordinate, in em: no position is rounded by
-    /// more than half of it. What is thinner than two such steps may collapse; see flipped_triangles.hpp.
+    /// more than half of it; by little more than one where the frame's axes are not parallel to the coordinate axes.
+    /// What is thinner than two such steps may collapse; see flipped_triangles.hpp.
     [[nodiscard]] double position_step() const noexcept
     {
         const text_glyphs& all = fresh();
@@ -274,7 +275,8 @@ public:
     ///
     ///     vertices   [ mesh 0: front, back, side | mesh 1: front, back, side | ... ]      indices likewise
     ///
-    /// Textures span each glyph's own box or, in em mapping, begin at its own origin. Fails as write() does.
+    /// Further parts of the extruder follow the side. Textures span each glyph's own box or, in em mapping, begin at
+    /// its own origin. Fails as write() does.
     template <class Sink>
         requires mesh_sink<std::remove_reference_t<Sink>>
     error write_meshes(Sink&& sink) const noexcept

@@ -25,9 +25,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// One attribute in an array of its own: element i of type T lies `stride` bytes after element i - 1.
 ///
 /// T is made from what the attribute holds: T{x, y, z} for positions and normals, T{u, v} for texture coordinates, T{x,
-/// y, z, sign} for tangents, T(number) for glyph, cluster, style and part (0 front, 1 back, 2 side). Packed formats are
-/// such types: snorm10, octahedral32, or structures of half, snorm16 and so on. Elements are written whole, once, in
-/// ascending order, and never read: the memory may be mapped.
+/// y, z, sign} for tangents, T(number) for glyph, cluster, style and part (0 front, 1 back, 2 side, 3 and more: further
+/// parts). Packed formats are such types: snorm10, octahedral32, or structures of half, snorm16 and so on. Elements are
+/// written whole, once, in ascending order, and never read: the memory may be mapped.
 template <attribute A, class T>
 struct stream {
     static constexpr attribute wants = A;

@@ -109,7 +109,7 @@ struct with_part<Wants, false> : with_style<Wants> {
 ///                       -1, so that v grows along w * cross(normal, tangent) (see extrude/texture_tangent.hpp)
 ///     glyph      glyph_id     the glyph it belongs to, in its font; no_glyph if unknown
 ///     cluster    cluster_id   the position in the caller's text that it comes from; no_cluster if unknown
-///     part       part         front, back or side
+///     part       part         front, back, side, or a further part of the extruder
 ///     style      style_id     its look's (layout/look.hpp); no_style if unknown
 ///
 /// What is not in `Wants` takes no space and is never computed.
