@@ -15,7 +15,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 ///     font_faces faces{latin, arabic, icons};              // all must outlive it
 ///     text_mesher mesher{faces};
-///     auto icon = run.number_of({.face = 2});              // for placed_glyph::look; a result, see look.hpp
+///     auto icon = run.number_of({.face = 2});              // for placed_glyph::look; a result, see glyph_run.hpp
 ///
 /// Plain text is shaped by the first one, if that is a shaper.
 template <outline_source... Sources>
