@@ -275,8 +275,8 @@ private:
 ///     curves      the outline, in font units; every control point within the reach of `g` (see grid::fitting)
 ///     how         the discretiser
 ///     tolerance   how far a polyline may be from its curve, in font units, rounding to the grid included
-///     out         its `curves` refer to the outline, which must live as long as `out` is read. Its `tolerance` is
-///                 `tolerance`, but at least twice g.snap_error(), in cells; 0 if the discretiser keeps none
+///     out         its `curves` refer to the outline, which must live as long as `out` is read. out.tolerance is
+///                 the tolerance, at least twice g.snap_error(), in cells; 0 if the discretiser keeps none
 ///     halvings    for every curve, how often the tolerance is halved for it, at most 31 times; empty: never
 ///
 /// Consecutive points at one grid point are merged: the edge before keeps the t at which it first got there, the edge
