@@ -43,6 +43,28 @@ TEMPLATE_TEST_CASE("caps that an extruder asks for are cut by the glyph's own tr
     for (std::size_t i = 0; i < cut.size(); ++i) CHECK(cut[i] == caps.triangles()[i]);
 }
 
+TEST_CASE("a cap of a region beyond the grid is refused", "[glyph]")
+{
+    no_observer nobody;
+    const stranger::flared raise;  // asks for the cap of the region at twice its size
+    const policies with{certified{}, monotone{}, raise, nobody};
+    cap_builder caps;
+    const auto planned = [&](std::int32_t half) {
+        contours& loops = caps.loops();
+        loops.clear();
+        for (const grid_point p : {grid_point{-half, -half}, {half, -half}, {half, half}, {-half, half}})
+            REQUIRE(loops.points.push_back(p));
+        for (const std::uint32_t start : {0u, 4u}) REQUIRE(loops.starts.push_back(start));
+        REQUIRE(loops.edges.append(4) != nullptr);
+        const auto filled = caps.fill({}, monotone{});
+        REQUIRE(filled);
+        plan_scratch data;
+        return plan_region(*filled, with, caps, data).error();
+    };
+    CHECK_FALSE(planned(1 << 27));
+    CHECK(planned((1 << 27) + 1) == error::outline_beyond_grid);
+}
+
 TEST_CASE("where memory gives no plan data, planning a region tells so", "[glyph]")
 {
     no_observer nobody;

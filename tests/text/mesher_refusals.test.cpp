@@ -8,7 +8,7 @@ using namespace typemesh;
 
 namespace {
 
-using mesher = text_mesher<test::toy_font>;
+using toy_mesher = text_mesher<test::toy_font>;
 
 template <class Mesher, class Text>
 concept plans = requires(Mesher&& m, Text&& text) { static_cast<Mesher&&>(m).plan(static_cast<Text&&>(text)); };
@@ -18,18 +18,18 @@ concept plans = requires(Mesher&& m, Text&& text) { static_cast<Mesher&&>(m).pla
 // What is refused with a sentence is in tests/compile: the compiler must say it.
 TEST_CASE("a plan is refused where its mesher or its run would be gone, and no other", "[text][refusals]")
 {
-    STATIC_REQUIRE(plans<mesher&, const char(&)[3]>);
-    STATIC_REQUIRE(plans<mesher&, text_view>);
-    STATIC_REQUIRE(plans<mesher&, glyph_run&>);
-    STATIC_REQUIRE(plans<mesher&, const glyph_run&>);
-    STATIC_REQUIRE(!plans<mesher&, glyph_run>);
-    STATIC_REQUIRE(!plans<mesher, const char(&)[3]>);
-    STATIC_REQUIRE(!plans<mesher, glyph_run&>);
+    STATIC_REQUIRE(plans<toy_mesher&, const char(&)[3]>);
+    STATIC_REQUIRE(plans<toy_mesher&, text_view>);
+    STATIC_REQUIRE(plans<toy_mesher&, glyph_run&>);
+    STATIC_REQUIRE(plans<toy_mesher&, const glyph_run&>);
+    STATIC_REQUIRE(!plans<toy_mesher&, glyph_run>);
+    STATIC_REQUIRE(!plans<toy_mesher, const char(&)[3]>);
+    STATIC_REQUIRE(!plans<toy_mesher, glyph_run&>);
 }
 
 TEST_CASE("what refuses takes no room in a mesher", "[text][refusals]")
 {
-    STATIC_REQUIRE(std::is_empty_v<detail::mesher_refusals<mesher, mesher::plan_type>>);
+    STATIC_REQUIRE(std::is_empty_v<detail::mesher_refusals<toy_mesher, toy_mesher::plan_type>>);
     struct members {
         test::toy_font* font;
         glyph_builder builder;
@@ -38,5 +38,5 @@ TEST_CASE("what refuses takes no room in a mesher", "[text][refusals]")
         text_glyphs glyphs;
         extruded<> raise;
     };
-    STATIC_REQUIRE(sizeof(mesher) <= sizeof(members));
+    STATIC_REQUIRE(sizeof(toy_mesher) <= sizeof(members));
 }

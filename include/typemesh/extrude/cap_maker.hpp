@@ -14,7 +14,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// the text, and the scratch memory that all stages share.
 ///
 ///     caps(region, out)    appends the region's triangles to `out`: indices into its points, as many as its
-///                          triangle_count(); `out` is unchanged after an error
+///                          triangle_count(); `out` is unchanged after an error. error::outline_beyond_grid if a
+///                          point is farther than grid::reach, 2^28 cells, from 0 in x or y
 ///     caps.space()         for scopes of your own, which give back what they took
 ///
 /// The library passes one in. Your own are for an extruder's tests, or for calling the stage by itself.

@@ -7,6 +7,7 @@
 #include <typemesh/glyph/cap_builder.hpp>
 #include <typemesh/glyph/policies.hpp>
 
+#include <cstdint>
 #include <type_traits>
 
 namespace typemesh::inline TYPEMESH_ABI {
@@ -19,7 +20,13 @@ class region_caps {
 public:
     region_caps(cap_builder& caps, const Triangulator& cut) noexcept : caps_{caps}, cut_{cut} {}
 
-    error operator()(const region& r, triangle_list& out) noexcept { return caps_.cap(r, cut_, out); }
+    error operator()(const region& r, triangle_list& out) noexcept
+    {
+        constexpr auto reach = static_cast<std::int32_t>(grid::reach);
+        for (const grid_point p : r.points())
+            if (p.x < -reach || p.x > reach || p.y < -reach || p.y > reach) return error::outline_beyond_grid;
+        return caps_.cap(r, cut_, out);
+    }
     [[nodiscard]] workspace& space() noexcept { return caps_.space(); }
 
 private:

@@ -8,6 +8,7 @@
 #include <typemesh/glyph/glyph_builder.hpp>
 #include <typemesh/glyph/glyph_cache.hpp>
 #include <typemesh/layout/layout.hpp>
+#include <typemesh/outline/face_source.hpp>
 #include <typemesh/text/arrange.hpp>
 #include <typemesh/text/glyph_merger.hpp>
 #include <typemesh/text/glyph_workers.hpp>
@@ -141,12 +142,14 @@ public:
                                          glyph_workers<Executor, Source>& workers) & noexcept
         requires shaper<Font>
     {
+        require_faces<Source>();
         return plan_text(text, options, workers);
     }
     template <executor Executor, outline_source Source>
     [[nodiscard]] result<plan_type> plan(const glyph_run& run, const text_options& options,
                                          glyph_workers<Executor, Source>& workers) & noexcept
     {
+        require_faces<Source>();
         glyphs_.clear();
         return plan_run(run, options, workers);
     }
@@ -186,6 +189,13 @@ public:
     }
 
 private:
+    template <class Source>
+    static constexpr void require_faces() noexcept
+    {
+        static_assert(face_source<Source> || !face_source<Font>,
+                      "typemesh: the mesher's font has several faces, so each worker needs a source of as many.");
+    }
+
     template <outline_source, discretiser, triangulator, extruder, stage_observer, class>
     friend class text_mesher;
 

@@ -11,7 +11,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 struct text_report {
     std::uint32_t glyphs = 0;   ///< in the run, blank and missing ones included
     std::uint32_t blank = 0;    ///< without an outline, such as spaces, or enclosing nothing
-    std::uint32_t refused = 0;  ///< left out because their outline cannot be built
+    std::uint32_t refused = 0;  ///< left out because they cannot be built; a merged group counts as one
     error first_refusal;        ///< why, with glyph and cluster; none if refused == 0
     std::uint32_t missing = 0;  ///< the font lacks them
     cluster_id first_missing = no_cluster;
