@@ -35,7 +35,7 @@ TEST_CASE("a box holds what was added to it and is no larger, in whatever order 
     }
 }
 
-TEST_CASE("an empty box has no size, and merging it changes nothing; one point has no size either", "[core]")
+TEST_CASE("an empty box has no size, and merging it changes nothing, and one point has no size either", "[core]")
 {
     box nothing, one;
     CHECK(nothing.empty());
