@@ -127,23 +127,23 @@ private:
     static constexpr std::size_t rounded(std::size_t bytes) noexcept { return (bytes + 7) & ~std::size_t{7}; }
 
     template <class T>
-    static void copy(std::span<const T> values, std::byte*& block) noexcept
+    static void copy(std::span<const T> array, std::byte*& block) noexcept
     {
-        const std::uint64_t count = values.size();
+        const std::uint64_t count = array.size();
         std::memcpy(block, &count, 8);
         block += 8;
-        if (!values.empty()) std::memcpy(block, values.data(), values.size_bytes());
-        block += rounded(values.size_bytes());
+        if (!array.empty()) std::memcpy(block, array.data(), array.size_bytes());
+        block += rounded(array.size_bytes());
     }
 
     template <class T>
-    static void find(std::span<const T>& values, const std::byte*& block) noexcept
+    static void find(std::span<const T>& array, const std::byte*& block) noexcept
     {
         std::uint64_t count = 0;
         std::memcpy(&count, block, 8);
         block += 8;
-        values = {reinterpret_cast<const T*>(block), static_cast<std::size_t>(count)};
-        block += rounded(values.size_bytes());
+        array = {reinterpret_cast<const T*>(block), static_cast<std::size_t>(count)};
+        block += rounded(array.size_bytes());
     }
 };
 

@@ -106,7 +106,10 @@ public:
         mesh_range found = c.range(p);
         if (c.piece != text_chunk::whole_glyphs) {  // of one glyph, hence all or nothing
             if (own_first < own_last) return found;
-            if (own_first == last) found.first_vertex += found.vertex_count, found.first_index += found.index_count;
+            if (own_first == last) {
+                found.first_vertex += found.vertex_count;
+                found.first_index += found.index_count;
+            }
             found.vertex_count = found.index_count = 0;
             return found;
         }
