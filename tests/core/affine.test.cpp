@@ -31,8 +31,10 @@ TEST_CASE("maps are equal where all six numbers are, and one that holds a NaN eq
         affine other = map;
         other.*number += 1.0;
         CHECK_FALSE(other == map);
+#ifndef __FAST_MATH__  // there no number is a NaN
         other.*number = std::numeric_limits<double>::quiet_NaN();
         CHECK_FALSE(other == affine{other});
+#endif
     }
     CHECK(affine{.dx = 0.0} == affine{.dx = -0.0});
 }
