@@ -83,7 +83,7 @@ private:
             const std::int64_t ex = std::int64_t{q.x} - p.x, ey = std::int64_t{q.y} - p.y;
             const std::int64_t cross = dx * ey - dy * ex, dot = dx * ex + dy * ey;
             const bool keep = (straightness * cross >= dot) | (-straightness * cross >= dot) |
-                              (straightness == keep_all);  // up to 2^62
+                              (straightness == keep_all);  // up to 2^62: straightness is at most 8
             names_[size_] = v;
             places_[size_] = p;
             size_ += keep;
