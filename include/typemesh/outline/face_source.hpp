@@ -6,6 +6,7 @@
 #include <typemesh/core/outline.hpp>
 #include <typemesh/outline/outline_recorder.hpp>
 #include <typemesh/outline/outline_source.hpp>
+#include <typemesh/outline/transformed_outlines.hpp>
 #include <typemesh/outline/variation_key.hpp>
 
 #include <concepts>
@@ -125,7 +126,7 @@ public:
     error outline(glyph_id id, Sink& sink) noexcept
     {
         if (map_ == nullptr) return outline_of(*source_, face_, id, sink);
-        mapping_sink<Sink> through{sink, *map_};
+        detail::mapping_sink<Sink> through{sink, *map_};
         return outline_of(*source_, face_, id, through);
     }
 
@@ -140,18 +141,6 @@ public:
     }
 
 private:
-    template <outline_sink Sink>
-    struct mapping_sink {
-        Sink& to;
-        const affine& map;
-
-        void move(point p) noexcept { to.move(map(p)); }
-        void line(point p) noexcept { to.line(map(p)); }
-        void quadratic(point c, point p) noexcept { to.quadratic(map(c), map(p)); }
-        void cubic(point c1, point c2, point p) noexcept { to.cubic(map(c1), map(c2), map(p)); }
-        void close() noexcept { to.close(); }
-    };
-
     Source* source_;
     const affine* map_;
     double units_per_em_;

@@ -9,6 +9,23 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
+namespace detail {
+
+/// Passes on to a sink what a map makes of each point.
+template <outline_sink Sink>
+struct mapping_sink {
+    Sink& to;
+    const affine& map;
+
+    void move(point p) noexcept { to.move(map(p)); }
+    void line(point p) noexcept { to.line(map(p)); }
+    void quadratic(point c, point p) noexcept { to.quadratic(map(c), map(p)); }
+    void cubic(point c1, point c2, point p) noexcept { to.cubic(map(c1), map(c2), map(p)); }
+    void close() noexcept { to.close(); }
+};
+
+}  // namespace detail
+
 /// A source whose outlines are another's, transformed: slanted (`{.xy = 0.2}`), condensed, mirrored. Advances stay the
 /// same. The other source must outlive it.
 template <outline_source Source>
@@ -25,23 +42,11 @@ public:
     template <outline_sink Sink>
     error outline(glyph_id id, Sink& sink) noexcept
     {
-        transformed_sink<Sink> through{sink, map_};
+        detail::mapping_sink<Sink> through{sink, map_};
         return source_->outline(id, through);
     }
 
 private:
-    template <outline_sink Sink>
-    struct transformed_sink {
-        Sink& to;
-        const affine& map;
-
-        void move(point p) noexcept { to.move(map(p)); }
-        void line(point p) noexcept { to.line(map(p)); }
-        void quadratic(point c, point p) noexcept { to.quadratic(map(c), map(p)); }
-        void cubic(point c1, point c2, point p) noexcept { to.cubic(map(c1), map(c2), map(p)); }
-        void close() noexcept { to.close(); }
-    };
-
     Source* source_;
     affine map_;
 };
