@@ -24,7 +24,6 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// `certified` keeps its tolerance.
 ///
 /// Values of t are exact (multiples of 2^-levels). At most 2^levels points per curve; degenerate curves end early.
-/// Values of t are exact (multiples of 2^-levels). At most 2^levels points a curve; degenerate curves end early.
 ///
 /// From "Study of mesh generation and optimization techniques applied to parametric forms", J. Vandenbergh, 2020.
 struct adaptive_subdivision {
