@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/affine.hpp>
+#include <typemesh/core/mixed_key.hpp>
 
 #include <concepts>
 #include <cstdint>
@@ -23,13 +24,6 @@ template <class Source>
         return source.variation_key();
     else
         return 0;
-}
-
-/// Mixes one more number into a key: an odd multiple and a shift, so that order and position count.
-[[nodiscard]] constexpr std::uint64_t mixed_key(std::uint64_t key, std::uint64_t number) noexcept
-{
-    key = (key ^ number) * 0x9E37'79B9'7F4A'7C15u;
-    return key ^ key >> 32;
 }
 
 /// Mixes a map into a key.

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/version.hpp>
+
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// Mixes one more number into a key: an odd multiple and a shift, so that order and position count.
+[[nodiscard]] constexpr std::uint64_t mixed_key(std::uint64_t key, std::uint64_t number) noexcept
+{
+    key = (key ^ number) * 0x9E37'79B9'7F4A'7C15u;
+    return key ^ key >> 32;
+}
+
+}  // namespace typemesh::inline TYPEMESH_ABI

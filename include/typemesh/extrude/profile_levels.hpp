@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/assert.hpp>
+#include <typemesh/extrude/bevel_profile.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// A distance from the wall at which a profile bends, and the heights at which it arrives there and leaves; they differ
+/// at a riser.
+struct profile_level {
+    double distance = 0.0;  ///< in cells
+    float arrives = 0.0f;   ///< as a share of the bevel's depth; on the first level the wall ends there
+    float leaves = 0.0f;    ///< on the last level the cap lies there
+
+    [[nodiscard]] bool has_riser() const noexcept { return !same(arrives, leaves); }
+};
+
+/// The levels of a profile on one glyph: distances rising from 0 to the width, at least four cells apart.
+///
+///     leaves 2 .  ____           Points of the profile closer together become one level: a riser if their heights
+///                |               differ by four cells or more, else a bend at the middle of their heights. The first
+///     arrives 2 _|               and the last height are kept. A profile narrower than four cells is one riser at the
+///            .'                  wall; one less deep than that does not rise at all: the wall reaches up to the cap.
+///          .'    level 2
+///     level 0, 1 ...
+class profile_levels {
+public:
+    static constexpr double finest = 4.0;
+
+    /// `points` are valid; of the scale the tolerance does not matter.
+    profile_levels(const profile_points& points, const profile_scale& scale) noexcept
+    {
+        const auto all = points.view();
+        TYPEMESH_ASSERT(points.is_valid(), "profile_levels need a valid profile");
+        if (scale.depth < finest) {
+            add(0.0, 1.0f, 1.0f);
+            if (scale.width >= finest) add(scale.width, 1.0f, 1.0f);
+            return;
+        }
+        const auto distance = [&](std::size_t i) noexcept { return as_double(all[i].t) * scale.width; };
+        std::size_t last = all.size() - 1;  // where the points of the last level begin
+        while (last > 0 && scale.width - distance(last - 1) < finest) --last;
+        for (std::size_t i = 0, end = 0; i < all.size(); i = end) {
+            end = i + 1;
+            while (end < last && distance(end) - distance(i) < finest) ++end;
+            if (i == last) end = all.size();
+            const bool first = i == 0, is_last = i == last;
+            float from = all[i].h, to = all[end - 1].h;
+            const bool bends = std::fabs(as_double(to) - as_double(from)) * scale.depth < finest;
+            if (bends && !(first && is_last)) from = to = first ? from : is_last ? to : 0.5f * (from + to);
+            add(first ? 0.0 : is_last ? scale.width : distance(i), from, to);
+        }
+    }
+
+    [[nodiscard]] std::span<const profile_level> view() const noexcept { return {levels_, count_}; }
+
+private:
+    void add(double distance, float arrives, float leaves) noexcept { levels_[count_++] = {distance, arrives, leaves}; }
+
+    profile_level levels_[profile_points::most];
+    std::size_t count_ = 0;
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+
+#include <typemesh/extrude/ready_profiles.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "support/catch.hpp"
+
+using namespace typemesh;
+
+namespace {
+
+template <class Profile>
+profile_points ready_points(const Profile& p, const profile_scale& scale = {10000.0, 10000.0, 0.0})
+{
+    profile_points points;
+    p(scale, points);
+    return points;
+}
+
+/// How far the chord between two points is from the ellipse at most, sampled; in cells.
+double chord_error(profile_point a, profile_point b, bool convex, const profile_scale& scale)
+{
+    double worst = 0.0;
+    for (int i = 1; i < 64; ++i) {
+        const double s = i / 64.0;
+        double x = (1 - s) * a.t + s * b.t, y = (1 - s) * a.h + s * b.h;
+        x = convex ? 1 - x : x;  // on the unit circle about the origin
+        y = convex ? y : 1 - y;
+        const double r = std::hypot(x, y), on_x = x / r,
+                     on_y = y / r;  // a point of the ellipse near it, not the nearest
+        worst = std::max(worst, std::hypot((x - on_x) * scale.width, (y - on_y) * scale.depth));
+    }
+    return worst;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("every ready profile is valid at every scale", "[ready_profiles]", chamfer_profile, round_profile,
+                   concave_profile, stepped_profile, engraved_profile)
+{
+    for (const double width : {0.0, 1.0, 100.0, 1e6, 1e9})
+        for (const double depth : {0.0, 1.0, 5000.0, 1e9})
+            for (const double tolerance : {0.0, 1e-9, 1.0, 300.0, 1e9})
+                CHECK(ready_points(TestType{}, {width, depth, tolerance}).is_valid());
+}
+
+TEMPLATE_TEST_CASE("quarter ellipses have their points on the ellipse, and as many steps as are asked for",
+                   "[ready_profiles]", round_profile, concave_profile)
+{
+    constexpr bool convex = std::is_same_v<TestType, round_profile>;
+    for (std::uint32_t steps = 1; steps < profile_points::most; ++steps) {
+        const auto made = ready_points(TestType{steps});
+        const auto p = made.view();
+        REQUIRE(p.size() == steps + 1);
+        REQUIRE(made.is_valid());
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            const double x = convex ? 1.0 - double(p[i].t) : double(p[i].t);
+            const double y = convex ? double(p[i].h) : 1.0 - double(p[i].h);
+            CHECK(std::hypot(x, y) == Catch::Approx(1.0).epsilon(1e-6));
+        }
+        for (std::size_t i = 2; i < p.size(); ++i) {  // turns to one side only
+            const double turn = (double(p[i - 1].t) - p[i - 2].t) * (double(p[i].h) - p[i - 1].h) -
+                                (double(p[i - 1].h) - p[i - 2].h) * (double(p[i].t) - p[i - 1].t);
+            CHECK((convex ? -turn : turn) > 0.0);
+        }
+    }
+    CHECK_FALSE(ready_points(TestType{64}).is_valid());
+    CHECK_FALSE(ready_points(TestType{0xFFFF'FFFFu}).is_valid());
+}
+
+TEMPLATE_TEST_CASE("quarter ellipses by tolerance keep it, with few steps more than they need", "[ready_profiles]",
+                   round_profile, concave_profile)
+{
+    constexpr bool convex = std::is_same_v<TestType, round_profile>;
+    for (const double width : {500.0, 10000.0, 40000.0})
+        for (const double depth : {300.0, 10000.0, 30000.0})
+            for (const double tolerance : {30.0, 100.0, 640.0}) {
+                const profile_scale scale{width, depth, tolerance};
+                const auto made = ready_points(TestType{}, scale);
+                const auto p = made.view();
+                INFO(width << " x " << depth << " within " << tolerance << ": " << p.size() - 1 << " steps");
+                double worst = 0.0;
+                for (std::size_t i = 1; i < p.size(); ++i)
+                    worst = std::max(worst, chord_error(p[i - 1], p[i], convex, scale));
+                CHECK(worst <= tolerance);
+                if (p.size() > 6 && width == depth) {  // NOLINT: both are one of few numbers
+                    const auto fewer = ready_points(TestType{static_cast<std::uint32_t>(p.size() - 3)}, scale);
+                    CHECK(chord_error(fewer.view()[0], fewer.view()[1], convex, scale) > tolerance);
+                }
+            }
+}
+
+TEST_CASE("the sines of all quarter ellipses are far from where a float would be rounded the other way",
+          "[ready_profiles]")
+{
+    // So that every C library, off by an ulp or two, gives the same floats.
+    for (int steps = 1; steps < 64; ++steps)
+        for (int i = 1; i < steps; ++i) {
+            const double angle = 1.57079632679489661923 * i / steps;
+            for (const double v : {std::sin(angle), 1.0 - std::cos(angle)})
+                for (const double off : {-1e-15, 1e-15})
+                    CHECK(static_cast<float>(v + off) == static_cast<float>(v));  // NOLINT: equal bits are meant
+        }
+}
+
+TEST_CASE("steps rise half the depth each at half the width, an engraving is highest there", "[ready_profiles]")
+{
+    const auto same_points = [](const profile_points& a, const profile_points& b) {
+        return std::equal(a.view().begin(), a.view().end(), b.view().begin(), b.view().end(),
+                          [](profile_point p, profile_point q) { return same(p.t, q.t) && same(p.h, q.h); });
+    };
+    CHECK(same_points(ready_points(chamfer_profile{}), {{0, 0}, {1, 1}}));
+    CHECK(same_points(ready_points(stepped_profile{}), {{0, 0}, {0.5f, 0}, {0.5f, 0.5f}, {1, 0.5f}, {1, 1}}));
+    CHECK(same_points(ready_points(engraved_profile{}), {{0, 0}, {0.5f, 1}, {1, 0}}));
+}
