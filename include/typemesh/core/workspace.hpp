@@ -102,6 +102,17 @@ public:
             return static_cast<T*>(workspace_.take_bytes(count * sizeof(T)));
         }
 
+        /// Memory for buffers that live no longer than the scope: what they let go is given back when it ends. They may
+        /// not grow while an inner scope is open.
+        [[nodiscard]] memory source() noexcept
+        {
+            return {&workspace_,
+                    [](void* user, std::size_t bytes, std::size_t) noexcept -> void* {
+                        return static_cast<workspace*>(user)->take_bytes(bytes);
+                    },
+                    [](void*, void*, std::size_t, std::size_t) noexcept {}};
+        }
+
         /// Makes sure that the next `bytes` bytes fit into the rest of this block and one more, instead of into many
         /// blocks, each with an unused rest. False when memory runs out. No inner scope may be open.
         [[nodiscard]] bool reserve(std::size_t bytes) noexcept

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/version.hpp>
+
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI::detail {
+
+/// How a kinetic triangle becomes flat.
+///
+///     shrink      the segment on half-edge k loses its length
+///     close_up    that segment ends in a fast corner: the area beside it has no width
+///     meet        its apex reaches the line of the segment on half-edge k
+///     turn        one of three corners, none beside a segment of it, reaches the opposite diagonal
+struct collapse {
+    enum class kind : std::uint8_t { shrink, close_up, meet, turn };
+
+    std::int64_t time = 0;
+    std::uint32_t triangle = 0;
+    std::uint32_t stamp = 0;  ///< the triangle's when this was found; later ones make it void
+    kind what = kind::turn;
+    std::uint8_t k = 0;
+    std::int64_t reach = 0;  ///< of meet and turn: how long the flat triangle is, in places
+
+    /// Of several at a time, lengths vanish first, then the longest triangles go: a flip replaces their longest edge by
+    /// a shorter one, so that flips at a time come to an end.
+    /// From  P. Palfrader, M. Held, S. Huber: On computing straight skeletons by means of kinetic triangulations
+    ///       (2012), section 3
+    friend bool operator<(const collapse& a, const collapse& b) noexcept
+    {
+        if (a.time != b.time) return a.time < b.time;
+        const bool a_flat = a.what >= kind::meet, b_flat = b.what >= kind::meet;
+        if (a_flat != b_flat) return b_flat;
+        if (a.reach != b.reach) return a.reach > b.reach;
+        return a.triangle < b.triangle;
+    }
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

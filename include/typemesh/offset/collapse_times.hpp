@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/offset/collapse.hpp>
+#include <typemesh/offset/int128.hpp>
+#include <typemesh/offset/kinetic_triangles.hpp>
+#include <typemesh/offset/moving_point.hpp>
+#include <typemesh/offset/scaled_number.hpp>
+
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI::detail {
+
+/// Finds when triangles become flat, from now to a limit. Times and rates are rounded, alike on every compiler.
+class collapse_times {
+public:
+    std::int64_t now = 0;
+    std::int64_t limit = 0;  ///< what comes later is of no interest
+
+    explicit collapse_times(const kinetic_triangles& of) noexcept : of_{of} {}
+
+    /// The next collapse of a triangle; false if it has none up to the limit.
+    [[nodiscard]] bool find(std::uint32_t t, collapse& found) const noexcept
+    {
+        const kinetic_triangles::triangle& tri = of_.triangles[t];
+        found = {limit + 1, t, tri.stamp, collapse::kind::turn, 0, 0};
+        int segments = 0;
+        for (const std::uint32_t link : tri.link) segments += kinetic_triangles::is_segment(link);
+        if (segments == 0) found.time = turns_at(tri);
+        for (std::uint8_t k = 0; k < 3 && segments != 0; ++k) {
+            if (!kinetic_triangles::is_segment(tri.link[k])) continue;
+            const auto& s = of_.segments[kinetic_triangles::segment_in(tri.link[k])];
+            if (of_.vertices[s.from].moves.fast() || of_.vertices[s.to].moves.fast()) {
+                found = {now, t, tri.stamp, collapse::kind::close_up, k, 0};
+                return true;
+            }
+            const std::int64_t shrinks = shrinks_at(s);
+            if (shrinks < found.time) found = {shrinks, t, tri.stamp, collapse::kind::shrink, k, 0};
+            if (segments != 1) continue;  // between two segments the angle is constant
+            const std::int64_t meets = meets_at(s, tri.corner[(k + 2) % 3]);
+            if (meets < found.time) found = {meets, t, tri.stamp, collapse::kind::meet, k, 0};
+        }
+        if (found.time > limit) return false;
+        if (found.what >= collapse::kind::meet) found.reach = reach(tri, found.time);
+        return true;
+    }
+
+    /// The place of a vertex now.
+    [[nodiscard]] fixed_vector place(std::uint32_t v) const noexcept { return of_.vertices[v].moves.place(now); }
+
+private:
+    using segment = kinetic_triangles::segment;
+
+    /// When a length is 0 that is `size` now, in 2^-46 cells, and grows by `rate`, in 2^-62.
+    [[nodiscard]] std::int64_t zero_of(int128 size, int128 rate) const noexcept
+    {
+        if (rate >= 0) return limit + 1;
+        if (size <= 0) return now;
+        rate = -rate;
+        const int128 left = limit - now;
+        if ((size >> 14) > ((((rate >> 30) + 1) * left) >> 32) + 1) return limit + 1;  // the division would not fit
+        int shift = 0;
+        while ((rate >> shift) > (static_cast<int128>(1) << 62)) ++shift;
+        const int128 passed = (size << (48 - shift)) / (rate >> shift);
+        return passed > left ? limit + 1 : now + static_cast<std::int64_t>(passed);
+    }
+
+    /// A segment that has no length and does not win any is gone already: between two lines that have met, for example.
+    [[nodiscard]] std::int64_t shrinks_at(const segment& s) const noexcept
+    {
+        constexpr int128 no_length = static_cast<int128>(1) << 38;  // 1/256 cell
+        constexpr int128 no_gain = static_cast<int128>(1) << 42;    // 1/4 cell in the longest sweep
+        const moving_point &from = of_.vertices[s.from].moves, &to = of_.vertices[s.to].moves;
+        const fixed_vector along = of_.lines[s.line].along;
+        const int128 size = dot(along, to.place(now) - from.place(now)), rate = dot(along, to.speed.of - from.speed.of);
+        if (size <= no_length && rate <= no_gain) return now;
+        return zero_of(size, rate);
+    }
+
+    [[nodiscard]] std::int64_t meets_at(const segment& s, std::uint32_t apex) const noexcept
+    {
+        const moving_point& w = of_.vertices[apex].moves;
+        if (w.fast()) return limit + 1;
+        const fixed_vector inward = of_.lines[s.line].inward();
+        constexpr int128 line_speed = static_cast<int128>(time_one) * unit_one;
+        return zero_of(dot(inward, w.place(now) - of_.vertices[s.from].moves.place(now)),
+                       dot(inward, w.speed.of) - line_speed);
+    }
+
+    /// The first root of the area, a quadratic polynomial c + b t + a t^2, with t = 1 at the limit.
+    [[nodiscard]] std::int64_t turns_at(const kinetic_triangles::triangle& tri) const noexcept
+    {
+        const moving_point &u = of_.vertices[tri.corner[0]].moves, &v = of_.vertices[tri.corner[1]].moves,
+                           &w = of_.vertices[tri.corner[2]].moves;
+        if (u.fast() || v.fast() || w.fast()) return limit + 1;
+        const fixed_vector p = v.place(now) - u.place(now), q = w.place(now) - u.place(now);
+        const fixed_vector p_speed = v.speed.of - u.speed.of, q_speed = w.speed.of - u.speed.of;
+        const scaled_number left{limit - now, -32};
+        const scaled_number in_c = scaled_number::of(cross(p, q), -32);
+        const scaled_number in_b = scaled_number::of(cross(p, q_speed) + cross(p_speed, q), -48) * left;
+        const scaled_number in_a = scaled_number::of(cross(p_speed, q_speed), -64) * left * left;
+        int unit = in_c.top() > in_b.top() ? in_c.top() : in_b.top();
+        unit = (in_a.top() > unit ? in_a.top() : unit) - 59;
+        const std::int64_t a = in_a.in(unit), b = in_b.in(unit), c = in_c.in(unit);
+
+        if (c < 0 || (c == 0 && (b < 0 || (b == 0 && a < 0)))) return now;
+        if (a >= 0 && b >= 0) return limit + 1;
+        const int128 inner = static_cast<int128>(b) * b - 4 * (static_cast<int128>(a) * c);
+        if (inner < 0) return limit + 1;
+        const auto root = static_cast<int128>(square_root(static_cast<uint128>(inner)));
+        const int128 above = b < 0 ? 2 * static_cast<int128>(c) : b + root;
+        const int128 below = b < 0 ? root - b : -2 * static_cast<int128>(a);
+        if (below <= 0 || above >= below) return limit + 1;
+        return now + static_cast<std::int64_t>((limit - now) * above / below);
+    }
+
+    [[nodiscard]] std::int64_t reach(const kinetic_triangles::triangle& tri, std::int64_t time) const noexcept
+    {
+        fixed_vector low = of_.vertices[tri.corner[0]].moves.place(time), high = low;
+        for (int k = 1; k < 3; ++k) {
+            const fixed_vector p = of_.vertices[tri.corner[k]].moves.place(time);
+            low = {p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y};
+            high = {p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y};
+        }
+        return high.x - low.x > high.y - low.y ? high.x - low.x : high.y - low.y;
+    }
+
+    const kinetic_triangles& of_;
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

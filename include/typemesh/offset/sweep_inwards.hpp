@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/assert.hpp>
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/error.hpp>
+#include <typemesh/core/region.hpp>
+#include <typemesh/core/triangle.hpp>
+#include <typemesh/core/workspace.hpp>
+#include <typemesh/offset/reflex_joins.hpp>
+#include <typemesh/offset/ring_cutter.hpp>
+#include <typemesh/offset/swept_region.hpp>
+#include <typemesh/offset/wavefront.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// How sweep_inwards() goes about it. All lengths are in cells.
+struct sweep_options {
+    /// Distances at which faces are cut: from 0 to the width, each at least 4 cells more than the one before.
+    std::span<const double> levels;
+    /// A reflex corner that would move farther than this many distances gets joins; 0: none does.
+    double mitre_limit = 2.0;
+    /// Joins are rounded to this at the width; 0: they have as few edges as the limit needs.
+    double tolerance = 0.0;
+};
+
+namespace detail {
+
+class inward_sweep {
+public:
+    inward_sweep(workspace::scope& scratch, swept_region& out) noexcept
+        : scratch_{scratch},
+          out_{out},
+          front_{scratch.source()},
+          cutter_{scratch.source()},
+          level_of_{scratch.source()},
+          same_{scratch.source()},
+          path_{scratch.source()},
+          stack_{scratch.source()},
+          ring_{scratch.source()},
+          on_path_{scratch.source()}
+    {
+    }
+
+    [[nodiscard]] error run(const region& r, std::span<const triangle> cap, const sweep_options& how) noexcept
+    {
+        if (error e = begin(r, cap)) return e;
+        if (error e = add_joins(how)) return e;
+        if (!front_.start(time_of(how.levels.back()) + early) || !open_cells() || !note_edges())
+            return error::out_of_memory;
+        const auto bands = static_cast<std::uint32_t>(how.levels.size() - 1);
+        for (std::uint32_t band = 0; band < bands; ++band) {
+            if (!front_.advance(time_of(how.levels[band + 1]), early))
+                return front_.has_failed() ? error::out_of_memory : error::crossing_contours;
+            if (error e = reach_level(band)) return e;
+            if (band + 1 != bands && !open_cells()) return error::out_of_memory;
+        }
+        if (error e = make_cap(r)) return e;
+        out_.events = front_.events();
+        out_.first_loss = front_.first_loss() < 0 ? -1.0 : static_cast<double>(front_.first_loss()) * 0x1p-32;
+        const auto triangles = static_cast<std::uint32_t>(out_.triangles.size());
+        return out_.levels.append(how.levels) && out_.nodes.append(front_.nodes.view()) &&
+                       out_.cells.push_back({0, bands, triangles}) && note_edges_end()
+                   ? error::none
+                   : error::out_of_memory;
+    }
+
+private:
+    static constexpr std::uint32_t none = wavefront::none;
+    static constexpr std::int64_t early = 2 * time_one;
+
+    [[nodiscard]] static std::int64_t time_of(double cells) noexcept
+    {
+        return static_cast<std::int64_t>(cells * static_cast<double>(time_one));
+    }
+
+    /// Segment, line, vertex and node i belong to point i and the edge that begins there.
+    [[nodiscard]] error begin(const region& r, std::span<const triangle> cap) noexcept
+    {
+        const auto n = static_cast<std::uint32_t>(r.points().size());
+        kinetic_triangles& mesh = front_.mesh;
+        if (!mesh.lines.reserve(n) || !mesh.vertices.reserve(3 * n) || !mesh.segments.reserve(n) ||
+            !mesh.triangles.reserve(cap.size()) || !front_.nodes.reserve(3 * n) || !front_.node_of.reserve(3 * n) ||
+            !front_.ends_of.reserve(n))
+            return error::out_of_memory;
+        for (std::uint32_t loop = 0; loop < r.loop_count(); ++loop) {
+            const std::uint32_t first = r.starts()[loop], end = r.starts()[loop + 1];
+            for (std::uint32_t i = first; i < end; ++i) {
+                const std::uint32_t next = i + 1 == end ? first : i + 1, last = i == first ? end - 1 : i - 1;
+                const grid_point p = r.points()[i], q = r.points()[next];
+                mesh.lines.push_back_unchecked({unit_along({std::int64_t{q.x} - p.x, std::int64_t{q.y} - p.y})});
+                mesh.vertices.push_back_unchecked({{place_of(p), 0, {}}, last, i});
+                mesh.segments.push_back_unchecked({i, i, next, 0, none, true});
+                front_.nodes.push_back_unchecked({p, 0.0f});
+                front_.node_of.push_back_unchecked(i);
+            }
+        }
+        for (auto& v : mesh.vertices) v.moves.speed = speed_of(mesh.lines[v.before], mesh.lines[v.after], false);
+        for (const triangle t : cap) mesh.triangles.push_back_unchecked({{t.a, t.b, t.c}});
+        auto* const links = scratch_.take<std::uint32_t>(2 * std::size_t{n} + 3 * cap.size());
+        if (links == nullptr) return error::out_of_memory;
+        mesh.link_all(n, links);
+        return find_parts() ? error::none : error::out_of_memory;
+    }
+
+    /// Numbers the connected parts of the region: triangles that diagonals join.
+    [[nodiscard]] bool find_parts() noexcept
+    {
+        kinetic_triangles& mesh = front_.mesh;
+        const std::size_t count = mesh.triangles.size();
+        auto* const todo = scratch_.take<std::uint32_t>(count);
+        auto* const seen = scratch_.take<bool>(count);
+        if (todo == nullptr || seen == nullptr) return false;
+        for (std::size_t t = 0; t < count; ++t) seen[t] = false;
+        for (std::uint32_t t = 0; t < count; ++t) {
+            if (seen[t]) continue;
+            const auto part = static_cast<std::uint32_t>(front_.live.size());
+            std::uint32_t live = 0, waiting = 0;
+            seen[t] = true;
+            for (todo[waiting++] = t; waiting != 0;) {
+                for (const std::uint32_t link : mesh.triangles[todo[--waiting]].link) {
+                    if (kinetic_triangles::is_segment(link)) {
+                        mesh.segments[kinetic_triangles::segment_in(link)].part = part;
+                        ++live;
+                    } else if (!seen[link / 3]) {
+                        seen[link / 3] = true;
+                        todo[waiting++] = link / 3;
+                    }
+                }
+            }
+            if (!front_.live.push_back(live)) return false;
+        }
+        return true;
+    }
+
+    [[nodiscard]] error add_joins(const sweep_options& how) noexcept
+    {
+        reflex_joins joins{front_};
+        return joins.add({how.mitre_limit, how.levels.back(), how.tolerance},
+                         [&](std::uint32_t point, fixed_vector inward) noexcept -> error {
+                             const auto share = [](std::int64_t unit) noexcept {
+                                 return static_cast<float>(static_cast<double>(unit) * 0x1p-30);
+                             };
+                             return out_.joins.push_back({point, {share(inward.x), share(inward.y)}})
+                                        ? error::none
+                                        : error::out_of_memory;
+                         });
+    }
+
+    /// A cell above each segment, from where it is now.
+    [[nodiscard]] bool open_cells() noexcept
+    {
+        front_.outlines.clear();
+        const std::size_t missing = front_.mesh.segments.size() - front_.ends_of.size();
+        if (missing != 0 && front_.ends_of.append(missing) == nullptr) return false;
+        for (std::uint32_t s = 0; s < front_.mesh.segments.size(); ++s) {
+            const auto& one = front_.mesh.segments[s];
+            if (one.alive)
+                front_.ends_of[s] = front_.outlines.open(one.line, front_.node_of[one.from], front_.node_of[one.to]);
+        }
+        return !front_.has_failed();
+    }
+
+    /// Where the segments stand at this level.
+    [[nodiscard]] bool note_edges() noexcept
+    {
+        if (!note_edges_end()) return false;
+        for (const auto& s : front_.mesh.segments) {
+            const std::uint32_t a = front_.node_of[s.from], b = front_.node_of[s.to];
+            if (s.alive && a != b && !out_.edges_at.push_back({s.line, a, b})) return false;
+        }
+        return true;
+    }
+    [[nodiscard]] bool note_edges_end() noexcept
+    {
+        return out_.at_level.push_back(static_cast<std::uint32_t>(out_.edges_at.size()));
+    }
+
+    [[nodiscard]] error reach_level(std::uint32_t band) noexcept
+    {
+        kinetic_triangles& mesh = front_.mesh;
+        level_of_.clear();
+        if (level_of_.append(mesh.vertices.size()) == nullptr) return error::out_of_memory;
+        for (auto& node : level_of_) node = none;
+        for (const auto& s : mesh.segments) {
+            if (!s.alive) continue;
+            const std::uint32_t last = mesh.segments[mesh.vertices[s.from].before].from;
+            level_of_[s.from] = front_.node_at_level(s.from, level_of_[last], level_of_[s.to]);
+        }
+        for (std::uint32_t s = 0; s < mesh.segments.size() && !front_.has_failed(); ++s) {
+            if (!mesh.segments[s].alive) continue;
+            front_.outlines.at_tail(front_.ends_of[s], level_of_[mesh.segments[s].to]);
+            front_.outlines.at_head(front_.ends_of[s], level_of_[mesh.segments[s].from]);
+            if (!front_.has_failed()) front_.outlines.close(front_.ends_of[s]);
+        }
+        if (front_.has_failed() || !unite_nodes()) return error::out_of_memory;
+        for (const auto& s : mesh.segments)
+            if (s.alive) front_.node_of[s.from] = same(level_of_[s.from]);
+        if (!note_edges()) return error::out_of_memory;
+        return cut_cells(band);
+    }
+
+    // --- nodes of outlines that follow one another at one place are one
+
+    [[nodiscard]] std::uint32_t same(std::uint32_t node) noexcept
+    {
+        while (same_[node] != node) node = same_[node] = same_[same_[node]];
+        return node;
+    }
+    [[nodiscard]] bool unite_nodes() noexcept
+    {
+        while (same_.size() < front_.nodes.size())
+            if (!same_.push_back(static_cast<std::uint32_t>(same_.size()))) return false;
+        auto& corners = front_.outlines.corners;
+        for (auto& c : corners) c.node = same(c.node);
+        bool changed = false;
+        for (const auto& c : corners) {
+            const std::uint32_t a = same(c.node), b = same(corners[c.next].node);
+            if (a == b || !(front_.nodes[a].at == front_.nodes[b].at)) continue;
+            same_[a < b ? b : a] = a < b ? a : b;
+            changed = true;
+        }
+        if (changed)
+            for (auto& c : corners) c.node = same(c.node);
+        return true;
+    }
+
+    [[nodiscard]] error cut_cells(std::uint32_t band) noexcept
+    {
+        const auto& corners = front_.outlines.corners;
+        for (const auto& c : front_.outlines.cells) {
+            path_.clear();
+            std::uint32_t i = c.corner;
+            do {
+                if (!path_.push_back(corners[i].node)) return error::out_of_memory;
+                i = corners[i].next;
+            } while (i != c.corner);
+            const auto first = static_cast<std::uint32_t>(out_.triangles.size());
+            if (error e = each_ring([&](const buffer<std::uint32_t>& ring) noexcept {
+                    return cutter_(ring, front_.nodes, out_.triangles);
+                }))
+                return e;
+            if (first != out_.triangles.size() && !out_.cells.push_back({c.line, band, first}))
+                return error::out_of_memory;
+        }
+        return error::none;
+    }
+
+    /// Cuts the closed path where it comes back to a node, and passes on each ring of 3 nodes or more. What goes from a
+    /// node to the next and back bounds nothing.
+    template <class Take>
+    [[nodiscard]] error each_ring(Take take) noexcept
+    {
+        while (on_path_.size() < front_.nodes.size())
+            if (!on_path_.push_back(none)) return error::out_of_memory;
+        stack_.clear();
+        error e;
+        for (const std::uint32_t node : path_) {
+            const std::uint32_t from = on_path_[node];
+            if (from == none) {
+                on_path_[node] = static_cast<std::uint32_t>(stack_.size());
+                if (!stack_.push_back(node)) return error::out_of_memory;
+                continue;
+            }
+            ring_.clear();
+            if (!ring_.append(stack_.view().subspan(from))) return error::out_of_memory;
+            for (std::size_t k = 1; k < ring_.size(); ++k) on_path_[ring_[k]] = none;
+            stack_.truncate(from + 1);
+            if (ring_.size() >= 3 && !e) e = take(ring_);
+        }
+        for (const std::uint32_t node : stack_) on_path_[node] = none;
+        if (stack_.size() >= 3 && !e) e = take(stack_);
+        return e;
+    }
+
+    /// The loops that the segments still make.
+    [[nodiscard]] error make_cap(const region& r) noexcept
+    {
+        kinetic_triangles& mesh = front_.mesh;
+        contours& cap = out_.cap;
+        cap.clear();
+        cap.grid = r.grid();
+        cap.curves = r.curves();
+        cap.tolerance = r.tolerance();
+        if (!cap.starts.push_back(0)) return error::out_of_memory;
+        for (std::uint32_t s = 0; s < mesh.segments.size(); ++s) {
+            path_.clear();
+            for (std::uint32_t k = s; mesh.segments[k].alive; k = mesh.vertices[mesh.segments[k].to].after) {
+                mesh.segments[k].alive = false;
+                if (!path_.push_back(front_.node_of[mesh.segments[k].from])) return error::out_of_memory;
+            }
+            if (error e = each_ring([&](const buffer<std::uint32_t>& ring) noexcept -> error {
+                    for (const std::uint32_t node : ring)
+                        if (!cap.points.push_back(front_.nodes[node].at) || !cap.edges.push_back({}))
+                            return error::out_of_memory;
+                    return cap.starts.push_back(static_cast<std::uint32_t>(cap.points.size())) ? error::none
+                                                                                               : error::out_of_memory;
+                }))
+                return e;
+        }
+        return error::none;
+    }
+
+    workspace::scope& scratch_;
+    swept_region& out_;
+    wavefront front_;
+    ring_cutter cutter_;
+    buffer<std::uint32_t> level_of_;  // of each vertex: its node at the level
+    buffer<std::uint32_t> same_;      // of each node: another one at its place, or itself
+    buffer<std::uint32_t> path_, stack_, ring_, on_path_;
+};
+
+}  // namespace detail
+
+/// Sweeps the boundary of a region inwards, each edge with the same speed, up to the last level: the faces of its
+/// straight skeleton, cut at the levels, and the region that remains.
+///
+///     triangles   any triangulation of the region, of no further points; of two triangulations the results differ at
+///                 most where several things happen within a fraction of a cell
+///     scratch     all memory comes from it; `out`, which is empty, may draw from it as well
+///
+/// What remains (`out.cap`) is bounded by nodes on the grid. It is a region once fill or a proving triangulator says
+/// so. Then the triangles in `out` and those of the cap cover the region once: all are counter-clockwise, and their
+/// common boundary is the region's.
+///
+/// Fails  error::crossing_contours: on the grid, a cell's outline crosses itself; `out` is then void. No glyph is known
+///        error::out_of_memory
+/// Cost   O(n log n) and O(log n) per event (see wavefront.hpp)
+[[nodiscard]] inline error sweep_inwards(const region& r, std::span<const triangle> triangles, const sweep_options& how,
+                                         workspace::scope& scratch, swept_region& out) noexcept
+{
+    TYPEMESH_ASSERT(how.levels.size() >= 2 && !(how.levels[0] > 0.0), "levels begin with 0 and end with the width");
+    detail::inward_sweep sweep{scratch, out};
+    return sweep.run(r, triangles, how);
+}
+
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/contours.hpp>
+#include <typemesh/core/memory.hpp>
+#include <typemesh/core/point.hpp>
+#include <typemesh/core/region.hpp>
+#include <typemesh/core/triangle.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// A point that the moving boundary of a region has passed: where, and after which distance.
+struct swept_node {
+    grid_point at;
+    float distance = 0.0f;  ///< in cells, from 0 at the region's boundary to the width
+};
+
+/// The area that one edge sweeps between two levels: what lies between them of its face. A split or a bow makes it any
+/// polygon; its triangles are listed instead of its outline.
+struct swept_cell {
+    std::uint32_t edge = 0;            ///< of the region, or from its number of points on, a join
+    std::uint32_t band = 0;            ///< lies between levels[band] and levels[band + 1]
+    std::uint32_t first_triangle = 0;  ///< its triangles end where those of the next cell begin
+};
+
+/// Where a moving edge stands at a level: from node a to node b, the interior on the left.
+struct swept_edge_at {
+    std::uint32_t edge = 0;
+    std::uint32_t a = 0, b = 0;
+};
+
+/// An edge of no length, put in at a reflex corner sharper than the mitre limit: it grows as the others move on.
+struct swept_join {
+    std::uint32_t point = 0;  ///< of the region
+    vec2 inward;              ///< unit vector: where it moves to
+};
+
+/// A region's boundary swept inwards, cut at levels: the faces of its straight skeleton up to a width, and what remains
+/// within.
+///
+///     +-----------------+      nodes      the first n are the region's own points, in its order, at distance 0
+///     | \_____________/ |      cells      ordered by band; the last one ends the triangles before it
+///     |  |           |  |      triangles  counter-clockwise, of nodes; together they cover the region without its cap,
+///     |  |    cap    |  |                 once; none is flat in the plane
+///     |  |___________|  |      levels     distances in cells, rising, from 0 to the width
+///     | /             \ |      at_level   edges_at[at_level[k]] .. edges_at[at_level[k + 1]] stand at level k
+///     +-----------------+      cap        what remains at the last level: loops over nodes at that level
+///
+/// At the first level edges_at are the region's edges, at the last one the cap's.
+struct swept_region {
+    buffer<swept_node> nodes;
+    buffer<swept_cell> cells;
+    buffer<triangle> triangles;
+    buffer<double> levels;
+    buffer<swept_edge_at> edges_at;
+    buffer<std::uint32_t> at_level;
+    buffer<swept_join> joins;
+    contours cap;
+    double first_loss =
+        -1.0;  ///< the distance at which the first connected part of the region was swept wholly; -1: none
+    std::size_t events = 0;  ///< how often the boundary's topology changed or the triangulation had to
+
+    explicit swept_region(memory source = heap()) noexcept
+        : nodes{source},
+          cells{source},
+          triangles{source},
+          levels{source},
+          edges_at{source},
+          at_level{source},
+          joins{source},
+          cap{source}
+    {
+    }
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI
