@@ -27,6 +27,7 @@ public:
         int segments = 0;
         for (const std::uint32_t link : tri.link) segments += kinetic_triangles::is_segment(link);
         if (segments == 0) found.time = turns_at(tri);
+        if (segments >= 2 && is_inside_out(tri, found)) return true;
         for (std::uint8_t k = 0; k < 3 && segments != 0; ++k) {
             if (!kinetic_triangles::is_segment(tri.link[k])) continue;
             const auto& s = of_.segments[kinetic_triangles::segment_in(tri.link[k])];
@@ -50,6 +51,29 @@ public:
 
 private:
     using segment = kinetic_triangles::segment;
+
+    /// Between two segments a triangle's angle is below 180 degrees. Where it is not, as between the bits that are left
+    /// when several strokes close at once, the triangle has no area and the shorter of the two segments goes now.
+    [[nodiscard]] bool is_inside_out(const kinetic_triangles::triangle& tri, collapse& found) const noexcept
+    {
+        for (std::uint8_t k = 0; k < 3; ++k) {
+            const auto after = static_cast<std::uint8_t>((k + 1) % 3);
+            if (!kinetic_triangles::is_segment(tri.link[k]) || !kinetic_triangles::is_segment(tri.link[after])) continue;
+            const segment &a = of_.segments[kinetic_triangles::segment_in(tri.link[k])],
+                          &b = of_.segments[kinetic_triangles::segment_in(tri.link[after])];
+            if (of_.vertices[a.to].moves.fast() || cross(of_.lines[a.line].along, of_.lines[b.line].along) >= 0) continue;
+            const fixed_vector first = place(a.to) - place(a.from), second = place(b.to) - place(b.from);
+            const bool first_is_shorter = dot(first, first) <= dot(second, second);
+            const fixed_vector shorter = first_is_shorter ? first : second;
+            constexpr std::int64_t few_cells = 4 * place_one;
+            if (dot(shorter, shorter) > static_cast<int128>(few_cells) * few_cells) continue;
+            found.time = now;
+            found.what = collapse::kind::shrink;
+            found.k = first_is_shorter ? k : after;
+            return true;
+        }
+        return false;
+    }
 
     /// When a length is 0 that is `size` now, in 2^-46 cells, and grows by `rate`, in 2^-62.
     [[nodiscard]] std::int64_t zero_of(int128 size, int128 rate) const noexcept
