@@ -65,15 +65,13 @@ struct may_throw : rest {
 };
 
 /// Gives each region one triangle.
-struct one_triangle {
-    workspace scratch;
+struct one_triangle : no_caps {
     int asked = 0;
     error operator()(const region&, triangle_list& out) noexcept
     {
         ++asked;
         return out.push_back({0, 1, 2}) ? error{} : error{error::out_of_memory};
     }
-    workspace& space() noexcept { return scratch; }
 };
 
 }  // namespace

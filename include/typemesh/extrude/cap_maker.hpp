@@ -1,37 +1,52 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/contours.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/region.hpp>
+#include <typemesh/core/result.hpp>
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/core/workspace.hpp>
 
 #include <concepts>
+#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// What an extruder's plan() may use: caps of further regions (levels of a bevel, say), triangulated like all others of
 /// the text, and the scratch memory that all stages share.
 ///
-///     caps(region, out)    appends the region's triangles to `out`: indices into its points, as many as its
+///     caps.triangles()     those of the region that is being planned
+///     caps(region, out)    appends a region's triangles to `out`: indices into its points, as many as its
 ///                          triangle_count(); `out` is unchanged after an error. error::outline_beyond_grid if a
 ///                          point is farther than grid::reach, 2^28 cells, from 0 in x or y
+///     caps.loops()         contours to be filled in, for loops that are no region yet; storage is kept. What lies in
+///                          them is valid until the next call
+///     caps.fill(out)       makes the region that these loops fill by fill_rule::non_zero, with its triangles, as
+///                          above. It refers to loops(), which are unchanged where they bound it already
 ///     caps.space()         for scopes of your own, which give back what they took
 ///
 /// The library passes one in. Your own are for an extruder's tests, or for calling the stage by itself.
 template <class C>
 concept cap_maker = requires(C& caps, const region& r, triangle_list& out) {
+    { caps.triangles() } noexcept -> std::same_as<std::span<const triangle>>;
     { caps(r, out) } noexcept -> std::same_as<error>;
+    { caps.loops() } noexcept -> std::same_as<contours&>;
+    { caps.fill(out) } noexcept -> std::same_as<result<region>>;
     { caps.space() } noexcept -> std::same_as<workspace&>;
 };
 
 /// A cap_maker for an empty region, which an extruder has to plan before any other.
 class no_caps {
 public:
+    [[nodiscard]] std::span<const triangle> triangles() const noexcept { return {}; }
     error operator()(const region&, triangle_list&) noexcept { return {}; }
+    [[nodiscard]] contours& loops() noexcept { return loops_; }
+    result<region> fill(triangle_list&) noexcept { return region{}; }
     [[nodiscard]] workspace& space() noexcept { return space_; }
 
 private:
+    contours loops_;
     workspace space_;
 };
 static_assert(cap_maker<no_caps>);

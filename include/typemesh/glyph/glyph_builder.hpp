@@ -33,7 +33,10 @@ struct glyph_settings {
 ///                                policies{certified{}, monotone{}, flat{}, nobody});
 class glyph_builder {
 public:
-    explicit glyph_builder(memory source = heap()) noexcept : outline_{source}, caps_{source}, plan_{source} {}
+    explicit glyph_builder(memory source = heap()) noexcept
+        : outline_{source}, caps_{source}, further_{source}, plan_{source}
+    {
+    }
 
     /// The glyph's draft, which lies in this builder until its next call. A glyph that cannot be built is no failure
     /// here: its draft is empty and carries the reason.
@@ -72,6 +75,7 @@ public:
     void trim() noexcept
     {
         caps_.trim();
+        further_.trim();
         outline_ = outline{caps_.source()};
         plan_.release();
     }
@@ -96,7 +100,7 @@ private:
         if (filled->points().empty()) return {};
 
         with.observe(stage::extrude);
-        const auto plan = plan_region(*filled, with, caps_, plan_);
+        const auto plan = plan_region(*filled, with, caps_, further_, plan_);
         if (!plan) return plan.error();
         made.form = {filled->points(), filled->starts(), caps_.triangles().view()};
         made.plan = *plan;
@@ -107,6 +111,7 @@ private:
 
     outline outline_;
     cap_builder caps_;
+    cap_builder further_;  // for regions that the extruder asks for
     plan_scratch plan_;
 };
 

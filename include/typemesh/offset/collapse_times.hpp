@@ -58,10 +58,12 @@ private:
     {
         for (std::uint8_t k = 0; k < 3; ++k) {
             const auto after = static_cast<std::uint8_t>((k + 1) % 3);
-            if (!kinetic_triangles::is_segment(tri.link[k]) || !kinetic_triangles::is_segment(tri.link[after])) continue;
+            if (!kinetic_triangles::is_segment(tri.link[k]) || !kinetic_triangles::is_segment(tri.link[after]))
+                continue;
             const segment &a = of_.segments[kinetic_triangles::segment_in(tri.link[k])],
                           &b = of_.segments[kinetic_triangles::segment_in(tri.link[after])];
-            if (of_.vertices[a.to].moves.fast() || cross(of_.lines[a.line].along, of_.lines[b.line].along) >= 0) continue;
+            if (of_.vertices[a.to].moves.fast() || cross(of_.lines[a.line].along, of_.lines[b.line].along) >= 0)
+                continue;
             const fixed_vector first = place(a.to) - place(a.from), second = place(b.to) - place(b.from);
             const bool first_is_shorter = dot(first, first) <= dot(second, second);
             const fixed_vector shorter = first_is_shorter ? first : second;

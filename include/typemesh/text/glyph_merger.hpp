@@ -29,12 +29,16 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// the text's origin.
 class glyph_merger {
 public:
-    explicit glyph_merger(memory source = heap()) noexcept : caps_{source}, union_{source}, plan_{source} {}
+    explicit glyph_merger(memory source = heap()) noexcept
+        : caps_{source}, further_{source}, union_{source}, plan_{source}
+    {
+    }
 
     /// Gives its scratch memory back to its source.
     void trim() noexcept
     {
         caps_.trim();
+        further_.trim();
         union_ = region_union{caps_.source()};
         plan_.release();
     }
@@ -192,7 +196,7 @@ private:
         with.observe(stage::triangulate);
         if (error e = caps_.cap(*joined, with.cut)) return e;
         with.observe(stage::extrude);
-        const auto plan = plan_region(*joined, with, caps_, plan_);
+        const auto plan = plan_region(*joined, with, caps_, further_, plan_);
         if (!plan) return plan.error();
 
         made.built = all.store.keep(
@@ -207,6 +211,7 @@ private:
     }
 
     cap_builder caps_;
+    cap_builder further_;  // for regions that the extruder asks for
     region_union union_;
     plan_scratch plan_;
 };
