@@ -40,6 +40,7 @@ public:
             if (segments != 1) continue;  // between two segments the angle is constant
             const std::int64_t meets = meets_at(s, tri.corner[(k + 2) % 3]);
             if (meets < found.time) found = {meets, t, tri.stamp, collapse::kind::meet, k, 0};
+            if (meets == now && length(s) <= no_length) found = {now, t, tri.stamp, collapse::kind::shrink, k, 0};
         }
         if (found.time > limit) return false;
         if (found.what >= collapse::kind::meet) found.reach = reach(tri, found.time);
@@ -51,6 +52,7 @@ public:
 
 private:
     using segment = kinetic_triangles::segment;
+    static constexpr int128 no_length = static_cast<int128>(1) << 38;  // 1/256 cell
 
     /// Between two segments a triangle's angle is below 180 degrees. Where it is not, as between the bits that are left
     /// when several strokes close at once, the triangle has no area and the shorter of the two segments goes now.
@@ -94,13 +96,17 @@ private:
     /// A segment that has no length and does not win any is gone already: between two lines that have met, for example.
     [[nodiscard]] std::int64_t shrinks_at(const segment& s) const noexcept
     {
-        constexpr int128 no_length = static_cast<int128>(1) << 38;  // 1/256 cell
-        constexpr int128 no_gain = static_cast<int128>(1) << 42;    // 1/4 cell in the longest sweep
+        constexpr int128 no_gain = static_cast<int128>(1) << 42;  // 1/4 cell in the longest sweep
         const moving_point &from = of_.vertices[s.from].moves, &to = of_.vertices[s.to].moves;
-        const fixed_vector along = of_.lines[s.line].along;
-        const int128 size = dot(along, to.place(now) - from.place(now)), rate = dot(along, to.speed.of - from.speed.of);
+        const int128 size = length(s), rate = dot(of_.lines[s.line].along, to.speed.of - from.speed.of);
         if (size <= no_length && rate <= no_gain) return now;
         return zero_of(size, rate);
+    }
+
+    /// In 2^-46 cells, negative if the segment has been turned over.
+    [[nodiscard]] int128 length(const segment& s) const noexcept
+    {
+        return dot(of_.lines[s.line].along, place(s.to) - place(s.from));
     }
 
     [[nodiscard]] std::int64_t meets_at(const segment& s, std::uint32_t apex) const noexcept
