@@ -36,6 +36,7 @@ public:
           holes_{static_cast<std::uint32_t>(holes.size())},
           outers_{static_cast<std::uint32_t>(outers.size())}
     {
+        loops.grid.units_per_em = 1000.0;
         push(loops.starts, 0u);
         for (const auto& c : outers) add(c, pieces, true);
         for (const auto& c : holes) add(c, pieces, false);

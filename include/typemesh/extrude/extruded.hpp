@@ -10,12 +10,11 @@
 #include <typemesh/extrude/side_normals.hpp>
 #include <typemesh/extrude/texture.hpp>
 #include <typemesh/extrude/texture_tangent.hpp>
-#include <typemesh/extrude/wall_normal.hpp>
+#include <typemesh/extrude/upright_walls.hpp>
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <type_traits>
 
 namespace typemesh::inline TYPEMESH_ABI {
@@ -85,15 +84,9 @@ struct extruded {
             return sizes(filled, 0);
         }
 
-        side_point* sides = data.of<side_point>().append(n);
-        if (sides == nullptr) return error::out_of_memory;
-        clear(sides, n);
-        if (error e = normals(filled, {sides, n})) return e;
-        if constexpr (Normals::shares_caps) return sizes(filled, 0);
-        if (texture == texture_mapping::em) return sizes(filled, measure(filled, sides));
-        std::uint32_t doubled = 0;
-        for (std::size_t i = 0; i < n; ++i) doubled += sides[i].doubled;
-        return sizes(filled, doubled);
+        const auto doubled = plan_sides(filled, normals, texture, data.of<side_point>());
+        if (!doubled) return doubled.error();
+        return sizes(filled, *doubled);
     }
 
     [[nodiscard]] height_range heights() const noexcept
@@ -105,10 +98,7 @@ struct extruded {
     /// The points whose walls meet hard: they have two pairs of vertices; seams are not counted.
     [[nodiscard]] std::uint64_t hard_edges(const solid_with<plan_data>& s) const noexcept
     {
-        std::uint64_t hard = 0;
-        for (const side_point& one : s.data.of<side_point>())
-            hard += one.doubled && !(one.seam && one.before == one.after) ? 1u : 0u;
-        return hard;
+        return count_hard(s.data.of<side_point>());
     }
 
     template <attribute Wants, class Put>
@@ -123,7 +113,10 @@ struct extruded {
             if (p == part::front && has_front()) cap<Wants>(s, axes, top, 1.0f, front, planar, tangents, put);
             if (p == part::back && has_back()) cap<Wants>(s, axes, bottom, -1.0f, back, planar, tangents, put);
             if constexpr (!Normals::shares_caps) {
-                if (p == part::side && side) walls<Wants>(s, axes, top, bottom, at, planar, tangents, put);
+                if (p == part::side && side) {
+                    const upright_walls walls{high, high - as_double(depth), high, texture};
+                    walls.vertices<Wants>(s.points, s.data.of<side_point>(), axes, at, put);
+                }
             }
         });
     }
@@ -143,7 +136,7 @@ struct extruded {
             if constexpr (Normals::shares_caps)
                 join_caps(s, first, put);
             else
-                join_walls(s, first[part::side], put);
+                upright_walls::triangles(s.starts, s.data.of<side_point>(), first[part::side], put);
         }
     }
 
@@ -160,50 +153,11 @@ private:
         part_sizes all;
         all.vertices[part::front] = has_front() ? n : 0;
         all.vertices[part::back] = has_back() ? n : 0;
-        all.vertices[part::side] = side && !Normals::shares_caps ? 2 * (n + doubled) : 0;
+        all.vertices[part::side] = side && !Normals::shares_caps ? upright_walls::vertex_count(n, doubled) : 0;
         all.triangles[part::front] = front ? filled.triangle_count() : 0;
         all.triangles[part::back] = back ? filled.triangle_count() : 0;
         all.triangles[part::side] = side ? 2 * n : 0;
         return all;
-    }
-
-    /// n times side_point{}, whose bytes are zero: in pieces, because memset is slow to start on large ones.
-    static void clear(side_point* sides, std::size_t n) noexcept
-    {
-        static_assert(std::is_trivially_copyable_v<side_point>);
-        constexpr std::size_t piece = 64;
-        for (; n > piece; n -= piece, sides += piece) std::memset(static_cast<void*>(sides), 0, piece * sizeof *sides);
-        std::memset(static_cast<void*>(sides), 0, n * sizeof *sides);
-    }
-
-    /// Measures lengths along each contour, from its first doubled point; without one its first point is doubled.
-    /// Returns how many are doubled then.
-    static std::uint32_t measure(const region& filled, side_point* sides) noexcept
-    {
-        const grid_point* points = filled.points().data();
-        std::uint32_t doubled = 0;
-        for (std::uint32_t loop = 0; loop < filled.loop_count(); ++loop) {
-            const std::uint32_t first = filled.starts()[loop], last = filled.starts()[loop + 1] - 1;
-            std::uint32_t seam = first;
-            while (seam < last && !sides[seam].doubled) ++seam;
-            if (!sides[seam].doubled) seam = first;
-            sides[seam].doubled = sides[seam].seam = true;
-            double along = 0.0;
-            const auto add_lengths = [&](std::uint32_t from, std::uint32_t to) noexcept {
-                for (std::uint32_t i = from; i < to; ++i) {
-                    const grid_point a = points[i], b = points[i + 1];  // below 2^28: differences fit, and are cheaper
-                    along += length({static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y)});
-                    sides[i + 1].along = static_cast<float>(along);
-                    doubled += sides[i + 1].doubled;
-                }
-            };
-            add_lengths(seam, last);
-            along += length(delta(points[last], points[first]));
-            sides[first].along = static_cast<float>(along);
-            doubled += sides[first].doubled;
-            add_lengths(first, seam);
-        }
-        return doubled;
     }
 
     template <attribute Wants, class Axes, class Put>
@@ -253,52 +207,6 @@ private:
         return {static_cast<float>(scale * sum.x), static_cast<float>(scale * sum.y), static_cast<float>(scale) * cap};
     }
 
-    /// Pairs (front, back) along each contour; a doubled point has one for the wall before it and one for the wall
-    /// after.
-    template <attribute Wants, class Axes, class Put>
-    void walls(const solid_with<plan_data>& s, const Axes& axes, float top, float bottom, const placement& at,
-               planar_texture planar, texture_tangent tangents, Put& put) const noexcept
-    {
-        const bool by_length = texture == texture_mapping::em;
-        const wall_texture wall{at};
-        const float v_top = wall.v(0.0), v_bottom = wall.v(as_double(depth));
-        const side_point* sides = s.data.of<side_point>().data();
-        for (std::size_t i = 0; i < s.points.size(); ++i) {
-            const grid_point g = s.points[i];
-            const side_point& here = sides[i];
-            surface_point<Wants> front_point, back_point;
-            if constexpr (has(Wants, attribute::position)) {
-                const auto foot = axes.foot(g);
-                front_point.position = axes.position(foot, top);
-                back_point.position = axes.position(foot, bottom);
-            }
-            if constexpr (has(Wants, attribute::normal)) {
-                front_point.normal = back_point.normal = axes.direction(here.before.x, here.before.y, 0.0f);
-            }
-            if constexpr (has(Wants, attribute::uv)) {
-                front_point.uv = back_point.uv = by_length ? vec2{wall.u(here.along), v_top} : planar(g);
-                if (by_length) back_point.uv.y = v_bottom;
-            }
-            if constexpr (has(Wants, attribute::tangent)) {
-                front_point.tangent = back_point.tangent = tangents.on_wall(axes, here.before);
-            }
-            put(front_point);
-            put(back_point);
-            if (!here.doubled) continue;
-            if constexpr (has(Wants, attribute::normal)) {
-                front_point.normal = back_point.normal = axes.direction(here.after.x, here.after.y, 0.0f);
-            }
-            if constexpr (has(Wants, attribute::uv)) {
-                if (here.seam) front_point.uv.x = back_point.uv.x = 0.0f;
-            }
-            if constexpr (has(Wants, attribute::tangent)) {
-                front_point.tangent = back_point.tangent = tangents.on_wall(axes, here.after);
-            }
-            put(front_point);
-            put(back_point);
-        }
-    }
-
     /// Two triangles per edge, between the caps' own vertices.
     template <class Put>
     static void join_caps(const solid& s, const first_vertices& first, Put& put) noexcept
@@ -311,31 +219,6 @@ private:
                 put(top + i, bottom + i, bottom + next);
                 put(top + i, bottom + next, top + next);
             }
-        }
-    }
-
-    ///     front  a-----c      seen from outside; each wall lies between the last pair of its first point and
-    ///            | \   |      the first pair of its second
-    ///     back  a+1---c+1
-    template <class Put>
-    static void join_walls(const solid_with<plan_data>& s, std::uint32_t first, Put& put) noexcept
-    {
-        const side_point* sides = s.data.of<side_point>().data();
-        std::uint32_t a = first;
-        const auto wall = [&put](std::uint32_t from, std::uint32_t c) noexcept {
-            put(from, from + 1, c + 1);
-            put(from, c + 1, c);
-        };
-        for (std::size_t loop = 0; loop + 1 < s.starts.size(); ++loop) {
-            const std::uint32_t last = s.starts[loop + 1] - 1, start = a;
-            for (std::uint32_t i = s.starts[loop]; i < last; ++i) {
-                a += sides[i].doubled ? 2u : 0u;
-                wall(a, a + 2);
-                a += 2;
-            }
-            a += sides[last].doubled ? 2u : 0u;
-            wall(a, start);
-            a += 2;
         }
     }
 };

@@ -75,6 +75,21 @@ struct swept_region {
           cap{source}
     {
     }
+
+    /// Empties everything; the storage is kept.
+    void clear() noexcept
+    {
+        nodes.clear();
+        cells.clear();
+        triangles.clear();
+        levels.clear();
+        edges_at.clear();
+        at_level.clear();
+        joins.clear();
+        cap.clear();
+        first_loss = -1.0;
+        events = 0;
+    }
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -11,13 +11,14 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// The parts of a mesh, which may have different materials. In the output the vertices of a part are contiguous, and so
 /// are its indices; parts come in this order.
 ///
-/// Extruders may have more, up to eight: part{3} and so on, after these (see extruder.hpp).
-enum class part : std::uint8_t { front, back, side };
+/// The bevels are those of bevelled.hpp. Extruders may have any others after the first three, up to eight: part{3} and
+/// so on (see extruder.hpp).
+enum class part : std::uint8_t { front, back, side, front_bevel, back_bevel };
 
 inline constexpr std::size_t most_parts = 8;
 
 /// Every part that a mesh may have. Those that its extruder does not have are empty; text_plan::parts() omits them.
-inline constexpr part all_parts[most_parts] = {part::front, part::back, part::side, part{3},
-                                               part{4},     part{5},    part{6},    part{7}};
+inline constexpr part all_parts[most_parts] = {part::front,      part::back, part::side, part::front_bevel,
+                                               part::back_bevel, part{5},    part{6},    part{7}};
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/memory.hpp>
+#include <typemesh/core/point.hpp>
+#include <typemesh/core/triangle.hpp>
+#include <typemesh/extrude/plan_arrays.hpp>
+#include <typemesh/extrude/side_point.hpp>
+#include <typemesh/offset/swept_region.hpp>
+
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// A vertex of a bevel, of the front's and of the back's, which is its mirror image.
+struct bevel_vertex {
+    grid_point at;
+    vec2 outward;        ///< unit vector in the plane: its normal before the profile tilts it
+    float along = 0.0f;  ///< along the contour, as side_point::along
+    float share = 0.0f;  ///< how far across its strip: 0 at the strip's outer end, 1 at its inner
+    std::uint32_t strip = 0;
+};
+
+/// Three bevel vertices, counter-clockwise seen from the front.
+struct bevel_triangle {
+    triangle corners;
+};
+
+/// What a bevel has between two levels, or a riser at one; from the wall inwards.
+struct bevel_strip {
+    float run = 0.0f;   ///< its width in the plane, in cells; 0: a riser
+    float from = 0.0f;  ///< its height at both ends, as a share of the bevel's depth
+    float to = 0.0f;
+    bool smooth_before = false;  ///< its normals at this end are those of its neighbour (the wall, the cap), too
+    bool smooth_after = false;
+};
+
+/// What is left of the region within the bevel. No cap: the bevel closes in ridges.
+struct bevel_rims {
+    float wall = 0.0f;     ///< where the wall ends, as a share of the bevel's depth
+    float cap = 0.0f;      ///< where the cap lies
+    bool own_cap = false;  ///< the cap is the region's own: the bevel has no width
+};
+
+/// The plan data of bevelled.
+///
+///     side_point      one for each contour point
+///     bevel_vertex, bevel_triangle, bevel_strip       of one bevel
+///     bevel_rims      one
+///     grid_point, triangle        of the cap within the bevel
+///
+/// And what plan() needs on the way, kept for the next glyph.
+struct bevel_data
+    : plan_arrays<side_point, bevel_vertex, bevel_triangle, bevel_strip, bevel_rims, grid_point, triangle> {
+    /// One edge's face at a node, and the vertex that it has there.
+    struct corner {
+        std::uint32_t edge;
+        std::uint32_t vertex;
+        std::uint32_t next;  ///< of the same node
+    };
+    /// What the corners of a vertex have in common.
+    struct corner_normals {
+        point first;
+        point sum;
+    };
+
+    swept_region swept;
+    triangle_list triangles;  ///< of the region itself
+    buffer<corner> corners;
+    buffer<corner_normals> normals;  ///< of each bevel vertex
+
+    explicit bevel_data(memory source = heap()) noexcept
+        : plan_arrays{source}, swept{source}, triangles{source}, corners{source}, normals{source}
+    {
+    }
+
+    /// Empties the plan arrays; their storage is kept.
+    void clear() noexcept { plan_arrays::clear(); }
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/assert.hpp>
+#include <typemesh/core/error.hpp>
+#include <typemesh/core/workspace.hpp>
+#include <typemesh/extrude/bevel_data.hpp>
+#include <typemesh/extrude/bevel_light.hpp>
+#include <typemesh/extrude/profile_levels.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// Makes the vertices and triangles of a bevel from a swept region.
+///
+/// At each node the faces that meet there share a vertex as long as their normals differ by less than the crease angle
+/// from those of the first of them, and they agree on `along`; its normal is the normalised sum. Faces of two bands
+/// share one if the strips do. A riser has vertices of its own: pairs, below and above in the profile's order.
+class bevel_vertices {
+public:
+    struct sharing {
+        double crease = 1.0;       ///< the cosine of the crease angle
+        double most_apart = -1.0;  ///< of `along`, in cells; negative: it does not matter
+    };
+
+    bevel_vertices(bevel_data& data, const bevel_light& light, sharing how) noexcept
+        : data_{data}, swept_{data.swept}, light_{light}, how_{how}
+    {
+    }
+
+    /// `data` holds the strips of `profile`, whose levels are those of data.swept.
+    ///
+    /// Fails  error::out_of_memory
+    [[nodiscard]] error make(const profile_levels& profile, workspace::scope& scratch) noexcept
+    {
+        const std::size_t n = swept_.nodes.size();
+        nodes_ = scratch.take<node>(n);
+        if (nodes_ == nullptr) return error::out_of_memory;
+        for (std::size_t i = 0; i < n; ++i) nodes_[i] = {none, 0, none};
+        find_levels();
+        data_.corners.clear();
+        data_.normals.clear();
+        const auto levels = profile.view();
+        std::uint32_t strip = 0;
+        std::size_t cell = 0;
+        for (std::uint32_t k = 0; k < levels.size(); ++k) {
+            if (levels[k].has_riser()) {
+                ++age_;
+                if (!add_riser(k, strip++)) return error::out_of_memory;
+            }
+            if (k + 1 == levels.size()) break;
+            if (k == 0 || !data_.of<bevel_strip>()[strip].smooth_before) ++age_;
+            if (!add_band(k, strip++, cell)) return error::out_of_memory;
+        }
+        const auto vertices = data_.of<bevel_vertex>().view();
+        for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i].outward = normal(data_.normals[i]);
+        return {};
+    }
+
+private:
+    static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+    /// How many corners at a node are tried: thousands may meet where a round shape closes, each with its own vertex.
+    static constexpr std::uint32_t most_tried = 64;
+
+    /// The corners at a node so far, of strips that share vertices: those of the current age.
+    struct node {
+        std::uint32_t corners;
+        std::uint32_t age;
+        std::uint32_t level;  ///< that it lies on; none: it lies between two
+    };
+
+    /// Nodes of an edge at a level lie on that, and nodes of two bands on the level between them.
+    void find_levels() noexcept
+    {
+        for (const swept_cell* c = swept_.cells.begin(); c + 1 < swept_.cells.end(); ++c)
+            for (std::uint32_t t = c[0].first_triangle; t < c[1].first_triangle; ++t)
+                for (const std::uint32_t at : {swept_.triangles[t].a, swept_.triangles[t].b, swept_.triangles[t].c}) {
+                    std::uint32_t& last = nodes_[at].corners;  // the last band that it was seen in
+                    if (last != none && last != c->band) nodes_[at].level = c->band;
+                    last = c->band;
+                }
+        for (std::uint32_t k = 0; k + 1 < swept_.at_level.size(); ++k)
+            for (std::uint32_t i = swept_.at_level[k]; i < swept_.at_level[k + 1]; ++i)
+                nodes_[swept_.edges_at[i].a].level = nodes_[swept_.edges_at[i].b].level = k;
+    }
+
+    /// The cells of a band; `cell` is the first of them, and then of the next band's.
+    bool add_band(std::uint32_t band, std::uint32_t strip, std::size_t& cell) noexcept
+    {
+        auto& triangles = data_.of<bevel_triangle>();
+        for (; cell + 1 < swept_.cells.size() && swept_.cells[cell].band == band; ++cell) {
+            const swept_cell& c = swept_.cells[cell];
+            for (std::uint32_t t = c.first_triangle; t < swept_.cells[cell + 1].first_triangle; ++t) {
+                const triangle& at = swept_.triangles[t];
+                triangle made;
+                if (!add_corner(c.edge, at.a, band, strip, made.a) || !add_corner(c.edge, at.b, band, strip, made.b) ||
+                    !add_corner(c.edge, at.c, band, strip, made.c) || !triangles.push_back({made}))
+                    return false;
+            }
+        }
+        return true;
+    }
+
+    /// The upright rectangles on the edges that stand at a level.
+    bool add_riser(std::uint32_t level, std::uint32_t strip) noexcept
+    {
+        auto& triangles = data_.of<bevel_triangle>();
+        for (std::uint32_t i = swept_.at_level[level]; i < swept_.at_level[level + 1]; ++i) {
+            const swept_edge_at& e = swept_.edges_at[i];
+            if (swept_.nodes[e.a].at == swept_.nodes[e.b].at) continue;
+            std::uint32_t a = 0, b = 0;
+            if (!add_corner(e.edge, e.a, none, strip, a) || !add_corner(e.edge, e.b, none, strip, b) ||
+                !triangles.push_back({{a, b, b + 1}}) || !triangles.push_back({{a, b + 1, a + 1}}))
+                return false;
+        }
+        return true;
+    }
+
+    /// The vertex of an edge's face at a node, in a band or (none) on a riser. False when memory runs out.
+    bool add_corner(std::uint32_t edge, std::uint32_t at, std::uint32_t band, std::uint32_t strip,
+                    std::uint32_t& vertex) noexcept
+    {
+        node& here = nodes_[at];
+        if (here.age != age_) {
+            here.corners = none;
+            here.age = age_;
+        }
+        std::uint32_t left = most_tried;
+        for (std::uint32_t c = here.corners; c != none && left-- != 0; c = data_.corners[c].next) {
+            if (data_.corners[c].edge != edge) continue;
+            vertex = data_.corners[c].vertex;
+            return true;
+        }
+        const bevel_light::lit lit = light_.at(edge, swept_.nodes[at]);
+        std::uint32_t found = here.corners;
+        for (left = most_tried; found != none && !share(data_.corners[found].vertex, lit);)
+            found = --left != 0 ? data_.corners[found].next : none;
+        if (found != none) {
+            vertex = data_.corners[found].vertex;
+            for (std::uint32_t v = vertex; v < vertex + (band == none ? 2u : 1u); ++v)
+                data_.normals[v].sum = data_.normals[v].sum + lit.outward;
+        } else if (!add_vertices(at, band, strip, lit, vertex)) {
+            return false;
+        }
+        if (!data_.corners.push_back({edge, vertex, here.corners})) return false;
+        here.corners = static_cast<std::uint32_t>(data_.corners.size() - 1);
+        return true;
+    }
+
+    /// One vertex, or two of a riser.
+    bool add_vertices(std::uint32_t at, std::uint32_t band, std::uint32_t strip, const bevel_light::lit& lit,
+                      std::uint32_t& vertex) noexcept
+    {
+        auto& vertices = data_.of<bevel_vertex>();
+        vertex = static_cast<std::uint32_t>(vertices.size());
+        bevel_vertex made{swept_.nodes[at].at, {}, static_cast<float>(lit.along), 0.0f, strip};
+        if (band != none) made.share = share_of(at, band);
+        if (!vertices.push_back(made) || !data_.normals.push_back({lit.outward, lit.outward})) return false;
+        if (band != none) return true;
+        made.share = 1.0f;
+        return vertices.push_back(made) && data_.normals.push_back({lit.outward, lit.outward});
+    }
+
+    /// How far across a band a node lies: 0 on its outer level and 1 on its inner.
+    [[nodiscard]] float share_of(std::uint32_t at, std::uint32_t band) const noexcept
+    {
+        const double from = swept_.levels[band], to = swept_.levels[band + 1];
+        const double share = (as_double(swept_.nodes[at].distance) - from) / (to - from);
+        if (nodes_[at].level == band || share <= 0.0) return 0.0f;
+        if (nodes_[at].level == band + 1 || share >= 1.0) return 1.0f;
+        return static_cast<float>(share);
+    }
+
+    [[nodiscard]] bool share(std::uint32_t vertex, const bevel_light::lit& lit) const noexcept
+    {
+        if (dot(data_.normals[vertex].first, lit.outward) < how_.crease) return false;
+        const double apart = as_double(data_.of<bevel_vertex>()[vertex].along) - lit.along;
+        return how_.most_apart < 0.0 || std::fabs(apart) <= how_.most_apart;
+    }
+
+    /// The normalised sum; the first where the others cancel it, as crease angles above 90 degrees may have it.
+    [[nodiscard]] static vec2 normal(const bevel_data::corner_normals& n) noexcept
+    {
+        return rounded(dot(n.sum, n.first) > 0x1p-10 ? unit(n.sum) : n.first);
+    }
+
+    bevel_data& data_;
+    const swept_region& swept_;
+    const bevel_light& light_;
+    sharing how_;
+    node* nodes_ = nullptr;
+    std::uint32_t age_ = 0;
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI

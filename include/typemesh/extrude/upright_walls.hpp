@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/point.hpp>
+#include <typemesh/core/region.hpp>
+#include <typemesh/core/result.hpp>
+#include <typemesh/extrude/placement.hpp>
+#include <typemesh/extrude/side_normals.hpp>
+#include <typemesh/extrude/texture.hpp>
+#include <typemesh/extrude/texture_tangent.hpp>
+#include <typemesh/extrude/wall_normal.hpp>
+#include <typemesh/vertex/surface_point.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <type_traits>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// The upright walls over a region's edges, between two heights, with vertices of their own.
+///
+///     vertices    a pair (upper, lower) for each point, along each contour; a doubled point has one for the wall
+///                 before it and one for the wall after
+///     triangles   two per edge
+///
+///     top     a-----c      seen from outside; each wall lies between the last pair of its first point and the first
+///             | \   |      pair of its second
+///     bottom a+1---c+1
+struct upright_walls {
+    double top = 0.0;  ///< heights, in the extruder's unit
+    double bottom = 0.0;
+    double front = 0.0;  ///< where v is 1 in em mapping
+    texture_mapping texture = texture_mapping::em;
+
+    template <attribute Wants, class Axes, class Put>
+    void vertices(std::span<const grid_point> points, std::span<const side_point> side_points, const Axes& axes,
+                  const placement& at, Put& put) const noexcept
+    {
+        const bool by_length = texture == texture_mapping::em;
+        const float upper = at.height(top), lower = at.height(bottom);
+        const planar_texture planar{texture, at};
+        const wall_texture wall{at};
+        const float v_top = wall.v(front - top), v_bottom = wall.v(front - bottom);
+        texture_tangent tangents;
+        if constexpr (has(Wants, attribute::tangent)) tangents = texture_tangent{at.frame};
+        const side_point* sides = side_points.data();
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const grid_point g = points[i];
+            const side_point& here = sides[i];
+            surface_point<Wants> front_point, back_point;
+            if constexpr (has(Wants, attribute::position)) {
+                const auto foot = axes.foot(g);
+                front_point.position = axes.position(foot, upper);
+                back_point.position = axes.position(foot, lower);
+            }
+            if constexpr (has(Wants, attribute::normal)) {
+                front_point.normal = back_point.normal = axes.direction(here.before.x, here.before.y, 0.0f);
+            }
+            if constexpr (has(Wants, attribute::uv)) {
+                front_point.uv = back_point.uv = by_length ? vec2{wall.u(here.along), v_top} : planar(g);
+                if (by_length) back_point.uv.y = v_bottom;
+            }
+            if constexpr (has(Wants, attribute::tangent)) {
+                front_point.tangent = back_point.tangent = tangents.on_wall(axes, here.before);
+            }
+            put(front_point);
+            put(back_point);
+            if (!here.doubled) continue;
+            if constexpr (has(Wants, attribute::normal)) {
+                front_point.normal = back_point.normal = axes.direction(here.after.x, here.after.y, 0.0f);
+            }
+            if constexpr (has(Wants, attribute::uv)) {
+                if (here.seam) front_point.uv.x = back_point.uv.x = 0.0f;
+            }
+            if constexpr (has(Wants, attribute::tangent)) {
+                front_point.tangent = back_point.tangent = tangents.on_wall(axes, here.after);
+            }
+            put(front_point);
+            put(back_point);
+        }
+    }
+
+    template <class Put>
+    static void triangles(std::span<const std::uint32_t> starts, std::span<const side_point> side_points,
+                          std::uint32_t first, Put& put) noexcept
+    {
+        const side_point* sides = side_points.data();
+        std::uint32_t a = first;
+        const auto wall = [&put](std::uint32_t from, std::uint32_t c) noexcept {
+            put(from, from + 1, c + 1);
+            put(from, c + 1, c);
+        };
+        for (std::size_t loop = 0; loop + 1 < starts.size(); ++loop) {
+            const std::uint32_t last = starts[loop + 1] - 1, start = a;
+            for (std::uint32_t i = starts[loop]; i < last; ++i) {
+                a += sides[i].doubled ? 2u : 0u;
+                wall(a, a + 2);
+                a += 2;
+            }
+            a += sides[last].doubled ? 2u : 0u;
+            wall(a, start);
+            a += 2;
+        }
+    }
+
+    [[nodiscard]] static constexpr std::uint32_t vertex_count(std::uint32_t points, std::uint32_t doubled) noexcept
+    {
+        return 2 * (points + doubled);
+    }
+};
+
+namespace detail {
+
+/// n times side_point{}, whose bytes are zero: in pieces, because memset is slow to start on large ones.
+inline void clear_sides(side_point* sides, std::size_t n) noexcept
+{
+    static_assert(std::is_trivially_copyable_v<side_point>);
+    constexpr std::size_t piece = 64;
+    for (; n > piece; n -= piece, sides += piece) std::memset(static_cast<void*>(sides), 0, piece * sizeof *sides);
+    std::memset(static_cast<void*>(sides), 0, n * sizeof *sides);
+}
+
+/// Measures lengths along each contour, from its first doubled point; without one its first point is doubled. Returns
+/// how many are doubled then.
+inline std::uint32_t measure_sides(const region& filled, side_point* sides) noexcept
+{
+    const grid_point* points = filled.points().data();
+    std::uint32_t doubled = 0;
+    for (std::uint32_t loop = 0; loop < filled.loop_count(); ++loop) {
+        const std::uint32_t first = filled.starts()[loop], last = filled.starts()[loop + 1] - 1;
+        std::uint32_t seam = first;
+        while (seam < last && !sides[seam].doubled) ++seam;
+        if (!sides[seam].doubled) seam = first;
+        sides[seam].doubled = sides[seam].seam = true;
+        double along = 0.0;
+        const auto add_lengths = [&](std::uint32_t from, std::uint32_t to) noexcept {
+            for (std::uint32_t i = from; i < to; ++i) {
+                const grid_point a = points[i], b = points[i + 1];  // below 2^28: differences fit, and are cheaper
+                along += length({static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y)});
+                sides[i + 1].along = static_cast<float>(along);
+                doubled += sides[i + 1].doubled;
+            }
+        };
+        add_lengths(seam, last);
+        along += length(delta(points[last], points[first]));
+        sides[first].along = static_cast<float>(along);
+        doubled += sides[first].doubled;
+        add_lengths(first, seam);
+    }
+    return doubled;
+}
+
+}  // namespace detail
+
+/// The points whose walls meet hard: they have two pairs of vertices; seams are not counted.
+[[nodiscard]] inline std::uint64_t count_hard(std::span<const side_point> sides) noexcept
+{
+    std::uint64_t hard = 0;
+    for (const side_point& one : sides) hard += one.doubled && !(one.seam && one.before == one.after) ? 1u : 0u;
+    return hard;
+}
+
+/// Fills `out`, which is empty, with a side_point for each point of the region, lit by `normals`, and returns how many
+/// are doubled (with styles that share the caps' vertices: 0). In em mapping a contour without a doubled point gets one
+/// for its seam.
+///
+/// Fails  error::out_of_memory, and as `normals` does
+template <side_normals Normals>
+[[nodiscard]] result<std::uint32_t> plan_sides(const region& filled, const Normals& normals, texture_mapping texture,
+                                               buffer<side_point>& out) noexcept
+{
+    const std::size_t n = filled.points().size();
+    side_point* sides = out.append(n);
+    if (sides == nullptr) return error::out_of_memory;
+    detail::clear_sides(sides, n);
+    if (error e = normals(filled, {sides, n})) return e;
+    if constexpr (Normals::shares_caps) return 0u;
+    if (texture == texture_mapping::em) return detail::measure_sides(filled, sides);
+    std::uint32_t doubled = 0;
+    for (std::size_t i = 0; i < n; ++i) doubled += sides[i].doubled;
+    return doubled;
+}
+
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+
+#include <typemesh/extrude/bevel_strips.hpp>
+
+#include <typemesh/extrude/ready_profiles.hpp>
+#include <typemesh/extrude/wall_normal.hpp>
+
+#include <cmath>
+
+#include "support/catch.hpp"
+
+using namespace typemesh;
+using Catch::Approx;
+
+namespace {
+
+constexpr profile_scale wide_scale{3000.0, 4000.0, 0.0};
+
+struct strips_of {
+    buffer<bevel_strip> made;
+
+    strips_of(const profile_points& points, float crease, bevel_shading shading = bevel_shading::by_slope)
+    {
+        REQUIRE(add_strips({points, wide_scale}, wide_scale.depth, crease_cosine(crease), shading, made));
+    }
+    [[nodiscard]] bevel_slopes slopes(bevel_shading shading = bevel_shading::by_slope) const
+    {
+        return {made.view(), wide_scale.depth, shading};
+    }
+};
+
+bevel_vertex vertex_at(std::uint32_t strip, float share)
+{
+    bevel_vertex v;
+    v.strip = strip;
+    v.share = share;
+    return v;
+}
+
+double degrees(bevel_tilt t)
+{
+    CHECK(std::hypot(t.out, t.up) == Approx(1.0));
+    return std::atan2(t.up, t.out) * 57.29577951308232;
+}
+
+}  // namespace
+
+TEST_CASE("a strip lies between each two levels, a riser where heights differ at one", "[bevel_strips]")
+{
+    const strips_of s{{{0, 0}, {0, 0.5f}, {0.5f, 0.5f}, {0.5f, 0.25f}, {1, 1}}, 30.0f};
+    REQUIRE(s.made.size() == 4);
+    const float run[] = {0.0f, 1500.0f, 0.0f, 1500.0f}, from[] = {0.0f, 0.5f, 0.5f, 0.25f},
+                to[] = {0.5f, 0.5f, 0.25f, 1.0f};
+    for (std::size_t i = 0; i < 4; ++i) {
+        CHECK(s.made[i].run == Approx(run[i]));
+        CHECK(s.made[i].from == Approx(from[i]));
+        CHECK(s.made[i].to == Approx(to[i]));
+        CHECK_FALSE(s.made[i].smooth_before);
+    }
+    const bevel_slopes slopes = s.slopes();
+    CHECK(degrees(slopes.tilt(vertex_at(0, 1.0f))) == Approx(0.0));
+    CHECK(degrees(slopes.tilt(vertex_at(1, 0.0f))) == Approx(90.0));
+    CHECK(std::abs(degrees(slopes.tilt(vertex_at(2, 0.0f)))) == Approx(180.0));
+    CHECK(degrees(slopes.tilt(vertex_at(3, 0.0f))) == Approx(26.56505));
+    CHECK(slopes.is_riser(vertex_at(0, 0.0f)));
+    CHECK_FALSE(slopes.is_riser(vertex_at(1, 0.0f)));
+    CHECK(s.made[1].smooth_after == false);
+    CHECK(slopes.length(vertex_at(3, 1.0f)) == Approx(2000.0 + 1500.0 + 1000.0 + std::hypot(1500.0, 3000.0)));
+    CHECK(slopes.length(vertex_at(1, 0.5f)) == Approx(2750.0));
+}
+
+TEST_CASE("heights are those of the strip's ends to the bit, and even between them", "[bevel_strips]")
+{
+    const strips_of s{{{0, 0}, {0.3f, 0.1f}, {1, 0.7f}}, 30.0f};
+    const bevel_slopes slopes = s.slopes();
+    CHECK(same(slopes.height(vertex_at(0, 1.0f)), 0.1f));
+    CHECK(same(slopes.height(vertex_at(1, 0.0f)), 0.1f));
+    CHECK(same(slopes.height(vertex_at(1, 1.0f)), 0.7f));
+    CHECK(slopes.height(vertex_at(1, 0.5f)) == Approx(0.4));
+}
+
+TEST_CASE("strips that differ by less than the crease angle share the mean of their normals", "[bevel_strips]")
+{
+    // A chamfer of 3 to 4 has its normal 36.87 degrees above the plane.
+    const strips_of hard{{{0, 0}, {1, 1}}, 36.0f}, soft{{{0, 0}, {1, 1}}, 37.0f}, softer{{{0, 0}, {1, 1}}, 54.0f};
+    CHECK_FALSE(hard.made[0].smooth_before);
+    CHECK(soft.made[0].smooth_before);
+    CHECK_FALSE(soft.made[0].smooth_after);
+    CHECK(softer.made[0].smooth_after);
+    CHECK(degrees(hard.slopes().tilt(vertex_at(0, 0.0f))) == Approx(36.8699));
+    CHECK(degrees(soft.slopes().tilt(vertex_at(0, 0.0f))) == Approx(0.0));
+    CHECK(degrees(soft.slopes().tilt(vertex_at(0, 1.0f))) == Approx(36.8699));
+    CHECK(degrees(softer.slopes().tilt(vertex_at(0, 1.0f))) == Approx(90.0));
+    CHECK(degrees(softer.slopes().tilt(vertex_at(0, 0.5f))) == Approx(45.0));
+
+    profile_points round;
+    round_profile{6}(wide_scale, round);
+    const strips_of quarter{round, 30.0f};
+    const bevel_slopes slopes = quarter.slopes();
+    for (std::uint32_t i = 1; i < 6; ++i) {
+        const double below = degrees(tilt_of(quarter.made[i - 1], 4000.0)),
+                     above = degrees(tilt_of(quarter.made[i], 4000.0));
+        CHECK(degrees(slopes.tilt(vertex_at(i - 1, 1.0f))) == Approx((below + above) / 2.0));
+        CHECK(degrees(slopes.tilt(vertex_at(i, 0.0f))) == Approx((below + above) / 2.0));
+    }
+}
+
+TEST_CASE("rounded shading turns from the wall to the cap with the profile's length", "[bevel_strips]")
+{
+    const strips_of s{{{0, 0}, {0.5f, 0.5f}, {1, 1}}, 0.0f, bevel_shading::rounded};
+    CHECK(s.made[0].smooth_after);
+    const bevel_slopes slopes = s.slopes(bevel_shading::rounded);
+    CHECK(degrees(slopes.tilt(vertex_at(0, 0.0f))) == Approx(0.0));
+    CHECK(degrees(slopes.tilt(vertex_at(0, 1.0f))) == Approx(45.0));
+    CHECK(degrees(slopes.tilt(vertex_at(1, 0.0f))) == Approx(45.0));
+    CHECK(degrees(slopes.tilt(vertex_at(1, 1.0f))) == Approx(90.0));
+}

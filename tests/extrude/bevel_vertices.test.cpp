@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+
+#include <typemesh/extrude/bevel_vertices.hpp>
+
+#include <typemesh/extrude/bevel_strips.hpp>
+#include <typemesh/extrude/curve_normals.hpp>
+#include <typemesh/extrude/ready_profiles.hpp>
+#include <typemesh/extrude/upright_walls.hpp>
+
+#include <cmath>
+#include <vector>
+
+#include "plain_sweep.hpp"
+#include "shapes.hpp"
+#include "support/catch.hpp"
+
+using namespace typemesh;
+
+namespace {
+
+/// The bevel of a shape swept by the plainest of sweeps, 20 units wide and deep.
+void make_plain_bevel(const shapes::shape& s, const profile_points& points, bevel_vertices::sharing how,
+                      bevel_data& data)
+{
+    const region r = s.made();
+    REQUIRE(plan_sides(r, curve_normals{}, texture_mapping::em, data.of<side_point>()));
+    const profile_scale scale{10240.0, 10240.0, 0.0};
+    const profile_levels levels{points, scale};
+    REQUIRE(add_strips(levels, scale.depth, crease_cosine(30.0f), bevel_shading::by_slope, data.of<bevel_strip>()));
+    std::vector<double> distances;
+    for (const profile_level& l : levels.view()) distances.push_back(l.distance);
+    sweeps::plain_sweep{}(r, {distances, 0.0, 0.0}, data.swept);
+    workspace space;
+    workspace::scope scratch{space};
+    bevel_light light;
+    REQUIRE(light.prepare(r, data.of<side_point>().view(), data.swept, scratch));
+    REQUIRE_FALSE(bevel_vertices{data, light, how}.make(levels, scratch));
+}
+
+constexpr bevel_vertices::sharing everything_near{0.966, 512.0};
+
+}  // namespace
+
+TEST_CASE("a bevel has a triangle for each of the sweep's and two for each edge at a riser", "[bevel_vertices]")
+{
+    const profile_points points{{0, 0}, {0.5f, 0.25f}, {0.5f, 0.75f}, {1, 1}};
+    const shapes::shape all[] = {shapes::letter_e(), shapes::letter_d(8), shapes::ring(8)};
+    for (const auto& s : all) {
+        INFO(s.name);
+        bevel_data data;
+        make_plain_bevel(s, points, everything_near, data);
+        const auto vertices = data.of<bevel_vertex>().view();
+        CHECK(data.of<bevel_triangle>().size() == 6 * s.points());
+        std::vector<bool> used(vertices.size());
+        for (const auto& [t] : data.of<bevel_triangle>()) {
+            for (const std::uint32_t c : {t.a, t.b, t.c}) {
+                REQUIRE(c < vertices.size());
+                used[c] = true;
+            }
+            CHECK(vertices[t.a].strip == vertices[t.b].strip);
+            CHECK(vertices[t.a].strip == vertices[t.c].strip);
+        }
+        for (std::size_t i = 0; i < vertices.size(); ++i) {
+            CHECK(used[i]);
+            CHECK(std::hypot(double(vertices[i].outward.x), double(vertices[i].outward.y)) ==
+                  Catch::Approx(1.0).margin(1e-6));
+            CHECK((is_zero(vertices[i].share) || same(vertices[i].share, 1.0f)));
+        }
+    }
+}
+
+TEST_CASE("corners share a vertex where normals and texture agree, and only there", "[bevel_vertices]")
+{
+    const profile_points chamfer{{0, 0}, {1, 1}}, bent{{0, 0}, {0.5f, 0.6f}, {1, 1}},
+        broken{{0, 0}, {0.5f, 0.9f}, {1, 1}};
+    const auto count = [](const shapes::shape& s, const profile_points& p, bevel_vertices::sharing how) {
+        bevel_data data;
+        make_plain_bevel(s, p, how, data);
+        return data.of<bevel_vertex>().size();
+    };
+    const auto e = shapes::letter_e();
+    const auto ring = shapes::ring(8);  // 32 and 64 points, all soft, two seams
+    CHECK(count(e, chamfer, everything_near) == 4 * 12);
+    CHECK(count(e, chamfer, {-1.0, -1.0}) == 2 * 12);
+    CHECK(count(ring, chamfer, everything_near) == 2 * (96 + 2));
+    CHECK(count(ring, chamfer, {everything_near.crease, -1.0}) == 2 * 96);
+    CHECK(count(ring, chamfer, {2.0, -1.0}) == 4 * 96);
+    CHECK(count(ring, bent, everything_near) == 3 * (96 + 2));
+    CHECK(count(ring, broken, everything_near) == 4 * (96 + 2));
+}
+
+TEST_CASE("where very many faces meet in a point they need vertices and time in proportion", "[bevel_vertices]")
+{
+    // A cone over a polygon of many corners, given by hand.
+    constexpr std::uint32_t n = 100000;
+    std::vector<point> p;
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const double a = 6.283185307179586 * i / n;
+        p.push_back({200000000.0 * std::cos(a), 200000000.0 * std::sin(a)});
+    }
+    contours loops;
+    bevel_data data;
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const grid_point at{static_cast<std::int32_t>(p[i].x), static_cast<std::int32_t>(p[i].y)};
+        REQUIRE((loops.points.push_back(at) && loops.edges.push_back({}) && data.swept.nodes.push_back({at, 0.0f})));
+    }
+    const std::vector<curve> curves{shapes::line({0, 0}, {1, 0})};
+    loops.curves = curves;
+    REQUIRE(
+        (loops.starts.push_back(0) && loops.starts.push_back(n) && data.swept.nodes.push_back({{0, 0}, 200000000.0f})));
+    const region r = region::proven(loops, 0, 1);
+    side_point side;
+    for (std::uint32_t i = 0; i < n; ++i) {
+        side.before = side.after = rounded(unit(p[i]));
+        side.along = static_cast<float>(i) * 12566.0f;
+        REQUIRE(data.of<side_point>().push_back(side));
+        REQUIRE((data.swept.cells.push_back({i, 0, i}) && data.swept.triangles.push_back({i, (i + 1) % n, n})));
+    }
+    REQUIRE((data.swept.cells.push_back({0, 0, n}) && data.swept.levels.push_back(0.0) &&
+             data.swept.levels.push_back(2e8)));
+    const profile_scale scale{2e8, 2e8, 0.0};
+    const profile_levels levels{{{0, 0}, {1, 1}}, scale};
+    REQUIRE(add_strips(levels, scale.depth, crease_cosine(30.0f), bevel_shading::by_slope, data.of<bevel_strip>()));
+    workspace space;
+    workspace::scope scratch{space};
+    bevel_light light;
+    REQUIRE(light.prepare(r, data.of<side_point>().view(), data.swept, scratch));
+    REQUIRE_FALSE(bevel_vertices{data, light, everything_near}.make(levels, scratch));
+    CHECK(data.of<bevel_triangle>().size() == n);
+    CHECK(data.of<bevel_vertex>().size() > n + n / 2);
+    CHECK(data.of<bevel_vertex>().size() <= 3 * n);
+}

@@ -1,0 +1,649 @@
+// SPDX-License-Identifier: MIT
+
+#include <typemesh/extrude/bevelled.hpp>
+
+#include <typemesh/extrude/bezier_profile.hpp>
+#include <typemesh/extrude/extruded.hpp>
+#include <typemesh/extrude/polyline_profile.hpp>
+#include <typemesh/glyph/cap_builder.hpp>
+#include <typemesh/inspect/mesh_measure.hpp>
+#include <typemesh/inspect/normal_check.hpp>
+#include <typemesh/triangulate/monotone.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "mesh.hpp"
+#include "support/catch.hpp"
+
+using namespace typemesh;
+using namespace meshes;
+using Catch::Approx;
+
+namespace {
+
+static_assert(extruder<bevelled<>>);
+static_assert(capping_extruder<bevelled<>>);
+static_assert(part_count_of<bevelled<>> == 5);
+
+/// Caps by the library's triangulator, and how many were asked for.
+class monotone_caps {
+public:
+    error operator()(const region& r, triangle_list& out) noexcept { return caps_.cap(r, monotone{}, out); }
+    [[nodiscard]] workspace& space() noexcept { return caps_.space(); }
+
+private:
+    cap_builder caps_;
+};
+static_assert(cap_maker<monotone_caps>);
+
+struct bevelled_mesh : mesh<everything> {
+    part_sizes sizes;
+    bevel_data data;
+};
+
+template <class E>
+error build_bevelled(const shapes::shape& s, const E& how, bevelled_mesh& to, const placement& at = in_em())
+{
+    monotone_caps caps;
+    const region r = s.made();
+    const auto plan = plan_solid(how, r, to.data, caps);
+    if (!plan) return plan.error();
+    to.sizes = plan->sizes;
+    const solid_of<E> form{{r.points(), r.starts(), s.cap}, to.data.read()};
+    return write_solid<E>({form, *plan}, how, at, static_cast<mesh<everything>&>(to));
+}
+
+template <class E>
+bevelled_mesh bevelled_of(const shapes::shape& s, const E& how, const placement& at = in_em())
+{
+    bevelled_mesh m;
+    REQUIRE_FALSE(build_bevelled(s, how, m, at));
+    CHECK(m.announced == m.sizes.total());
+    CHECK(m.vertices.size() == m.announced.vertices);
+    CHECK(m.triangles.size() == m.announced.triangles);
+    CHECK(m.in_order);
+    return m;
+}
+
+shapes::shape regular(int corners, double r)
+{
+    std::vector<point> p;
+    for (int i = 0; i < corners; ++i) {
+        const double a = 6.283185307179586 * i / corners;
+        p.push_back({500.0 + r * std::cos(a), 500.0 + r * std::sin(a)});
+    }
+    return {std::to_string(corners) + " corners", {shapes::polygon(p)}};
+}
+
+/// Shapes that a bevel of 20 units can be carved into before two edges meet.
+std::vector<shapes::shape> wide_shapes()
+{
+    std::vector<shapes::shape> s;
+    s.push_back(regular(4, 300));
+    s.push_back(regular(6, 300));
+    s.push_back(regular(64, 300));
+    s.push_back(shapes::rectangle());
+    s.push_back(shapes::letter_e());
+    s.push_back(shapes::ring(8));
+    s.push_back(shapes::letter_d(8));
+    return s;
+}
+
+/// In em, with the sign that `winding` gives it.
+double volume_of(const bevelled_mesh& m)
+{
+    const auto indices = indices_of(m);
+    return inspect::measure(inspect::mesh_view{m.vertices, indices}).volume;
+}
+
+/// The laws that every bevelled mesh obeys.
+void check_laws(const bevelled_mesh& m, const frame& f = right_handed_y_up)
+{
+    CHECK(open_edges(m) == 0);
+    const auto indices = indices_of(m);
+    const auto normals =
+        check_normals(inspect::mesh_view{m.vertices, indices}, [](const auto& v) { return v.normal; }, f.winding, 2e-6);
+    CHECK(normals.is_right());
+    CHECK(normals.triangles == m.triangles.size());
+    for (const auto& v : m.vertices) {
+        const vec3 t{v.tangent.x, v.tangent.y, v.tangent.z};
+        REQUIRE(meshes::length(t) == Approx(1.0).margin(2e-6));
+        REQUIRE(std::abs(meshes::dot(wide(t), wide(v.normal))) < 2e-6);
+        REQUIRE(std::abs(v.tangent.w) == 1.0f);  // NOLINT
+    }
+}
+
+/// Area of a shape moved inwards by a distance, by Steiner's formula for polygons: exact as long as nothing meets.
+double area_at(const shapes::shape& s, double distance)
+{
+    double area = 0.0;
+    const double cells = s.loops.grid.cells * 1000.0;
+    for (std::uint32_t i = 0; i < s.points(); ++i) {
+        const grid_point a = s.loops.points[s.previous(i)], b = s.loops.points[i], c = s.loops.points[s.next(i)];
+        const point in{double(b.x) - a.x, double(b.y) - a.y}, out{double(c.x) - b.x, double(c.y) - b.y};
+        const double turn = std::atan2(cross(in, out), typemesh::dot(in, out));
+        area += 0.5 * (double(b.x) * c.y - double(c.x) * b.y) / cells / cells -
+                distance * std::hypot(out.x, out.y) / cells + distance * distance * std::tan(turn / 2.0);
+    }
+    return area;
+}
+
+/// The volume within one bevel above the wall's end, and the area of its cap, from the profile alone: strips are
+/// prismoids, for which Simpson's rule is exact.
+struct expected_bevel {
+    double volume, cap;
+};
+expected_bevel expected(const shapes::shape& s, const profile_points& p, double width, double depth)
+{
+    double sum = 0.0;
+    const auto points = p.view();
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const double a = points[i - 1].t * width, b = points[i].t * width;
+        const double rise = (double(points[i].h) - points[i - 1].h) * depth;
+        sum += rise * (area_at(s, a) + 4.0 * area_at(s, (a + b) / 2.0) + area_at(s, b)) / 6.0;
+    }
+    return {sum, area_at(s, width)};
+}
+
+/// The area of the cap that lies in front, or in the back.
+double cap_area(const bevelled_mesh& m, part p)
+{
+    const part_sizes first = m.sizes.starts();
+    double area = 0.0;
+    for (std::uint32_t t = 0; t < m.sizes.triangles[p]; ++t) {
+        const auto& c = m.triangles[first.triangles[p] + t];
+        const vec3 a = m.vertices[c[0]].position, b = m.vertices[c[1]].position, d = m.vertices[c[2]].position;
+        area += 0.5 * std::abs((double(b.x) - a.x) * (double(d.y) - a.y) - (double(d.x) - a.x) * (double(b.y) - a.y));
+    }
+    return area;
+}
+
+template <class Profile>
+void check_profile(const Profile& profile, float width = 0.02f, float bevel_depth = 0.05f)
+{
+    for (const auto& s : wide_shapes())
+        for (const bevel_sides sides : {bevel_sides::both, bevel_sides::front, bevel_sides::back}) {
+            INFO(s.name << ", sides " << int(sides));
+            const bevelled<Profile> how{
+                .width = width, .bevel_depth = bevel_depth, .sides = sides, .mitre_limit = 0.0f, .profile = profile};
+            const auto m = bevelled_of(s, how);
+            check_laws(m);
+
+            profile_points points;
+            profile({width * 512000.0, bevel_depth * 512000.0, 0.0}, points);
+            const expected_bevel e = expected(s, points, double(width), double(bevel_depth));
+            const int bevels = sides == bevel_sides::both ? 2 : 1;
+            const double walls = area_at(s, 0.0) * (double(how.depth) - bevels * double(bevel_depth));
+            CHECK(volume_of(m) == Approx(walls + bevels * e.volume).epsilon(2e-5));
+            const bool in_front = sides != bevel_sides::back, in_back = sides != bevel_sides::front;
+            CHECK(cap_area(m, part::front) == Approx(in_front ? e.cap : area_at(s, 0.0)).epsilon(1e-5));
+            CHECK(cap_area(m, part::back) == Approx(in_back ? e.cap : area_at(s, 0.0)).epsilon(1e-5));
+            CHECK((m.sizes.triangles[part::front_bevel] != 0) == in_front);
+            CHECK((m.sizes.triangles[part::back_bevel] != 0) == in_back);
+        }
+}
+
+}  // namespace
+
+TEST_CASE("bevelled is closed, lit from outside and as large as the profile makes it, for every profile", "[bevelled]")
+{
+    SECTION("chamfer") { check_profile(chamfer_profile{}); }
+    SECTION("round") { check_profile(round_profile{4}); }
+    SECTION("round by tolerance") { check_profile(round_profile{}); }
+    SECTION("concave") { check_profile(concave_profile{5}); }
+    SECTION("stepped") { check_profile(stepped_profile{}); }
+    SECTION("engraved") { check_profile(engraved_profile{}); }
+    SECTION("bezier") { check_profile(bezier_profile{}); }
+    SECTION("polyline")
+    {
+        check_profile(
+            polyline_profile{{{0, 0}, {0, 0.25f}, {0.25f, 1}, {0.25f, 0.5f}, {0.75f, 0.5f}, {1, 0.25f}, {1, 1}}});
+    }
+    SECTION("bevels that meet, without a wall between them") { check_profile(chamfer_profile{}, 0.02f, 0.1f); }
+}
+
+TEST_CASE("bevelled meshes have exactly the vertices and triangles that their faces need", "[bevelled]")
+{
+    // A square: four hard corners, each chamfer's corners alone: 4 vertices and 2 triangles a face.
+    const bevelled_mesh square = bevelled_of(regular(4, 300), bevelled<>{});
+    for (const part p : {part::front, part::back}) {
+        CHECK(square.sizes.vertices[p] == 4);
+        CHECK(square.sizes.triangles[p] == 2);
+    }
+    for (const part p : {part::side, part::front_bevel, part::back_bevel}) {
+        CHECK(square.sizes.vertices[p] == 16);
+        CHECK(square.sizes.triangles[p] == 8);
+    }
+    // 64 soft corners: shared, but for the seam. The wall has one more pair for it, the bevel one more at each level.
+    const bevelled_mesh circle = bevelled_of(regular(64, 300), bevelled<>{});
+    CHECK(circle.sizes.vertices[part::side] == 2 * 65);
+    CHECK(circle.sizes.vertices[part::front_bevel] == 2 * 65);
+    CHECK(
+        bevelled_of(regular(64, 300), bevelled<>{.texture = texture_mapping::box}).sizes.vertices[part::front_bevel] ==
+        2 * 64);
+    // Smooth strips share their levels, hard ones do not; risers are pairs of their own.
+    CHECK(bevelled_of(regular(64, 300), bevelled<round_profile>{.profile = {4}}).sizes.vertices[part::front_bevel] ==
+          5 * 65);
+    CHECK(bevelled_of(regular(64, 300), bevelled<round_profile>{.profile_crease_degrees = 10.0f, .profile = {4}})
+              .sizes.vertices[part::front_bevel] == 8 * 65);
+    const bevelled_mesh steps = bevelled_of(regular(64, 300), bevelled<stepped_profile>{});
+    CHECK(steps.sizes.vertices[part::front_bevel] == 8 * 65);
+    CHECK(steps.sizes.triangles[part::front_bevel] == 8 * 64);
+}
+
+TEST_CASE("a bevelled mesh obeys its laws in every frame, centred or not, in both texture mappings", "[bevelled]")
+{
+    for (const frame& f : frames())
+        for (const auto texture : {texture_mapping::em, texture_mapping::box})
+            for (const bool centred : {false, true}) {
+                const bevelled<polyline_profile> how{
+                    .centred = centred,
+                    .texture = texture,
+                    .profile = {{{0, 0}, {0.3f, 0.6f}, {0.3f, 1.0f}, {0.6f, 1.0f}, {1.0f, 0.5f}}}};
+                const shapes::shape two[] = {shapes::letter_e(), shapes::letter_d(8)};
+                for (const auto& s : two) {
+                    placement at = in_em(f);
+                    at.texture_per_cell = {1.0 / 512000.0, 1.0 / 512000.0};
+                    const auto m = bevelled_of(s, how, at);
+                    check_laws(m, f);
+                    const height_range range = how.heights();
+                    for (const auto& v : m.vertices) {
+                        const double z = meshes::dot(wide(v.position), wide(f.toward));
+                        REQUIRE(z <= range.high + 1e-6);
+                        REQUIRE(z >= range.low - 1e-6);
+                    }
+                }
+            }
+    CHECK(bevelled<>{.depth = 0.5f}.heights().low == -0.5);
+    CHECK(bevelled<>{.depth = 0.5f}.heights().high == 0.0);
+    CHECK(bevelled<>{.depth = 0.5f, .centred = true}.heights().high == 0.25);
+}
+
+namespace {
+
+/// By how much u and v grow along a triangle, as vectors in space; `known` unless they lie on a line.
+struct uv_growth {
+    std::array<double, 3> u, v;
+    bool known;
+};
+uv_growth growth_on(const bevelled_mesh& m, const std::array<std::uint32_t, 3>& t)
+{
+    const auto &p = m.vertices[t[0]], &q = m.vertices[t[1]], &r = m.vertices[t[2]];
+    const auto n = face_normal(m, t);
+    const auto minus = [](vec3 a, vec3 b) {
+        return std::array{double(a.x) - b.x, double(a.y) - b.y, double(a.z) - b.z};
+    };
+    const auto cross = [](auto a, auto b) {
+        return std::array{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    };
+    const auto e = minus(q.position, p.position), f = minus(r.position, p.position);
+    const double area = meshes::dot(cross(e, f), n);
+    const auto eu = double(q.uv.x) - p.uv.x, ev = double(q.uv.y) - p.uv.y, fu = double(r.uv.x) - p.uv.x,
+               fv = double(r.uv.y) - p.uv.y;
+    const auto across_e = cross(n, e), across_f = cross(n, f);
+    uv_growth g{{}, {}, std::abs(eu * fv - ev * fu) > 1e-9};
+    for (std::size_t k = 0; k < 3; ++k) {
+        g.u[k] = (fu * across_e[k] - eu * across_f[k]) / area;
+        g.v[k] = (fv * across_e[k] - ev * across_f[k]) / area;
+    }
+    return g;
+}
+
+template <class Profile, class Check>
+void for_bevel_triangles(const shapes::shape& s, const bevelled<Profile>& how, const placement& at, Check&& check)
+{
+    const auto m = bevelled_of(s, how, at);
+    const part_sizes first = m.sizes.starts();
+    for (const part p : {part::front_bevel, part::back_bevel})
+        for (std::uint32_t t = 0; t < m.sizes.triangles[p]; ++t)
+            check(m, m.triangles[first.triangles[p] + t], p == part::front_bevel);
+}
+
+}  // namespace
+
+TEST_CASE("v goes on from the wall at one tile an em, u along the contour, and tangents follow them", "[bevelled]")
+{
+    for (const auto origin : {uv_origin::bottom_left, uv_origin::top_left}) {
+        frame f = right_handed_y_up;
+        f.uv = origin;
+        const float turn = origin == uv_origin::top_left ? -1.0f : 1.0f;
+        const shapes::shape all[] = {regular(4, 300), regular(64, 300), shapes::letter_e(), shapes::letter_d(8)};
+        for (const auto& s : all) {
+            INFO(s.name);
+            const bevelled<round_profile> how{.bevel_depth = 0.05f, .mitre_limit = 0.0f, .profile = {4}};
+            for_bevel_triangles(s, how, in_em(f), [&](const bevelled_mesh& m, const auto& t, bool) {
+                const uv_growth g = growth_on(m, t);
+                REQUIRE(g.known);
+                CHECK(std::sqrt(meshes::dot(g.v, g.v)) == Approx(1.0).epsilon(0.002));
+                CHECK(turn * g.v[2] > 0.0);  // upwards on both bevels, like on the walls
+                for (const std::uint32_t corner : t) {
+                    const auto& v = m.vertices[corner];
+                    const auto tangent = std::array{double(v.tangent.x), double(v.tangent.y), double(v.tangent.z)};
+                    const auto n = wide(v.normal);
+                    const std::array bitangent{v.tangent.w * (n[1] * tangent[2] - n[2] * tangent[1]),
+                                               v.tangent.w * (n[2] * tangent[0] - n[0] * tangent[2]),
+                                               v.tangent.w * (n[0] * tangent[1] - n[1] * tangent[0])};
+                    CHECK(meshes::dot(tangent, g.u) > 0.6 * std::sqrt(meshes::dot(g.u, g.u)));
+                    CHECK(meshes::dot(bitangent, g.v) > 0.8);
+                }
+            });
+        }
+    }
+    // Where the wall ends: the same v on both sides, and the lengths of the profile from there.
+    frame upwards = right_handed_y_up;
+    upwards.uv = uv_origin::bottom_left;
+    const auto m = bevelled_of(shapes::rectangle(), bevelled<>{.width = 0.03f, .bevel_depth = 0.04f}, in_em(upwards));
+    const part_sizes first = m.sizes.starts();
+    for (std::uint32_t i = 0; i < m.sizes.vertices[part::front_bevel]; ++i) {
+        const auto& v = m.vertices[first.vertices[part::front_bevel] + i];
+        CHECK(v.uv.y == Approx(v.position.z < -0.02f ? 0.96 : 1.01).margin(1e-5));
+    }
+    for (std::uint32_t i = 0; i < m.sizes.vertices[part::back_bevel]; ++i) {
+        const auto& v = m.vertices[first.vertices[part::back_bevel] + i];
+        CHECK(v.uv.y == Approx(v.position.z > -0.18f ? 0.84 : 0.79).margin(1e-5));
+    }
+    for (std::uint32_t i = 0; i < m.sizes.vertices[part::side]; ++i) {
+        const auto& v = m.vertices[first.vertices[part::side] + i];
+        CHECK(v.uv.y == Approx(v.position.z > -0.1f ? 0.96 : 0.84).margin(1e-5));
+    }
+}
+
+TEST_CASE("in box mapping a bevel shows what lies before it", "[bevelled]")
+{
+    frame f = right_handed_y_up;
+    f.uv = uv_origin::bottom_left;
+    placement at = in_em(f);
+    at.texture_per_cell = {1.0 / 512000.0, 1.0 / 512000.0};
+    const auto m = bevelled_of(shapes::letter_d(8), bevelled<>{.texture = texture_mapping::box}, at);
+    for (const auto& v : m.vertices) {
+        CHECK(v.uv.x == Approx(v.position.x).margin(1e-6));
+        CHECK(v.uv.y == Approx(v.position.y).margin(1e-6));
+    }
+}
+
+TEST_CASE("a bevel's normals are the curve's, tilted by the profile", "[bevelled]")
+{
+    // A circle of 24 chords: the curve's normal points away from its middle, at every height.
+    const shapes::shape circle{"circle", {shapes::cubic_circle({500, 500}, 300)}, {}, 6};
+    const auto tilt = [](const auto& v) {  // degrees above the plane
+        return std::asin(double(v.normal.z)) * 57.29577951308232;
+    };
+    const auto check_radial = [](const bevelled_mesh& m) {
+        for (const auto& v : m.vertices) {
+            if (std::abs(v.normal.z) > 0.999f) continue;
+            const double x = double(v.position.x) - 0.5, y = double(v.position.y) - 0.5;
+            const double off = std::hypot(x, y) * std::hypot(double(v.normal.x), double(v.normal.y));
+            CHECK((x * v.normal.x + y * v.normal.y) / off > std::cos(1.0 / 57.3));
+        }
+    };
+    const bevelled<> chamfer{.width = 0.03f, .bevel_depth = 0.04f};
+    for_bevel_triangles(circle, chamfer, in_em(), [&](const bevelled_mesh& m, const auto& t, bool in_front) {
+        for (const auto c : t) CHECK(tilt(m.vertices[c]) == Approx((in_front ? 1.0 : -1.0) * 36.8699).margin(0.01));
+    });
+    check_radial(bevelled_of(circle, chamfer));
+
+    // Round: smooth into the wall and into the cap, and evenly between.
+    const bevelled<round_profile> round{.width = 0.03f, .bevel_depth = 0.03f, .profile = {6}};
+    const auto m = bevelled_of(circle, round);
+    check_radial(m);
+    const std::uint32_t first = m.sizes.starts().vertices[part::front_bevel];
+    for (std::uint32_t i = 0; i < m.sizes.vertices[part::front_bevel]; ++i) {
+        const auto& v = m.vertices[first + i];
+        const double height = (v.position.z + 0.03) / 0.03;
+        CHECK(tilt(v) == Approx(std::asin(height) * 57.29577951308232).margin(0.02));
+    }
+
+    // The chamfer that looks round, and hard strips.
+    const bevelled<> looks_round{.shading = bevel_shading::rounded};
+    for_bevel_triangles(circle, looks_round, in_em(), [&](const bevelled_mesh& b, const auto& t, bool in_front) {
+        for (const auto c : t) {
+            const auto& v = b.vertices[c];
+            const bool outer = in_front ? !(v.position.z > -0.01f) : v.position.z > -0.19f;
+            CHECK(std::abs(tilt(v)) == Approx(outer ? 0.0 : 90.0).margin(0.05));
+        }
+    });
+    const bevelled<round_profile> hard{.profile_crease_degrees = 5.0f, .profile = {2}};
+    for_bevel_triangles(circle, hard, in_em(), [&](const bevelled_mesh& b, const auto& t, bool) {
+        CHECK(tilt(b.vertices[t[0]]) == Approx(tilt(b.vertices[t[1]])).margin(0.05));
+        CHECK(tilt(b.vertices[t[0]]) == Approx(tilt(b.vertices[t[2]])).margin(0.05));
+    });
+}
+
+TEST_CASE("joins shade round from one edge to the next, a single wide one keeps its own normal", "[bevelled]")
+{
+    // A notch whose tip points into the letter.
+    for (const auto joins : {bevel_joins::round, bevel_joins::bevelled}) {
+        shapes::shape s{
+            "notch", {shapes::polygon({{0, 0}, {600, 0}, {600, 600}, {330, 600}, {300, 200}, {270, 600}, {0, 600}})}};
+        s.loops.tolerance = 10.0;
+        const bevelled<> how{.joins = joins};
+        const auto m = bevelled_of(s, how);
+        check_laws(m);
+        CHECK((joins == bevel_joins::round ? m.data.swept.joins.size() > 3 : m.data.swept.joins.size() == 1));
+        // Vertices near the tip, and how far their normals are from pointing away from it.
+        double worst = 1.0;
+        std::size_t near = 0;
+        const std::uint32_t first = m.sizes.starts().vertices[part::front_bevel];
+        for (std::uint32_t i = 0; i < m.sizes.vertices[part::front_bevel]; ++i) {
+            const auto& v = m.vertices[first + i];
+            const double x = v.position.x - 0.3, y = v.position.y - 0.2, r = std::hypot(x, y);
+            if (r < 0.015 || r > 0.035 || y > 0.005) continue;
+            ++near;
+            worst = std::min(
+                worst, -(x * v.normal.x + y * v.normal.y) / r / std::hypot(double(v.normal.x), double(v.normal.y)));
+        }
+        CHECK(near >= 4);
+        CHECK(worst > (joins == bevel_joins::round ? 0.98 : 0.7));
+    }
+}
+
+TEST_CASE("a bevel wider than a stroke closes in a ridge, at the height that the profile has there", "[bevelled]")
+{
+    const bevelled<> how{.width = 0.3f, .bevel_depth = 0.06f};
+    const auto m = bevelled_of(shapes::rectangle(), how);
+    check_laws(m);
+    CHECK(m.sizes.vertices[part::front] == 0);
+    CHECK(m.sizes.triangles[part::back] == 0);
+    CHECK(m.sizes.triangles[part::front_bevel] == 6);
+    CHECK(m.sizes.vertices[part::front_bevel] == 3 + 4 + 3 + 4);
+    const double a = 0.4, b = 0.7, roof = 0.06 * 2.0 / 3.0;
+    CHECK(volume_of(m) == Approx(a * b * 0.08 + 2.0 * roof * a * (3.0 * b - a) / 6.0));
+    float top = -1.0f;
+    for (const auto& v : m.vertices) top = std::max(top, v.position.z);
+    CHECK(top == Approx(-0.02));
+}
+
+TEST_CASE("a bevel that fits is 0.9 times as wide as where a part would lose its cap", "[bevelled]")
+{
+    const auto reach = [](const shapes::shape& s, float width, bevel_mode mode) {
+        const auto m = bevelled_of(s, bevelled<>{.width = width, .mode = mode});
+        check_laws(m);
+        return m.data.swept.levels.back() / 512000.0;
+    };
+    const auto bar = shapes::rectangle();  // 400 units wide
+    CHECK(reach(bar, 0.1f, bevel_mode::fit) == Approx(0.1));
+    CHECK(reach(bar, 0.19f, bevel_mode::fit) == Approx(0.19));
+    CHECK(reach(bar, 0.25f, bevel_mode::fit) == Approx(0.18));
+    CHECK(reach(bar, 3.0f, bevel_mode::fit) == Approx(0.18));
+    CHECK(reach(bar, 0.25f, bevel_mode::clip) == Approx(0.25));
+    CHECK(reach(shapes::pair(), 0.3f, bevel_mode::fit) < 0.06);  // the triangle's cap is the first to go
+}
+
+TEST_CASE("a bevel narrower than four cells is upright, one less deep is level", "[bevelled]")
+{
+    const shapes::shape shape = shapes::letter_d(8);
+    const double area = area_at(shape, 0.0);
+    const auto plain = build(shape, extruded<>{});
+    for (const float width : {0.0f, 1e-6f}) {
+        const auto m = bevelled_of(shape, bevelled<round_profile>{.width = width});
+        check_laws(m);
+        CHECK(volume_of(m) == Approx(0.2 * area));
+        CHECK(m.sizes.triangles[part::front_bevel] == 2 * shape.points());
+        CHECK(m.sizes.triangles[part::side] == 2 * shape.points());
+        CHECK(m.sizes.vertices[part::front_bevel] == plain.sizes.vertices[part::side]);
+        CHECK(m.sizes.vertices[part::front] == plain.sizes.vertices[part::front]);
+    }
+    for (const float depth : {0.0f, 1e-6f}) {
+        const auto m = bevelled_of(shape, bevelled<round_profile>{.bevel_depth = depth, .mitre_limit = 0.0f});
+        check_laws(m);
+        CHECK(volume_of(m) == Approx(0.2 * area));
+        CHECK(m.sizes.triangles[part::front_bevel] == 2 * shape.points());
+        CHECK(cap_area(m, part::front) == Approx(area_at(shape, 0.02)).epsilon(1e-5));
+    }
+    // Neither: the mesh of extruded, to the bit.
+    const auto neither = bevelled_of(shape, bevelled<>{.width = 0.0f, .bevel_depth = 0.0f});
+    REQUIRE(neither.vertices.size() == plain.vertices.size());
+    CHECK(neither.triangles == plain.triangles);
+    for (std::size_t i = 0; i < plain.vertices.size(); ++i) {
+        CHECK(neither.vertices[i].position == plain.vertices[i].position);
+        CHECK(neither.vertices[i].normal == plain.vertices[i].normal);
+        CHECK(neither.vertices[i].uv == plain.vertices[i].uv);
+        CHECK(neither.vertices[i].tangent == plain.vertices[i].tangent);
+    }
+}
+
+TEST_CASE("parts that are switched off are left out, the others stay what they are", "[bevelled]")
+{
+    const auto s = shapes::letter_e();
+    const auto all = bevelled_of(s, bevelled<>{});
+    for (unsigned bits = 0; bits < 8; ++bits) {
+        const bevelled<> how{.front = (bits & 1u) != 0, .back = (bits & 2u) != 0, .side = (bits & 4u) != 0};
+        const auto m = bevelled_of(s, how);
+        CHECK(m.sizes.vertices[part::front] == (how.front ? all.sizes.vertices[part::front] : 0));
+        CHECK(m.sizes.triangles[part::back] == (how.back ? all.sizes.triangles[part::back] : 0));
+        CHECK(m.sizes.vertices[part::side] == (how.side ? all.sizes.vertices[part::side] : 0));
+        CHECK(m.sizes.triangles[part::front_bevel] == all.sizes.triangles[part::front_bevel]);
+    }
+}
+
+TEST_CASE("bevelled refuses options out of range, each by its name, with or without a region", "[bevelled]")
+{
+    const float infinite = std::numeric_limits<float>::infinity(), nowhere = std::numeric_limits<float>::quiet_NaN();
+    const auto check = [](const char* name, const auto& how) {
+        INFO(name);
+        bevelled_mesh m;
+        for (const error& e : {refused_options(how), build_bevelled(shapes::rectangle(), how, m)}) {
+            CHECK(e == error::bad_option);
+            REQUIRE(e.option != nullptr);
+            CHECK(std::string{e.option} == name);
+        }
+    };
+    for (const float v : {-0.1f, infinite, -infinite, nowhere}) {
+        check("depth", bevelled<>{.depth = v});
+        check("width", bevelled<>{.width = v});
+        check("bevel_depth", bevelled<>{.bevel_depth = v});
+        check("mitre_limit", bevelled<>{.mitre_limit = v});
+        check("crease_degrees", bevelled<>{.crease_degrees = v});
+        check("profile_crease_degrees", bevelled<>{.profile_crease_degrees = v});
+    }
+    check("depth", bevelled<>{.depth = 0.0f});
+    check("mitre_limit", bevelled<>{.mitre_limit = 0.5f});
+    check("crease_degrees", bevelled<>{.crease_degrees = 180.5f});
+    check("bevel_depth", bevelled<>{.depth = 0.2f, .bevel_depth = 0.11f});
+    check("bevel_depth", bevelled<>{.depth = 0.2f, .bevel_depth = 0.21f, .sides = bevel_sides::back});
+    CHECK_FALSE(refused_options(bevelled<>{.depth = 0.2f, .bevel_depth = 0.1f}));
+    CHECK_FALSE(refused_options(bevelled<>{.depth = 0.2f, .bevel_depth = 0.2f, .sides = bevel_sides::front}));
+    check("profile", bevelled<polyline_profile>{});
+    check("profile", bevelled<polyline_profile>{.profile = {{{0, 0}, {0.7f, 1}, {0.5f, 1}, {1, 1}}}});
+    check("profile", bevelled<round_profile>{.profile = {64}});
+    check("shading", bevelled<engraved_profile>{.shading = bevel_shading::rounded});
+
+    shapes::shape unknown = shapes::rectangle();
+    unknown.loops.grid.units_per_em = 0.0;
+    bevelled_mesh m;
+    CHECK(std::string{build_bevelled(unknown, bevelled<>{}, m).option} == "units_per_em");
+}
+
+TEST_CASE("bevels that plan differently have different keys", "[bevelled]")
+{
+    const bevelled<round_profile> plain;
+    std::vector<bevelled<round_profile>> others(14, plain);
+    others[0].width = 0.021f;
+    others[1].bevel_depth = 0.021f;
+    others[2].sides = bevel_sides::front;
+    others[3].sides = bevel_sides::back;
+    others[4].mode = bevel_mode::fit;
+    others[5].joins = bevel_joins::bevelled;
+    others[6].shading = bevel_shading::rounded;
+    others[7].mitre_limit = 0.0f;
+    others[8].crease_degrees = 16.0f;
+    others[9].profile_crease_degrees = 31.0f;
+    others[10].texture = texture_mapping::box;
+    others[11].profile.steps = 5;
+    others[12].depth = 0.01f;  // refused
+    others[13].side = false;
+    for (std::size_t i = 0; i < others.size(); ++i) {
+        INFO(i);
+        CHECK_FALSE(others[i].cache_key() == plain.cache_key());
+        for (std::size_t k = 0; k < i; ++k) CHECK_FALSE(others[i].cache_key() == others[k].cache_key());
+    }
+    bevelled<round_profile> deeper = plain;
+    deeper.depth = 0.3f;
+    deeper.centred = true;
+    CHECK(deeper.cache_key() == plain.cache_key());
+    CHECK_FALSE(bevelled<>{.bevel_depth = 0.1f}.cache_key() ==
+                bevelled<>{.depth = 0.3f, .bevel_depth = 0.1f}.cache_key());
+    const bevelled<polyline_profile> a{.profile = {{{0, 0}, {0.5f, 0.2f}, {1, 1}}}},
+        b{.profile = {{{0, 0}, {0.5f, 0.3f}, {1, 1}}}};
+    CHECK_FALSE(a.cache_key() == b.cache_key());
+}
+
+TEST_CASE("an empty region is bevelled to nothing, and memory that runs out is reported", "[bevelled]")
+{
+    bevel_data data;
+    no_caps nothing;
+    const auto empty = plan_solid(bevelled<>{}, region{}, data, nothing);
+    REQUIRE(empty);
+    CHECK(empty->sizes.total() == mesh_size{});
+
+    struct limited {
+        std::size_t left;
+        static void* take(void* user, std::size_t bytes, std::size_t alignment) noexcept
+        {
+            auto& left = static_cast<limited*>(user)->left;
+            if (left == 0) return nullptr;
+            --left;
+            const memory all = heap();
+            return all.allocate(all.user, bytes, alignment);
+        }
+        static void give_back(void*, void* place, std::size_t bytes, std::size_t alignment) noexcept
+        {
+            const memory all = heap();
+            all.deallocate(all.user, place, bytes, alignment);
+        }
+    };
+    const auto s = shapes::letter_d(8);
+    bool done = false;
+    for (std::size_t allowed = 0; !done && allowed < 100; ++allowed) {
+        limited few{allowed};
+        bevel_data scarce{memory{&few, limited::take, limited::give_back}};
+        scarce.swept = swept_region{};  // the test's own sweep cannot do with less
+        monotone_caps caps;
+        const auto plan = plan_solid(bevelled<round_profile>{}, s.made(), scarce, caps);
+        done = static_cast<bool>(plan);
+        if (!done) CHECK(plan.error() == error::out_of_memory);
+        CHECK((done || allowed < 50));
+    }
+    CHECK(done);
+}
+
+TEST_CASE("a bevel is planned anew into the memory of the last one", "[bevelled]")
+{
+    bevel_data data;
+    monotone_caps caps;
+    const auto large = shapes::ring(8), small = shapes::rectangle();
+    const bevelled<round_profile> how{.profile = {4}};
+    const auto first = plan_solid(how, small.made(), data, caps);
+    REQUIRE(first);
+    data.clear();
+    REQUIRE(plan_solid(how, large.made(), data, caps));
+    data.clear();
+    const auto again = plan_solid(how, small.made(), data, caps);
+    REQUIRE(again);
+    CHECK(again->sizes == first->sizes);
+}
