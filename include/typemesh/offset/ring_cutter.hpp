@@ -30,7 +30,8 @@ public:
                                    triangle_list& out) noexcept
     {
         const std::size_t before = out.size();
-        if (!out.reserve(before + ring.size() - 2) || !left_.reserve(ring.size())) return error::out_of_memory;
+        if (out.append(ring.size() - 2) == nullptr || !left_.reserve(ring.size())) return error::out_of_memory;
+        out.truncate(before);  // append() grows by more than it is asked for, reserve() does not
         if (cut_mountain(ring, nodes, out)) return error::none;
         out.truncate(before);
         if (cut_ears(ring, nodes, out)) return error::none;

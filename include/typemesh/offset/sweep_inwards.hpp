@@ -4,7 +4,10 @@
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/error.hpp>
+#include <typemesh/core/orientation.hpp>
+#include <typemesh/core/point.hpp>
 #include <typemesh/core/region.hpp>
+#include <typemesh/core/same.hpp>
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/offset/reflex_joins.hpp>
@@ -42,7 +45,8 @@ public:
           path_{scratch.source()},
           stack_{scratch.source()},
           ring_{scratch.source()},
-          on_path_{scratch.source()}
+          on_path_{scratch.source()},
+          detours_{scratch.source()}
     {
     }
 
@@ -72,6 +76,11 @@ public:
 private:
     static constexpr std::uint32_t none = wavefront::none;
     static constexpr std::int64_t early = 2 * time_one;
+
+    struct detour {
+        std::uint32_t a = 0, b = 0;  // instead of straight
+        std::uint32_t via = 0;
+    };
 
     [[nodiscard]] static std::int64_t time_of(double cells) noexcept
     {
@@ -229,14 +238,31 @@ private:
         return true;
     }
 
+    /// Where rounding has turned a sliver of a cell over, the long side of it takes a detour over the node that is too
+    /// close to it, in the neighbouring cell as well, and everything is cut again.
     [[nodiscard]] error cut_cells(std::uint32_t band) noexcept
+    {
+        constexpr std::size_t most_detours = 64;
+        const std::size_t cells = out_.cells.size(), triangles = out_.triangles.size();
+        detours_.clear();
+        for (;;) {
+            const error e = try_to_cut(band);
+            if (e.code != error::crossing_contours) return e;
+            if (detours_.size() == most_detours || !find_detour(ring_)) return e;
+            out_.cells.truncate(cells);
+            out_.triangles.truncate(triangles);
+        }
+    }
+
+    [[nodiscard]] error try_to_cut(std::uint32_t band) noexcept
     {
         const auto& corners = front_.outlines.corners;
         for (const auto& c : front_.outlines.cells) {
             path_.clear();
             std::uint32_t i = c.corner;
             do {
-                if (!path_.push_back(corners[i].node)) return error::out_of_memory;
+                if (!path_.push_back(corners[i].node) || !follow_detours(corners[corners[i].next].node))
+                    return error::out_of_memory;
                 i = corners[i].next;
             } while (i != c.corner);
             const auto first = static_cast<std::uint32_t>(out_.triangles.size());
@@ -250,8 +276,47 @@ private:
         return error::none;
     }
 
-    /// Cuts the closed path where it comes back to a node, and passes on each ring of 3 nodes or more. What goes from a
-    /// node to the next and back bounds nothing.
+    /// From the path's last node to the next one.
+    [[nodiscard]] bool follow_detours(std::uint32_t next) noexcept
+    {
+        for (std::size_t k = 0; k < detours_.size(); ++k) {
+            const detour& d = detours_[k];
+            const std::uint32_t last = path_.back();
+            const bool along = (d.a == last && d.b == next) || (d.a == next && d.b == last);
+            if (!along) continue;
+            if (!follow_detours(d.via) || !path_.push_back(d.via)) return false;
+            return follow_detours(next);
+        }
+        return true;
+    }
+
+    /// Finds the node of a ring that is nearest to another edge of it, at most 2 cells; edges at levels stay straight.
+    [[nodiscard]] bool find_detour(const buffer<std::uint32_t>& ring) noexcept
+    {
+        detour best;
+        double least = 2.0;
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const std::uint32_t a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
+            if (typemesh::same(as_double(front_.nodes[a].distance), as_double(front_.nodes[b].distance))) continue;
+            const grid_point p = front_.nodes[a].at, q = front_.nodes[b].at;
+            const double size = length({static_cast<double>(q.x - p.x), static_cast<double>(q.y - p.y)});
+            for (const std::uint32_t via : ring) {
+                const grid_point m = front_.nodes[via].at;
+                const std::int64_t along = (std::int64_t{q.x} - p.x) * (std::int64_t{m.x} - p.x) +
+                                           (std::int64_t{q.y} - p.y) * (std::int64_t{m.y} - p.y);
+                if (via == a || via == b || along <= 0 || along >= squared_distance(p, q)) continue;
+                const std::int64_t area = orientation(p, q, m);
+                const double distance = static_cast<double>(area < 0 ? -area : area) / size;
+                if (distance >= least) continue;
+                least = distance;
+                best = {a, b, via};
+            }
+        }
+        return best.a != best.b && detours_.push_back(best);
+    }
+
+    /// Cuts the closed path where it comes back to a node, and passes on each ring of 3 nodes or more, until `take`
+    /// refuses one: that stays in ring_. What goes from a node to the next and back bounds nothing.
     template <class Take>
     [[nodiscard]] error each_ring(Take take) noexcept
     {
@@ -259,8 +324,8 @@ private:
             if (!on_path_.push_back(none)) return error::out_of_memory;
         stack_.clear();
         error e;
-        for (const std::uint32_t node : path_) {
-            const std::uint32_t from = on_path_[node];
+        for (std::size_t i = 0; i < path_.size() && !e; ++i) {
+            const std::uint32_t node = path_[i], from = on_path_[node];
             if (from == none) {
                 on_path_[node] = static_cast<std::uint32_t>(stack_.size());
                 if (!stack_.push_back(node)) return error::out_of_memory;
@@ -270,11 +335,12 @@ private:
             if (!ring_.append(stack_.view().subspan(from))) return error::out_of_memory;
             for (std::size_t k = 1; k < ring_.size(); ++k) on_path_[ring_[k]] = none;
             stack_.truncate(from + 1);
-            if (ring_.size() >= 3 && !e) e = take(ring_);
+            if (ring_.size() >= 3) e = take(ring_);
         }
         for (const std::uint32_t node : stack_) on_path_[node] = none;
-        if (stack_.size() >= 3 && !e) e = take(stack_);
-        return e;
+        if (e || stack_.size() < 3) return e;
+        ring_.swap(stack_);
+        return take(ring_);
     }
 
     /// The loops that the segments still make.
@@ -312,6 +378,7 @@ private:
     buffer<std::uint32_t> level_of_;  // of each vertex: its node at the level
     buffer<std::uint32_t> same_;      // of each node: another one at its place, or itself
     buffer<std::uint32_t> path_, stack_, ring_, on_path_;
+    buffer<detour> detours_;
 };
 
 }  // namespace detail
