@@ -6,6 +6,7 @@
 #include <typemesh/extrude/extruded.hpp>
 #include <typemesh/extrude/polyline_profile.hpp>
 #include <typemesh/glyph/cap_builder.hpp>
+#include <typemesh/glyph/plan_region.hpp>
 #include <typemesh/inspect/mesh_measure.hpp>
 #include <typemesh/inspect/normal_check.hpp>
 #include <typemesh/triangulate/monotone.hpp>
@@ -30,16 +31,17 @@ static_assert(extruder<bevelled<>>);
 static_assert(capping_extruder<bevelled<>>);
 static_assert(part_count_of<bevelled<>> == 5);
 
-/// Caps by the library's triangulator, and how many were asked for.
+/// Caps as the library makes them.
 class monotone_caps {
 public:
-    error operator()(const region& r, triangle_list& out) noexcept { return caps_.cap(r, monotone{}, out); }
-    [[nodiscard]] workspace& space() noexcept { return caps_.space(); }
+    explicit monotone_caps(const region& r) { REQUIRE_FALSE(of_region_.cap(r, monotone{})); }
+
+    [[nodiscard]] auto maker() noexcept { return detail::region_caps{of_region_, further_, cut_}; }
 
 private:
-    cap_builder caps_;
+    cap_builder of_region_, further_;
+    monotone cut_;
 };
-static_assert(cap_maker<monotone_caps>);
 
 struct bevelled_mesh : mesh<everything> {
     part_sizes sizes;
@@ -49,9 +51,10 @@ struct bevelled_mesh : mesh<everything> {
 template <class E>
 error build_bevelled(const shapes::shape& s, const E& how, bevelled_mesh& to, const placement& at = in_em())
 {
-    monotone_caps caps;
     const region r = s.made();
-    const auto plan = plan_solid(how, r, to.data, caps);
+    monotone_caps caps{r};
+    auto maker = caps.maker();
+    const auto plan = plan_solid(how, r, to.data, maker);
     if (!plan) return plan.error();
     to.sizes = plan->sizes;
     const solid_of<E> form{{r.points(), r.starts(), s.cap}, to.data.read()};
@@ -623,8 +626,9 @@ TEST_CASE("an empty region is bevelled to nothing, and memory that runs out is r
         limited few{allowed};
         bevel_data scarce{memory{&few, limited::take, limited::give_back}};
         scarce.swept = swept_region{};  // the test's own sweep cannot do with less
-        monotone_caps caps;
-        const auto plan = plan_solid(bevelled<round_profile>{}, s.made(), scarce, caps);
+        monotone_caps caps{s.made()};
+        auto maker = caps.maker();
+        const auto plan = plan_solid(bevelled<round_profile>{}, s.made(), scarce, maker);
         done = static_cast<bool>(plan);
         if (!done) CHECK(plan.error() == error::out_of_memory);
         CHECK((done || allowed < 50));
@@ -635,15 +639,17 @@ TEST_CASE("an empty region is bevelled to nothing, and memory that runs out is r
 TEST_CASE("a bevel is planned anew into the memory of the last one", "[bevelled]")
 {
     bevel_data data;
-    monotone_caps caps;
     const auto large = shapes::ring(8), small = shapes::rectangle();
+    monotone_caps of_large{large.made()}, of_small{small.made()};
+    auto large_caps = of_large.maker();
+    auto small_caps = of_small.maker();
     const bevelled<round_profile> how{.profile = {4}};
-    const auto first = plan_solid(how, small.made(), data, caps);
+    const auto first = plan_solid(how, small.made(), data, small_caps);
     REQUIRE(first);
     data.clear();
-    REQUIRE(plan_solid(how, large.made(), data, caps));
+    REQUIRE(plan_solid(how, large.made(), data, large_caps));
     data.clear();
-    const auto again = plan_solid(how, small.made(), data, caps);
+    const auto again = plan_solid(how, small.made(), data, small_caps);
     REQUIRE(again);
     CHECK(again->sizes == first->sizes);
 }

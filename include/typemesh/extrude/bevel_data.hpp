@@ -66,12 +66,11 @@ struct bevel_data
     };
 
     swept_region swept;
-    triangle_list triangles;  ///< of the region itself
     buffer<corner> corners;
     buffer<corner_normals> normals;  ///< of each bevel vertex
 
     explicit bevel_data(memory source = heap()) noexcept
-        : plan_arrays{source}, swept{source}, triangles{source}, corners{source}, normals{source}
+        : plan_arrays{source}, swept{source}, corners{source}, normals{source}
     {
     }
 

@@ -14,13 +14,13 @@
 #include <typemesh/extrude/texture.hpp>
 #include <typemesh/extrude/texture_tangent.hpp>
 #include <typemesh/extrude/upright_walls.hpp>
-#include <typemesh/fill/fill.hpp>
 #include <typemesh/offset/sweep_inwards.hpp>
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <type_traits>
+#include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -212,12 +212,9 @@ private:
     template <cap_maker Caps>
     error carve(profile_scale& scale, const region& filled, plan_data& data, Caps& caps) const noexcept
     {
-        data.triangles.clear();
-        if (scale.width >= profile_levels::finest)
-            if (error e = caps(filled, data.triangles)) return e;
         bool fits = mode == bevel_mode::clip;
         for (;;) {
-            error e = sweep_to(scale, filled, data.triangles.view(), data.swept, caps.space());
+            error e = sweep_to(scale, filled, caps.triangles(), data.swept, caps.space());
             const double loss = data.swept.first_loss;
             if (!e && !fits && loss >= 0.0) {
                 scale.width = 0.9 * loss;
@@ -249,29 +246,16 @@ private:
     template <cap_maker Caps>
     error make_cap(plan_data& data, Caps& caps) const noexcept
     {
-        contours& loops = data.swept.cap;
-        if (loops.points.empty()) return {};
-        const std::uint64_t edges = edges_of(loops);
-        const auto cap = fill(loops, fill_rule::non_zero, caps.space());
+        if (data.swept.cap.points.empty()) return {};
+        const std::uint64_t edges = edges_of(data.swept.cap);
+        caps.loops() = std::move(data.swept.cap);  // which exchanges their storage
+        const auto cap = caps.fill(data.of<triangle>());
         if (!cap) return cap.error();
-        if (edges_of(loops) != edges) return error::crossing_contours;
-        if (error e = caps(*cap, data.of<triangle>())) return e;
+        if (edges_of(caps.loops()) != edges) {
+            data.of<triangle>().clear();
+            return error::crossing_contours;
+        }
         return data.of<grid_point>().append(cap->points()) ? error{} : error{error::out_of_memory};
-    }
-
-    error make_bevel(const profile_levels& levels, const profile_scale& scale, const region& filled, plan_data& data,
-                     workspace& space) const noexcept
-    {
-        if (!add_strips(levels, scale.depth, crease_cosine(profile_crease_degrees), shading, data.of<bevel_strip>()))
-            return error::out_of_memory;
-        const bevel_rims rims{levels.view().front().arrives, levels.view().back().leaves, levels.view().size() == 1};
-        if (!data.of<bevel_rims>().push_back(rims)) return error::out_of_memory;
-        workspace::scope scratch{space};
-        bevel_light light;
-        if (!light.prepare(filled, data.of<side_point>().view(), data.swept, scratch)) return error::out_of_memory;
-        const double em = filled.grid().cells * filled.grid().units_per_em;
-        const double most_apart = texture == texture_mapping::em ? em / 1024.0 : -1.0;
-        return bevel_vertices{data, light, {crease_cosine(crease_degrees), most_apart}}.make(levels, scratch);
     }
 
     /// What a sweep of width 0 gives: the region's own points and edges at level 0, no cell and no cap. False when
@@ -302,6 +286,21 @@ private:
             }
         }
         return sum;
+    }
+
+    error make_bevel(const profile_levels& levels, const profile_scale& scale, const region& filled, plan_data& data,
+                     workspace& space) const noexcept
+    {
+        if (!add_strips(levels, scale.depth, crease_cosine(profile_crease_degrees), shading, data.of<bevel_strip>()))
+            return error::out_of_memory;
+        const bevel_rims rims{levels.view().front().arrives, levels.view().back().leaves, levels.view().size() == 1};
+        if (!data.of<bevel_rims>().push_back(rims)) return error::out_of_memory;
+        workspace::scope scratch{space};
+        bevel_light light;
+        if (!light.prepare(filled, data.of<side_point>().view(), data.swept, scratch)) return error::out_of_memory;
+        const double em = filled.grid().cells * filled.grid().units_per_em;
+        const double most_apart = texture == texture_mapping::em ? em / 1024.0 : -1.0;
+        return bevel_vertices{data, light, {crease_cosine(crease_degrees), most_apart}}.make(levels, scratch);
     }
 
     [[nodiscard]] part_sizes sizes(const region& filled, std::uint32_t doubled, plan_data& data) const noexcept
