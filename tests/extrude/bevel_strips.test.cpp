@@ -21,7 +21,7 @@ struct strips_of {
 
     strips_of(const profile_points& points, float crease, bevel_shading shading = bevel_shading::by_slope)
     {
-        REQUIRE(add_strips({points, wide_scale}, wide_scale.depth, crease_cosine(crease), shading, made));
+        REQUIRE(add_strips({points, wide_scale}, wide_scale.depth, crease, shading, made));
     }
     [[nodiscard]] bevel_slopes slopes(bevel_shading shading = bevel_shading::by_slope) const
     {
@@ -82,7 +82,7 @@ TEST_CASE("heights are those of the strip's ends to the bit, and even between th
 TEST_CASE("strips that differ by less than the crease angle share the mean of their normals", "[bevel_strips]")
 {
     // A chamfer of 3 to 4 has its normal 36.87 degrees above the plane.
-    const strips_of hard{{{0, 0}, {1, 1}}, 36.0f}, soft{{{0, 0}, {1, 1}}, 37.0f}, softer{{{0, 0}, {1, 1}}, 54.0f};
+    const strips_of hard{{{0, 0}, {1, 1}}, 73.0f}, soft{{{0, 0}, {1, 1}}, 74.0f}, softer{{{0, 0}, {1, 1}}, 107.0f};
     CHECK_FALSE(hard.made[0].smooth_before);
     CHECK(soft.made[0].smooth_before);
     CHECK_FALSE(soft.made[0].smooth_after);

@@ -4,6 +4,7 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/extrude/bevel_data.hpp>
 #include <typemesh/extrude/profile_levels.hpp>
+#include <typemesh/extrude/wall_normal.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -14,10 +15,11 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// How a bevel is lit across its profile.
 enum class bevel_shading : std::uint8_t {
-    by_slope,  ///< each strip by its own slope; neighbours that differ by less than the crease angle share a mean
-    rounded,   ///< from the wall's normal at the outer end to the cap's at the inner, by the length of the profile: a
-               ///< chamfer that looks round. Not for profiles that fall. From section 8.2 of "Study of mesh generation
-               ///< and optimization techniques applied to parametric forms", J. Vandenbergh, 2020
+    by_slope,  ///< each strip by its own slope; neighbours that differ by less than the crease angle share the mean of
+               ///< their normals
+    rounded,  ///< from the wall's normal at the outer end to the cap's at the inner, by the length of the profile: a
+              ///< chamfer that looks round. Not for profiles that fall. From section 8.2 of "Study of mesh generation
+              ///< and optimization techniques applied to parametric forms", J. Vandenbergh, 2020
 };
 
 /// A direction across a profile: outwards in the plane and towards the reader, on the front.
@@ -40,12 +42,13 @@ struct bevel_tilt {
 
 /// Makes the strips of a profile's levels: a riser where a level has one, then what lies between it and the next.
 ///
-///     depth    of the bevel, in cells, for the angles between strips
-///     crease   the cosine of the angle up to which neighbours are smooth; risers never are
+///     depth             of the bevel, in cells, for the angles between strips
+///     crease_degrees    up to which neighbours are smooth; risers never are. To the wall and to the cap half of it, as
+///                       a round profile differs from these by half a step
 ///
 /// False when memory runs out.
-[[nodiscard]] inline bool add_strips(const profile_levels& profile, double depth, double crease, bevel_shading shading,
-                                     buffer<bevel_strip>& out) noexcept
+[[nodiscard]] inline bool add_strips(const profile_levels& profile, double depth, float crease_degrees,
+                                     bevel_shading shading, buffer<bevel_strip>& out) noexcept
 {
     const auto levels = profile.view();
     if (!out.reserve(2 * levels.size())) return false;
@@ -56,17 +59,18 @@ struct bevel_tilt {
         const profile_level& next = levels[k + 1];
         out.push_back_unchecked({static_cast<float>(next.distance - at.distance), at.leaves, next.arrives});
     }
-    const auto smooth = [&](bevel_tilt a, bevel_tilt b) noexcept {
+    const auto smooth = [&](bevel_tilt a, bevel_tilt b, double crease) noexcept {
         return shading == bevel_shading::rounded || a.out * b.out + a.up * b.up >= crease;
     };
+    const double between = crease_cosine(crease_degrees), at_ends = crease_cosine(0.5f * crease_degrees);
     for (std::size_t i = 0; i < out.size(); ++i) {
         if (is_zero(out[i].run)) continue;
         const bevel_tilt own = tilt_of(out[i], depth);
-        if (i == 0) out[i].smooth_before = smooth({1.0, 0.0}, own);
+        if (i == 0) out[i].smooth_before = smooth({1.0, 0.0}, own, at_ends);
         if (i + 1 == out.size())
-            out[i].smooth_after = smooth(own, {0.0, 1.0});
+            out[i].smooth_after = smooth(own, {0.0, 1.0}, at_ends);
         else if (!is_zero(out[i + 1].run))
-            out[i].smooth_after = out[i + 1].smooth_before = smooth(own, tilt_of(out[i + 1], depth));
+            out[i].smooth_after = out[i + 1].smooth_before = smooth(own, tilt_of(out[i + 1], depth), between);
     }
     return true;
 }

@@ -70,7 +70,7 @@ struct bevelled {
     bevel_shading shading = bevel_shading::by_slope;
     float mitre_limit = 2.0f;              ///< at least 1; 0: none
     float crease_degrees = 15.0f;          ///< 0 to 180; along the contour, see curve_normals
-    float profile_crease_degrees = 30.0f;  ///< 0 to 180; across the profile
+    float profile_crease_degrees = 30.0f;  ///< 0 to 180; across the profile, half of it at the wall and the cap
     bool centred = false;                  ///< front at z = depth / 2 and back at -depth / 2
     bool front = true;
     bool back = true;
@@ -291,7 +291,7 @@ private:
     error make_bevel(const profile_levels& levels, const profile_scale& scale, const region& filled, plan_data& data,
                      workspace& space) const noexcept
     {
-        if (!add_strips(levels, scale.depth, crease_cosine(profile_crease_degrees), shading, data.of<bevel_strip>()))
+        if (!add_strips(levels, scale.depth, profile_crease_degrees, shading, data.of<bevel_strip>()))
             return error::out_of_memory;
         const bevel_rims rims{levels.view().front().arrives, levels.view().back().leaves, levels.view().size() == 1};
         if (!data.of<bevel_rims>().push_back(rims)) return error::out_of_memory;
