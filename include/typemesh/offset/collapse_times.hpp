@@ -52,7 +52,7 @@ public:
 
 private:
     using segment = kinetic_triangles::segment;
-    static constexpr int128 no_length = static_cast<int128>(1) << 38;  // 1/256 cell
+    static constexpr int128 no_length = static_cast<int128>(1) << 42;  // 1/16 cell
 
     /// Between two segments a triangle's angle is below 180 degrees. Where it is not, as between the bits that are left
     /// when several strokes close at once, the triangle has no area and the shorter of the two segments goes now.

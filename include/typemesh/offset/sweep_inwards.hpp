@@ -248,7 +248,7 @@ private:
         for (;;) {
             const error e = try_to_cut(band);
             if (e.code != error::crossing_contours) return e;
-            if (detours_.size() == most_detours || !find_detour(ring_)) return e;
+            if (detours_.size() == most_detours || !find_detour(ring_, band)) return e;
             out_.cells.truncate(cells);
             out_.triangles.truncate(triangles);
         }
@@ -291,13 +291,20 @@ private:
     }
 
     /// Finds the node of a ring that is nearest to another edge of it, at most 2 cells; edges at levels stay straight.
-    [[nodiscard]] bool find_detour(const buffer<std::uint32_t>& ring) noexcept
+    [[nodiscard]] bool find_detour(const buffer<std::uint32_t>& ring, std::uint32_t band) noexcept
     {
+        const auto is_at_level = [&](std::uint32_t a, std::uint32_t b) noexcept {
+            for (std::size_t k = out_.at_level[band]; k < out_.edges_at.size(); ++k) {
+                const swept_edge_at& e = out_.edges_at[k];
+                if ((e.a == a && e.b == b) || (e.a == b && e.b == a)) return true;
+            }
+            return false;
+        };
         detour best;
         double least = 2.0;
         for (std::size_t i = 0; i < ring.size(); ++i) {
             const std::uint32_t a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
-            if (typemesh::same(as_double(front_.nodes[a].distance), as_double(front_.nodes[b].distance))) continue;
+            if (is_at_level(a, b)) continue;
             const grid_point p = front_.nodes[a].at, q = front_.nodes[b].at;
             const double size = length({static_cast<double>(q.x - p.x), static_cast<double>(q.y - p.y)});
             for (const std::uint32_t via : ring) {

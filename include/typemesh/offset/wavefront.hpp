@@ -120,6 +120,10 @@ private:
         return static_cast<std::uint32_t>(nodes.size() - 1);
     }
 
+    /// The last nodes of the corners at the two ends of a segment.
+    [[nodiscard]] std::uint32_t last_node(std::uint32_t s) const noexcept { return node_of[mesh.segments[s].from]; }
+    [[nodiscard]] std::uint32_t next_node(std::uint32_t s) const noexcept { return node_of[mesh.segments[s].to]; }
+
     void schedule(std::uint32_t t) noexcept
     {
         ++mesh.triangles[t].stamp;
@@ -146,11 +150,11 @@ private:
         const std::uint32_t s = kinetic_triangles::segment_in(mesh.link(h));
         const std::uint32_t u = mesh.segments[s].from, v = mesh.segments[s].to;
         const fixed_vector at = meeting_place(u, v);
-        const std::uint32_t node = node_at(at, {node_of[u], node_of[v]});
+        const std::uint32_t before = mesh.vertices[u].before, after = mesh.vertices[v].after;
+        const std::uint32_t node = node_at(at, {node_of[u], node_of[v], last_node(before), next_node(after)});
         if (failed_) return;
         outlines.close(ends_of[s], node);
         lose(s);
-        const std::uint32_t before = mesh.vertices[u].before, after = mesh.vertices[v].after;
         outlines.at_tail(ends_of[before], node);
         outlines.at_head(ends_of[after], node);
         join(h, before, after, at, node);
@@ -211,7 +215,7 @@ private:
     /// but only a reflex corner can; otherwise another corner is in the way, and a flip brings it in.
     void meet(std::uint32_t h) noexcept
     {
-        constexpr int128 slip = static_cast<int128>(1) << 38;  // 1/256 cell
+        constexpr int128 slip = static_cast<int128>(1) << 42;  // 1/16 cell
         const span_along along = measure(h);
         const auto& w = mesh.vertices[mesh.apex(h)];
         const bool reflex =
@@ -235,7 +239,7 @@ private:
         const std::uint32_t a = mesh.vertices[w].before, b = mesh.vertices[w].after;
         const fixed_vector at = times_.place(w);
         const std::uint32_t v = mesh.segments[s].to;
-        const std::uint32_t node = node_at(at, {node_of[w], node_of[mesh.segments[s].from], node_of[v]});
+        const std::uint32_t node = node_at(at, {node_of[w], last_node(s), next_node(s), last_node(a), next_node(b)});
         const auto right = static_cast<std::uint32_t>(mesh.segments.size());
         const kinetic_triangles::segment copy = mesh.segments[s];
         if (failed_ || !mesh.segments.push_back(copy) || !ends_of.push_back(outlines.split(ends_of[s], node))) {
@@ -266,7 +270,8 @@ private:
         const std::uint32_t g = mesh.link(h), p = mesh.origin(h), q = mesh.origin(g);
         const auto first = mesh.vertices[p], second = mesh.vertices[q];
         const fixed_vector at = middle(times_.place(p), times_.place(q));
-        const std::uint32_t node = node_at(at, {node_of[p], node_of[q]});
+        const std::uint32_t node = node_at(at, {node_of[p], node_of[q], last_node(first.before), next_node(first.after),
+                                                last_node(second.before), next_node(second.after)});
         if (failed_) return;
         for (const auto& one : {first, second}) {
             outlines.at_tail(ends_of[one.before], node);
@@ -277,7 +282,7 @@ private:
     }
     [[nodiscard]] std::uint32_t short_diagonal(std::uint32_t t) const noexcept
     {
-        constexpr std::int64_t slip = place_one / 256;
+        constexpr std::int64_t slip = place_one / 16;
         for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
             if (kinetic_triangles::is_segment(mesh.link(h))) continue;
             const fixed_vector all =
