@@ -17,9 +17,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 enum class bevel_shading : std::uint8_t {
     by_slope,  ///< each strip by its own slope; neighbours that differ by less than the crease angle share the mean of
                ///< their normals
-    rounded,  ///< from the wall's normal at the outer end to the cap's at the inner, by the length of the profile: a
-              ///< chamfer that looks round. Not for profiles that fall. From section 8.2 of "Study of mesh generation
-              ///< and optimization techniques applied to parametric forms", J. Vandenbergh, 2020
+    rounded,   ///< from the wall's normal at the outer end to the cap's at the inner, by the length of the profile: a
+               ///< chamfer that looks round. Not for profiles that fall. From section 8.2 of "Study of mesh generation
+               ///< and optimization techniques applied to parametric forms", J. Vandenbergh, 2020
 };
 
 /// A direction across a profile: outwards in the plane and towards the reader, on the front.

@@ -94,12 +94,14 @@ private:
     }
 
     /// A segment that has no length and does not win any is gone already: between two lines that have met, for example.
+    /// And so is one whose corner has just been born without leaving it any: edges begin at the start alone.
     [[nodiscard]] std::int64_t shrinks_at(const segment& s) const noexcept
     {
         constexpr int128 no_gain = static_cast<int128>(1) << 42;  // 1/4 cell in the longest sweep
         const moving_point &from = of_.vertices[s.from].moves, &to = of_.vertices[s.to].moves;
         const int128 size = length(s), rate = dot(of_.lines[s.line].along, to.speed.of - from.speed.of);
-        if (size <= no_length && rate <= no_gain) return now;
+        const bool cut_short = now != 0 && (from.since == now || to.since == now);
+        if (size <= no_length && (rate <= no_gain || cut_short)) return now;
         return zero_of(size, rate);
     }
 
