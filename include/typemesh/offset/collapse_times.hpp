@@ -89,7 +89,7 @@ private:
         if ((size >> 14) > ((((rate >> 30) + 1) * left) >> 32) + 1) return limit + 1;  // the division would not fit
         int shift = 0;
         while ((rate >> shift) > (static_cast<int128>(1) << 62)) ++shift;
-        const int128 passed = (size << (48 - shift)) / (rate >> shift);
+        const int128 passed = (size << (48 - shift)) / static_cast<std::int64_t>(rate >> shift);
         return passed > left ? limit + 1 : now + static_cast<std::int64_t>(passed);
     }
 
@@ -141,11 +141,10 @@ private:
         if (a >= 0 && b >= 0) return limit + 1;
         const int128 inner = static_cast<int128>(b) * b - 4 * (static_cast<int128>(a) * c);
         if (inner < 0) return limit + 1;
-        const auto root = static_cast<int128>(square_root(static_cast<uint128>(inner)));
-        const int128 above = b < 0 ? 2 * static_cast<int128>(c) : b + root;
-        const int128 below = b < 0 ? root - b : -2 * static_cast<int128>(a);
+        const std::int64_t root = square_root(inner);
+        const std::int64_t above = b < 0 ? 2 * c : b + root, below = b < 0 ? root - b : -2 * a;
         if (below <= 0 || above >= below) return limit + 1;
-        return now + static_cast<std::int64_t>((limit - now) * above / below);
+        return now + static_cast<std::int64_t>(static_cast<int128>(limit - now) * above / below);
     }
 
     [[nodiscard]] std::int64_t reach(const kinetic_triangles::triangle& tri, std::int64_t time) const noexcept

@@ -3,26 +3,132 @@
 
 #include <typemesh/core/version.hpp>
 
+#include <bit>
 #include <cmath>
+#include <compare>
+#include <concepts>
 #include <cstdint>
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Integers of 128 bits.
-__extension__ using int128 = __int128;
-__extension__ using uint128 = unsigned __int128;
+/// A signed integer of 128 bits, two's complement, for compilers that have none. What overflows wraps around; shifts
+/// are by 0 to 127.
+struct two_word_integer {
+    std::int64_t high = 0;
+    std::uint64_t low = 0;
 
-/// The largest integer whose square is at most `v`, for v < 2^126. The guess is in floating point, the answer is not:
-/// it is the same with every compiler and rounding.
-[[nodiscard]] inline std::uint64_t square_root(uint128 v) noexcept
+    constexpr two_word_integer() noexcept = default;
+    constexpr two_word_integer(std::signed_integral auto v) noexcept
+        : high{v < 0 ? -1 : 0}, low{static_cast<std::uint64_t>(v)}
+    {
+    }
+    constexpr explicit operator std::int64_t() const noexcept { return static_cast<std::int64_t>(low); }
+    /// Rounded more than once: to within 2^-51 of it.
+    constexpr explicit operator double() const noexcept
+    {
+        const two_word_integer size = high < 0 ? -*this : *this;
+        const double v = static_cast<double>(size.upper()) * 0x1p64 + static_cast<double>(size.low);
+        return high < 0 ? -v : v;
+    }
+
+    friend constexpr bool operator==(two_word_integer, two_word_integer) noexcept = default;
+    friend constexpr std::strong_ordering operator<=>(two_word_integer, two_word_integer) noexcept = default;
+
+    constexpr two_word_integer operator-() const noexcept { return two_word_integer{0} - *this; }
+    friend constexpr two_word_integer operator+(two_word_integer a, two_word_integer b) noexcept
+    {
+        const std::uint64_t sum = a.low + b.low;
+        return of(a.upper() + b.upper() + (sum < a.low ? 1u : 0u), sum);
+    }
+    friend constexpr two_word_integer operator-(two_word_integer a, two_word_integer b) noexcept
+    {
+        return of(a.upper() - b.upper() - (a.low < b.low ? 1u : 0u), a.low - b.low);
+    }
+    friend constexpr two_word_integer operator*(two_word_integer a, two_word_integer b) noexcept
+    {
+        const std::uint64_t a1 = a.low >> 32, a0 = a.low & half, b1 = b.low >> 32, b0 = b.low & half;
+        const std::uint64_t first = a1 * b0 + (a0 * b0 >> 32), second = a0 * b1 + (first & half);
+        return of(a1 * b1 + (first >> 32) + (second >> 32) + a.upper() * b.low + a.low * b.upper(), a.low * b.low);
+    }
+    /// Rounded towards 0. b is not 0.
+    friend constexpr two_word_integer operator/(two_word_integer a, std::int64_t b) noexcept
+    {
+        const two_word_integer size = a.high < 0 ? -a : a;
+        const std::uint64_t by = b < 0 ? 0 - static_cast<std::uint64_t>(b) : static_cast<std::uint64_t>(b);
+        const two_word_integer quotient = of(size.upper() / by, divided(size.upper() % by, size.low, by));
+        return (a.high < 0) == (b < 0) ? quotient : -quotient;
+    }
+    friend constexpr two_word_integer operator<<(two_word_integer a, int bits) noexcept
+    {
+        if (bits >= 64) return of(a.low << (bits - 64), 0);
+        return bits == 0 ? a : of(a.upper() << bits | a.low >> (64 - bits), a.low << bits);
+    }
+    /// Rounded down.
+    friend constexpr two_word_integer operator>>(two_word_integer a, int bits) noexcept
+    {
+        if (bits >= 64)
+            return of(a.high < 0 ? ~std::uint64_t{0} : 0, static_cast<std::uint64_t>(a.high >> (bits - 64)));
+        return bits == 0 ? a : of(static_cast<std::uint64_t>(a.high >> bits), a.upper() << (64 - bits) | a.low >> bits);
+    }
+    constexpr two_word_integer& operator>>=(int bits) noexcept { return *this = *this >> bits; }
+
+private:
+    static constexpr std::uint64_t half = 0xFFFF'FFFFu;
+
+    [[nodiscard]] static constexpr two_word_integer of(std::uint64_t upper, std::uint64_t lower) noexcept
+    {
+        two_word_integer made;
+        made.high = static_cast<std::int64_t>(upper);
+        made.low = lower;
+        return made;
+    }
+    [[nodiscard]] constexpr std::uint64_t upper() const noexcept { return static_cast<std::uint64_t>(high); }
+
+    /// (rest * 2^64 + next) / by, where rest < by: by hand, in two digits of 32 bits.
+    /// From  D. Knuth, The Art of Computer Programming, vol. 2, 4.3.1, algorithm D
+    [[nodiscard]] static constexpr std::uint64_t divided(std::uint64_t rest, std::uint64_t next,
+                                                         std::uint64_t by) noexcept
+    {
+        if (rest == 0) return next / by;
+        const int shift = std::countl_zero(by);
+        if (shift != 0) rest = rest << shift | next >> (64 - shift);
+        by <<= shift;
+        next <<= shift;
+        const std::uint64_t first = digit(rest, next >> 32, by);
+        return first << 32 | digit(rest, next & half, by);
+    }
+    /// The digit (rest * 2^32 + next) / by; `rest` becomes what remains. rest < by, whose highest bit is set.
+    [[nodiscard]] static constexpr std::uint64_t digit(std::uint64_t& rest, std::uint64_t next,
+                                                       std::uint64_t by) noexcept
+    {
+        std::uint64_t guess = rest / (by >> 32), over = rest % (by >> 32);
+        while (guess > half || guess * (by & half) > (over << 32 | next)) {  // twice at most
+            --guess;
+            over += by >> 32;
+            if (over > half) break;
+        }
+        rest = (rest << 32 | next) - guess * by;
+        return guess;
+    }
+};
+
+/// Integers of 128 bits. They are divided by such of 64 bits only.
+#if defined(__SIZEOF_INT128__)
+__extension__ using int128 = __int128;
+#else
+using int128 = two_word_integer;
+#endif
+
+/// The largest integer whose square is at most `v`, which is 0 or more and below 2^124. The guess is in floating point,
+/// the answer is not: it is the same with every compiler and rounding.
+[[nodiscard]] inline std::int64_t square_root(int128 v) noexcept
 {
     if (v == 0) return 0;
-    auto r = static_cast<uint128>(std::sqrt(static_cast<double>(v)));
-    if (r == 0) r = 1;
-    r = (r + v / r) / 2;  // Newton's step brings 53 bits to 63
-    while (r * r > v) --r;
-    while ((r + 1) * (r + 1) <= v) ++r;
-    return static_cast<std::uint64_t>(r);
+    auto r = static_cast<std::int64_t>(std::sqrt(static_cast<double>(v)));
+    r = static_cast<std::int64_t>((v / r + r) / 2);  // Newton's step brings 50 bits to 62
+    while (static_cast<int128>(r) * r > v) --r;
+    while (static_cast<int128>(r + 1) * (r + 1) <= v) ++r;
+    return r;
 }
 
 /// a * b / 2^bits, rounded down.
@@ -32,7 +138,7 @@ __extension__ using uint128 = unsigned __int128;
 }
 
 /// a / b to the nearest, halves away from 0. b is not 0.
-[[nodiscard]] constexpr std::int64_t nearest_quotient(int128 a, int128 b) noexcept
+[[nodiscard]] constexpr std::int64_t nearest_quotient(int128 a, std::int64_t b) noexcept
 {
     if (b < 0) {
         a = -a;

@@ -46,7 +46,7 @@ struct fixed_vector {
     std::int64_t scale = 1;
     while ((x | y) * scale < (std::int64_t{1} << 31)) scale *= 2;
     const fixed_vector large{v.x * scale, v.y * scale};
-    const auto size = static_cast<int128>(square_root(static_cast<uint128>(dot(large, large))));
+    const std::int64_t size = square_root(dot(large, large));
     return {nearest_quotient(static_cast<int128>(large.x) * unit_one, size),
             nearest_quotient(static_cast<int128>(large.y) * unit_one, size)};
 }

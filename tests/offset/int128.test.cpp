@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+
+#include <typemesh/offset/int128.hpp>
+
+#include "support/catch.hpp"
+#include "support/regions.hpp"
+
+#include <cstdint>
+#include <limits>
+
+using namespace typemesh;
+using detail::two_word_integer;
+
+namespace {
+
+__extension__ using wide = __int128;
+__extension__ using unsigned_wide = unsigned __int128;
+
+constexpr std::int64_t least = (std::numeric_limits<std::int64_t>::min)(),
+                       most = (std::numeric_limits<std::int64_t>::max)();
+constexpr std::int64_t edges[] = {least,
+                                  least + 1,
+                                  -(std::int64_t{1} << 32),
+                                  -3,
+                                  -2,
+                                  -1,
+                                  0,
+                                  1,
+                                  2,
+                                  3,
+                                  0xFFFF'FFFF,
+                                  std::int64_t{1} << 32,
+                                  std::int64_t{1} << 62,
+                                  most - 1,
+                                  most};
+
+/// Of all sizes, some at the ends of what fits.
+std::int64_t roll(test::dice& d)
+{
+    if (d.roll(8) == 0) return edges[d.roll(static_cast<std::int32_t>(std::size(edges)))];
+    return static_cast<std::int64_t>(d.bits()) >> d.roll(64);
+}
+
+two_word_integer words(std::int64_t high, std::int64_t low)
+{
+    two_word_integer v{low};
+    v.high = high;
+    return v;
+}
+wide joined(two_word_integer v) { return static_cast<wide>(static_cast<unsigned_wide>(v.high) << 64 | v.low); }
+wide wrapped(unsigned_wide v) { return static_cast<wide>(v); }
+
+detail::int128 squared(std::int64_t v) { return static_cast<detail::int128>(v) * v; }
+
+}  // namespace
+
+TEST_CASE("integers of two words add, multiply, negate and compare like those of 128 bits", "[offset][int128]")
+{
+    test::dice d{1};
+    for (int i = 0; i < 200'000; ++i) {
+        const two_word_integer a = words(roll(d), roll(d)), b = i % 4 == 0   ? a
+                                                                : i % 4 == 1 ? two_word_integer{roll(d)}
+                                                                             : words(roll(d), roll(d));
+        const wide p = joined(a), q = joined(b);
+        const auto u = static_cast<unsigned_wide>(p), v = static_cast<unsigned_wide>(q);
+        const bool equal = joined(a + b) == wrapped(u + v) && joined(a - b) == wrapped(u - v) &&
+                           joined(a * b) == wrapped(u * v) && joined(-a) == wrapped(0 - u);
+        if (!equal) CHECK(equal);
+        const bool ordered = (a < b) == (p < q) && (a <= b) == (p <= q) && (a > b) == (p > q) && (a == b) == (p == q);
+        if (!ordered) CHECK(ordered);
+        const bool converted = static_cast<std::int64_t>(a) == static_cast<std::int64_t>(p);
+        if (!converted) CHECK(converted);
+    }
+}
+
+TEST_CASE("integers of two words shift like those of 128 bits, by 0 to 127", "[offset][int128]")
+{
+    test::dice d{2};
+    for (int i = 0; i < 1000; ++i) {
+        const two_word_integer a = words(roll(d), roll(d));
+        for (int bits = 0; bits < 128; ++bits) {
+            two_word_integer shifted = a;
+            shifted >>= bits;
+            const bool equal = joined(a >> bits) == joined(a) >> bits && shifted == a >> bits &&
+                               joined(a << bits) == wrapped(static_cast<unsigned_wide>(joined(a)) << bits);
+            if (!equal) CHECK(equal);
+        }
+    }
+}
+
+TEST_CASE("integers of two words are divided by those of 64 bits like those of 128 bits", "[offset][int128]")
+{
+    test::dice d{3};
+    for (int i = 0; i < 500'000; ++i) {
+        const std::int64_t b = roll(d), near = roll(d);
+        if (b == 0) continue;
+        // any number, or one beside a multiple, where a guessed digit is wrong most often
+        const two_word_integer a = i % 2 == 0 ? words(roll(d), roll(d)) : two_word_integer{b} * near - d.roll(3);
+        if (a == words(least, 0) && b == -1) continue;
+        const bool equal = joined(a / b) == joined(a) / b;
+        if (!equal) CHECK(equal);
+    }
+    CHECK(joined(words(-1, 0) / std::int64_t{1}) == joined(words(-1, 0)));
+}
+
+TEST_CASE("integers of two words are constants, made of any signed integer", "[offset][int128]")
+{
+    constexpr two_word_integer a = -7, b = std::int64_t{1} << 40;
+    STATIC_REQUIRE(a * b * b / (std::int64_t{1} << 40) == a * b);
+    STATIC_REQUIRE((a >> 1) == -4);
+    STATIC_REQUIRE(static_cast<std::int64_t>(a / 2) == -3);
+    STATIC_REQUIRE(two_word_integer{} == 0);
+}
+
+TEST_CASE("integers of two words become the floating-point numbers near them", "[offset][int128]")
+{
+    test::dice d{4};
+    for (int i = 0; i < 100'000; ++i) {
+        const two_word_integer a = words(roll(d) >> d.roll(64), roll(d));
+        const auto expected = static_cast<double>(joined(a));
+        const double gap = static_cast<double>(a) - expected, size = expected < 0.0 ? -expected : expected;
+        const bool near = -size * 0x1p-51 <= gap && gap <= size * 0x1p-51;
+        if (!near) CHECK(near);
+    }
+    CHECK(static_cast<double>(two_word_integer{-5}) == -5.0);
+    CHECK(static_cast<double>(words(least, 0)) == -0x1p127);
+}
+
+TEST_CASE("square_root() is the largest integer whose square is not larger", "[offset][int128]")
+{
+    const auto check = [](detail::int128 v) {
+        const std::int64_t root = detail::square_root(v);
+        const bool holds = root >= 0 && squared(root) <= v && squared(root + 1) > v;
+        if (!holds) {
+            CAPTURE(static_cast<double>(v), root);
+            CHECK(holds);
+        }
+    };
+    constexpr std::int64_t end = std::int64_t{1} << 62;  // of the roots
+    test::dice d{5};
+    for (int i = 0; i < 100'000; ++i) {
+        const std::int64_t root = (static_cast<std::int64_t>(d.bits() >> 2)) >> d.roll(62);
+        check(squared(root) + (root == 0 ? 0 : static_cast<std::int64_t>(d.bits() >> 2) % root));
+        for (int beside = -1; beside <= 1; ++beside)
+            if (root != 0) check(squared(root) + beside);
+    }
+    for (int v = 0; v < 1000; ++v) check(v);
+    check(squared(end) - 1);
+    check(squared(end - 1));
+    check(squared(end - 1) - 1);
+    for (int bits = 50; bits < 62; ++bits) {  // where doubles are no longer exact
+        check(squared(std::int64_t{1} << bits) - 1);
+        check(squared((std::int64_t{1} << bits) - 1));
+    }
+}
+
+TEST_CASE("shifted_product() rounds down", "[offset][int128]")
+{
+    test::dice d{6};
+    for (int i = 0; i < 100'000; ++i) {
+        const std::int64_t a = static_cast<std::int64_t>(d.bits()) >> 10, b = static_cast<std::int64_t>(d.bits()) >> 8;
+        const wide product = static_cast<wide>(a) * b, q = detail::shifted_product(a, b, 48);
+        const wide one = static_cast<wide>(1) << 48;
+        const bool holds = q * one <= product && product < (q + 1) * one;
+        if (!holds) CHECK(holds);
+    }
+    CHECK(detail::shifted_product(-1, 1, 48) == -1);
+    CHECK(detail::shifted_product(1, 1, 48) == 0);
+}
+
+TEST_CASE("nearest_quotient() is nearest, and of halves the one away from 0", "[offset][int128]")
+{
+    using detail::nearest_quotient;
+    test::dice d{7};
+    for (int i = 0; i < 100'000; ++i) {
+        const std::int64_t b = (static_cast<std::int64_t>(d.bits()) >> d.roll(61)) | 1, half = b / 2;
+        const std::int64_t q = static_cast<std::int64_t>(d.bits()) >> (1 + d.roll(62));
+        const std::int64_t size = half < 0 ? -half : half;
+        const std::int64_t gap = size == 0 ? 0 : static_cast<std::int64_t>(d.bits() % static_cast<std::uint64_t>(size));
+        const detail::int128 a = static_cast<detail::int128>(q) * b;  // b is odd: no halves
+        const bool holds = nearest_quotient(a + gap, b) == q && nearest_quotient(a - gap, b) == q &&
+                           nearest_quotient(-a, b) == -q && nearest_quotient(a + size, b) == q;
+        if (!holds) CHECK(holds);
+    }
+    CHECK(nearest_quotient(5, 2) == 3);
+    CHECK(nearest_quotient(-5, 2) == -3);
+    CHECK(nearest_quotient(5, -2) == -3);
+    CHECK(nearest_quotient(-5, -2) == 3);
+    CHECK(nearest_quotient(4, 3) == 1);
+    CHECK(nearest_quotient(-4, 3) == -1);
+    CHECK(nearest_quotient(0, 7) == 0);
+}
