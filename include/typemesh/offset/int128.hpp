@@ -66,8 +66,7 @@ struct two_word_integer {
     /// Rounded down.
     friend constexpr two_word_integer operator>>(two_word_integer a, int bits) noexcept
     {
-        if (bits >= 64)
-            return of(a.high < 0 ? ~std::uint64_t{0} : 0, static_cast<std::uint64_t>(a.high >> (bits - 64)));
+        if (bits >= 64) return a.high >> (bits - 64);
         return bits == 0 ? a : of(static_cast<std::uint64_t>(a.high >> bits), a.upper() << (64 - bits) | a.low >> bits);
     }
     constexpr two_word_integer& operator>>=(int bits) noexcept { return *this = *this >> bits; }
