@@ -24,8 +24,7 @@ enum class bevel_shading : std::uint8_t {
 
 /// A direction across a profile: outwards in the plane and towards the reader, on the front.
 struct bevel_tilt {
-    double out = 1.0;
-    double up = 0.0;
+    double out, up;
 };
 
 [[nodiscard]] inline bevel_tilt unit(bevel_tilt v) noexcept

@@ -386,41 +386,53 @@ private:
         }
     }
 
+    /// What all of a bevel's vertices at one place of the profile have in common.
+    struct across {
+        float z;          ///< in output units
+        float v;          ///< as it is written
+        bevel_tilt tilt;  ///< on the front
+        bool riser;
+    };
+
     template <attribute Wants, class Axes, class Put>
     void bevel(const solid_with<plan_data>& s, const Axes& axes, const placement& at, bool in_front,
                Put& put) const noexcept
     {
-        const bool by_length = texture == texture_mapping::em;
+        const auto strips = s.data.template of<bevel_strip>();
         const float facing = in_front ? 1.0f : -1.0f;
         const double cells = at.cells_per_depth(), wall_end = high() - rim(in_front, wall_height(s));
-        const bevel_slopes slopes{s.data.template of<bevel_strip>(), as_double(bevel_depth) * cells, shading};
+        const bevel_slopes slopes{strips, as_double(bevel_depth) * cells, shading};
+        const wall_texture walls{at};
+        const auto place = [&](const bevel_vertex& b) noexcept -> across {
+            const double down = wall_end - as_double(facing) * slopes.length(b) / cells;
+            return {at.height(at_share(in_front, slopes.height(b))), walls.v(down), slopes.tilt(b), slopes.is_riser(b)};
+        };
+        across ends[4 * profile_points::most];  // of all strips: nearly all vertices lie there
+        for (std::uint32_t i = 0; i < strips.size(); ++i) {
+            ends[2 * i] = place({{}, {}, 0.0f, 0.0f, i});
+            ends[2 * i + 1] = place({{}, {}, 0.0f, 1.0f, i});
+        }
         const planar_texture planar{texture, at};
-        const wall_texture along_walls{at};
-        const texture_tangent tangents{at.frame};
+        texture_tangent tangents;
+        if constexpr (has(Wants, attribute::tangent)) tangents = texture_tangent{at.frame};
         for (const bevel_vertex& b : s.data.template of<bevel_vertex>()) {
+            const bool inner = b.share >= 1.0f;
+            const across here = inner || b.share <= 0.0f ? ends[2 * b.strip + (inner ? 1u : 0u)] : place(b);
             surface_point<Wants> v;
-            if constexpr (has(Wants, attribute::position))
-                v.position = axes.position(axes.foot(b.at), at.height(at_share(in_front, slopes.height(b))));
+            if constexpr (has(Wants, attribute::position)) v.position = axes.position(axes.foot(b.at), here.z);
             [[maybe_unused]] vec3 normal;
-            if constexpr (has(Wants, attribute::normal | attribute::tangent)) normal = tilted(b, slopes, facing);
+            if constexpr (has(Wants, attribute::normal | attribute::tangent))
+                normal = {static_cast<float>(here.tilt.out * as_double(b.outward.x)),
+                          static_cast<float>(here.tilt.out * as_double(b.outward.y)),
+                          static_cast<float>(here.tilt.up) * facing};
             if constexpr (has(Wants, attribute::normal)) v.normal = axes.direction(normal.x, normal.y, normal.z);
-            if constexpr (has(Wants, attribute::uv)) {
-                const double down = wall_end - as_double(facing) * slopes.length(b) / cells;
-                v.uv = by_length ? along_walls(b.along, down) : planar(b.at);
-            }
+            if constexpr (has(Wants, attribute::uv))
+                v.uv = texture == texture_mapping::em ? vec2{walls.u(b.along), here.v} : planar(b.at);
             if constexpr (has(Wants, attribute::tangent))
-                v.tangent = by_length || slopes.is_riser(b) ? tangents.on_wall(axes, b.outward)
-                                                            : tangents.on_rim(axes, normal, facing);
+                v.tangent = texture == texture_mapping::em || here.riser ? tangents.on_wall(axes, b.outward)
+                                                                         : tangents.on_rim(axes, normal, facing);
             put(v);
         }
-    }
-
-    /// A bevel vertex's normal in the text's own axes.
-    static vec3 tilted(const bevel_vertex& b, const bevel_slopes& slopes, float facing) noexcept
-    {
-        const bevel_tilt t = slopes.tilt(b);
-        return {static_cast<float>(t.out * as_double(b.outward.x)), static_cast<float>(t.out * as_double(b.outward.y)),
-                static_cast<float>(t.up) * facing};
     }
 };
 
