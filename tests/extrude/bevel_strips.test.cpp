@@ -3,7 +3,6 @@
 #include <typemesh/extrude/bevel_strips.hpp>
 
 #include <typemesh/extrude/ready_profiles.hpp>
-#include <typemesh/extrude/wall_normal.hpp>
 
 #include <cmath>
 
@@ -21,7 +20,7 @@ struct strips_of {
 
     strips_of(const profile_points& points, float crease, bevel_shading shading = bevel_shading::by_slope)
     {
-        REQUIRE(add_strips({points, wide_scale}, wide_scale.depth, crease, shading, made));
+        REQUIRE(add_strips({points, wide_scale}, crease, shading, made));
     }
     [[nodiscard]] bevel_slopes slopes(bevel_shading shading = bevel_shading::by_slope) const
     {
@@ -81,17 +80,26 @@ TEST_CASE("heights are those of the strip's ends to the bit, and even between th
 
 TEST_CASE("strips that differ by less than the crease angle share the mean of their normals", "[bevel_strips]")
 {
-    // A chamfer of 3 to 4 has its normal 36.87 degrees above the plane.
-    const strips_of hard{{{0, 0}, {1, 1}}, 73.0f}, soft{{{0, 0}, {1, 1}}, 74.0f}, softer{{{0, 0}, {1, 1}}, 107.0f};
-    CHECK_FALSE(hard.made[0].smooth_before);
-    CHECK(soft.made[0].smooth_before);
-    CHECK_FALSE(soft.made[0].smooth_after);
-    CHECK(softer.made[0].smooth_after);
-    CHECK(degrees(hard.slopes().tilt(vertex_at(0, 0.0f))) == Approx(36.8699));
-    CHECK(degrees(soft.slopes().tilt(vertex_at(0, 0.0f))) == Approx(0.0));
-    CHECK(degrees(soft.slopes().tilt(vertex_at(0, 1.0f))) == Approx(36.8699));
-    CHECK(degrees(softer.slopes().tilt(vertex_at(0, 1.0f))) == Approx(90.0));
-    CHECK(degrees(softer.slopes().tilt(vertex_at(0, 0.5f))) == Approx(45.0));
+    // Drawn as wide as deep: 32.0 degrees to the wall, 36.2 between the strips, 21.8 to the cap.
+    const profile_points bent{{0, 0}, {0.5f, 0.8f}, {1, 1}};
+    const strips_of hard{bent, 36.0f}, soft{bent, 44.0f}, softer{bent, 65.0f};
+    CHECK_FALSE(hard.made[0].smooth_after);
+    CHECK_FALSE(hard.made[1].smooth_after);
+    CHECK(soft.made[0].smooth_after);
+    CHECK(soft.made[1].smooth_before);
+    CHECK(soft.made[1].smooth_after);
+    CHECK_FALSE(soft.made[0].smooth_before);
+    CHECK(softer.made[0].smooth_before);
+    const double lower = degrees(tilt_of(hard.made[0], 4000.0)), upper = degrees(tilt_of(hard.made[1], 4000.0));
+    CHECK(lower == Approx(std::atan2(1500.0, 3200.0) * 57.29577951308232));
+    CHECK(degrees(hard.slopes().tilt(vertex_at(0, 0.0f))) == Approx(lower));
+    CHECK(degrees(hard.slopes().tilt(vertex_at(0, 1.0f))) == Approx(lower));
+    CHECK(degrees(hard.slopes().tilt(vertex_at(1, 0.0f))) == Approx(upper));
+    CHECK(degrees(soft.slopes().tilt(vertex_at(0, 0.0f))) == Approx(lower));
+    CHECK(degrees(soft.slopes().tilt(vertex_at(0, 1.0f))) == Approx((lower + upper) / 2.0));
+    CHECK(degrees(soft.slopes().tilt(vertex_at(1, 0.0f))) == Approx((lower + upper) / 2.0));
+    CHECK(degrees(soft.slopes().tilt(vertex_at(1, 1.0f))) == Approx(90.0));
+    CHECK(degrees(softer.slopes().tilt(vertex_at(0, 0.0f))) == Approx(0.0));
 
     profile_points round;
     round_profile{6}(wide_scale, round);

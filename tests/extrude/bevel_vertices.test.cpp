@@ -26,7 +26,7 @@ void make_plain_bevel(const shapes::shape& s, const profile_points& points, beve
     REQUIRE(plan_sides(r, curve_normals{}, texture_mapping::em, data.of<side_point>()));
     const profile_scale scale{10240.0, 10240.0, 0.0};
     const profile_levels levels{points, scale};
-    REQUIRE(add_strips(levels, scale.depth, 30.0f, bevel_shading::by_slope, data.of<bevel_strip>()));
+    REQUIRE(add_strips(levels, 30.0f, bevel_shading::by_slope, data.of<bevel_strip>()));
     std::vector<double> distances;
     for (const profile_level& l : levels.view()) distances.push_back(l.distance);
     sweeps::plain_sweep{}(r, {distances, 0.0, 0.0}, data.swept);
@@ -120,7 +120,7 @@ TEST_CASE("where very many faces meet in a point they need vertices and time in 
              data.swept.levels.push_back(2e8)));
     const profile_scale scale{2e8, 2e8, 0.0};
     const profile_levels levels{{{0, 0}, {1, 1}}, scale};
-    REQUIRE(add_strips(levels, scale.depth, 30.0f, bevel_shading::by_slope, data.of<bevel_strip>()));
+    REQUIRE(add_strips(levels, 30.0f, bevel_shading::by_slope, data.of<bevel_strip>()));
     workspace space;
     workspace::scope scratch{space};
     bevel_light light;

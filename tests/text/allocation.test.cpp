@@ -7,6 +7,7 @@
 #include "support/mesh_laws.hpp"
 #include "support/toy_font.hpp"
 
+#include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <cstdint>
@@ -59,6 +60,7 @@ TEST_CASE("after warm-up a text asks nobody for memory, in any layout of the out
             CHECK(asked_by(text_mesher{font}, options) == 0);
             CHECK(asked_by(text_mesher{font}.with(flat{}).with(constrained_delaunay{}), options) == 0);
             CHECK(asked_by(text_mesher{font}.with(extruded<shared_normals>{}), options) == 0);
+            CHECK(asked_by(text_mesher{font}.with(bevelled<round_profile>{}), options) == 0);
             CHECK(asked_by(text_mesher{font}.with(cached_in{cache, 1}), options) == 0);
         }
     }

@@ -41,13 +41,13 @@ struct bevel_tilt {
 
 /// Makes the strips of a profile's levels: a riser where a level has one, then what lies between it and the next.
 ///
-///     depth             of the bevel, in cells, for the angles between strips
-///     crease_degrees    up to which neighbours are smooth; risers never are. To the wall and to the cap half of it, as
-///                       a round profile differs from these by half a step
+///     crease_degrees    up to which neighbours are smooth, with the profile drawn as wide as it is deep; risers never
+///                       are. To the wall and to the cap half of it, as a round profile differs from these by half a
+///                       step
 ///
 /// False when memory runs out.
-[[nodiscard]] inline bool add_strips(const profile_levels& profile, double depth, float crease_degrees,
-                                     bevel_shading shading, buffer<bevel_strip>& out) noexcept
+[[nodiscard]] inline bool add_strips(const profile_levels& profile, float crease_degrees, bevel_shading shading,
+                                     buffer<bevel_strip>& out) noexcept
 {
     const auto levels = profile.view();
     if (!out.reserve(2 * levels.size())) return false;
@@ -62,6 +62,7 @@ struct bevel_tilt {
         return shading == bevel_shading::rounded || a.out * b.out + a.up * b.up >= crease;
     };
     const double between = crease_cosine(crease_degrees), at_ends = crease_cosine(0.5f * crease_degrees);
+    const double depth = levels.back().distance;
     for (std::size_t i = 0; i < out.size(); ++i) {
         if (is_zero(out[i].run)) continue;
         const bevel_tilt own = tilt_of(out[i], depth);

@@ -70,7 +70,8 @@ struct bevelled {
     bevel_shading shading = bevel_shading::by_slope;
     float mitre_limit = 2.0f;              ///< at least 1; 0: none
     float crease_degrees = 15.0f;          ///< 0 to 180; along the contour, see curve_normals
-    float profile_crease_degrees = 30.0f;  ///< 0 to 180; across the profile, half of it at the wall and the cap
+    float profile_crease_degrees = 30.0f;  ///< 0 to 180; across the profile, drawn as wide as it is deep; half of it
+                                           ///< at the wall and at the cap
     bool centred = false;                  ///< front at z = depth / 2 and back at -depth / 2
     bool front = true;
     bool back = true;
@@ -131,7 +132,7 @@ struct bevelled {
         profile_scale scale{as_double(width) * em, as_double(bevel_depth) * em, filled.tolerance()};
         if (error e = carve(scale, filled, data, caps)) return e;
         const profile_levels levels{points_of(scale), scale};
-        if (error e = make_bevel(levels, scale, filled, data, caps.space())) return e;
+        if (error e = make_bevel(levels, filled, data, caps.space())) return e;
         const auto within = data.of<grid_point>().size();
         if (data.of<bevel_vertex>().size() > 0x3FFF'FFFFu || within > 0x3FFF'FFFFu) return error::too_large;
         return solid_plan{sizes(filled, *doubled, data)};
@@ -288,11 +289,10 @@ private:
         return sum;
     }
 
-    error make_bevel(const profile_levels& levels, const profile_scale& scale, const region& filled, plan_data& data,
+    error make_bevel(const profile_levels& levels, const region& filled, plan_data& data,
                      workspace& space) const noexcept
     {
-        if (!add_strips(levels, scale.depth, profile_crease_degrees, shading, data.of<bevel_strip>()))
-            return error::out_of_memory;
+        if (!add_strips(levels, profile_crease_degrees, shading, data.of<bevel_strip>())) return error::out_of_memory;
         const bevel_rims rims{levels.view().front().arrives, levels.view().back().leaves, levels.view().size() == 1};
         if (!data.of<bevel_rims>().push_back(rims)) return error::out_of_memory;
         workspace::scope scratch{space};
