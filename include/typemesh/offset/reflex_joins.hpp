@@ -64,15 +64,16 @@ private:
         const moving_line &before = line_of(mesh_.vertices[v].before), &after = line_of(mesh_.vertices[v].after);
         const auto cosine = static_cast<double>(dot(before.along, after.along)) * 0x1p-60;
         if (turns_left(before, after) || cosine > 0.999) return 0;
-        double half = std::acos(cosine < -1.0 ? -1.0 : cosine) / 2.0;  // of the turn, then of a step
-        if (std::cos(half) * rule.mitre_limit >= 1.0) return 0;
+        const auto of_half = [](double c) noexcept { return std::sqrt(c > -1.0 ? (1.0 + c) / 2.0 : 0.0); };
+        constexpr double enough = 1.0 - 0x1p-20;  // corners right at the limit are within it with every compiler
+        double half = of_half(cosine);            // the cosine of half the turn, then of half a step
+        if (half * rule.mitre_limit >= enough) return 0;
         int count = 0;
         do {
-            half /= 2.0;
+            half = of_half(half);
             ++count;
-        } while (count < most_halvings &&
-                 (std::cos(half) * rule.mitre_limit < 1.0 ||
-                  (rule.tolerance > 0.0 && rule.width * (1.0 - std::cos(half)) > rule.tolerance)));
+        } while (count < most_halvings && (half * rule.mitre_limit < enough ||
+                                           (rule.tolerance > 0.0 && rule.width * (1.0 - half) > rule.tolerance)));
         return count;
     }
 
