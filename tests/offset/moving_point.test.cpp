@@ -41,9 +41,10 @@ real_vector real(fixed_vector v, long double unit)
 bool equal(fixed_vector a, fixed_vector b) { return a.x == b.x && a.y == b.y; }
 
 /// How far v * inward is from 1.
-long double error_of(const crossing_speed& v, const moving_line& line)
+double error_of(const crossing_speed& v, const moving_line& line)
 {
-    return std::fabs(static_cast<long double>(detail::dot(v.of, line.inward())) * 0x1p-62L - 1.0L);
+    constexpr detail::int128 one = static_cast<detail::int128>(1) << 62;
+    return std::fabs(static_cast<double>(detail::dot(v.of, line.inward()) - one) * 0x1p-62);
 }
 
 }  // namespace
@@ -98,7 +99,7 @@ TEST_CASE("the common point of two lines stays on both, however they turn", "[of
         }
         // of less than a right angle the error of a unit vector's length counts, of more it cancels
         const bool sharp = detail::dot(before.along, after.along) < 0;
-        const long double most = sharp ? 0x1p-32L : 0x1p-28L;
+        const double most = sharp ? 0x1p-32 : 0x1p-28;
         const bool on_both = error_of(v, before) < most && error_of(v, after) < most;
         if (!on_both) {
             CAPTURE(turn, error_of(v, before), error_of(v, after));

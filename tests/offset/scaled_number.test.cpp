@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+
+#include <typemesh/offset/scaled_number.hpp>
+
+#include "support/catch.hpp"
+#include "support/regions.hpp"
+
+#include <cmath>
+#include <cstdint>
+
+using namespace typemesh;
+using detail::scaled_number;
+
+namespace {
+
+long double real(scaled_number v) { return std::ldexp(static_cast<long double>(v.m), v.power); }
+detail::int128 roll(test::dice& d, int bits)
+{
+    const auto high = static_cast<detail::int128>(static_cast<std::int64_t>(d.bits()) >> 1);
+    return ((high << 62) + static_cast<std::int64_t>(d.bits() >> 2)) >> (125 - bits);
+}
+bool is_within(scaled_number v) { return v.m <= std::int64_t{1} << 62 && v.m >= -(std::int64_t{1} << 62); }
+
+}  // namespace
+
+TEST_CASE("a scaled number keeps the 61 highest bits, rounded down", "[offset][scaled_number]")
+{
+    test::dice d{1};
+    for (int i = 0; i < 100'000; ++i) {
+        const detail::int128 v = roll(d, d.roll(126));
+        const scaled_number s = scaled_number::of(v, -32);
+        const int shift = s.power + 32;
+        REQUIRE(is_within(s));
+        const bool kept = shift >= 0 && v >> shift == s.m;
+        if (!kept) CHECK(kept);
+        const bool no_shorter = shift == 0 || s.m >= std::int64_t{1} << 61 || s.m <= -(std::int64_t{1} << 61);
+        if (!no_shorter) CHECK(no_shorter);
+    }
+}
+
+TEST_CASE("products of scaled numbers are right to 2^-59 of them", "[offset][scaled_number]")
+{
+    test::dice d{2};
+    for (int i = 0; i < 100'000; ++i) {
+        const scaled_number a = scaled_number::of(roll(d, 1 + d.roll(125)), d.roll(100) - 50),
+                            b = scaled_number::of(roll(d, 1 + d.roll(125)), d.roll(100) - 50), c = a * b;
+        REQUIRE(is_within(c));
+        const long double exact = real(a) * real(b);
+        const bool near = std::fabs(real(c) - exact) <= std::fabs(exact) * 0x1p-59L;
+        if (!near) CHECK(near);
+    }
+    CHECK((scaled_number{0, 5} * scaled_number{7, 3}).m == 0);
+}
+
+TEST_CASE("top() is the least power of two above a scaled number", "[offset][scaled_number]")
+{
+    test::dice d{3};
+    for (int i = 0; i < 100'000; ++i) {
+        const scaled_number a = scaled_number::of(roll(d, 1 + d.roll(125)), d.roll(100) - 50);
+        if (a.m == 0) continue;
+        const long double size = std::fabs(real(a));
+        const bool above = size < std::ldexp(1.0L, a.top()) && size >= std::ldexp(1.0L, a.top() - 1);
+        if (!above) CHECK(above);
+    }
+    CHECK(scaled_number{1, 0}.top() == 1);
+    CHECK(scaled_number{-4, -10}.top() == -7);
+    CHECK(scaled_number{0, 100}.top() < scaled_number{1, -1000}.top());
+}
+
+TEST_CASE("in() rounds down to a multiple of the unit", "[offset][scaled_number]")
+{
+    test::dice d{4};
+    for (int i = 0; i < 100'000; ++i) {
+        const scaled_number a = scaled_number::of(roll(d, 1 + d.roll(125)), d.roll(300) - 150);
+        if (a.m == 0) continue;
+        const int unit = a.top() - 59 + d.roll(200);
+        const bool holds = a.in(unit) == static_cast<std::int64_t>(std::floor(std::ldexp(real(a), -unit)));
+        if (!holds) CHECK(holds);
+    }
+    CHECK(scaled_number{1, 0}.in(-61) == std::int64_t{1} << 61);
+    CHECK(scaled_number{-1, -500}.in(0) == -1);
+    CHECK(scaled_number{1, -500}.in(0) == 0);
+    CHECK(scaled_number{0, 500}.in(0) == 0);
+}
