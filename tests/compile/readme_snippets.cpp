@@ -5,6 +5,8 @@
 
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/adapt/threads.hpp>
+#include <typemesh/extrude/bevelled.hpp>
+#include <typemesh/extrude/polyline_profile.hpp>
 #include <typemesh/inspect/closedness.hpp>
 #include <typemesh/inspect/normal_check.hpp>
 #include <typemesh/typemesh.hpp>
@@ -63,6 +65,10 @@ auto delaunay = typemesh::text_mesher{*font}.with(typemesh::constrained_delaunay
 auto flat_text = typemesh::text_mesher{*font}.with(typemesh::flat{});
 auto blocky    = typemesh::text_mesher{*font}.with(typemesh::extruded<typemesh::creased_normals>{.depth = 0.5f}).with(typemesh::two_lines{});
     use(flat_text, blocky);
+auto chamfered = typemesh::text_mesher{*font}.with(typemesh::bevelled<>{.width = 0.02f, .bevel_depth = 0.02f});
+auto rounded   = typemesh::text_mesher{*font}.with(typemesh::bevelled<typemesh::round_profile>{.profile = {.steps = 4}});
+auto moulded   = typemesh::text_mesher{*font}.with(typemesh::bevelled<typemesh::polyline_profile>{.profile = {{{0, 0}, {0.2f, 0.8f}, {1, 1}}}});
+    use(chamfered, rounded, moulded);
 auto over_the_text = typemesh::text_mesher{*font}.with(typemesh::extruded<>{.texture = typemesh::texture_mapping::box});
     use(over_the_text);
 
