@@ -211,21 +211,40 @@ private:
                 dot(along, times_.place(mesh.apex(h)))};
     }
 
-    /// The apex of the triangle has reached the line of the segment on half-edge h. Within the segment it splits it,
-    /// but only a reflex corner can; otherwise another corner is in the way, and a flip brings it in.
+    /// The apex of the triangle has reached the line of the segment on half-edge h. Within the segment it splits it, if
+    /// it is a corner that can; otherwise another corner is in the way, and a flip brings it in.
     void meet(std::uint32_t h) noexcept
     {
         constexpr int128 slip = static_cast<int128>(1) << 42;  // 1/16 cell
         const span_along along = measure(h);
-        const auto& w = mesh.vertices[mesh.apex(h)];
-        const bool reflex =
-            !turns_left(mesh.lines[mesh.segments[w.before].line], mesh.lines[mesh.segments[w.after].line]);
-        if (along.apex < along.from - slip || (!reflex && along.apex - along.from <= along.to - along.apex))
+        const bool splits =
+            can_split(mesh.apex(h), mesh.lines[mesh.segments[kinetic_triangles::segment_in(mesh.link(h))].line]);
+        if (along.apex < along.from - slip || (!splits && along.apex - along.from <= along.to - along.apex))
             flip(kinetic_triangles::next(h));
-        else if (along.apex > along.to + slip || !reflex)
+        else if (along.apex > along.to + slip || !splits)
             flip(kinetic_triangles::previous(h));
         else
             split(h);
+    }
+
+    /// A reflex corner, or one of which a whole edge has reached the line, so nearly parallel are they.
+    [[nodiscard]] bool can_split(std::uint32_t w, const moving_line& line) const noexcept
+    {
+        const moving_line &before = line_before(w), &after = line_after(w);
+        return !turns_left(before, after) || is_opposite(before, line) || is_opposite(after, line);
+    }
+    [[nodiscard]] static bool is_opposite(const moving_line& a, const moving_line& b) noexcept
+    {
+        constexpr int128 one = static_cast<int128>(unit_one) * unit_one;
+        return dot(a.along, b.along) < (one >> 20) - one;
+    }
+    [[nodiscard]] const moving_line& line_before(std::uint32_t v) const noexcept
+    {
+        return mesh.lines[mesh.segments[mesh.vertices[v].before].line];
+    }
+    [[nodiscard]] const moving_line& line_after(std::uint32_t v) const noexcept
+    {
+        return mesh.lines[mesh.segments[mesh.vertices[v].after].line];
     }
 
     /// The apex w of the triangle lies on the segment s of half-edge h.
