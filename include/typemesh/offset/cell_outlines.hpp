@@ -3,13 +3,8 @@
 
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/memory.hpp>
-#include <typemesh/core/orientation.hpp>
-#include <typemesh/offset/moving_point.hpp>
-#include <typemesh/offset/swept_region.hpp>
 
-#include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 

@@ -5,7 +5,6 @@
 #include <typemesh/core/memory.hpp>
 #include <typemesh/offset/moving_point.hpp>
 
-#include <cstddef>
 #include <cstdint>
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
