@@ -57,7 +57,7 @@ struct certified {
             return put(q.p2, 1.0);
         }
         const detail::quadratic_chords chords{q.p0, b, a, k * k, tt};
-        const detail::share_table shares{chords, 8, 0.0, 1.0, tolerance};
+        const detail::share_table<8> shares{chords, 0.0, 1.0, tolerance};
         point_placer{chords, tolerance, bend, put}.place(shares, 0.0, 1.0);
         put(q.p2, 1.0);
     }
@@ -152,16 +152,16 @@ private:
         void between(double from, double to) const noexcept
         {
             const double tt = tolerance_ * tolerance_;
-            const int samples = bend_ < four_samples_do * tt    ? 4  // in this form because a root would come late
-                                : bend_ < eight_samples_do * tt ? 8
-                                                                : 16;
-            const detail::share_table shares{chords_, samples, from, to, tolerance_};
-            const double middle = chords_.inflection(from, to);
-            if (middle > from && place_across(shares, from, middle, to)) return;
-            place(shares, from, to);
+            if (bend_ < four_samples_do * tt)  // in this form because a root would come late
+                between(detail::share_table<4>{chords_, from, to, tolerance_}, from, to);
+            else if (bend_ < eight_samples_do * tt)
+                between(detail::share_table<8>{chords_, from, to, tolerance_}, from, to);
+            else
+                between(detail::share_table<16>{chords_, from, to, tolerance_}, from, to);
         }
 
-        void place(const detail::share_table& shares, double from, double to) const noexcept
+        template <class Shares>
+        void place(const Shares& shares, double from, double to) const noexcept
         {
             constexpr int most = 65536;
             const double wang4 = bend_ / (tolerance_ * tolerance_);  // Wang's bound to the fourth power, for the curve
@@ -202,6 +202,14 @@ private:
             int pieces;   // that the rest is divided into
         };
 
+        template <class Shares>
+        void between(const Shares& shares, double from, double to) const noexcept
+        {
+            const double middle = chords_.inflection(from, to);
+            if (middle > from && place_across(shares, from, middle, to)) return;
+            place(shares, from, to);
+        }
+
         /// Pieces no longer than this are good.
         [[nodiscard]] static double sure_step(double wang4) noexcept
         {
@@ -220,7 +228,8 @@ private:
 
         /// A chord across an inflection can be long, because the curve is first on one side of it, then on the other:
         /// two reaches if the inflection is in its middle. Relies on that, and gives up where it gains nothing.
-        bool place_across(const detail::share_table& shares, double from, double middle, double to) const noexcept
+        template <class Shares>
+        bool place_across(const Shares& shares, double from, double middle, double to) const noexcept
         {
             constexpr int most = 16;
             constexpr float reach = 0.93f;  // of a chord from the inflection to either side, in shares; fitted to fonts
@@ -252,7 +261,8 @@ private:
         }
 
         /// One piece at a time: the longest that is good, but not longer than its share of the rest.
-        void place_carefully(const detail::share_table& shares, progress at, double to, double sure) const noexcept
+        template <class Shares>
+        void place_carefully(const Shares& shares, progress at, double to, double sure) const noexcept
         {
             for (;;) {
                 float aim = at.spent + (shares.whole() - at.spent) / static_cast<float>(at.pieces);

@@ -63,7 +63,8 @@ struct quadratic_chords {
         return error <= room ? 1.0 : error / room;
     }
 
-    void sample(float* density, int samples, double from, double step, double tolerance) const noexcept
+    template <int samples>
+    void sample(float* density, double from, double step, double tolerance) const noexcept
     {
         const double size = std::abs(b.x) + std::abs(b.y) + std::abs(a.x) + std::abs(a.y);
         const double one = 1.0 / (size * size);
@@ -71,11 +72,9 @@ struct quadratic_chords {
                     n2 = static_cast<float>(dot(a, a) * one);
         const float scale = static_cast<float>(step * std::sqrt(std::sqrt(kk) / (4.0 * tolerance * size)));
         const float t0 = static_cast<float>(from), dt = static_cast<float>(step);
-        for (int four = 0; four < samples; four += 4) {  // compilers vectorise a loop of four
-            for (int j = four; j < four + 4; ++j) {
-                const float t = t0 + static_cast<float>(j) * dt;
-                density[j] = scale * inverse_fourth_root(n0 + t * (n1 + t * n2) + 1e-12f);
-            }
+        for (int j = 0; j < samples; ++j) {
+            const float t = t0 + static_cast<float>(j) * dt;
+            density[j] = scale * inverse_fourth_root(n0 + t * (n1 + t * n2) + 1e-12f);
         }
     }
 };
@@ -165,7 +164,8 @@ struct cubic_chords {
         return u < one && one < v ? one : u < other && other < v ? other : u;
     }
 
-    void sample(float* density, int samples, double from, double step, double tolerance) const noexcept
+    template <int samples>
+    void sample(float* density, double from, double step, double tolerance) const noexcept
     {
         // In units of 8 tolerances, which needs no root and no value of the curve that would come late.
         double one = 1.0 / (8.0 * tolerance), wide = step;
@@ -183,14 +183,12 @@ struct cubic_chords {
                     y2 = static_cast<float>(c3.y * (3.0 * one));
         const float scale = static_cast<float>(wide);
         const float t0 = static_cast<float>(from), dt = static_cast<float>(step);
-        for (int four = 0; four < samples; four += 4) {
-            for (int j = four; j < four + 4; ++j) {
-                const float t = t0 + static_cast<float>(j) * dt, square_t = t * t;
-                const float dx = (x0 + t * x1) + square_t * x2, dy = (y0 + t * y1) + square_t * y2;
-                const float k = (k0 + t * k1) + square_t * k2;
-                const float z = (k * k) * (dx * dx + dy * dy) + 1e-30f;
-                density[j] = (scale * std::abs(k)) * inverse_fourth_root(z);  // sqrt(|k| / |B'|)
-            }
+        for (int j = 0; j < samples; ++j) {
+            const float t = t0 + static_cast<float>(j) * dt, square_t = t * t;
+            const float dx = (x0 + t * x1) + square_t * x2, dy = (y0 + t * y1) + square_t * y2;
+            const float k = (k0 + t * k1) + square_t * k2;
+            const float z = (k * k) * (dx * dx + dy * dy) + 1e-30f;
+            density[j] = (scale * std::abs(k)) * inverse_fourth_root(z);  // sqrt(|k| / |B'|)
         }
     }
 
@@ -232,16 +230,19 @@ private:
 
 /// A running integral of the density, and its inverse: the t at which a given share of the points is used up.
 ///
-/// Samples, 4 or 8 or 16, lie in the middle of equal intervals of t; within one the density is taken as linear, with
-/// the slope between its neighbours. The inverse takes two steps of a fixed-point iteration, which avoids a root.
+/// Samples lie in the middle of equal intervals of t; within one the density is taken as linear, with the slope between
+/// its neighbours. The inverse takes two steps of a fixed-point iteration, which avoids a root.
+template <int samples>
 class share_table {
 public:
+    static_assert(samples > 0 && samples % 4 == 0);
+
     template <class Chords>
-    share_table(const Chords& chords, int samples, double from, double to, double tolerance) noexcept
-        : samples_{samples}, start_{from}, step_{(to - from) / samples}
+    share_table(const Chords& chords, double from, double to, double tolerance) noexcept
+        : start_{from}, step_{(to - from) / samples}
     {
-        float density[most + 2];
-        chords.sample(density + 1, samples, from + 0.5 * step_, step_, tolerance);
+        float density[count + 2];
+        chords.template sample<samples>(density + 1, from + 0.5 * step_, step_, tolerance);
         density[0] = 2.0f * density[1] - density[2];
         density[samples + 1] = 2.0f * density[samples] - density[samples - 1];
         for (int j = 0; j < samples; ++j) {
@@ -262,16 +263,13 @@ public:
     }
 
     /// The number of pieces that the curve needs, approximately; not rounded.
-    [[nodiscard]] float whole() const noexcept { return sum_[samples_]; }
+    [[nodiscard]] float whole() const noexcept { return sum_[samples]; }
 
     /// Increases with the share, which runs from 0 to whole().
     [[nodiscard]] double t_of(float share) const noexcept
     {
-        int i = 0;  // halving, without a branch to mispredict: the first two are the same for a whole curve
-        if (samples_ == 16) i += share > sum_[8] ? 8 : 0;
-        if (samples_ != 4) i += share > sum_[i + 4] ? 4 : 0;
-        i += share > sum_[i + 2] ? 2 : 0;
-        i += share > sum_[i + 1] ? 1 : 0;
+        int i = 0;
+        for (int j = 1; j < samples; ++j) i += share > sum_[j] ? 1 : 0;  // no branch to mispredict
         const float even = (share - sum_[i]) * inverse_[i];
         float x = even + lean_[i] * (even - even * even);
         x = even + lean_[i] * (x - x * x);
@@ -282,16 +280,15 @@ public:
     {
         const float place = static_cast<float>((t - start_) / step_);
         int j = static_cast<int>(place);
-        j = j > samples_ - 1 ? samples_ - 1 : j;
+        j = j > samples - 1 ? samples - 1 : j;
         const float x = place - static_cast<float>(j);
         return sum_[j] + (x - lean_[j] * (x - x * x)) / inverse_[j];
     }
 
 private:
-    static constexpr std::size_t most = 16;
-    int samples_;
+    static constexpr std::size_t count = samples;
     double start_, step_;
-    float sum_[most + 1], inverse_[most], lean_[most];
+    float sum_[count + 1], inverse_[count], lean_[count];
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail
