@@ -90,7 +90,7 @@ public:
         return true;
     }
 
-    /// Replaces the diagonal under half-edge h by the other one of its quadrilateral.
+    /// Replaces the diagonal under half-edge h by the other one of its quadrilateral, whose ends c and d differ.
     ///
     ///         c                 c
     ///       /   \             / | \        triangle t of h keeps a, that of its twin keeps b

@@ -24,7 +24,7 @@ public:
 
     /// Appends the triangles of a ring of 3 nodes or more, counter-clockwise; all are, and none is flat.
     ///
-    /// Fails  error::crossing_contours: there are none that could be found, so the ring is not simple; `out` is as before
+    /// Fails  error::crossing_contours: none were found, so the ring is not simple; `out` is as it was
     ///        error::out_of_memory
     /// Cost   O(n) for mountains; for others O(n^2) as a rule, O(n^3) at worst
     [[nodiscard]] error operator()(const buffer<std::uint32_t>& ring, const buffer<swept_node>& nodes,

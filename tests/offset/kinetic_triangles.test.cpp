@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+
+#include <typemesh/offset/kinetic_triangles.hpp>
+
+#include "support/catch.hpp"
+#include "support/kinetic.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+using namespace typemesh;
+using test::kinetic_triangles;
+
+namespace {
+
+std::vector<test::shape> shapes()
+{
+    std::vector<test::shape> all = test::generated_regions();
+    // holes that touch their outer loop and each other: corners of one place are corners of their own
+    all.push_back(
+        {"touching holes",
+         {test::square(0, 0, 40), {{0, 20}, {10, 30}, {20, 20}, {10, 10}}, {{20, 20}, {30, 30}, {40, 20}, {30, 10}}}});
+    return all;
+}
+
+std::uint32_t halves(const kinetic_triangles& mesh) { return static_cast<std::uint32_t>(3 * mesh.triangles.size()); }
+
+}  // namespace
+
+TEST_CASE("link_all() finds the twins and segments that a search through all half-edges finds",
+          "[offset][kinetic_triangles]")
+{
+    for (const test::shape& s : shapes()) {
+        detail::wavefront front{heap()};
+        test::set_up(front, s);
+        const kinetic_triangles& mesh = front.mesh;
+        INFO(s.name);
+        REQUIRE(mesh.triangles.size() > 0);
+        std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> found;
+        for (std::uint32_t h = 0; h < halves(mesh); ++h)
+            found[{mesh.origin(h), mesh.origin(kinetic_triangles::next(h))}] = h;
+        REQUIRE(found.size() == halves(mesh));
+        std::size_t segments = 0;
+        for (const auto& [ends, h] : found) {
+            const auto twin = found.find({ends.second, ends.first});
+            const std::uint32_t expected =
+                twin != found.end() ? twin->second : kinetic_triangles::to_segment(ends.first);
+            if (mesh.link(h) != expected) CHECK(mesh.link(h) == expected);
+            segments += twin == found.end();
+        }
+        CHECK(segments == mesh.segments.size());
+        CHECK(test::broken_link(mesh) == "");
+    }
+}
+
+TEST_CASE("flips keep all links mutual, whatever is flipped", "[offset][kinetic_triangles]")
+{
+    test::dice d{1};
+    for (const test::shape& s : shapes()) {
+        detail::wavefront front{heap()};
+        test::set_up(front, s);
+        kinetic_triangles& mesh = front.mesh;
+        if (mesh.triangles.size() > 2000) continue;
+        INFO(s.name);
+        for (int i = 0; i < 200; ++i) {
+            const auto h = static_cast<std::uint32_t>(d.roll(static_cast<std::int32_t>(halves(mesh))));
+            if (kinetic_triangles::is_segment(mesh.link(h))) continue;
+            const std::uint32_t t = h / 3, r = mesh.link(h) / 3, stamp = mesh.triangles[t].stamp;
+            const std::uint32_t a = mesh.origin(h), b = mesh.origin(mesh.link(h)), c = mesh.apex(h),
+                                other = mesh.apex(mesh.link(h));
+            if (c == other) continue;  // around a hole, which no flat triangle holds
+            mesh.flip(h);
+            const auto has = [&](std::uint32_t one, std::uint32_t u, std::uint32_t v, std::uint32_t w) {
+                const auto* corner = mesh.triangles[one].corner;
+                for (int k = 0; k < 3; ++k)
+                    if (corner[k] == u && corner[(k + 1) % 3] == v && corner[(k + 2) % 3] == w) return true;
+                return false;
+            };
+            REQUIRE(has(t, a, other, c));
+            REQUIRE(has(r, b, c, other));
+            REQUIRE(mesh.triangles[t].stamp == stamp);
+            REQUIRE(test::broken_link(mesh) == "");
+        }
+    }
+}
+
+TEST_CASE("around() goes through all half-edges that leave a corner, counter-clockwise", "[offset][kinetic_triangles]")
+{
+    for (const test::shape& s : shapes()) {
+        detail::wavefront front{heap()};
+        test::set_up(front, s);
+        kinetic_triangles& mesh = front.mesh;
+        INFO(s.name);
+        std::vector<std::vector<std::uint32_t>> leaving(mesh.vertices.size());
+        for (std::uint32_t h = 0; h < halves(mesh); ++h) leaving[mesh.origin(h)].push_back(h);
+        for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+            std::vector<std::uint32_t> seen;
+            mesh.around(mesh.vertices[v].after, [&](std::uint32_t h) noexcept { seen.push_back(h); });
+            const bool begins = mesh.link(seen.front()) == kinetic_triangles::to_segment(mesh.vertices[v].after);
+            if (!begins) CHECK(begins);
+            const std::uint32_t last = mesh.link(kinetic_triangles::previous(seen.back()));
+            const bool ends = last == kinetic_triangles::to_segment(mesh.vertices[v].before);
+            if (!ends) CHECK(ends);
+            for (std::size_t i = 0; i + 1 < seen.size(); ++i) {  // the next one leaves on this triangle's other side
+                const std::uint32_t next = kinetic_triangles::next(seen[i + 1]);
+                const bool adjacent = mesh.origin(next) == mesh.apex(seen[i]);
+                if (!adjacent) CHECK(adjacent);
+            }
+            std::sort(seen.begin(), seen.end());
+            if (seen != leaving[v]) CHECK(seen == leaving[v]);
+        }
+    }
+}
+
+TEST_CASE("set_corner() replaces a corner of its segments and triangles, and no other", "[offset][kinetic_triangles]")
+{
+    detail::wavefront front{heap()};
+    test::set_up(front, {"star", {test::star(30, 10'000, 1)}});
+    kinetic_triangles& mesh = front.mesh;
+    for (std::uint32_t v = 0; v < 30; ++v) {
+        const std::uint32_t before = mesh.vertices[v].before, after = mesh.vertices[v].after;
+        const auto fresh = static_cast<std::uint32_t>(mesh.vertices.size());
+        std::vector<std::uint32_t> expected;
+        for (std::uint32_t h = 0; h < halves(mesh); ++h)
+            expected.push_back(mesh.origin(h) == v ? fresh : mesh.origin(h));
+        const auto copy = mesh.vertices[v];
+        REQUIRE(mesh.vertices.push_back(copy));
+        mesh.set_corner(before, fresh, after);
+        for (std::uint32_t h = 0; h < halves(mesh); ++h) CHECK(mesh.origin(h) == expected[h]);
+        CHECK(test::broken_link(mesh) == "");
+    }
+}
+
+TEST_CASE("close() joins what lay on the other two sides, and says when nothing is left", "[offset][kinetic_triangles]")
+{
+    //   3-----2      Each edge in turn loses its length: its triangle goes, and the diagonal's other side gets the
+    //   |   / |      segment that is left of it.
+    //   | /   |
+    //   0-----1
+    for (std::uint32_t lost = 0; lost < 4; ++lost) {
+        detail::wavefront front{heap()};
+        test::set_up(front, {"square", {test::square(0, 0, 10)}});
+        kinetic_triangles& mesh = front.mesh;
+        const std::uint32_t h = mesh.segments[lost].half, t = h / 3, r = 1 - t, stamp = mesh.triangles[t].stamp;
+        const std::uint32_t a = mesh.link(kinetic_triangles::next(h)), b = mesh.link(kinetic_triangles::previous(h));
+        REQUIRE(kinetic_triangles::is_segment(a) != kinetic_triangles::is_segment(b));
+        CHECK(mesh.close(h));
+        CHECK_FALSE(mesh.triangles[t].alive);
+        CHECK(mesh.triangles[t].stamp == stamp + 1);
+        const std::uint32_t segment = kinetic_triangles::is_segment(a) ? a : b,
+                            half = kinetic_triangles::is_segment(a) ? b : a;
+        CHECK(half / 3 == r);
+        CHECK(mesh.link(half) == segment);
+        CHECK(mesh.segments[kinetic_triangles::segment_in(segment)].half == half);
+        for (std::uint32_t k = 0; k < 3; ++k) CHECK(kinetic_triangles::is_segment(mesh.link(3 * r + k)));
+        CHECK_FALSE(mesh.close(3 * r));
+        CHECK_FALSE(mesh.triangles[r].alive);
+    }
+}
+
+TEST_CASE("close() between two diagonals makes twins of their other sides", "[offset][kinetic_triangles]")
+{
+    detail::wavefront front{heap()};
+    test::set_up(front, {"star", {test::star(60, 10'000, 2)}});
+    kinetic_triangles& mesh = front.mesh;
+    int closed = 0;
+    for (std::uint32_t s = 0; s < 60; ++s) {
+        const std::uint32_t h = mesh.segments[s].half;
+        const std::uint32_t a = mesh.link(kinetic_triangles::next(h)), b = mesh.link(kinetic_triangles::previous(h));
+        if (!mesh.triangles[h / 3].alive || kinetic_triangles::is_segment(a) || kinetic_triangles::is_segment(b))
+            continue;
+        CHECK(mesh.close(h));
+        CHECK(mesh.link(a) == b);
+        CHECK(mesh.link(b) == a);
+        ++closed;
+    }
+    CHECK(closed > 5);
+}
