@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: MIT
+
+#include <typemesh/offset/sweep_inwards.hpp>
+#include <typemesh/triangulate/constrained_delaunay.hpp>
+#include <typemesh/triangulate/monotone.hpp>
+
+#include "support/catch.hpp"
+#include "support/counting_memory.hpp"
+#include "support/delaunay_shapes.hpp"
+#include "support/swept_cases.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+using namespace typemesh;
+
+namespace {
+
+/// A shape's size: the largest of its extents.
+double size_of(const test::shape& s)
+{
+    box around;
+    for (const auto& l : s.loops)
+        for (const grid_point p : l) around.add({double(p.x), double(p.y)});
+    return (std::max)(around.high.x - around.low.x, around.high.y - around.low.y);
+}
+
+std::size_t points_of(const test::shape& s)
+{
+    std::size_t n = 0;
+    for (const auto& l : s.loops) n += l.size();
+    return n;
+}
+
+/// At least twice as large as an em usually is: what is a few cells wide would be lost between grid points.
+test::shape enlarged(test::shape s)
+{
+    for (double size = size_of(s); size <= 0x1p20; size *= 2)
+        for (auto& l : s.loops)
+            for (grid_point& p : l) p = {2 * p.x, 2 * p.y};
+    return s;
+}
+
+/// Fills a shape and sweeps it inwards by a share of its size, over both triangulations. Gives how often that was
+/// refused.
+int check_sweep(const test::shape& s, double share, double mitre_limit, double tolerance)
+{
+    CAPTURE(s, share, mitre_limit, tolerance);
+    contours loops = test::contours_of(s);
+    workspace space;
+    const auto filled = fill(loops, fill_rule::non_zero, space);
+    REQUIRE(filled);
+    test::sweep_case by_monotone;
+    by_monotone.levels = test::levels_to(std::floor(share * size_of(s)), 3);
+    by_monotone.mitre_limit = mitre_limit;
+    by_monotone.tolerance = tolerance;
+    by_monotone.compare_area = points_of(s) < 130;
+    test::sweep_case by_delaunay = by_monotone;
+    by_monotone.examine(*filled, monotone{});
+    CHECK(by_monotone.broken == "");
+    by_delaunay.compare_area = false;
+    by_delaunay.examine(*filled, constrained_delaunay{});
+    CHECK(by_delaunay.broken == "");
+    return int{by_monotone.refused} + int{by_delaunay.refused};
+}
+
+/// One shape, swept by hand-picked levels with mitred corners; triangles by monotone.
+test::sweep_case swept(const std::vector<test::polyline>& given, std::vector<double> levels, double mitre_limit = 0.0)
+{
+    contours loops = test::contours_of(given);
+    workspace space;
+    const auto filled = fill(loops, fill_rule::non_zero, space);
+    REQUIRE(filled);
+    test::sweep_case how;
+    how.levels = std::move(levels);
+    how.mitre_limit = mitre_limit;
+    how.examine(*filled, monotone{});
+    CHECK(how.broken == "");
+    return how;
+}
+
+using areas = std::vector<std::int64_t>;
+
+std::vector<test::shape> letters_and_ties()
+{
+    std::vector<test::shape> all;
+    all.push_back({"L", {{{0, 0}, {3000, 0}, {3000, 1000}, {1000, 1000}, {1000, 3000}, {0, 3000}}}});
+    all.push_back(
+        {"T", {{{0, 2000}, {1000, 2000}, {1000, 0}, {2000, 0}, {2000, 2000}, {3000, 2000}, {3000, 3000}, {0, 3000}}}});
+    all.push_back({"H",
+                   {{{0, 0},
+                     {1000, 0},
+                     {1000, 1200},
+                     {2000, 1200},
+                     {2000, 0},
+                     {3000, 0},
+                     {3000, 3000},
+                     {2000, 3000},
+                     {2000, 1800},
+                     {1000, 1800},
+                     {1000, 3000},
+                     {0, 3000}}}});
+    all.push_back({"plus of nine squares",
+                   {{{1000, 0},
+                     {2000, 0},
+                     {2000, 1000},
+                     {3000, 1000},
+                     {3000, 2000},
+                     {2000, 2000},
+                     {2000, 3000},
+                     {1000, 3000},
+                     {1000, 2000},
+                     {0, 2000},
+                     {0, 1000},
+                     {1000, 1000}}}});
+    all.push_back({"angle quote",
+                   {{{0, 35600}, {33500, 0}, {41600, 0}, {18800, 38900}, {41600, 77800}, {33500, 77800}, {0, 42200}}}});
+    all.push_back({"slit", {{{0, 0}, {1000, 0}, {1000, 1000}, {501, 1000}, {500, 10}, {499, 1000}, {0, 1000}}}});
+    all.push_back(
+        {"points on straight edges",
+         {{{0, 0}, {300, 0}, {700, 0}, {1000, 0}, {1000, 500}, {1000, 1000}, {500, 1000}, {0, 1000}, {0, 999}}}});
+    all.push_back({"squares that touch", {test::square(0, 0, 1000), test::square(1000, 1000, 1000)}});
+    all.push_back({"square ring", {test::square(0, 0, 10000), test::reversed(test::square(4000, 4000, 2000))}});
+    all.push_back(
+        {"hole that touches", {test::square(0, 0, 10000), {{5000, 0}, {2500, 5000}, {5000, 7500}, {7500, 5000}}}});
+    all.push_back({"hole that touches twice",
+                   {test::square(0, 0, 10000), {{5000, 0}, {2500, 5000}, {5000, 10000}, {7500, 5000}}}});
+    all.push_back(test::chess_board(6));
+    for (const int corners : {3, 4, 5, 6, 7, 8, 12, 16, 17, 32, 64, 100, 128})
+        all.push_back({"regular polygon of " + std::to_string(corners), {test::circle(corners, 1e6)}});
+    all.push_back({"ring of two polygons", {test::circle(48, 1e6), test::reversed(test::circle(48, 6e5))}});
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("sweep_inwards() leaves of rectangles and rings what it must", "[offset]")
+{
+    CHECK(swept({test::square(0, 0, 1000)}, {0, 100, 300}).doubled_areas ==
+          areas{2 * 1000 * 1000, 2 * 800 * 800, 2 * 400 * 400});
+    CHECK(swept({{{0, 0}, {3000, 0}, {3000, 1000}, {0, 1000}}}, {0, 400}).doubled_areas ==
+          areas{2 * 3000 * 1000, 2 * 2200 * 200});
+
+    const auto ring =
+        std::vector<test::polyline>{test::square(0, 0, 1000), test::reversed(test::square(400, 400, 200))};
+    const auto some = swept(ring, {0, 100});
+    CHECK(some.doubled_areas == areas{2 * 960'000, 2 * (800 * 800 - 400 * 400)});
+    CHECK(some.cap_outers == 1);
+    CHECK(some.cap_holes == 1);
+    const auto none = swept(ring, {0, 200});  // exactly where it closes
+    CHECK(none.doubled_areas == areas{2 * 960'000, 0});
+    CHECK(none.cap_outers == 0);
+    CHECK(none.cap_holes == 0);
+    CHECK(swept(ring, {0, 100, 400}).doubled_areas == areas{2 * 960'000, 2 * 480'000, 0});
+}
+
+TEST_CASE("sweep_inwards() splits letters where their strokes are thin", "[offset]")
+{
+    const auto all = letters_and_ties();
+    const auto& h = all[2];
+    CHECK(h.name == "H");
+    const auto before = swept(h.loops, {0, 290}), at = swept(h.loops, {0, 300}), after = swept(h.loops, {0, 310});
+    CHECK(before.cap_outers == 1);
+    CHECK(before.doubled_areas.back() == 2 * (2 * 420 * 2420 + 1580 * 20));
+    CHECK(at.cap_outers == 2);
+    CHECK(at.doubled_areas.back() == 2 * (2 * 400 * 2400));
+    CHECK(after.cap_outers == 2);
+    CHECK(after.doubled_areas.back() == 2 * (2 * 380 * 2380));
+    const auto touching = swept(all[7].loops, {0, 100});
+    CHECK(touching.cap_outers == 2);
+    CHECK(touching.doubled_areas.back() == 2 * 2 * 800 * 800);
+}
+
+TEST_CASE("sweep_inwards() obeys its laws on letters, ties and touching loops at every width", "[offset]")
+{
+    const double mitre_limit = GENERATE(0.0, 2.0), tolerance = GENERATE(0.0, 2.0);
+    int refused = 0;
+    for (const test::shape& given : letters_and_ties()) {
+        const test::shape s = enlarged(given);
+        for (const double share : {0.01, 0.03, 0.1, 0.2, 0.35, 0.6})
+            for (const test::shape& t : {s, test::mirrored(s), test::turned(s, 30.0), test::shuffled(s, 5)})
+                refused += check_sweep(t, share, mitre_limit, tolerance);
+    }
+    CHECK(refused == 0);
+}
+
+TEST_CASE("sweep_inwards() obeys its laws on stars, combs, spirals and smooth curves", "[offset]")
+{
+    const double mitre_limit = GENERATE(0.0, 2.0);
+    std::vector<test::shape> shapes = test::delaunay_shapes();
+    for (std::uint64_t seed = 10; seed < 25; ++seed)
+        shapes.push_back({"star of seed " + std::to_string(seed), {test::star(20 + 3 * int(seed), 1e6, seed)}});
+    int refused = 0;
+    for (const test::shape& given : shapes) {
+        if (points_of(given) > 3000 || size_of(given) > 0x1p26) continue;  // larger than any glyph
+        const test::shape s = enlarged(given);
+        for (const double share : {0.005, 0.02, 0.05, 0.3})
+            for (const test::shape& t : {s, test::mirrored(s)}) refused += check_sweep(t, share, mitre_limit, 0.0);
+    }
+    // Needles whose tips, without a limit, move a thousand times as fast as the edges.
+    CHECK(refused <= (mitre_limit > 0.0 ? 4 : 32));
+}
+
+TEST_CASE("sweep_inwards() obeys its laws on random polygons", "[offset]")
+{
+    int refused = 0;
+    for (int i = 0; i < 150; ++i) {
+        test::dice d{static_cast<std::uint64_t>(1000 + i)};
+        test::shape s{"random polygon " + std::to_string(i), {test::random_polygon(8 + i / 2, 40, d)}};
+        for (const double share : {0.01, 0.05, 0.2})
+            refused += check_sweep(enlarged(s), share, i % 2 == 0 ? 0.0 : 2.0, 0.0);
+    }
+    CHECK(refused == 0);
+}
+
+TEST_CASE("sweep_inwards() sweeps glyphs whose strokes close at one distance, or beside a corner", "[offset]")
+{
+    const struct {
+        const char* name;
+        double width;
+        std::vector<test::polyline> loops;
+    } glyphs[] = {
+        {"window with bars as thick as twice the width",
+         5120,
+         {{{307200, 0}, {307200, 240640}, {0, 240640}, {0, 0}},
+          {{158720, 128000}, {296960, 128000}, {296960, 35840}},
+          {{158720, 138240}, {158720, 230400}, {296960, 138240}},
+          {{10240, 128000}, {148480, 128000}, {148480, 35840}},
+          {{10240, 230400}, {148480, 230400}, {148480, 138240}, {10240, 138240}}}},
+        {"window with thinner bars",
+         15360,
+         {{{307200, 0}, {307200, 240640}, {0, 240640}, {0, 0}},
+          {{158720, 35840}, {158720, 128000}, {296960, 128000}},
+          {{158720, 138240}, {158720, 230400}, {296960, 230400}, {296960, 138240}},
+          {{10240, 128000}, {148480, 35840}, {10240, 35840}},
+          {{10240, 230400}, {148480, 230400}, {148480, 138240}}}},
+        {"arrow whose stem closes before its head",
+         31457,
+         {{{362240, 42496},
+           {332288, 0},
+           {476416, 55296},
+           {338176, 187392},
+           {332288, 129024},
+           {362240, 86528},
+           {0, 86528},
+           {0, 42496}}}},
+        {"arrow with a blunt head",
+         30712,
+         {{{392192, 42496},
+           {362240, 0},
+           {506368, 55296},
+           {466560, 97024},
+           {362240, 129024},
+           {392192, 86528},
+           {0, 86528},
+           {0, 42496}}}},
+        {"thin hole in a thin wedge",
+         9000,
+         {{{0, 0}, {15809, 60691}, {17427, 73152}, {18523, 85670}, {14063, 160737}},
+          {{9542, 86266}, {8480, 74124}, {6910, 62037}}}},
+    };
+    for (const auto& g : glyphs) {
+        const test::shape s{g.name, g.loops};
+        for (const double mitre_limit : {0.0, 2.0})
+            for (const double share : {0.5, 1.0, 2.0, 8.0})
+                for (const test::shape& t : {s, test::mirrored(s), test::turned(s, 180.0), test::turned(s, 12.0)})
+                    CHECK(check_sweep(t, share * g.width / size_of(s), mitre_limit, 0.0) == 0);
+    }
+}
+
+TEST_CASE("sweep_inwards() allocates nothing after warm-up, and gives up cleanly when memory runs out", "[offset]")
+{
+    contours loops = test::contours_of({"star", {test::star(60, 1e6, 1)}});
+    workspace own;
+    const auto filled = fill(loops, fill_rule::non_zero, own);
+    REQUIRE(filled);
+    triangle_list triangles;
+    REQUIRE_FALSE(monotone{}(*filled, own, triangles));
+    const double levels[] = {0.0, 10'000.0, 40'000.0};
+    const sweep_options how{.levels = levels, .mitre_limit = 2.0, .tolerance = 10.0};
+    const auto sweep = [&](workspace& space, swept_region& out) {
+        out.clear();
+        workspace::scope scratch{space};
+        return sweep_inwards(*filled, triangles.view(), how, scratch, out);
+    };
+
+    test::counting_memory memory;
+    {
+        workspace space{memory.source()};
+        swept_region out{memory.source()};
+        for (int i = 0; i < 3; ++i) REQUIRE_FALSE(sweep(space, out));
+        CHECK(test::swept_laws{*filled, out}.broken() == "");
+        const std::size_t warm = memory.requests;
+        REQUIRE_FALSE(sweep(space, out));
+        CHECK(memory.requests == warm);
+    }
+    CHECK(memory.bytes_held == 0);
+
+    for (std::size_t n = 1;; ++n) {
+        test::counting_memory failing;
+        failing.fail_at = n;
+        bool done = false;
+        {
+            workspace space{failing.source()};
+            swept_region out{failing.source()};
+            const error e = sweep(space, out);
+            done = !e;
+            CHECK((!e || e.code == error::out_of_memory));
+        }
+        CHECK(failing.bytes_held == 0);
+        if (done) break;
+        REQUIRE(n < 10'000);
+    }
+}
