@@ -8,6 +8,7 @@
 #include "policies.hpp"
 #include "progress.hpp"
 #include "report.hpp"
+#include "sewn.hpp"
 #include "statistics.hpp"
 #include "write_3mf.hpp"
 #include "write_glb.hpp"
@@ -35,7 +36,7 @@ struct typemesh::vertex_traits<text_to_mesh::model_vertex> {
 namespace text_to_mesh {
 namespace {
 
-constexpr const char* part_names[] = {"front", "back", "side"};
+constexpr const char* part_names[] = {"front", "back", "side", "front_bevel", "back_bevel"};
 
 typemesh::text_options text_options_of(const options& o)
 {
@@ -110,7 +111,7 @@ std::string write_output(const options& o, const Plan& plan, model& mesh, file_s
     case file_kind::glb: return write_glb(mesh, o.output, files);
     case file_kind::obj: return write_obj(mesh, o.output, files);
     case file_kind::ply: return write_ply(mesh, o.output, files);
-    case file_kind::three_mf: return write_3mf(mesh, o.output, files);
+    case file_kind::three_mf: return write_3mf(o.bevel.width > 0.0f ? sewn(mesh) : mesh, o.output, files);
     case file_kind::stl: {
         mesh.indices = solid_by_solid(plan, mesh.indices);
         mesh.parts.clear();
@@ -142,7 +143,7 @@ double picture_tolerance(const options& o, const typemesh::bounds3& bounds, cons
 }
 
 /// Draws the text, one em large, and prepares the picture. Gives an empty string, or one sentence.
-template <class Discretiser>
+template <class Extruder, class Discretiser>
 std::string draw_picture(const options& o, typemesh::harfbuzz_font& font, const Discretiser& discretiser,
                          file_set& files)
 {
@@ -151,7 +152,8 @@ std::string draw_picture(const options& o, typemesh::harfbuzz_font& font, const 
     look.wireframe = o.show_triangles;
     look.texture = o.checker ? texture::checker : texture::none;
 
-    auto mesher = typemesh::text_mesher{font}.with(discretiser).with(triangulator_of(o)).with(extruder_of(o));
+    const auto extruder = std::get<Extruder>(extruder_of(o));
+    auto mesher = typemesh::text_mesher{font}.with(discretiser).with(triangulator_of(o)).with(extruder);
     typemesh::text_options how = text_options_of(o);
     how.size = 1.0;
     typemesh::bounds3 bounds;  // of a mesh of the picture's size: those of the file's may be too small to be told apart
@@ -187,16 +189,15 @@ std::string name_warnings(const options& o, const Plan& plan, const typemesh::ha
 }
 
 /// All of it with an open font. Gives an empty string, or one sentence.
-template <class Discretiser>
-std::string run(const options& o, progress& tell, typemesh::harfbuzz_font& font, const Discretiser& discretiser)
+template <class Discretiser, class Extruder>
+std::string run(const options& o, progress& tell, typemesh::harfbuzz_font& font, const Discretiser& discretiser,
+                const Extruder& extruder)
 {
     tell.begin("shaping the text and building its letters");
-    options of_file = o;
-    if (o.kind == file_kind::three_mf) of_file.normals = normals_name::shared;  // see write_3mf()
     auto mesher = typemesh::text_mesher{font}
                       .with(discretiser)
                       .with(triangulator_of(o))
-                      .with(extruder_of(of_file))
+                      .with(extruder)
                       .with(stage_clock{.tell = &tell});
     auto plan = mesher.plan(o.text, text_options_of(o));
     if (!plan) return in_words(plan.error());
@@ -220,7 +221,7 @@ std::string run(const options& o, progress& tell, typemesh::harfbuzz_font& font,
     }
     if (!o.picture.empty()) {
         tell.begin("drawing " + o.picture);
-        if (std::string trouble = draw_picture(o, font, discretiser, files); !trouble.empty()) return trouble;
+        if (std::string trouble = draw_picture<Extruder>(o, font, discretiser, files); !trouble.empty()) return trouble;
     }
     tell.clear();
     if (o.stats) {
@@ -240,7 +241,10 @@ std::string run(const options& o, progress& tell)
     auto font = typemesh::harfbuzz_font::open(found.path.c_str(),
                                               {.face = o.face.value_or(found.face), .variations = found.variations});
     if (!font) return found.path + ": " + in_words(font.error());
-    return std::visit([&](const auto& d) { return run(o, tell, *font, d); }, discretiser_of(o, font->units_per_em()));
+    options of_file = o;
+    if (o.kind == file_kind::three_mf) of_file.normals = normals_name::shared;  // see write_3mf()
+    return std::visit([&](const auto& d, const auto& e) { return run(o, tell, *font, d, e); },
+                      discretiser_of(o, font->units_per_em()), extruder_of(of_file));
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ struct model_vertex {
 
 /// A finished mesh. Three indices per triangle, counter-clockwise seen from outside; right-handed, y up.
 struct model {
-    /// A run of indices that share a material: "front", "back", "side".
+    /// A run of indices that share a material: "front", "back", "side", "front_bevel", "back_bevel".
     struct part {
         const char* name;
         std::size_t first_index;

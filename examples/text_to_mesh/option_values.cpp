@@ -55,6 +55,30 @@ std::optional<typemesh::feature> read_feature(std::string_view written)
     return f;
 }
 
+std::string read_profile(std::string_view written, typemesh::profile_points& out)
+{
+    const std::string given{written};
+    std::vector<typemesh::profile_point> points;
+    for (;;) {
+        const auto end = written.find(';'), comma = written.substr(0, end).find(',');
+        const auto t = decimal(written.substr(0, comma));
+        const auto h = comma == std::string_view::npos ? t : decimal(written.substr(0, end).substr(comma + 1));
+        if (!t || !h || comma == std::string_view::npos)
+            return "must be chamfer, round, concave, stepped, engraved or points such as 0,0;0.2,0.8;1,1, not " + given;
+        const typemesh::profile_point p{static_cast<float>(*t), static_cast<float>(*h)};
+        if (!points.empty() && p.t < points.back().t) return "must not run back in t, as it does in " + given;
+        if (!(p.h >= 0.0f && p.h <= 1.0f)) return "must have every h from 0 to 1, unlike " + given;
+        points.push_back(p);
+        if (end == std::string_view::npos) break;
+        written.remove_prefix(end + 1);
+    }
+    out = typemesh::profile_points{points};
+    if (points.size() > typemesh::profile_points::most)
+        return "must have at most " + std::to_string(typemesh::profile_points::most) + " points, not " +
+               std::to_string(points.size());
+    return out.is_valid() ? std::string{} : "must go from 0,0 to t = 1, unlike " + given;
+}
+
 std::string with_line_breaks(std::string text)
 {
     for (std::size_t i = 0; (i = text.find("\\n", i)) != std::string::npos; ++i) text.replace(i, 2, "\n");

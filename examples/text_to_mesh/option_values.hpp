@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/extrude/bevel_profile.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <optional>
@@ -16,6 +17,9 @@ namespace text_to_mesh {
 /// "wght=700" and "liga", "liga=0", "-liga", "+liga". Nothing where it is not of that form.
 [[nodiscard]] std::optional<typemesh::variation> read_variation(std::string_view written);
 [[nodiscard]] std::optional<typemesh::feature> read_feature(std::string_view written);
+
+/// A bevel's points, "0,0;0.2,0.8;1,1". Gives an empty string, or what is wrong: "must ...".
+[[nodiscard]] std::string read_profile(std::string_view written, typemesh::profile_points& out);
 
 /// A backslash and an n, as a shell passes them on, become a line break.
 [[nodiscard]] std::string with_line_breaks(std::string text);

@@ -7,9 +7,11 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 namespace text_to_mesh {
@@ -88,9 +90,10 @@ std::string version()
 /// Words of the command line that become something else after parsing.
 struct raw_values {
     std::vector<std::string> variations, features, show;
-    std::string uv, fill;
-    std::optional<double> size;
-    bool no_merge = false, tolerance_given = false, shading_given = false;
+    std::string uv, fill, profile;
+    std::optional<double> size, bevel_depth, bevel_steps;
+    bool no_merge = false, tolerance_given = false, shading_given = false, normals_given = false, bevel_given = false;
+    std::string of_a_bevel;  // the first option that only a bevel has
 };
 
 void add_text_options(CLI::App& app, options& out, raw_values& raw)
@@ -178,13 +181,42 @@ void add_mesh_options(CLI::App& app, options& out, raw_values& raw)
     app.add_option("--fill", raw.fill, "instead of the font's own rule")->check(one_of({"nonzero", "evenodd"}));
     app.add_option("--uv", raw.uv, "texture coordinates: over the text's box, or in em (default)")
         ->check(one_of({"box", "em"}));
-    auto* merged = app.add_flag("--merge", out.merge,
-                                "letters that meet become one solid without inner walls (default for .stl and .3mf)");
+    auto* merged =
+        app.add_flag("--merge", out.merge,
+                     "letters that meet become one solid without inner walls (default for .stl, .3mf and bevels)");
     app.add_flag("--no-merge", raw.no_merge, "each letter stays a solid of its own (default for the others)")
         ->excludes(merged);
     app.add_flag("--instances", out.instances, "in .glb: each different letter once, and a node for each place")
         ->excludes(merged);
     app.add_flag("--strict", out.strict, "every warning is an error, and nothing is written");
+}
+
+void add_bevel_options(CLI::App& app, options& out, raw_values& raw)
+{
+    using namespace typemesh;
+    add_number(
+        app, "--bevel", "how far bevels reach inwards; 0: none (default); letters that meet become one, as by --merge",
+        "a number from 0 to 1000", [](double n) { return n >= 0.0 && n <= 1000.0; },
+        [&out](double n) { out.bevel.width = static_cast<float>(n); })
+        ->type_name("EM");
+    add_number(
+        app, "--bevel-depth", "how deep a bevel is, carved into the depth (default as it is wide)",
+        "a number from 0 to 1000", [](double n) { return n >= 0.0 && n <= 1000.0; },
+        [&raw](double n) { raw.bevel_depth = n; })
+        ->type_name("EM");
+    app.add_option("--profile", raw.profile,
+                   "of the bevel: a name or, as shares of its width and depth, points: \"0,0;0.2,0.8;1,1\"")
+        ->type_name("{chamfer,round,concave,stepped,engraved,T,H;T,H;...}");
+    add_number(
+        app, "--bevel-steps", "of a round or concave profile, up to 63; 0: by the quality (default)",
+        "a whole number from 0 to 63", [](double n) { return n >= 0.0 && n <= 63.0 && n == std::floor(n); },
+        [&raw](double n) { raw.bevel_steps = n; })
+        ->type_name("N");
+    add_named<bevel_mode>(app, "--bevel-mode", out.bevel.mode,
+                          "where a stroke is too thin, bevels meet in a ridge (clip, default), or are narrower (fit)",
+                          {{"clip", bevel_mode::clip}, {"fit", bevel_mode::fit}});
+    add_named<bevel_sides>(app, "--bevel-sides", out.bevel.sides, "which edges are bevelled (default both)",
+                           {{"front", bevel_sides::front}, {"back", bevel_sides::back}, {"both", bevel_sides::both}});
 }
 
 void add_output_options(CLI::App& app, options& out, raw_values& raw)
@@ -203,6 +235,49 @@ void add_output_options(CLI::App& app, options& out, raw_values& raw)
         ->take_all()
         ->allow_extra_args(false);
     app.add_flag("--stats", out.stats, "print counts and times as one line of JSON");
+}
+
+/// A number in as few digits as tell it.
+std::string written(float n)
+{
+    char digits[32];
+    return {digits, std::to_chars(digits, digits + sizeof digits, n).ptr};
+}
+
+/// The profile by its name or its points. Gives an empty string, or what is wrong.
+std::string settle_profile(bevel_options& out, const raw_values& raw)
+{
+    constexpr std::pair<std::string_view, profile_name> known[] = {
+        {"", profile_name::chamfer},        {"chamfer", profile_name::chamfer}, {"round", profile_name::round},
+        {"concave", profile_name::concave}, {"stepped", profile_name::stepped}, {"engraved", profile_name::engraved}};
+    out.profile = profile_name::points;
+    for (const auto& [name, profile] : known)
+        if (raw.profile == name) out.profile = profile;
+    if (out.profile == profile_name::points)
+        if (const std::string trouble = read_profile(raw.profile, out.points); !trouble.empty())
+            return "--profile: " + trouble;
+    if (!raw.bevel_steps) return {};
+    if (out.profile != profile_name::round && out.profile != profile_name::concave)
+        return "--bevel-steps: is for --profile round or concave";
+    out.steps = static_cast<unsigned>(*raw.bevel_steps);
+    return {};
+}
+
+/// Finishes the bevel. Gives an empty string, or one sentence of what is wrong.
+std::string settle_bevel(options& out, const raw_values& raw)
+{
+    const auto width = static_cast<double>(out.bevel.width);
+    if (std::string trouble = settle_profile(out.bevel, raw); !trouble.empty()) return trouble;
+    if (width == 0.0)
+        return raw.of_a_bevel.empty() || raw.bevel_given ? std::string{} : raw.of_a_bevel + ": is for --bevel";
+    if (out.depth == 0.0f) return "--bevel: is for solids, and --depth 0 makes a flat mesh";
+    if (raw.normals_given) return "--normals: is not for --bevel, whose sides and bevels have those of the curves";
+    out.bevel.depth = static_cast<float>(raw.bevel_depth.value_or(width));
+    const bool both = out.bevel.sides == typemesh::bevel_sides::both;
+    if ((both ? 2.0 : 1.0) * static_cast<double>(out.bevel.depth) <= static_cast<double>(out.depth)) return {};
+    const std::string most = written(out.depth);
+    return std::string{"--bevel-depth: must be at most "} + (both ? "half of " : "") + "--depth " + most + ", not " +
+           written(out.bevel.depth) + (raw.bevel_depth ? "" : ", the width of --bevel");
 }
 
 /// Finishes what the words left open. Gives an empty string, or one sentence of what is wrong.
@@ -233,6 +308,8 @@ std::string settle(options& out, const raw_values& raw)
     out.show_normals = shown("normals");
     out.checker = shown("checker");
 
+    if (std::string trouble = settle_bevel(out, raw); !trouble.empty()) return trouble;
+
     out.kind = kind_of(out.output);
     if (!out.output.empty() && (out.kind == file_kind::unknown || out.kind == file_kind::png))
         return "--output: must end in .glb, .obj, .stl, .ply or .3mf, not " + out.output;
@@ -250,7 +327,7 @@ std::string settle(options& out, const raw_values& raw)
         return "--quality: is not for --discretiser two_lines, which makes two lines of every curve";
     if (out.instances && out.kind != file_kind::glb) return "--instances: is for --output FILE.glb";
     out.size = raw.size.value_or(out.kind == file_kind::three_mf ? 10.0 : 1.0);
-    out.merge = out.merge || (!raw.no_merge && holds_solids(out.kind));
+    out.merge = out.merge || (!raw.no_merge && !out.instances && (holds_solids(out.kind) || out.bevel.width > 0.0f));
     out.text = with_line_breaks(out.text);
     return {};
 }
@@ -266,6 +343,7 @@ std::optional<int> parse(int argc, char** argv, options& out)
     raw_values raw;
     add_text_options(app, out, raw);
     add_mesh_options(app, out, raw);
+    add_bevel_options(app, out, raw);
     add_output_options(app, out, raw);
 
     const auto complain = [](const std::string& sentence) {
@@ -280,6 +358,10 @@ std::optional<int> parse(int argc, char** argv, options& out)
         return complain(in_words(wrong, app, argc, argv));
     }
     raw.tolerance_given = app.count("--tolerance") > 0;
+    raw.bevel_given = app.count("--bevel") > 0;
+    raw.normals_given = app.count("--normals") > 0;
+    for (const char* option : {"--bevel-sides", "--bevel-mode", "--bevel-steps", "--profile", "--bevel-depth"})
+        if (app.count(option) > 0) raw.of_a_bevel = option;
     raw.shading_given = app.count("--shading") > 0;
     out.quality_given = raw.tolerance_given || app.count("--quality") > 0;
     if (!raw.tolerance_given) {

@@ -4,6 +4,7 @@
 #include "file_kind.hpp"
 #include "picture/picture_options.hpp"
 
+#include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <optional>
@@ -15,7 +16,19 @@ namespace text_to_mesh {
 enum class discretiser_name { certified, two_lines, adaptive };
 enum class triangulator_name { monotone, delaunay };
 enum class normals_name { cap, shared, averaged, creased, curve };
+enum class profile_name { chamfer, round, concave, stepped, engraved, points };
 enum class preset { low, normal, high, best };
+
+/// Bevels, as bevelled.hpp has them.
+struct bevel_options {
+    float width = 0.0f;  ///< em; 0: none
+    float depth = 0.0f;  ///< em
+    profile_name profile = profile_name::chamfer;
+    typemesh::profile_points points;  ///< of profile_name::points
+    unsigned steps = 0;               ///< 0: by the tolerance
+    typemesh::bevel_mode mode = typemesh::bevel_mode::clip;
+    typemesh::bevel_sides sides = typemesh::bevel_sides::both;
+};
 
 /// What the command line asks for.
 struct options {
@@ -32,6 +45,7 @@ struct options {
 
     double size = 1.0;   ///< of an em in the file
     float depth = 0.2f;  ///< em; 0 makes a flat mesh
+    bevel_options bevel;
     preset quality = preset::high;
     double tolerance = typemesh::quality::high;
     bool quality_given = false;  ///< by --quality or --tolerance

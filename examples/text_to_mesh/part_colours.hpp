@@ -5,13 +5,13 @@
 
 namespace text_to_mesh {
 
-/// The usual colours of the faces and of the sides, in sRGB: of pictures and of the materials of files.
-inline constexpr unsigned char face_rgb[3] = {240, 104, 64}, side_rgb[3] = {206, 70, 48};
+/// The usual colours of the faces, of the sides and of the bevels, in sRGB: of pictures and of the materials of files.
+inline constexpr unsigned char face_rgb[3] = {240, 104, 64}, side_rgb[3] = {206, 70, 48}, bevel_rgb[3] = {248, 146, 84};
 
-/// The colour of a part by its name: "front", "back", "side".
+/// The colour of a part by its name: see model::part.
 [[nodiscard]] constexpr const unsigned char (&colour_of(std::string_view part))[3]
 {
-    return part == "side" ? side_rgb : face_rgb;
+    return part == "side" ? side_rgb : part == "front_bevel" || part == "back_bevel" ? bevel_rgb : face_rgb;
 }
 
 }  // namespace text_to_mesh

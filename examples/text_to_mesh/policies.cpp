@@ -2,6 +2,33 @@
 #include "policies.hpp"
 
 namespace text_to_mesh {
+namespace {
+
+chosen_profile profile_of(const bevel_options& o)
+{
+    switch (o.profile) {
+    case profile_name::round: return {typemesh::round_profile{o.steps}};
+    case profile_name::concave: return {typemesh::concave_profile{o.steps}};
+    case profile_name::stepped: return {typemesh::stepped_profile{}};
+    case profile_name::engraved: return {typemesh::engraved_profile{}};
+    case profile_name::points: return {typemesh::polyline_profile{o.points}};
+    case profile_name::chamfer: break;
+    }
+    return {typemesh::chamfer_profile{}};
+}
+
+typemesh::bevelled<chosen_profile> bevelled_of(const options& o)
+{
+    typemesh::bevelled<chosen_profile> solid{.depth = o.depth, .width = o.bevel.width, .bevel_depth = o.bevel.depth};
+    solid.sides = o.bevel.sides;
+    solid.mode = o.bevel.mode;
+    solid.texture = o.uv;
+    solid.profile = profile_of(o.bevel);
+    if (o.crease) solid.crease_degrees = *o.crease;
+    return solid;
+}
+
+}  // namespace
 
 static_assert(typemesh::keeps_tolerance<typemesh::certified> && !typemesh::keeps_tolerance<unbounded_discretiser>);
 static_assert(typemesh::has_final_diagonals<chosen_triangulator>, "else --triangulator delaunay is not Delaunay's");
@@ -24,9 +51,10 @@ chosen_triangulator triangulator_of(const options& o)
 chosen_extruder extruder_of(const options& o)
 {
     using namespace typemesh;
-    if (o.depth == 0.0f) return {flat{.texture = o.uv}};
-    const auto with = [&](auto normals) -> chosen_extruder {
-        return {extruded<decltype(normals)>{.depth = o.depth, .texture = o.uv, .normals = normals}};
+    if (o.bevel.width > 0.0f) return bevelled_of(o);
+    if (o.depth == 0.0f) return unbevelled_extruder{flat{.texture = o.uv}};
+    const auto with = [&](auto normals) {
+        return unbevelled_extruder{extruded<decltype(normals)>{.depth = o.depth, .texture = o.uv, .normals = normals}};
     };
     switch (o.normals) {
     case normals_name::cap: return with(cap_normals{});

@@ -4,6 +4,8 @@
 #include "options.hpp"
 #include "progress.hpp"
 
+#include <typemesh/extrude/polyline_profile.hpp>
+
 #include <chrono>
 #include <variant>
 
@@ -45,8 +47,8 @@ struct chosen_triangulator {
     }
 };
 
-/// One of the extruders, chosen at run time.
-struct chosen_extruder {
+/// One of the extruders without bevels, chosen at run time.
+struct unbevelled_extruder {
     std::variant<typemesh::extruded<typemesh::curve_normals>, typemesh::extruded<typemesh::creased_normals>,
                  typemesh::extruded<typemesh::averaged_normals>, typemesh::extruded<typemesh::shared_normals>,
                  typemesh::extruded<typemesh::cap_normals>, typemesh::flat>
@@ -91,6 +93,21 @@ struct chosen_extruder {
         return std::visit(count, choice);
     }
 };
+
+/// One of the profiles of a bevel, chosen at run time.
+struct chosen_profile {
+    std::variant<typemesh::chamfer_profile, typemesh::round_profile, typemesh::concave_profile,
+                 typemesh::stepped_profile, typemesh::engraved_profile, typemesh::polyline_profile>
+        choice;
+
+    void operator()(const typemesh::profile_scale& scale, typemesh::profile_points& out) const noexcept
+    {
+        std::visit([&](const auto& p) { p(scale, out); }, choice);
+    }
+};
+
+/// For std::visit: a mesher for three parts and one for five.
+using chosen_extruder = std::variant<unbevelled_extruder, typemesh::bevelled<chosen_profile>>;
 
 /// What the options choose.
 [[nodiscard]] chosen_discretiser discretiser_of(const options& o, double units_per_em);

@@ -170,27 +170,93 @@ that "there is a node for each letter" [ "$(grep -ao '"translation"' instances.g
 expect 2 "--instances: is for" x --font $sans --output x.obj --instances
 expect 2 "excludes" x --font $sans --output x.glb --instances --merge
 
+# Bevels: five parts in every format, and letters that meet become one.
+expect 0 "" "Rag" --font $sans --output plain.obj
+expect 0 "" "Rag" --font $sans --output none.obj --bevel 0 --profile round
+that "no bevel is what it was" cmp -s <(grep -v ^mtllib plain.obj) <(grep -v ^mtllib none.obj)
+bevels=(--bevel 0.02 --bevel-depth 0.03)
+for kind in glb obj stl ply; do
+    expect 0 "" "Rag" --font $sans --output bevelled.$kind "${bevels[@]}"
+done
+for part in front back side front_bevel back_bevel; do
+    that "the OBJ's $part has a material" grep -qx "usemtl $part" bevelled.obj
+    that "there is a material $part" grep -qx "newmtl $part" bevelled.mtl
+    that "the GLB has a material $part" grep -qa "\"name\":\"$part\"" bevelled.glb
+done
+that "a bevel is carved into the depth" larger "$(widest bevelled.obj 4)" "$(widest plain.obj 4)" 0
+that "a bevel is carved into the width" larger "$(widest bevelled.obj 2)" "$(widest plain.obj 2)" 0
+expect 0 "" "Rag" --font $sans --output front.obj "${bevels[@]}" --bevel-sides front
+that "the front alone" sh -c 'grep -qx "g front_bevel" front.obj && ! grep -qx "g back_bevel" front.obj'
+expect 0 "" "Rag" --font $sans --output back.obj "${bevels[@]}" --bevel-sides back
+that "the back alone" sh -c 'grep -qx "g back_bevel" back.obj && ! grep -qx "g front_bevel" back.obj'
+# A profile is known by the heights of its vertices: of the front, in thousandths of the bevel's depth, 0 to -0.03.
+heights() { awk '$1 == "v" && $4 > -0.0301 { h = sprintf("%d", 1000.5 + $4 / 0.00003); if (!(h in seen)) { seen[h] = 1; print h } }' "$1" | sort -n | tr '\n' ' '; }
+profile_has() {  # profile_has PROFILE 'HEIGHTS' OPTION...
+    local profile=$1 wanted=$2
+    shift 2
+    expect 0 "" "o" --font $sans --output profile.obj "${bevels[@]}" --bevel-sides front --profile "$profile" "$@"
+    that "the heights of $profile $* are $wanted, not $(heights profile.obj)" [ "$(heights profile.obj)" = "$wanted " ]
+}
+profile_has chamfer "0 1000"
+profile_has round "0 500 866 1000" --bevel-steps 3
+profile_has concave "0 134 500 1000" --bevel-steps 3
+profile_has stepped "0 500 1000"
+profile_has engraved "0 1000"
+profile_has "0,0;0.2,0.8;1,1" "0 800 1000"
+for profile in round concave; do
+    expect 0 "" "o" --font $sans --output profile.obj "${bevels[@]}" --profile $profile
+    expect 0 "" "o" --font $sans --output finer.obj "${bevels[@]}" --profile $profile --quality best
+    that "$profile is as fine as the quality" [ "$(heights profile.obj | wc -w)" -lt "$(heights finer.obj | wc -w)" ]
+done
+engraved_cap() { awk '$1 == "g" { front = $2 == "front" } $1 == "v" { z[++n] = $4 } front && $1 == "f" { split($2, i, "/"); print z[i[1]] }' "$1" | sort -u; }
+expect 0 "" "o" --font $sans --output engraved.obj "${bevels[@]}" --profile engraved
+that "the cap lies at the bottom of an engraved bevel" larger "$(engraved_cap engraved.obj)" 0 -0.03
+expect 0 "" "o" --font $sans --output ridge.obj --bevel 0.3 --bevel-depth 0.1
+that "a bevel wider than the stroke closes in a ridge" sh -c '! grep -qx "g front" ridge.obj'
+expect 0 "" "o" --font $sans --output fits.obj --bevel 0.3 --bevel-depth 0.1 --bevel-mode fit
+that "a bevel that fits leaves a cap" grep -qx "g front" fits.obj
+expect 0 "" "مرحبا" --font $arabic --output joined.glb "${bevels[@]}"
+expect 0 "" "مرحبا" --font $arabic --output joined--merge.glb "${bevels[@]}" --merge
+expect 0 "" "مرحبا" --font $arabic --output joined--no-merge.glb "${bevels[@]}" --no-merge
+that "bevelled letters are merged" cmp -s joined.glb joined--merge.glb
+that "--no-merge leaves bevelled letters apart" differ joined.glb joined--no-merge.glb
+expect 0 "" "banana" --font $sans --output instances.glb "${bevels[@]}" --instances
+that "bevelled letters may be instances" [ "$(grep -ao '"translation"' instances.glb | wc -l)" = 6 ]
+expect 0 "" "Rag" --font $sans --picture plain.png
+expect 0 "" "Rag" --font $sans --picture bevelled.png "${bevels[@]}"
+expect 0 "" "Rag" --font $sans --picture shown.png "${bevels[@]}" --show triangles,normals,contours,points --stats
+that "a picture shows bevels" differ plain.png bevelled.png
+
 # 3MF where lib3mf is there, else a sentence.
+# Every directed edge is met by its reverse, and no edge by more than two triangles.
+closed_3mf() {  # closed_3mf XML
+    # shellcheck disable=SC2016  # awk's own $
+    awk '
+        match($0, /<triangle v1="[0-9]+" v2="[0-9]+" v3="[0-9]+"/) {
+            split(substr($0, RSTART, RLENGTH), v, "\"")
+            ++met[v[2] " " v[4]]; ++met[v[4] " " v[6]]; ++met[v[6] " " v[2]]; ++triangles
+        }
+        END {
+            for (e in met) { split(e, ends, " "); if (met[e] != 1 || met[ends[2] " " ends[1]] != 1) bad = 1 }
+            exit bad || triangles < 100
+        }' "$1"
+}
 if "$program" x --font $sans --output probe.3mf 2>err; then
     expect 0 "" "Hello" --font $sans --output solid.3MF
     that "a 3MF is an archive" [ "$(head -c 2 solid.3MF)" = PK ]
     expect 0 "" "مرحبا" --font $arabic --output joined.3mf
     if command -v unzip >/dev/null 2>&1; then
         unzip -p joined.3mf 3D/3dmodel.model >joined.xml
-        # Every directed edge is met by its reverse, and no edge by more than two triangles.
-        # shellcheck disable=SC2016  # awk's own $
-        that "a 3MF holds closed solids" awk '
-            match($0, /<triangle v1="[0-9]+" v2="[0-9]+" v3="[0-9]+"/) {
-                split(substr($0, RSTART, RLENGTH), v, "\"")
-                ++met[v[2] " " v[4]]; ++met[v[4] " " v[6]]; ++met[v[6] " " v[2]]; ++triangles
-            }
-            END {
-                for (e in met) { split(e, ends, " "); if (met[e] != 1 || met[ends[2] " " ends[1]] != 1) bad = 1 }
-                exit bad || triangles < 100
-            }' joined.xml
+        that "a 3MF holds closed solids" closed_3mf joined.xml
         that "an em is ten millimetres in a 3MF" grep -q 'unit="millimeter"' joined.xml
         that "a 3MF's letters are larger than a millimetre" grep -q '<vertex x="[1-9][0-9]\.' joined.xml
         that "a 3MF is painted by its parts" [ "$(grep -cE '<base name="[a-z]+" displaycolor="#[0-9A-F]{6}(FF)?" />' joined.xml)" = 3 ]
+    fi
+    expect 0 "" "مرحبا" --font $arabic --output bevelled.3mf "${bevels[@]}" --profile round
+    if command -v unzip >/dev/null 2>&1; then
+        unzip -p bevelled.3mf 3D/3dmodel.model >bevelled.xml
+        that "a bevelled 3MF holds closed solids" closed_3mf bevelled.xml
+        that "a bevelled 3MF is painted by five parts" [ "$(grep -cE '<base name="[a-z_]+" displaycolor="#[0-9A-F]{6}(FF)?" />' bevelled.xml)" = 5 ]
     fi
     expect 2 "--depth: must be more than 0" x --font $sans --output x.3mf --depth 0
     for small in "--depth 1e-11" "--size 1e-9" "--depth 1e-6 --size 1e-6"; do
@@ -318,6 +384,36 @@ expect 2 "face: must be a whole number, not 0x0" x --font $sans --output x.glb -
 expect 2 "variation: must be .*, not wght=0x10" x --font $sans --output x.glb --variation wght=0x10
 expect 2 "feature: must be .*, not liga= 1" x --font $sans --output x.glb --feature "liga= 1"
 expect 2 "crease: must be a number from 0 to 180, not 200" x --font $sans --output x.glb --crease 200
+
+for width in nan -1 1001 wide; do
+    expect 2 "^text_to_mesh: --bevel: must be a number from 0 to 1000, not $width$" x --font $sans --output x.glb --bevel $width
+    expect 2 "^text_to_mesh: --bevel-depth: must be a number from 0 to 1000, not $width$" x --font $sans --output x.glb --bevel 0.02 --bevel-depth $width
+done
+expect 2 "^text_to_mesh: --bevel-depth: must be at most half of --depth 0\.2, not 0\.11$" x --font $sans --output x.glb --bevel 0.02 --bevel-depth 0.11
+expect 0 "" x --font $sans --output deep.glb --bevel 0.02 --bevel-depth 0.1
+expect 0 "" x --font $sans --output deep.glb --bevel 0.02 --bevel-depth 0.2 --bevel-sides back
+expect 2 "^text_to_mesh: --bevel-depth: must be at most --depth 0\.2, not 0\.21$" x --font $sans --output x.glb --bevel 0.02 --bevel-depth 0.21 --bevel-sides front
+expect 2 "^text_to_mesh: --bevel-depth: must be at most half of --depth 0\.2, not 0\.3, the width of --bevel$" x --font $sans --output x.glb --bevel 0.3
+for profile in rond "0,0;0.5;1,1" "0,0;;1,1" "0,0;nan,0;1,1" ",0;1,1" "0,0;1,1;" "0,0,0;1,1"; do
+    expect 2 "^text_to_mesh: --profile: must be chamfer, round, concave, stepped, engraved or points such as 0,0;0\.2,0\.8;1,1, not $profile$" x --font $sans --output x.glb --bevel 0.02 --profile "$profile"
+done
+expect 2 "^text_to_mesh: --profile: must not run back in t, as it does in 0,0;0\.5,0\.5;0\.3,0\.7;1,1$" x --font $sans --output x.glb --bevel 0.02 --profile "0,0;0.5,0.5;0.3,0.7;1,1"
+expect 2 "^text_to_mesh: --profile: must have every h from 0 to 1, unlike 0,0;0\.5,1\.5;1,1$" x --font $sans --output x.glb --bevel 0.02 --profile "0,0;0.5,1.5;1,1"
+for profile in "0,0" "0.1,0;1,1" "0,0.1;1,1" "0,0;0.5,1" "0,0;2,1"; do
+    expect 2 "^text_to_mesh: --profile: must go from 0,0 to t = 1, unlike $profile$" x --font $sans --output x.glb --bevel 0.02 --profile "$profile"
+done
+expect 0 "" x --font $sans --output x64.glb --bevel 0.02 --profile "0,0;$(printf '0.5,0.5;%.0s' $(seq 62))1,1"
+expect 2 "^text_to_mesh: --profile: must have at most 64 points, not 65$" x --font $sans --output x.glb --bevel 0.02 --profile "0,0;$(printf '0.5,0.5;%.0s' $(seq 63))1,1"
+expect 2 "bevel-steps: must be a whole number from 0 to 63, not 64" x --font $sans --output x.glb --bevel 0.02 --profile round --bevel-steps 64
+expect 2 "--bevel-steps: is for --profile round or concave" x --font $sans --output x.glb --bevel 0.02 --bevel-steps 4
+expect 2 "bevel-mode: must be clip or fit, not fill" x --font $sans --output x.glb --bevel 0.02 --bevel-mode fill
+expect 2 "bevel-sides: must be front, back or both, not top" x --font $sans --output x.glb --bevel 0.02 --bevel-sides top
+expect 2 "--bevel: is for solids" x --font $sans --output x.glb --bevel 0.02 --depth 0
+expect 2 "--normals: is not for --bevel" x --font $sans --output x.glb --bevel 0.02 --normals cap
+for option in "--bevel-depth 0.02" "--profile round" "--bevel-mode fit" "--bevel-sides front"; do
+    # shellcheck disable=SC2086  # words
+    expect 2 "^text_to_mesh: ${option% *}: is for --bevel$" x --font $sans --output x.glb $option
+done
 
 echo "$passed passed, $failed failed"
 [ "$failed" = 0 ]
