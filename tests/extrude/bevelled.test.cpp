@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mesh.hpp"
@@ -141,16 +142,17 @@ double area_at(const shapes::shape& s, double distance)
 struct expected_bevel {
     double volume, cap;
 };
-expected_bevel expected(const shapes::shape& s, const profile_points& p, double width, double depth)
+expected_bevel expected(const shapes::shape& s, const profile_points& p, double width, double depth, bool outward)
 {
     double sum = 0.0;
     const auto points = p.view();
+    const double shift = outward ? width : 0.0;
     for (std::size_t i = 1; i < points.size(); ++i) {
-        const double a = points[i - 1].t * width, b = points[i].t * width;
+        const double a = points[i - 1].t * width - shift, b = points[i].t * width - shift;
         const double rise = (double(points[i].h) - points[i - 1].h) * depth;
         sum += rise * (area_at(s, a) + 4.0 * area_at(s, (a + b) / 2.0) + area_at(s, b)) / 6.0;
     }
-    return {sum, area_at(s, width)};
+    return {sum, area_at(s, width - shift)};
 }
 
 /// The area of the cap that lies in front, or in the back.
@@ -170,25 +172,31 @@ template <class Profile>
 void check_profile(const Profile& profile, float width = 0.02f, float bevel_depth = 0.05f)
 {
     for (const auto& s : wide_shapes())
-        for (const bevel_sides sides : {bevel_sides::both, bevel_sides::front, bevel_sides::back}) {
-            INFO(s.name << ", sides " << int(sides));
-            const bevelled<Profile> how{
-                .width = width, .bevel_depth = bevel_depth, .sides = sides, .mitre_limit = 0.0f, .profile = profile};
-            const auto m = bevelled_of(s, how);
-            check_laws(m);
+        for (const bool outward : {false, true})
+            for (const bevel_sides sides : {bevel_sides::both, bevel_sides::front, bevel_sides::back}) {
+                INFO(s.name << (outward ? ", outward" : "") << ", sides " << int(sides));
+                const bevelled<Profile> how{.width = width,
+                                            .bevel_depth = bevel_depth,
+                                            .sides = sides,
+                                            .outward = outward,
+                                            .mitre_limit = 0.0f,
+                                            .profile = profile};
+                const auto m = bevelled_of(s, how);
+                check_laws(m);
 
-            profile_points points;
-            profile({width * 512000.0, bevel_depth * 512000.0, 0.0}, points);
-            const expected_bevel e = expected(s, points, double(width), double(bevel_depth));
-            const int bevels = sides == bevel_sides::both ? 2 : 1;
-            const double walls = area_at(s, 0.0) * (double(how.depth) - bevels * double(bevel_depth));
-            CHECK(volume_of(m) == Approx(walls + bevels * e.volume).epsilon(2e-5));
-            const bool in_front = sides != bevel_sides::back, in_back = sides != bevel_sides::front;
-            CHECK(cap_area(m, part::front) == Approx(in_front ? e.cap : area_at(s, 0.0)).epsilon(1e-5));
-            CHECK(cap_area(m, part::back) == Approx(in_back ? e.cap : area_at(s, 0.0)).epsilon(1e-5));
-            CHECK((m.sizes.triangles[part::front_bevel] != 0) == in_front);
-            CHECK((m.sizes.triangles[part::back_bevel] != 0) == in_back);
-        }
+                profile_points points;
+                profile({width * 512000.0, bevel_depth * 512000.0, 0.0}, points);
+                const expected_bevel e = expected(s, points, double(width), double(bevel_depth), outward);
+                const int bevels = sides == bevel_sides::both ? 2 : 1;
+                const double foot = area_at(s, outward ? -double(width) : 0.0);
+                const double walls = foot * (double(how.depth) - bevels * double(bevel_depth));
+                CHECK(volume_of(m) == Approx(walls + bevels * e.volume).epsilon(2e-5));
+                const bool in_front = sides != bevel_sides::back, in_back = sides != bevel_sides::front;
+                CHECK(cap_area(m, part::front) == Approx(in_front ? e.cap : foot).epsilon(1e-5));
+                CHECK(cap_area(m, part::back) == Approx(in_back ? e.cap : foot).epsilon(1e-5));
+                CHECK((m.sizes.triangles[part::front_bevel] != 0) == in_front);
+                CHECK((m.sizes.triangles[part::back_bevel] != 0) == in_back);
+            }
 }
 
 }  // namespace
@@ -311,14 +319,17 @@ void for_bevel_triangles(const shapes::shape& s, const bevelled<Profile>& how, c
 
 TEST_CASE("v goes on from the wall at one tile an em, u along the contour, and tangents follow them", "[bevelled]")
 {
-    for (const auto origin : {uv_origin::bottom_left, uv_origin::top_left}) {
+    const std::pair<uv_origin, bool> ways[] = {
+        {uv_origin::bottom_left, false}, {uv_origin::top_left, false}, {uv_origin::top_left, true}};
+    for (const auto& [origin, outward] : ways) {
         frame f = right_handed_y_up;
         f.uv = origin;
         const float turn = origin == uv_origin::top_left ? -1.0f : 1.0f;
         const shapes::shape all[] = {regular(4, 300), regular(64, 300), shapes::letter_e(), shapes::letter_d(8)};
         for (const auto& s : all) {
             INFO(s.name);
-            const bevelled<round_profile> how{.bevel_depth = 0.05f, .mitre_limit = 0.0f, .profile = {4}};
+            const bevelled<round_profile> how{
+                .bevel_depth = 0.05f, .outward = outward, .mitre_limit = 0.0f, .profile = {4}};
             for_bevel_triangles(s, how, in_em(f), [&](const bevelled_mesh& m, const auto& t, bool) {
                 const uv_growth g = growth_on(m, t);
                 REQUIRE(g.known);
@@ -477,6 +488,58 @@ TEST_CASE("a bevel that fits is 0.9 times as wide as where a part would lose its
     CHECK(reach(shapes::pair(), 0.3f, bevel_mode::fit) < 0.06);  // the triangle's cap is the first to go
 }
 
+TEST_CASE("an outward bevel grows the letter and keeps its front, with walls that meet it in texture and light",
+          "[bevelled]")
+{
+    const auto s = shapes::letter_d(8);
+    const bevelled<round_profile> how{.outward = true, .profile = {4}};
+    monotone_caps caps{s.made()};
+    auto maker = caps.maker();
+    bevel_data data;
+    const auto plan = plan_solid(how, s.made(), data, maker);
+    REQUIRE(plan);
+    CHECK(plan->around.low.x == Approx(-0.02 * 512000.0).margin(2.0));
+    CHECK(plan->around.high.y == Approx((0.7 + 0.02) * 512000.0).margin(2.0));
+
+    const auto m = bevelled_of(s, how);
+    check_laws(m);
+    CHECK(m.data.swept.joins.empty());  // its corners are of 90 degrees
+    const auto plain = build(s, extruded<>{});
+    for (std::uint32_t i = 0; i < s.points(); ++i) {
+        CHECK(m.vertices[i].position == plain.vertices[i].position);
+        CHECK(m.vertices[i].uv == plain.vertices[i].uv);
+    }
+    // Each vertex at the top of a wall is met by one of the bevel, with its normal and texture coordinates.
+    const part_sizes first = m.sizes.starts();
+    for (std::uint32_t i = 1; i < m.sizes.vertices[part::side]; i += 2) {
+        const auto& wall = m.vertices[first.vertices[part::side] + i];
+        REQUIRE(wall.position.z == Approx(-0.02f));
+        double best = 1.0;
+        for (std::uint32_t k = 0; k < m.sizes.vertices[part::front_bevel]; ++k) {
+            const auto& b = m.vertices[first.vertices[part::front_bevel] + k];
+            if (!(b.position == wall.position)) continue;
+            const double off = std::abs(double(b.uv.x) - wall.uv.x) + std::abs(double(b.uv.y) - wall.uv.y) + 1.0 -
+                               meshes::dot(wide(b.normal), wide(wall.normal));
+            best = std::min(best, off);
+        }
+        CHECK(best < 1e-4);
+    }
+
+    // The counter is 450 units wide, and a bevel that fits stays narrower; sharp corners are joined.
+    const auto fitted = bevelled_of(s, bevelled<>{.width = 0.4f, .mode = bevel_mode::fit, .outward = true});
+    check_laws(fitted);
+    CHECK(fitted.data.swept.levels.back() / 512000.0 == Approx(0.9 * 0.225).margin(0.002));
+    check_laws(bevelled_of(s, bevelled<>{.width = 0.4f, .outward = true}));
+    const shapes::shape star{
+        "star",
+        {shapes::polygon({{0, 0}, {250, 100}, {500, 0}, {400, 250}, {500, 500}, {250, 400}, {0, 500}, {100, 250}})}};
+    const auto joined = bevelled_of(star, bevelled<>{.outward = true});
+    check_laws(joined);
+    CHECK(joined.data.swept.joins.size() >= 4);
+    for (const float narrow : {0.0f, 1e-6f})
+        CHECK(volume_of(bevelled_of(s, bevelled<>{.width = narrow, .outward = true})) == Approx(0.2 * area_at(s, 0.0)));
+}
+
 TEST_CASE("a bevel narrower than four cells is upright, one less deep is level", "[bevelled]")
 {
     const shapes::shape shape = shapes::letter_d(8);
@@ -565,7 +628,7 @@ TEST_CASE("bevelled refuses options out of range, each by its name, with or with
 TEST_CASE("bevels that plan differently have different keys", "[bevelled]")
 {
     const bevelled<round_profile> plain;
-    std::vector<bevelled<round_profile>> others(14, plain);
+    std::vector<bevelled<round_profile>> others(15, plain);
     others[0].width = 0.021f;
     others[1].bevel_depth = 0.021f;
     others[2].sides = bevel_sides::front;
@@ -580,6 +643,7 @@ TEST_CASE("bevels that plan differently have different keys", "[bevelled]")
     others[11].profile.steps = 5;
     others[12].depth = 0.01f;  // refused
     others[13].side = false;
+    others[14].outward = true;
     for (std::size_t i = 0; i < others.size(); ++i) {
         INFO(i);
         CHECK_FALSE(others[i].cache_key() == plain.cache_key());

@@ -36,11 +36,14 @@ struct bevel_strip {
     bool smooth_after = false;
 };
 
-/// What is left of the region within the bevel. No cap: the bevel closes in ridges.
+/// What a bevel's neighbours need to know of it.
 struct bevel_rims {
-    float wall = 0.0f;     ///< where the wall ends, as a share of the bevel's depth
-    float cap = 0.0f;      ///< where the cap lies
-    bool own_cap = false;  ///< the cap is the region's own: the bevel has no width
+    float wall = 0.0f;            ///< where the wall ends, as a share of the bevel's depth
+    float cap = 0.0f;             ///< where the cap lies
+    bool own_cap = false;         ///< the cap is the region's own: the bevel has no width, or lies outside of it
+    bool outward = false;         ///< the walls do not stand on the region's own edges
+    std::uint32_t vertices = 0;   ///< of the bevel, and of its triangles; what comes after them are the walls of an
+    std::uint32_t triangles = 0;  ///< outward one, whose vertices come in pairs, at the back and at the front
 };
 
 /// The plan data of bevelled.
@@ -66,11 +69,13 @@ struct bevel_data
     };
 
     swept_region swept;
+    contours around;          ///< what lies around the region, for outward bevels
+    triangle_list triangles;  ///< and its triangles
     buffer<corner> corners;
     buffer<corner_normals> normals;  ///< of each bevel vertex
 
     explicit bevel_data(memory source = heap()) noexcept
-        : plan_arrays{source}, swept{source}, corners{source}, normals{source}
+        : plan_arrays{source}, swept{source}, around{source}, triangles{source}, corners{source}, normals{source}
     {
     }
 

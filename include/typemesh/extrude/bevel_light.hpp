@@ -47,6 +47,21 @@ public:
         return true;
     }
 
+    /// Makes `along` run the other way, and normals point into the region: for what lies around another region.
+    void turn_round(const region& filled, std::span<const side_point> sides, const swept_region& swept) noexcept
+    {
+        const auto n = static_cast<std::uint32_t>(filled.points().size());
+        std::uint32_t join = 0;
+        for (std::uint32_t k = 0; k < filled.loop_count(); ++k) {
+            const std::uint32_t begin = filled.starts()[k], end = filled.starts()[k + 1];
+            double whole = 0.0;
+            for (std::uint32_t i = begin; i < end; ++i) whole = std::fmax(whole, as_double(sides[i].along));
+            for (std::uint32_t i = begin; i < end; ++i) faces_[i].turn_round(whole);
+            for (; join < swept.joins.size() && swept.joins[join].point < end; ++join)
+                faces_[n + join].turn_round(whole);
+        }
+    }
+
     /// At a node of that edge's face.
     [[nodiscard]] lit at(std::uint32_t edge, const swept_node& node) const noexcept
     {
@@ -69,6 +84,14 @@ private:
         double end_speed;
         point start_normal, end_normal;
         double start_along, end_along;
+
+        void turn_round(double whole) noexcept
+        {
+            start_normal = -1.0 * start_normal;
+            end_normal = -1.0 * end_normal;
+            start_along = whole - start_along;
+            end_along = whole - end_along;
+        }
     };
 
     void add_edge(const region& filled, std::span<const side_point> sides, std::uint32_t i, std::uint32_t next) noexcept

@@ -32,6 +32,10 @@ public:
     {
     }
 
+    /// For a sweep outwards, of what lies around a region: the levels then come in the opposite order, and the edges of
+    /// the frame, from this one on, are left out.
+    void outwards(std::uint32_t frame) noexcept { frame_ = frame; }
+
     /// `data` holds the strips of `profile`, whose levels are those of data.swept.
     ///
     /// Fails  error::out_of_memory
@@ -45,19 +49,34 @@ public:
         data_.corners.clear();
         data_.normals.clear();
         const auto levels = profile.view();
-        std::uint32_t strip = 0;
+        const auto last = static_cast<std::uint32_t>(levels.size() - 1);
+        std::uint32_t strip = is_outward() ? static_cast<std::uint32_t>(data_.of<bevel_strip>().size()) : 0;
+        const auto next_strip = [&]() noexcept { return is_outward() ? --strip : strip++; };
         std::size_t cell = 0;
-        for (std::uint32_t k = 0; k < levels.size(); ++k) {
-            if (levels[k].has_riser()) {
+        for (std::uint32_t k = 0; k <= last; ++k) {
+            if (levels[is_outward() ? last - k : k].has_riser()) {
                 ++age_;
-                if (!add_riser(k, strip++)) return error::out_of_memory;
+                if (!add_riser(k, next_strip())) return error::out_of_memory;
             }
-            if (k + 1 == levels.size()) break;
-            if (k == 0 || !data_.of<bevel_strip>()[strip].smooth_before) ++age_;
-            if (!add_band(k, strip++, cell)) return error::out_of_memory;
+            if (k == last) break;
+            const std::uint32_t here = next_strip();
+            const bevel_strip& across = data_.of<bevel_strip>()[here];
+            if (k == 0 || !(is_outward() ? across.smooth_after : across.smooth_before)) ++age_;
+            if (!add_band(k, here, cell)) return error::out_of_memory;
         }
-        const auto vertices = data_.of<bevel_vertex>().view();
-        for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i].outward = normal(data_.normals[i]);
+        finish();
+        return {};
+    }
+
+    /// Walls on the edges that stand at the last level: pairs of vertices, from the back to the front.
+    ///
+    /// Fails  error::out_of_memory
+    [[nodiscard]] error add_walls() noexcept
+    {
+        ++age_;
+        const auto last = static_cast<std::uint32_t>(swept_.levels.size() - 1);
+        if (!add_riser(last, 0)) return error::out_of_memory;
+        finish();
         return {};
     }
 
@@ -95,6 +114,7 @@ private:
         auto& triangles = data_.of<bevel_triangle>();
         for (; cell + 1 < swept_.cells.size() && swept_.cells[cell].band == band; ++cell) {
             const swept_cell& c = swept_.cells[cell];
+            if (is_frame(c.edge)) continue;
             for (std::uint32_t t = c.first_triangle; t < swept_.cells[cell + 1].first_triangle; ++t) {
                 const triangle& at = swept_.triangles[t];
                 triangle made;
@@ -112,9 +132,10 @@ private:
         auto& triangles = data_.of<bevel_triangle>();
         for (std::uint32_t i = swept_.at_level[level]; i < swept_.at_level[level + 1]; ++i) {
             const swept_edge_at& e = swept_.edges_at[i];
-            if (swept_.nodes[e.a].at == swept_.nodes[e.b].at) continue;
+            if (is_frame(e.edge) || swept_.nodes[e.a].at == swept_.nodes[e.b].at) continue;
+            const std::uint32_t from = is_outward() ? e.b : e.a, to = is_outward() ? e.a : e.b;
             std::uint32_t a = 0, b = 0;
-            if (!add_corner(e.edge, e.a, none, strip, a) || !add_corner(e.edge, e.b, none, strip, b) ||
+            if (!add_corner(e.edge, from, none, strip, a) || !add_corner(e.edge, to, none, strip, b) ||
                 !triangles.push_back({{a, b, b + 1}}) || !triangles.push_back({{a, b + 1, a + 1}}))
                 return false;
         }
@@ -169,6 +190,13 @@ private:
     /// How far across a band a node lies: 0 on its outer level and 1 on its inner.
     [[nodiscard]] float share_of(std::uint32_t at, std::uint32_t band) const noexcept
     {
+        const float swept = swept_share(at, band);
+        return is_outward() ? 1.0f - swept : swept;
+    }
+
+    /// The same in the direction of the sweep.
+    [[nodiscard]] float swept_share(std::uint32_t at, std::uint32_t band) const noexcept
+    {
         const double from = swept_.levels[band], to = swept_.levels[band + 1];
         const double share = (as_double(swept_.nodes[at].distance) - from) / (to - from);
         if (nodes_[at].level == band || share <= 0.0) return 0.0f;
@@ -183,6 +211,19 @@ private:
         return how_.most_apart < 0.0 || std::fabs(apart) <= how_.most_apart;
     }
 
+    [[nodiscard]] bool is_outward() const noexcept { return frame_ != none; }
+    [[nodiscard]] bool is_frame(std::uint32_t edge) const noexcept
+    {
+        return is_outward() && edge >= frame_ && edge - frame_ < 4;
+    }
+
+    /// Sets the normals of all vertices that have none yet.
+    void finish() noexcept
+    {
+        const auto vertices = data_.of<bevel_vertex>().view();
+        for (; finished_ < vertices.size(); ++finished_) vertices[finished_].outward = normal(data_.normals[finished_]);
+    }
+
     /// The normalised sum; the first where the others cancel it, as crease angles above 90 degrees may have it.
     [[nodiscard]] static vec2 normal(const bevel_data::corner_normals& n) noexcept
     {
@@ -195,6 +236,8 @@ private:
     sharing how_;
     node* nodes_ = nullptr;
     std::uint32_t age_ = 0;
+    std::uint32_t frame_ = none;
+    std::size_t finished_ = 0;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

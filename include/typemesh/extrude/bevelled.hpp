@@ -7,17 +7,19 @@
 #include <typemesh/extrude/bevel_data.hpp>
 #include <typemesh/extrude/bevel_light.hpp>
 #include <typemesh/extrude/bevel_strips.hpp>
+#include <typemesh/extrude/bevel_sweep.hpp>
 #include <typemesh/extrude/bevel_vertices.hpp>
 #include <typemesh/extrude/curve_normals.hpp>
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/extrude/ready_profiles.hpp>
+#include <typemesh/extrude/surroundings.hpp>
 #include <typemesh/extrude/texture.hpp>
 #include <typemesh/extrude/texture_tangent.hpp>
 #include <typemesh/extrude/upright_walls.hpp>
-#include <typemesh/offset/sweep_inwards.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -44,6 +46,8 @@ enum class bevel_joins : std::uint8_t { round, bevelled };
 ///          \ ______ /       back_bevel              the profile is drawn from the wall inwards
 ///                           back        z = -depth
 ///
+/// An outward bevel is put on instead: front and back keep their size, and the walls stand outside of the letter.
+///
 /// A bevel's height over a point depends only on how far the edges had moved when they reached it, so it cannot cut
 /// itself. Where a stroke is thinner than twice the width, its bevels meet in a ridge (bevel_mode).
 ///
@@ -66,6 +70,7 @@ struct bevelled {
     float bevel_depth = 0.02f;  ///< how deep a bevel is, in the unit of depth
     bevel_sides sides = bevel_sides::both;
     bevel_mode mode = bevel_mode::clip;
+    bool outward = false;  ///< bevels are put on, around the letter: it grows, and its caps stay as large as they are
     bevel_joins joins = bevel_joins::round;
     bevel_shading shading = bevel_shading::by_slope;
     float mitre_limit = 2.0f;              ///< at least 1; 0: none
@@ -91,18 +96,13 @@ struct bevelled {
         option_bits bits{width, std::uint64_t{0}, std::uint64_t{0x6A09'E667'F3BC'C908u},
                          std::uint64_t{0xBB67'AE85'84CA'A73Bu}};
         bits.words[0] |= option_bits{bevel_depth}.words[0] << 32;
-        const bool flags[] = {front,
-                              back,
-                              side,
-                              texture == texture_mapping::em,
-                              sides != bevel_sides::back,
-                              sides != bevel_sides::front,
-                              mode == bevel_mode::fit,
-                              joins == bevel_joins::round,
-                              shading == bevel_shading::rounded,
-                              !refused(),
-                              has_walls(0.0f)};
-        for (int i = 0; i < 11; ++i) bits.words[1] |= std::uint64_t{flags[i]} << i;
+        int bit = 0;
+        const auto note = [&](std::initializer_list<bool> flags) noexcept {
+            for (const bool flag : flags) bits.words[1] |= std::uint64_t{flag} << bit++;
+        };
+        note({front, back, side, is_bevelled(true), is_bevelled(false), outward});
+        note({texture == texture_mapping::em, mode == bevel_mode::fit, joins == bevel_joins::round});
+        note({shading == bevel_shading::rounded, !refused(), has_walls(0.0f)});
         bits.words[1] |= option_bits{mitre_limit}.words[0] << 32;
         option_bits own;
         if constexpr (requires { profile.cache_key(); }) own = profile.cache_key();
@@ -126,16 +126,14 @@ struct bevelled {
         if (n > 0x3FFF'FFFFu) return error::too_large;
         const double em = filled.grid().cells * filled.grid().units_per_em;
         if (!(em > 0.0)) return error::bad("units_per_em");
-        const auto doubled = plan_sides(filled, curve_normals{crease_degrees}, texture, data.of<side_point>());
-        if (!doubled) return doubled.error();
-
         profile_scale scale{as_double(width) * em, as_double(bevel_depth) * em, filled.tolerance()};
-        if (error e = carve(scale, filled, data, caps)) return e;
-        const profile_levels levels{points_of(scale), scale};
-        if (error e = make_bevel(levels, filled, data, caps.space())) return e;
+        solid_plan made;
+        const error e = outward && scale.width >= profile_levels::finest ? plan_outward(filled, scale, data, caps, made)
+                                                                         : plan_inward(filled, scale, data, caps, made);
+        if (e) return e;
         const auto within = data.of<grid_point>().size();
         if (data.of<bevel_vertex>().size() > 0x3FFF'FFFFu || within > 0x3FFF'FFFFu) return error::too_large;
-        return solid_plan{sizes(filled, *doubled, data)};
+        return made;
     }
 
     [[nodiscard]] height_range heights() const noexcept { return {low(), high()}; }
@@ -152,7 +150,9 @@ struct bevelled {
         with_axes(at, [&](const auto& axes) noexcept {
             if (p == part::front && front) cap<Wants>(s, axes, at, true, put);
             if (p == part::back && back) cap<Wants>(s, axes, at, false, put);
-            if (p == part::side && side && has_walls(wall_height(s))) {
+            if (p == part::side && rims_of(s).outward)
+                outer_walls<Wants>(s, axes, at, put);
+            else if (p == part::side && side && has_walls(wall_height(s))) {
                 const upright_walls walls{rim(true, wall_height(s)), rim(false, wall_height(s)), high(), texture};
                 walls.template vertices<Wants>(s.points, s.data.template of<side_point>(), axes, at, put);
             }
@@ -169,12 +169,16 @@ struct bevelled {
             for (const triangle t : cap_triangles(s, true)) put(base + t.a, base + t.b, base + t.c);
         if (p == part::back && back)
             for (const triangle t : cap_triangles(s, false)) put(base + t.a, base + t.c, base + t.b);
-        if (p == part::side && side && has_walls(wall_height(s)))
+        if (p == part::side && rims_of(s).outward) {
+            const std::uint32_t own = base - rims_of(s).vertices;  // may wrap; sums do so back
+            for (const auto& [t] : s.data.template of<bevel_triangle>().subspan(rims_of(s).triangles))
+                put(own + t.a, own + t.b, own + t.c);
+        } else if (p == part::side && side && has_walls(wall_height(s)))
             upright_walls::triangles(s.starts, s.data.template of<side_point>(), base, put);
         if (p == part::front_bevel && is_bevelled(true))
-            for (const auto& [t] : s.data.template of<bevel_triangle>()) put(base + t.a, base + t.b, base + t.c);
+            for (const auto& [t] : bevel_triangles(s)) put(base + t.a, base + t.b, base + t.c);
         if (p == part::back_bevel && is_bevelled(false))
-            for (const auto& [t] : s.data.template of<bevel_triangle>()) put(base + t.a, base + t.c, base + t.b);
+            for (const auto& [t] : bevel_triangles(s)) put(base + t.a, base + t.c, base + t.b);
     }
 
 private:
@@ -208,39 +212,80 @@ private:
         return points;
     }
 
-    /// Sweeps the region and makes the cap, with a narrower scale where the mode asks for it, or where the sweep or the
-    /// cap is refused.
-    template <cap_maker Caps>
-    error carve(profile_scale& scale, const region& filled, plan_data& data, Caps& caps) const noexcept
+    [[nodiscard]] bevel_sweep sweep_of(const region& filled, bool outwards) const noexcept
     {
+        return {as_double(mitre_limit), joins == bevel_joins::round ? filled.tolerance() : 0.0, outwards};
+    }
+
+    template <cap_maker Caps>
+    error plan_inward(const region& filled, profile_scale& scale, plan_data& data, Caps& caps,
+                      solid_plan& made) const noexcept
+    {
+        const auto doubled = plan_sides(filled, curve_normals{crease_degrees}, texture, data.of<side_point>());
+        if (!doubled) return doubled.error();
+        const auto make = [&](const swept_region&) noexcept { return make_cap(data, caps); };
+        if (error e = carve(sweep_of(filled, false), filled, caps.triangles(), scale, {data, caps.space()}, make))
+            return e;
+        if (error e = make_bevel({points_of(scale), scale}, filled, none, data, caps.space())) return e;
+        made.sizes = sizes(filled, *doubled, data);
+        return {};
+    }
+
+    /// The same for bevels that are put on: what lies around the region is swept, and the walls stand where that ends.
+    template <cap_maker Caps>
+    error plan_outward(const region& filled, profile_scale& scale, plan_data& data, Caps& caps,
+                       solid_plan& made) const noexcept
+    {
+        if (error e = surround(filled, scale.width, caps.loops())) return e;
+        data.triangles.clear();
+        const auto around = caps.fill(data.triangles);
+        if (!around) return around.error();
+        data.around = std::move(caps.loops());  // which exchanges their storage: `around` refers to it still
+        const auto doubled = plan_sides(*around, curve_normals{crease_degrees}, texture, data.of<side_point>());
+        if (!doubled) return doubled.error();
+        const auto make = [&](const swept_region&) noexcept {
+            if (sides == bevel_sides::both) return error{};
+            leave_frame(data.swept.cap);
+            return make_cap(data, caps);
+        };
+        if (error e = carve(sweep_of(filled, true), *around, data.triangles.view(), scale, {data, caps.space()}, make))
+            return e;
+        if (scale.width < profile_levels::finest) {
+            data.clear();
+            return plan_inward(filled, scale, data, caps, made);
+        }
+        const std::uint32_t frame = frame_of(*around);
+        if (error e = make_bevel({points_of(scale), scale}, *around, frame, data, caps.space())) return e;
+        for (std::uint32_t i = 0; i < 4; ++i) data.of<side_point>()[frame + i].doubled = false;
+        made.sizes = sizes(filled, 0, data);
+        for (const bevel_vertex& b : data.of<bevel_vertex>()) made.around.add(placement::exact(b.at));
+        return {};
+    }
+
+    struct carving {
+        plan_data& data;
+        workspace& space;
+    };
+
+    /// Sweeps a region, with a narrower scale where the mode asks for it, or where the sweep or what is made of it is
+    /// refused with error::crossing_contours.
+    template <class Make>
+    error carve(const bevel_sweep& sweep, const region& filled, std::span<const triangle> triangles,
+                profile_scale& scale, const carving& with, const Make& make) const noexcept
+    {
+        swept_region& out = with.data.swept;
         bool fits = mode == bevel_mode::clip;
         for (;;) {
-            error e = sweep_to(scale, filled, caps.triangles(), data.swept, caps.space());
-            const double loss = data.swept.first_loss;
-            if (!e && !fits && loss >= 0.0) {
-                scale.width = 0.9 * loss;
+            error e = sweep(filled, triangles, {points_of(scale), scale}, with.space, out);
+            if (!e && !fits && out.first_loss >= 0.0) {
+                scale.width = 0.9 * out.first_loss;
                 fits = true;
                 continue;
             }
-            if (!e) e = make_cap(data, caps);
+            if (!e) e = make(out);
             if (!e || e != error::crossing_contours) return e;
             scale.width *= 0.5;
         }
-    }
-
-    error sweep_to(const profile_scale& scale, const region& filled, std::span<const triangle> triangles,
-                   swept_region& out, workspace& space) const noexcept
-    {
-        const profile_levels profile_on_glyph{points_of(scale), scale};
-        const auto levels = profile_on_glyph.view();
-        out.clear();
-        if (levels.size() == 1) return sweep_nowhere(filled, out) ? error{} : error{error::out_of_memory};
-        double distances[profile_points::most];
-        for (std::size_t i = 0; i < levels.size(); ++i) distances[i] = levels[i].distance;
-        const sweep_options how{
-            {distances, levels.size()}, as_double(mitre_limit), joins == bevel_joins::round ? filled.tolerance() : 0.0};
-        workspace::scope scratch{space};
-        return sweep_inwards(filled, triangles, how, scratch, out);
     }
 
     /// Fails  error::crossing_contours: what the sweep leaves is not proven as it is
@@ -259,48 +304,32 @@ private:
         return data.of<grid_point>().append(cap->points()) ? error{} : error{error::out_of_memory};
     }
 
-    /// What a sweep of width 0 gives: the region's own points and edges at level 0, no cell and no cap. False when
-    /// memory runs out.
-    [[nodiscard]] static bool sweep_nowhere(const region& filled, swept_region& out) noexcept
-    {
-        const auto n = static_cast<std::uint32_t>(filled.points().size());
-        if (!out.nodes.reserve(n) || !out.edges_at.reserve(n)) return false;
-        for (const grid_point p : filled.points()) out.nodes.push_back_unchecked({p, 0.0f});
-        for (std::uint32_t k = 0; k < filled.loop_count(); ++k)
-            for (std::uint32_t i = filled.starts()[k], end = filled.starts()[k + 1]; i < end; ++i)
-                out.edges_at.push_back_unchecked({i, i, i + 1 == end ? filled.starts()[k] : i + 1});
-        return out.levels.push_back(0.0) && out.at_level.push_back(0) && out.at_level.push_back(n);
-    }
+    static constexpr std::uint32_t none = ~std::uint32_t{0};
 
-    /// A number that tells sets of edges apart, in whatever order they come.
-    [[nodiscard]] static std::uint64_t edges_of(const contours& loops) noexcept
-    {
-        std::uint64_t sum = 0;
-        const auto bits = [](grid_point p) noexcept {
-            return std::uint64_t{static_cast<std::uint32_t>(p.x)} << 32 | static_cast<std::uint32_t>(p.y);
-        };
-        for (std::uint32_t k = 0; k < loops.contour_count(); ++k) {
-            grid_point from = loops.points[loops.starts[k + 1] - 1];
-            for (std::uint32_t i = loops.starts[k]; i < loops.starts[k + 1]; ++i) {
-                sum += mixed_key(mixed_key(1, bits(from)), bits(loops.points[i]));
-                from = loops.points[i];
-            }
-        }
-        return sum;
-    }
-
-    error make_bevel(const profile_levels& levels, const region& filled, plan_data& data,
+    /// `frame` is where that of an outward bevel begins, or none.
+    error make_bevel(const profile_levels& levels, const region& filled, std::uint32_t frame, plan_data& data,
                      workspace& space) const noexcept
     {
         if (!add_strips(levels, profile_crease_degrees, shading, data.of<bevel_strip>())) return error::out_of_memory;
-        const bevel_rims rims{levels.view().front().arrives, levels.view().back().leaves, levels.view().size() == 1};
-        if (!data.of<bevel_rims>().push_back(rims)) return error::out_of_memory;
         workspace::scope scratch{space};
         bevel_light light;
-        if (!light.prepare(filled, data.of<side_point>().view(), data.swept, scratch)) return error::out_of_memory;
+        const auto sides_of = data.of<side_point>().view();
+        if (!light.prepare(filled, sides_of, data.swept, scratch)) return error::out_of_memory;
         const double em = filled.grid().cells * filled.grid().units_per_em;
         const double most_apart = texture == texture_mapping::em ? em / 1024.0 : -1.0;
-        return bevel_vertices{data, light, {crease_cosine(crease_degrees), most_apart}}.make(levels, scratch);
+        bevel_vertices vertices{data, light, {crease_cosine(crease_degrees), most_apart}};
+        bevel_rims rims{levels.view().front().arrives, levels.view().back().leaves, levels.view().size() == 1};
+        if (frame != none) {
+            light.turn_round(filled, sides_of, data.swept);
+            vertices.outwards(frame);
+            rims.outward = true;
+        }
+        if (error e = vertices.make(levels, scratch)) return e;
+        rims.vertices = static_cast<std::uint32_t>(data.of<bevel_vertex>().size());
+        rims.triangles = static_cast<std::uint32_t>(data.of<bevel_triangle>().size());
+        if (rims.outward && side && has_walls(rims.wall))
+            if (error e = vertices.add_walls()) return e;
+        return data.of<bevel_rims>().push_back(rims) ? error{} : error{error::out_of_memory};
     }
 
     [[nodiscard]] part_sizes sizes(const region& filled, std::uint32_t doubled, plan_data& data) const noexcept
@@ -311,17 +340,20 @@ private:
         for (const bool in_front : {true, false}) {
             const part cap = in_front ? part::front : part::back,
                        bevel = in_front ? part::front_bevel : part::back_bevel;
-            const bool own = rims.own_cap || !is_bevelled(in_front);
+            const bool own = has_own_cap(rims, in_front);
             if (in_front ? front : back) {
                 all.vertices[cap] = own ? n : static_cast<std::uint32_t>(data.of<grid_point>().size());
                 all.triangles[cap] =
                     own ? filled.triangle_count() : static_cast<std::uint32_t>(data.of<triangle>().size());
             }
             if (!is_bevelled(in_front)) continue;
-            all.vertices[bevel] = static_cast<std::uint32_t>(data.of<bevel_vertex>().size());
-            all.triangles[bevel] = static_cast<std::uint32_t>(data.of<bevel_triangle>().size());
+            all.vertices[bevel] = rims.vertices;
+            all.triangles[bevel] = rims.triangles;
         }
-        if (side && has_walls(rims.wall)) {
+        if (rims.outward) {
+            all.vertices[part::side] = static_cast<std::uint32_t>(data.of<bevel_vertex>().size()) - rims.vertices;
+            all.triangles[part::side] = static_cast<std::uint32_t>(data.of<bevel_triangle>().size()) - rims.triangles;
+        } else if (side && has_walls(rims.wall)) {
             all.vertices[part::side] = upright_walls::vertex_count(n, doubled);
             all.triangles[part::side] = 2 * n;
         }
@@ -356,17 +388,21 @@ private:
     {
         return s.data.template of<bevel_rims>()[0];
     }
+    static std::span<const bevel_triangle> bevel_triangles(const solid_with<plan_data>& s) noexcept
+    {
+        return s.data.template of<bevel_triangle>().first(rims_of(s).triangles);
+    }
     static float wall_height(const solid_with<plan_data>& s) noexcept { return rims_of(s).wall; }
 
     // --- writing
 
-    [[nodiscard]] bool has_own_cap(const solid_with<plan_data>& s, bool in_front) const noexcept
+    [[nodiscard]] bool has_own_cap(const bevel_rims& rims, bool in_front) const noexcept
     {
-        return rims_of(s).own_cap || !is_bevelled(in_front);
+        return rims.own_cap || is_bevelled(in_front) == rims.outward;
     }
     [[nodiscard]] std::span<const triangle> cap_triangles(const solid_with<plan_data>& s, bool in_front) const noexcept
     {
-        return has_own_cap(s, in_front) ? s.triangles : s.data.template of<triangle>();
+        return has_own_cap(rims_of(s), in_front) ? s.triangles : s.data.template of<triangle>();
     }
 
     template <attribute Wants, class Axes, class Put>
@@ -379,9 +415,30 @@ private:
         surface_point<Wants> v;
         if constexpr (has(Wants, attribute::normal)) v.normal = axes.direction(0.0f, 0.0f, facing);
         if constexpr (has(Wants, attribute::tangent)) v.tangent = texture_tangent{at.frame}.on_cap(axes, facing);
-        for (const grid_point g : has_own_cap(s, in_front) ? s.points : s.data.template of<grid_point>()) {
+        for (const grid_point g : has_own_cap(rims_of(s), in_front) ? s.points : s.data.template of<grid_point>()) {
             if constexpr (has(Wants, attribute::position)) v.position = axes.position(axes.foot(g), z);
             if constexpr (has(Wants, attribute::uv)) v.uv = planar(g);
+            put(v);
+        }
+    }
+
+    /// The walls of an outward bevel.
+    template <attribute Wants, class Axes, class Put>
+    void outer_walls(const solid_with<plan_data>& s, const Axes& axes, const placement& at, Put& put) const noexcept
+    {
+        const double ends[] = {rim(false, wall_height(s)), rim(true, wall_height(s))};
+        const wall_texture walls{at};
+        const planar_texture planar{texture, at};
+        texture_tangent tangents;
+        if constexpr (has(Wants, attribute::tangent)) tangents = texture_tangent{at.frame};
+        for (const bevel_vertex& b : s.data.template of<bevel_vertex>().subspan(rims_of(s).vertices)) {
+            const double z = ends[b.share > 0.0f ? 1 : 0];
+            surface_point<Wants> v;
+            if constexpr (has(Wants, attribute::position)) v.position = axes.position(axes.foot(b.at), at.height(z));
+            if constexpr (has(Wants, attribute::normal)) v.normal = axes.direction(b.outward.x, b.outward.y, 0.0f);
+            if constexpr (has(Wants, attribute::uv))
+                v.uv = texture == texture_mapping::em ? walls(b.along, high() - z) : planar(b.at);
+            if constexpr (has(Wants, attribute::tangent)) v.tangent = tangents.on_wall(axes, b.outward);
             put(v);
         }
     }
@@ -415,7 +472,7 @@ private:
         const planar_texture planar{texture, at};
         texture_tangent tangents;
         if constexpr (has(Wants, attribute::tangent)) tangents = texture_tangent{at.frame};
-        for (const bevel_vertex& b : s.data.template of<bevel_vertex>()) {
+        for (const bevel_vertex& b : s.data.template of<bevel_vertex>().first(rims_of(s).vertices)) {
             const bool inner = b.share >= 1.0f;
             const across here = inner || b.share <= 0.0f ? ends[2 * b.strip + (inner ? 1u : 0u)] : place(b);
             surface_point<Wants> v;

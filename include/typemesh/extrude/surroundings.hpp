@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/contours.hpp>
+#include <typemesh/core/error.hpp>
+#include <typemesh/core/region.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// What lies around a region: a frame far outside, and the region's own loops, reversed. Filled by non_zero, it is the
+/// region that a sweep outwards sweeps.
+///
+///     +------------------+      The frame's corners come first. It stands so far outside that it meets nothing while
+///     |   .-->--.        |      edges move by `reach`.
+///     |   |     |        |
+///     |   '--<--'        |
+///     +------------------+
+///
+/// Fails  error::out_of_memory, error::outline_beyond_grid
+[[nodiscard]] inline error surround(const region& filled, double reach, contours& out) noexcept
+{
+    out.clear();
+    out.grid = filled.grid();
+    out.curves = filled.curves();
+    out.tolerance = filled.tolerance();
+    const std::size_t n = filled.points().size();
+    if (!out.points.reserve(n + 4) || !out.edges.reserve(n + 4) || !out.starts.reserve(filled.loop_count() + 2))
+        return error::out_of_memory;
+    if (n == 0) return out.starts.push_back(0) ? error::none : error::out_of_memory;
+
+    grid_point low = filled.points()[0], high = low;
+    for (const grid_point p : filled.points()) {
+        low = {p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y};
+        high = {p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y};
+    }
+    const double margin = 4.0 * reach + 64.0;
+    if (!(margin < grid::reach)) return error::outline_beyond_grid;
+    const auto m = static_cast<std::int32_t>(margin);
+    for (const grid_point p : {grid_point{low.x - m, low.y - m},
+                               {high.x + m, low.y - m},
+                               {high.x + m, high.y + m},
+                               {low.x - m, high.y + m}}) {
+        constexpr auto most = static_cast<std::int32_t>(grid::reach);
+        if (p.x < -most || p.x > most || p.y < -most || p.y > most) return error::outline_beyond_grid;
+        out.points.push_back_unchecked(p);
+        out.edges.push_back_unchecked({});  // the curve does not matter
+    }
+    out.starts.push_back_unchecked(0);
+    out.starts.push_back_unchecked(4);
+    out.grid.span += 2.0 * std::sqrt(2.0) * margin;
+    for (std::uint32_t k = 0; k < filled.loop_count(); ++k) {
+        const std::uint32_t begin = filled.starts()[k], end = filled.starts()[k + 1];
+        for (std::uint32_t i = end; i-- != begin;) {  // the edge from point i backwards is the one that ends there
+            const contour_edge& e = filled.edges()[i == begin ? end - 1 : i - 1];
+            out.points.push_back_unchecked(filled.points()[i]);
+            out.edges.push_back_unchecked({e.curve, e.t1, e.t0});
+        }
+        out.starts.push_back_unchecked(static_cast<std::uint32_t>(out.points.size()));
+    }
+    return {};
+}
+
+/// The first of the four points of the frame in the region that surround() has filled: it alone has points so low.
+[[nodiscard]] inline std::uint32_t frame_of(const region& around) noexcept
+{
+    std::uint32_t lowest = 0;
+    for (std::uint32_t k = 0; k < around.loop_count(); ++k) {
+        const std::uint32_t begin = around.starts()[k], end = around.starts()[k + 1];
+        for (std::uint32_t i = begin; i < end; ++i)
+            if (around.points()[i].y < around.points()[lowest].y) lowest = i;
+    }
+    for (std::uint32_t k = 0; k < around.loop_count(); ++k)
+        if (lowest >= around.starts()[k] && lowest < around.starts()[k + 1]) return around.starts()[k];
+    return 0;
+}
+
+/// Makes what is left around a region the larger region: takes the frame away and reverses all other loops.
+inline void leave_frame(contours& loops) noexcept
+{
+    std::uint32_t lowest = 0, kept = 0;
+    for (std::uint32_t i = 0; i < loops.points.size(); ++i)
+        if (loops.points[i].y < loops.points[lowest].y) lowest = i;
+    std::size_t end = 0;
+    for (std::uint32_t k = 0, begin = 0; k < loops.contour_count(); ++k) {
+        const std::uint32_t after = loops.starts[k + 1], size = after - begin;
+        if (lowest < begin || lowest >= after) {
+            for (std::uint32_t i = 0; i < size; ++i) loops.points[end + i] = loops.points[begin + i];
+            for (std::uint32_t i = 0; i < size / 2; ++i)
+                std::swap(loops.points[end + i], loops.points[end + size - 1 - i]);
+            end += size;
+            loops.starts[++kept] = static_cast<std::uint32_t>(end);
+        }
+        begin = after;
+    }
+    loops.points.truncate(end);
+    loops.edges.truncate(end);
+    loops.starts.truncate(kept + 1);
+    loops.forget_order();
+}
+
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+
+#include <typemesh/extrude/surroundings.hpp>
+
+#include <typemesh/core/workspace.hpp>
+#include <typemesh/fill/fill.hpp>
+
+#include <cmath>
+
+#include "shapes.hpp"
+#include "support/catch.hpp"
+
+using namespace typemesh;
+
+namespace {
+
+double area_of(const contours& loops)
+{
+    double twice = 0.0;
+    for (std::uint32_t k = 0; k < loops.contour_count(); ++k)
+        for (std::uint32_t i = loops.starts[k], end = loops.starts[k + 1]; i < end; ++i) {
+            const grid_point a = loops.points[i], b = loops.points[i + 1 == end ? loops.starts[k] : i + 1];
+            twice += double(a.x) * b.y - double(a.y) * b.x;
+        }
+    return twice / 2.0;
+}
+
+}  // namespace
+
+TEST_CASE("around a region lies a frame with the region as its hole, each edge on its curve in reverse",
+          "[surroundings]")
+{
+    for (const auto& s : shapes::all()) {
+        INFO(s.name);
+        contours around;
+        REQUIRE_FALSE(surround(s.made(), 1000.0, around));
+        REQUIRE(around.points.size() == s.points() + 4);
+        REQUIRE(around.contour_count() == s.contour_count() + 1);
+        const double frame =
+            double(around.points[2].x - around.points[0].x) * (around.points[2].y - around.points[0].y);
+        CHECK(area_of(around) == Catch::Approx(frame - area_of(s.loops)));
+        for (std::uint32_t i = 4; i < around.points.size(); ++i) {
+            const contour_edge& e = around.edges[i];
+            const double off = length(around.curves[e.curve].at(double(e.t0)) - around.grid.place(around.points[i]));
+            CHECK(off < 0.01);
+        }
+
+        workspace space;
+        const auto filled = fill(around, fill_rule::non_zero, space);
+        REQUIRE(filled);
+        CHECK(filled->points().size() == s.points() + 4);
+        const std::uint32_t first = frame_of(*filled);
+        grid_point lowest = filled->points()[first];
+        for (std::uint32_t i = 0; i < 4; ++i) lowest.y = (std::min)(lowest.y, filled->points()[first + i].y);
+        for (const grid_point p : filled->points()) CHECK(p.y >= lowest.y);
+
+        const double whole = area_of(around);
+        leave_frame(around);
+        CHECK(around.contour_count() == s.contour_count());
+        CHECK(around.points.size() == s.points());
+        CHECK(around.edges.size() == s.points());
+        CHECK(area_of(around) == Catch::Approx(frame - whole));
+        CHECK(area_of(around) == Catch::Approx(area_of(s.loops)));
+    }
+}
+
+TEST_CASE("what would lie beyond the grid has no surroundings, nothing has a place of no points", "[surroundings]")
+{
+    contours around;
+    CHECK(surround(shapes::rectangle().made(), grid::reach / 2.0, around) == error::outline_beyond_grid);
+    CHECK(surround(shapes::rectangle().made(), 1e300, around) == error::outline_beyond_grid);
+    CHECK_FALSE(surround(region{}, 100.0, around));
+    CHECK(around.points.empty());
+}
