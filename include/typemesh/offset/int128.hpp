@@ -23,7 +23,7 @@ struct two_word_integer {
     {
     }
     constexpr explicit operator std::int64_t() const noexcept { return static_cast<std::int64_t>(low); }
-    /// Rounded more than once: to within 2^-51 of it.
+    /// Within 2^-51 of it; below 2^64, the nearest.
     constexpr explicit operator double() const noexcept
     {
         const two_word_integer size = high < 0 ? -*this : *this;
