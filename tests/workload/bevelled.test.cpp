@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+//
+// Bevelled letters of real fonts: closed whatever strokes vanish, in every way that a text is built.
+
+#include "support/catch.hpp"
+#include "support/executors.hpp"
+#include "support/mesh_laws.hpp"
+#include "support/workload.hpp"
+
+#include <typemesh/adapt/harfbuzz.hpp>
+#include <typemesh/extrude/bevelled.hpp>
+#include <typemesh/inspect/closedness.hpp>
+#include <typemesh/inspect/mesh_measure.hpp>
+#include <typemesh/inspect/normal_check.hpp>
+#include <typemesh/typemesh.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace typemesh;
+
+namespace {
+
+constexpr const char* scripts[] = {"latin", "arabic", "chinese", "japanese"};
+
+struct lit_vertex {
+    vec3 place, normal;
+    part of;
+};
+
+struct lit_mesh {
+    std::vector<lit_vertex> vertices;
+    std::vector<std::uint32_t> indices;
+
+    [[nodiscard]] auto view() const { return inspect::mesh_view{vertices, indices, &lit_vertex::place}; }
+};
+
+bool same_mesh(const lit_mesh& a, const lit_mesh& b)
+{
+    if (a.indices != b.indices || a.vertices.size() != b.vertices.size()) return false;
+    for (std::size_t i = 0; i < a.vertices.size(); ++i) {
+        const lit_vertex &v = a.vertices[i], &w = b.vertices[i];
+        if (!(v.place == w.place && v.normal == w.normal && v.of == w.of)) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+template <>
+struct typemesh::vertex_traits<lit_vertex> {
+    static constexpr auto wants = attribute::position | attribute::normal | attribute::part;
+    lit_vertex operator()(const surface_point<wants>& s) const noexcept { return {s.position, s.normal, s.part}; }
+};
+
+namespace {
+
+struct bevelled_text {
+    std::string font, script, text;
+};
+
+/// A text of 300 bytes at most for each font of each script.
+std::vector<bevelled_text> bevelled_texts()
+{
+    std::vector<bevelled_text> all;
+    for (const test::workload_font& font : test::workload_fonts()) {
+        for (const char* const script : scripts) {
+            if (!font.serves(script) || !font.available()) continue;
+            std::string text = test::workload_texts(script).front();
+            if (text.size() > 300) {
+                std::size_t end = 300;
+                while ((static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) --end;
+                text.resize(end);
+            }
+            all.push_back({font.path, script, text});
+        }
+    }
+    return all;
+}
+
+/// The triangles that are wider than 3 cells in the plane or stand upright: nodes are rounded by up to two, so that
+/// narrower ones lean anywhere.
+lit_mesh without_slivers(const lit_mesh& all, double cells_per_unit)
+{
+    lit_mesh wide{all.vertices, {}};
+    for (std::size_t t = 0; t < all.indices.size(); t += 3) {
+        const vec3 a = all.vertices[all.indices[t]].place, b = all.vertices[all.indices[t + 1]].place,
+                   c = all.vertices[all.indices[t + 2]].place;
+        const point ab{double{b.x} - double{a.x}, double{b.y} - double{a.y}},
+            ac{double{c.x} - double{a.x}, double{c.y} - double{a.y}};
+        const double longest = std::max({length(ab), length(ac), length(ac - ab)}), area = std::abs(cross(ab, ac));
+        if (area > 0.0 && area <= 3.0 / cells_per_unit * longest) continue;
+        wide.indices.insert(wide.indices.end(), {all.indices[t], all.indices[t + 1], all.indices[t + 2]});
+    }
+    return wide;
+}
+
+template <class Plan>
+lit_mesh written_bevels(const Plan& plan)
+{
+    lit_mesh m;
+    REQUIRE_FALSE(plan.write(into(m.vertices, m.indices)));
+    CHECK(mesh_size{m.vertices.size(), m.indices.size() / 3} == plan.size());
+    CHECK(inspect::check_closedness(m.view(), 2).is_closed());
+    return m;
+}
+
+}  // namespace
+
+TEST_CASE("bevelled letters of real fonts are closed and lit from outside at every width", "[workload]")
+{
+    std::size_t letters = 0, slivers = 0, triangles = 0;
+    for (const test::workload_font& file : test::workload_fonts()) {
+        if (!file.available()) continue;
+        auto font = harfbuzz_font::open(file.path.c_str());
+        REQUIRE(font);
+        for (const float width : {0.01f, 0.03f, 0.05f, 0.3f}) {
+            const bevelled<round_profile> how{.width = width, .bevel_depth = 0.05f, .profile = {.steps = 4}};
+            auto mesher = text_mesher{*font}.with(how);
+            for (const char* const script : scripts) {
+                if (!file.serves(script)) continue;
+                for (const std::string& character : test::workload_lines(std::string{"chars-"} + script + ".txt")) {
+                    INFO(file.path << ", " << character << ", width " << width);
+                    const auto plan = mesher.plan(character, {.unit = output_unit::font_units});  // floats are exact
+                    if (!plan && plan.error().code == error::mixed_direction) continue;
+                    REQUIRE(plan);
+                    if (plan->size().triangles == 0) continue;
+                    CHECK(plan->report().refused == 0);
+                    const lit_mesh all = written_bevels(*plan), m = without_slivers(all, 512.0);
+                    slivers += all.indices.size() / 3 - m.indices.size() / 3;
+                    triangles += all.indices.size() / 3;
+                    CHECK(inspect::check_normals(m.view(), &lit_vertex::normal, 1).is_right());
+                    ++letters;
+                }
+            }
+        }
+    }
+    CHECK(letters >= 1000);
+    CHECK(slivers * 1000 < triangles);
+}
+
+TEST_CASE("bevelled texts are the same from caches, workers and every order of tasks", "[workload]")
+{
+    for (const bevelled_text& subject : bevelled_texts()) {
+        auto font = harfbuzz_font::open(subject.font.c_str());
+        REQUIRE(font);
+        INFO(subject.font << ", " << subject.script);
+        const bevelled<> how{.width = 0.04f, .bevel_depth = 0.04f};
+        auto mesher = text_mesher{*font}.with(how);
+        const text_options options{.unit = output_unit::font_units};
+        const auto plan = mesher.plan(subject.text, options);
+        if (!plan && plan.error().code == error::mixed_direction) continue;
+        REQUIRE(plan);
+        const lit_mesh expected = written_bevels(*plan);
+
+        glyph_cache cache;
+        auto cached = text_mesher{*font}.with(how).with(cached_in{cache, 1});
+        for (int i = 0; i < 2; ++i) {
+            const auto again = cached.plan(subject.text, options);
+            REQUIRE(again);
+            CHECK(same_mesh(written_bevels(*again), expected));
+        }
+        CHECK(cache.statistics().hits > 0);
+
+        test::scrambled_workers pool;
+        auto team = workers_of(pool, [&](std::size_t) noexcept { return harfbuzz_font::open(subject.font.c_str()); });
+        REQUIRE(team);
+        const auto shared = mesher.plan(subject.text, options, *team);
+        REQUIRE(shared);
+        lit_mesh m;
+        REQUIRE_FALSE(shared->write(into(m.vertices, m.indices), pool));
+        CHECK(same_mesh(m, expected));
+    }
+}
+
+TEST_CASE("bevelled letters that meet are merged first: one bevel around them", "[workload]")
+{
+    std::size_t groups = 0;
+    for (const bevelled_text& subject : bevelled_texts()) {
+        if (subject.script != "arabic") continue;
+        auto font = harfbuzz_font::open(subject.font.c_str());
+        REQUIRE(font);
+        for (const std::string& phrase : test::workload_texts("arabic")) {
+            INFO(subject.font << ": " << phrase);
+            auto mesher = text_mesher{*font}.with(bevelled<>{.width = 0.01f, .bevel_depth = 0.01f});
+            const auto plan = mesher.plan(phrase, {.unit = output_unit::font_units, .merge = true});
+            if (!plan && plan.error().code == error::mixed_direction) continue;
+            REQUIRE(plan);
+            CHECK(plan->report().refused == 0);
+            for (std::size_t g = 0; g < plan->glyphs().size(); ++g) groups += plan->members(g).size() > 1;
+            (void)written_bevels(*plan);
+        }
+    }
+    CHECK(groups > 10);
+}
