@@ -5,16 +5,17 @@
 command -v admesh >/dev/null 2>&1 || { echo "admesh is not installed"; exit 77; }
 
 checked=0
-check() {  # check FONT TEXT
-    "$TYPEMESH_TEXT_TO_MESH" --font "$1" --output "$scratch/text.stl" -- "$2" 2>"$scratch/losses" || fail "text_to_mesh failed: $1: $2: $(cat "$scratch/losses")"
-    admesh -nfudv "$scratch/text.stl" >"$scratch/report" 2>&1 || fail "admesh failed: $1: $2"
+check() {  # check FONT TEXT OPTION...
+    "$TYPEMESH_TEXT_TO_MESH" --font "$1" --output "$scratch/text.stl" "${@:3}" -- "$2" 2>"$scratch/losses" || fail "text_to_mesh failed: $*: $(cat "$scratch/losses")"
+    admesh -nfudv "$scratch/text.stl" >"$scratch/report" 2>&1 || fail "admesh failed: $*"
     awk -F: '
         /Total disconnected facets/ || /Degenerate facets/ || /Edges fixed/ || /Facets removed/ || /Facets added/ || /Facets reversed/ || /Backwards edges/ {
             split($2, n, " "); ++lines; if (n[1] != 0) { print; bad = 1 }
         }
-        END { exit bad || lines != 7 }' "$scratch/report" || fail "admesh complains: $1: $2"
+        END { exit bad || lines != 7 }' "$scratch/report" || fail "admesh complains: $*"
     checked=$((checked + 1))
 }
 for_every_text check
+for_every_bevel check
 echo "$checked texts"
-[ "$failures" = 0 ] && [ "$checked" -gt 50 ]
+[ "$failures" = 0 ] && [ "$checked" -gt 90 ]

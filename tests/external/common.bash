@@ -36,3 +36,23 @@ for_every_text() {
         done
     done <"$TYPEMESH_TEST_DATA/workload/fonts.tsv"
 }
+
+# Calls `$1 FONT TEXT OPTION...` for a Latin and an Arabic text with every profile of a bevel in both modes: narrow, and wider
+# than strokes are.
+for_every_bevel() {
+    local check=$1 profile mode width font text
+    while IFS='|' read -r font text; do
+        font=/usr/share/fonts/$font
+        [ -e "$font" ] || { fail "$font is not installed"; continue; }
+        for profile in chamfer round concave stepped engraved; do
+            for mode in clip fit; do
+                for width in 0.02 0.1; do
+                    "$check" "$font" "$text" --bevel $width --bevel-depth 0.04 --profile $profile --bevel-mode $mode
+                done
+            done
+        done
+    done <<'LIST'
+truetype/liberation/LiberationSerif-Bold.ttf|Rag & Åé8
+opentype/fonts-hosny-amiri/Amiri-Regular.ttf|السلام عليكم
+LIST
+}

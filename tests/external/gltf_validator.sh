@@ -7,16 +7,17 @@ command -v node >/dev/null 2>&1 || { echo "node is not installed"; exit 77; }
 node -e 'require("gltf-validator")' 2>/dev/null || { echo "the npm package gltf-validator is not installed"; exit 77; }
 
 count=0
-write() {  # write FONT TEXT
+write() {  # write FONT TEXT OPTION...
     count=$((count + 1))
     local option
     for option in "" --instances; do
         # shellcheck disable=SC2086  # a word or none
-        "$TYPEMESH_TEXT_TO_MESH" --font "$1" --output "$scratch/$count$option.glb" $option -- "$2" 2>"$scratch/losses" ||
-            fail "text_to_mesh failed: $1: $2: $(cat "$scratch/losses")"
+        "$TYPEMESH_TEXT_TO_MESH" --font "$1" --output "$scratch/$count$option.glb" $option "${@:3}" -- "$2" 2>"$scratch/losses" ||
+            fail "text_to_mesh failed: $*: $(cat "$scratch/losses")"
     done
 }
 for_every_text write
+for_every_bevel write
 if [ -x "${TYPEMESH_TEST_ENGINES:-}" ]; then
     TYPEMESH_KEEP_GLB=$scratch "$TYPEMESH_TEST_ENGINES" "a quantised glTF file*" >"$scratch/recipes" || fail "$(cat "$scratch/recipes")"
 fi
@@ -35,5 +36,5 @@ const fs = require('fs'), validator = require('gltf-validator');
 END
 node "$scratch/validate.js" "$scratch"/*.glb || fail "gltf-validator complains"
 echo "$count texts"
-[ "$failures" = 0 ] && [ "$count" -gt 50 ] || exit 1
+[ "$failures" = 0 ] && [ "$count" -gt 90 ] || exit 1
 [ -x "${TYPEMESH_TEST_ENGINES:-}" ] || { echo "all texts pass, but the recipe was not tried: typemesh_test_engines is not built"; exit 77; }

@@ -41,10 +41,10 @@ measure() {
 }
 
 checked=0
-check() {  # check FONT TEXT
+check() {  # check FONT TEXT OPTION...
     local volume x0 x1 y0 y1 z0 z1 block left
-    "$TYPEMESH_TEXT_TO_MESH" --font "$1" --output "$scratch/text.stl" -- "$2" 2>"$scratch/losses" ||
-        fail "text_to_mesh failed: $1: $2: $(cat "$scratch/losses")"
+    "$TYPEMESH_TEXT_TO_MESH" --font "$1" --output "$scratch/text.stl" "${@:3}" -- "$2" 2>"$scratch/losses" ||
+        fail "text_to_mesh failed: $*: $(cat "$scratch/losses")"
     read -r volume x0 x1 y0 y1 z0 z1 < <(binary_corners "$scratch/text.stl" | measure)
 
     # A block about it with a margin of 1 em, whose upper face halves the text's depth.
@@ -54,8 +54,8 @@ check() {  # check FONT TEXT
     printf 'difference() { %s import("text.stl"); }\n' "$block" >"$scratch/cut.scad"
     rm -f "$scratch/cut.stl"
     openscad -o "$scratch/cut.stl" "$scratch/cut.scad" >"$scratch/words" 2>&1 ||
-        fail "openscad failed: $1: $2: $(cat "$scratch/words")"
-    ! grep -iE 'warning|error|not closed|assertion|Simple: *no' "$scratch/words" || fail "openscad complains: $1: $2"
+        fail "openscad failed: $*: $(cat "$scratch/words")"
+    ! grep -iE 'warning|error|not closed|assertion|Simple: *no' "$scratch/words" || fail "openscad complains: $*"
     read -r left _ < <(ascii_corners "$scratch/cut.stl" | measure)
 
     # OpenSCAD writes six digits.
@@ -65,7 +65,7 @@ check() {  # check FONT TEXT
         cut = whole - left
         if (volume > 0 && cut - volume / 2 < volume / 1000 && volume / 2 - cut < volume / 1000) exit 0
         printf "half the text is %.6g, what is cut out is %.6g\n", volume / 2, cut
-        exit 1 }' || fail "openscad has cut out something else: $1: $2"
+        exit 1 }' || fail "openscad has cut out something else: $*"
     checked=$((checked + 1))
 }
 
@@ -85,5 +85,6 @@ opentype/comic-neue/ComicNeue-Regular.otf latin 2
 truetype/wqy/wqy-microhei.ttc chinese 2
 truetype/sawarabi-mincho/sawarabi-mincho-medium.ttf japanese 2
 LIST
+for_every_bevel check
 echo "$checked texts"
-[ "$failures" = 0 ] && [ "$checked" = 24 ]
+[ "$failures" = 0 ] && [ "$checked" = 64 ]
