@@ -217,6 +217,8 @@ void add_bevel_options(CLI::App& app, options& out, raw_values& raw)
                           {{"clip", bevel_mode::clip}, {"fit", bevel_mode::fit}});
     add_named<bevel_sides>(app, "--bevel-sides", out.bevel.sides, "which edges are bevelled (default both)",
                            {{"front", bevel_sides::front}, {"back", bevel_sides::back}, {"both", bevel_sides::both}});
+    app.add_flag("--bevel-out", out.bevel.outward,
+                 "bevels are put on: letters grow by their width, and their faces stay as large as they are");
 }
 
 void add_output_options(CLI::App& app, options& out, raw_values& raw)
@@ -360,7 +362,8 @@ std::optional<int> parse(int argc, char** argv, options& out)
     raw.tolerance_given = app.count("--tolerance") > 0;
     raw.bevel_given = app.count("--bevel") > 0;
     raw.normals_given = app.count("--normals") > 0;
-    for (const char* option : {"--bevel-sides", "--bevel-mode", "--bevel-steps", "--profile", "--bevel-depth"})
+    for (const char* option :
+         {"--bevel-out", "--bevel-sides", "--bevel-mode", "--bevel-steps", "--profile", "--bevel-depth"})
         if (app.count(option) > 0) raw.of_a_bevel = option;
     raw.shading_given = app.count("--shading") > 0;
     out.quality_given = raw.tolerance_given || app.count("--quality") > 0;

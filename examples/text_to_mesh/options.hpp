@@ -28,6 +28,7 @@ struct bevel_options {
     unsigned steps = 0;               ///< 0: by the tolerance
     typemesh::bevel_mode mode = typemesh::bevel_mode::clip;
     typemesh::bevel_sides sides = typemesh::bevel_sides::both;
+    bool outward = false;
 };
 
 /// What the command line asks for.

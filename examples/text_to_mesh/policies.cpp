@@ -22,6 +22,7 @@ typemesh::bevelled<chosen_profile> bevelled_of(const options& o)
     typemesh::bevelled<chosen_profile> solid{.depth = o.depth, .width = o.bevel.width, .bevel_depth = o.bevel.depth};
     solid.sides = o.bevel.sides;
     solid.mode = o.bevel.mode;
+    solid.outward = o.bevel.outward;
     solid.texture = o.uv;
     solid.profile = profile_of(o.bevel);
     if (o.crease) solid.crease_degrees = *o.crease;

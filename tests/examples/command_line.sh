@@ -189,6 +189,10 @@ expect 0 "" "Rag" --font $sans --output front.obj "${bevels[@]}" --bevel-sides f
 that "the front alone" sh -c 'grep -qx "g front_bevel" front.obj && ! grep -qx "g back_bevel" front.obj'
 expect 0 "" "Rag" --font $sans --output back.obj "${bevels[@]}" --bevel-sides back
 that "the back alone" sh -c 'grep -qx "g back_bevel" back.obj && ! grep -qx "g front_bevel" back.obj'
+expect 0 "" "H" --font $sans --output upright.obj
+expect 0 "" "H" --font $sans --output grown.obj "${bevels[@]}" --bevel-out
+that "outward bevels are carved into the depth" larger "$(widest grown.obj 4)" "$(widest upright.obj 4)" 0
+that "outward bevels are put on in width, on both sides" larger "$(widest grown.obj 2)" "$(widest upright.obj 2)" 0.04
 # A profile is known by the heights of its vertices: of the front, in thousandths of the bevel's depth, 0 to -0.03.
 heights() { awk '$1 == "v" && $4 > -0.0301 { h = sprintf("%d", 1000.5 + $4 / 0.00003); if (!(h in seen)) { seen[h] = 1; print h } }' "$1" | sort -n | tr '\n' ' '; }
 profile_has() {  # profile_has PROFILE 'HEIGHTS' OPTION...
@@ -410,7 +414,7 @@ expect 2 "bevel-mode: must be clip or fit, not fill" x --font $sans --output x.g
 expect 2 "bevel-sides: must be front, back or both, not top" x --font $sans --output x.glb --bevel 0.02 --bevel-sides top
 expect 2 "--bevel: is for solids" x --font $sans --output x.glb --bevel 0.02 --depth 0
 expect 2 "--normals: is not for --bevel" x --font $sans --output x.glb --bevel 0.02 --normals cap
-for option in "--bevel-depth 0.02" "--profile round" "--bevel-mode fit" "--bevel-sides front"; do
+for option in "--bevel-depth 0.02" "--profile round" "--bevel-mode fit" "--bevel-sides front" --bevel-out; do
     # shellcheck disable=SC2086  # words
     expect 2 "^text_to_mesh: ${option% *}: is for --bevel$" x --font $sans --output x.glb $option
 done

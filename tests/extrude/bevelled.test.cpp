@@ -619,6 +619,12 @@ TEST_CASE("bevelled refuses options out of range, each by its name, with or with
     check("profile", bevelled<round_profile>{.profile = {64}});
     check("shading", bevelled<engraved_profile>{.shading = bevel_shading::rounded});
 
+    bevelled_mesh far;
+    CHECK(std::string{build_bevelled(shapes::rectangle(), bevelled<>{.width = 3000.0f}, far).option} == "width");
+    check_laws(bevelled_of(shapes::rectangle(), bevelled<>{.width = 2000.0f}));
+    CHECK(build_bevelled(shapes::rectangle(), bevelled<>{.width = 2000.0f, .outward = true}, far) ==
+          error::outline_beyond_grid);
+
     shapes::shape unknown = shapes::rectangle();
     unknown.loops.grid.units_per_em = 0.0;
     bevelled_mesh m;

@@ -66,7 +66,7 @@ enum class bevel_joins : std::uint8_t { round, bevelled };
 template <bevel_profile Profile = chamfer_profile>
 struct bevelled {
     float depth = 0.2f;         ///< of the whole; in em, or in output units: see text_options::depth_in
-    float width = 0.02f;        ///< how far a bevel reaches inwards; always in em
+    float width = 0.02f;        ///< how far a bevel reaches inwards; always in em, at most 2^30 cells
     float bevel_depth = 0.02f;  ///< how deep a bevel is, in the unit of depth
     bevel_sides sides = bevel_sides::both;
     bevel_mode mode = bevel_mode::clip;
@@ -127,6 +127,7 @@ struct bevelled {
         const double em = filled.grid().cells * filled.grid().units_per_em;
         if (!(em > 0.0)) return error::bad("units_per_em");
         profile_scale scale{as_double(width) * em, as_double(bevel_depth) * em, filled.tolerance()};
+        if (!(scale.width <= 0x1p30)) return error::bad("width");
         solid_plan made;
         const error e = outward && scale.width >= profile_levels::finest ? plan_outward(filled, scale, data, caps, made)
                                                                          : plan_inward(filled, scale, data, caps, made);
