@@ -195,7 +195,7 @@ void add_bevel_options(CLI::App& app, options& out, raw_values& raw)
 {
     using namespace typemesh;
     add_number(
-        app, "--bevel", "how far bevels reach inwards; 0: none (default); letters that meet become one, as by --merge",
+        app, "--bevel", "how wide bevels are; 0: none (default); letters that meet become one, as by --merge",
         "a number from 0 to 1000", [](double n) { return n >= 0.0 && n <= 1000.0; },
         [&out](double n) { out.bevel.width = static_cast<float>(n); })
         ->type_name("EM");
@@ -215,6 +215,7 @@ void add_bevel_options(CLI::App& app, options& out, raw_values& raw)
     add_named<bevel_mode>(app, "--bevel-mode", out.bevel.mode,
                           "where a stroke is too thin, bevels meet in a ridge (clip, default), or are narrower (fit)",
                           {{"clip", bevel_mode::clip}, {"fit", bevel_mode::fit}});
+    app.add_flag("--bevel-out", out.bevel.outward, "bevels are put on, round the letters, which grow");
     add_named<bevel_sides>(app, "--bevel-sides", out.bevel.sides, "which edges are bevelled (default both)",
                            {{"front", bevel_sides::front}, {"back", bevel_sides::back}, {"both", bevel_sides::both}});
     app.add_flag("--bevel-out", out.bevel.outward,

@@ -219,6 +219,10 @@ expect 0 "" "o" --font $sans --output ridge.obj --bevel 0.3 --bevel-depth 0.1
 that "a bevel wider than the stroke closes in a ridge" sh -c '! grep -qx "g front" ridge.obj'
 expect 0 "" "o" --font $sans --output fits.obj --bevel 0.3 --bevel-depth 0.1 --bevel-mode fit
 that "a bevel that fits leaves a cap" grep -qx "g front" fits.obj
+expect 0 "" "o" --font $sans --output thin.obj --depth 0.3
+expect 0 "" "o" --font $sans --output grown.obj --depth 0.3 "${bevels[@]}" --bevel-out
+that "--bevel-out makes letters wider" larger "$(widest grown.obj 2)" "$(widest thin.obj 2)" 0.04
+that "--bevel-out keeps the depth" larger "$(widest grown.obj 4)" 0 0.3
 expect 0 "" "مرحبا" --font $arabic --output joined.glb "${bevels[@]}"
 expect 0 "" "مرحبا" --font $arabic --output joined--merge.glb "${bevels[@]}" --merge
 expect 0 "" "مرحبا" --font $arabic --output joined--no-merge.glb "${bevels[@]}" --no-merge
