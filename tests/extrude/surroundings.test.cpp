@@ -64,7 +64,7 @@ TEST_CASE("around a region lies a frame with the region as its hole, each edge o
     }
 }
 
-TEST_CASE("what would lie beyond the grid has no surroundings, nothing has a place of no points", "[surroundings]")
+TEST_CASE("surroundings beyond the grid are refused, those of an empty region are empty", "[surroundings]")
 {
     contours around;
     CHECK(surround(shapes::rectangle().made(), grid::reach / 2.0, around) == error::outline_beyond_grid);
