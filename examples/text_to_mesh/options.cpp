@@ -218,8 +218,6 @@ void add_bevel_options(CLI::App& app, options& out, raw_values& raw)
     app.add_flag("--bevel-out", out.bevel.outward, "bevels are put on, round the letters, which grow");
     add_named<bevel_sides>(app, "--bevel-sides", out.bevel.sides, "which edges are bevelled (default both)",
                            {{"front", bevel_sides::front}, {"back", bevel_sides::back}, {"both", bevel_sides::both}});
-    app.add_flag("--bevel-out", out.bevel.outward,
-                 "bevels are put on: letters grow by their width, and their faces stay as large as they are");
 }
 
 void add_output_options(CLI::App& app, options& out, raw_values& raw)

@@ -189,10 +189,6 @@ expect 0 "" "Rag" --font $sans --output front.obj "${bevels[@]}" --bevel-sides f
 that "the front alone" sh -c 'grep -qx "g front_bevel" front.obj && ! grep -qx "g back_bevel" front.obj'
 expect 0 "" "Rag" --font $sans --output back.obj "${bevels[@]}" --bevel-sides back
 that "the back alone" sh -c 'grep -qx "g back_bevel" back.obj && ! grep -qx "g front_bevel" back.obj'
-expect 0 "" "H" --font $sans --output upright.obj
-expect 0 "" "H" --font $sans --output grown.obj "${bevels[@]}" --bevel-out
-that "outward bevels are carved into the depth" larger "$(widest grown.obj 4)" "$(widest upright.obj 4)" 0
-that "outward bevels are put on in width, on both sides" larger "$(widest grown.obj 2)" "$(widest upright.obj 2)" 0.04
 # A profile is known by the heights of its vertices: of the front, in thousandths of the bevel's depth, 0 to -0.03.
 heights() { awk '$1 == "v" && $4 > -0.0301 { h = sprintf("%d", 1000.5 + $4 / 0.00003); if (!(h in seen)) { seen[h] = 1; print h } }' "$1" | sort -n | tr '\n' ' '; }
 profile_has() {  # profile_has PROFILE 'HEIGHTS' OPTION...
