@@ -40,3 +40,19 @@ for triangulator in monotone delaunay; do
     "$program" "Rag" --font $sans --depth 0 --quality normal --triangulator $triangulator --show triangles --picture "$scratch/$triangulator.png"
 done
 convert "$scratch"/{monotone,delaunay}.png -resize 50% +append triangulators.png
+
+serif=/usr/share/fonts/truetype/liberation/LiberationSerif
+bevelled=()
+for profile in chamfer round concave stepped engraved; do
+    "$program" "Rag" --font $serif-Bold.ttf --bevel 0.03 --profile $profile --picture "$scratch/$profile.png"
+    bevelled+=("$scratch/$profile.png")
+done
+"$program" "Rag" --font $serif-Bold.ttf --bevel 0.03 --profile round --show triangles --picture "$scratch/mesh.png"
+montage "${bevelled[@]}" "$scratch/mesh.png" -tile 3x2 -geometry x300+0+0 bevels.png
+
+for mode in clip fit; do
+    "$program" "Rag" --font $serif-Regular.ttf --bevel 0.05 --bevel-mode $mode --picture "$scratch/$mode.png"
+done
+"$program" "سلام" --font ${arabic/Regular/Bold} --bevel 0.03 --profile round --picture "$scratch/arabic.png"
+"$program" "永遠" --font $japanese --bevel 0.02 --profile round --picture "$scratch/han.png"
+convert "$scratch"/{clip,fit,arabic,han}.png -resize x300 +append bevelled_scripts.png
