@@ -60,9 +60,8 @@ struct swept_region {
     buffer<std::uint32_t> at_level;
     buffer<swept_join> joins;
     contours cap;
-    double first_loss =
-        -1.0;  ///< the distance at which the first connected part of the region was swept wholly; -1: none
-    std::size_t events = 0;  ///< how often the boundary's topology changed or the triangulation had to
+    double first_loss = -1.0;  ///< the distance at which the first connected part was swept wholly; -1: none was
+    std::size_t events = 0;    ///< how often the boundary's topology changed or the triangulation had to
 
     explicit swept_region(memory source = heap()) noexcept
         : nodes{source},
