@@ -14,6 +14,8 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 //     time     2^-32 cells: the distance swept        below 2^60
 //     speed    2^-32                                  below 2^54
 //     unit     2^-30: a component of a unit vector
+//
+// A place stays within its budget because a fast triangle is flat long before a corner has moved so far.
 
 inline constexpr std::int64_t place_one = std::int64_t{1} << 16;
 inline constexpr std::int64_t time_one = std::int64_t{1} << 32;

@@ -12,7 +12,7 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// Which reflex corners get joins, and how many.
 struct join_rule {
-    double mitre_limit = 2.0;  ///< a corner may move as far as this many distances; 0: as far as it will
+    double mitre_limit = 2.0;  ///< a corner may move as far as this many distances; 0: 2^18
     double width = 0.0;        ///< the last level, in cells
     double tolerance = 0.0;  ///< in cells: joins are as round as that at the width; 0: only as many as the limit needs
 };
@@ -35,7 +35,6 @@ public:
     template <class Emit>
     [[nodiscard]] error add(const join_rule& rule, Emit emit) noexcept
     {
-        if (!(rule.mitre_limit > 0.0)) return error::none;
         const auto corners = static_cast<std::uint32_t>(mesh_.vertices.size());
         for (std::uint32_t v = 0; v < corners; ++v) {
             const int depth = halvings(rule, v);
@@ -66,14 +65,15 @@ private:
         if (turns_left(before, after) || cosine > 0.999) return 0;
         const auto of_half = [](double c) noexcept { return std::sqrt(c > -1.0 ? (1.0 + c) / 2.0 : 0.0); };
         constexpr double enough = 1.0 - 0x1p-20;  // corners right at the limit are within it with every compiler
-        double half = of_half(cosine);            // the cosine of half the turn, then of half a step
-        if (half * rule.mitre_limit >= enough) return 0;
+        const double limit = rule.mitre_limit > 0.0 ? rule.mitre_limit : 0x1p18;  // beyond that, speeds overflow
+        double step = of_half(cosine);  // the cosine of half the turn, then of half a step
+        if (step * limit >= enough) return 0;
         int count = 0;
         do {
-            half = of_half(half);
+            step = of_half(step);
             ++count;
-        } while (count < most_halvings && (half * rule.mitre_limit < enough ||
-                                           (rule.tolerance > 0.0 && rule.width * (1.0 - half) > rule.tolerance)));
+        } while (count < most_halvings &&
+                 (step * limit < enough || (rule.tolerance > 0.0 && rule.width * (1.0 - step) > rule.tolerance)));
         return count;
     }
 

@@ -25,7 +25,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 struct sweep_options {
     /// Distances at which faces are cut: from 0 to the width, each at least 4 cells more than the one before.
     std::span<const double> levels;
-    /// A reflex corner that would move farther than this many distances gets joins; 0: none does.
+    /// A reflex corner that would move farther than this many distances gets joins; 0: only needles do.
     double mitre_limit = 2.0;
     /// Joins are rounded to this at the width; 0: they have as few edges as the limit needs.
     double tolerance = 0.0;
@@ -401,13 +401,15 @@ private:
 /// so. Then the triangles in `out` and those of the cap cover the region once: all are counter-clockwise, and their
 /// common boundary is the region's.
 ///
-/// Fails  error::crossing_contours: on the grid, a cell's outline crosses itself; `out` is then void. No glyph is known
+/// Fails  error::crossing_contours: on the grid a cell's outline crosses itself, or flips do not end; `out` is then
+///        void. No glyph is known
 ///        error::out_of_memory
 /// Cost   O(n log n) and O(log n) per event (see wavefront.hpp)
 [[nodiscard]] inline error sweep_inwards(const region& r, std::span<const triangle> triangles, const sweep_options& how,
                                          workspace::scope& scratch, swept_region& out) noexcept
 {
-    TYPEMESH_ASSERT(how.levels.size() >= 2 && !(how.levels[0] > 0.0), "levels begin with 0 and end with the width");
+    TYPEMESH_ASSERT(how.levels.size() >= 2 && !(how.levels[0] > 0.0) && how.levels.back() < 0x1p30,
+                    "levels begin with 0 and end with the width, which is below 2^30 cells");
     detail::inward_sweep sweep{scratch, out};
     return sweep.run(r, triangles, how);
 }

@@ -94,7 +94,6 @@ public:
     /// The time at which a part of the region had been swept wholly for the first time; negative if none has.
     [[nodiscard]] std::int64_t first_loss() const noexcept { return first_loss_; }
     [[nodiscard]] std::size_t events() const noexcept { return events_; }
-    [[nodiscard]] std::size_t flips() const noexcept { return flips_; }
 
 private:
     /// The node nearest to a place among `known`, if it is within 2 cells, else a new one.
