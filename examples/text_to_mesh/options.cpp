@@ -264,6 +264,15 @@ std::string settle_profile(bevel_options& out, const raw_values& raw)
     return {};
 }
 
+/// Whether a profile is as low somewhere as at the wall, so that a bevel of the whole depth would leave nothing there.
+bool reaches_down(const bevel_options& o)
+{
+    if (o.profile == profile_name::stepped || o.profile == profile_name::engraved) return true;
+    const auto low = [](typemesh::profile_point p) { return p.t > 0.0f && p.h <= 0.0f; };
+    const auto points = o.points.view();
+    return o.profile == profile_name::points && std::any_of(points.begin(), points.end(), low);
+}
+
 /// Finishes the bevel. Gives an empty string, or one sentence of what is wrong.
 std::string settle_bevel(options& out, const raw_values& raw)
 {
@@ -274,11 +283,13 @@ std::string settle_bevel(options& out, const raw_values& raw)
     if (out.depth == 0.0f) return "--bevel: is for solids, and --depth 0 makes a flat mesh";
     if (raw.normals_given) return "--normals: is not for --bevel, whose sides and bevels have those of the curves";
     out.bevel.depth = static_cast<float>(raw.bevel_depth.value_or(width));
-    const bool both = out.bevel.sides == typemesh::bevel_sides::both;
-    if ((both ? 2.0 : 1.0) * static_cast<double>(out.bevel.depth) <= static_cast<double>(out.depth)) return {};
-    const std::string most = written(out.depth);
-    return std::string{"--bevel-depth: must be at most "} + (both ? "half of " : "") + "--depth " + most + ", not " +
-           written(out.bevel.depth) + (raw.bevel_depth ? "" : ", the width of --bevel");
+    const bool both = out.bevel.sides == typemesh::bevel_sides::both, leaves_some = reaches_down(out.bevel);
+    const double bevels = (both ? 2.0 : 1.0) * static_cast<double>(out.bevel.depth);
+    const auto depth = static_cast<double>(out.depth);
+    if (bevels < depth || (bevels <= depth && !leaves_some)) return {};
+    return std::string{"--bevel-depth: must be "} + (leaves_some ? "less than " : "at most ") +
+           (both ? "half of " : "") + "--depth " + written(out.depth) + ", not " + written(out.bevel.depth) +
+           (raw.bevel_depth ? "" : ", the width of --bevel");
 }
 
 /// Finishes what the words left open. Gives an empty string, or one sentence of what is wrong.

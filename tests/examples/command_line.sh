@@ -396,6 +396,10 @@ done
 expect 2 "^text_to_mesh: --bevel-depth: must be at most half of --depth 0\.2, not 0\.11$" x --font $sans --output x.glb --bevel 0.02 --bevel-depth 0.11
 expect 0 "" x --font $sans --output deep.glb --bevel 0.02 --bevel-depth 0.1
 expect 0 "" x --font $sans --output deep.glb --bevel 0.02 --bevel-depth 0.2 --bevel-sides back
+for profile in stepped engraved "0,0;0.5,0;1,1"; do
+    expect 2 "^text_to_mesh: --bevel-depth: must be less than half of --depth 0\\.2, not 0\\.1$" x --font $sans --output x.glb --bevel 0.02 --bevel-depth 0.1 --profile "$profile"
+    expect 0 "" x --font $sans --output deep.glb --bevel 0.02 --bevel-depth 0.099 --profile "$profile"
+done
 expect 2 "^text_to_mesh: --bevel-depth: must be at most --depth 0\.2, not 0\.21$" x --font $sans --output x.glb --bevel 0.02 --bevel-depth 0.21 --bevel-sides front
 expect 2 "^text_to_mesh: --bevel-depth: must be at most half of --depth 0\.2, not 0\.3, the width of --bevel$" x --font $sans --output x.glb --bevel 0.3
 for profile in rond "0,0;0.5;1,1" "0,0;;1,1" "0,0;nan,0;1,1" ",0;1,1" "0,0;1,1;" "0,0,0;1,1"; do

@@ -614,6 +614,9 @@ TEST_CASE("bevelled refuses options out of range, each by its name, with or with
     check("bevel_depth", bevelled<>{.depth = 0.2f, .bevel_depth = 0.21f, .sides = bevel_sides::back});
     CHECK_FALSE(refused_options(bevelled<>{.depth = 0.2f, .bevel_depth = 0.1f}));
     CHECK_FALSE(refused_options(bevelled<>{.depth = 0.2f, .bevel_depth = 0.2f, .sides = bevel_sides::front}));
+    check("bevel_depth", bevelled<stepped_profile>{.depth = 0.2f, .bevel_depth = 0.1f});
+    check("bevel_depth", bevelled<engraved_profile>{.depth = 0.2f, .bevel_depth = 0.2f, .sides = bevel_sides::back});
+    CHECK_FALSE(refused_options(bevelled<engraved_profile>{.depth = 0.2f, .bevel_depth = 0.09f}));
     check("profile", bevelled<polyline_profile>{});
     check("profile", bevelled<polyline_profile>{.profile = {{{0, 0}, {0.7f, 1}, {0.5f, 1}, {1, 1}}}});
     check("profile", bevelled<round_profile>{.profile = {64}});

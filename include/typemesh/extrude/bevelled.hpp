@@ -60,7 +60,7 @@ enum class bevel_joins : std::uint8_t { round, bevelled };
 /// profile's length.
 ///
 /// Fails  error::bad_option: an option is out of range, the profile is not valid (profile_points), or the bevels
-///        together are deeper than the whole
+///        together are deeper than the whole, or as deep with a profile that is at 0 again beyond the wall
 ///        error::too_large: more than 2^30 - 1 points or vertices of a bevel
 ///        error::out_of_memory
 template <bevel_profile Profile = chamfer_profile>
@@ -198,8 +198,10 @@ private:
         if (!is_crease_angle(profile_crease_degrees)) return error::bad("profile_crease_degrees");
         const profile_points points = points_of({1.0, 1.0, 0.0});
         if (!points.is_valid()) return error::bad("profile");
+        const bool takes_all = bevels * as_double(bevel_depth) >= as_double(depth);
         float h = 0.0f;
         for (const profile_point p : points.view()) {
+            if (takes_all && p.t > 0.0f && !(p.h > 0.0f)) return error::bad("bevel_depth");  // no thickness there
             if (shading == bevel_shading::rounded && p.h < h) return error::bad("shading");
             h = p.h;
         }
