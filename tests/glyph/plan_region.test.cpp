@@ -20,7 +20,7 @@ TEMPLATE_TEST_CASE("caps that an extruder asks for are cut by the glyph's own tr
     no_observer nobody;
     const stranger::flared raise;
     const policies with{certified{}, TestType{}, raise, nobody};
-    cap_builder caps;
+    cap_builder caps, further;
     outline drawn;
     REQUIRE_FALSE(record(font, 1, drawn));  // a ring
     const auto cells = grid::fitting(1000.0, drawn.bounds);
@@ -28,7 +28,7 @@ TEMPLATE_TEST_CASE("caps that an extruder asks for are cut by the glyph's own tr
     const auto filled = caps.build(drawn, 1.0, *cells, {}, with);
     REQUIRE(filled);
     plan_scratch data;
-    const auto plan = plan_region(*filled, with, caps, data);
+    const auto plan = plan_region(*filled, with, caps, further, data);
     REQUIRE(plan);
     CHECK(plan->sizes.triangles[part::front] == filled->triangle_count());
     CHECK(plan->around.width() == 2.0 * 500.0 * cells->cells);
@@ -48,7 +48,7 @@ TEST_CASE("a cap of a region beyond the grid is refused", "[glyph]")
     no_observer nobody;
     const stranger::flared raise;  // asks for the cap of the region at twice its size
     const policies with{certified{}, monotone{}, raise, nobody};
-    cap_builder caps;
+    cap_builder caps, further;
     const auto planned = [&](std::int32_t half) {
         contours& loops = caps.loops();
         loops.clear();
@@ -59,7 +59,7 @@ TEST_CASE("a cap of a region beyond the grid is refused", "[glyph]")
         const auto filled = caps.fill({}, monotone{});
         REQUIRE(filled);
         plan_scratch data;
-        return plan_region(*filled, with, caps, data).error();
+        return plan_region(*filled, with, caps, further, data).error();
     };
     CHECK_FALSE(planned(1 << 27));
     CHECK(planned((1 << 27) + 1) == error::outline_beyond_grid);
@@ -72,6 +72,6 @@ TEST_CASE("where memory gives no plan data, planning a region tells so", "[glyph
     const memory nothing = {nullptr, [](void*, std::size_t, std::size_t) noexcept -> void* { return nullptr; },
                             [](void*, void*, std::size_t, std::size_t) noexcept {}};
     plan_scratch data{nothing};
-    cap_builder caps;
-    CHECK(plan_region(region{}, with, caps, data).error() == error::out_of_memory);
+    cap_builder caps, further;
+    CHECK(plan_region(region{}, with, caps, further, data).error() == error::out_of_memory);
 }

@@ -31,9 +31,9 @@ class reflex_joins {
 public:
     explicit reflex_joins(wavefront& of) noexcept : of_{of}, mesh_{of.mesh} {}
 
-    /// `emit(vertex, inward)` is called for each join, in the order of the lines that are added for them.
-    template <class Emit>
-    [[nodiscard]] error add(const join_rule& rule, Emit emit) noexcept
+    /// `take(vertex, inward)` is called for each join, in the order of the lines that are added for them.
+    template <class Take>
+    [[nodiscard]] error add(const join_rule& rule, Take take) noexcept
     {
         const auto corners = static_cast<std::uint32_t>(mesh_.vertices.size());
         for (std::uint32_t v = 0; v < corners; ++v) {
@@ -43,7 +43,7 @@ public:
             const moving_line before = line_of(mesh_.vertices[v].before), after = line_of(mesh_.vertices[v].after);
             turn(before.along, after.along, depth);
             for (std::uint32_t m = 0; m < steps_; ++m)
-                if (error e = emit(v, moving_line{along_[m]}.inward())) return e;
+                if (error e = take(v, moving_line{along_[m]}.inward())) return e;
             if (!put_in(v)) return error::out_of_memory;
         }
         return error::none;
