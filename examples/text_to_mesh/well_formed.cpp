@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "well_formed.hpp"
 
-#include <typemesh/layout/utf.hpp>
+#include <typemesh/unicode/utf.hpp>
 
 #include <cstddef>
 

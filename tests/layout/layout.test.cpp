@@ -4,7 +4,7 @@
 #include "toy_shaper.hpp"
 
 #include <typemesh/layout/layout.hpp>
-#include <typemesh/layout/utf.hpp>
+#include <typemesh/unicode/utf.hpp>
 
 #include <limits>
 #include <string>

@@ -2,7 +2,7 @@
 #include "support/catch.hpp"
 
 #include <typemesh/layout/layout.hpp>
-#include <typemesh/layout/utf.hpp>
+#include <typemesh/unicode/utf.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 
 #include <typemesh/layout/layout.hpp>
 #include <typemesh/layout/shared_layout.hpp>
-#include <typemesh/layout/utf.hpp>
+#include <typemesh/unicode/utf.hpp>
 
 #include <algorithm>
 #include <limits>

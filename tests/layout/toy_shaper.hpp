@@ -4,7 +4,7 @@
 // A shaper without a font, for what layout() does of its own.
 
 #include <typemesh/layout/shaper.hpp>
-#include <typemesh/layout/utf.hpp>
+#include <typemesh/unicode/utf.hpp>
 
 #include <algorithm>
 #include <string>

@@ -4,8 +4,8 @@
 // A font without a font file: a few drawn glyphs and a shaper that maps characters to them. 1000 units per em.
 
 #include <typemesh/layout/shaper.hpp>
-#include <typemesh/layout/utf.hpp>
 #include <typemesh/outline/recorded_outlines.hpp>
+#include <typemesh/unicode/utf.hpp>
 
 #include <cstdlib>
 #include <limits>

@@ -4,7 +4,7 @@
 #include "support/catch.hpp"
 
 #include <typemesh/adapt/directwrite_com.hpp>
-#include <typemesh/layout/utf.hpp>
+#include <typemesh/unicode/utf.hpp>
 
 #include <dwrite.h>
 

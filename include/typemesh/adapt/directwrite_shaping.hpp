@@ -6,7 +6,7 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/layout/reading_order.hpp>
 #include <typemesh/layout/shaper.hpp>
-#include <typemesh/layout/utf.hpp>
+#include <typemesh/unicode/utf.hpp>
 
 #include <dwrite.h>
 #include <dwrite_1.h>

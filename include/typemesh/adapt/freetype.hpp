@@ -4,10 +4,10 @@
 #include <typemesh/core/finite.hpp>
 #include <typemesh/layout/plain_text.hpp>
 #include <typemesh/layout/shaper.hpp>
-#include <typemesh/layout/utf.hpp>
 #include <typemesh/outline/font_options.hpp>
 #include <typemesh/outline/outline_source.hpp>
 #include <typemesh/outline/variation_key.hpp>
+#include <typemesh/unicode/utf.hpp>
 
 #include <ft2build.h>
 #include FT_FREETYPE_H

@@ -7,7 +7,7 @@
 #include <typemesh/layout/line_break.hpp>
 #include <typemesh/layout/reading_order.hpp>
 #include <typemesh/layout/shape_options.hpp>
-#include <typemesh/layout/text_view.hpp>
+#include <typemesh/unicode/text_view.hpp>
 
 #include <hb.h>
 

@@ -4,8 +4,8 @@
 #include <typemesh/core/point.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/layout/plain_text.hpp>
-#include <typemesh/layout/text_view.hpp>
-#include <typemesh/layout/utf.hpp>
+#include <typemesh/unicode/text_view.hpp>
+#include <typemesh/unicode/utf.hpp>
 
 #include <cstddef>
 #include <span>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/layout/text_view.hpp>
+#include <typemesh/unicode/text_view.hpp>
 
 #include <cstddef>
 #include <cstdint>

@@ -3,7 +3,7 @@
 
 #include <typemesh/core/first_where.hpp>
 #include <typemesh/core/glyph_id.hpp>
-#include <typemesh/layout/utf.hpp>
+#include <typemesh/unicode/utf.hpp>
 
 #include <cstddef>
 #include <cstdint>

@@ -4,7 +4,7 @@
 #include <typemesh/core/result.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/layout/shape_options.hpp>
-#include <typemesh/layout/text_view.hpp>
+#include <typemesh/unicode/text_view.hpp>
 
 #include <concepts>
 #include <cstddef>

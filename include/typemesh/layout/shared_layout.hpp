@@ -7,7 +7,7 @@
 #include <typemesh/layout/line_break.hpp>
 #include <typemesh/layout/line_places.hpp>
 #include <typemesh/layout/shape_line.hpp>
-#include <typemesh/layout/text_view.hpp>
+#include <typemesh/unicode/text_view.hpp>
 
 #include <cstddef>
 #include <cstdint>

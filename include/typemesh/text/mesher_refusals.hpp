@@ -4,9 +4,9 @@
 #include <typemesh/core/result.hpp>
 #include <typemesh/glyph/glyph_cache.hpp>
 #include <typemesh/layout/glyph_run.hpp>
-#include <typemesh/layout/text_view.hpp>
 #include <typemesh/text/text_options.hpp>
 #include <typemesh/text/text_report.hpp>
+#include <typemesh/unicode/text_view.hpp>
 #include <typemesh/vertex/mesh_sink.hpp>
 
 namespace typemesh::inline TYPEMESH_ABI {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 
-#include <typemesh/layout/text_view.hpp>
+#include <typemesh/unicode/text_view.hpp>
 
 #include <string>
 
