@@ -3,6 +3,9 @@
 
 #include <typemesh/extrude/placement.hpp>
 
+#include <bit>
+#include <cstdint>
+
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// A placement prepared for many points, for any frame: computes exactly what placement does.
@@ -29,10 +32,16 @@ public:
     {
     }
 
+    /// Compares bits, because this runs for each part of each glyph; a frame with a -0 goes the slower way.
     [[nodiscard]] static constexpr bool fit(const frame& f) noexcept
     {
-        return f.right == vec3{1.0f, 0.0f, 0.0f} && f.up == vec3{0.0f, 1.0f, 0.0f} &&
-               (f.toward == vec3{0.0f, 0.0f, 1.0f} || f.toward == vec3{0.0f, 0.0f, -1.0f});
+        const auto differ = [](float a, float b) noexcept {
+            return std::bit_cast<std::uint32_t>(a) ^ std::bit_cast<std::uint32_t>(b);
+        };
+        const vec3 r = f.right, u = f.up, t = f.toward;
+        const std::uint32_t other_z = differ(t.z, 1.0f) & 0x7FFF'FFFFu;  // either sign
+        return (differ(r.x, 1.0f) | differ(r.y, 0.0f) | differ(r.z, 0.0f) | differ(u.x, 0.0f) | differ(u.y, 1.0f) |
+                differ(u.z, 0.0f) | differ(t.x, 0.0f) | differ(t.y, 0.0f) | other_z) == 0;
     }
 
     [[nodiscard]] vec2 foot(grid_point p) const noexcept { return foot(placement::exact(p)); }

@@ -104,17 +104,13 @@ struct extruded {
     template <attribute Wants, class Put>
     void vertices(part p, const solid_with<plan_data>& s, const placement& at, Put&& put) const noexcept
     {
-        const double high = centred ? 0.5 * as_double(depth) : 0.0;
-        const float top = at.height(high), bottom = at.height(high - as_double(depth));
-        const planar_texture planar{texture, at};
-        texture_tangent tangents;
-        if constexpr (has(Wants, attribute::tangent)) tangents = texture_tangent{at.frame};
+        const double high = centred ? 0.5 * as_double(depth) : 0.0, low = high - as_double(depth);
         with_axes(at, [&](const auto& axes) noexcept {
-            if (p == part::front && has_front()) cap<Wants>(s, axes, top, 1.0f, front, planar, tangents, put);
-            if (p == part::back && has_back()) cap<Wants>(s, axes, bottom, -1.0f, back, planar, tangents, put);
+            if (p == part::front && has_front()) cap<Wants>(s, axes, at, high, 1.0f, put);
+            if (p == part::back && has_back()) cap<Wants>(s, axes, at, low, -1.0f, put);
             if constexpr (!Normals::shares_caps) {
                 if (p == part::side && side) {
-                    const upright_walls walls{high, high - as_double(depth), high, texture};
+                    const upright_walls walls{high, low, high, texture};
                     walls.vertices<Wants>(s.points, s.data.of<side_point>(), axes, at, put);
                 }
             }
@@ -161,12 +157,19 @@ private:
     }
 
     template <attribute Wants, class Axes, class Put>
-    void cap(const solid_with<plan_data>& s, const Axes& axes, float z, float facing, bool lit_by_cap,
-             planar_texture uv, texture_tangent tangents, Put& put) const noexcept
+    void cap(const solid_with<plan_data>& s, const Axes& axes, const placement& at, double height, float facing,
+             Put& put) const noexcept
     {
+        const float z = at.height(height);
+        [[maybe_unused]] const bool lit_by_cap = facing > 0.0f ? front : back;
         const vec3 flat_normal = axes.direction(0.0f, 0.0f, facing);
+        const planar_texture uv{texture, at};
+        texture_tangent tangents;
         vec4 flat_tangent;
-        if constexpr (has(Wants, attribute::tangent)) flat_tangent = tangents.on_cap(axes, facing);
+        if constexpr (has(Wants, attribute::tangent)) {
+            tangents = texture_tangent{at.frame};
+            flat_tangent = tangents.on_cap(axes, facing);
+        }
         const side_point* sides = s.data.of<side_point>().data();
         for (std::size_t i = 0; i < s.points.size(); ++i) {
             const grid_point g = s.points[i];
