@@ -44,6 +44,9 @@ struct bevel_rims {
     bool outward = false;         ///< the walls do not stand on the region's own edges
     std::uint32_t vertices = 0;   ///< of the bevel, and of its triangles; what comes after them are the walls of an
     std::uint32_t triangles = 0;  ///< outward one, whose vertices come in pairs, at the back and at the front
+
+    /// Whether the cap on a side that is bevelled, or is not, is the region's own.
+    [[nodiscard]] bool has_own_cap(bool is_bevelled) const noexcept { return own_cap || is_bevelled == outward; }
 };
 
 /// The plan data of bevelled.

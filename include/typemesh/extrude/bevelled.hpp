@@ -5,16 +5,17 @@
 #include <typemesh/core/mixed_key.hpp>
 #include <typemesh/extrude/axes.hpp>
 #include <typemesh/extrude/bevel_data.hpp>
+#include <typemesh/extrude/bevel_heights.hpp>
 #include <typemesh/extrude/bevel_light.hpp>
 #include <typemesh/extrude/bevel_strips.hpp>
 #include <typemesh/extrude/bevel_sweep.hpp>
 #include <typemesh/extrude/bevel_vertices.hpp>
+#include <typemesh/extrude/bevel_writer.hpp>
 #include <typemesh/extrude/curve_normals.hpp>
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/extrude/ready_profiles.hpp>
 #include <typemesh/extrude/surroundings.hpp>
 #include <typemesh/extrude/texture.hpp>
-#include <typemesh/extrude/texture_tangent.hpp>
 #include <typemesh/extrude/upright_walls.hpp>
 
 #include <cstddef>
@@ -25,9 +26,6 @@
 #include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI {
-
-/// Which edges are bevelled.
-enum class bevel_sides : std::uint8_t { both, front, back };
 
 /// What a bevel does where a stroke is thinner than twice its width.
 enum class bevel_mode : std::uint8_t {
@@ -100,9 +98,9 @@ struct bevelled {
         const auto note = [&](std::initializer_list<bool> flags) noexcept {
             for (const bool flag : flags) bits.words[1] |= std::uint64_t{flag} << bit++;
         };
-        note({front, back, side, is_bevelled(true), is_bevelled(false), outward});
+        note({front, back, side, own_heights().is_bevelled(true), own_heights().is_bevelled(false), outward});
         note({texture == texture_mapping::em, mode == bevel_mode::fit, joins == bevel_joins::round});
-        note({shading == bevel_shading::rounded, !refused(), has_walls(0.0f)});
+        note({shading == bevel_shading::rounded, !refused(), own_heights().has_walls(0.0f)});
         bits.words[1] |= option_bits{mitre_limit}.words[0] << 32;
         option_bits own;
         if constexpr (requires { profile.cache_key(); }) own = profile.cache_key();
@@ -137,7 +135,7 @@ struct bevelled {
         return made;
     }
 
-    [[nodiscard]] height_range heights() const noexcept { return {low(), high()}; }
+    [[nodiscard]] height_range heights() const noexcept { return {own_heights().low(), own_heights().high()}; }
 
     /// As extruded counts them.
     [[nodiscard]] std::uint64_t hard_edges(const solid_with<plan_data>& s) const noexcept
@@ -148,42 +146,36 @@ struct bevelled {
     template <attribute Wants, class Put>
     void vertices(part p, const solid_with<plan_data>& s, const placement& at, Put&& put) const noexcept
     {
+        if (s.points.empty()) return;
+        const bevel_writer writer{s, {own_heights(), texture, shading}};
         with_axes(at, [&](const auto& axes) noexcept {
-            if (p == part::front && front) cap<Wants>(s, axes, at, true, put);
-            if (p == part::back && back) cap<Wants>(s, axes, at, false, put);
-            if (p == part::side && rims_of(s).outward)
-                outer_walls<Wants>(s, axes, at, put);
-            else if (p == part::side && side && has_walls(wall_height(s))) {
-                const upright_walls walls{rim(true, wall_height(s)), rim(false, wall_height(s)), high(), texture};
-                walls.template vertices<Wants>(s.points, s.data.template of<side_point>(), axes, at, put);
-            }
-            if (p == part::front_bevel && is_bevelled(true)) bevel<Wants>(s, axes, at, true, put);
-            if (p == part::back_bevel && is_bevelled(false)) bevel<Wants>(s, axes, at, false, put);
+            if (p == part::front && front) writer.cap<Wants>(axes, at, true, put);
+            if (p == part::back && back) writer.cap<Wants>(axes, at, false, put);
+            if (p == part::side && side) writer.walls<Wants>(axes, at, put);
+            if (p == part::front_bevel && own_heights().is_bevelled(true)) writer.bevel<Wants>(axes, at, true, put);
+            if (p == part::back_bevel && own_heights().is_bevelled(false)) writer.bevel<Wants>(axes, at, false, put);
         });
     }
 
     template <class Put>
     void triangles(part p, const solid_with<plan_data>& s, const first_vertices& first, Put&& put) const noexcept
     {
+        if (s.points.empty()) return;
+        const bevel_writer writer{s, {own_heights(), texture, shading}};
         const std::uint32_t base = first[p];
         if (p == part::front && front)
-            for (const triangle t : cap_triangles(s, true)) put(base + t.a, base + t.b, base + t.c);
+            for (const triangle t : writer.cap_triangles(true)) put(base + t.a, base + t.b, base + t.c);
         if (p == part::back && back)
-            for (const triangle t : cap_triangles(s, false)) put(base + t.a, base + t.c, base + t.b);
-        if (p == part::side && rims_of(s).outward) {
-            const std::uint32_t own = base - rims_of(s).vertices;  // may wrap; sums do so back
-            for (const auto& [t] : s.data.template of<bevel_triangle>().subspan(rims_of(s).triangles))
-                put(own + t.a, own + t.b, own + t.c);
-        } else if (p == part::side && side && has_walls(wall_height(s)))
-            upright_walls::triangles(s.starts, s.data.template of<side_point>(), base, put);
-        if (p == part::front_bevel && is_bevelled(true))
-            for (const auto& [t] : bevel_triangles(s)) put(base + t.a, base + t.b, base + t.c);
-        if (p == part::back_bevel && is_bevelled(false))
-            for (const auto& [t] : bevel_triangles(s)) put(base + t.a, base + t.c, base + t.b);
+            for (const triangle t : writer.cap_triangles(false)) put(base + t.a, base + t.c, base + t.b);
+        if (p == part::side && side) writer.wall_triangles(base, put);
+        if (p == part::front_bevel && own_heights().is_bevelled(true))
+            for (const auto& [t] : writer.bevel_triangles()) put(base + t.a, base + t.b, base + t.c);
+        if (p == part::back_bevel && own_heights().is_bevelled(false))
+            for (const auto& [t] : writer.bevel_triangles()) put(base + t.a, base + t.c, base + t.b);
     }
 
 private:
-    // --- planning
+    [[nodiscard]] bevel_heights own_heights() const noexcept { return {depth, bevel_depth, sides, centred}; }
 
     [[nodiscard]] error refused() const noexcept
     {
@@ -330,7 +322,7 @@ private:
         if (error e = vertices.make(levels, scratch)) return e;
         rims.vertices = static_cast<std::uint32_t>(data.of<bevel_vertex>().size());
         rims.triangles = static_cast<std::uint32_t>(data.of<bevel_triangle>().size());
-        if (rims.outward && side && has_walls(rims.wall))
+        if (rims.outward && side && own_heights().has_walls(rims.wall))
             if (error e = vertices.add_walls()) return e;
         return data.of<bevel_rims>().push_back(rims) ? error{} : error{error::out_of_memory};
     }
@@ -343,156 +335,24 @@ private:
         for (const bool in_front : {true, false}) {
             const part cap = in_front ? part::front : part::back,
                        bevel = in_front ? part::front_bevel : part::back_bevel;
-            const bool own = has_own_cap(rims, in_front);
+            const bool own = rims.has_own_cap(own_heights().is_bevelled(in_front));
             if (in_front ? front : back) {
                 all.vertices[cap] = own ? n : static_cast<std::uint32_t>(data.of<grid_point>().size());
                 all.triangles[cap] =
                     own ? filled.triangle_count() : static_cast<std::uint32_t>(data.of<triangle>().size());
             }
-            if (!is_bevelled(in_front)) continue;
+            if (!own_heights().is_bevelled(in_front)) continue;
             all.vertices[bevel] = rims.vertices;
             all.triangles[bevel] = rims.triangles;
         }
         if (rims.outward) {
             all.vertices[part::side] = static_cast<std::uint32_t>(data.of<bevel_vertex>().size()) - rims.vertices;
             all.triangles[part::side] = static_cast<std::uint32_t>(data.of<bevel_triangle>().size()) - rims.triangles;
-        } else if (side && has_walls(rims.wall)) {
+        } else if (side && own_heights().has_walls(rims.wall)) {
             all.vertices[part::side] = upright_walls::vertex_count(n, doubled);
             all.triangles[part::side] = 2 * n;
         }
         return all;
-    }
-
-    // --- heights, in the unit of depth
-
-    [[nodiscard]] double high() const noexcept { return centred ? 0.5 * as_double(depth) : 0.0; }
-    [[nodiscard]] double low() const noexcept { return high() - as_double(depth); }
-    [[nodiscard]] bool is_bevelled(bool in_front) const noexcept
-    {
-        return sides != (in_front ? bevel_sides::back : bevel_sides::front);
-    }
-
-    /// Where a share of a bevel's depth lies, on the front or on the back. What is subtracted is rounded to a float
-    /// first, so that no compiler can fuse the two.
-    [[nodiscard]] double at_share(bool in_front, float share) const noexcept
-    {
-        const auto down = static_cast<float>(as_double(bevel_depth) * (1.0 - as_double(share)));
-        return in_front ? high() - as_double(down) : low() + as_double(down);
-    }
-
-    /// Where the walls end.
-    [[nodiscard]] double rim(bool in_front, float wall) const noexcept
-    {
-        return is_bevelled(in_front) ? at_share(in_front, wall) : in_front ? high() : low();
-    }
-    [[nodiscard]] bool has_walls(float wall) const noexcept { return rim(true, wall) > rim(false, wall); }
-
-    static const bevel_rims& rims_of(const solid_with<plan_data>& s) noexcept
-    {
-        return s.data.template of<bevel_rims>()[0];
-    }
-    static std::span<const bevel_triangle> bevel_triangles(const solid_with<plan_data>& s) noexcept
-    {
-        return s.data.template of<bevel_triangle>().first(rims_of(s).triangles);
-    }
-    static float wall_height(const solid_with<plan_data>& s) noexcept { return rims_of(s).wall; }
-
-    // --- writing
-
-    [[nodiscard]] bool has_own_cap(const bevel_rims& rims, bool in_front) const noexcept
-    {
-        return rims.own_cap || is_bevelled(in_front) == rims.outward;
-    }
-    [[nodiscard]] std::span<const triangle> cap_triangles(const solid_with<plan_data>& s, bool in_front) const noexcept
-    {
-        return has_own_cap(rims_of(s), in_front) ? s.triangles : s.data.template of<triangle>();
-    }
-
-    template <attribute Wants, class Axes, class Put>
-    void cap(const solid_with<plan_data>& s, const Axes& axes, const placement& at, bool in_front,
-             Put& put) const noexcept
-    {
-        const float facing = in_front ? 1.0f : -1.0f;
-        const float z = at.height(is_bevelled(in_front) ? at_share(in_front, rims_of(s).cap) : rim(in_front, 0.0f));
-        const planar_texture planar{texture, at};
-        surface_point<Wants> v;
-        if constexpr (has(Wants, attribute::normal)) v.normal = axes.direction(0.0f, 0.0f, facing);
-        if constexpr (has(Wants, attribute::tangent)) v.tangent = texture_tangent{at.frame}.on_cap(axes, facing);
-        for (const grid_point g : has_own_cap(rims_of(s), in_front) ? s.points : s.data.template of<grid_point>()) {
-            if constexpr (has(Wants, attribute::position)) v.position = axes.position(axes.foot(g), z);
-            if constexpr (has(Wants, attribute::uv)) v.uv = planar(g);
-            put(v);
-        }
-    }
-
-    /// The walls of an outward bevel.
-    template <attribute Wants, class Axes, class Put>
-    void outer_walls(const solid_with<plan_data>& s, const Axes& axes, const placement& at, Put& put) const noexcept
-    {
-        const double ends[] = {rim(false, wall_height(s)), rim(true, wall_height(s))};
-        const wall_texture walls{at};
-        const planar_texture planar{texture, at};
-        texture_tangent tangents;
-        if constexpr (has(Wants, attribute::tangent)) tangents = texture_tangent{at.frame};
-        for (const bevel_vertex& b : s.data.template of<bevel_vertex>().subspan(rims_of(s).vertices)) {
-            const double z = ends[b.share > 0.0f ? 1 : 0];
-            surface_point<Wants> v;
-            if constexpr (has(Wants, attribute::position)) v.position = axes.position(axes.foot(b.at), at.height(z));
-            if constexpr (has(Wants, attribute::normal)) v.normal = axes.direction(b.outward.x, b.outward.y, 0.0f);
-            if constexpr (has(Wants, attribute::uv))
-                v.uv = texture == texture_mapping::em ? walls(b.along, high() - z) : planar(b.at);
-            if constexpr (has(Wants, attribute::tangent)) v.tangent = tangents.on_wall(axes, b.outward);
-            put(v);
-        }
-    }
-
-    /// What all of a bevel's vertices at one place of the profile have in common.
-    struct across {
-        float z;          ///< in output units
-        float v;          ///< as it is written
-        bevel_tilt tilt;  ///< on the front
-        bool riser;
-    };
-
-    template <attribute Wants, class Axes, class Put>
-    void bevel(const solid_with<plan_data>& s, const Axes& axes, const placement& at, bool in_front,
-               Put& put) const noexcept
-    {
-        const auto strips = s.data.template of<bevel_strip>();
-        const float facing = in_front ? 1.0f : -1.0f;
-        const double cells = at.cells_per_depth(), wall_end = high() - rim(in_front, wall_height(s));
-        const bevel_slopes slopes{strips, as_double(bevel_depth) * cells, shading};
-        const wall_texture walls{at};
-        const auto place = [&](const bevel_vertex& b) noexcept -> across {
-            const double down = wall_end - as_double(facing) * slopes.length(b) / cells;
-            return {at.height(at_share(in_front, slopes.height(b))), walls.v(down), slopes.tilt(b), slopes.is_riser(b)};
-        };
-        across ends[4 * profile_points::most];  // of all strips: nearly all vertices lie there
-        for (std::uint32_t i = 0; i < strips.size(); ++i) {
-            ends[2 * i] = place({{}, {}, 0.0f, 0.0f, i});
-            ends[2 * i + 1] = place({{}, {}, 0.0f, 1.0f, i});
-        }
-        const planar_texture planar{texture, at};
-        texture_tangent tangents;
-        if constexpr (has(Wants, attribute::tangent)) tangents = texture_tangent{at.frame};
-        for (const bevel_vertex& b : s.data.template of<bevel_vertex>().first(rims_of(s).vertices)) {
-            const bool inner = b.share >= 1.0f;
-            const across here = inner || b.share <= 0.0f ? ends[2 * b.strip + (inner ? 1u : 0u)] : place(b);
-            surface_point<Wants> v;
-            if constexpr (has(Wants, attribute::position)) v.position = axes.position(axes.foot(b.at), here.z);
-            [[maybe_unused]] vec3 normal;
-            if constexpr (has(Wants, attribute::normal | attribute::tangent))
-                normal = {static_cast<float>(here.tilt.out * as_double(b.outward.x)),
-                          static_cast<float>(here.tilt.out * as_double(b.outward.y)),
-                          static_cast<float>(here.tilt.up) * facing};
-            if constexpr (has(Wants, attribute::normal)) v.normal = axes.direction(normal.x, normal.y, normal.z);
-            if constexpr (has(Wants, attribute::uv))
-                v.uv = texture == texture_mapping::em ? vec2{walls.u(b.along), here.v} : planar(b.at);
-            if constexpr (has(Wants, attribute::tangent))
-                v.tangent = texture == texture_mapping::em || here.riser ? tangents.on_wall(axes, b.outward)
-                                                                         : tangents.on_rim(axes, normal, facing);
-            put(v);
-        }
     }
 };
 

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/point.hpp>
+
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// Which edges are bevelled.
+enum class bevel_sides : std::uint8_t { both, front, back };
+
+/// The heights of a bevelled solid, in the unit of its depth. `in_front` says which of its two sides is meant.
+///
+///     high     front ____                  share 1 of the bevel's depth
+///                  /      \                share 0
+///                 |        |
+///     low      back ______
+struct bevel_heights {
+    float depth = 0.0f;        ///< of the whole
+    float bevel_depth = 0.0f;  ///< of one bevel
+    bevel_sides sides = bevel_sides::both;
+    bool centred = false;
+
+    [[nodiscard]] double high() const noexcept { return centred ? 0.5 * as_double(depth) : 0.0; }
+    [[nodiscard]] double low() const noexcept { return high() - as_double(depth); }
+    [[nodiscard]] bool is_bevelled(bool in_front) const noexcept
+    {
+        return sides != (in_front ? bevel_sides::back : bevel_sides::front);
+    }
+
+    /// Where a share of a bevel's depth lies. What is subtracted is rounded to a float first, so that no compiler can
+    /// fuse the two.
+    [[nodiscard]] double at_share(bool in_front, float share) const noexcept
+    {
+        const auto down = static_cast<float>(as_double(bevel_depth) * (1.0 - as_double(share)));
+        return in_front ? high() - as_double(down) : low() + as_double(down);
+    }
+
+    /// Where walls end that reach up to a share of the bevels' depth.
+    [[nodiscard]] double rim(bool in_front, float wall) const noexcept
+    {
+        return is_bevelled(in_front) ? at_share(in_front, wall) : in_front ? high() : low();
+    }
+    [[nodiscard]] bool has_walls(float wall) const noexcept { return rim(true, wall) > rim(false, wall); }
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI

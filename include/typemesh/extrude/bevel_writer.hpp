@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/extrude/axes.hpp>
+#include <typemesh/extrude/bevel_data.hpp>
+#include <typemesh/extrude/bevel_heights.hpp>
+#include <typemesh/extrude/bevel_strips.hpp>
+#include <typemesh/extrude/solid.hpp>
+#include <typemesh/extrude/texture.hpp>
+#include <typemesh/extrude/texture_tangent.hpp>
+#include <typemesh/extrude/upright_walls.hpp>
+#include <typemesh/vertex/surface_point.hpp>
+
+#include <cstdint>
+#include <span>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// How a bevelled solid is written.
+struct bevel_style {
+    bevel_heights heights;
+    texture_mapping texture = texture_mapping::em;
+    bevel_shading shading = bevel_shading::by_slope;
+};
+
+/// Writes the caps, walls and bevels of a planned solid. `in_front` says on which of its two sides.
+class bevel_writer {
+public:
+    bevel_writer(const solid_with<bevel_data>& s, const bevel_style& style) noexcept
+        : solid_{s},
+          rims_{s.data.of<bevel_rims>()[0]},
+          heights_{style.heights},
+          texture_{style.texture},
+          shading_{style.shading}
+    {
+    }
+
+    [[nodiscard]] std::span<const triangle> cap_triangles(bool in_front) const noexcept
+    {
+        return has_own_cap(in_front) ? solid_.triangles : solid_.data.of<triangle>();
+    }
+    [[nodiscard]] std::span<const bevel_triangle> bevel_triangles() const noexcept
+    {
+        return solid_.data.of<bevel_triangle>().first(rims_.triangles);
+    }
+
+    template <attribute Wants, class Axes, class Put>
+    void cap(const Axes& axes, const placement& at, bool in_front, Put& put) const noexcept
+    {
+        const float facing = in_front ? 1.0f : -1.0f;
+        const bool bevelled = heights_.is_bevelled(in_front);
+        const float z = at.height(bevelled ? heights_.at_share(in_front, rims_.cap) : heights_.rim(in_front, 0.0f));
+        const planar_texture planar{texture_, at};
+        surface_point<Wants> v;
+        if constexpr (has(Wants, attribute::normal)) v.normal = axes.direction(0.0f, 0.0f, facing);
+        if constexpr (has(Wants, attribute::tangent)) v.tangent = texture_tangent{at.frame}.on_cap(axes, facing);
+        for (const grid_point g : has_own_cap(in_front) ? solid_.points : solid_.data.of<grid_point>()) {
+            if constexpr (has(Wants, attribute::position)) v.position = axes.position(axes.foot(g), z);
+            if constexpr (has(Wants, attribute::uv)) v.uv = planar(g);
+            put(v);
+        }
+    }
+
+    /// Calls put(a, b, c) for each triangle of the walls, whose first vertex is number `first`.
+    template <class Put>
+    void wall_triangles(std::uint32_t first, Put& put) const noexcept
+    {
+        if (!rims_.outward) {
+            if (heights_.has_walls(rims_.wall))
+                upright_walls::triangles(solid_.starts, solid_.data.of<side_point>(), first, put);
+            return;
+        }
+        const std::uint32_t own = first - rims_.vertices;  // may wrap; sums do so back
+        for (const auto& [t] : solid_.data.of<bevel_triangle>().subspan(rims_.triangles))
+            put(own + t.a, own + t.b, own + t.c);
+    }
+
+    template <attribute Wants, class Axes, class Put>
+    void walls(const Axes& axes, const placement& at, Put& put) const noexcept
+    {
+        if (rims_.outward) return outer_walls<Wants>(axes, at, put);
+        if (!heights_.has_walls(rims_.wall)) return;
+        const upright_walls upright{heights_.rim(true, rims_.wall), heights_.rim(false, rims_.wall), heights_.high(),
+                                    texture_};
+        upright.vertices<Wants>(solid_.points, solid_.data.of<side_point>(), axes, at, put);
+    }
+
+    template <attribute Wants, class Axes, class Put>
+    void bevel(const Axes& axes, const placement& at, bool in_front, Put& put) const noexcept
+    {
+        const auto strips = solid_.data.of<bevel_strip>();
+        const float facing = in_front ? 1.0f : -1.0f;
+        const double cells = at.cells_per_depth(), wall_end = heights_.high() - heights_.rim(in_front, rims_.wall);
+        const bevel_slopes slopes{strips, as_double(heights_.bevel_depth) * cells, shading_};
+        const wall_texture walls{at};
+        const auto place = [&](const bevel_vertex& b) noexcept -> across {
+            const double down = wall_end - as_double(facing) * slopes.length(b) / cells;
+            const float z = at.height(heights_.at_share(in_front, slopes.height(b)));
+            return {z, walls.v(down), slopes.tilt(b), slopes.is_riser(b)};
+        };
+        across ends[4 * profile_points::most];  // of all strips: nearly all vertices lie there
+        for (std::uint32_t i = 0; i < strips.size(); ++i) {
+            ends[2 * i] = place({{}, {}, 0.0f, 0.0f, i});
+            ends[2 * i + 1] = place({{}, {}, 0.0f, 1.0f, i});
+        }
+        const planar_texture planar{texture_, at};
+        texture_tangent tangents;
+        if constexpr (has(Wants, attribute::tangent)) tangents = texture_tangent{at.frame};
+        for (const bevel_vertex& b : solid_.data.of<bevel_vertex>().first(rims_.vertices)) {
+            const bool inner = b.share >= 1.0f;
+            const across here = inner || b.share <= 0.0f ? ends[2 * b.strip + (inner ? 1u : 0u)] : place(b);
+            surface_point<Wants> v;
+            if constexpr (has(Wants, attribute::position)) v.position = axes.position(axes.foot(b.at), here.z);
+            [[maybe_unused]] vec3 normal;
+            if constexpr (has(Wants, attribute::normal | attribute::tangent))
+                normal = {static_cast<float>(here.tilt.out * as_double(b.outward.x)),
+                          static_cast<float>(here.tilt.out * as_double(b.outward.y)),
+                          static_cast<float>(here.tilt.up) * facing};
+            if constexpr (has(Wants, attribute::normal)) v.normal = axes.direction(normal.x, normal.y, normal.z);
+            if constexpr (has(Wants, attribute::uv))
+                v.uv = texture_ == texture_mapping::em ? vec2{walls.u(b.along), here.v} : planar(b.at);
+            if constexpr (has(Wants, attribute::tangent))
+                v.tangent = texture_ == texture_mapping::em || here.riser ? tangents.on_wall(axes, b.outward)
+                                                                          : tangents.on_rim(axes, normal, facing);
+            put(v);
+        }
+    }
+
+private:
+    /// What all of a bevel's vertices at one place of the profile have in common.
+    struct across {
+        float z;          ///< in output units
+        float v;          ///< as it is written
+        bevel_tilt tilt;  ///< on the front
+        bool riser;
+    };
+
+    /// The walls of an outward bevel.
+    template <attribute Wants, class Axes, class Put>
+    void outer_walls(const Axes& axes, const placement& at, Put& put) const noexcept
+    {
+        const double ends[] = {heights_.rim(false, rims_.wall), heights_.rim(true, rims_.wall)};
+        const wall_texture walls{at};
+        const planar_texture planar{texture_, at};
+        texture_tangent tangents;
+        if constexpr (has(Wants, attribute::tangent)) tangents = texture_tangent{at.frame};
+        for (const bevel_vertex& b : solid_.data.of<bevel_vertex>().subspan(rims_.vertices)) {
+            const double z = ends[b.share > 0.0f ? 1 : 0];
+            surface_point<Wants> v;
+            if constexpr (has(Wants, attribute::position)) v.position = axes.position(axes.foot(b.at), at.height(z));
+            if constexpr (has(Wants, attribute::normal)) v.normal = axes.direction(b.outward.x, b.outward.y, 0.0f);
+            if constexpr (has(Wants, attribute::uv))
+                v.uv = texture_ == texture_mapping::em ? walls(b.along, heights_.high() - z) : planar(b.at);
+            if constexpr (has(Wants, attribute::tangent)) v.tangent = tangents.on_wall(axes, b.outward);
+            put(v);
+        }
+    }
+
+    [[nodiscard]] bool has_own_cap(bool in_front) const noexcept
+    {
+        return rims_.has_own_cap(heights_.is_bevelled(in_front));
+    }
+
+    const solid_with<bevel_data>& solid_;
+    const bevel_rims& rims_;
+    bevel_heights heights_;
+    texture_mapping texture_;
+    bevel_shading shading_;
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI
