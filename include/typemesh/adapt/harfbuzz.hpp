@@ -4,6 +4,7 @@
 #include <typemesh/adapt/harfbuzz_shaping.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/finite.hpp>
+#include <typemesh/layout/item_shaper.hpp>
 #include <typemesh/layout/shaper.hpp>
 #include <typemesh/outline/font_options.hpp>
 #include <typemesh/outline/outline_source.hpp>
@@ -158,6 +159,15 @@ public:
     {
         TYPEMESH_ASSERT(first <= last && last <= text.size(), "a shaper was given a range outside its text");
         return shaping_.shape(font_, unit_size(), text, first, last, options, run);
+    }
+
+    /// See item_shaper. Fails as shape() does, but for mixed_direction.
+    error shape_item(text_view text, const text_item& item, const shape_options& options,
+                     buffer<shaped_glyph>& glyphs) noexcept
+    {
+        TYPEMESH_ASSERT(item.first <= item.last && item.last <= text.size(),
+                        "a shaper was given a range outside its text");
+        return shaping_.shape_item(font_, unit_size(), text, item, options, glyphs);
     }
 
 private:
@@ -353,6 +363,6 @@ private:
     detail::harfbuzz_shaping shaping_;
 };
 
-static_assert(outline_source<harfbuzz_font> && shaper<harfbuzz_font>);
+static_assert(outline_source<harfbuzz_font> && shaper<harfbuzz_font> && item_shaper<harfbuzz_font>);
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -7,6 +7,8 @@
 #include <typemesh/layout/line_break.hpp>
 #include <typemesh/layout/reading_order.hpp>
 #include <typemesh/layout/shape_options.hpp>
+#include <typemesh/layout/shaped_glyph.hpp>
+#include <typemesh/layout/text_item.hpp>
 #include <typemesh/unicode/text_view.hpp>
 
 #include <hb.h>
@@ -49,10 +51,7 @@ public:
 
         const line_reading found = read_line(text, first, last);
         hb_script_t script = HB_SCRIPT_INVALID;
-        if (!options.script.empty()) {
-            script = hb_script_from_string(options.script.data(), options.script.size() == 4 ? 4 : 0);
-            if (script == HB_SCRIPT_INVALID || script == HB_SCRIPT_UNKNOWN) return error::bad("script");
-        }
+        if (error e = take_script(options, script)) return e;
         const auto direction = direction_of(found, options.direction, script);
         if (!direction) return direction.error();
         if (*direction == HB_DIRECTION_RTL) {
@@ -65,28 +64,48 @@ public:
             script = found.to_the_right == line_reading::nowhere ? HB_SCRIPT_COMMON : HB_SCRIPT_LATIN;
         if (error e = cut_into_pieces(text, first, last, script)) return e;
 
-        const hb_language_t language =
-            options.language.empty()
-                ? HB_LANGUAGE_INVALID
-                : hb_language_from_string(options.language.data(), static_cast<int>(options.language.size()));
+        const hb_language_t language = language_of(options);
         point at;
         for (std::size_t k = 0; k < pieces_.size(); ++k) {
             const piece& p = pieces_[*direction == HB_DIRECTION_RTL ? pieces_.size() - 1 - k : k];
-            fill_buffer(text, p, found.invalid.count != 0);
-            hb_buffer_set_direction(buffer_, *direction);
-            hb_buffer_set_script(buffer_, p.script);
-            hb_buffer_set_language(buffer_, language);
-            const auto shaped =
-                hb_shape_full(font, buffer_, features_.data(), static_cast<unsigned>(features_.size()), nullptr);
-            if (!hb_buffer_allocation_successful(buffer_)) return error::out_of_memory;
-            if (!shaped) return error::font_library_failed;
+            fill_buffer(text, p, found.invalid.count != 0, HB_BUFFER_FLAG_DEFAULT);
+            if (error e = shape_buffer(font, *direction, p.script, language)) return e;
             if (error e = take_glyphs(unit, at, run)) return e;
         }
         if (found.invalid.count != 0) run.note_invalid_units(found.invalid.first, found.invalid.count);
         return at;
     }
 
+    /// One item: see item_shaper.
+    error shape_item(hb_font_t* font, point unit, text_view text, const text_item& item, const shape_options& options,
+                     buffer<shaped_glyph>& glyphs) noexcept
+    {
+        if (item.last - item.first >= 1u << 28) return error::too_large;
+        hb_script_t script = item.script != 0 ? hb_script_from_iso15924_tag(item.script) : HB_SCRIPT_COMMON;
+        if (error e = take_script(options, script)) return e;
+        if (error e = take_features(options)) return e;
+
+        bool valid = true;
+        for (std::size_t i = item.first; valid && i < item.last;) {
+            const code_point c = decode(text, i, item.last);
+            valid = c.valid;
+            i = c.next;
+        }
+        fill_buffer(text, {item.first, item.last, script}, !valid, item_flags);
+        const bool down = item.orientation == glyph_orientation::upright;
+        const hb_direction_t way = down ? HB_DIRECTION_TTB : item.to_the_left() ? HB_DIRECTION_RTL : HB_DIRECTION_LTR;
+        if (error e = shape_buffer(font, way, script, language_of(options))) return e;
+        return append_glyphs(unit, down, glyphs);
+    }
+
 private:
+#if HB_VERSION_ATLEAST(5, 1, 0)
+    static constexpr int item_flags =
+        HB_BUFFER_FLAG_PRODUCE_UNSAFE_TO_CONCAT | HB_BUFFER_FLAG_PRODUCE_SAFE_TO_INSERT_TATWEEL;
+#else
+    static constexpr int item_flags = HB_BUFFER_FLAG_PRODUCE_UNSAFE_TO_CONCAT;
+#endif
+
     /// A run of a line in one script.
     struct piece {
         std::size_t first;
@@ -104,6 +123,22 @@ private:
         if (wanted == direction::right_to_left || left != line_reading::nowhere) return HB_DIRECTION_RTL;
         if (right != line_reading::nowhere || script == HB_SCRIPT_INVALID) return HB_DIRECTION_LTR;
         return hb_script_get_horizontal_direction(script) == HB_DIRECTION_RTL ? HB_DIRECTION_RTL : HB_DIRECTION_LTR;
+    }
+
+    /// Sets `script` to the one that the options name, if they do.
+    static error take_script(const shape_options& options, hb_script_t& script) noexcept
+    {
+        if (options.script.empty()) return {};
+        script = hb_script_from_string(options.script.data(), options.script.size() == 4 ? 4 : 0);
+        const bool known = script != HB_SCRIPT_INVALID && script != HB_SCRIPT_UNKNOWN;
+        return known ? error{} : error::bad("script");
+    }
+
+    static hb_language_t language_of(const shape_options& options) noexcept
+    {
+        return options.language.empty()
+                   ? HB_LANGUAGE_INVALID
+                   : hb_language_from_string(options.language.data(), static_cast<int>(options.language.size()));
     }
 
     error take_features(const shape_options& wanted) noexcept
@@ -167,7 +202,7 @@ private:
 
     /// Passes a piece and its context to HarfBuzz. Valid text is passed as it is, other text code point by code point,
     /// because HarfBuzz would read a different number of U+FFFD from broken UTF-8 than decode() does.
-    void fill_buffer(text_view text, const piece& p, bool decoded) noexcept
+    void fill_buffer(text_view text, const piece& p, bool decoded, int flags) noexcept
     {
         constexpr std::size_t context = 32;  // units; HarfBuzz looks at five characters
         std::size_t begin = p.first, end = p.last;
@@ -176,8 +211,9 @@ private:
 
         hb_buffer_clear_contents(buffer_);
         hb_buffer_set_content_type(buffer_, HB_BUFFER_CONTENT_TYPE_UNICODE);
-        hb_buffer_set_flags(buffer_, static_cast<hb_buffer_flags_t>((begin == p.first ? HB_BUFFER_FLAG_BOT : 0) |
-                                                                    (end == p.last ? HB_BUFFER_FLAG_EOT : 0)));
+        if (begin == p.first) flags |= HB_BUFFER_FLAG_BOT;
+        if (end == p.last) flags |= HB_BUFFER_FLAG_EOT;
+        hb_buffer_set_flags(buffer_, static_cast<hb_buffer_flags_t>(flags));
         first_unit_ = begin;
         if (!decoded) return add(text, begin, end, p.first, p.last);
         add(text, begin, p.first, p.first, p.first);
@@ -201,6 +237,48 @@ private:
     }
 
     static bool breaks_line(std::uint32_t unit) noexcept { return unit >= 0x0A && unit <= 0x0D; }
+
+    /// Has HarfBuzz shape what its buffer holds.
+    error shape_buffer(hb_font_t* font, hb_direction_t way, hb_script_t script, hb_language_t language) noexcept
+    {
+        hb_buffer_set_direction(buffer_, way);
+        hb_buffer_set_script(buffer_, script);
+        hb_buffer_set_language(buffer_, language);
+        const auto shaped =
+            hb_shape_full(font, buffer_, features_.data(), static_cast<unsigned>(features_.size()), nullptr);
+        if (!hb_buffer_allocation_successful(buffer_)) return error::out_of_memory;
+        return shaped ? error{} : error::font_library_failed;
+    }
+
+    static glyph_flags flags_of(const hb_glyph_info_t& info) noexcept
+    {
+        const unsigned set = hb_glyph_info_get_glyph_flags(&info);
+        glyph_flags flags = glyph_flags::none;
+        if ((set & HB_GLYPH_FLAG_UNSAFE_TO_BREAK) != 0) flags = flags | glyph_flags::unsafe_to_break;
+        if ((set & HB_GLYPH_FLAG_UNSAFE_TO_CONCAT) != 0) flags = flags | glyph_flags::unsafe_to_concat;
+#if HB_VERSION_ATLEAST(5, 1, 0)
+        if ((set & HB_GLYPH_FLAG_SAFE_TO_INSERT_TATWEEL) != 0) flags = flags | glyph_flags::tatweel;
+#endif
+        return info.codepoint == 0 ? flags | glyph_flags::missing : flags;
+    }
+
+    /// Appends what HarfBuzz has shaped, with advances along the line.
+    error append_glyphs(point unit, bool down, buffer<shaped_glyph>& glyphs) const noexcept
+    {
+        unsigned count = 0;
+        const hb_glyph_info_t* info = hb_buffer_get_glyph_infos(buffer_, &count);
+        const hb_glyph_position_t* position = hb_buffer_get_glyph_positions(buffer_, nullptr);
+        shaped_glyph* out = glyphs.append(count);
+        if (out == nullptr) return count == 0 ? error{} : error{error::out_of_memory};
+        for (unsigned i = 0; i < count; ++i)
+            out[i] = {info[i].codepoint,
+                      static_cast<cluster_id>(first_unit_ + info[i].cluster),
+                      down ? 0.0 - unit.y * position[i].y_advance : unit.x * position[i].x_advance,
+                      {unit.x * position[i].x_offset, unit.y * position[i].y_offset},
+                      0,
+                      flags_of(info[i])};
+        return {};
+    }
 
     /// Appends what HarfBuzz has shaped, from `at` on, which advances.
     error take_glyphs(point unit, point& at, glyph_run& run) const noexcept

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/layout/item_shaper.hpp>
 #include <typemesh/layout/shaper.hpp>
 #include <typemesh/outline/face_source.hpp>
 
@@ -36,6 +37,12 @@ public:
                                       glyph_run& run) noexcept
     {
         return shapes_->shape(text, first, last, options, run);
+    }
+    error shape_item(text_view text, const text_item& item, const shape_options& options,
+                     buffer<shaped_glyph>& glyphs) noexcept
+        requires item_shaper<Shaper>
+    {
+        return shapes_->shape_item(text, item, options, glyphs);
     }
     template <outline_sink Sink>
     error outline(glyph_id id, Sink& sink) noexcept

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/layout/shaped_glyph.hpp>
+#include <typemesh/layout/shaper.hpp>
+#include <typemesh/layout/text_item.hpp>
+
+#include <concepts>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// Turns items of a text into glyphs with advances, for whoever breaks lines: a paragraph.
+///
+///     s.units_per_em(), s.metrics(direction)   as in shaper
+///     s.shape_item(text, item, o, glyphs)      appends the glyphs of text[item.first, item.last) in drawing order: to
+///                                              the right, or down. Clusters ascend, from right to left they descend;
+///                                              none is less than a base and its marks. The item's level decides the
+///                                              direction, whatever the letters say, and o.direction is not read;
+///                                              its script is item.script unless o.script names another. The text
+///                                              round the item is context: letters join across its ends. The item may
+///                                              be any part of another, so a shaper keeps nothing between two calls.
+///
+/// Fails  error::needs_shaping: the shaper is not made for this script
+///        error::out_of_memory, and whatever else it finds; `glyphs` may then hold some of the item's
+template <class S>
+concept item_shaper =
+    requires(S& s, text_view text, const text_item& item, const shape_options& o, buffer<shaped_glyph>& glyphs) {
+        { s.units_per_em() } noexcept -> std::convertible_to<double>;
+        { s.metrics(o.direction) } noexcept -> std::same_as<line_metrics>;
+        { s.shape_item(text, item, o, glyphs) } noexcept -> std::same_as<error>;
+    };
+
+}  // namespace typemesh::inline TYPEMESH_ABI

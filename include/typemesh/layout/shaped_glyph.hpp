@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/glyph_id.hpp>
+#include <typemesh/core/point.hpp>
+
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// What a shaper says of a glyph; a set, joined by |. The first three are the same for all glyphs of a cluster, and
+/// about the place in the text where the cluster begins.
+enum class glyph_flags : std::uint8_t {
+    none = 0,
+    unsafe_to_break = 1u << 0,   ///< a line that ends here needs both sides shaped again
+    unsafe_to_concat = 1u << 1,  ///< other text in place of what precedes needs both sides shaped again
+    tatweel = 1u << 2,           ///< U+0640 may be inserted here to fill a line
+    missing = 1u << 3,           ///< the font has no glyph for this text: the id is its .notdef
+};
+
+[[nodiscard]] constexpr glyph_flags operator|(glyph_flags a, glyph_flags b) noexcept
+{
+    return static_cast<glyph_flags>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
+
+/// Whether a set contains a flag; of several, any.
+[[nodiscard]] constexpr bool has(glyph_flags set, glyph_flags one) noexcept
+{
+    return (static_cast<unsigned>(set) & static_cast<unsigned>(one)) != 0;
+}
+
+/// A glyph between shaping and layout: not yet at a position, but with its advance. Lengths are in font units of the
+/// shaper, y up.
+struct shaped_glyph {
+    glyph_id id = 0;
+    cluster_id cluster = 0;
+    double advance = 0.0;    ///< how far the pen moves along the line: to the right, in columns down
+    point offset = {};       ///< from the pen to the glyph's own (0, 0)
+    std::uint16_t face = 0;  ///< of the shaper's faces the one that `id` belongs to
+    glyph_flags flags = glyph_flags::none;
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/version.hpp>
+
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// How the glyphs of an item stand to the line.
+enum class glyph_orientation : std::uint8_t {
+    horizontal,  ///< in a line that runs to the right or to the left
+    upright,     ///< in a column, one below the other
+    sideways,    ///< in a column, but shaped as in a line and turned clockwise: Latin between kanji
+};
+
+/// A range of a text that is shaped at once: of one level, one script, one look, without line breaks and tabs.
+struct text_item {
+    std::uint32_t first = 0;
+    std::uint32_t last = 0;
+    std::uint32_t script = 0;  ///< ISO 15924, its first letter in the highest byte ('Latn'); 0: none
+    std::uint32_t look = 0;    ///< its index in a table of whoever made the item
+    std::uint8_t level = 0;    ///< by UAX #9: an odd one is set from right to left
+    glyph_orientation orientation = glyph_orientation::horizontal;
+
+    [[nodiscard]] constexpr bool to_the_left() const noexcept { return (level & 1u) != 0; }
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI
