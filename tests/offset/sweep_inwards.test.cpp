@@ -77,6 +77,7 @@ test::sweep_case swept(const std::vector<test::polyline>& given, std::vector<dou
     how.mitre_limit = mitre_limit;
     how.examine(*filled, monotone{});
     CHECK(how.broken == "");
+    CHECK_FALSE(how.refused);
     return how;
 }
 
@@ -267,6 +268,53 @@ TEST_CASE("sweep_inwards() sweeps glyphs whose strokes close at one distance, or
                 for (const test::shape& t : {s, test::mirrored(s), test::turned(s, 180.0), test::turned(s, 12.0)})
                     CHECK(check_sweep(t, share * g.width / size_of(s), mitre_limit, 0.0) == 0);
     }
+}
+
+TEST_CASE("sweep_inwards() keeps faces in their planes where nearly parallel edges close like a zip", "[offset]")
+{
+    // Corners between them are a million times as fast as the edges.
+    const struct {
+        double width;
+        double mitre_limit;
+        std::vector<test::polyline> loops;
+    } shapes[] = {
+        {117'898,
+         0.0,
+         {{{700059, 847276}, {221136, 957844}, {184280, 798203}, {147424, 638563}, {36856, 159640}, {0, 0}},
+          {{98249, 61392}, {135105, 221033}, {294746, 184177}},
+          {{245673, 699955}, {282529, 859596}, {405313, 663099}}}},
+        {30'750,
+         2.0,
+         {{{1249621, 0},
+           {1252529, 12596},
+           {1279854, 130955},
+           {1281308, 137253},
+           {31673, 428841},
+           {1278085, 137800},
+           {30234, 422605},
+           {1440, 297886},
+           {1247852, 6845},
+           {0, 291650}}}},
+    };
+    for (const auto& s : shapes) CHECK(swept(s.loops, {0, s.width}, s.mitre_limit).farthest_off_plane < 2.0);
+}
+
+TEST_CASE("sweep_inwards() sweeps rings that close everywhere at about one distance", "[offset]")
+{
+    for (const double radius : {3e4, 3e5, 1e6, 4e6})
+        for (const int corners : {8, 12, 20, 32})
+            for (const double hole : {0.6, 0.9})
+                for (const double degrees : {0.0, 11.3}) {
+                    const auto ring = test::turned({"ring",
+                                                    {test::circle(corners, radius),
+                                                     test::reversed(test::circle(corners, radius * hole))}},
+                                                   degrees);
+                    const double closes = radius * (1.0 - hole) / 2.0;
+                    for (const double share : {0.9, 1.0, 2.0}) {
+                        CAPTURE(radius, corners, hole, degrees, share);
+                        CHECK(swept(ring.loops, {0, std::floor(share * closes)}).farthest_off_plane < 2.0);
+                    }
+                }
 }
 
 TEST_CASE("sweep_inwards() allocates nothing after warm-up, and gives up cleanly when memory runs out", "[offset]")

@@ -159,12 +159,15 @@ private:
         join(h, before, after, at, node);
     }
 
-    /// The corners u and v have met: where.
+    /// The corners u and v have met: where. Found late, both are beyond it, the faster one farther.
     [[nodiscard]] fixed_vector meeting_place(std::uint32_t u, std::uint32_t v) const noexcept
     {
-        if (mesh.vertices[u].moves.fast()) return times_.place(v);
-        if (mesh.vertices[v].moves.fast()) return times_.place(u);
-        return middle(times_.place(u), times_.place(v));
+        const moving_point &a = mesh.vertices[u].moves, &b = mesh.vertices[v].moves;
+        if (a.fast()) return times_.place(v);
+        if (b.fast()) return times_.place(u);
+        const int128 a_speed = dot(a.speed.of, a.speed.of), b_speed = dot(b.speed.of, b.speed.of);
+        if (a_speed > b_speed) return times_.place(v);
+        return a_speed < b_speed ? times_.place(u) : middle(times_.place(u), times_.place(v));
     }
 
     /// The area between the two segments of a fast corner has no width. The shorter one ends, unless another corner
