@@ -49,21 +49,33 @@ std::string in_words(const typemesh::error& e)
            typemesh::describe(e.at(typemesh::no_glyph, typemesh::no_cluster), sentence);
 }
 
+std::string in_words(const typemesh::text_report& report)
+{
+    std::string all;
+    const auto number = [](std::uint32_t n) { return std::to_string(n); };
+    const auto say = [&all](const std::string& line) { all += "text_to_mesh: " + line + "\n"; };
+    const auto at = [&](typemesh::cluster_id place) {
+        return "; the first is at byte " + number(place) + " of the text.";
+    };
+    const std::string of_all = " of " + number(report.glyphs);
+    if (report.refused > 0)
+        say(number(report.refused) + of_all + " glyphs left out; the first: " + in_words(report.first_refusal));
+    if (report.missing > 0)
+        say("the font has no glyph for " + number(report.missing) + of_all + " characters" + at(report.first_missing));
+    if (report.invalid_units > 0)
+        say("the text is not valid UTF-8 at " + number(report.invalid_units) +
+            (report.invalid_units == 1 ? " place" : " places") + at(report.first_invalid_unit));
+    if (report.narrowed > 0)
+        say("the bevels of " + number(report.narrowed) + of_all + " glyphs are narrower than --bevel" +
+            at(report.first_narrowed));
+    return all;
+}
+
 bool name_losses(const typemesh::text_report& report)
 {
-    if (report.refused > 0)
-        std::fprintf(stderr, "text_to_mesh: %u of %u glyphs left out; the first: %s\n", report.refused, report.glyphs,
-                     in_words(report.first_refusal).c_str());
-    if (report.missing > 0)
-        std::fprintf(
-            stderr,
-            "text_to_mesh: the font has no glyph for %u of %u characters; the first is at byte %u of the text.\n",
-            report.missing, report.glyphs, report.first_missing);
-    if (report.invalid_units > 0)
-        std::fprintf(stderr,
-                     "text_to_mesh: the text is not valid UTF-8 at %u place%s; the first is at byte %u of the text.\n",
-                     report.invalid_units, report.invalid_units == 1 ? "" : "s", report.first_invalid_unit);
-    return !report.complete();
+    const std::string losses = in_words(report);
+    std::fputs(losses.c_str(), stderr);
+    return !losses.empty();
 }
 
 bool name_missing_features(const typemesh::harfbuzz_font& font, std::span<const typemesh::feature> wanted)

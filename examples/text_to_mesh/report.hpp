@@ -13,9 +13,12 @@ namespace text_to_mesh {
 /// The error's sentence; places in the text are bytes, for the text is UTF-8.
 [[nodiscard]] std::string in_words(const typemesh::error& e);
 
+/// What is not in the mesh, and what is not as it was asked for, a line each; empty if there is nothing of the kind.
+[[nodiscard]] std::string in_words(const typemesh::text_report& report);
+
 // What a user should know about a text that is drawn nevertheless, one line each on standard error.
 
-/// What is not in the mesh; true when something is not.
+/// What in_words() says of the report; true when it says something.
 bool name_losses(const typemesh::text_report& report);
 
 /// Features that are to be on and that the font has not: neither among its substitutions nor its positions. True where

@@ -488,6 +488,74 @@ TEST_CASE("a bevel that fits is 0.9 times as wide as where a part would lose its
     CHECK(reach(shapes::pair(), 0.3f, bevel_mode::fit) < 0.06);  // the triangle's cap is the first to go
 }
 
+namespace {
+
+/// Refuses to make the first caps that it is asked for: as many as it is told.
+template <class Maker>
+struct refusing_caps {
+    Maker& maker;
+    int refusals;
+
+    [[nodiscard]] std::span<const triangle> triangles() const noexcept { return maker.triangles(); }
+    error operator()(const region& r, triangle_list& out) noexcept { return maker(r, out); }
+    [[nodiscard]] contours& loops() noexcept { return maker.loops(); }
+    result<region> fill(triangle_list& out) noexcept
+    {
+        return refusals-- > 0 ? result<region>{error::crossing_contours} : maker.fill(out);
+    }
+    [[nodiscard]] workspace& space() noexcept { return maker.space(); }
+};
+
+}  // namespace
+
+TEST_CASE("a bevel whose cap is refused is narrower, closed, and said to be so", "[bevelled]")
+{
+    const auto s = shapes::letter_d(8);
+    for (const int refusals : {0, 1, 3}) {
+        for (const bevel_mode mode : {bevel_mode::clip, bevel_mode::fit}) {
+            const bevelled<> how{.width = mode == bevel_mode::clip ? 0.02f : 0.3f, .mode = mode};
+            const region r = s.made();
+            monotone_caps caps{r};
+            auto maker = caps.maker();
+            refusing_caps<decltype(maker)> refusing{maker, refusals};
+            bevelled_mesh m;
+            const auto plan = plan_solid(how, r, m.data, refusing);
+            REQUIRE(plan);
+            CHECK(plan->narrowed == (refusals != 0));
+            const auto unrefused = bevelled_of(s, how);
+            const double width = unrefused.data.swept.levels.back();
+            CHECK(m.data.swept.levels.back() == Approx(std::ldexp(width, -refusals)));
+            m.sizes = plan->sizes;
+            const solid_of<bevelled<>> form{{r.points(), r.starts(), s.cap}, m.data.read()};
+            REQUIRE_FALSE(write_solid<bevelled<>>({form, *plan}, how, in_em(), static_cast<mesh<everything>&>(m)));
+            check_laws(m);
+        }
+    }
+    // Of an outward bevel the first region that is filled is what lies around the letter: its refusal is the letter's.
+    const bevelled<> outwards{.sides = bevel_sides::front, .outward = true};
+    const region r = s.made();
+    monotone_caps caps{r};
+    auto maker = caps.maker();
+    bevel_data data;
+    for (const bool refused : {false, true}) {
+        int asked = 0;
+        struct second_refused : decltype(maker) {
+            int& asked;
+            bool refused;
+            result<region> fill(triangle_list& out) noexcept
+            {
+                if (++asked == 2 && refused) return error::crossing_contours;
+                return decltype(maker)::fill(out);
+            }
+        } refusing{maker, asked, refused};
+        data.clear();
+        const auto plan = plan_solid(outwards, r, data, refusing);
+        REQUIRE(plan);
+        CHECK(plan->narrowed == refused);
+        CHECK(asked >= 2);
+    }
+}
+
 TEST_CASE("an outward bevel grows the letter and keeps its front, with walls that meet it in texture and light",
           "[bevelled]")
 {

@@ -22,11 +22,13 @@ struct draft {
     std::vector<typemesh::triangle> triangles;
     std::vector<typemesh::side_point> sides;  // as extruded<> plans them
     double cells;
+    bool narrowed;
     std::shared_ptr<typemesh::plan_scratch> scratch =
         std::make_shared<typemesh::plan_scratch>();  // filled anew by parts()
 
     explicit draft(dice& d) : cells{static_cast<double>(1 << d.roll(10))}
     {
+        narrowed = d.roll(2) == 0;
         for (int n = d.roll(40); n > 0; --n) points.push_back({d.roll(1 << 20) - 1000, d.roll(1 << 20) - 1000});
         for (int n = d.roll(5); n > 0; --n) starts.push_back(static_cast<std::uint32_t>(d.roll(1000)));
         for (int n = d.roll(40); n > 0; --n)
@@ -53,6 +55,7 @@ struct draft {
         made.data = scratch.get();
         made.plan.sizes.vertices[typemesh::part::front] = static_cast<std::uint32_t>(points.size());
         made.plan.sizes.triangles[typemesh::part::side] = static_cast<std::uint32_t>(triangles.size());
+        made.plan.narrowed = narrowed;
         made.cells = cells;
         return made;
     }
@@ -80,7 +83,8 @@ struct draft {
         return same(points, g.form().points, plain) && same(starts, g.form().starts, plain) &&
                same(triangles, g.form().triangles, plain) &&
                same(sides, g.planned<typemesh::extruded<>>().form.data.of<typemesh::side_point>(), side) &&
-               g.sizes().total() == wanted.plan.sizes.total() && typemesh::same(g.cells(), cells) && !g.refusal();
+               g.sizes().total() == wanted.plan.sizes.total() && typemesh::same(g.cells(), cells) &&
+               g.is_narrowed() == narrowed && !g.refusal();
     }
 };
 

@@ -1,14 +1,46 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
+#include "support/executors.hpp"
 #include "support/toy_font.hpp"
 
+#include <typemesh/extrude/flat.hpp>
 #include <typemesh/typemesh.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <random>
 #include <vector>
 
 using namespace typemesh;
+
+namespace {
+
+/// Says of letters with many points that they are narrowed: of 'o', 'E' and 'x', but not of 'i'.
+struct narrowing {
+    flat as;
+
+    [[nodiscard]] result<solid_plan> plan(const region& r) const noexcept
+    {
+        const auto sizes = as.plan(r);
+        if (!sizes) return sizes.error();
+        return solid_plan{.sizes = *sizes, .narrowed = r.points().size() > 4};
+    }
+    [[nodiscard]] height_range heights() const noexcept { return as.heights(); }
+    template <attribute Wants, class Put>
+    void vertices(part p, const solid& s, const placement& at, Put&& put) const noexcept
+    {
+        as.vertices<Wants>(p, s, at, put);
+    }
+    template <class Put>
+    void triangles(part p, const solid& s, const first_vertices& first, Put&& put) const noexcept
+    {
+        as.triangles(p, s, first, put);
+    }
+    [[nodiscard]] option_bits cache_key() const noexcept { return as.cache_key(); }
+};
+static_assert(extruder<narrowing>);
+
+}  // namespace
 
 TEST_CASE("a glyph keeps its line and its place whatever its style, beside lines without glyphs", "[text][styles]")
 {
@@ -51,4 +83,57 @@ TEST_CASE("what stands too far away is refused, each glyph for itself", "[text]"
     CHECK(plan->glyphs().size() == 2);
     CHECK(plan->report().refused == 2);
     CHECK(plan->report().first_refusal == error::outline_beyond_grid);
+}
+
+TEST_CASE("what an extruder narrows is counted glyph by glyph, whichever way the glyph comes", "[text]")
+{
+    constexpr const char* text = "i Eio~E";
+    const auto check = [](const auto& plan) {
+        REQUIRE(plan);
+        CHECK(plan->report().narrowed == 3);
+        CHECK(plan->report().first_narrowed == 2);
+        std::uint32_t found = 0;
+        for (const drawn_glyph& g : plan->glyphs()) found += g.built->is_narrowed() ? 1u : 0u;
+        CHECK(found == 3);
+    };
+    test::toy_font font;
+    auto mesher = text_mesher{font}.with(narrowing{});
+    check(mesher.plan(text));
+    check(mesher.plan(text, {.reuse = false}));
+    check(mesher.plan(text, {.merge = true}));  // none meet
+
+    glyph_cache<> cache;
+    auto cached = text_mesher{font}.with(narrowing{}).with(cached_in{cache, 1});
+    for (int i = 0; i < 2; ++i) check(cached.plan(text));
+    CHECK(cache.statistics().hits == 5);
+
+    test::scrambled_workers pool;
+    auto team = workers_of(pool, [](std::size_t) noexcept { return result<test::toy_font>{test::toy_font{}}; });
+    REQUIRE(team);
+    const text_options options;
+    check(mesher.plan(text, options, *team));
+
+    auto plain = text_mesher{font}.with(flat{});
+    const auto whole = plain.plan(text);
+    REQUIRE(whole);
+    CHECK(whole->report().narrowed == 0);
+    CHECK(whole->report().first_narrowed == no_cluster);
+}
+
+TEST_CASE("of merged glyphs that are narrowed one is counted, and the first is the first of the run in any style",
+          "[text][styles]")
+{
+    test::toy_font font;
+    auto mesher = text_mesher{font}.with(narrowing{});
+    glyph_run run;
+    run.units_per_em = 1000.0;
+    for (const std::uint32_t style : {2u, 1u}) REQUIRE(run.looks.push_back({.style = style_id{style}}));
+    for (const double x : {0.0, 300.0}) REQUIRE(run.glyphs.push_back({1, 5, {x, 0.0}, false, 0}));  // rings that meet
+    REQUIRE(run.glyphs.push_back({1, 9, {2000.0, 0.0}, false, 1}));  // first in the mesh, for its style is lower
+    const auto plan = mesher.plan(run, {.merge = true});
+    REQUIRE(plan);
+    REQUIRE(plan->glyphs().size() == 2);
+    CHECK(plan->glyphs()[0].cluster == 9);
+    CHECK(plan->report().narrowed == 2);
+    CHECK(plan->report().first_narrowed == 5);
 }

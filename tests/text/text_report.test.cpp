@@ -11,6 +11,7 @@ TEST_CASE("a report is complete unless a glyph was refused, was missing, or some
     text_report r;
     r.glyphs = 9;
     r.blank = 4;
+    r.narrowed = 2;
     CHECK(r.complete());
     for (std::uint32_t text_report::* const lost :
          {&text_report::refused, &text_report::missing, &text_report::invalid_units}) {

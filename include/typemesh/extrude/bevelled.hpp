@@ -4,11 +4,11 @@
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/mixed_key.hpp>
 #include <typemesh/extrude/axes.hpp>
+#include <typemesh/extrude/bevel_carver.hpp>
 #include <typemesh/extrude/bevel_data.hpp>
 #include <typemesh/extrude/bevel_heights.hpp>
 #include <typemesh/extrude/bevel_light.hpp>
 #include <typemesh/extrude/bevel_strips.hpp>
-#include <typemesh/extrude/bevel_sweep.hpp>
 #include <typemesh/extrude/bevel_vertices.hpp>
 #include <typemesh/extrude/bevel_writer.hpp>
 #include <typemesh/extrude/curve_normals.hpp>
@@ -52,6 +52,8 @@ enum class bevel_joins : std::uint8_t { round, bevelled };
 ///     bevelled<>{.depth = 0.2f, .width = 0.03f, .bevel_depth = 0.03f}
 ///     bevelled<round_profile>{.profile = {.steps = 4}}
 ///     bevelled<polyline_profile>{.profile = {{{0, 0}, {0.2f, 0.8f}, {1, 1}}}}
+///
+/// A bevel that is not proven at its width becomes narrower for that glyph (solid_plan::narrowed): bevel_carver.hpp.
 ///
 /// Normals are those of the contour's curves (curve_normals), tilted by the profile's slope, and are kept along the way
 /// inwards. Texture coordinates in em mapping: u as on the walls, also kept on the way inwards, v goes on with the
@@ -207,9 +209,10 @@ private:
         return points;
     }
 
-    [[nodiscard]] bevel_sweep sweep_of(const region& filled, bool outwards) const noexcept
+    [[nodiscard]] bevel_carver carver_of(const region& filled, bool outwards) const noexcept
     {
-        return {as_double(mitre_limit), joins == bevel_joins::round ? filled.tolerance() : 0.0, outwards};
+        const double tolerance = joins == bevel_joins::round ? filled.tolerance() : 0.0;
+        return {{as_double(mitre_limit), tolerance, outwards}, mode == bevel_mode::fit};
     }
 
     template <cap_maker Caps>
@@ -219,8 +222,10 @@ private:
         const auto doubled = plan_sides(filled, curve_normals{crease_degrees}, texture, data.of<side_point>());
         if (!doubled) return doubled.error();
         const auto make = [&](const swept_region&) noexcept { return make_cap(data, caps); };
-        if (error e = carve(sweep_of(filled, false), filled, caps.triangles(), scale, {data, caps.space()}, make))
-            return e;
+        const auto profile_at = [this](const profile_scale& at) noexcept { return points_of(at); };
+        bevel_carver carve = carver_of(filled, false);
+        if (error e = carve({filled, caps.triangles()}, profile_at, scale, caps.space(), data.swept, make)) return e;
+        made.narrowed = made.narrowed || carve.narrowed;
         if (error e = make_bevel({points_of(scale), scale}, filled, none, data, caps.space())) return e;
         made.sizes = sizes(filled, *doubled, data);
         return {};
@@ -243,8 +248,11 @@ private:
             leave_frame(data.swept.cap);
             return make_cap(data, caps);
         };
-        if (error e = carve(sweep_of(filled, true), *around, data.triangles.view(), scale, {data, caps.space()}, make))
-            return e;
+        const auto profile_at = [this](const profile_scale& at) noexcept { return points_of(at); };
+        bevel_carver carve = carver_of(filled, true);
+        const region_to_carve given{*around, data.triangles.view()};
+        if (error e = carve(given, profile_at, scale, caps.space(), data.swept, make)) return e;
+        made.narrowed = carve.narrowed;
         if (scale.width < profile_levels::finest) {
             data.clear();
             return plan_inward(filled, scale, data, caps, made);
@@ -255,32 +263,6 @@ private:
         made.sizes = sizes(filled, 0, data);
         for (const bevel_vertex& b : data.of<bevel_vertex>()) made.around.add(placement::exact(b.at));
         return {};
-    }
-
-    struct carving {
-        plan_data& data;
-        workspace& space;
-    };
-
-    /// Sweeps a region, with a narrower scale where the mode asks for it, or where the sweep or what is made of it is
-    /// refused with error::crossing_contours.
-    template <class Make>
-    error carve(const bevel_sweep& sweep, const region& filled, std::span<const triangle> triangles,
-                profile_scale& scale, const carving& with, const Make& make) const noexcept
-    {
-        swept_region& out = with.data.swept;
-        bool fits = mode == bevel_mode::clip;
-        for (;;) {
-            error e = sweep(filled, triangles, {points_of(scale), scale}, with.space, out);
-            if (!e && !fits && out.first_loss >= 0.0) {
-                scale.width = 0.9 * out.first_loss;
-                fits = true;
-                continue;
-            }
-            if (!e) e = make(out);
-            if (!e || e != error::crossing_contours) return e;
-            scale.width *= 0.5;
-        }
     }
 
     /// Fails  error::crossing_contours: what the sweep leaves is not proven as it is

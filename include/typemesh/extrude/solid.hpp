@@ -26,12 +26,14 @@ struct solid_with : solid {
     typename Data::view data;
 };
 
-/// What an extruder's plan() says about a solid: its exact sizes, and how far it extends in the plane.
+/// What an extruder's plan() says about a solid: its exact sizes, how far it extends in the plane, and what a
+/// text_report should count.
 ///
 /// The box bounds everything that will be written, in cells. An empty box means: the box of the region's points.
 struct solid_plan {
     part_sizes sizes;
     box around = {};
+    bool narrowed = false;  ///< its bevel is narrower than asked for, as one of that width was not proven
 };
 
 /// A solid, and what its extruder's plan() said about it.

@@ -58,6 +58,8 @@ public:
     {
         return {{form_, plan_data_of<Extruder>::read_from(data())}, plan_};
     }
+    /// Whether its bevel is narrower than asked for: see solid_plan.
+    [[nodiscard]] bool is_narrowed() const noexcept { return plan_.narrowed; }
     [[nodiscard]] double cells() const noexcept { return cells_; }
     [[nodiscard]] double font_units_per_cell() const noexcept { return font_units_per_cell_; }
 

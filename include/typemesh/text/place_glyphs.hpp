@@ -58,7 +58,7 @@ inline error place_glyphs(text_glyphs& all, const glyph_run& run) noexcept
     if (!all.reserve_records(run.glyphs.size())) return error::out_of_memory;
     if (error e = all.looks.sort(run)) return e;
     const std::span<const std::uint32_t> order = all.looks.order();
-    std::uint32_t line = 0, first_refused = 0;
+    std::uint32_t line = 0, first_refused = 0, first_narrowed = 0;
     for (std::uint32_t k = 0; k < run.glyphs.size(); ++k) {
         const std::uint32_t i = order.empty() ? k : order[k];
         if (!order.empty() && !run.lines.empty())
@@ -90,8 +90,12 @@ inline error place_glyphs(text_glyphs& all, const glyph_run& run) noexcept
             }
         } else if (s.built->is_blank()) {
             ++report.blank;
-        } else if (error e = all.place_glyph(s, number)) {
-            return e;
+        } else {
+            if (error e = all.place_glyph(s, number)) return e;
+            if (s.built->is_narrowed() && (report.narrowed++ == 0 || i < first_narrowed)) {
+                report.first_narrowed = glyph.cluster;
+                first_narrowed = i;
+            }
         }
     }
     all.number_meshes();

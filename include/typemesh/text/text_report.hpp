@@ -7,7 +7,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What happened to a text's glyphs: what is not in the mesh, and why. A text is built even if glyphs were lost.
+/// What happened to a text's glyphs: what is not in the mesh, and why; what is in it in another form than asked for. A
+/// text is built even if glyphs were lost.
 struct text_report {
     std::uint32_t glyphs = 0;   ///< in the run, blank and missing ones included
     std::uint32_t blank = 0;    ///< without an outline, such as spaces, or enclosing nothing
@@ -17,6 +18,11 @@ struct text_report {
     cluster_id first_missing = no_cluster;
     std::uint32_t invalid_units = 0;  ///< places of the text that were not valid UTF and were read as U+FFFD
     cluster_id first_invalid_unit = no_cluster;
+
+    /// Glyphs of the mesh whose bevels are narrower than asked for, because wider ones were not proven; a merged group
+    /// counts as one. They are those of plan.glyphs() whose built->is_narrowed(). Bevels that were to fit do not count.
+    std::uint32_t narrowed = 0;
+    cluster_id first_narrowed = no_cluster;
 
     /// True if nothing was lost: every glyph of the text is in the mesh, and no place of it was read as U+FFFD.
     [[nodiscard]] constexpr bool complete() const noexcept

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+
+#include "text_to_mesh/report.hpp"
+
+#include "support/catch.hpp"
+
+using namespace typemesh;
+
+TEST_CASE("text_to_mesh says of a report what is lost and what is narrowed, a line each, and nothing of what is whole",
+          "[text_to_mesh]")
+{
+    text_report r;
+    r.glyphs = 9;
+    r.blank = 2;
+    CHECK(text_to_mesh::in_words(r).empty());
+    CHECK_FALSE(text_to_mesh::name_losses(r));
+    r.narrowed = 3;
+    r.first_narrowed = 5;
+    CHECK(text_to_mesh::in_words(r) ==
+          "text_to_mesh: the bevels of 3 of 9 glyphs are narrower than --bevel; the first is at byte 5 of the text.\n");
+    r.missing = 1;
+    r.first_missing = 7;
+    r.invalid_units = 1;
+    r.first_invalid_unit = 8;
+    CHECK(text_to_mesh::in_words(r) ==
+          "text_to_mesh: the font has no glyph for 1 of 9 characters; the first is at byte 7 of the text.\n"
+          "text_to_mesh: the text is not valid UTF-8 at 1 place; the first is at byte 8 of the text.\n"
+          "text_to_mesh: the bevels of 3 of 9 glyphs are narrower than --bevel; the first is at byte 5 of the text.\n");
+}
