@@ -250,7 +250,7 @@ is_installed() {  # is_installed DEBIAN_PACKAGE; on another system none is
     dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null | grep -qx installed
 }
 
-# Fonts that tests look for. Without them the tests that need them say so; nothing stops.
+# Fonts, and other data, that tests look for. Without them the tests that need them say so; nothing stops.
 install_fonts() {  # install_fonts DEBIAN_PACKAGE...
     local package missing='' sudo log
     for package in "$@"; do
@@ -258,15 +258,15 @@ install_fonts() {  # install_fonts DEBIAN_PACKAGE...
     done
     [ -n "$missing" ] || return 0
     if ! command -v apt-get >/dev/null 2>&1 || ! sudo=$(as_administrator); then
-        say "These fonts are not installed, tests that need them will say so (names of the Debian packages):$missing"
+        say "These packages are not installed, tests that need them will say so (names of the Debian packages):$missing"
         return 0
     fi
-    say "Installing fonts with apt-get, usually a minute or two:$missing"
+    say "Installing fonts and data with apt-get, usually a minute or two:$missing"
     log=$(mktemp)
     # shellcheck disable=SC2086
     if ! with_progress "$log" apt_install "$sudo" "$log" $missing; then
         explain_failure "$log" "The package servers"
-        say "Not all fonts could be installed; tests that need them will say so:$missing" >&2
+        say "Not all of them could be installed; tests that need them will say so:$missing" >&2
     fi
     rm -f "$log"
 }

@@ -90,6 +90,7 @@ anew() {  # a machine with a Latin font, and the administrator before it
     echo 0 >"$scratch/user"
     echo "/fonts/sans.ttf|DejaVu Sans|20|52f" >"$scratch/fonts"
     awk 'NR > 1 { print $1 }' "$tree/tests/workload/smoke-fonts.tsv" >"$scratch/installed"
+    echo unicode-data >>"$scratch/installed"
     again
 }
 again() { : >"$scratch/calls"; }

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/version.hpp>
+
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// What is known of one unit of a text; a set, joined by |.
+///
+/// The first four are marks of a character's first unit, the others of all its units.
+enum class text_mark : std::uint8_t {
+    none = 0,
+    character = 1u << 0,   ///< a code point begins here
+    grapheme = 1u << 1,    ///< a grapheme begins here: what a reader takes for one character (UAX #29)
+    may_break = 1u << 2,   ///< a line may end before this unit (UAX #14)
+    must_break = 1u << 3,  ///< a line ends before this unit, behind a line feed say
+    space = 1u << 4,       ///< white space, which a line may end with beyond its width; no no-break space
+    trailing = 1u << 5,    ///< at the end of a line it is set as the paragraph is: spaces and what is not drawn (L1)
+    separator = 1u << 6,   ///< and so are, anywhere, tabs and what ends a paragraph, with what is trailing before them
+};
+
+[[nodiscard]] constexpr text_mark operator|(text_mark a, text_mark b) noexcept
+{
+    return static_cast<text_mark>(static_cast<std::uint8_t>(a) | static_cast<std::uint8_t>(b));
+}
+
+/// Whether a set contains a mark; of several, any.
+[[nodiscard]] constexpr bool has(text_mark set, text_mark one) noexcept
+{
+    return (static_cast<std::uint8_t>(set) & static_cast<std::uint8_t>(one)) != 0;
+}
+
+}  // namespace typemesh::inline TYPEMESH_ABI

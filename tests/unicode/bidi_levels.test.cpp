@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "unicode/character_database.hpp"
+
+#include <typemesh/unicode/bidi_levels.hpp>
+#include <typemesh/unicode/visual_order.hpp>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+using namespace typemesh;
+
+namespace {
+
+constexpr paragraph_direction directions[] = {paragraph_direction::automatic, paragraph_direction::left_to_right,
+                                              paragraph_direction::right_to_left};
+
+/// Resolves and orders one line, which is one paragraph.
+class line_under_test {
+public:
+    bool resolve(const std::vector<char32_t>& text, const std::vector<bidi_class>& classes,
+                 paragraph_direction direction)
+    {
+        levels_.assign(text.size(), 0xFF);
+        const auto base = bidi_levels(text, classes, direction, space_, levels_);
+        if (!base) return false;
+        base_ = *base;
+        marks_.clear();
+        removed_.clear();
+        for (const bidi_class c : classes) {
+            using enum bidi_class;
+            const bool removed = bidi_classes{bn, lre, rle, lro, rlo, pdf}.holds(c);
+            removed_.push_back(removed);
+            marks_.push_back(bidi_classes{s, b}.holds(c)                                ? text_mark::separator
+                             : removed || bidi_classes{ws, lri, rli, fsi, pdi}.holds(c) ? text_mark::trailing
+                                                                                        : text_mark::none);
+        }
+        if (visual_runs(levels_, marks_, base_, 0, space_, runs_)) return false;
+        order_.clear();
+        for (const visual_run& run : runs_)
+            for (std::uint32_t i = run.first; i < run.last; ++i) {
+                const std::uint32_t k = run.level % 2 == 0 ? i : run.last - 1 - (i - run.first);
+                if (!removed_[k]) order_.push_back(static_cast<int>(k));
+                levels_[i] = run.level;
+            }
+        return true;
+    }
+
+    /// As the test files write them; -1 for what is removed.
+    bool has(const std::vector<int>& levels, const std::vector<int>& order) const
+    {
+        for (std::size_t i = 0; i < levels_.size(); ++i)
+            if (levels[i] != (removed_[i] ? -1 : int(levels_[i]))) return false;
+        return order == order_;
+    }
+
+    int base() const { return base_; }
+
+private:
+    workspace space_;
+    buffer<visual_run> runs_;
+    std::vector<std::uint8_t> levels_;
+    std::vector<text_mark> marks_;
+    std::vector<bool> removed_;
+    std::vector<int> order_;
+    std::uint8_t base_ = 0;
+};
+
+/// Decimal numbers and x, which is -1.
+std::vector<int> numbers(std::string_view s)
+{
+    std::vector<int> all;
+    for (const std::string& word : ucd::words(s)) all.push_back(word == "x" ? -1 : std::stoi(word));
+    return all;
+}
+
+bidi_class class_named(std::string_view name)
+{
+    constexpr std::string_view names[] = {"L",  "R",  "AL",  "EN",  "ES",  "ET",  "AN",  "CS",  "NSM", "BN",  "B",  "S",
+                                          "WS", "ON", "LRE", "LRO", "RLE", "RLO", "PDF", "LRI", "RLI", "FSI", "PDI"};
+    for (std::size_t i = 0; i < std::size(names); ++i)
+        if (names[i] == name) return static_cast<bidi_class>(i);
+    FAIL("no class " << name);
+    return {};
+}
+
+}  // namespace
+
+TEST_CASE("bidi levels and orders are those of every case of BidiTest.txt", "[bidi]")
+{
+    const std::string all = ucd::contents("BidiTest.txt");
+    std::vector<int> levels, order;
+    std::size_t cases = 0, wrong = 0;
+    line_under_test line;
+    ucd::for_each_line(all, [&](std::string_view row) {
+        if (row.empty() || row[0] == '#') return;
+        if (row.substr(0, 8) == "@Levels:") return void(levels = numbers(row.substr(8)));
+        if (row.substr(0, 9) == "@Reorder:") return void(order = numbers(row.substr(9)));
+        const auto semicolon = row.find(';');
+        std::vector<bidi_class> classes;
+        for (std::size_t i = 0; i < semicolon;) {
+            const std::size_t end = std::min(row.find(' ', i), semicolon);
+            classes.push_back(class_named(row.substr(i, end - i)));
+            i = end + 1;
+        }
+        const std::vector<char32_t> text(classes.size(), U'a');  // no bracket
+        const int asked = row.back() - '0';
+        for (int k = 0; k < 3; ++k) {
+            if ((asked >> k & 1) == 0) continue;
+            ++cases;
+            if (line.resolve(text, classes, directions[k]) && line.has(levels, order)) continue;
+            if (++wrong <= 5) WARN(row << ", direction " << k);
+        }
+    });
+    CHECK(cases == 770241);
+    CHECK(wrong == 0);
+}
+
+TEST_CASE("bidi levels and orders are those of every case of BidiCharacterTest.txt", "[bidi]")
+{
+    const std::string all = ucd::contents("BidiCharacterTest.txt");
+    std::size_t cases = 0, wrong = 0;
+    line_under_test line;
+    ucd::for_each_line(all, [&](std::string_view row) {
+        if (row.empty() || row[0] == '#') return;
+        const auto fields = ucd::split(row, ';');
+        REQUIRE(fields.size() == 5);
+        std::vector<char32_t> text;
+        std::vector<bidi_class> classes;
+        for (const std::string& word : ucd::words(fields[0])) {
+            text.push_back(ucd::hexadecimal(word));
+            classes.push_back(character_of(text.back()).bidi);
+        }
+        constexpr paragraph_direction asked[] = {paragraph_direction::left_to_right, paragraph_direction::right_to_left,
+                                                 paragraph_direction::automatic};
+        ++cases;
+        if (line.resolve(text, classes, asked[std::stoi(fields[1])]) && line.base() == std::stoi(fields[2]) &&
+            line.has(numbers(fields[3]), numbers(fields[4])))
+            return;
+        if (++wrong <= 5) WARN(row);
+    });
+    CHECK(cases == 91707);
+    CHECK(wrong == 0);
+}

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "support/catch.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
+
+/// Reads the Unicode Character Database as Debian's package unicode-data installs it.
+namespace ucd {
+
+inline const std::string version = "15.0.0";
+
+/// TYPEMESH_UNICODE_DATA, or where Debian puts it.
+inline std::filesystem::path folder()
+{
+    const char* given = std::getenv("TYPEMESH_UNICODE_DATA");
+    return given != nullptr ? given : "/usr/share/unicode";
+}
+
+/// The whole of one of its files. Fails where it is missing or of another version.
+inline std::string contents(const std::string& name)
+{
+    std::ifstream file{folder() / name, std::ios::binary};
+    INFO(name << ": the Debian package unicode-data installs it in " << folder());
+    REQUIRE(file.is_open());
+    std::string all{std::istreambuf_iterator<char>{file}, {}};
+    const std::string head = all.substr(0, all.find('\n'));
+    INFO(head);
+    REQUIRE((head.find(version) != std::string::npos || head.find("emoji-data") != std::string::npos));
+    return all;
+}
+
+/// Calls use(line) for each line, without its end; test files hold hundreds of thousands.
+inline void for_each_line(const std::string& all, const std::function<void(std::string_view)>& use)
+{
+    for (std::size_t i = 0; i < all.size();) {
+        const std::size_t end = std::min(all.find('\n', i), all.size());
+        use(std::string_view{all}.substr(i, end - i));
+        i = end + 1;
+    }
+}
+
+inline std::string trimmed(std::string_view s)
+{
+    const auto first = s.find_first_not_of(" \t"), last = s.find_last_not_of(" \t\r");
+    return first == std::string_view::npos ? std::string{} : std::string{s.substr(first, last - first + 1)};
+}
+
+inline std::vector<std::string> split(std::string_view s, char by)
+{
+    std::vector<std::string> parts;
+    for (std::size_t i = 0; i <= s.size();) {
+        const std::size_t end = std::min(s.find(by, i), s.size());
+        parts.push_back(trimmed(s.substr(i, end - i)));
+        i = end + 1;
+    }
+    return parts;
+}
+
+inline std::vector<std::string> words(std::string_view s)
+{
+    std::istringstream in{std::string{s}};
+    return {std::istream_iterator<std::string>{in}, {}};
+}
+
+inline char32_t hexadecimal(const std::string& s) { return static_cast<char32_t>(std::stoul(s, nullptr, 16)); }
+
+/// A property of all code points, from lines such as "0041..005A ; Latin # comment". What no line names has the value
+/// of the last "@missing" line that does, by its long name.
+inline std::vector<std::string> property(const std::string& name, const std::string& wanted = "")
+{
+    std::vector<std::string> values(0x110000);
+    const auto set = [&](const std::string& line) {
+        const auto fields = split(line, ';');
+        if (fields.size() < 2 || (!wanted.empty() && fields[1] != wanted)) return;
+        const auto dots = fields[0].find("..");
+        const char32_t first = hexadecimal(fields[0]);
+        const char32_t last = dots == std::string::npos ? first : hexadecimal(fields[0].substr(dots + 2));
+        for (char32_t c = first; c <= last; ++c) values[c] = fields[1];
+    };
+    const std::string all = contents(name);
+    const std::string_view missing = "# @missing: ";
+    for_each_line(all, [&](std::string_view line) {
+        if (line.substr(0, missing.size()) == missing) set(std::string{line.substr(missing.size())});
+    });
+    for_each_line(all, [&](std::string_view line) { set(std::string{line.substr(0, line.find('#'))}); });
+    return values;
+}
+
+}  // namespace ucd

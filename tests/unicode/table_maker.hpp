@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "unicode/character_database.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Makes the headers include/typemesh/unicode/*_table.hpp. The tests "[tables]" compare them with what stands there;
+// where TYPEMESH_MAKE_TABLES is set in the environment, they write them.
+namespace ucd {
+
+using numbers = std::vector<std::uint64_t>;
+
+/// The place of a name in a list, which has the order of an enumeration.
+inline std::uint64_t number_of(const std::vector<std::string>& names, const std::string& name)
+{
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) FAIL(name << " is unknown");
+    return static_cast<std::uint64_t>(found - names.begin());
+}
+
+inline std::string hex(std::uint64_t value, int digits)
+{
+    std::string s;
+    for (int shift = 4 * (digits - 1); shift >= 0; shift -= 4) s += "0123456789ABCDEF"[value >> shift & 15];
+    return "0x" + s;
+}
+
+/// An array of words.
+inline std::string array_of(const std::string& type, const std::string& name, const numbers& values, int digits)
+{
+    const std::size_t a_row = 120 / (static_cast<std::size_t>(digits) + 4);
+    std::string s = "inline constexpr " + type + " " + name + "[] = {";
+    for (std::size_t i = 0; i < values.size(); ++i) s += (i % a_row == 0 ? "\n" : " ") + hex(values[i], digits) + ",";
+    return s + "\n};\n";
+}
+
+/// Small numbers, several to a word of 64 bits: a compiler reads a table in an eighth of the time.
+inline numbers packed(const numbers& values, int bits)
+{
+    const std::size_t a_word = 64 / static_cast<std::size_t>(bits);
+    numbers words((values.size() + a_word - 1) / a_word);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        words[i / a_word] |= values[i] << (i % a_word * static_cast<std::size_t>(bits));
+    return words;
+}
+
+/// Cuts values into blocks; gives for each block its number, equal ones have the same.
+inline numbers blocks(const numbers& values, std::size_t size, numbers& different)
+{
+    std::map<numbers, std::uint64_t> known;
+    numbers which;
+    for (std::size_t i = 0; i < values.size(); i += size) {
+        const numbers block(values.begin() + static_cast<std::ptrdiff_t>(i),
+                            values.begin() + static_cast<std::ptrdiff_t>(i + size));
+        const auto [at, fresh] = known.try_emplace(block, known.size());
+        if (fresh) different.insert(different.end(), block.begin(), block.end());
+        which.push_back(at->second);
+    }
+    return which;
+}
+
+inline std::string header(const std::string& includes, const std::string& about, const std::string& arrays)
+{
+    return "// SPDX-License-Identifier: MIT AND Unicode-DFS-2016\n#pragma once\n\n// Made from the Unicode Character "
+           "Database " +
+           version +
+           " by tests/unicode/table_maker.hpp. Copyright 1991-2022 Unicode, Inc.\n"
+           "// https://www.unicode.org/license.html\n\n" +
+           includes + "\nnamespace typemesh::inline TYPEMESH_ABI::detail {\n\n// clang-format off\n\n" + about +
+           arrays + "\n// clang-format on\n\n}  // namespace typemesh::inline TYPEMESH_ABI::detail\n";
+}
+
+/// What character_properties() looks up.
+inline std::string character_table()
+{
+    const std::vector<std::string> bidi_names = {"L",   "R",   "AL",  "EN",  "ES",  "ET",  "AN",  "CS",
+                                                 "NSM", "BN",  "B",   "S",   "WS",  "ON",  "LRE", "LRO",
+                                                 "RLE", "RLO", "PDF", "LRI", "RLI", "FSI", "PDI"};
+    const std::vector<std::string> line_names = {"AL", "BK",  "CR", "LF", "NL", "SP", "ZW", "CM", "ZWJ", "WJ", "GL",
+                                                 "BA", "BB",  "B2", "HY", "CB", "CL", "CP", "EX", "IN",  "NS", "CJ",
+                                                 "OP", "OPw", "QU", "IS", "NU", "PO", "PR", "SY", "HL",  "ID", "EB",
+                                                 "EM", "IDp", "H2", "H3", "JL", "JV", "JT", "RI", "SA",  "SAm"};
+    const std::vector<std::string> grapheme_names = {
+        "Other",       "CR", "LF", "Control", "Extend", "ZWJ", "Regional_Indicator", "Prepend",
+        "SpacingMark", "L",  "V",  "T",       "LV",     "LVT", "Pictographic"};
+    const std::vector<std::string> upright_names = {"R", "U", "Tr", "Tu"};
+    const std::map<std::string, std::string> long_names = {{"Left_To_Right", "L"},
+                                                           {"Right_To_Left", "R"},
+                                                           {"Arabic_Letter", "AL"},
+                                                           {"European_Terminator", "ET"},
+                                                           {"Boundary_Neutral", "BN"}};
+
+    auto bidi = property("extracted/DerivedBidiClass.txt");
+    auto line = property("LineBreak.txt");
+    auto grapheme = property("auxiliary/GraphemeBreakProperty.txt");
+    const auto wide = property("EastAsianWidth.txt"), category = property("extracted/DerivedGeneralCategory.txt");
+    const auto picture = property("emoji/emoji-data.txt", "Extended_Pictographic");
+    const auto upright = property("VerticalOrientation.txt");
+    std::vector<std::string> bracket = std::vector<std::string>(0x110000);
+    for_each_line(contents("BidiBrackets.txt"), [&](std::string_view row) {
+        const auto fields = split(row.substr(0, row.find('#')), ';');
+        if (fields.size() == 3) bracket[hexadecimal(fields[0])] = fields[2];
+    });
+
+    numbers which, records;
+    std::map<std::uint64_t, std::uint64_t> known;
+    for (char32_t c = 0; c < 0x110000; ++c) {
+        if (const auto name = long_names.find(bidi[c]); name != long_names.end()) bidi[c] = name->second;
+        const bool mark = category[c] == "Mn" || category[c] == "Mc",
+                   unassigned = category[c].empty() || category[c] == "Cn" || category[c] == "Unassigned";
+        std::string l = line[c];
+        if (l == "AI" || l == "SG" || l == "XX") l = "AL";
+        if (l == "SA" && mark) l = "SAm";
+        if ((l == "OP" || l == "CP") && (wide[c] == "F" || wide[c] == "W" || wide[c] == "H")) l += "w";
+        if (!picture[c].empty()) {
+            if (grapheme[c] != "Other") FAIL("a pictographic character of another grapheme class");
+            grapheme[c] = "Pictographic";
+            if (unassigned) {
+                if (l != "ID") FAIL("an unassigned pictographic character that is no ideograph to line breaking");
+                l = "IDp";
+            }
+        }
+        const std::uint64_t record = number_of(bidi_names, bidi[c]) |
+                                     (bracket[c] == "o"   ? 1u
+                                      : bracket[c] == "c" ? 2u
+                                                          : 0u)
+                                         << 6 |
+                                     number_of(line_names, l) << 8 | number_of(grapheme_names, grapheme[c]) << 16 |
+                                     number_of(upright_names, upright[c]) << 24;
+        const auto [at, fresh] = known.try_emplace(record, records.size());
+        if (fresh) records.push_back(record);
+        which.push_back(at->second);
+    }
+    REQUIRE(records.size() <= 256);
+
+    numbers leaves, middles;
+    const numbers leaf_of = blocks(which, 16, leaves);
+    const numbers middle_of = blocks(leaf_of, 32, middles);
+    REQUIRE(*std::max_element(middle_of.begin(), middle_of.end()) < 256);
+    return header("#include <typemesh/core/version.hpp>\n\n#include <cstdint>\n",
+                  "// Bidi_Class and Bidi_Paired_Bracket_Type, Line_Break, Grapheme_Cluster_Break, "
+                  "Vertical_Orientation of code point c:\n"
+                  "//     middle = 32 x top[c / 512] + c / 16 % 32,  leaf = 16 x middles[middle] + c % 16,  "
+                  "records[leaves[leaf]]\n\n",
+                  array_of("std::uint32_t", "character_records", records, 8) + "\n" +
+                      array_of("std::uint64_t", "character_top", packed(middle_of, 8), 16) + "\n" +
+                      array_of("std::uint64_t", "character_middles", packed(middles, 16), 16) + "\n" +
+                      array_of("std::uint64_t", "character_leaves", packed(leaves, 8), 16));
+}
+
+/// What opening_bracket() looks up.
+inline std::string bracket_table()
+{
+    numbers pairs;
+    for_each_line(contents("BidiBrackets.txt"), [&](std::string_view row) {
+        const auto fields = split(row.substr(0, row.find('#')), ';');
+        if (fields.size() == 3 && fields[2] == "c")
+            pairs.push_back(static_cast<std::uint64_t>(hexadecimal(fields[0])) << 16 | hexadecimal(fields[1]));
+    });
+    std::sort(pairs.begin(), pairs.end());
+    REQUIRE(pairs.back() < 0x1'0000'0000);
+    return header("#include <typemesh/core/version.hpp>\n\n#include <cstdint>\n",
+                  "// Bidi_Paired_Bracket: a closing bracket and its opening one.\n\n",
+                  array_of("std::uint32_t", "bracket_pairs", pairs, 8));
+}
+
+/// Compares a header with what it should be, or writes it.
+inline void check_or_make(const std::string& name, const std::string& wanted)
+{
+    const std::string path = TYPEMESH_TEST_DATA "/../include/typemesh/unicode/" + name;
+    if (std::getenv("TYPEMESH_MAKE_TABLES") != nullptr) {
+        std::ofstream{path, std::ios::binary} << wanted;
+        WARN("written: " << path);
+    }
+    std::ifstream file{path, std::ios::binary};
+    const std::string is{std::istreambuf_iterator<char>{file}, {}};
+    CHECK(std::count(wanted.begin(), wanted.end(), '\n') <= 500);
+    CHECK((is == wanted));
+}
+
+}  // namespace ucd

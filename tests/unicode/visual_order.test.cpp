@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "support/catch.hpp"
+#include "support/counting_memory.hpp"
+
+#include <typemesh/unicode/visual_order.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+using namespace typemesh;
+
+namespace {
+
+/// The order of the characters of a line as rule L2 describes it: reversed again and again.
+std::vector<std::uint32_t> reversed_by_rule(const std::vector<std::uint8_t>& levels)
+{
+    std::vector<std::uint32_t> order(levels.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+    for (int level = 127; level > 0; --level)
+        for (std::size_t i = 0, end = 0; i < levels.size(); i = end + 1) {
+            for (end = i; end < levels.size() && levels[end] >= level;) ++end;
+            std::reverse(order.begin() + static_cast<std::ptrdiff_t>(i),
+                         order.begin() + static_cast<std::ptrdiff_t>(end));
+        }
+    return order;
+}
+
+std::vector<std::uint32_t> order_of(const buffer<visual_run>& runs)
+{
+    std::vector<std::uint32_t> order;
+    for (const visual_run& run : runs)
+        for (std::uint32_t i = 0; i < run.last - run.first; ++i)
+            order.push_back(run.level % 2 == 0 ? run.first + i : run.last - 1 - i);
+    return order;
+}
+
+}  // namespace
+
+TEST_CASE("visual_runs() orders a line as reversing it level by level does", "[bidi]")
+{
+    std::mt19937 random{1};
+    workspace space;
+    buffer<visual_run> runs;
+    for (const unsigned most : {1u, 2u, 3u, 9u, 126u})
+        for (int repeat = 0; repeat < 400; ++repeat) {
+            std::vector<std::uint8_t> levels(random() % 60);
+            for (auto& level : levels) level = static_cast<std::uint8_t>(random() % (most + 1));
+            const std::vector<text_mark> marks(levels.size(), text_mark::none);
+            REQUIRE_FALSE(visual_runs(levels, marks, 0, 0, space, runs));
+            REQUIRE(order_of(runs) == reversed_by_rule(levels));
+        }
+}
+
+TEST_CASE("white space at a line's end and before a tab has the paragraph's level", "[bidi]")
+{
+    constexpr auto o = text_mark::none, w = text_mark::trailing, t = text_mark::separator;
+    workspace space;
+    buffer<visual_run> runs;
+    const std::vector<std::uint8_t> levels{1, 1, 1, 1, 1, 1, 1};
+    const std::vector<text_mark> marks{o, w, t, o, w, o, w};
+    REQUIRE_FALSE(visual_runs(levels, marks, 0, 10, space, runs));
+    REQUIRE(runs.size() == 4);
+    CHECK(runs[0].first == 10);
+    CHECK(runs[0].last == 11);
+    CHECK(runs[0].level == 1);
+    CHECK(runs[1].last == 13);
+    CHECK(runs[1].level == 0);
+    CHECK(runs[2].last == 16);
+    CHECK(runs[2].level == 1);
+    CHECK(runs[3].last == 17);
+    CHECK(runs[3].level == 0);
+}
+
+TEST_CASE("visual_runs() of an empty line is empty, and without memory it says so", "[bidi]")
+{
+    test::counting_memory heap;
+    workspace space{heap.source()};
+    buffer<visual_run> runs{heap.source()};
+    CHECK_FALSE(visual_runs({}, {}, 1, 0, space, runs));
+    CHECK(runs.empty());
+    const std::vector<std::uint8_t> levels{0, 1, 2};
+    const std::vector<text_mark> marks(3, text_mark::none);
+    for (std::size_t fail = 1; fail <= 2; ++fail) {
+        heap.fail_at = heap.requests + 1;
+        CHECK(visual_runs(levels, marks, 0, 0, space, runs) == error::out_of_memory);
+        CHECK(runs.empty());
+        heap.fail_at = 0;
+        REQUIRE(runs.reserve(3));
+    }
+    CHECK_FALSE(visual_runs(levels, marks, 0, 0, space, runs));
+    const std::size_t warm = heap.requests;
+    CHECK_FALSE(visual_runs(levels, marks, 0, 0, space, runs));
+    CHECK(heap.requests == warm);
+}
