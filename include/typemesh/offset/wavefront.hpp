@@ -207,7 +207,7 @@ private:
     };
     [[nodiscard]] span_along measure(std::uint32_t h) const noexcept
     {
-        const fixed_vector along = mesh.lines[mesh.segments[kinetic_triangles::segment_in(mesh.link(h))].line].along;
+        const fixed_vector along = line_beside(h).along;
         return {dot(along, times_.place(mesh.origin(h))),
                 dot(along, times_.place(mesh.origin(kinetic_triangles::next(h)))),
                 dot(along, times_.place(mesh.apex(h)))};
@@ -219,8 +219,7 @@ private:
     {
         constexpr int128 slip = static_cast<int128>(1) << 42;  // 1/16 cell
         const span_along along = measure(h);
-        const bool splits =
-            can_split(mesh.apex(h), mesh.lines[mesh.segments[kinetic_triangles::segment_in(mesh.link(h))].line]);
+        const bool splits = can_split(mesh.apex(h), line_beside(h));
         if (along.apex < along.from - slip || (!splits && along.apex - along.from <= along.to - along.apex))
             flip(kinetic_triangles::next(h));
         else if (along.apex > along.to + slip || !splits)
@@ -239,6 +238,11 @@ private:
     {
         constexpr int128 one = static_cast<int128>(unit_one) * unit_one;
         return dot(a.along, b.along) < (one >> 20) - one;
+    }
+    /// Of the segment on half-edge h.
+    [[nodiscard]] const moving_line& line_beside(std::uint32_t h) const noexcept
+    {
+        return mesh.lines[mesh.segments[kinetic_triangles::segment_in(mesh.link(h))].line];
     }
     [[nodiscard]] const moving_line& line_before(std::uint32_t v) const noexcept
     {
@@ -306,33 +310,82 @@ private:
         constexpr std::int64_t slip = place_one / 16;
         for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
             if (kinetic_triangles::is_segment(mesh.link(h))) continue;
-            const fixed_vector all =
-                times_.place(mesh.origin(kinetic_triangles::next(h))) - times_.place(mesh.origin(h));
+            const fixed_vector all = along_edge(h);
             if (-slip < all.x && all.x < slip && -slip < all.y && all.y < slip) return h;
         }
         return none;
     }
+    [[nodiscard]] fixed_vector along_edge(std::uint32_t h) const noexcept
+    {
+        return times_.place(mesh.origin(kinetic_triangles::next(h))) - times_.place(mesh.origin(h));
+    }
+    [[nodiscard]] int128 squared_length(std::uint32_t h) const noexcept
+    {
+        const fixed_vector all = along_edge(h);
+        return dot(all, all);
+    }
     [[nodiscard]] std::uint32_t longest_edge(std::uint32_t t) const noexcept
     {
         std::uint32_t best = 3 * t;
-        int128 most = -1;
-        for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
-            const fixed_vector all =
-                times_.place(mesh.origin(kinetic_triangles::next(h))) - times_.place(mesh.origin(h));
-            if (dot(all, all) <= most) continue;
-            most = dot(all, all);
+        int128 most = squared_length(best);
+        for (std::uint32_t h = 3 * t + 1; h < 3 * t + 3; ++h) {
+            const int128 here = squared_length(h);
+            if (here <= most) continue;
+            most = here;
             best = h;
         }
         return best;
     }
 
+    /// Replaces the diagonal under half-edge h of a flat triangle.
     void flip(std::uint32_t h) noexcept
     {
         ++flips_;
+        const std::uint32_t first = h / 3;
+        if (comes_back(h)) {
+            const std::uint32_t longest = longest_beyond(h);
+            if (kinetic_triangles::is_segment(mesh.link(longest))) {
+                split(longest);
+                if (!failed_ && mesh.triangles[first].alive) schedule(first);
+                return;
+            }
+            h = longest;
+        }
         const std::uint32_t t = h / 3, r = mesh.link(h) / 3;
         mesh.flip(h);
         schedule(t);
         schedule(r);
+        if (first != t && first != r) schedule(first);
+    }
+    /// Whether the diagonal that would replace that under h has been there at this time: flips go in a circle.
+    /// From  R. P. Brent: An improved Monte Carlo factorization algorithm (1980), for one diagonal that is remembered
+    [[nodiscard]] bool comes_back(std::uint32_t h) noexcept
+    {
+        const std::uint32_t p = mesh.apex(h), q = mesh.apex(mesh.link(h));
+        if (known_.time != times_.now) known_ = {times_.now, 0, 1, none, none};
+        if ((known_.p == p && known_.q == q) || (known_.p == q && known_.q == p)) return true;
+        if (++known_.age == known_.span) known_ = {times_.now, 0, 2 * known_.span, p, q};
+        return false;
+    }
+    /// From the triangle beyond h on, where triangles are flat: one's longest edge that is not longer beyond, or a
+    /// segment that can be split.
+    [[nodiscard]] std::uint32_t longest_beyond(std::uint32_t h) const noexcept
+    {
+        for (;;) {
+            const std::uint32_t beyond = mesh.link(h), longest = longest_edge(beyond / 3);
+            if (squared_length(longest) <= squared_length(beyond) || !is_flat(longest)) return h;
+            if (kinetic_triangles::is_segment(mesh.link(longest)))
+                return has_diagonals_only(longest) && can_split(mesh.apex(longest), line_beside(longest)) ? longest : h;
+            h = longest;
+        }
+    }
+    /// Whether a triangle is lower over its half-edge h than a sixteenth of a cell.
+    [[nodiscard]] bool is_flat(std::uint32_t h) const noexcept
+    {
+        const fixed_vector along = along_edge(h), up = times_.place(mesh.apex(h)) - times_.place(mesh.origin(h));
+        const int128 area = cross(along, up);
+        return (area < 0 ? -area : area) >> 12 <=
+               (along.x < 0 ? -along.x : along.x) + (along.y < 0 ? -along.y : along.y);
     }
 
     // --- what follows from it
@@ -388,6 +441,11 @@ private:
     collapse_queue queue_;
     std::int64_t level_ = 0;
     std::int64_t first_loss_ = -1;
+    struct {
+        std::int64_t time = -1;
+        std::uint32_t age = 0, span = 1;  // flips since, and until another one is remembered
+        std::uint32_t p = none, q = none;
+    } known_;
     std::size_t most_flips_ = 0, flips_ = 0, events_ = 0;
     bool failed_ = false;
 };
