@@ -5,34 +5,25 @@
 #include "glyph_laws.hpp"
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
+#include "support/smoke_glyphs.hpp"
+
+#include <string>
 
 TEST_CASE("every 40th glyph of the smoke fonts obeys all laws at every quality, also where its contours meet",
           "[every_glyph]")
 {
     test::glyph_laws laws;
     std::size_t glyphs = 0, resolved = 0;
-    for (const font_package& package : smoke_fonts()) {
-        if (!package.required) continue;
-        std::size_t in_package = 0;  // goes on from face to face, so that faces do not repeat each other
-        for (const std::string& file : font_files(package)) {
-            for (const test::face_instance& face : test::instances_of(file)) {
-                auto font = face.open();
-                REQUIRE(font);
-                for (std::uint32_t g = 0; g < face.glyph_count; ++g) {
-                    if (in_package++ % 40 != 0) continue;
-                    for (const double tolerance :
-                         {typemesh::quality::low, typemesh::quality::normal, typemesh::quality::high}) {
-                        const test::glyph_findings f = laws.examine(*font, g, tolerance);
-                        ++glyphs;
-                        resolved += f.resolved;
-                        if (f.wrong.empty()) continue;
-                        INFO(file << "@" << face.face << ":" << g << " " << face.name() << " at " << tolerance);
-                        CHECK(f.wrong == "");
-                    }
-                }
-            }
+    test::each_smoke_glyph(40, [&](auto& font, typemesh::glyph_id g, const std::string& name) {
+        for (const double tolerance : {typemesh::quality::low, typemesh::quality::normal, typemesh::quality::high}) {
+            const test::glyph_findings f = laws.examine(font, g, tolerance);
+            ++glyphs;
+            resolved += f.resolved;
+            if (f.wrong.empty()) continue;
+            INFO(name << " at " << tolerance);
+            CHECK(f.wrong == "");
         }
-    }
+    });
     CHECK(glyphs > 10'000);
     CHECK(resolved > 1000);
 }

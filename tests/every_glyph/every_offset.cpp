@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-//     every_offset [--quality low|normal|high|best] [--step N] [--compare] FILE...
+//     every_offset [--compare] [--quality low|normal|high|best]... [--step N] [NAME=]FILE_OR_FOLDER...
 //
 // Sweeps every glyph of every face of the fonts (variable ones at each axis' ends and at mixed corners as well) inwards
 // at widths from 0.5 to 30 % of the em, with joins and without, in one band and in four, and checks the laws of
@@ -8,13 +8,12 @@
 // built with CGAL, mitred levels with the level sets of its skeleton. Prints what is broken, and a table; status 0 when
 // nothing is.
 
-#include "glyph_laws.hpp"
 #include "offset_laws.hpp"
+#include "support/glyph_arguments.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -35,15 +34,6 @@ struct totals {
     std::vector<double> skeleton_ms;
     double sweep_ms = 0.0;  // of the same glyphs, at 2 % of the em, in one band
 };
-
-struct quality_named {
-    const char* name;
-    double tolerance;
-};
-constexpr quality_named qualities[] = {{"low", typemesh::quality::low},
-                                       {"normal", typemesh::quality::normal},
-                                       {"high", typemesh::quality::high},
-                                       {"best", typemesh::quality::best}};
 
 #ifdef TYPEMESH_TEST_WITH_CGAL
 constexpr double compared_widths[] = {0.005, 0.01, 0.02, 0.03, 0.05};  // em
@@ -118,67 +108,52 @@ void compare(const typemesh::region& r, const std::string& name, totals& sum)
 }
 #endif
 
-int usage()
+void look_at(const test::glyph_arguments& arguments, const test::glyph_job& job, bool comparing, totals& sum)
 {
-    std::fprintf(stderr, "every_offset [--quality low|normal|high|best] [--step N] [--compare] FILE...\n");
-    return 2;
-}
-
-void look_at(const test::face_instance& face, std::uint32_t step, double tolerance, bool comparing, totals& sum)
-{
-    auto font = face.open();
-    if (!font) return;
-    ++sum.faces;
     test::offset_laws laws;
-    for (std::uint32_t g = 0; g < face.glyph_count; g += step) {
-        const std::string name = face.name() + " " + std::to_string(g);
-        const test::offset_findings f = laws.examine(*font, g, tolerance, comparing);
+    arguments.each_glyph(job, [&](auto& font, std::uint32_t g) {
+        const std::string name = job.face.name() + " " + std::to_string(g);
         ++sum.glyphs;
-        sum.blank += f.blank;
-        sum.sweeps += f.sweeps;
-        sum.refused += f.refused;
-        sum.farthest_off_plane = (std::max)(sum.farthest_off_plane, f.farthest_off_plane);
-        if (!f.wrong.empty()) {
-            ++sum.broken;
-            std::printf("%s: %s\n", name.c_str(), f.wrong.c_str());
-        }
-        if (f.refused != 0) std::printf("%s: refused %zu times\n", name.c_str(), f.refused);
+        for (const test::quality_named& q : arguments.wanted) {
+            const test::offset_findings f = laws.examine(font, g, q.tolerance, comparing);
+            sum.blank += f.blank;
+            sum.sweeps += f.sweeps;
+            sum.refused += f.refused;
+            sum.farthest_off_plane = (std::max)(sum.farthest_off_plane, f.farthest_off_plane);
+            if (!f.wrong.empty()) {
+                ++sum.broken;
+                std::printf("%s: %s\n", name.c_str(), f.wrong.c_str());
+            }
+            if (f.refused != 0) std::printf("%s: refused %zu times\n", name.c_str(), f.refused);
 #ifdef TYPEMESH_TEST_WITH_CGAL
-        if (comparing && !f.blank) compare(laws.region_of(*font, g, tolerance), name, sum);
+            if (comparing && !f.blank) compare(laws.region_of(font, g, q.tolerance), name, sum);
 #endif
-    }
+        }
+    });
 }
 
 }  // namespace
 
 int main(int argc, char** argv)
 {
-    double tolerance = typemesh::quality::high;
-    std::uint32_t step = 1;
-    bool comparing = false;
-    std::vector<std::string> files;
+    test::glyph_arguments arguments;
+    bool comparing = false, understood = true;
     for (int i = 1; i < argc; ++i) {
-        const std::string word = argv[i];
-        if (word == "--quality" && i + 1 < argc) {
-            const std::string wanted = argv[++i];
-            const auto* q = std::find_if(std::begin(qualities), std::end(qualities),
-                                         [&](const quality_named& one) { return wanted == one.name; });
-            if (q == std::end(qualities)) return usage();
-            tolerance = q->tolerance;
-        } else if (word == "--step" && i + 1 < argc) {
-            step = static_cast<std::uint32_t>((std::max)(1, std::atoi(argv[++i])));
-        } else if (word == "--compare") {
+        if (std::strcmp(argv[i], "--compare") == 0)
             comparing = true;
-        } else if (word.rfind("--", 0) == 0) {
-            return usage();
-        } else {
-            files.push_back(word);
-        }
+        else
+            understood = understood && arguments.take(argc, argv, i);
     }
-    if (files.empty()) return usage();
+    if (!understood || !arguments.has_paths()) {
+        std::fprintf(stderr, "every_offset [--compare] %s\n", arguments.words);
+        return 2;
+    }
+    if (arguments.wanted.empty()) arguments.wanted = {test::qualities[2]};
+    if (const int status = arguments.open(); status != 0) return status;
     totals sum;
-    for (const std::string& file : files)
-        for (const test::face_instance& face : test::instances_of(file)) look_at(face, step, tolerance, comparing, sum);
+    for (const test::glyph_group& g : arguments.groups()) sum.faces += g.faces;
+    for (const test::glyph_job& job : arguments.jobs())
+        look_at(arguments, job, comparing, sum);  // CGAL needs processes
 
     std::printf("faces %zu, glyphs %zu (%zu blank), sweeps %zu, refused %zu, broken %zu glyphs, off plane %.2f cells\n",
                 sum.faces, sum.glyphs, sum.blank, sum.sweeps, sum.refused, sum.broken, sum.farthest_off_plane);

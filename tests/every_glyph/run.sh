@@ -8,6 +8,7 @@
 #     tests/every_glyph/run.sh                      everything: smoke fonts, then nasty glyphs
 #     tests/every_glyph/run.sh --quality high       more options: see every_glyph.cpp
 #     tests/every_glyph/run.sh --only nasty         smoke, nasty, or the name of one package
+#     tests/every_glyph/run.sh --program every_bevel    or every_offset: the same for their laws
 set -eu
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 build=$root/build/every_glyph
@@ -15,11 +16,13 @@ fonts=$build/fonts
 workload=$root/tests/workload
 
 only=
+program=every_glyph
 options=()
 while [ $# -gt 0 ]; do
     case $1 in
         --only) only=$2 && shift ;;
-        -h | --help) sed -n '3,11s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" && exit 0 ;;
+        --program) program=$2 && shift ;;
+        -h | --help) sed -n '3,12s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" && exit 0 ;;
         *) options+=("$1") ;;
     esac
     shift
@@ -28,7 +31,7 @@ done
 mkdir -p "$build"
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DTYPEMESH_BUILD_BENCH=OFF -DTYPEMESH_BUILD_EXAMPLES=OFF \
     -DTYPEMESH_TEST_ROOMS=every_glyph >"$build/log" 2>&1 || { cat "$build/log" >&2 && exit 1; }
-cmake --build "$build" --target typemesh_every_glyph >"$build/log" 2>&1 || { cat "$build/log" >&2 && exit 1; }
+cmake --build "$build" --target "typemesh_$program" >"$build/log" 2>&1 || { cat "$build/log" >&2 && exit 1; }
 
 # unpacked PACKAGE: its files lie under $fonts/PACKAGE afterwards.
 unpacked() {
@@ -45,13 +48,13 @@ while IFS=$'\t' read -r package _; do
     [ "$package" != debian_package ] || continue
     [ -z "$only" ] || [ "$only" = smoke ] || [ "$only" = "$package" ] || continue
     unpacked "$package"
-    wanted+=("$fonts/$package")
+    wanted+=("$package=$fonts/$package")
 done <"$workload/smoke-fonts.tsv"
 if [ -z "$only" ] || [ "$only" = nasty ]; then
     while IFS=$'\t' read -r package file face glyph _; do
         [ "$package" != debian_package ] || continue
         unpacked "$package"
-        wanted+=("$fonts/$package/$file@$face:$glyph")
+        wanted+=("$package $glyph=$fonts/$package/$file@$face:$glyph")
     done <"$workload/nasty-glyphs.tsv"
 fi
-"$build/tests/typemesh_every_glyph" ${options[@]+"${options[@]}"} "${wanted[@]}"
+"$build/tests/typemesh_$program" ${options[@]+"${options[@]}"} "${wanted[@]}"

@@ -69,6 +69,25 @@ TEST_CASE("the slow wavefront closes rectangles, rings and letters where they cl
     CHECK(area_within(aitch, 31) == Approx(2 * 38 * 238));            // and gone
 }
 
+TEST_CASE("the slow wavefront adds up the area that it leaves, exactly through all events", "[offset][oracle]")
+{
+    const auto swept_to = [](const std::vector<test::polyline>& loops, double distance) {
+        slow_wavefront front{loops};
+        front.advance(distance / 3);
+        front.advance(distance);
+        return static_cast<double>(front.swept_volume());
+    };
+    const auto square = std::vector<test::polyline>{test::square(0, 0, 100)};
+    CHECK(swept_to(square, 20) == Approx((1e6 - 60.0 * 60 * 60) / 6));
+    CHECK(swept_to(square, 80) == Approx(1e6 / 6));  // a pyramid
+    CHECK(swept_to({{{0, 0}, {300, 0}, {300, 100}, {0, 100}}}, 60) ==
+          Approx(1e6 / 6 + 200.0 * 100 * 50 / 2));  // a roof
+    CHECK(swept_to(aitch, 0) == Approx(0));
+    double steps = 0;  // the aitch falls apart on the way
+    for (int i = 0; i < 500; ++i) steps += 0.1 * area_within(aitch, 0.1 * (i + 0.5));
+    CHECK(swept_to(aitch, 50) == Approx(steps).epsilon(1e-4));
+}
+
 TEST_CASE("the slow wavefront of a regular polygon shrinks to its centre", "[offset][oracle]")
 {
     for (const int corners : {3, 4, 5, 6, 7, 12, 100}) {

@@ -111,6 +111,8 @@ public:
         return all;
     }
     [[nodiscard]] long double area() const { return test::doubled_area(loops()) / 2; }
+    /// The integral of the area over the distance moved so far: exact but for the rounding of sums.
+    [[nodiscard]] long double swept_volume() const { return volume_; }
     [[nodiscard]] std::size_t events() const { return events_; }
     /// Whether an event changed nothing, so that rounding has decided what came of it.
     [[nodiscard]] bool is_doubtful() const { return doubtful_; }
@@ -144,8 +146,14 @@ private:
     void move(long double step)
     {
         now_ += step;
-        for (auto& f : fronts_)
-            for (corner& c : f) c.at = c.at + step * c.speed;
+        const long double before = area();
+        const auto half = [&] {
+            for (auto& f : fronts_)
+                for (corner& c : f) c.at = c.at + step / 2 * c.speed;
+            return area();
+        };
+        const long double middle = half(), after = half();
+        volume_ += step / 6 * (before + 4 * middle + after);  // the area is a square function between events
     }
 
     struct edge_ends {
@@ -325,7 +333,7 @@ private:
     }
 
     std::vector<std::vector<corner>> fronts_;
-    long double now_ = 0;
+    long double now_ = 0, volume_ = 0;
     std::size_t events_ = 0;
     int idle_ = 0;
     bool ignored_ = false, doubtful_ = false;
