@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# Draws the pictures of this folder anew with text_to_mesh (build/release, or the first argument). Needs ImageMagick.
+# Draws the pictures of this folder anew with text_to_mesh (build/release, or the first argument), but for three.png, which
+# bench/three/run.sh draws. Needs ImageMagick and pngquant.
 set -eu
 cd "$(dirname "${BASH_SOURCE[0]}")"
 program=${1:-../../build/release/examples/text_to_mesh}
@@ -56,3 +57,5 @@ done
 "$program" "سلام" --font ${arabic/Regular/Bold} --bevel 0.03 --profile round --picture "$scratch/arabic.png"
 "$program" "永遠" --font $japanese --bevel 0.02 --profile round --picture "$scratch/han.png"
 convert "$scratch"/{clip,fit,arabic,han}.png -resize x300 +append bevelled_scripts.png
+
+pngquant --quality 90-100 --speed 1 --force --ext .png normals.png bevels.png bevelled_scripts.png
