@@ -45,20 +45,22 @@ public:
     [[nodiscard]] tangents at(double t) const noexcept
     {
         const point first = derivative(t);
-        if (dot(first, first) > least_) [[likely]]
-            return {first, first};
-        return limits(t);
+        return vanishes(first) ? limits(t) : tangents{first, first};
     }
 
-private:
-    /// Divided by the degree.
+    /// The direction at t where it does not vanish: the derivative, divided by the degree.
     [[nodiscard]] point derivative(double t) const noexcept
     {
         if (degree_ == 1) return a_;
         const point ab = lerp(a_, b_, t);
         return degree_ == 2 ? ab : lerp(ab, lerp(b_, d_, t), t);
     }
+    [[nodiscard]] bool vanishes(point derivative) const noexcept { return !(dot(derivative, derivative) > least_); }
 
+    /// Whether it is a line's, which is the same at all t.
+    [[nodiscard]] bool is_constant() const noexcept { return degree_ == 1; }
+
+private:
     /// Where the derivative vanishes.
     [[nodiscard]] tangents limits(double t) const noexcept
     {

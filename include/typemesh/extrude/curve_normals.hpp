@@ -49,43 +49,33 @@ struct curve_normals {
     error operator()(const region& filled, std::span<side_point> sides) const noexcept
     {
         if (!is_crease_angle(crease_degrees)) return error::bad("crease_degrees");
-        wall_light light{filled, crease_cosine(crease_degrees)};
-        const auto points = filled.points();
-        const auto edges = filled.edges();
+        const wall_light light{filled, crease_cosine(crease_degrees)};
+        const grid_point* points = filled.points().data();
+        const contour_edge* edges = filled.edges().data();
         for (std::uint32_t loop = 0; loop < filled.loop_count(); ++loop) {
-            const std::uint32_t first = filled.starts()[loop], last = filled.starts()[loop + 1] - 1;
-            const point closing = delta(points[last], points[first]);
-            const wall_end start = light.start(edges[last], closing);
-            wall_end before = light.end(edges[last], closing, start);
-            point arriving = closing;
-            for (std::uint32_t i = first, previous = last; i <= last; previous = i++) {
-                const contour_edge& edge = edges[i];
-                const grid_point next = points[i == last ? first : i + 1];
-                const point leaving = delta(points[i], next);
-                const bool inside = goes_on(edges[previous], edge) && !before.stops;
-                wall_end after = before;
-                if (inside && before.leads && is_near(before.normal, outward(leaving))) {
-                    sides[i].before = sides[i].after = rounded(before.normal);
-                } else {
-                    after = i == last ? start : light.start(edge, leaving);
-                    const bool may_break = !inside;
-                    if (!light.meet(before, after, {arriving, leaving}, may_break, sides[i]))
-                        light.meet_askew(before, after, {points[previous], points[i], next}, may_break, sides[i]);
-                }
-                if (i == last) break;
-                before = light.end(edge, leaving, after);
-                arriving = leaving;
-            }
+            const std::uint32_t first = filled.starts()[loop], size = filled.starts()[loop + 1] - first;
+            const contour c{points + first, edges + first, size - 1};
+            light.shine_on(c, sides.data() + first);
         }
         return {};
     }
 
 private:
+    /// A loop: its points and the edges that they start.
+    struct contour {
+        const grid_point* points;
+        const contour_edge* edges;
+        std::uint32_t last;
+
+        [[nodiscard]] std::uint32_t next(std::uint32_t i) const noexcept { return i == last ? 0 : i + 1; }
+        [[nodiscard]] std::uint32_t previous(std::uint32_t i) const noexcept { return i == 0 ? last : i - 1; }
+        [[nodiscard]] point along(std::uint32_t i) const noexcept { return delta(points[i], points[next(i)]); }
+    };
+
     /// The lighting of a wall where its edge starts or ends.
     struct wall_end {
         point normal;
         bool leads;  ///< it is the curve's own, less than 45 degrees off the wall's
-        bool stops;  ///< the curve stops there, and may turn
     };
 
     /// The directions of the two edges at a point.
@@ -108,29 +98,61 @@ private:
         return e.curve == stopped.curve && same(e.t0, stopped.t1);
     }
 
+    static bool is_forth(const contour_edge& e) noexcept { return e.t0 <= e.t1; }
+
     class wall_light {
     public:
-        wall_light(const region& filled, double crease) noexcept : curves_{filled.curves()}, crease_{crease}
+        wall_light(const region& filled, double crease) noexcept : curves_{filled.curves().data()}, crease_{crease}
         {
             const double longest = 16.0 * filled.tolerance();
             if (longest > 0.0 && crease > 0.0) long_square_ = longest * longest;
         }
 
-        /// The start of the wall over an edge with the direction `along`.
-        [[nodiscard]] wall_end start(const contour_edge& e, point along) noexcept
+        /// Lights all walls over a contour.
+        void shine_on(const contour& c, side_point* sides) const noexcept
         {
-            follow(e);
-            const tangents t = derivative_.at(as_double(e.t0));
-            return leading(e, forth_ ? t.after : t.before, along, t.stops);
+            const contour_edge* last = &c.edges[c.last];
+            hodograph derivative = along(*last);
+            bool stops = false, forth = is_forth(*last);
+            const auto direction = [&](float t, bool at_end) noexcept {
+                const point d = derivative.derivative(as_double(t));
+                stops = derivative.vanishes(d);
+                if (!stops) [[likely]]
+                    return d;
+                const tangents both = derivative.at(as_double(t));
+                return at_end == forth ? both.before : both.after;
+            };
+            point in = direction(last->t1, true), arriving = c.along(c.last);
+            for (std::uint32_t i = 0; i <= c.last; ++i) {
+                const contour_edge& edge = c.edges[i];
+                const point leaving = c.along(i);
+                const bool may_break = !goes_on(*last, edge) || stops;
+                point out = in;
+                if (may_break || is_forth(edge) != forth) {
+                    derivative = along(edge);
+                    forth = is_forth(edge);
+                    out = direction(edge.t0, false);
+                }
+                if (in == out && is_near(in, arriving) && is_near(in, leaving)) {
+                    sides[i].before = sides[i].after = rounded(unit(outward(out)));
+                } else {
+                    const wall_end before = leading(*last, in, arriving), after = leading(edge, out, leaving);
+                    if (!meet(before, after, {arriving, leaving}, may_break, sides[i])) {
+                        const corner joint{c.points[c.previous(i)], c.points[i], c.points[c.next(i)]};
+                        meet_askew(before, after, joint, may_break, sides[i]);
+                    }
+                }
+                in = derivative.is_constant() ? out : direction(edge.t1, true);
+                arriving = leaving;
+                last = &edge;
+            }
         }
 
-        /// Its end.
-        [[nodiscard]] wall_end end(const contour_edge& e, point along, const wall_end& start) noexcept
+    private:
+        /// The derivative of an edge's curve, along the edge.
+        [[nodiscard]] hodograph along(const contour_edge& e) const noexcept
         {
-            if (curves_[e.curve].degree == 1) return start;
-            follow(e);
-            const tangents t = derivative_.at(as_double(e.t1));
-            return leading(e, forth_ ? t.before : t.after, along, t.stops);
+            return hodograph{curves_[e.curve], is_forth(e) ? 1.0 : -1.0};
         }
 
         /// Joins two walls over edges with these directions. False, with nothing done, if one is not lit by its curve
@@ -168,24 +190,12 @@ private:
             side.doubled = !(side.before == side.after);
         }
 
-    private:
-        /// Switches to the derivative of an edge's curve, along the edge: mostly that of the previous edge's.
-        void follow(const contour_edge& e) noexcept
-        {
-            const bool forth = e.t0 <= e.t1;
-            if (&curves_[e.curve] == curve_ && forth == forth_) return;
-            curve_ = &curves_[e.curve];
-            forth_ = forth;
-            derivative_ = hodograph{*curve_, forth ? 1.0 : -1.0};
-        }
-
-        [[nodiscard]] static wall_end leading(const contour_edge& e, point curve_direction, point along,
-                                              bool stops) noexcept
+        [[nodiscard]] static wall_end leading(const contour_edge& e, point curve_direction, point along) noexcept
         {
             const bool leads = is_near(curve_direction, along);
             if (!leads) [[unlikely]]
                 curve_direction = set_right(e, curve_direction, along);
-            return {unit(outward(curve_direction)), leads, stops};
+            return {unit(outward(curve_direction)), leads};
         }
 
         /// Corrects a curve's direction that is not near its edge's: reverses it if t does not tell in which direction
@@ -214,10 +224,7 @@ private:
             return out_of_both ? unit(sum) : joint_normal(at.a, at.b, at.c, unit(wall_in), unit(wall_out));
         }
 
-        std::span<const curve> curves_;
-        const curve* curve_ = nullptr;  // the current one,
-        bool forth_ = true;             // its direction,
-        hodograph derivative_;          // and its derivative in that direction
+        const curve* curves_;
         double crease_;
         double long_square_ = 0x1p62;  // squared length from which a wall is long; no edge has 2^31 cells
     };
