@@ -22,8 +22,8 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_of(const std::u32stri
         places.push_back(static_cast<std::uint32_t>(places.size()));
     }
     std::vector<detail::opened_bracket> opened(text.size() + 1);
-    const std::size_t count =
-        detail::pair_brackets({classes, places, 0, bidi_class::l, bidi_class::l}, text, opened.data());
+    const std::size_t count = detail::pair_brackets(
+        {classes.data(), places.data(), text.size(), 0, bidi_class::l, bidi_class::l}, text.data(), opened.data());
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
     for (std::size_t i = 0; i < count; ++i)
         if (opened[i].closing != detail::opened_bracket::none) pairs.emplace_back(opened[i].place, opened[i].closing);
@@ -85,18 +85,18 @@ TEST_CASE("both brackets and the marks on them take a direction", "[bidi]")
     std::vector<detail::opened_bracket> opened{{1, 4, bidi_classes{l}}};
     SECTION("that of the embedding, which stands between them")
     {
-        detail::resolve_brackets({classes, places, 0, l, l}, original, opened);
+        detail::resolve_brackets({classes.data(), places.data(), 7, 0, l, l}, original.data(), opened.data(), 1);
         CHECK(classes == std::vector<bidi_class>{r, l, l, l, l, l, r});
     }
     SECTION("that of the context, where only the other stands between them")
     {
-        detail::resolve_brackets({classes, places, 1, l, l}, original, opened);
+        detail::resolve_brackets({classes.data(), places.data(), 7, 1, l, l}, original.data(), opened.data(), 1);
         CHECK(classes == std::vector<bidi_class>{r, r, r, l, r, r, r});
     }
     SECTION("none without a letter between them")
     {
         opened[0].inside = bidi_classes{on};
-        detail::resolve_brackets({classes, places, 0, l, l}, original, opened);
+        detail::resolve_brackets({classes.data(), places.data(), 7, 0, l, l}, original.data(), opened.data(), 1);
         CHECK(classes == std::vector<bidi_class>{r, on, on, l, on, on, r});
     }
 }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "support/counting_memory.hpp"
 #include "unicode/character_database.hpp"
+#include "unicode/slow_bidi.hpp"
 
 #include <typemesh/unicode/bidi_levels.hpp>
 #include <typemesh/unicode/visual_order.hpp>
 
+#include <random>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,7 +38,9 @@ public:
                              : removed || bidi_classes{ws, lri, rli, fsi, pdi}.holds(c) ? text_mark::trailing
                                                                                         : text_mark::none);
         }
-        if (visual_runs(levels_, marks_, base_, 0, space_, runs_)) return false;
+        if (visual_runs(levels_.data(), marks_.data(), base_, {0, static_cast<std::uint32_t>(text.size())}, space_,
+                        runs_))
+            return false;
         order_.clear();
         for (const visual_run& run : runs_)
             for (std::uint32_t i = run.first; i < run.last; ++i) {
@@ -141,4 +146,56 @@ TEST_CASE("bidi levels and orders are those of every case of BidiCharacterTest.t
     });
     CHECK(cases == 91707);
     CHECK(wrong == 0);
+}
+
+TEST_CASE("bidi levels of any text are those that the rules give word by word", "[bidi]")
+{
+    std::mt19937 random{9};
+    workspace space;
+    const std::u32string letters =
+        U"a\u05D0\u06281+$\u0661,\u0301\u00AD\t .()[]\u2329\u232A\u3008\u3009"
+        U"\u202A\u202B\u202C\u202D\u202E\u2066\u2067\u2068\u2069";
+    for (int repeat = 0; repeat < 20000; ++repeat) {
+        // Some letters more than others, so that brackets and isolates close what was opened; some texts deep.
+        const std::size_t few = 1 + random() % letters.size(), deep = repeat % 100 == 0 ? 140 : 0;
+        std::u32string text;
+        for (std::size_t i = 0; i < deep; ++i) text += letters[letters.size() - 1 - random() % 9];
+        const std::size_t size = deep + random() % 40;
+        while (text.size() < size)
+            text += letters[random() % 2 == 0 ? random() % letters.size() : (random() % few + repeat) % letters.size()];
+        std::vector<bidi_class> classes;
+        for (const char32_t c : text) classes.push_back(character_of(c).bidi);
+
+        const int k = static_cast<int>(random() % 3);
+        int base = k - 1;
+        const std::vector<int> wanted = slow_bidi::levels(text, classes, base);
+        std::vector<std::uint8_t> levels(text.size());
+        const auto found = bidi_levels(text, classes, directions[k], space, levels);
+        REQUIRE(found);
+        REQUIRE(int(*found) == base);
+        for (std::size_t i = 0; i < text.size(); ++i) {
+            const int before = i == 0 ? base : int(levels[i - 1]);
+            if (int(levels[i]) != (wanted[i] < 0 ? before : wanted[i])) {
+                std::string shown;
+                for (const char32_t c : text) shown += ucd::hex_of(c) + " ";
+                FAIL(shown << "direction " << k << ", character " << i);
+            }
+        }
+    }
+}
+
+TEST_CASE("an empty paragraph has a level, and one without memory an error", "[bidi]")
+{
+    test::counting_memory heap;
+    workspace space{heap.source()};
+    CHECK(*bidi_levels({}, {}, paragraph_direction::automatic, space, {}) == 0);
+    CHECK(*bidi_levels({}, {}, paragraph_direction::right_to_left, space, {}) == 1);
+    const std::vector<char32_t> text{U'a', 0x05D0, U'b'};
+    const std::vector<bidi_class> classes{bidi_class::l, bidi_class::r, bidi_class::l};
+    std::vector<std::uint8_t> levels(3);
+    heap.fail_at = 1;
+    CHECK(bidi_levels(text, classes, paragraph_direction::automatic, space, levels).error() == error::out_of_memory);
+    heap.fail_at = 0;
+    CHECK(bidi_levels(text, classes, paragraph_direction::automatic, space, levels));
+    CHECK(levels == std::vector<std::uint8_t>{0, 1, 0});
 }

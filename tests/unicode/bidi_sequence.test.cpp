@@ -16,7 +16,7 @@ using classes = std::vector<bidi_class>;
 template <class Rule>
 classes after(Rule rule, bidi_class start, classes given, bidi_class end, std::uint8_t level = 0)
 {
-    rule(detail::bidi_sequence{given, {}, level, start, end});
+    rule(detail::bidi_sequence{given.data(), nullptr, given.size(), level, start, end});
     return given;
 }
 

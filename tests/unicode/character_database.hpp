@@ -3,6 +3,7 @@
 
 #include "support/catch.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -12,6 +13,7 @@
 #include <iterator>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// Reads the Unicode Character Database as Debian's package unicode-data installs it.
@@ -73,6 +75,13 @@ inline std::vector<std::string> words(std::string_view s)
 }
 
 inline char32_t hexadecimal(const std::string& s) { return static_cast<char32_t>(std::stoul(s, nullptr, 16)); }
+
+inline std::string hex_of(char32_t c)
+{
+    std::ostringstream out;
+    out << std::hex << static_cast<std::uint32_t>(c);
+    return out.str();
+}
 
 /// A property of all code points, from lines such as "0041..005A ; Latin # comment". What no line names has the value
 /// of the last "@missing" line that does, by its long name.

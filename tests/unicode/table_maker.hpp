@@ -172,6 +172,63 @@ inline std::string bracket_table()
                   array_of("std::uint32_t", "bracket_pairs", pairs, 8));
 }
 
+/// What script.hpp looks up. Scripts are numbered, Common first, then Inherited and Unknown; numbers beyond them are
+/// sets of scripts, the one to prefer first.
+inline std::string script_table()
+{
+    std::map<std::string, std::string> tags;  // ISO 15924, by long name
+    std::vector<std::string> scripts = {"Zyyy", "Zinh", "Zzzz"};
+    for_each_line(contents("PropertyValueAliases.txt"), [&](std::string_view row) {
+        const auto fields = split(row.substr(0, row.find('#')), ';');
+        if (fields[0] == "sc") tags[fields[2]] = fields[1];
+    });
+    auto script = property("Scripts.txt");
+    const auto extensions = property("ScriptExtensions.txt");
+    for (std::string& name : script) {
+        name = tags.at(name);
+        if (std::find(scripts.begin(), scripts.end(), name) == scripts.end()) scripts.push_back(name);
+    }
+    std::sort(scripts.begin() + 3, scripts.end());
+
+    numbers ranges, members, starts, scripts_by_number;
+    std::vector<std::vector<std::string>> sets;
+    std::uint64_t before = ~std::uint64_t{0};
+    for (char32_t c = 0; c < 0x110000; ++c) {
+        auto all = words(extensions[c].substr(0, 1) == "<" ? "" : extensions[c]);
+        if (all.empty()) all = {script[c]};
+        if (const auto own = std::find(all.begin(), all.end(), script[c]); own != all.end())
+            std::rotate(all.begin(), own, own + 1);
+        std::uint64_t number = all.size() == 1 ? number_of(scripts, all[0]) : 0;
+        if (all.size() > 1) {
+            const auto known = std::find(sets.begin(), sets.end(), all);
+            number = scripts.size() + static_cast<std::size_t>(known - sets.begin());
+            if (known == sets.end()) sets.push_back(all);
+        }
+        if (number != before) ranges.push_back(static_cast<std::uint64_t>(c) << 8 | number);
+        before = number;
+    }
+    REQUIRE(scripts.size() + sets.size() <= 256);
+    REQUIRE(scripts.size() <= 192);  // bits of a script_set
+    for (const std::string& tag : scripts) {
+        std::uint64_t word = 0;
+        for (const char letter : tag) word = word << 8 | static_cast<unsigned char>(letter);
+        scripts_by_number.push_back(word);
+    }
+    for (const auto& set : sets) {
+        starts.push_back(members.size());
+        for (const std::string& tag : set) members.push_back(number_of(scripts, tag));
+    }
+    starts.push_back(members.size());
+    return header("#include <typemesh/core/version.hpp>\n\n#include <cstdint>\n",
+                  "// Script and Script_Extensions. script_ranges: the first code point of a range << 8 | its script's "
+                  "number, or, from\n// the number of scripts on, that of a set. Set k: script_members from "
+                  "script_starts[k] up to script_starts[k + 1].\n\n",
+                  array_of("std::uint32_t", "script_tags", scripts_by_number, 8) + "\n" +
+                      array_of("std::uint16_t", "script_starts", starts, 4) + "\n" +
+                      array_of("std::uint8_t", "script_members", members, 2) + "\n" +
+                      array_of("std::uint32_t", "script_ranges", ranges, 8));
+}
+
 /// Compares a header with what it should be, or writes it.
 inline void check_or_make(const std::string& name, const std::string& wanted)
 {

@@ -36,6 +36,13 @@ std::vector<std::uint32_t> order_of(const buffer<visual_run>& runs)
     return order;
 }
 
+error order(const std::vector<std::uint8_t>& levels, const std::vector<text_mark>& marks, std::uint8_t paragraph,
+            workspace& space, buffer<visual_run>& runs)
+{
+    return visual_runs(levels.data(), marks.data(), paragraph, {0, static_cast<std::uint32_t>(levels.size())}, space,
+                       runs);
+}
+
 }  // namespace
 
 TEST_CASE("visual_runs() orders a line as reversing it level by level does", "[bidi]")
@@ -48,7 +55,7 @@ TEST_CASE("visual_runs() orders a line as reversing it level by level does", "[b
             std::vector<std::uint8_t> levels(random() % 60);
             for (auto& level : levels) level = static_cast<std::uint8_t>(random() % (most + 1));
             const std::vector<text_mark> marks(levels.size(), text_mark::none);
-            REQUIRE_FALSE(visual_runs(levels, marks, 0, 0, space, runs));
+            REQUIRE_FALSE(order(levels, marks, 0, space, runs));
             REQUIRE(order_of(runs) == reversed_by_rule(levels));
         }
 }
@@ -60,16 +67,16 @@ TEST_CASE("white space at a line's end and before a tab has the paragraph's leve
     buffer<visual_run> runs;
     const std::vector<std::uint8_t> levels{1, 1, 1, 1, 1, 1, 1};
     const std::vector<text_mark> marks{o, w, t, o, w, o, w};
-    REQUIRE_FALSE(visual_runs(levels, marks, 0, 10, space, runs));
+    REQUIRE_FALSE(order(levels, marks, 0, space, runs));
     REQUIRE(runs.size() == 4);
-    CHECK(runs[0].first == 10);
-    CHECK(runs[0].last == 11);
+    CHECK(runs[0].first == 0);
+    CHECK(runs[0].last == 1);
     CHECK(runs[0].level == 1);
-    CHECK(runs[1].last == 13);
+    CHECK(runs[1].last == 3);
     CHECK(runs[1].level == 0);
-    CHECK(runs[2].last == 16);
+    CHECK(runs[2].last == 6);
     CHECK(runs[2].level == 1);
-    CHECK(runs[3].last == 17);
+    CHECK(runs[3].last == 7);
     CHECK(runs[3].level == 0);
 }
 
@@ -78,19 +85,19 @@ TEST_CASE("visual_runs() of an empty line is empty, and without memory it says s
     test::counting_memory heap;
     workspace space{heap.source()};
     buffer<visual_run> runs{heap.source()};
-    CHECK_FALSE(visual_runs({}, {}, 1, 0, space, runs));
+    CHECK_FALSE(order({}, {}, 1, space, runs));
     CHECK(runs.empty());
     const std::vector<std::uint8_t> levels{0, 1, 2};
     const std::vector<text_mark> marks(3, text_mark::none);
     for (std::size_t fail = 1; fail <= 2; ++fail) {
         heap.fail_at = heap.requests + 1;
-        CHECK(visual_runs(levels, marks, 0, 0, space, runs) == error::out_of_memory);
+        CHECK(order(levels, marks, 0, space, runs) == error::out_of_memory);
         CHECK(runs.empty());
         heap.fail_at = 0;
         REQUIRE(runs.reserve(3));
     }
-    CHECK_FALSE(visual_runs(levels, marks, 0, 0, space, runs));
+    CHECK_FALSE(order(levels, marks, 0, space, runs));
     const std::size_t warm = heap.requests;
-    CHECK_FALSE(visual_runs(levels, marks, 0, 0, space, runs));
+    CHECK_FALSE(order(levels, marks, 0, space, runs));
     CHECK(heap.requests == warm);
 }

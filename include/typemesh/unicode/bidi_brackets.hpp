@@ -8,7 +8,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -41,8 +40,7 @@ struct opened_bracket {
 ///     opened    gets all opening brackets in order; needs as many elements as there are
 ///
 /// Returns how many. Cost: O(n)
-inline std::size_t pair_brackets(const bidi_sequence& sequence, std::span<const char32_t> text,
-                                 opened_bracket* opened) noexcept
+inline std::size_t pair_brackets(const bidi_sequence& sequence, const char32_t* text, opened_bracket* opened) noexcept
 {
     struct entry {
         char32_t bracket;
@@ -51,7 +49,7 @@ inline std::size_t pair_brackets(const bidi_sequence& sequence, std::span<const 
     constexpr std::size_t most = 63;
     entry open[most];
     std::size_t depth = 0, count = 0;
-    for (std::size_t k = 0; k < sequence.classes.size(); ++k) {
+    for (std::size_t k = 0; k < sequence.size; ++k) {
         const bidi_class c = sequence.classes[k];
         if (c != bidi_class::on) {
             if (depth > 0) opened[open[depth - 1].number].inside.add(direction_beside(c));
@@ -82,18 +80,19 @@ inline std::size_t pair_brackets(const bidi_sequence& sequence, std::span<const 
 /// other occurs, that of the context. Marks on a bracket go with it.
 ///
 ///     original   the classes of all characters of the paragraph, before any rule
-inline void resolve_brackets(const bidi_sequence& sequence, std::span<const bidi_class> original,
-                             std::span<const opened_bracket> opened) noexcept
+inline void resolve_brackets(const bidi_sequence& sequence, const bidi_class* original, const opened_bracket* opened,
+                             std::size_t count) noexcept
 {
     const bidi_class embedding = sequence.embedding();
     const auto set = [&](std::size_t k, bidi_class to) noexcept {
         do sequence.classes[k] = to;
-        while (++k < sequence.classes.size() && sequence.classes[k] == bidi_class::on &&
+        while (++k < sequence.size && sequence.classes[k] == bidi_class::on &&
                original[sequence.places[k]] == bidi_class::nsm);
     };
     bidi_class context = sequence.start;
     std::size_t seen = 0;
-    for (const opened_bracket& b : opened) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const opened_bracket& b = opened[i];
         if (b.closing == opened_bracket::none) continue;
         for (; seen < b.place; ++seen)
             if (const bidi_class c = direction_beside(sequence.classes[seen]); c != bidi_class::on) context = c;

@@ -36,22 +36,21 @@ class bidi_resolver {
     };
 
 public:
-    bidi_resolver(std::span<const char32_t> text, std::span<const bidi_class> classes,
-                  std::span<std::uint8_t> levels) noexcept
-        : text_{text}, classes_{classes}, levels_{levels}
+    bidi_resolver(const char32_t* text, const bidi_class* classes, std::size_t size, std::uint8_t* levels) noexcept
+        : text_{text}, classes_{classes}, size_{size}, levels_{levels}
     {
     }
 
     result<std::uint8_t> operator()(paragraph_direction direction, workspace& space) noexcept
     {
         using enum bidi_class;
-        const std::size_t n = text_.size();
+        const std::size_t n = size_;
         if (n == 0) return static_cast<std::uint8_t>(direction == paragraph_direction::right_to_left ? 1 : 0);
         bidi_classes seen;
-        for (const bidi_class c : classes_) seen.add(c);
+        for (std::size_t i = 0; i < n; ++i) seen.add(classes_[i]);
         const bool embedded = seen.meets({lre, lro, rle, rlo, pdf, lri, rli, fsi, pdi});
         if (!embedded && !seen.meets({r, al, an}) && direction != paragraph_direction::right_to_left) {
-            std::memset(levels_.data(), 0, n);
+            std::memset(levels_, 0, n);
             return std::uint8_t{0};
         }
 
@@ -66,7 +65,7 @@ public:
             gathered_ == nullptr || opened_ == nullptr)
             return error::out_of_memory;
 
-        std::memcpy(types_, classes_.data(), n * sizeof(bidi_class));
+        std::memcpy(types_, classes_, n * sizeof(bidi_class));
         const std::uint8_t first_letter = match_isolates();
         base_ = direction == paragraph_direction::automatic       ? first_letter
                 : direction == paragraph_direction::right_to_left ? std::uint8_t{1}
@@ -95,7 +94,7 @@ private:
         using enum bidi_class;
         std::uint32_t open = none;  // the innermost; below it, partners_ names the next outer one
         bidi_class first = on;
-        for (std::uint32_t i = 0; i < text_.size(); ++i) {
+        for (std::uint32_t i = 0; i < size_; ++i) {
             const bidi_class c = classes_[i];
             partners_[i] = none;
             if (bidi_classes{lri, rli, fsi}.holds(c)) {
@@ -125,7 +124,7 @@ private:
         using enum bidi_class;
         depth_ = overflow_isolates_ = overflow_embeddings_ = valid_isolates_ = 0;
         stack_[0] = {base_, on, false};
-        for (std::size_t i = 0; i < text_.size(); ++i) {
+        for (std::size_t i = 0; i < size_; ++i) {
             const bidi_class c = types_[i];
             if (c == pdi) close_isolate();
             levels_[i] = stack_[depth_].level;
@@ -199,7 +198,7 @@ private:
     {
         using enum bidi_class;
         run_count_ = 0;
-        for (std::uint32_t i = 0; i < text_.size(); ++i) {
+        for (std::uint32_t i = 0; i < size_; ++i) {
             if (types_[i] == bn) continue;
             if (run_count_ > 0 && runs_[run_count_ - 1].level == levels_[i]) {
                 runs_[run_count_ - 1].last = i;
@@ -247,21 +246,23 @@ private:
         const auto letter = [level](std::uint8_t beside) noexcept {
             return (beside > level ? beside : level) % 2 == 0 ? l : r;
         };
-        const bidi_sequence sequence{{gathered_, count},
-                                     {places_, count},
+        const bidi_sequence sequence{gathered_,
+                                     places_,
+                                     count,
                                      level,
                                      letter(first_run == 0 ? base_ : runs_[first_run - 1].level),
                                      letter(open_end ? base_ : runs_[last_run + 1].level)};
         if (seen.meets({nsm, al})) resolve_marks(sequence);
         if (seen.meets({en, an, es, et, cs})) resolve_numbers(sequence);
-        if (seen.holds(on)) resolve_brackets(sequence, classes_, {opened_, pair_brackets(sequence, text_, opened_)});
+        if (seen.holds(on)) resolve_brackets(sequence, classes_, opened_, pair_brackets(sequence, text_, opened_));
         resolve_neutrals(sequence);
         for (std::size_t k = 0; k < count; ++k) levels_[places_[k]] = implicit_level(level, gathered_[k]);
     }
 
-    std::span<const char32_t> text_;
-    std::span<const bidi_class> classes_;
-    std::span<std::uint8_t> levels_;
+    const char32_t* text_;
+    const bidi_class* classes_;
+    std::size_t size_;
+    std::uint8_t* levels_;
     std::uint8_t base_ = 0;
 
     bidi_class* types_ = nullptr;
@@ -289,7 +290,7 @@ private:
 /// Returns the level of the paragraph, 0 or 1.
 ///
 /// Fails  error::out_of_memory
-/// Cost   O(n) time, whatever is nested in it; 38 n bytes of `space`, none where all is read to the right
+/// Cost   O(n) time, whatever is nested in it; 42 n bytes of `space`, none where all is read to the right
 [[nodiscard]] inline result<std::uint8_t> bidi_levels(std::span<const char32_t> text,
                                                       std::span<const bidi_class> classes,
                                                       paragraph_direction direction, workspace& space,
@@ -297,7 +298,7 @@ private:
 {
     TYPEMESH_ASSERT(text.size() == classes.size() && text.size() == levels.size(),
                     "bidi_levels() needs a class and a level for each character");
-    return detail::bidi_resolver{text, classes, levels}(direction, space);
+    return detail::bidi_resolver{text.data(), classes.data(), text.size(), levels.data()}(direction, space);
 }
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -5,15 +5,15 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// An isolating run sequence of UAX #9: characters that are resolved together, gathered from all over the paragraph.
 /// Those that rule X9 removes are not among them.
 struct bidi_sequence {
-    std::span<bidi_class> classes;
-    std::span<const std::uint32_t> places;  ///< of the characters in the paragraph
+    bidi_class* classes;
+    const std::uint32_t* places;  ///< of the characters in the paragraph
+    std::size_t size;
     std::uint8_t level;
     bidi_class start;  ///< sos and eos: l or r
     bidi_class end;
@@ -33,7 +33,8 @@ inline void resolve_marks(const bidi_sequence& sequence) noexcept
 {
     using enum bidi_class;
     bidi_class before = sequence.start, letter = sequence.start;
-    for (bidi_class& c : sequence.classes) {
+    for (std::size_t k = 0; k < sequence.size; ++k) {
+        bidi_class& c = sequence.classes[k];
         if (c == nsm) c = bidi_classes{lri, rli, fsi, pdi}.holds(before) ? on : before;
         before = c;
         if (bidi_classes{l, r, al}.holds(c)) letter = c;
@@ -46,8 +47,8 @@ inline void resolve_marks(const bidi_sequence& sequence) noexcept
 inline void resolve_numbers(const bidi_sequence& sequence) noexcept
 {
     using enum bidi_class;
-    const std::span<bidi_class> t = sequence.classes;
-    const std::size_t n = t.size();
+    bidi_class* const t = sequence.classes;
+    const std::size_t n = sequence.size;
     bidi_class before =
         sequence.start;  // before these rules: what W4 makes of a separator no other asks for, a digit follows it
     bool latin = sequence.start == l;
@@ -72,13 +73,14 @@ inline void resolve_numbers(const bidi_sequence& sequence) noexcept
 /// Rules N1 and N2: what stands between two letters of one direction takes it, all else the embedding's.
 inline void resolve_neutrals(const bidi_sequence& sequence) noexcept
 {
-    const std::span<bidi_class> t = sequence.classes;
+    bidi_class* const t = sequence.classes;
+    const std::size_t n = sequence.size;
     bidi_class before = sequence.start;
-    for (std::size_t k = 0, last = 0; k < t.size(); k = last) {
+    for (std::size_t k = 0, last = 0; k < n; k = last) {
         last = k;
         bidi_class after = sequence.end;
-        while (last < t.size() && (after = direction_beside(t[last])) == bidi_class::on) ++last;
-        if (last == t.size()) after = sequence.end;
+        while (last < n && (after = direction_beside(t[last])) == bidi_class::on) ++last;
+        if (last == n) after = sequence.end;
         for (; k < last; ++k) t[k] = before == after ? before : sequence.embedding();
         before = after;
         ++last;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/core/assert.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/workspace.hpp>
@@ -10,9 +9,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
+
+/// A range of a text's units, [first, last).
+struct text_range {
+    std::uint32_t first = 0;
+    std::uint32_t last = 0;
+};
 
 /// A stretch of one line that is read in one direction.
 struct visual_run {
@@ -24,20 +28,19 @@ struct visual_run {
 namespace detail {
 
 /// Rule L1: the runs of a line from its end to its start.
-inline error line_runs(std::span<const std::uint8_t> levels, std::span<const text_mark> marks, std::uint8_t paragraph,
-                       std::uint32_t first, buffer<visual_run>& runs) noexcept
+inline error line_runs(const std::uint8_t* levels, const text_mark* marks, std::uint8_t paragraph, text_range line,
+                       buffer<visual_run>& runs) noexcept
 {
     bool trailing = true;
-    for (std::size_t i = levels.size(); i-- > 0;) {
-        const auto place = static_cast<std::uint32_t>(first + i);
+    for (std::uint32_t i = line.last; i-- > line.first;) {
         if (has(marks[i], text_mark::separator))
             trailing = true;
         else if (!has(marks[i], text_mark::trailing))
             trailing = false;
         const std::uint8_t level = trailing ? paragraph : levels[i];
         if (!runs.empty() && runs.back().level == level)
-            runs.back().first = place;
-        else if (!runs.push_back({place, place + 1, level}))
+            runs.back().first = i;
+        else if (!runs.push_back({i, i + 1, level}))
             return error::out_of_memory;
     }
     return {};
@@ -46,7 +49,7 @@ inline error line_runs(std::span<const std::uint8_t> levels, std::span<const tex
 /// Rule L2 for runs from the line's end to its start. Every sequence of runs at a level or above stands in the order of
 /// that level: what is read first to the left or to the right. Such sequences lie in one another as brackets do, so a
 /// stack of those that are still open joins them in one pass.
-inline void sort_visually(std::span<visual_run> runs, visual_run* sorted, std::uint32_t* next) noexcept
+inline void sort_visually(buffer<visual_run>& runs, visual_run* sorted, std::uint32_t* next) noexcept
 {
     struct group {
         std::uint8_t level;
@@ -82,27 +85,25 @@ inline void sort_visually(std::span<visual_run> runs, visual_run* sorted, std::u
     next[open[0].right] = 0;
     std::uint32_t k = open[0].left;
     for (std::size_t i = 0; i < runs.size(); ++i, k = next[k]) sorted[i] = runs[k];
-    std::memcpy(runs.data(), sorted, runs.size_bytes());
+    std::memcpy(runs.data(), sorted, runs.size() * sizeof(visual_run));
 }
 
 }  // namespace detail
 
 /// Puts one line in visual order: rules L1 and L2 of UAX #9.
 ///
-///     levels, marks   of the line's units: those of a text_analysis from `first` on
+///     levels, marks   of the units of the text, as in a text_analysis; those of the line are read
 ///     paragraph       the level of its paragraph
-///     first           where the line begins in the text; runs count from the text's start
 ///     runs            emptied first; gets the line's runs from left to right. Within a run of odd level the characters
 ///                     stand from right to left.
 ///
 /// Fails  error::out_of_memory
-/// Cost   O(n)
-inline error visual_runs(std::span<const std::uint8_t> levels, std::span<const text_mark> marks, std::uint8_t paragraph,
-                         std::size_t first, workspace& space, buffer<visual_run>& runs) noexcept
+/// Cost   O(length of the line)
+inline error visual_runs(const std::uint8_t* levels, const text_mark* marks, std::uint8_t paragraph, text_range line,
+                         workspace& space, buffer<visual_run>& runs) noexcept
 {
-    TYPEMESH_ASSERT(levels.size() == marks.size(), "visual_runs() needs a level and marks for each unit");
     runs.clear();
-    if (error e = detail::line_runs(levels, marks, paragraph, static_cast<std::uint32_t>(first), runs)) {
+    if (error e = detail::line_runs(levels, marks, paragraph, line, runs)) {
         runs.clear();
         return e;
     }
@@ -114,7 +115,7 @@ inline error visual_runs(std::span<const std::uint8_t> levels, std::span<const t
         runs.clear();
         return error::out_of_memory;
     }
-    detail::sort_visually(runs.view(), sorted, next);
+    detail::sort_visually(runs, sorted, next);
     return {};
 }
 

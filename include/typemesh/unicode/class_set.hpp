@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/version.hpp>
+
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// A set of classes of characters, for tests of several at once. Class: an enumeration of at most 64 values from 0 on.
+template <class Class>
+class class_set {
+public:
+    template <class... Classes>
+    constexpr class_set(Classes... c) noexcept : bits_{(std::uint64_t{0} | ... | bit(c))}
+    {
+    }
+
+    [[nodiscard]] constexpr bool holds(Class c) const noexcept { return (bits_ & bit(c)) != 0; }
+    [[nodiscard]] constexpr bool meets(class_set other) const noexcept { return (bits_ & other.bits_) != 0; }
+    constexpr void add(Class c) noexcept { bits_ |= bit(c); }
+    constexpr void add(class_set other) noexcept { bits_ |= other.bits_; }
+
+private:
+    static constexpr std::uint64_t bit(Class c) noexcept { return std::uint64_t{1} << static_cast<unsigned>(c); }
+
+    std::uint64_t bits_;
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI

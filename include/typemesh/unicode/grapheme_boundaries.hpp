@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/unicode/character.hpp>
+#include <typemesh/unicode/class_set.hpp>
+
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// Finds where graphemes begin: what a reader takes for one character, a letter with its marks, a syllable, an emoji of
+/// several code points. Extended grapheme clusters, UAX #29.
+class grapheme_boundaries {
+public:
+    /// Whether a grapheme begins with this character; called for each one of a text in turn.
+    [[nodiscard]] bool operator()(grapheme_class c) noexcept
+    {
+        const bool begins = first_ || !joins(c);
+        first_ = false;
+        if (c == grapheme_class::pictographic)
+            emoji_ = emoji::picture;
+        else if (c == grapheme_class::zwj && emoji_ == emoji::picture)
+            emoji_ = emoji::joiner;
+        else if (c != grapheme_class::extend || emoji_ != emoji::picture)
+            emoji_ = emoji::none;
+        half_a_flag_ = c == grapheme_class::regional_indicator && (begins || !half_a_flag_);
+        before_ = c;
+        return begins;
+    }
+
+private:
+    /// How much of a picture, its marks and a joiner (GB11) stands before.
+    enum class emoji : std::uint8_t { none, picture, joiner };
+
+    /// Rules GB3 to GB13.
+    [[nodiscard]] bool joins(grapheme_class c) const noexcept
+    {
+        using enum grapheme_class;
+        using classes = class_set<grapheme_class>;
+        if (before_ == cr && c == lf) return true;
+        if (classes{control, cr, lf}.holds(before_) || classes{control, cr, lf}.holds(c)) return false;
+        if (classes{extend, zwj, spacing_mark}.holds(c) || before_ == prepend) return true;
+        switch (before_) {
+        case l: return classes{l, v, lv, lvt}.holds(c);
+        case lv:
+        case v: return c == v || c == t;
+        case lvt:
+        case t: return c == t;
+        case regional_indicator: return c == regional_indicator && half_a_flag_;
+        default: return c == pictographic && emoji_ == emoji::joiner;
+        }
+    }
+
+    grapheme_class before_ = grapheme_class::other;
+    emoji emoji_ = emoji::none;
+    bool half_a_flag_ = false;  // before is the first of two regional indicators
+    bool first_ = true;
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI

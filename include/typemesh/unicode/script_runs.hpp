@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/error.hpp>
+#include <typemesh/unicode/bidi_brackets.hpp>
+#include <typemesh/unicode/script.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// A stretch of a text in one script.
+struct script_run {
+    std::uint32_t first = 0;
+    std::uint32_t last = 0;    ///< one past its end
+    std::uint32_t script = 0;  ///< ISO 15924, as script_tag(); 'Zyyy' where no letter says which
+};
+
+/// Cuts a paragraph into runs of one script: UAX #24.
+///
+///     Hello (мир) 5     marks, spaces and punctuation belong to the run before them, at the start of the paragraph to
+///     |Latn  |Cy|Latn   the one behind; a closing bracket to that of its opening one. What several scripts have in
+///                       common ends no run of one of them.
+///
+/// At most 32 brackets are open at a time. Appends to `runs`. Cost: O(n)
+class script_itemiser {
+public:
+    explicit script_itemiser(buffer<script_run>& runs) noexcept : runs_{runs} {}
+
+    /// The next character, and its place in the text, which ascends.
+    ///
+    /// Fails  error::out_of_memory
+    error add(char32_t c, bracket_kind kind, std::uint32_t place) noexcept
+    {
+        script_set own = script_set::of(c);
+        if (kind == bracket_kind::closing) close(opening_bracket(c, kind), own);
+        if (!begun_) first_ = place;
+        begun_ = true;
+        if (!scripts_.intersect(own)) {
+            if (error e = end(place)) return e;
+            scripts_ = own;
+            first_ = place;
+            begun_ = true;
+        }
+        if (kind == bracket_kind::opening) open(opening_bracket(c, kind));
+        return {};
+    }
+
+    /// The end of the last run: that of the paragraph.
+    ///
+    /// Fails  error::out_of_memory
+    error end(std::uint32_t place) noexcept
+    {
+        if (!begun_) return {};
+        begun_ = false;
+        for (std::size_t k = 0; k < depth_ && opened(k).in_this_run; ++k) {
+            opened(k).scripts = scripts_;
+            opened(k).in_this_run = false;
+        }
+        return runs_.push_back({first_, place, scripts_.tag()}) ? error{} : error{error::out_of_memory};
+    }
+
+private:
+    struct open_bracket {
+        char32_t bracket;
+        bool in_this_run;    // that is not at its end yet
+        script_set scripts;  // those of its run, once that is at its end
+    };
+
+    /// The k-th of the open brackets, from the innermost, 0, outwards. Beyond `most` the outermost are forgotten.
+    [[nodiscard]] open_bracket& opened(std::size_t k) noexcept { return brackets_[(top_ - 1 - k) % most]; }
+
+    void open(char32_t bracket) noexcept
+    {
+        ++top_;
+        if (depth_ < most) ++depth_;
+        opened(0) = {bracket, true, {}};
+    }
+
+    /// Where the bracket has a partner in a run before this one, its scripts.
+    void close(char32_t bracket, script_set& scripts) noexcept
+    {
+        std::size_t k = 0;
+        while (k < depth_ && opened(k).bracket != bracket) ++k;
+        if (k == depth_) return;
+        if (!opened(k).in_this_run) scripts = opened(k).scripts;
+        top_ -= k + 1;
+        depth_ -= k + 1;
+    }
+
+    static constexpr std::size_t most = 32;
+
+    buffer<script_run>& runs_;
+    script_set scripts_;
+    std::uint32_t first_ = 0;
+    bool begun_ = false;
+    std::size_t top_ = most, depth_ = 0;
+    open_bracket brackets_[most];
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/assert.hpp>
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/first_where.hpp>
+#include <typemesh/unicode/script_runs.hpp>
+#include <typemesh/unicode/text_mark.hpp>
+#include <typemesh/unicode/visual_order.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// A paragraph with what ends it, and its level: 0 if it is read to the right, 1 to the left.
+struct text_paragraph {
+    std::uint32_t first = 0;
+    std::uint32_t last = 0;
+    std::uint8_t level = 0;
+};
+
+/// What Unicode's algorithms find in a text, by a text_analyser. All places count units, as clusters do.
+///
+///     units     a  b     R  R  S  S  \n      "ab " and the two Hebrew letters R and S, of two bytes each
+///     levels    0  0  0  1  1  1  1  0       one for each unit: odd ones are read to the left
+///     marks     g  g  g  b     g     g       a set for each unit, text_mark: here where graphemes begin (g), the
+///                                            fourth of which, R, may also begin a line (b)
+struct text_analysis {
+    buffer<std::uint8_t> levels;        ///< before rule L1 of UAX #9, which visual_runs() applies
+    buffer<text_mark> marks;            ///< where graphemes begin and lines may end
+    buffer<script_run> scripts;         ///< no run goes beyond a paragraph
+    buffer<text_paragraph> paragraphs;  ///< one more than there are paragraph separators: the last may be empty
+    buffer<text_range> unbroken;        ///< Thai, Lao, Khmer, Burmese: lines could end inside, but only a dictionary
+                                        ///< tells where, and the analyser has none
+    std::uint32_t invalid_units = 0;    ///< places that are not valid UTF and read as U+FFFD
+    std::uint32_t first_invalid_unit = 0;
+
+    explicit text_analysis(memory source = heap()) noexcept
+        : levels{source}, marks{source}, scripts{source}, paragraphs{source}, unbroken{source}
+    {
+    }
+
+    void clear() noexcept
+    {
+        levels.clear();
+        marks.clear();
+        scripts.clear();
+        paragraphs.clear();
+        unbroken.clear();
+        invalid_units = first_invalid_unit = 0;
+    }
+
+    /// The paragraph that holds the unit i; behind the text, the last one. Cost: O(log(paragraphs))
+    [[nodiscard]] const text_paragraph& paragraph_of(std::size_t i) const noexcept
+    {
+        TYPEMESH_ASSERT(!paragraphs.empty(), "a text was asked for a paragraph before it was analysed");
+        const auto begins_behind = [&](std::size_t k) noexcept { return paragraphs[k].first > i; };
+        return paragraphs[first_where(1, paragraphs.size(), begins_behind) - 1];
+    }
+};
+
+/// The runs of one line, which is in one paragraph, from left to right: see visual_order.hpp.
+///
+/// Fails  error::out_of_memory
+inline error visual_runs(const text_analysis& text, text_range line, workspace& space,
+                         buffer<visual_run>& runs) noexcept
+{
+    TYPEMESH_ASSERT(line.first <= line.last && line.last <= text.levels.size(), "a line lies outside its text");
+    return visual_runs(text.levels.data(), text.marks.data(), text.paragraph_of(line.first).level, line, space, runs);
+}
+
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/workspace.hpp>
+#include <typemesh/unicode/character.hpp>
+#include <typemesh/unicode/grapheme_boundaries.hpp>
+#include <typemesh/unicode/line_opportunities.hpp>
+#include <typemesh/unicode/text_analyser.hpp>
+#include <typemesh/unicode/utf.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// The algorithms of Unicode 15.0 by themselves, without a library and without dictionaries: UAX #9, #14, #24 and #29.
+/// Everywhere the same; `language` is not read. Keeps its memory for the next text.
+///
+/// Cost   O(n) time; 11 bytes for each character of the longest paragraph, 42 more if some are read to the left
+class unicode_analyser {
+public:
+    explicit unicode_analyser(memory source = heap()) noexcept
+        : space_{source}, values_{source}, places_{source}, bidi_{source}, lines_{source}, levels_{source}
+    {
+    }
+
+    error analyse(text_view text, const analysis_options& how, text_analysis& found) noexcept
+    {
+        found.clear();
+        if (static_cast<std::uint64_t>(text.size()) > 0xFFFF'FFFFu) return error::too_large;
+        const error e = fill_in(text, how, found);
+        if (e) found.clear();
+        return e;
+    }
+
+private:
+    error fill_in(text_view text, const analysis_options& how, text_analysis& found) noexcept
+    {
+        const std::size_t size = text.size();
+        if (size > 0 && (found.levels.append(size) == nullptr || found.marks.append(size) == nullptr))
+            return error::out_of_memory;
+        std::size_t begin = 0;
+        bool more = true;
+        while (more) {
+            std::size_t end = begin;
+            if (error e = read_paragraph(text, end, more, found)) return e;
+            if (levels_.size() < values_.size() && levels_.append(values_.size() - levels_.size()) == nullptr)
+                return error::out_of_memory;
+            detail::bidi_resolver resolve{values_.data(), bidi_.data(), values_.size(), levels_.data()};
+            const auto level = resolve(how.direction, space_);
+            if (!level) return level.error();
+            if (!found.paragraphs.push_back(
+                    {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), *level}))
+                return error::out_of_memory;
+            if (error e = mark(found)) return e;
+            begin = end;
+        }
+        return {};
+    }
+
+    /// Decodes a paragraph and looks up its characters. Places have one entry more, the paragraph's end.
+    ///
+    ///     at      where it begins; then where the next one does
+    ///     more    whether a separator ends it
+    error read_paragraph(text_view text, std::size_t& at, bool& more, text_analysis& found) noexcept
+    {
+        values_.clear();
+        places_.clear();
+        bidi_.clear();
+        lines_.clear();
+        for (more = false; at < text.size() && !more;) {
+            code_point c = decode(text, at);
+            if (!c.valid && found.invalid_units++ == 0) found.first_invalid_unit = static_cast<std::uint32_t>(at);
+            const character properties = character_of(c.value);
+            more = properties.bidi == bidi_class::b &&
+                   !(c.value == 0x0D && c.next < text.size() && text.unit(c.next) == 0x0A);
+            if (!values_.push_back(c.value) || !places_.push_back(static_cast<std::uint32_t>(at)) ||
+                !bidi_.push_back(properties.bidi) || !lines_.push_back(properties.line))
+                return error::out_of_memory;
+            at = c.next;
+        }
+        return places_.push_back(static_cast<std::uint32_t>(at)) ? error{} : error{error::out_of_memory};
+    }
+
+    /// Levels and marks of the paragraph's units, its script runs, and what would need a dictionary.
+    error mark(text_analysis& found) noexcept
+    {
+        grapheme_boundaries begins;
+        line_opportunities opportunity{lines_.data(), lines_.size()};
+        script_itemiser scripts{found.scripts};
+        bool unbroken = false;  // the character before is of a script that needs a dictionary
+        for (std::size_t k = 0; k < values_.size(); ++k) {
+            const character c = character_of(values_[k]);
+            if (error e = scripts.add(values_[k], c.bracket, places_[k])) return e;
+
+            const text_mark whole = marks_of(c);
+            text_mark first = whole | text_mark::character;
+            if (begins(c.grapheme)) first = first | text_mark::grapheme;
+            const line_opportunity before = opportunity(k);
+            if (before == line_opportunity::allowed) first = first | text_mark::may_break;
+            if (before == line_opportunity::mandatory || (k == 0 && places_[0] != 0))
+                first = first | text_mark::must_break;
+            for (std::size_t i = places_[k]; i < places_[k + 1]; ++i) {
+                found.levels[i] = levels_[k];
+                found.marks[i] = i == places_[k] ? first : whole;
+            }
+
+            const bool needs = c.line == line_class::sa || (unbroken && c.line == line_class::sa_mark);
+            if (needs && !unbroken && !found.unbroken.push_back({places_[k], places_[k]})) return error::out_of_memory;
+            if (needs) found.unbroken.back().last = places_[k + 1];
+            unbroken = needs;
+        }
+        return scripts.end(places_[values_.size()]);
+    }
+
+    [[nodiscard]] static text_mark marks_of(const character& c) noexcept
+    {
+        using enum bidi_class;
+        text_mark marks = text_mark::none;
+        if (bidi_classes{ws, s, b}.holds(c.bidi) && c.line != line_class::gl) marks = text_mark::space;
+        if (bidi_classes{s, b}.holds(c.bidi)) return marks | text_mark::separator;
+        if (bidi_classes{ws, bn, lre, rle, lro, rlo, pdf, lri, rli, fsi, pdi}.holds(c.bidi))
+            marks = marks | text_mark::trailing;
+        return marks;
+    }
+
+    workspace space_;
+    buffer<char32_t> values_;
+    buffer<std::uint32_t> places_;
+    buffer<bidi_class> bidi_;
+    buffer<line_class> lines_;
+    buffer<std::uint8_t> levels_;
+};
+static_assert(text_analyser<unicode_analyser>);
+
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "support/catch.hpp"
+
+#include <typemesh/unicode/text_analysis.hpp>
+#include <typemesh/unicode/unicode_analyser.hpp>
+
+using namespace typemesh;
+
+TEST_CASE("each unit is in the paragraph that holds it", "[analysis]")
+{
+    unicode_analyser analyser;
+    text_analysis found;
+    REQUIRE_FALSE(analyser.analyse(u8"ab\n\nשל\n", {}, found));
+    REQUIRE(found.paragraphs.size() == 4);
+    const int wanted[] = {0, 0, 0, 1, 2, 2, 2, 2, 2, 3};
+    for (std::size_t i = 0; i < std::size(wanted); ++i)
+        CHECK(&found.paragraph_of(i) == &found.paragraphs[static_cast<std::size_t>(wanted[i])]);
+    CHECK(found.paragraph_of(4).level == 1);
+    CHECK(found.paragraph_of(9).level == 0);
+    CHECK(found.paragraph_of(100).first == 9);
+}
+
+TEST_CASE("a line of an analysis is ordered with the level of its paragraph", "[analysis]")
+{
+    unicode_analyser analyser;
+    text_analysis found;
+    workspace space;
+    buffer<visual_run> runs;
+    REQUIRE_FALSE(analyser.analyse(u"ab\nשל ab ", {}, found));
+    REQUIRE_FALSE(visual_runs(found, {3, 9}, space, runs));
+    REQUIRE(runs.size() == 3);
+    CHECK(runs[0].first == 8);  // the space at the end, as far left as the line goes
+    CHECK(runs[0].level == 1);
+    CHECK(runs[1].first == 6);
+    CHECK(runs[1].last == 8);
+    CHECK(runs[1].level == 2);
+    CHECK(runs[2].first == 3);
+    CHECK(runs[2].last == 6);
+    found.clear();
+    CHECK(found.levels.empty());
+    CHECK(found.paragraphs.empty());
+}

@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: MIT
+#include "support/counting_memory.hpp"
+#include "unicode/break_test_file.hpp"
+
+#include <typemesh/unicode/unicode_analyser.hpp>
+
+#include <algorithm>
+#include <ctime>
+#include <random>
+#include <string>
+#include <vector>
+
+using namespace typemesh;
+
+namespace {
+
+std::string utf8_of(const std::u32string& text)
+{
+    std::string s;
+    for (const char32_t c : text) {
+        const auto add = [&](char32_t v) { s += static_cast<char>(static_cast<unsigned char>(v)); };
+        if (c < 0x80)
+            add(c);
+        else if (c < 0x800)
+            add(0xC0 | c >> 6), add(0x80 | (c & 0x3F));
+        else if (c < 0x10000)
+            add(0xE0 | c >> 12), add(0x80 | (c >> 6 & 0x3F)), add(0x80 | (c & 0x3F));
+        else
+            add(0xF0 | c >> 18), add(0x80 | (c >> 12 & 0x3F)), add(0x80 | (c >> 6 & 0x3F)), add(0x80 | (c & 0x3F));
+    }
+    return s;
+}
+
+std::u16string utf16_of(const std::u32string& text)
+{
+    std::u16string s;
+    for (const char32_t c : text) {
+        if (c >= 0x10000) s += static_cast<char16_t>(0xD7C0 + (c >> 10));
+        s += static_cast<char16_t>(c < 0x10000 ? c : 0xDC00 | (c & 0x3FF));
+    }
+    return s;
+}
+
+/// The marks of the first units of all characters, and their levels.
+std::vector<text_mark> marks_of(const text_analysis& found)
+{
+    std::vector<text_mark> marks;
+    for (const text_mark m : found.marks)
+        if (has(m, text_mark::character)) marks.push_back(m);
+    return marks;
+}
+
+std::vector<std::uint8_t> levels_of(const text_analysis& found)
+{
+    std::vector<std::uint8_t> levels;
+    for (std::size_t i = 0; i < found.levels.size(); ++i)
+        if (has(found.marks[i], text_mark::character)) levels.push_back(found.levels[i]);
+    return levels;
+}
+
+/// What holds for the analysis of whatever bytes.
+void check_laws(text_view text, const text_analysis& found)
+{
+    REQUIRE(found.levels.size() == text.size());
+    REQUIRE(found.marks.size() == text.size());
+    REQUIRE_FALSE(found.paragraphs.empty());
+    std::size_t at = 0;
+    for (const text_paragraph& p : found.paragraphs) {
+        REQUIRE(p.first == at);
+        REQUIRE((p.last > p.first || &p == &found.paragraphs.back()));
+        REQUIRE((p.first == 0 || p.first == text.size() || has(found.marks[p.first], text_mark::must_break)));
+        for (std::size_t i = p.first; i < p.last; ++i) REQUIRE((found.levels[i] >= p.level && found.levels[i] <= 126));
+        at = p.last;
+    }
+    REQUIRE(at == text.size());
+    at = 0;
+    for (const script_run& s : found.scripts) {
+        REQUIRE(s.first == at);
+        REQUIRE(s.last > s.first);
+        REQUIRE(s.last <= found.paragraph_of(s.first).last);
+        at = s.last;
+    }
+    REQUIRE(at == text.size());
+    for (const text_range& r : found.unbroken)
+        for (std::size_t i = r.first + 1; i < r.last; ++i)
+            REQUIRE_FALSE(has(found.marks[i], text_mark::may_break | text_mark::must_break));
+    constexpr text_mark of_first =
+        text_mark::character | text_mark::grapheme | text_mark::may_break | text_mark::must_break;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const text_mark m = found.marks[i];
+        REQUIRE(has(m, text_mark::character) == (i == next));
+        if (i == next)
+            next = decode(text, i).next;
+        else
+            REQUIRE(!has(m, of_first));
+        REQUIRE(!(has(m, text_mark::may_break) && has(m, text_mark::must_break)));
+        // A line may end inside a grapheme where only UAX #14 would have it so: between a space and a mark.
+        if (has(m, text_mark::must_break)) REQUIRE(has(m, text_mark::grapheme));
+    }
+    if (text.size() > 0) REQUIRE(found.marks[0] == (found.marks[0] | text_mark::character | text_mark::grapheme));
+}
+
+}  // namespace
+
+TEST_CASE("an analysis marks each unit of a text", "[analysis]")
+{
+    unicode_analyser analyser;
+    text_analysis found;
+    REQUIRE_FALSE(analyser.analyse(u8"say ש\u05C1ל\n", {}, found));
+    REQUIRE(found.levels.size() == 11);
+    CHECK(levels_of(found) == std::vector<std::uint8_t>{0, 0, 0, 0, 1, 1, 1, 0});
+    CHECK(found.levels[9] == 1);
+    using enum text_mark;
+    constexpr text_mark cg = character | grapheme;
+    CHECK(marks_of(found) == std::vector<text_mark>{cg, cg, cg, cg | space | trailing, cg | may_break, character, cg,
+                                                    cg | space | separator});
+    REQUIRE(found.scripts.size() == 2);
+    CHECK(found.scripts[1].first == 4);
+    CHECK(found.scripts[1].script == script_tag("Hebr"));
+    REQUIRE(found.paragraphs.size() == 2);
+    CHECK(found.paragraphs[1].first == 11);
+    CHECK(found.unbroken.empty());
+}
+
+TEST_CASE("an analysis does not depend on the encoding", "[analysis]")
+{
+    const std::u32string text =
+        U"Hello (שלום 12) \U0001F468\u200D\U0001F469 e\u0301\r\n"
+        U"มาก 漢字, ok\u2029\u0661%";
+    unicode_analyser analyser;
+    text_analysis eight, sixteen;
+    REQUIRE_FALSE(analyser.analyse(utf8_of(text), {}, eight));
+    REQUIRE_FALSE(analyser.analyse(utf16_of(text), {}, sixteen));
+    CHECK(levels_of(eight) == levels_of(sixteen));
+    CHECK(marks_of(eight) == marks_of(sixteen));
+    CHECK(marks_of(eight).size() == text.size());
+    CHECK(eight.scripts.size() == sixteen.scripts.size());
+    CHECK(eight.paragraphs.size() == 3);
+    CHECK(sixteen.paragraphs.size() == 3);
+    CHECK(eight.unbroken.size() == 1);
+    check_laws(utf8_of(text), eight);
+    check_laws(utf16_of(text), sixteen);
+}
+
+TEST_CASE("paragraphs end at separators, CR LF being one", "[analysis]")
+{
+    const auto starts = [](std::u16string_view text) {
+        unicode_analyser analyser;
+        text_analysis found;
+        REQUIRE_FALSE(analyser.analyse(text, {}, found));
+        std::vector<std::uint32_t> all;
+        for (const text_paragraph& p : found.paragraphs) all.push_back(p.first);
+        return all;
+    };
+    CHECK(starts(u"") == std::vector<std::uint32_t>{0});
+    CHECK(starts(u"a") == std::vector<std::uint32_t>{0});
+    CHECK(starts(u"a\n") == std::vector<std::uint32_t>{0, 2});
+    CHECK(starts(u"a\r\nb\rc\x85"
+                 u"d\u2029\x1C") == std::vector<std::uint32_t>{0, 3, 5, 7, 9, 10});
+    CHECK(starts(u"a\v\f\u2028b") == std::vector<std::uint32_t>{0});  // lines end there, paragraphs do not
+}
+
+TEST_CASE("the direction asked for is that of every paragraph", "[analysis]")
+{
+    unicode_analyser analyser;
+    text_analysis found;
+    REQUIRE_FALSE(analyser.analyse("a\n1\n", {.direction = paragraph_direction::right_to_left}, found));
+    for (const text_paragraph& p : found.paragraphs) CHECK(p.level == 1);
+    CHECK(found.levels[0] == 2);
+    REQUIRE_FALSE(analyser.analyse(u8"ש", {.direction = paragraph_direction::left_to_right}, found));
+    CHECK(found.paragraphs[0].level == 0);
+    CHECK(found.levels[0] == 1);
+}
+
+TEST_CASE("words that only a dictionary finds are named, and nothing breaks inside", "[analysis]")
+{
+    unicode_analyser analyser;
+    text_analysis found;
+    const std::u16string text = u"ab ภาษาไทย cd ພາສາ";
+    REQUIRE_FALSE(analyser.analyse(text, {}, found));
+    REQUIRE(found.unbroken.size() == 2);
+    CHECK(found.unbroken[0].first == 3);
+    CHECK(found.unbroken[0].last == 10);
+    CHECK(found.unbroken[1].first == 14);
+    CHECK(found.unbroken[1].last == 18);
+    check_laws(text, found);
+}
+
+TEST_CASE("what is not UTF is counted", "[analysis]")
+{
+    unicode_analyser analyser;
+    text_analysis found;
+    REQUIRE_FALSE(
+        analyser.analyse("ab\xFF"
+                         "c\xE2\x82",
+                         {}, found));
+    CHECK(found.invalid_units == 2);
+    CHECK(found.first_invalid_unit == 2);
+    REQUIRE_FALSE(analyser.analyse("ab", {}, found));
+    CHECK(found.invalid_units == 0);
+}
+
+TEST_CASE("the analyser's breaks are those of all test files in both encodings", "[analysis]")
+{
+    unicode_analyser analyser;
+    text_analysis found;
+    for (const char* file : {"auxiliary/LineBreakTest.txt", "auxiliary/GraphemeBreakTest.txt"}) {
+        const bool lines = file[10] == 'L';
+        std::size_t wrong = 0;
+        for (const ucd::break_case& one : ucd::break_cases(file)) {
+            const std::u32string text{one.text.begin(), one.text.end()};
+            const auto wanted = [&](std::size_t i) { return i == 0 ? !lines : bool(one.breaks[i]); };
+            for (const int encoding : {8, 16}) {
+                const error e = encoding == 8 ? analyser.analyse(utf8_of(text), {}, found)
+                                              : analyser.analyse(utf16_of(text), {}, found);
+                REQUIRE_FALSE(e);
+                const auto marks = marks_of(found);
+                bool same = marks.size() == text.size();
+                for (std::size_t i = 0; same && i < marks.size(); ++i)
+                    same = has(marks[i], lines ? text_mark::may_break | text_mark::must_break : text_mark::grapheme) ==
+                           wanted(i);
+                if (!same && ++wrong <= 5) WARN(one.row);
+            }
+        }
+        CHECK(wrong == 0);
+    }
+}
+
+TEST_CASE("the analysis of any bytes obeys its laws", "[analysis]")
+{
+    std::mt19937 random{4};
+    unicode_analyser analyser;
+    text_analysis found;
+    const std::u32string some =
+        U"a 1-(\u05D0\u0628)[]\u0301\u200D\U0001F468\U0001F1E9\r\n\u2029\u0E01\u0E31\u2067\u2069\u202B$";
+    for (int repeat = 0; repeat < 3000; ++repeat) {
+        std::string bytes(random() % 50, ' ');
+        for (char& c : bytes) c = static_cast<char>(random());
+        std::u16string units(random() % 50, u' ');
+        for (char16_t& c : units) c = static_cast<char16_t>(random());
+        std::u32string text(random() % 50, U' ');
+        for (char32_t& c : text) c = some[random() % some.size()];
+        const std::string encoded = utf8_of(text);
+        for (const text_view view : {text_view{bytes}, text_view{units}, text_view{encoded}}) {
+            REQUIRE_FALSE(analyser.analyse(view, {}, found));
+            check_laws(view, found);
+        }
+    }
+}
+
+TEST_CASE("each request for memory may fail, and once warm there are none", "[analysis]")
+{
+    const std::string text = utf8_of(U"Hello (שלום 12)\nมาก 漢字, \u2067ok\u2069\n");
+    for (std::size_t fail = 1;; ++fail) {
+        test::counting_memory heap;
+        unicode_analyser analyser{heap.source()};
+        text_analysis found{heap.source()};
+        heap.fail_at = fail;
+        heap.fail_once = true;
+        const error e = analyser.analyse(text, {}, found);
+        if (heap.requests < fail) {
+            CHECK(fail > 8);
+            CHECK_FALSE(e);
+            CHECK_FALSE(analyser.analyse("", {}, found));
+            const std::size_t warm = heap.requests;
+            CHECK_FALSE(analyser.analyse(text, {}, found));
+            CHECK(heap.requests == warm);
+            break;
+        }
+        CHECK(e == error::out_of_memory);
+        CHECK(found.levels.empty());
+        CHECK_FALSE(analyser.analyse(text, {}, found));
+        check_laws(text, found);
+    }
+}
+
+TEST_CASE("texts of all kinds are analysed in linear time", "[analysis]")
+{
+    const auto repeated = [](const std::u32string& piece, std::size_t count) {
+        std::u32string s;
+        for (std::size_t i = 0; i < count; ++i) s += piece;
+        return s;
+    };
+    // Processor time of one analysis, the least of some.
+    unicode_analyser analyser;
+    text_analysis found;
+    const auto seconds = [&](const std::u32string& text) {
+        const std::u16string units = utf16_of(text);
+        double least = 1e9;
+        for (int i = 0; i < 3; ++i) {
+            const std::clock_t begun = std::clock();
+            REQUIRE_FALSE(analyser.analyse(units, {}, found));
+            least = std::min(least, static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC);
+        }
+        return least;
+    };
+    const std::u32string pieces[] = {
+        U"Hello שלום (12%) ",    // mixed
+        U"(",                    // never closed
+        U"(\u05D0",              //
+        U"[)",                   // never matched
+        U"\u2067",               // deep isolates
+        U"\u2068\u05D0",         // isolates that ask for their first letter
+        U"\u2068",               // and find none
+        U"\u202B\u05D0",         // deep embeddings
+        U"\u202B\u05D0\u2067",   // both
+        U"\u05D0\u2067a\u2069",  // one sequence of many runs
+        U"\u05D0 . ",            // neutrals
+        U"\u05D0$$$",            // terminators
+        U"$(\u0301",             // rule LB25 looks ahead
+        U"\U0001F1E9",           // flags
+        U"\U0001F468\u200D",     // a family
+        U"\u0E01",               // without a dictionary
+        U"\n",                   // paragraphs
+        U"漢か",                 // scripts
+    };
+    constexpr std::size_t few = 20000, times = 16;
+    for (const std::u32string& piece : pieces) {
+        const double less = seconds(repeated(piece, few)), more = seconds(repeated(piece, times * few));
+        INFO("U+" << ucd::hex_of(piece.front()) << ": " << less * 1000 << " ms, " << more * 1000 << " ms");
+        CHECK(more < 4 * times * (less + 0.0005));
+    }
+    const double pairs = seconds(repeated(U"(", few) + repeated(U")", few)),
+                 more = seconds(repeated(U"(", times * few) + repeated(U")", times * few));
+    CHECK(more < 4 * times * (pairs + 0.0005));
+}
