@@ -23,13 +23,16 @@ struct collapse {
     std::uint8_t k = 0;
     std::int64_t reach = 0;  ///< of meet and turn: how long the flat triangle is, in places
 
-    /// Of several at a time, up to 1/4096 cell, lengths vanish first, then the longest triangles go: a flip replaces
+    /// What happens within 1/4096 cell happens at a time.
+    [[nodiscard]] static constexpr std::int64_t tick(std::int64_t time) noexcept { return time >> 20; }
+
+    /// Of several at a time, lengths vanish first, then the longest triangles go: a flip replaces
     /// their longest edge by a shorter one, so that flips at a time come to an end.
     /// From  P. Palfrader, M. Held, S. Huber: On computing straight skeletons by means of kinetic triangulations
     ///       (2012), section 3
     friend bool operator<(const collapse& a, const collapse& b) noexcept
     {
-        const std::int64_t a_time = a.time >> 20, b_time = b.time >> 20;
+        const std::int64_t a_time = tick(a.time), b_time = tick(b.time);
         if (a_time != b_time) return a_time < b_time;
         const bool a_flat = a.what >= kind::meet, b_flat = b.what >= kind::meet;
         if (a_flat != b_flat) return b_flat;

@@ -10,6 +10,7 @@
 #include <typemesh/core/same.hpp>
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/core/workspace.hpp>
+#include <typemesh/offset/cell_repair.hpp>
 #include <typemesh/offset/reflex_joins.hpp>
 #include <typemesh/offset/ring_cutter.hpp>
 #include <typemesh/offset/swept_region.hpp>
@@ -46,7 +47,7 @@ public:
           stack_{scratch.source()},
           ring_{scratch.source()},
           on_path_{scratch.source()},
-          detours_{scratch.source()}
+          repair_{scratch.source()}
     {
     }
 
@@ -76,11 +77,6 @@ public:
 private:
     static constexpr std::uint32_t none = wavefront::none;
     static constexpr std::int64_t early = 2 * time_one;
-
-    struct detour {
-        std::uint32_t a = 0, b = 0;  // instead of straight
-        std::uint32_t via = 0;
-    };
 
     [[nodiscard]] static std::int64_t time_of(double cells) noexcept
     {
@@ -164,6 +160,7 @@ private:
     [[nodiscard]] bool open_cells() noexcept
     {
         front_.outlines.clear();
+        first_node_ = front_.nodes.size();
         const std::size_t missing = front_.mesh.segments.size() - front_.ends_of.size();
         if (missing != 0 && front_.ends_of.append(missing) == nullptr) return false;
         for (std::uint32_t s = 0; s < front_.mesh.segments.size(); ++s) {
@@ -238,60 +235,23 @@ private:
         return true;
     }
 
-    /// Where rounding has turned a sliver of a cell over, the long side of it takes a detour over the node that is too
-    /// close to it, in the neighbouring cell as well, and everything is cut again.
+    /// Cuts all cells; where one cannot be cut, it is mended, and they are cut again.
     [[nodiscard]] error cut_cells(std::uint32_t band) noexcept
     {
-        constexpr std::size_t most_detours = 64;
+        constexpr int most_attempts = 64;
         const std::size_t cells = out_.cells.size(), triangles = out_.triangles.size();
-        detours_.clear();
-        for (;;) {
-            const error e = try_to_cut(band);
-            if (e.code != error::crossing_contours) return e;
-            if (detours_.size() == most_detours || !find_detour(ring_, band)) return e;
+        repair_.begin(first_node_);
+        for (int attempt = 0; attempt < most_attempts; ++attempt) {
+            bool mended = false;
+            if (error e = try_to_cut(band, mended)) return e;
+            if (!mended) return error::none;
             out_.cells.truncate(cells);
             out_.triangles.truncate(triangles);
         }
+        return error::crossing_contours;
     }
 
-    [[nodiscard]] error try_to_cut(std::uint32_t band) noexcept
-    {
-        const auto& corners = front_.outlines.corners;
-        for (const auto& c : front_.outlines.cells) {
-            path_.clear();
-            std::uint32_t i = c.corner;
-            do {
-                if (!path_.push_back(corners[i].node) || !follow_detours(corners[corners[i].next].node))
-                    return error::out_of_memory;
-                i = corners[i].next;
-            } while (i != c.corner);
-            const auto first = static_cast<std::uint32_t>(out_.triangles.size());
-            if (error e = each_ring([&](const buffer<std::uint32_t>& ring) noexcept {
-                    return cutter_(ring, front_.nodes, out_.triangles);
-                }))
-                return e;
-            if (first != out_.triangles.size() && !out_.cells.push_back({c.line, band, first}))
-                return error::out_of_memory;
-        }
-        return error::none;
-    }
-
-    /// From the path's last node to the next one.
-    [[nodiscard]] bool follow_detours(std::uint32_t next) noexcept
-    {
-        for (std::size_t k = 0; k < detours_.size(); ++k) {
-            const detour& d = detours_[k];
-            const std::uint32_t last = path_.back();
-            const bool along = (d.a == last && d.b == next) || (d.a == next && d.b == last);
-            if (!along) continue;
-            if (!follow_detours(d.via) || !path_.push_back(d.via)) return false;
-            return follow_detours(next);
-        }
-        return true;
-    }
-
-    /// Finds the node of a ring that is nearest to another edge of it, at most 2 cells; edges at levels stay straight.
-    [[nodiscard]] bool find_detour(const buffer<std::uint32_t>& ring, std::uint32_t band) noexcept
+    [[nodiscard]] error try_to_cut(std::uint32_t band, bool& mended) noexcept
     {
         const auto is_at_level = [&](std::uint32_t a, std::uint32_t b) noexcept {
             for (std::size_t k = out_.at_level[band]; k < out_.edges_at.size(); ++k) {
@@ -300,30 +260,32 @@ private:
             }
             return false;
         };
-        detour best;
-        double least = 2.0;
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-            const std::uint32_t a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
-            if (is_at_level(a, b)) continue;
-            const grid_point p = front_.nodes[a].at, q = front_.nodes[b].at;
-            const double size = length({static_cast<double>(q.x - p.x), static_cast<double>(q.y - p.y)});
-            for (const std::uint32_t via : ring) {
-                const grid_point m = front_.nodes[via].at;
-                const std::int64_t along = (std::int64_t{q.x} - p.x) * (std::int64_t{m.x} - p.x) +
-                                           (std::int64_t{q.y} - p.y) * (std::int64_t{m.y} - p.y);
-                if (via == a || via == b || along <= 0 || along >= squared_distance(p, q)) continue;
-                const std::int64_t area = orientation(p, q, m);
-                const double distance = static_cast<double>(area < 0 ? -area : area) / size;
-                if (distance >= least) continue;
-                least = distance;
-                best = {a, b, via};
-            }
+        const auto& corners = front_.outlines.corners;
+        for (const auto& c : front_.outlines.cells) {
+            path_.clear();
+            std::uint32_t i = c.corner;
+            do {
+                if (!path_.push_back(corners[i].node) || !repair_.follow(path_, corners[corners[i].next].node))
+                    return error::out_of_memory;
+                i = corners[i].next;
+            } while (i != c.corner);
+            const auto first = static_cast<std::uint32_t>(out_.triangles.size());
+            if (error e = each_ring([&](const buffer<std::uint32_t>& ring) noexcept {
+                    const error cut = cutter_(ring, front_.nodes, out_.triangles);
+                    if (cut.code != error::crossing_contours || !repair_.mend(ring, front_.nodes, is_at_level))
+                        return cut;
+                    mended = true;
+                    return error{};
+                }))
+                return e;
+            if (first != out_.triangles.size() && !out_.cells.push_back({c.line, band, first}))
+                return error::out_of_memory;
         }
-        return best.a != best.b && detours_.push_back(best);
+        return error::none;
     }
 
     /// Cuts the closed path where it comes back to a node, and passes on each ring of 3 nodes or more, until `take`
-    /// refuses one: that stays in ring_. What goes from a node to the next and back bounds nothing.
+    /// refuses one. What goes from a node to the next and back bounds nothing.
     template <class Take>
     [[nodiscard]] error each_ring(Take take) noexcept
     {
@@ -385,7 +347,8 @@ private:
     buffer<std::uint32_t> level_of_;  // of each vertex: its node at the level
     buffer<std::uint32_t> same_;      // of each node: another one at its place, or itself
     buffer<std::uint32_t> path_, stack_, ring_, on_path_;
-    buffer<detour> detours_;
+    cell_repair repair_;
+    std::size_t first_node_ = 0;  // of a band
 };
 
 }  // namespace detail

@@ -75,7 +75,7 @@ public:
             const collapse next = queue_.pop();
             const auto& t = mesh.triangles[next.triangle];
             if (!t.alive || t.stamp != next.stamp) continue;
-            if (next.time > times_.now) times_.now = next.time;
+            times_.now = next.time;
             happen(next);
             if (has_failed() || flips_ > most_flips_) return false;
         }
@@ -362,9 +362,9 @@ private:
     [[nodiscard]] bool comes_back(std::uint32_t h) noexcept
     {
         const std::uint32_t p = mesh.apex(h), q = mesh.apex(mesh.link(h));
-        if (known_.time != times_.now) known_ = {times_.now, 0, 1, none, none};
+        if (known_.time != collapse::tick(times_.now)) known_ = {collapse::tick(times_.now), 0, 1, none, none};
         if ((known_.p == p && known_.q == q) || (known_.p == q && known_.q == p)) return true;
-        if (++known_.age == known_.span) known_ = {times_.now, 0, 2 * known_.span, p, q};
+        if (++known_.age == known_.span) known_ = {known_.time, 0, 2 * known_.span, p, q};
         return false;
     }
     /// From the triangle beyond h on, where triangles are flat: one's longest edge that is not longer beyond, or a

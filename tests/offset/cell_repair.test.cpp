@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+
+#include <typemesh/offset/cell_repair.hpp>
+
+#include <typemesh/core/orientation.hpp>
+
+#include "support/catch.hpp"
+
+#include <cstdint>
+#include <vector>
+
+using namespace typemesh;
+
+namespace {
+
+buffer<swept_node> nodes_at(const std::vector<grid_point>& places)
+{
+    buffer<swept_node> nodes;
+    for (const grid_point p : places) REQUIRE(nodes.push_back({p, 0.0f}));
+    return nodes;
+}
+
+buffer<std::uint32_t> ring_of(std::uint32_t size)
+{
+    buffer<std::uint32_t> ring;
+    for (std::uint32_t i = 0; i < size; ++i) REQUIRE(ring.push_back(i));
+    return ring;
+}
+
+std::vector<std::uint32_t> way(const detail::cell_repair& repair, std::uint32_t from, std::uint32_t to)
+{
+    buffer<std::uint32_t> path;
+    REQUIRE(path.push_back(from));
+    REQUIRE(repair.follow(path, to));
+    return {path.begin(), path.end()};
+}
+
+constexpr auto nowhere = [](std::uint32_t, std::uint32_t) { return false; };
+
+}  // namespace
+
+TEST_CASE("cell_repair leads a side over the node that is nearest to it, in both directions", "[offset]")
+{
+    auto nodes = nodes_at({{0, 0}, {1000, 0}, {600, -2}, {300, -1}});
+    const auto ring = ring_of(4);
+    detail::cell_repair repair{heap()};
+    repair.begin(0);
+    REQUIRE(repair.mend(ring, nodes, nowhere));
+    CHECK(way(repair, 0, 1) == std::vector<std::uint32_t>{0, 3});  // what comes before the end of the side
+    CHECK(way(repair, 1, 0) == std::vector<std::uint32_t>{1, 3});
+    CHECK(way(repair, 1, 2) == std::vector<std::uint32_t>{1});
+    CHECK(nodes[3].at == grid_point{300, -1});
+
+    repair.begin(0);
+    CHECK(way(repair, 0, 1) == std::vector<std::uint32_t>{0});
+}
+
+TEST_CASE("cell_repair moves a node off a side at a level, unless the node belongs to an earlier band", "[offset]")
+{
+    const auto at_level = [](std::uint32_t a, std::uint32_t b) { return a + b == 1; };
+    for (const std::int32_t below : {0, 1}) {
+        auto nodes = nodes_at({{0, 0}, {1000, 3}, {500, 1 - below}, {500, 400}});
+        const auto ring = ring_of(4);
+        detail::cell_repair repair{heap()};
+        repair.begin(2);
+        REQUIRE(repair.mend(ring, nodes, at_level));
+        CHECK(nodes[2].at == grid_point{500, 2});
+        CHECK(orientation(nodes[0].at, nodes[1].at, nodes[2].at) > 0);
+        CHECK(way(repair, 0, 1) == std::vector<std::uint32_t>{0});
+    }
+    auto nodes = nodes_at({{0, 0}, {1000, 3}, {500, 1}, {500, 400}});
+    detail::cell_repair repair{heap()};
+    repair.begin(3);
+    CHECK_FALSE(repair.mend(ring_of(4), nodes, at_level));
+    CHECK(nodes[2].at == grid_point{500, 1});
+}
+
+TEST_CASE("cell_repair leaves alone what is two cells apart", "[offset]")
+{
+    auto nodes = nodes_at({{0, 0}, {1000, 0}, {500, -2}, {-10, 0}});
+    detail::cell_repair repair{heap()};
+    repair.begin(0);
+    CHECK_FALSE(repair.mend(ring_of(3), nodes, nowhere));
+    CHECK_FALSE(repair.mend(ring_of(3), nodes, [](std::uint32_t, std::uint32_t) { return true; }));
+}
