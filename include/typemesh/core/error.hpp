@@ -35,6 +35,7 @@ struct [[nodiscard]] error {
         outline_beyond_grid,  ///< an outline is too large for the integer grid
         too_many_pieces,      ///< contours cross more often than the caller allows; count = that limit
         crossing_contours,    ///< contours cross, touch or overlap where they must not; count: see triangulator.hpp
+        nothing_left,         ///< a glyph made thinner is nowhere as thick as what is taken off
         bad_tolerance,        ///< a tolerance is not a positive finite number
         bad_option,           ///< an option is outside its range; `option` names it
         mixed_direction,      ///< one line holds left-to-right and right-to-left text
@@ -107,6 +108,7 @@ struct [[nodiscard]] error {
         case outline_beyond_grid: return "The outline is too large for the integer grid.";
         case too_many_pieces: return "The contours cross more often than most_pieces allows.";
         case crossing_contours: return "Contours of the outline cross, touch or overlap.";
+        case nothing_left: return "Nothing is left of the glyph: it is thinner than what is taken off.";
         case bad_tolerance: return "The tolerance is not a positive finite number.";
         case bad_option: return "An option is outside its range.";
         case mixed_direction:

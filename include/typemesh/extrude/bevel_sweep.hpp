@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/core/contours.hpp>
 #include <typemesh/core/error.hpp>
-#include <typemesh/core/mixed_key.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/core/workspace.hpp>
@@ -52,22 +50,5 @@ struct bevel_sweep {
         return sweep_inwards(filled, triangles, {{distances, levels.size()}, mitre_limit, tolerance}, scratch, out);
     }
 };
-
-/// A number that tells sets of edges apart, in whatever order they come.
-[[nodiscard]] inline std::uint64_t edges_of(const contours& loops) noexcept
-{
-    std::uint64_t sum = 0;
-    const auto bits = [](grid_point p) noexcept {
-        return std::uint64_t{static_cast<std::uint32_t>(p.x)} << 32 | static_cast<std::uint32_t>(p.y);
-    };
-    for (std::uint32_t k = 0; k < loops.contour_count(); ++k) {
-        grid_point from = loops.points[loops.starts[k + 1] - 1];
-        for (std::uint32_t i = loops.starts[k]; i < loops.starts[k + 1]; ++i) {
-            sum += mixed_key(mixed_key(1, bits(from)), bits(loops.points[i]));
-            from = loops.points[i];
-        }
-    }
-    return sum;
-}
 
 }  // namespace typemesh::inline TYPEMESH_ABI

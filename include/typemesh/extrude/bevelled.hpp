@@ -2,16 +2,18 @@
 #pragma once
 
 #include <typemesh/core/finite.hpp>
-#include <typemesh/core/mixed_key.hpp>
+#include <typemesh/core/option_hash.hpp>
 #include <typemesh/extrude/axes.hpp>
 #include <typemesh/extrude/bevel_carver.hpp>
 #include <typemesh/extrude/bevel_data.hpp>
 #include <typemesh/extrude/bevel_heights.hpp>
+#include <typemesh/extrude/bevel_joins.hpp>
 #include <typemesh/extrude/bevel_light.hpp>
 #include <typemesh/extrude/bevel_strips.hpp>
 #include <typemesh/extrude/bevel_vertices.hpp>
 #include <typemesh/extrude/bevel_writer.hpp>
 #include <typemesh/extrude/curve_normals.hpp>
+#include <typemesh/extrude/exact_fill.hpp>
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/extrude/ready_profiles.hpp>
 #include <typemesh/extrude/surroundings.hpp>
@@ -32,9 +34,6 @@ enum class bevel_mode : std::uint8_t {
     clip,  ///< it closes in a ridge
     fit,   ///< the bevels of that glyph become narrower: 0.9 times the width at which a part of it would lose its cap
 };
-
-/// How a corner is filled that is turned away from the interior and sharper than the mitre limit.
-enum class bevel_joins : std::uint8_t { round, bevelled };
 
 /// A front, a back, walls between them, and bevels along the edges of front, back or both: five parts.
 ///
@@ -93,8 +92,7 @@ struct bevelled {
             { p.cache_key() } noexcept;
         }
     {
-        option_bits bits{width, std::uint64_t{0}, std::uint64_t{0x6A09'E667'F3BC'C908u},
-                         std::uint64_t{0xBB67'AE85'84CA'A73Bu}};
+        option_bits bits{width, std::uint64_t{0}};
         bits.words[0] |= option_bits{bevel_depth}.words[0] << 32;
         int bit = 0;
         const auto note = [&](std::initializer_list<bool> flags) noexcept {
@@ -104,16 +102,11 @@ struct bevelled {
         note({texture == texture_mapping::em, mode == bevel_mode::fit, joins == bevel_joins::round});
         note({shading == bevel_shading::rounded, !refused(), own_heights().has_walls(0.0f)});
         bits.words[1] |= option_bits{mitre_limit}.words[0] << 32;
-        option_bits own;
-        if constexpr (requires { profile.cache_key(); }) own = profile.cache_key();
-        const option_bits creases{crease_degrees, profile_crease_degrees};
-        for (const std::uint64_t word :
-             {creases.words[0], creases.words[1], own.words[0], own.words[1], own.words[2], own.words[3]}) {
-            for (const std::uint64_t half : {word >> 32, word & 0xFFFF'FFFFu}) {
-                bits.words[2] = mixed_key(bits.words[2], half);
-                bits.words[3] = mixed_key(bits.words[3], ~half);
-            }
-        }
+        option_hash rest;
+        rest.add(option_bits{crease_degrees, profile_crease_degrees});
+        rest.add_key_of(profile);
+        bits.words[2] = rest.first;
+        bits.words[3] = rest.second;
         return bits;
     }
 
@@ -236,7 +229,8 @@ private:
     error plan_outward(const region& filled, profile_scale& scale, plan_data& data, Caps& caps,
                        solid_plan& made) const noexcept
     {
-        if (error e = surround(filled, scale.width, caps.loops())) return e;
+        const double reach = farthest_way(filled, scale.width, as_double(mitre_limit));
+        if (error e = surround(filled, reach, caps.loops())) return e;
         data.triangles.clear();
         const auto around = caps.fill(data.triangles);
         if (!around) return around.error();
@@ -269,15 +263,8 @@ private:
     template <cap_maker Caps>
     error make_cap(plan_data& data, Caps& caps) const noexcept
     {
-        if (data.swept.cap.points.empty()) return {};
-        const std::uint64_t edges = edges_of(data.swept.cap);
-        caps.loops() = std::move(data.swept.cap);  // which exchanges their storage
-        const auto cap = caps.fill(data.of<triangle>());
+        const auto cap = fill_exactly(data.swept.cap, caps, data.of<triangle>());
         if (!cap) return cap.error();
-        if (edges_of(caps.loops()) != edges) {
-            data.of<triangle>().clear();
-            return error::crossing_contours;
-        }
         return data.of<grid_point>().append(cap->points()) ? error{} : error{error::out_of_memory};
     }
 

@@ -4,6 +4,7 @@
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/region.hpp>
+#include <typemesh/extrude/wall_normal.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -12,12 +13,56 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
+/// Appends a region's loops. False when memory runs out.
+[[nodiscard]] inline bool append_loops(const region& r, contours& out) noexcept
+{
+    const auto before = static_cast<std::uint32_t>(out.points.size());
+    if (out.starts.empty() && !out.starts.push_back(0)) return false;
+    if (!out.points.append(r.points()) || !out.edges.append(r.edges())) return false;
+    for (std::uint32_t k = 0; k < r.loop_count(); ++k)
+        if (!out.starts.push_back(before + r.starts()[k + 1])) return false;
+    out.forget_order();
+    return true;
+}
+
+/// Makes a loop run the other way, each edge against its curve.
+inline void turn_loop(contours& loops, std::uint32_t k) noexcept
+{
+    const std::uint32_t begin = loops.starts[k], end = loops.starts[k + 1];
+    for (std::uint32_t i = begin, j = end - 1; i < j; ++i, --j) std::swap(loops.points[i], loops.points[j]);
+    // The last edge, back to the first point, stays the last one.
+    for (std::uint32_t i = begin, j = end - 2; i < j; ++i, --j) std::swap(loops.edges[i], loops.edges[j]);
+    for (std::uint32_t i = begin; i < end; ++i) std::swap(loops.edges[i].t0, loops.edges[i].t1);
+    loops.forget_order();
+}
+
+/// How far corners of a region may move while its edges move outwards by `distance`, rounded up to a multiple of that:
+/// those that are sharper than the mitre limit (0: none) get joins.
+[[nodiscard]] inline double farthest_way(const region& filled, double distance, double mitre_limit) noexcept
+{
+    const double most = mitre_limit > 0.0 ? mitre_limit : 0x1p18;
+    double longest = 2.0;
+    for (std::uint32_t k = 0; longest < most && k < filled.loop_count(); ++k) {
+        const std::uint32_t begin = filled.starts()[k], end = filled.starts()[k + 1];
+        grid_point a = filled.points()[end - 2], b = filled.points()[end - 1];
+        for (std::uint32_t i = begin; i < end; ++i) {
+            const grid_point c = filled.points()[i];
+            const point in = delta(a, b), on = delta(b, c);
+            const double halved = 0.5 + 0.5 * dot(in, on) / (length(in) * length(on));  // squared cosine of half the turn
+            if (cross(in, on) > 0.0 && halved * longest * longest < 1.0) longest = std::sqrt(1.0 / std::fmax(halved, 0x1p-36));
+            a = b;
+            b = c;
+        }
+    }
+    return std::ceil(longest < most ? longest : std::fmax(most, 2.0)) * distance;
+}
+
 /// What lies around a region: a frame far outside, and the region's own loops, reversed. Filled by non_zero, it is the
 /// region that a sweep outwards sweeps.
 ///
 ///     +------------------+      The frame's corners come first. It stands so far outside that it meets nothing while
-///     |   .-->--.        |      edges move by `reach`.
-///     |   |     |        |
+///     |   .-->--.        |      edges move, none farther than `reach`, and corners, as far as that at most
+///     |   |     |        |      (farthest_way).
 ///     |   '--<--'        |
 ///     +------------------+
 ///
@@ -38,7 +83,7 @@ namespace typemesh::inline TYPEMESH_ABI {
         low = {p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y};
         high = {p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y};
     }
-    const double margin = 4.0 * reach + 64.0;
+    const double margin = 2.0 * reach + 64.0;
     if (!(margin < grid::reach)) return error::outline_beyond_grid;
     const auto m = static_cast<std::int32_t>(margin);
     for (const grid_point p : {grid_point{low.x - m, low.y - m},
@@ -53,15 +98,8 @@ namespace typemesh::inline TYPEMESH_ABI {
     out.starts.push_back_unchecked(0);
     out.starts.push_back_unchecked(4);
     out.grid.span += 2.0 * std::sqrt(2.0) * margin;
-    for (std::uint32_t k = 0; k < filled.loop_count(); ++k) {
-        const std::uint32_t begin = filled.starts()[k], end = filled.starts()[k + 1];
-        for (std::uint32_t i = end; i-- != begin;) {  // the edge from point i backwards is the one that ends there
-            const contour_edge& e = filled.edges()[i == begin ? end - 1 : i - 1];
-            out.points.push_back_unchecked(filled.points()[i]);
-            out.edges.push_back_unchecked({e.curve, e.t1, e.t0});
-        }
-        out.starts.push_back_unchecked(static_cast<std::uint32_t>(out.points.size()));
-    }
+    if (!append_loops(filled, out)) return error::out_of_memory;
+    for (std::uint32_t k = 1; k < out.contour_count(); ++k) turn_loop(out, k);
     return {};
 }
 
@@ -89,9 +127,10 @@ inline void leave_frame(contours& loops) noexcept
     for (std::uint32_t k = 0, begin = 0; k < loops.contour_count(); ++k) {
         const std::uint32_t after = loops.starts[k + 1], size = after - begin;
         if (lowest < begin || lowest >= after) {
-            for (std::uint32_t i = 0; i < size; ++i) loops.points[end + i] = loops.points[begin + i];
-            for (std::uint32_t i = 0; i < size / 2; ++i)
-                std::swap(loops.points[end + i], loops.points[end + size - 1 - i]);
+            for (std::uint32_t i = 0; i < size; ++i) {
+                loops.points[end + i] = loops.points[begin + i];
+                loops.edges[end + i] = loops.edges[begin + i];
+            }
             end += size;
             loops.starts[++kept] = static_cast<std::uint32_t>(end);
         }
@@ -100,7 +139,7 @@ inline void leave_frame(contours& loops) noexcept
     loops.points.truncate(end);
     loops.edges.truncate(end);
     loops.starts.truncate(kept + 1);
-    loops.forget_order();
+    for (std::uint32_t k = 0; k < kept; ++k) turn_loop(loops, k);
 }
 
 }  // namespace typemesh::inline TYPEMESH_ABI

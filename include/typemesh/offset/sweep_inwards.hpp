@@ -330,7 +330,8 @@ private:
             }
             if (error e = each_ring([&](const buffer<std::uint32_t>& ring) noexcept -> error {
                     for (const std::uint32_t node : ring)
-                        if (!cap.points.push_back(front_.nodes[node].at) || !cap.edges.push_back({}))
+                        if (!cap.points.push_back(front_.nodes[node].at) || !cap.edges.push_back({}) ||
+                            !out_.cap_nodes.push_back(node))
                             return error::out_of_memory;
                     return cap.starts.push_back(static_cast<std::uint32_t>(cap.points.size())) ? error::none
                                                                                                : error::out_of_memory;

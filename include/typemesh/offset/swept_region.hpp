@@ -48,8 +48,9 @@ struct swept_join {
 ///     |  |    cap    |  |                 once; none is flat in the plane
 ///     |  |___________|  |      levels     distances in cells, rising, from 0 to the width
 ///     | /             \ |      at_level   edges_at[at_level[k]] .. edges_at[at_level[k + 1]] stand at level k
-///     +-----------------+      cap        what remains at the last level: loops over nodes at that level
-///
+///     +-----------------+      cap        what remains at the last level: loops over nodes at that level, which
+///                                         cap_nodes names point by point; its edges refer to no curve yet
+///                                         (name_cap_edges)
 /// At the first level edges_at are the region's edges, at the last one the cap's.
 struct swept_region {
     buffer<swept_node> nodes;
@@ -60,6 +61,7 @@ struct swept_region {
     buffer<std::uint32_t> at_level;
     buffer<swept_join> joins;
     contours cap;
+    buffer<std::uint32_t> cap_nodes;
     double first_loss = -1.0;  ///< the distance at which the first connected part was swept wholly; -1: none was
     std::size_t events = 0;    ///< how often the boundary's topology changed or the triangulation had to
 
@@ -71,7 +73,8 @@ struct swept_region {
           edges_at{source},
           at_level{source},
           joins{source},
-          cap{source}
+          cap{source},
+          cap_nodes{source}
     {
     }
 
@@ -86,6 +89,7 @@ struct swept_region {
         at_level.clear();
         joins.clear();
         cap.clear();
+        cap_nodes.clear();
         first_loss = -1.0;
         events = 0;
     }

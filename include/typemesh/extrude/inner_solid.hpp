@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/box.hpp>
+#include <typemesh/core/contours.hpp>
+#include <typemesh/core/memory.hpp>
+#include <typemesh/core/region.hpp>
+#include <typemesh/core/result.hpp>
+#include <typemesh/core/triangle.hpp>
+#include <typemesh/core/workspace.hpp>
+#include <typemesh/extrude/cap_maker.hpp>
+#include <typemesh/extrude/exact_fill.hpp>
+#include <typemesh/extrude/extruder.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+namespace detail {
+
+/// Passes a cap_maker on, for another region.
+template <cap_maker Caps>
+class caps_of_region {
+public:
+    caps_of_region(Caps& caps, std::span<const triangle> triangles) noexcept : caps_{caps}, triangles_{triangles} {}
+
+    [[nodiscard]] std::span<const triangle> triangles() const noexcept { return triangles_; }
+    error operator()(const region& r, triangle_list& out) noexcept { return caps_(r, out); }
+    [[nodiscard]] contours& loops() noexcept { return caps_.loops(); }
+    result<region> fill(triangle_list& out) noexcept { return caps_.fill(out); }
+    [[nodiscard]] workspace& space() noexcept { return caps_.space(); }
+
+private:
+    Caps& caps_;
+    std::span<const triangle> triangles_;
+};
+
+}  // namespace detail
+
+/// A solid that an extruder has another extruder make, over a region of its own: its plan data, or some of it.
+///
+///     inner.loops = ...                          in plan(): loops that bound a region as they are
+///     inner.plan(other_extruder, caps)
+///     other_extruder.vertices<Wants>(p, s.data, at, put)     when it writes: the view is what the other one reads
+template <class E>
+struct inner_solid {
+    using view = solid_of<E>;
+
+    contours loops;
+    triangle_list triangles;
+    plan_data_of<E> data;
+
+    explicit inner_solid(memory source = heap()) noexcept : loops{source}, triangles{source}, data{source} {}
+
+    void clear() noexcept
+    {
+        loops.clear();
+        triangles.clear();
+        data.clear();
+    }
+
+    /// Makes the region of `loops`, which refers to them, and its triangles.
+    ///
+    /// Fails  as fill_exactly() does
+    template <cap_maker Caps>
+    [[nodiscard]] result<region> fill(Caps& caps) noexcept
+    {
+        triangles.clear();
+        return fill_exactly(loops, caps, triangles);
+    }
+
+    /// What the other extruder plans for that region; its box is never left out.
+    template <cap_maker Caps>
+    [[nodiscard]] result<solid_plan> plan(const E& how, const region& filled, Caps& caps) noexcept
+    {
+        detail::caps_of_region<Caps> own{caps, triangles.view()};
+        auto made = plan_solid(how, filled, data, own);
+        if (made && made->around.empty())
+            for (const grid_point p : filled.points()) made->around.add(placement::exact(p));
+        return made;
+    }
+
+    [[nodiscard]] view read() const noexcept
+    {
+        return {{loops.points.view(), loops.starts.view(), triangles.view()}, data.read()};
+    }
+
+    // --- as bytes: see plan_arrays
+
+    [[nodiscard]] std::size_t bytes() const noexcept { return own_bytes() + data.bytes(); }
+
+    ///     block   [ numbers of the three ][ points ][ starts ][ triangles ][ data ]
+    void copy_to(std::byte* block) const noexcept
+    {
+        const std::uint64_t counts[] = {loops.points.size(), loops.starts.size(), triangles.size()};
+        std::memcpy(block, counts, sizeof counts);
+        std::byte* to = block + sizeof counts;
+        copy(loops.points.view(), to);
+        copy(loops.starts.view(), to);
+        copy(triangles.view(), to);
+        data.copy_to(to);
+    }
+    [[nodiscard]] static view read_from(const std::byte* block) noexcept
+    {
+        std::uint64_t counts[3];
+        std::memcpy(counts, block, sizeof counts);
+        const std::byte* from = block + sizeof counts;
+        view all;
+        all.points = found<grid_point>(counts[0], from);
+        all.starts = found<std::uint32_t>(counts[1], from);
+        all.triangles = found<triangle>(counts[2], from);
+        all.data = plan_data_of<E>::read_from(from);
+        return all;
+    }
+
+private:
+    static constexpr std::size_t rounded(std::size_t bytes) noexcept { return (bytes + 7) & ~std::size_t{7}; }
+
+    [[nodiscard]] std::size_t own_bytes() const noexcept
+    {
+        return 3 * sizeof(std::uint64_t) + rounded(loops.points.view().size_bytes()) +
+               rounded(loops.starts.view().size_bytes()) + rounded(triangles.view().size_bytes());
+    }
+
+    template <class T>
+    static void copy(std::span<const T> array, std::byte*& to) noexcept
+    {
+        if (!array.empty()) std::memcpy(to, array.data(), array.size_bytes());
+        to += rounded(array.size_bytes());
+    }
+    template <class T>
+    static std::span<const T> found(std::uint64_t count, const std::byte*& from) noexcept
+    {
+        const std::span<const T> array{reinterpret_cast<const T*>(from), static_cast<std::size_t>(count)};
+        from += rounded(array.size_bytes());
+        return array;
+    }
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI

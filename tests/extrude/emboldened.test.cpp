@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: MIT
+
+#include <typemesh/extrude/emboldened.hpp>
+
+#include <typemesh/extrude/bevelled.hpp>
+#include <typemesh/extrude/creased_normals.hpp>
+#include <typemesh/extrude/flat.hpp>
+#include <typemesh/inspect/euler_count.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "capped.hpp"
+#include "support/catch.hpp"
+
+using namespace typemesh;
+using namespace meshes;
+using Catch::Approx;
+
+namespace {
+
+static_assert(extruder<emboldened<>> && capping_extruder<emboldened<>> && tells_hard_edges<emboldened<>>);
+static_assert(extruder<emboldened<flat>> && !tells_hard_edges<emboldened<flat>>);
+static_assert(part_count_of<emboldened<>> == 3 && part_count_of<emboldened<bevelled<>>> == 5);
+
+constexpr double cells = 512000.0;  // in an em
+
+shapes::shape star()
+{
+    return {
+        "star",
+        {shapes::polygon({{0, 0}, {250, 100}, {500, 0}, {400, 250}, {500, 500}, {250, 400}, {0, 500}, {100, 250}})}};
+}
+
+std::vector<shapes::shape> all_shapes()
+{
+    auto s = shapes::all();
+    s.push_back(star());
+    s.push_back(shapes::ring(16));
+    s.push_back(shapes::letter_d(16));
+    for (auto& one : s) one.loops.tolerance = 100.0;
+    return s;
+}
+
+/// How far a point is from the nearest edge, in em; negative inside.
+double distance_to(const std::vector<std::vector<point>>& loops, point p)
+{
+    double nearest = 1e9;
+    bool inside = false;
+    for (const auto& loop : loops)
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const point a = loop[i], b = loop[(i + 1) % loop.size()], d = b - a;
+            const double s = std::clamp(typemesh::dot(p - a, d) / typemesh::dot(d, d), 0.0, 1.0);
+            nearest = std::min(nearest, typemesh::length(p - (a + s * d)));
+            if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / d.y * d.x) inside = !inside;
+        }
+    return inside ? -nearest : nearest;
+}
+
+std::vector<std::vector<point>> loops_of(std::span<const grid_point> points, std::span<const std::uint32_t> starts)
+{
+    std::vector<std::vector<point>> all;
+    for (std::size_t k = 0; k + 1 < starts.size(); ++k) {
+        all.emplace_back();
+        for (std::uint32_t i = starts[k]; i < starts[k + 1]; ++i)
+            all.back().push_back({points[i].x / cells, points[i].y / cells});
+    }
+    return all;
+}
+
+double area_of(const std::vector<std::vector<point>>& loops)
+{
+    double area = 0.0;
+    for (const auto& loop : loops)
+        for (std::size_t i = 0; i < loop.size(); ++i) area += 0.5 * typemesh::cross(loop[i], loop[(i + 1) % loop.size()]);
+    return area;
+}
+
+/// The letter's own loops, and the bolder one's.
+struct bolder {
+    std::vector<std::vector<point>> before, after;
+};
+
+template <class E>
+bolder bolder_of(const shapes::shape& s, const E& how)
+{
+    const auto m = capped(s, how);
+    const auto view = m.data.read();
+    return {loops_of(s.loops.points.view(), s.loops.starts.view()), loops_of(view.points, view.starts)};
+}
+
+}  // namespace
+
+TEST_CASE("emboldened solids are closed and lit from outside, bolder and thinner, whatever makes them", "[emboldened]")
+{
+    for (const auto& s : all_shapes())
+        for (const float by : {0.003f, 0.02f, 0.05f, 0.4f, -0.003f, -0.01f}) {
+            INFO(s.name << " by " << by);
+            const auto plain = capped(s, emboldened<>{.by = by});
+            check_laws(plain);
+            CHECK(volume_of(plain) == Approx(0.2 * area_of(loops_of(plain.data.loops.points.view(),
+                                                                    plain.data.loops.starts.view())))
+                                          .epsilon(1e-5));
+            check_laws(capped<constrained_delaunay>(s, emboldened<>{.by = by}));
+            check_laws(capped(s, emboldened<extruded<creased_normals>>{.by = by}));
+            for (const bool outward : {false, true})
+                check_laws(capped(s, emboldened<bevelled<round_profile>>{
+                                         .by = by, .solid = {.width = 0.01f, .outward = outward, .profile = {3}}}));
+        }
+}
+
+TEST_CASE("a bolder letter holds what lies within the distance, and no more beyond the mitre limit", "[emboldened]")
+{
+    for (const auto& s : all_shapes())
+        for (const float limit : {1.0f, 2.0f, 4.0f})
+            for (const float by : {0.02f, 0.05f, -0.01f}) {
+                INFO(s.name << " by " << by << ", limit " << limit);
+                const bolder loops = bolder_of(s, emboldened<>{.by = by, .mitre_limit = limit});
+                const double wide = std::abs(double(by)), slack = (100.0 + 3.0) / cells;
+                std::size_t sampled = 0;
+                for (double x = -0.2; x < 1.3; x += 0.0171)
+                    for (double y = -0.6; y < 1.3; y += 0.0173) {
+                        double d = distance_to(loops.before, {x, y});
+                        if (by < 0.0f) d = -d;
+                        const bool within = (by < 0.0f ? -1.0 : 1.0) * distance_to(loops.after, {x, y}) < 0.0;
+                        if (d < wide - slack) REQUIRE(within);
+                        if (d > wide * double(limit) + slack) REQUIRE_FALSE(within);
+                        ++sampled;
+                    }
+                CHECK(sampled > 5000);
+                for (const auto& loop : loops.after)
+                    for (const point p : loop) {
+                        const double d = (by < 0.0f ? -1.0 : 1.0) * distance_to(loops.before, p);
+                        CHECK(d > wide - slack);
+                        CHECK(d < wide * double(limit) * 1.05 + slack);
+                    }
+            }
+}
+
+TEST_CASE("a bolder ring has the area between two circles, and its walls are lit like a circle's", "[emboldened]")
+{
+    const shapes::shape ring{"ring", {shapes::cubic_circle({400, 300}, 300)}, {shapes::cubic_circle({400, 300}, 150)}, 16};
+    const double pi = 3.14159265358979;
+    for (const float by : {0.05f, 0.02f, -0.03f}) {
+        INFO("by " << by);
+        const auto m = capped(ring, emboldened<>{.by = by});
+        const double outer = 0.3 + double(by), inner = 0.15 - double(by);
+        CHECK(volume_of(m) == Approx(0.2 * pi * (outer * outer - inner * inner)).epsilon(0.005));
+        CHECK(m.sizes().vertices[part::side] == 2 * (m.sizes().vertices[part::front] + 2));  // a seam each
+        const std::uint32_t first = m.sizes().starts().vertices[part::side];
+        for (std::uint32_t i = 0; i < m.sizes().vertices[part::side]; ++i) {
+            const auto& v = m.vertices[first + i];
+            const point away{double(v.position.x) - 0.4, double(v.position.y) - 0.3};
+            const double r = typemesh::length(away), turned = r > 0.225 ? 1.0 : -1.0;
+            CHECK(r == Approx(turned > 0.0 ? outer : inner).epsilon(0.003));
+            CHECK(turned * (away.x * v.normal.x + away.y * v.normal.y) / r > std::cos(0.4 / 57.3));
+        }
+    }
+}
+
+TEST_CASE("an edge that is cut short is lit like the part of its curve that is left", "[emboldened]")
+{
+    const shapes::shape drop = shapes::drop(12);  // thinner, its pointed end is cut short
+    const auto m = capped(drop, emboldened<>{.by = -0.02f, .solid = {.texture = texture_mapping::box}});
+    const curve whole = drop.curves[0];
+    const std::uint32_t first = m.sizes().starts().vertices[part::side];
+    for (std::uint32_t i = 0; i < m.sizes().vertices[part::side]; ++i) {
+        const auto& v = m.vertices[first + i];
+        const point at{1000.0 * double(v.position.x), 1000.0 * double(v.position.y)};
+        double best = -1.0;  // of the curve's normals where it is as near as the letter has moved
+        for (int k = 0; k <= 20000; ++k) {
+            const double t = k / 20000.0;
+            const point along = tangent(whole, t, side_of::before), right{along.y, -along.x};
+            if (typemesh::length(whole.at(t) - at) > 22.5) continue;
+            best = std::max(best, typemesh::dot(right, {double(v.normal.x), double(v.normal.y)}) / typemesh::length(right));
+        }
+        CHECK(best > std::cos(4.0 / 57.3));
+    }
+}
+
+TEST_CASE("a sharp corner that grows becomes round, and shades round; a blunt one stays a corner", "[emboldened]")
+{
+    shapes::shape spike{"spike", {shapes::polygon({{0, 0}, {800, 0}, {800, 100}})}};
+    spike.loops.tolerance = 20.0;
+    for (const auto joins : {bevel_joins::round, bevel_joins::bevelled}) {
+        const auto m = capped(spike, emboldened<>{.by = 0.05f, .joins = joins, .solid = {.texture = texture_mapping::box}});
+        check_laws(m);
+        std::size_t hard = 0, near = 0;
+        for (const side_point& p : m.data.data.read().of<side_point>()) hard += p.doubled;
+        for (const grid_point p : m.data.loops.points)
+            near += typemesh::length({p.x / cells, p.y / cells}) < 0.08;
+        CHECK((joins == bevel_joins::round ? near > 6 : near == 2));
+        CHECK(hard == (joins == bevel_joins::round ? 2 : 4));
+    }
+    CHECK(capped(spike, emboldened<>{.by = 0.05f, .mitre_limit = 0.0f}).data.loops.points.size() == 3);
+    CHECK(capped(shapes::rectangle(), emboldened<>{.by = 0.05f}).data.loops.points.size() == 4);
+}
+
+TEST_CASE("a bolder letter's narrow counters close, and of a thinner one thin parts vanish, or all of it", "[emboldened]")
+{
+    const auto euler = [](const auto& m) {
+        const auto indices = indices_of(m);
+        return inspect::count_euler(inspect::mesh_view{m.vertices, indices}).characteristic();
+    };
+    const shapes::shape ring = shapes::ring(16);
+    CHECK(euler(capped(ring, emboldened<>{.by = 0.14f})) == 0);
+    CHECK(euler(capped(ring, emboldened<>{.by = 0.16f})) == 2);
+    CHECK(euler(capped(shapes::pair(), emboldened<>{.by = -0.03f})) == 2);  // both, the second with a hole: 2 + 0
+    const auto pair = capped(shapes::pair(), emboldened<>{.by = -0.06f});  // the triangle is gone
+    for (const grid_point p : pair.data.loops.points) CHECK(p.x / cells > 0.4);
+    capped_mesh<emboldened<>> none;
+    CHECK(build_capped(ring, emboldened<>{.by = -0.08f}, none) == error::nothing_left);
+    CHECK(build_capped(shapes::rectangle(), emboldened<>{.by = -0.21f}, none) == error::nothing_left);
+}
+
+TEST_CASE("a letter that is moved less than four cells is the letter itself", "[emboldened]")
+{
+    const auto s = shapes::letter_d(8);
+    const auto plain = build(s, extruded<>{});
+    for (const float by : {0.0f, 5e-6f, -5e-6f}) {
+        const auto m = capped(s, emboldened<>{.by = by});
+        REQUIRE(m.vertices.size() == plain.vertices.size());
+        CHECK(m.triangles.size() == plain.triangles.size());
+        for (std::size_t i = 0; i < plain.vertices.size(); ++i) {
+            CHECK(m.vertices[i].position == plain.vertices[i].position);
+            CHECK(m.vertices[i].normal == plain.vertices[i].normal);
+            CHECK(m.vertices[i].uv == plain.vertices[i].uv);
+        }
+    }
+}
+
+TEST_CASE("an emboldened solid obeys its laws in every frame, and its box holds what has grown", "[emboldened]")
+{
+    for (const frame& f : frames())
+        for (const auto texture : {texture_mapping::em, texture_mapping::box}) {
+            placement at = in_em(f);
+            at.texture_per_cell = {1.0 / cells, 1.0 / cells};
+            const emboldened<> how{.by = 0.03f, .solid = {.centred = true, .texture = texture}};
+            const auto m = capped(shapes::letter_d(8), how, at);
+            check_laws(m, f);
+            CHECK(m.plan.around.low.x == Approx(-0.03 * cells).margin(2.0));
+            CHECK(m.plan.around.high.y == Approx((0.7 + 0.03) * cells).margin(2.0));
+        }
+    CHECK(emboldened<>{.solid = {.depth = 0.5f}}.heights().low == -0.5);
+}
+
+TEST_CASE("bold letters may be made bolder again", "[emboldened]")
+{
+    const auto s = shapes::ring(16);
+    const auto twice = capped(s, emboldened<emboldened<>>{.by = 0.02f, .solid = {.by = 0.03f}});
+    const auto once = capped(s, emboldened<>{.by = 0.05f});
+    check_laws(twice);
+    CHECK(volume_of(twice) == Approx(volume_of(once)).epsilon(1e-4));
+}
+
+TEST_CASE("emboldened refuses options out of range by their names, its own and the other extruder's", "[emboldened]")
+{
+    const float infinite = std::numeric_limits<float>::infinity(), nowhere = std::numeric_limits<float>::quiet_NaN();
+    const auto check = [](const char* name, const auto& how) {
+        INFO(name);
+        capped_mesh<std::remove_cvref_t<decltype(how)>> m;
+        for (const error& e : {refused_options(how), build_capped(shapes::rectangle(), how, m)}) {
+            CHECK(e == error::bad_option);
+            REQUIRE(e.option != nullptr);
+            CHECK(std::string{e.option} == name);
+        }
+    };
+    for (const float v : {infinite, -infinite, nowhere}) {
+        check("by", emboldened<>{.by = v});
+        check("mitre_limit", emboldened<>{.mitre_limit = v});
+    }
+    for (const float v : {0.5f, -1.0f}) check("mitre_limit", emboldened<>{.mitre_limit = v});
+    check("depth", emboldened<>{.solid = {.depth = 0.0f}});
+    check("width", emboldened<bevelled<>>{.solid = {.width = -1.0f}});
+    CHECK_FALSE(refused_options(emboldened<>{.mitre_limit = 0.0f}));
+
+    capped_mesh<emboldened<>> far;
+    CHECK(std::string{build_capped(shapes::rectangle(), emboldened<>{.by = 600.0f}, far).option} == "by");
+    CHECK(build_capped(shapes::rectangle(), emboldened<>{.by = 500.0f}, far) == error::outline_beyond_grid);
+    shapes::shape unknown = shapes::rectangle();
+    unknown.loops.grid.units_per_em = 0.0;
+    CHECK(std::string{build_capped(unknown, emboldened<>{}, far).option} == "units_per_em");
+}
+
+TEST_CASE("emboldened letters that differ have different keys", "[emboldened]")
+{
+    const emboldened<> plain;
+    std::vector<emboldened<>> others(6, plain);
+    others[0].by = 0.03f;
+    others[1].by = -0.02f;
+    others[2].mitre_limit = 2.0f;
+    others[3].joins = bevel_joins::bevelled;
+    others[4].solid.side = false;
+    others[5].solid.normals.crease_degrees = 20.0f;
+    for (std::size_t i = 0; i < others.size(); ++i) {
+        INFO(i);
+        CHECK_FALSE(others[i].cache_key() == plain.cache_key());
+        for (std::size_t k = 0; k < i; ++k) CHECK_FALSE(others[i].cache_key() == others[k].cache_key());
+    }
+    emboldened<> deeper = plain;
+    deeper.solid.depth = 0.3f;
+    CHECK(deeper.cache_key() == plain.cache_key());
+}
+
+TEST_CASE("an empty region is emboldened to nothing, and memory that runs out is reported", "[emboldened]")
+{
+    plan_data_of<emboldened<>> data;
+    no_caps nothing;
+    const auto empty = plan_solid(emboldened<>{}, region{}, data, nothing);
+    REQUIRE(empty);
+    CHECK(empty->sizes.total() == mesh_size{});
+
+    struct limited {
+        std::size_t left;
+        static void* take(void* user, std::size_t bytes, std::size_t alignment) noexcept
+        {
+            auto& left = static_cast<limited*>(user)->left;
+            if (left == 0) return nullptr;
+            --left;
+            const memory all = heap();
+            return all.allocate(all.user, bytes, alignment);
+        }
+        static void give_back(void*, void* place, std::size_t bytes, std::size_t alignment) noexcept
+        {
+            const memory all = heap();
+            all.deallocate(all.user, place, bytes, alignment);
+        }
+    };
+    const auto s = shapes::letter_d(8);
+    for (const float by : {0.03f, -0.03f}) {
+        bool done = false;
+        for (std::size_t allowed = 0; !done && allowed < 100; ++allowed) {
+            limited few{allowed};
+            plan_data_of<emboldened<>> scarce{memory{&few, limited::take, limited::give_back}};
+            caps_by<> caps{s.made()};
+            auto maker = caps.maker();
+            const auto plan = plan_solid(emboldened<>{.by = by}, s.made(), scarce, maker);
+            done = static_cast<bool>(plan);
+            if (!done) CHECK(plan.error() == error::out_of_memory);
+            CHECK((done || allowed < 60));
+        }
+        CHECK(done);
+    }
+}
+
+TEST_CASE("a bolder letter is planned anew into the memory of the last one", "[emboldened]")
+{
+    plan_data_of<emboldened<bevelled<>>> data;
+    const emboldened<bevelled<>> how{.by = 0.01f};
+    const auto large = shapes::ring(8), small = shapes::rectangle();
+    caps_by<> of_large{large.made()}, of_small{small.made()};
+    auto large_caps = of_large.maker();
+    auto small_caps = of_small.maker();
+    const auto first = plan_solid(how, small.made(), data, small_caps);
+    REQUIRE(first);
+    data.clear();
+    REQUIRE(plan_solid(how, large.made(), data, large_caps));
+    data.clear();
+    const auto again = plan_solid(how, small.made(), data, small_caps);
+    REQUIRE(again);
+    CHECK(again->sizes == first->sizes);
+}
