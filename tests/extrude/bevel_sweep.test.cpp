@@ -47,20 +47,3 @@ TEST_CASE("an outward bevel sweeps to its profile's levels from the cap on", "[b
     REQUIRE_FALSE(bevel_sweep{}(s.made(), s.cap, one, space, out));
     CHECK(out.levels.size() == 1);
 }
-
-TEST_CASE("the number of a set of edges depends on their points and directions, not on their order", "[bevel_sweep]")
-{
-    contours a, b, c, d;
-    const grid_point p[] = {{0, 0}, {10, 0}, {10, 10}, {100, 0}, {110, 0}, {110, 10}};
-    const auto fill_in = [&p](contours& to, std::initializer_list<int> order) {
-        for (const int i : order) REQUIRE(to.points.push_back(p[i]));
-        for (const std::uint32_t start : {0u, 3u, 6u}) REQUIRE(to.starts.push_back(start));
-    };
-    fill_in(a, {0, 1, 2, 3, 4, 5});
-    fill_in(b, {4, 5, 3, 1, 2, 0});
-    fill_in(c, {2, 1, 0, 3, 4, 5});
-    fill_in(d, {0, 1, 5, 3, 4, 2});
-    CHECK(edges_of(a) == edges_of(b));
-    CHECK(edges_of(a) != edges_of(c));
-    CHECK(edges_of(a) != edges_of(d));
-}

@@ -77,7 +77,8 @@ double area_of(const std::vector<std::vector<point>>& loops)
 {
     double area = 0.0;
     for (const auto& loop : loops)
-        for (std::size_t i = 0; i < loop.size(); ++i) area += 0.5 * typemesh::cross(loop[i], loop[(i + 1) % loop.size()]);
+        for (std::size_t i = 0; i < loop.size(); ++i)
+            area += 0.5 * typemesh::cross(loop[i], loop[(i + 1) % loop.size()]);
     return area;
 }
 
@@ -103,9 +104,9 @@ TEST_CASE("emboldened solids are closed and lit from outside, bolder and thinner
             INFO(s.name << " by " << by);
             const auto plain = capped(s, emboldened<>{.by = by});
             check_laws(plain);
-            CHECK(volume_of(plain) == Approx(0.2 * area_of(loops_of(plain.data.loops.points.view(),
-                                                                    plain.data.loops.starts.view())))
-                                          .epsilon(1e-5));
+            CHECK(volume_of(plain) ==
+                  Approx(0.2 * area_of(loops_of(plain.data.loops.points.view(), plain.data.loops.starts.view())))
+                      .epsilon(1e-5));
             check_laws(capped<constrained_delaunay>(s, emboldened<>{.by = by}));
             check_laws(capped(s, emboldened<extruded<creased_normals>>{.by = by}));
             for (const bool outward : {false, true})
@@ -144,7 +145,8 @@ TEST_CASE("a bolder letter holds what lies within the distance, and no more beyo
 
 TEST_CASE("a bolder ring has the area between two circles, and its walls are lit like a circle's", "[emboldened]")
 {
-    const shapes::shape ring{"ring", {shapes::cubic_circle({400, 300}, 300)}, {shapes::cubic_circle({400, 300}, 150)}, 16};
+    const shapes::shape ring{
+        "ring", {shapes::cubic_circle({400, 300}, 300)}, {shapes::cubic_circle({400, 300}, 150)}, 16};
     const double pi = 3.14159265358979;
     for (const float by : {0.05f, 0.02f, -0.03f}) {
         INFO("by " << by);
@@ -177,7 +179,8 @@ TEST_CASE("an edge that is cut short is lit like the part of its curve that is l
             const double t = k / 20000.0;
             const point along = tangent(whole, t, side_of::before), right{along.y, -along.x};
             if (typemesh::length(whole.at(t) - at) > 22.5) continue;
-            best = std::max(best, typemesh::dot(right, {double(v.normal.x), double(v.normal.y)}) / typemesh::length(right));
+            best = std::max(best,
+                            typemesh::dot(right, {double(v.normal.x), double(v.normal.y)}) / typemesh::length(right));
         }
         CHECK(best > std::cos(4.0 / 57.3));
     }
@@ -188,12 +191,12 @@ TEST_CASE("a sharp corner that grows becomes round, and shades round; a blunt on
     shapes::shape spike{"spike", {shapes::polygon({{0, 0}, {800, 0}, {800, 100}})}};
     spike.loops.tolerance = 20.0;
     for (const auto joins : {bevel_joins::round, bevel_joins::bevelled}) {
-        const auto m = capped(spike, emboldened<>{.by = 0.05f, .joins = joins, .solid = {.texture = texture_mapping::box}});
+        const auto m =
+            capped(spike, emboldened<>{.by = 0.05f, .joins = joins, .solid = {.texture = texture_mapping::box}});
         check_laws(m);
         std::size_t hard = 0, near = 0;
         for (const side_point& p : m.data.data.read().of<side_point>()) hard += p.doubled;
-        for (const grid_point p : m.data.loops.points)
-            near += typemesh::length({p.x / cells, p.y / cells}) < 0.08;
+        for (const grid_point p : m.data.loops.points) near += typemesh::length({p.x / cells, p.y / cells}) < 0.08;
         CHECK((joins == bevel_joins::round ? near > 6 : near == 2));
         CHECK(hard == (joins == bevel_joins::round ? 2 : 4));
     }
@@ -201,7 +204,8 @@ TEST_CASE("a sharp corner that grows becomes round, and shades round; a blunt on
     CHECK(capped(shapes::rectangle(), emboldened<>{.by = 0.05f}).data.loops.points.size() == 4);
 }
 
-TEST_CASE("a bolder letter's narrow counters close, and of a thinner one thin parts vanish, or all of it", "[emboldened]")
+TEST_CASE("a bolder letter's narrow counters close, and of a thinner one thin parts vanish, or all of it",
+          "[emboldened]")
 {
     const auto euler = [](const auto& m) {
         const auto indices = indices_of(m);
@@ -211,7 +215,7 @@ TEST_CASE("a bolder letter's narrow counters close, and of a thinner one thin pa
     CHECK(euler(capped(ring, emboldened<>{.by = 0.14f})) == 0);
     CHECK(euler(capped(ring, emboldened<>{.by = 0.16f})) == 2);
     CHECK(euler(capped(shapes::pair(), emboldened<>{.by = -0.03f})) == 2);  // both, the second with a hole: 2 + 0
-    const auto pair = capped(shapes::pair(), emboldened<>{.by = -0.06f});  // the triangle is gone
+    const auto pair = capped(shapes::pair(), emboldened<>{.by = -0.06f});   // the triangle is gone
     for (const grid_point p : pair.data.loops.points) CHECK(p.x / cells > 0.4);
     capped_mesh<emboldened<>> none;
     CHECK(build_capped(ring, emboldened<>{.by = -0.08f}, none) == error::nothing_left);

@@ -61,7 +61,41 @@ TEST_CASE("around a region lies a frame with the region as its hole, each edge o
         CHECK(around.edges.size() == s.points());
         CHECK(area_of(around) == Catch::Approx(frame - whole));
         CHECK(area_of(around) == Catch::Approx(area_of(s.loops)));
+        for (std::uint32_t i = 0; i < around.points.size(); ++i) {
+            const contour_edge& e = around.edges[i];
+            CHECK(length(around.curves[e.curve].at(double(e.t0)) - around.grid.place(around.points[i])) < 0.01);
+        }
     }
+}
+
+TEST_CASE("a loop that is turned twice is what it was", "[surroundings]")
+{
+    for (const auto& s : shapes::all()) {
+        contours loops;
+        REQUIRE(append_loops(s.made(), loops));
+        for (int times = 0; times < 2; ++times)
+            for (std::uint32_t k = 0; k < loops.contour_count(); ++k) turn_loop(loops, k);
+        for (std::uint32_t i = 0; i < s.points(); ++i) {
+            CHECK(loops.points[i] == s.loops.points[i]);
+            CHECK(loops.edges[i].curve == s.loops.edges[i].curve);
+            CHECK(loops.edges[i].t1 == s.loops.edges[i].t1);  // NOLINT
+        }
+    }
+}
+
+TEST_CASE("corners move as far as their mitres, or to the limit, rounded up to whole distances", "[surroundings]")
+{
+    const auto with_tip = [](double half_width) {  // at the height of 100
+        return shapes::shape{"tip", {shapes::polygon({{-half_width, 0}, {half_width, 0}, {0, 100}})}};
+    };
+    const double mitre = std::hypot(100.0, 10.0) / 10.0;  // 10.05
+    CHECK(mitre == Catch::Approx(10.05).margin(0.01));
+    CHECK(farthest_way(with_tip(10).made(), 7.0, 0.0) == 7.0 * 11.0);        // NOLINT
+    CHECK(farthest_way(with_tip(10).made(), 7.0, 100.0) == 7.0 * 11.0);      // NOLINT
+    CHECK(farthest_way(with_tip(10).made(), 7.0, 4.0) == 7.0 * 4.0);         // NOLINT
+    CHECK(farthest_way(with_tip(10).made(), 7.0, 1.0) == 7.0 * 2.0);         // NOLINT
+    CHECK(farthest_way(shapes::rectangle().made(), 7.0, 0.0) == 7.0 * 2.0);  // NOLINT
+    CHECK(farthest_way(region{}, 7.0, 0.0) == 7.0 * 2.0);                    // NOLINT
 }
 
 TEST_CASE("surroundings beyond the grid are refused, those of an empty region are empty", "[surroundings]")

@@ -5,6 +5,7 @@
 #include <typemesh/core/option_bits.hpp>
 
 #include <cstdint>
+#include <initializer_list>
 
 namespace typemesh::inline TYPEMESH_ABI {
 

@@ -7,11 +7,11 @@
 #include <typemesh/extrude/bevel_carver.hpp>
 #include <typemesh/extrude/bevel_data.hpp>
 #include <typemesh/extrude/bevel_heights.hpp>
-#include <typemesh/extrude/bevel_joins.hpp>
 #include <typemesh/extrude/bevel_light.hpp>
 #include <typemesh/extrude/bevel_strips.hpp>
 #include <typemesh/extrude/bevel_vertices.hpp>
 #include <typemesh/extrude/bevel_writer.hpp>
+#include <typemesh/extrude/corner_rule.hpp>
 #include <typemesh/extrude/curve_normals.hpp>
 #include <typemesh/extrude/exact_fill.hpp>
 #include <typemesh/extrude/extruder.hpp>
@@ -180,7 +180,7 @@ private:
         const double bevels = sides == bevel_sides::both ? 2.0 : 1.0;
         if (!is_length(bevel_depth) || bevels * as_double(bevel_depth) > as_double(depth))
             return error::bad("bevel_depth");
-        if (!is_length(mitre_limit) || (mitre_limit < 1.0f && mitre_limit > 0.0f)) return error::bad("mitre_limit");
+        if (!corner_rule{joins, mitre_limit}.is_valid()) return error::bad("mitre_limit");
         if (!is_crease_angle(crease_degrees)) return error::bad("crease_degrees");
         if (!is_crease_angle(profile_crease_degrees)) return error::bad("profile_crease_degrees");
         const profile_points points = points_of({1.0, 1.0, 0.0});

@@ -9,8 +9,8 @@
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/core/workspace.hpp>
-#include <typemesh/extrude/bevel_joins.hpp>
 #include <typemesh/extrude/cap_maker.hpp>
+#include <typemesh/extrude/corner_rule.hpp>
 #include <typemesh/extrude/surroundings.hpp>
 #include <typemesh/offset/cap_edges.hpp>
 #include <typemesh/offset/sweep_inwards.hpp>
@@ -21,17 +21,6 @@
 #include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI {
-
-/// What becomes of the corners that edges move away from.
-struct corner_rule {
-    bevel_joins joins = bevel_joins::round;
-    float mitre_limit = 4.0f;  ///< at least 1; 0: none
-
-    [[nodiscard]] bool is_valid() const noexcept
-    {
-        return is_finite(as_double(mitre_limit)) && (mitre_limit >= 1.0f || is_zero(mitre_limit));
-    }
-};
 
 /// Moves the boundary of a region, outwards or inwards: letters grow or become thinner.
 ///
@@ -90,9 +79,9 @@ private:
         const double levels[] = {0.0, what.width};
         swept_.clear();
         workspace::scope scratch{space};
-        if (error e = sweep_inwards(what.r, what.triangles,
-                                    {levels, as_double(how.mitre_limit), round ? what.r.tolerance() : 0.0}, scratch,
-                                    swept_))
+        if (error e =
+                sweep_inwards(what.r, what.triangles,
+                              {levels, as_double(how.mitre_limit), round ? what.r.tolerance() : 0.0}, scratch, swept_))
             return e;
         return name_cap_edges(what.r, round, swept_, curves, scratch);
     }

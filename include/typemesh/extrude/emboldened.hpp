@@ -6,6 +6,7 @@
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/option_hash.hpp>
 #include <typemesh/extrude/boundary_mover.hpp>
+#include <typemesh/extrude/corner_rule.hpp>
 #include <typemesh/extrude/extruded.hpp>
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/extrude/inner_solid.hpp>

@@ -48,8 +48,10 @@ inline void turn_loop(contours& loops, std::uint32_t k) noexcept
         for (std::uint32_t i = begin; i < end; ++i) {
             const grid_point c = filled.points()[i];
             const point in = delta(a, b), on = delta(b, c);
-            const double halved = 0.5 + 0.5 * dot(in, on) / (length(in) * length(on));  // squared cosine of half the turn
-            if (cross(in, on) > 0.0 && halved * longest * longest < 1.0) longest = std::sqrt(1.0 / std::fmax(halved, 0x1p-36));
+            const double halved =
+                0.5 + 0.5 * dot(in, on) / (length(in) * length(on));  // squared cosine of half the turn
+            if (cross(in, on) > 0.0 && halved * longest * longest < 1.0)
+                longest = std::sqrt(1.0 / std::fmax(halved, 0x1p-36));
             a = b;
             b = c;
         }

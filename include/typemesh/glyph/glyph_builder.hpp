@@ -83,10 +83,9 @@ public:
     /// Whether a text may continue without the glyph that has this error.
     [[nodiscard]] static constexpr bool concerns_the_glyph_alone(const error& e) noexcept
     {
-        for (const error::kind k :
-             {error::unknown_glyph, error::bad_outline, error::outline_not_finite, error::outline_beyond_grid,
-              error::too_many_pieces, error::crossing_contours, error::nothing_left, error::font_library_failed,
-              error::refused_by_user})
+        for (const error::kind k : {error::unknown_glyph, error::bad_outline, error::outline_not_finite,
+                                    error::outline_beyond_grid, error::too_many_pieces, error::crossing_contours,
+                                    error::nothing_left, error::font_library_failed, error::refused_by_user})
             if (e == k) return true;
         return false;
     }

@@ -90,8 +90,7 @@ private:
     {
         const grid_point p = swept_.nodes[swept_.edges_at[edge].a].at, q = swept_.nodes[swept_.edges_at[edge].b].at;
         const std::int64_t x = std::int64_t{q.x} - p.x, y = std::int64_t{q.y} - p.y;
-        const std::int64_t along = (std::int64_t{at.x} - p.x) * x + (std::int64_t{at.y} - p.y) * y,
-                           all = x * x + y * y;
+        const std::int64_t along = (std::int64_t{at.x} - p.x) * x + (std::int64_t{at.y} - p.y) * y, all = x * x + y * y;
         return along <= 0 ? 0.0 : along >= all ? 1.0 : static_cast<double>(along) / static_cast<double>(all);
     }
 
@@ -113,7 +112,9 @@ private:
                                           buffer<curve>& curves) noexcept
 {
     const auto joins = swept.joins.view();
-    const auto along = [&](std::size_t j) noexcept { return point{as_double(joins[j].inward.y), -as_double(joins[j].inward.x)}; };
+    const auto along = [&](std::size_t j) noexcept {
+        return point{as_double(joins[j].inward.y), -as_double(joins[j].inward.x)};
+    };
     const auto of_edge = [&](std::uint32_t edge) noexcept {
         const grid_point p = swept.nodes[swept.edges_at[edge].a].at, q = swept.nodes[swept.edges_at[edge].b].at;
         const point d{static_cast<double>(q.x) - p.x, static_cast<double>(q.y) - p.y};
@@ -168,8 +169,7 @@ private:
         for (std::uint32_t i = first; i <= last; ++i)
             source[i] = moved.from(swept.cap_nodes[i], swept.cap_nodes[next(i)]);
         for (std::uint32_t i = first, before = last; i <= last; before = i++)
-            cap.edges[i] =
-                edges.named(source[before], source[i], source[next(i)], cap.points[i], cap.points[next(i)]);
+            cap.edges[i] = edges.named(source[before], source[i], source[next(i)], cap.points[i], cap.points[next(i)]);
     }
     return {};
 }

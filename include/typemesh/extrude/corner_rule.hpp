@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/finite.hpp>
+#include <typemesh/core/point.hpp>
+#include <typemesh/core/same.hpp>
+
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// How a corner is filled that edges move away from and that is sharper than the mitre limit.
+enum class bevel_joins : std::uint8_t { round, bevelled };
+
+/// What becomes of the corners that edges move away from.
+struct corner_rule {
+    bevel_joins joins = bevel_joins::round;
+    float mitre_limit = 4.0f;  ///< at least 1; 0: none
+
+    [[nodiscard]] bool is_valid() const noexcept
+    {
+        return is_finite(as_double(mitre_limit)) && (mitre_limit >= 1.0f || is_zero(mitre_limit));
+    }
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI
