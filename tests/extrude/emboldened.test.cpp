@@ -17,6 +17,7 @@
 
 #include "capped.hpp"
 #include "support/catch.hpp"
+#include "support/counting_memory.hpp"
 
 using namespace typemesh;
 using namespace meshes;
@@ -319,28 +320,13 @@ TEST_CASE("an empty region is emboldened to nothing, and memory that runs out is
     REQUIRE(empty);
     CHECK(empty->sizes.total() == mesh_size{});
 
-    struct limited {
-        std::size_t left;
-        static void* take(void* user, std::size_t bytes, std::size_t alignment) noexcept
-        {
-            auto& left = static_cast<limited*>(user)->left;
-            if (left == 0) return nullptr;
-            --left;
-            const memory all = heap();
-            return all.allocate(all.user, bytes, alignment);
-        }
-        static void give_back(void*, void* place, std::size_t bytes, std::size_t alignment) noexcept
-        {
-            const memory all = heap();
-            all.deallocate(all.user, place, bytes, alignment);
-        }
-    };
     const auto s = shapes::letter_d(8);
     for (const float by : {0.03f, -0.03f}) {
         bool done = false;
         for (std::size_t allowed = 0; !done && allowed < 100; ++allowed) {
-            limited few{allowed};
-            plan_data_of<emboldened<>> scarce{memory{&few, limited::take, limited::give_back}};
+            test::counting_memory memory;
+            memory.fail_at = allowed + 1;
+            plan_data_of<emboldened<>> scarce{memory.source()};
             caps_by<> caps{s.made()};
             auto maker = caps.maker();
             const auto plan = plan_solid(emboldened<>{.by = by}, s.made(), scarce, maker);

@@ -9,18 +9,36 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Appends a region's loops. False when memory runs out.
-[[nodiscard]] inline bool append_loops(const region& r, contours& out) noexcept
+namespace detail {
+
+struct loop_arrays {
+    std::span<const grid_point> points;
+    std::span<const contour_edge> edges;
+    std::span<const std::uint32_t> starts;
+};
+[[nodiscard]] inline loop_arrays arrays_of(const region& r) noexcept { return {r.points(), r.edges(), r.starts()}; }
+[[nodiscard]] inline loop_arrays arrays_of(const contours& c) noexcept
 {
+    return {c.points.view(), c.edges.view(), c.starts.view()};
+}
+
+}  // namespace detail
+
+/// Appends loops, of a region or of contours. False when memory runs out.
+template <class Loops>
+[[nodiscard]] bool append_loops(const Loops& loops, contours& out) noexcept
+{
+    const auto [points, edges, starts] = detail::arrays_of(loops);
     const auto before = static_cast<std::uint32_t>(out.points.size());
     if (out.starts.empty() && !out.starts.push_back(0)) return false;
-    if (!out.points.append(r.points()) || !out.edges.append(r.edges())) return false;
-    for (std::uint32_t k = 0; k < r.loop_count(); ++k)
-        if (!out.starts.push_back(before + r.starts()[k + 1])) return false;
+    if (!out.points.append(points) || !out.edges.append(edges)) return false;
+    for (std::size_t k = 1; k < starts.size(); ++k)
+        if (!out.starts.push_back(before + starts[k])) return false;
     out.forget_order();
     return true;
 }

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/curve.hpp>
+#include <typemesh/core/finite.hpp>
+#include <typemesh/core/option_hash.hpp>
+#include <typemesh/extrude/boundary_mover.hpp>
+#include <typemesh/extrude/corner_rule.hpp>
+#include <typemesh/extrude/extruded.hpp>
+#include <typemesh/extrude/extruder.hpp>
+#include <typemesh/extrude/inner_solid.hpp>
+#include <typemesh/extrude/surroundings.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// Where the ring of a hollow letter lies: within the letter's edges, on both sides of them, or around them.
+enum class outline_place : std::uint8_t { inner, centre, outer };
+
+/// In place of an extruder: no letter within the ring.
+struct no_letter {
+    [[nodiscard]] result<part_sizes> plan(const region&) const noexcept { return part_sizes{}; }
+    [[nodiscard]] height_range heights() const noexcept { return {}; }
+    template <attribute Wants, class Put>
+    void vertices(part, const solid&, const placement&, Put&&) const noexcept
+    {
+    }
+    template <class Put>
+    void triangles(part, const solid&, const first_vertices&, Put&&) const noexcept
+    {
+    }
+};
+static_assert(extruder<no_letter>);
+
+/// The plan data of outlined: the ring's solid, and the letter's within it.
+template <class Ring, class Letter>
+struct outlined_data {
+    struct view {
+        solid_of<Ring> ring;
+        solid_of<Letter> letter;
+    };
+
+    inner_solid<Ring> ring;
+    inner_solid<Letter> letter;
+    boundary_mover mover;
+    buffer<curve> curves;
+
+    explicit outlined_data(memory source = heap()) noexcept
+        : ring{source}, letter{source}, mover{source}, curves{source}
+    {
+    }
+    void clear() noexcept
+    {
+        ring.clear();
+        letter.clear();
+    }
+    [[nodiscard]] view read() const noexcept { return {ring.read(), letter.read()}; }
+
+    // --- as bytes: see plan_arrays
+
+    [[nodiscard]] std::size_t bytes() const noexcept { return 8 + ring.bytes() + letter.bytes(); }
+
+    ///     block   [ bytes of the ring ][ ring ][ letter ]
+    void copy_to(std::byte* block) const noexcept
+    {
+        const std::uint64_t of_ring = ring.bytes();
+        std::memcpy(block, &of_ring, 8);
+        ring.copy_to(block + 8);
+        letter.copy_to(block + 8 + of_ring);
+    }
+    [[nodiscard]] static view read_from(const std::byte* block) noexcept
+    {
+        std::uint64_t of_ring = 0;
+        std::memcpy(&of_ring, block, 8);
+        return {inner_solid<Ring>::read_from(block + 8), inner_solid<Letter>::read_from(block + 8 + of_ring)};
+    }
+};
+
+/// Hollow letters: a ring along the edges, made into a solid by any other extruder, and within it, if asked for, the
+/// letter, by another one.
+///
+///      .-->--.       inner     the ring reaches from the letter's edges inwards: the letter keeps its size
+///     | .-<-. |      centre    half of it lies within them, half around
+///     | |   | |      outer     it lies around the letter, which grows
+///     | '->-' |
+///      '--<--'       Where a stroke is thinner than what is taken off, the ring fills it.
+///
+///     outlined<>{.width = 0.02f}
+///     outlined<extruded<>, extruded<>>{.place = outline_place::outer, .letter = {.depth = 0.1f, .centred = true}}
+///
+/// The ring's parts come first, then the letter's: with two `extruded` part{0} to part{2} and part{3} to part{5}, with
+/// materials of their own. There may be eight. Edges that both have are the same, point by point, in opposite
+/// directions: nothing gapes between them.
+///
+/// Corners, advances and letters that meet are as with `emboldened`, which the ring's outer edges are, unless `inner`.
+///
+/// Fails  error::bad_option: the width is not positive and finite, or on a glyph less than four cells (centre: eight)
+///        or 2^28 and more, the mitre limit is below 1 and not 0, or as the two extruders do
+///        error::outline_beyond_grid, error::out_of_memory
+template <extruder Ring = extruded<>, extruder Letter = no_letter>
+struct outlined {
+    float width = 0.02f;  ///< of the ring, always in em
+    outline_place place = outline_place::inner;
+    bevel_joins joins = bevel_joins::round;
+    float mitre_limit = 4.0f;  ///< at least 1; 0: none
+    [[no_unique_address]] Ring ring = {};
+    [[no_unique_address]] Letter letter = {};
+
+    static constexpr bool has_letter = !std::is_same_v<Letter, no_letter>;
+    static constexpr std::size_t ring_parts = part_count_of<Ring>;
+    static constexpr std::size_t part_count = ring_parts + (has_letter ? part_count_of<Letter> : 0);
+    static_assert(part_count <= most_parts,
+                  "typemesh: an outlined{} has the parts of its ring and of its letter, which are eight at most: only "
+                  "one of the two can be bevelled");
+    using plan_data = outlined_data<Ring, Letter>;
+
+    /// See option_bits.
+    [[nodiscard]] option_bits cache_key() const noexcept
+        requires(std::is_empty_v<Ring> || requires(const Ring& e) {
+                    { e.cache_key() } noexcept;
+                }) && (std::is_empty_v<Letter> || requires(const Letter& e) {
+                    { e.cache_key() } noexcept;
+                })
+    {
+        option_hash of_solids;
+        of_solids.add_key_of(ring);
+        of_solids.add_key_of(letter);
+        option_bits bits{width, mitre_limit, of_solids.first, of_solids.second};
+        bits.words[0] |= std::uint64_t{joins == bevel_joins::round} << 32 | static_cast<std::uint64_t>(place) << 33;
+        return bits;
+    }
+
+    template <cap_maker Caps>
+    [[nodiscard]] result<solid_plan> plan(const region& filled, plan_data& data, Caps& caps) const noexcept
+    {
+        if (!is_finite(as_double(width)) || !(width > 0.0f)) return error::bad("width");
+        if (!corner_rule{joins, mitre_limit}.is_valid()) return error::bad("mitre_limit");
+        if (filled.points().empty()) return plan_both({}, {}, data, caps);
+        const double em = filled.grid().cells * filled.grid().units_per_em;
+        if (!(em > 0.0)) return error::bad("units_per_em");
+        const double least = boundary_mover::finest * (place == outline_place::centre ? 2.0 : 1.0);
+        double distance = as_double(width) * em;
+        if (!(distance >= least && distance < grid::reach)) return error::bad("width");
+        for (;;) {
+            error e = make_loops(filled, distance, data, caps);
+            region of_ring, of_letter;
+            if (!e) e = fill(data.ring, caps, of_ring);
+            if constexpr (has_letter) {
+                if (!e) e = fill(data.letter, caps, of_letter);
+            } else {
+                data.letter.clear();
+            }
+            if (!e) return plan_both(of_ring, of_letter, data, caps);
+            distance *= 0.5;
+            if (e != error::crossing_contours || distance < least) return e;
+        }
+    }
+
+    [[nodiscard]] height_range heights() const noexcept
+    {
+        const height_range a = ring.heights();
+        if constexpr (!has_letter) return a;
+        const height_range b = letter.heights();
+        return {a.low < b.low ? a.low : b.low, a.high > b.high ? a.high : b.high};
+    }
+
+    /// As the two extruders count them.
+    [[nodiscard]] std::uint64_t hard_edges(const solid_with<plan_data>& s) const noexcept
+        requires tells_hard_edges<Ring> && (!has_letter || tells_hard_edges<Letter>)
+    {
+        std::uint64_t all = ring.hard_edges(s.data.ring);
+        if constexpr (has_letter) all += letter.hard_edges(s.data.letter);
+        return all;
+    }
+
+    template <attribute Wants, class Put>
+    void vertices(part p, const solid_with<plan_data>& s, const placement& at, Put&& put) const noexcept
+    {
+        if (is_of_ring(p))
+            ring.template vertices<Wants>(p, s.data.ring, at, put);
+        else
+            letter.template vertices<Wants>(of_letter(p), s.data.letter, at, put);
+    }
+    template <class Put>
+    void triangles(part p, const solid_with<plan_data>& s, const first_vertices& first, Put&& put) const noexcept
+    {
+        if (is_of_ring(p)) return ring.triangles(p, s.data.ring, first, put);
+        first_vertices own;
+        for (std::size_t i = ring_parts; i < most_parts; ++i) own.of[i - ring_parts] = first.of[i];
+        letter.triangles(of_letter(p), s.data.letter, own, put);
+    }
+
+private:
+    static constexpr bool is_of_ring(part p) noexcept { return static_cast<std::size_t>(p) < ring_parts; }
+    static constexpr part of_letter(part p) noexcept
+    {
+        return static_cast<part>(static_cast<std::size_t>(p) - ring_parts);
+    }
+
+    /// The loops of the ring and those of the letter within it.
+    template <cap_maker Caps>
+    [[nodiscard]] error make_loops(const region& filled, double distance, plan_data& data, Caps& caps) const noexcept
+    {
+        const double around = place == outline_place::outer    ? distance
+                              : place == outline_place::centre ? 0.5 * distance
+                                                               : 0.0;
+        const corner_rule corners{joins, mitre_limit};
+        contours &outer = data.ring.loops, &inner = data.letter.loops;
+        data.curves.clear();
+        if (!data.curves.append(filled.curves())) return error::out_of_memory;
+        if (error e = data.mover(filled, around, corners, caps, data.curves, outer)) return e;
+        if (error e = data.mover(filled, around - distance, corners, caps, data.curves, inner)) return e;
+        const std::uint32_t own = outer.contour_count();
+        if (!append_loops(inner, outer)) return error::out_of_memory;
+        for (std::uint32_t k = own; k < outer.contour_count(); ++k) turn_loop(outer, k);
+        outer.curves = inner.curves = data.curves.view();
+        return {};
+    }
+
+    template <class E, cap_maker Caps>
+    [[nodiscard]] static error fill(inner_solid<E>& of, Caps& caps, region& out) noexcept
+    {
+        const auto filled = of.fill(caps);
+        if (filled) out = *filled;
+        return filled.error();
+    }
+
+    template <cap_maker Caps>
+    [[nodiscard]] result<solid_plan> plan_both(const region& of_ring, const region& of_letter, plan_data& data,
+                                               Caps& caps) const noexcept
+    {
+        auto all = data.ring.plan(ring, of_ring, caps);
+        if (!all || !has_letter) return all;
+        const auto within = data.letter.plan(letter, of_letter, caps);
+        if (!within) return within.error();
+        for (std::size_t i = ring_parts; i < part_count; ++i) {
+            all->sizes.vertices.of[i] = within->sizes.vertices.of[i - ring_parts];
+            all->sizes.triangles.of[i] = within->sizes.triangles.of[i - ring_parts];
+        }
+        all->around.merge(within->around);
+        return all;
+    }
+};
+static_assert(extruder<outlined<>>);
+
+}  // namespace typemesh::inline TYPEMESH_ABI
