@@ -6,6 +6,8 @@
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/adapt/threads.hpp>
 #include <typemesh/extrude/bevelled.hpp>
+#include <typemesh/extrude/emboldened.hpp>
+#include <typemesh/extrude/outlined.hpp>
 #include <typemesh/extrude/polyline_profile.hpp>
 #include <typemesh/inspect/closedness.hpp>
 #include <typemesh/inspect/normal_check.hpp>
@@ -69,6 +71,12 @@ auto chamfered = typemesh::text_mesher{*font}.with(typemesh::bevelled<>{.width =
 auto rounded   = typemesh::text_mesher{*font}.with(typemesh::bevelled<typemesh::round_profile>{.profile = {.steps = 4}});
 auto moulded   = typemesh::text_mesher{*font}.with(typemesh::bevelled<typemesh::polyline_profile>{.profile = {{{0, 0}, {0.2f, 0.8f}, {1, 1}}}});
     use(chamfered, rounded, moulded);
+auto bolder = typemesh::text_mesher{*font}.with(typemesh::emboldened<typemesh::bevelled<>>{.by = 0.015f, .solid = {.width = 0.01f}});
+auto hollow = typemesh::text_mesher{*font}.with(typemesh::outlined<>{.width = 0.02f});
+auto framed = typemesh::text_mesher{*font}.with(typemesh::outlined<typemesh::extruded<>, typemesh::extruded<>>{
+    .place = typemesh::outline_place::outer, .letter = {.depth = 0.1f}});
+auto spaced = bolder.plan("Hamburg", {.layout = {.letter_spacing = 2 * 0.015}});
+    use(bolder, hollow, framed, spaced);
 auto over_the_text = typemesh::text_mesher{*font}.with(typemesh::extruded<>{.texture = typemesh::texture_mapping::box});
     use(over_the_text);
 

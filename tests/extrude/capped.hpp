@@ -32,6 +32,23 @@ private:
     Triangulator cut_;
 };
 
+/// Caps whose first fills are refused.
+template <class Caps>
+struct refusing_caps {
+    Caps& caps;
+    int refusals;
+
+    [[nodiscard]] std::span<const triangle> triangles() const noexcept { return caps.triangles(); }
+    error operator()(const region& r, triangle_list& out) noexcept { return caps(r, out); }
+    [[nodiscard]] contours& loops() noexcept { return caps.loops(); }
+    result<region> fill(triangle_list& out) noexcept
+    {
+        if (refusals-- > 0) return error::crossing_contours;
+        return caps.fill(out);
+    }
+    [[nodiscard]] workspace& space() noexcept { return caps.space(); }
+};
+
 template <class E>
 struct capped_mesh : mesh<everything> {
     solid_plan plan;
@@ -39,6 +56,23 @@ struct capped_mesh : mesh<everything> {
 
     [[nodiscard]] const part_sizes& sizes() const { return plan.sizes; }
 };
+
+template <class E>
+struct planned {
+    solid_plan plan;
+    plan_data_of<E> data;
+};
+
+/// What an extruder plans with caps of the test's own.
+template <class E, class Caps>
+planned<E> plan_solid_of(const shapes::shape& s, const E& how, Caps& caps)
+{
+    planned<E> made;
+    const auto plan = plan_solid(how, s.made(), made.data, caps);
+    REQUIRE(plan);
+    made.plan = *plan;
+    return made;
+}
 
 template <class Triangulator = monotone, class E>
 error build_capped(const shapes::shape& s, const E& how, capped_mesh<E>& to, const placement& at = in_em())

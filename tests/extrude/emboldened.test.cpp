@@ -355,3 +355,20 @@ TEST_CASE("a bolder letter is planned anew into the memory of the last one", "[e
     REQUIRE(again);
     CHECK(again->sizes == first->sizes);
 }
+
+TEST_CASE("where new edges are not proven, a letter grows by half as much, and the plan says so", "[emboldened]")
+{
+    const auto s = shapes::letter_d(8);
+    caps_by<> caps{s.made()};
+    auto maker = caps.maker();
+    const auto narrow = plan_solid_of(s, emboldened<>{.by = 0.01f}, maker);
+    CHECK_FALSE(narrow.plan.narrowed);
+    refusing_caps<decltype(maker)> refusing{maker, 1};
+    const auto narrowed = plan_solid_of(s, emboldened<>{.by = 0.02f}, refusing);
+    CHECK(narrowed.plan.narrowed);
+    CHECK(narrowed.plan.sizes == narrow.plan.sizes);
+    CHECK(narrowed.plan.around.low == narrow.plan.around.low);
+    refusing.refusals = 1000;
+    plan_data_of<emboldened<>> data;
+    CHECK(plan_solid(emboldened<>{}, s.made(), data, refusing).error() == error::crossing_contours);
+}

@@ -270,3 +270,20 @@ TEST_CASE("a hollow letter is planned anew into the memory of the last one", "[o
     REQUIRE(again);
     CHECK(again->sizes == first->sizes);
 }
+
+TEST_CASE("where new edges are not proven, a ring is half as wide, and the plan says so", "[outlined]")
+{
+    const auto s = shapes::letter_d(8);
+    caps_by<> caps{s.made()};
+    auto maker = caps.maker();
+    const auto narrow = plan_solid_of(s, filled_outline{.width = 0.01f}, maker);
+    CHECK_FALSE(narrow.plan.narrowed);
+    refusing_caps<decltype(maker)> refusing{maker, 1};
+    const auto narrowed = plan_solid_of(s, filled_outline{.width = 0.02f}, refusing);
+    CHECK(narrowed.plan.narrowed);
+    CHECK(narrowed.plan.sizes == narrow.plan.sizes);
+    CHECK(narrowed.plan.around.low == narrow.plan.around.low);
+    refusing.refusals = 1000;
+    plan_data_of<filled_outline> data;
+    CHECK(plan_solid(filled_outline{}, s.made(), data, refusing).error() == error::crossing_contours);
+}

@@ -47,6 +47,8 @@ struct emboldened_data : inner_solid<Solid> {
 /// Letters are merged (text_options::merge) where they meet as they are drawn; neighbours that only grow into each
 /// other stay solids of their own.
 ///
+/// A distance at which the new edges are not proven is halved for that glyph (solid_plan::narrowed).
+///
 /// Fails  error::bad_option: `by` is not finite or 2^28 cells or more, the mitre limit is below 1 and not 0, or as the
 ///        other extruder does
 ///        error::nothing_left: the glyph is nowhere as thick as what is taken off
@@ -84,14 +86,18 @@ struct emboldened {
         if (!(em > 0.0)) return error::bad("units_per_em");
         double distance = as_double(by) * em;
         if (!(std::fabs(distance) < grid::reach)) return error::bad("by");
-        for (;;) {
-            const auto made = move(filled, distance, data, caps);
-            if (made && made->points().empty()) return error::nothing_left;
-            if (made) return data.plan(solid, *made, caps);
-            if (made.error() != error::crossing_contours || std::fabs(distance) < boundary_mover::finest)
-                return made.error();
+        auto moved = move(filled, distance, data, caps);
+        bool narrowed = false;
+        while (moved.error() == error::crossing_contours && std::fabs(distance) >= boundary_mover::finest) {
             distance *= 0.5;
+            narrowed = true;
+            moved = move(filled, distance, data, caps);
         }
+        if (!moved) return moved.error();
+        if (moved->points().empty()) return error::nothing_left;
+        auto made = data.plan(solid, *moved, caps);
+        if (made) made->narrowed = made->narrowed || narrowed;
+        return made;
     }
 
     [[nodiscard]] height_range heights() const noexcept { return solid.heights(); }

@@ -35,8 +35,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Makes a region of loops that bound one already, edge by edge, and appends its triangles to `out`; without points a
 /// region without points. It refers to `loops`, in which only their order may have changed.
 ///
-/// Fails  error::crossing_contours: they do not bound one as they are. And as caps.fill() does; `out` is then unchanged,
-///        and `loops` are void
+/// Fails  error::crossing_contours: they do not bound one as they are; and as caps.fill() does. `out` is then what it
+///        was, and `loops` are void
 template <cap_maker Caps>
 [[nodiscard]] result<region> fill_exactly(contours& loops, Caps& caps, triangle_list& out) noexcept
 {

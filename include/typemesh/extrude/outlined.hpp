@@ -97,7 +97,7 @@ struct outlined_data {
 /// materials of their own. There may be eight. Edges that both have are the same, point by point, in opposite
 /// directions: nothing gapes between them.
 ///
-/// Corners, advances and letters that meet are as with `emboldened`, which the ring's outer edges are, unless `inner`.
+/// Corners, advances, letters that meet and distances that are not proven are as with `emboldened`.
 ///
 /// Fails  error::bad_option: the width is not positive and finite, or on a glyph less than four cells (centre: eight)
 ///        or 2^28 and more, the mitre limit is below 1 and not 0, or as the two extruders do
@@ -146,19 +146,18 @@ struct outlined {
         const double least = boundary_mover::finest * (place == outline_place::centre ? 2.0 : 1.0);
         double distance = as_double(width) * em;
         if (!(distance >= least && distance < grid::reach)) return error::bad("width");
-        for (;;) {
-            error e = make_loops(filled, distance, data, caps);
-            region of_ring, of_letter;
-            if (!e) e = fill(data.ring, caps, of_ring);
-            if constexpr (has_letter) {
-                if (!e) e = fill(data.letter, caps, of_letter);
-            } else {
-                data.letter.clear();
-            }
-            if (!e) return plan_both(of_ring, of_letter, data, caps);
+        region of_ring, of_letter;
+        error e = make_regions(filled, distance, data, caps, {of_ring, of_letter});
+        bool narrowed = false;
+        while (e == error::crossing_contours && 0.5 * distance >= least) {
             distance *= 0.5;
-            if (e != error::crossing_contours || distance < least) return e;
+            narrowed = true;
+            e = make_regions(filled, distance, data, caps, {of_ring, of_letter});
         }
+        if (e) return e;
+        auto made = plan_both(of_ring, of_letter, data, caps);
+        if (made) made->narrowed = made->narrowed || narrowed;
+        return made;
     }
 
     [[nodiscard]] height_range heights() const noexcept
@@ -222,12 +221,27 @@ private:
         return {};
     }
 
-    template <class E, cap_maker Caps>
-    [[nodiscard]] static error fill(inner_solid<E>& of, Caps& caps, region& out) noexcept
+    struct both_regions {
+        region &ring, &letter;
+    };
+
+    /// The region of the ring and, if it is drawn, that of the letter within it.
+    template <cap_maker Caps>
+    [[nodiscard]] error make_regions(const region& filled, double distance, plan_data& data, Caps& caps,
+                                     const both_regions& out) const noexcept
     {
-        const auto filled = of.fill(caps);
-        if (filled) out = *filled;
-        return filled.error();
+        if (error e = make_loops(filled, distance, data, caps)) return e;
+        const auto of_ring = data.ring.fill(caps);
+        if (!of_ring) return of_ring.error();
+        out.ring = *of_ring;
+        if constexpr (has_letter) {
+            const auto of_letter = data.letter.fill(caps);
+            if (!of_letter) return of_letter.error();
+            out.letter = *of_letter;
+        } else {
+            data.letter.clear();
+        }
+        return {};
     }
 
     template <cap_maker Caps>
@@ -243,6 +257,7 @@ private:
             all->sizes.triangles.of[i] = within->sizes.triangles.of[i - ring_parts];
         }
         all->around.merge(within->around);
+        all->narrowed = all->narrowed || within->narrowed;
         return all;
     }
 };

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+
+// Bold and hollow letters go wherever all others do: into caches, merged letters, chunks, instances and teams; what
+// thinning leaves nothing of is reported.
+
+#include <typemesh/extrude/bevelled.hpp>
+#include <typemesh/extrude/emboldened.hpp>
+#include <typemesh/extrude/outlined.hpp>
+#include <typemesh/inspect/closedness.hpp>
+#include <typemesh/inspect/mesh_measure.hpp>
+#include <typemesh/inspect/normal_check.hpp>
+#include <typemesh/typemesh.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "support/catch.hpp"
+#include "support/executors.hpp"
+#include "support/toy_font.hpp"
+
+using namespace typemesh;
+
+namespace {
+
+struct bold_corner {
+    vec3 place, normal;
+    vec4 tangent;
+    vec2 uv;
+    part of;
+
+    friend bool operator==(const bold_corner&, const bold_corner&) = default;
+};
+
+struct bold_mesh {
+    std::vector<bold_corner> vertices;
+    std::vector<std::uint32_t> indices;
+
+    friend bool operator==(const bold_mesh&, const bold_mesh&) = default;
+    [[nodiscard]] auto view() const { return inspect::mesh_view{vertices, indices, &bold_corner::place}; }
+};
+
+}  // namespace
+
+template <>
+struct typemesh::vertex_traits<bold_corner> {
+    static constexpr auto wants =
+        attribute::position | attribute::normal | attribute::tangent | attribute::uv | attribute::part;
+    bold_corner operator()(const surface_point<wants>& s) const noexcept
+    {
+        return {s.position, s.normal, s.tangent, s.uv, s.part};
+    }
+};
+
+namespace {
+
+constexpr const char* bold_word = "oExi Eo";  // x has contours that cross
+
+const emboldened<bevelled<>> bold{.by = 0.02f, .solid = {.width = 0.01f}};
+const outlined<extruded<>, extruded<>> hollow{.width = 0.02f, .place = outline_place::outer, .letter = {.depth = 0.1f}};
+
+/// Closed, right side out, lit from outside, each part where the plan says, within its bounds.
+template <class Plan>
+bold_mesh checked_mesh(const Plan& plan, std::size_t parts)
+{
+    bold_mesh m;
+    REQUIRE_FALSE(plan.write(into(m.vertices, m.indices)));
+    CHECK(mesh_size{m.vertices.size(), m.indices.size() / 3} == plan.size());
+    CHECK(inspect::check_closedness(m.view()).is_closed());
+    CHECK(inspect::check_normals(m.view(), &bold_corner::normal).is_right());
+    for (const bold_corner& v : m.vertices) REQUIRE(plan.bounds().holds(v.place));
+    REQUIRE(plan.parts().size() == parts);
+    for (const part p : plan.parts()) {
+        const mesh_range r = plan.range(p);
+        CHECK(r.vertex_count != 0);
+        for (std::uint32_t i = 0; i < r.vertex_count; ++i) REQUIRE(m.vertices[r.first_vertex + i].of == p);
+    }
+    return m;
+}
+
+double volume_of(const bold_mesh& m) { return inspect::measure(m.view()).volume; }
+
+/// A text comes out of caches, teams and constrained Delaunay as it is built alone; `other` is the same extruder with
+/// other options.
+template <class E>
+void check_everywhere(const E& how, const E& other)
+{
+    constexpr std::size_t parts = part_count_of<E>;
+    test::toy_font font;
+    auto mesher = text_mesher{font}.with(how);
+    const auto plan = mesher.plan(bold_word);
+    REQUIRE(plan);
+    CHECK(plan->report().complete());
+    CHECK(plan->report().narrowed == 0);
+    const bold_mesh expected = checked_mesh(*plan, parts);
+
+    glyph_cache<> cache;
+    auto cached = text_mesher{font}.with(how).with(cached_in{cache, 1});
+    for (int i = 0; i < 2; ++i) {
+        const auto again = cached.plan(bold_word);
+        REQUIRE(again);
+        CHECK(checked_mesh(*again, parts) == expected);
+    }
+    CHECK(cache.statistics().hits >= 5);
+    auto unlike = text_mesher{font}.with(other).with(cached_in{cache, 1});
+    const auto different = unlike.plan(bold_word);
+    REQUIRE(different);
+    CHECK_FALSE(checked_mesh(*different, parts) == expected);
+
+    test::scrambled_workers pool;
+    auto team = workers_of(pool, [](std::size_t) noexcept { return result<test::toy_font>{test::toy_font{}}; });
+    REQUIRE(team);
+    for (int i = 0; i < 2; ++i) {
+        const auto shared = mesher.plan(bold_word, {}, *team);
+        REQUIRE(shared);
+        bold_mesh m;
+        REQUIRE_FALSE(shared->write(into(m.vertices, m.indices), pool));
+        CHECK(m == expected);
+    }
+
+    auto delaunay = text_mesher{font}.with(how).with(constrained_delaunay{});
+    const auto cut = delaunay.plan(bold_word);
+    REQUIRE(cut);
+    CHECK(volume_of(checked_mesh(*cut, parts)) == Catch::Approx(volume_of(expected)).epsilon(1e-5));
+}
+
+/// And is cut into chunks, written glyph by glyph and as instances.
+template <class E>
+void check_pieces(const E& how)
+{
+    test::toy_font font;
+    auto mesher = text_mesher{font}.with(how);
+    const auto plan = mesher.plan(bold_word);
+    REQUIRE(plan);
+    const bold_mesh whole = checked_mesh(*plan, part_count_of<E>);
+    text_chunks chunks;
+    for (const std::uint32_t most : {65'535u, 900u, 60u}) {  // of all glyphs, of one, of pieces
+        REQUIRE_FALSE(chunks.cut(*plan, most));
+        std::vector<bold_corner> vertices;
+        std::vector<std::uint16_t> indices;
+        REQUIRE_FALSE(chunks.write(*plan, into(vertices, indices)));
+        bold_mesh all{vertices, {}};
+        for (const text_chunk& c : chunks.view()) {
+            CHECK(c.size().vertices <= most);
+            const mesh_range r = c.range();
+            for (std::uint32_t i = 0; i < r.index_count; ++i)
+                all.indices.push_back(r.first_vertex + indices[r.first_index + i]);
+        }
+        CHECK(all.indices.size() == whole.indices.size());
+        CHECK(inspect::check_closedness(all.view()).is_closed());
+    }
+
+    bold_mesh once;
+    REQUIRE_FALSE(plan->write_meshes(into(once.vertices, once.indices)));
+    CHECK(once.vertices.size() == plan->meshes_size().vertices);
+    CHECK(inspect::check_closedness(once.view()).is_closed());
+
+    bold_mesh some = whole;
+    for (const part p : plan->parts()) {
+        const mesh_range r = plan->range(1, p);
+        for (std::uint32_t i = 0; i < r.vertex_count; ++i) some.vertices[r.first_vertex + i] = {};
+    }
+    CHECK_FALSE(some == whole);
+    REQUIRE_FALSE(plan->write(glyph_span{1, 2}, into(std::span{some.vertices}, std::span{some.indices})));
+    CHECK(some == whole);
+}
+
+}  // namespace
+
+TEST_CASE("bold letters come out of caches, teams and constrained Delaunay as they are built alone", "[text]")
+{
+    auto bolder = bold;
+    bolder.by = 0.03f;
+    check_everywhere(bold, bolder);
+    auto other_bevel = bold;
+    other_bevel.solid.width = 0.015f;
+    check_everywhere(bold, other_bevel);
+    check_pieces(bold);
+}
+
+TEST_CASE("hollow letters come out of caches, teams and constrained Delaunay as they are built alone", "[text]")
+{
+    auto inside = hollow;
+    inside.place = outline_place::inner;
+    check_everywhere(hollow, inside);
+    check_everywhere(inside, hollow);
+    check_pieces(hollow);
+}
+
+TEST_CASE("bold and hollow letters that meet as they are drawn are merged first", "[text]")
+{
+    test::toy_font font;
+    glyph_run run;
+    for (const double x : {0.0, 300.0, 1500.0}) REQUIRE(run.glyphs.push_back({1, 0, {x, 0.0}}));  // two rings that meet
+    run.units_per_em = 1000.0;
+    const text_options merging{.merge = true};
+    auto bolder = text_mesher{font}.with(bold);
+    const auto joined = bolder.plan(run, merging);
+    REQUIRE(joined);
+    CHECK(joined->glyphs().size() == 2);
+    const bold_mesh m = checked_mesh(*joined, 5);
+    const auto apart = bolder.plan(run);
+    REQUIRE(apart);
+    CHECK(volume_of(m) < volume_of(checked_mesh(*apart, 5)));
+
+    auto hollower = text_mesher{font}.with(hollow);
+    const auto rings = hollower.plan(run, merging);
+    REQUIRE(rings);
+    CHECK(rings->glyphs().size() == 2);
+    (void)checked_mesh(*rings, 6);
+}
+
+TEST_CASE("a glyph that thinning leaves nothing of is left out and named, from a cache as well", "[text]")
+{
+    test::toy_font font;
+    glyph_cache<> cache;
+    glyph_run run;  // strokes of E and i are 100 units wide, those of the box between them 50
+    for (const glyph_id id : {2u, 0u, 5u})
+        REQUIRE(run.glyphs.push_back({id, static_cast<cluster_id>(run.glyphs.size()), {0.0, 0.0}}));
+    run.units_per_em = 1000.0;
+    auto thinner = text_mesher{font}.with(emboldened<>{.by = -0.03f}).with(cached_in{cache, 1});
+    for (int i = 0; i < 2; ++i) {
+        const auto plan = thinner.plan(run);
+        REQUIRE(plan);
+        CHECK(plan->report().refused == 1);
+        CHECK(plan->report().first_refusal == error::nothing_left);
+        CHECK(plan->report().first_refusal.cluster == 1);
+        CHECK_FALSE(plan->report().complete());
+        bold_mesh m;
+        REQUIRE_FALSE(plan->write(into(m.vertices, m.indices)));
+        CHECK(inspect::check_closedness(m.view()).is_closed());
+    }
+}
+
+TEST_CASE("letter spacing of twice the distance keeps bold letters as far apart as they were", "[text]")
+{
+    test::toy_font font;
+    auto plain = text_mesher{font}.with(extruded<>{});
+    auto bolder = text_mesher{font}.with(emboldened<>{.by = 0.03f});
+    const auto thin = plain.plan("EEE");
+    const auto wide = bolder.plan("EEE", {.layout = {.letter_spacing = 2 * 0.03}});
+    REQUIRE(thin);
+    REQUIRE(wide);
+    const double ink = thin->bounds().high.x - thin->bounds().low.x,
+                 grown = wide->bounds().high.x - wide->bounds().low.x;
+    CHECK(grown == Catch::Approx(ink + 6 * 0.03).margin(1e-5));
+}
