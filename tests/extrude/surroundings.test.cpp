@@ -105,4 +105,7 @@ TEST_CASE("surroundings beyond the grid are refused, those of an empty region ar
     CHECK(surround(shapes::rectangle().made(), 1e300, around) == error::outline_beyond_grid);
     CHECK_FALSE(surround(region{}, 100.0, around));
     CHECK(around.points.empty());
+    contours nothing;
+    leave_frame(nothing);
+    CHECK(nothing.starts.empty());
 }

@@ -140,6 +140,7 @@ inline void turn_loop(contours& loops, std::uint32_t k) noexcept
 /// Makes what is left around a region the larger region: takes the frame away and reverses all other loops.
 inline void leave_frame(contours& loops) noexcept
 {
+    if (loops.starts.empty()) return;  // nothing has been swept
     std::uint32_t lowest = 0, kept = 0;
     for (std::uint32_t i = 0; i < loops.points.size(); ++i)
         if (loops.points[i].y < loops.points[lowest].y) lowest = i;
