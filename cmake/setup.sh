@@ -19,6 +19,7 @@ fontconfig   command:fc-list                                  fontconfig        
 font         font:48                                          fonts-dejavu-core  dejavu-sans-fonts      ttf-dejavu  -                 -
 harfbuzz     header:harfbuzz/hb.h                             libharfbuzz-dev    harfbuzz-devel         harfbuzz    harfbuzz          harfbuzz
 freetype     header:freetype2/ft2build.h,ft2build.h           libfreetype-dev    freetype-devel         freetype2   freetype          freetype
+icu          header:unicode/ubrk.h                            libicu-dev         libicu-devel           icu         icu4c             icu
 glm          header:glm/vec3.hpp                              libglm-dev         glm-devel              glm         glm               glm
 mingw        command:x86_64-w64-mingw32-g++-posix,x86_64-w64-mingw32-g++ g++-mingw-w64-x86-64-posix mingw64-gcc-c++ mingw-w64-gcc mingw-w64 -
 wine         command:wine                                     wine               wine                   wine        wine-stable       -

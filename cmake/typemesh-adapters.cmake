@@ -3,7 +3,7 @@
 # How each adapter's library is found: by its CMake package first, by pkg-config second. Used by the source tree and,
 # installed beside typemesh-config.cmake, by find_package(typemesh COMPONENTS ...).
 
-set(typemesh_adapters harfbuzz freetype directwrite glm threads)
+set(typemesh_adapters harfbuzz freetype directwrite icu glm threads)
 
 # Sets `result` to the target of the library that the adapter `name` needs, or leaves it empty and says in `reason` why.
 function(typemesh_find_adapter name result reason)
@@ -26,6 +26,15 @@ function(typemesh_find_adapter name result reason)
             set(library dwrite)
         endif()
         set(why "DirectWrite is a part of Windows, and this is built for ${CMAKE_SYSTEM_NAME}")
+    elseif(name STREQUAL "icu")
+        if(NOT TARGET ICU::uc)
+            find_package(ICU QUIET COMPONENTS uc)
+        endif()
+        set(library)
+        if(TARGET ICU::uc)
+            set(library ICU::uc)
+        endif()
+        set(why "ICU was not found by CMake's FindICU (its component uc)")
     elseif(name STREQUAL "glm")
         typemesh_find_library(glm glm::glm glm library)
         set(why "GLM was not found, neither as the CMake package 'glm' nor as the pkg-config module 'glm'")

@@ -108,6 +108,7 @@ run_ctest() {  # run_ctest FOLDER LOG
 
 tier_gcc() {
     (install_missing clang-format) || say "Going on without it: the format of the sources is not checked."
+    (install_missing icu) || say "Going on without it: nothing is compared with ICU."
     test_preset gcc
     test_preset fast-math typemesh_tests
 }

@@ -35,7 +35,7 @@ done
 for name in bash sh env awk sed grep cut sort head tail tr od cat mktemp date mkdir rm cp chmod touch sleep dirname basename tee getconf find; do
     ln -s "$(command -v $name)" "$bin/$name"
 done
-for header in harfbuzz/hb.h ft2build.h glm/vec3.hpp catch2/catch.hpp benchmark/benchmark.h CLI/CLI.hpp tiny_gltf.h stb_image_write.h; do
+for header in harfbuzz/hb.h ft2build.h glm/vec3.hpp unicode/ubrk.h catch2/catch.hpp benchmark/benchmark.h CLI/CLI.hpp tiny_gltf.h stb_image_write.h; do
     mkdir -p "$scratch/prefix/include/$(dirname $header)" && touch "$scratch/prefix/include/$header"
 done
 stand_in() {  # stand_in NAME, its body on standard input; every call is recorded

@@ -58,5 +58,7 @@ TEST_CASE("lines end behind spaces and hyphens, and must end behind line feeds",
     CHECK(shown(U"$ 3.50 or 1,000%") == "$ |3.50 |or |1,000%");
     CHECK(shown(U"日本。語") == "x|xx|x");
     CHECK(shown(U"ภาษาไทย") == "xxxxxxx");
+    CHECK(shown(U"a-\u00A0b") == "a-|xb");
+    CHECK(shown(U"א-\u00A0b") == "x-xb");  // LB21a holds where LB12a leaves it open
     CHECK(shown(U"").empty());
 }

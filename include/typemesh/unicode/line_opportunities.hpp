@@ -67,7 +67,7 @@ private:
         if (before_ == b2 && c == b2) return false;
         if (spaces_) return true;
         if (before_ == wj || before_ == gl || c == qu || before_ == qu) return false;
-        if (c == gl) return before_ == ba || before_ == hy;
+        if (c == gl && before_ != ba && before_ != hy) return false;
         if (c == cb || before_ == cb) return true;
         return !(hebrew_hyphen_ || in_number(i, c) || (c == ri && half_a_flag_) || joins(before_, c));
     }

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/unicode/unicode_analyser.hpp>
+
+#include <unicode/ubrk.h>
+#include <unicode/utext.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <utility>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// unicode_analyser, with ICU's dictionaries for Thai, Lao, Khmer and Burmese: lines may end between their words, too.
+/// Only the words of these scripts are ICU's; everything else is the same on every machine, whatever ICU is installed.
+///
+/// A script whose dictionary this ICU does not have stays in text_analysis::unbroken. Of ICU its C interface is used;
+/// what it allocates comes from its own heap. One analyser is used by one thread at a time.
+class icu_analyser {
+public:
+    explicit icu_analyser(memory source = heap()) noexcept : unicode_{source} {}
+    icu_analyser(icu_analyser&& other) noexcept
+        : unicode_{std::move(other.unicode_)},
+          words_{std::exchange(other.words_, nullptr)},
+          opened_{std::exchange(other.opened_, false)}
+    {
+        for (std::size_t k = 0; k < count; ++k) known_[k] = other.known_[k];
+    }
+    icu_analyser& operator=(icu_analyser&& other) noexcept
+    {
+        std::swap(unicode_, other.unicode_);
+        std::swap(words_, other.words_);
+        std::swap(opened_, other.opened_);
+        std::swap(known_, other.known_);
+        return *this;
+    }
+    ~icu_analyser()
+    {
+        if (words_ != nullptr) ubrk_close(words_);
+    }
+
+    error analyse(text_view text, const analysis_options& how, text_analysis& found) noexcept
+    {
+        if (error e = unicode_.analyse(text, how, found)) return e;
+        if (found.unbroken.empty()) return {};
+        if (error e = open()) {
+            found.clear();
+            return e;
+        }
+        std::size_t left = 0;
+        for (const text_range& range : found.unbroken) {
+            const std::uint32_t script = script_set::of(decode(text, range.first).value).tag();
+            const std::size_t k = number_of(script);
+            if (k < count && known_[k] && mark_words(text, range, found.marks.view())) continue;
+            found.unbroken[left++] = range;
+        }
+        found.unbroken.truncate(left);
+        return {};
+    }
+
+private:
+    static constexpr std::size_t count = 4;
+
+    /// Of the scripts that ICU may know; `count` for others.
+    [[nodiscard]] static constexpr std::size_t number_of(std::uint32_t script) noexcept
+    {
+        constexpr std::uint32_t scripts[count] = {script_tag("Thai"), script_tag("Laoo"), script_tag("Khmr"),
+                                                  script_tag("Mymr")};
+        std::size_t k = 0;
+        while (k < count && scripts[k] != script) ++k;
+        return k;
+    }
+
+    /// Opens ICU when it is first needed, and finds out for which scripts it has a dictionary: an ICU cut down to size
+    /// does not fail without one, it finds no words.
+    error open() noexcept
+    {
+        if (opened_) return {};
+        UErrorCode status = U_ZERO_ERROR;
+        words_ = ubrk_open(UBRK_LINE, "", nullptr, 0, &status);
+        if (status == U_MEMORY_ALLOCATION_ERROR) return error::out_of_memory;
+        opened_ = true;
+        if (U_FAILURE(status)) words_ = nullptr;
+        // The Thai language, the Lao language, there is water, the people of the world: two common words each.
+        constexpr std::u16string_view words[count] = {
+            u"\u0E20\u0E32\u0E29\u0E32\u0E44\u0E17\u0E22",
+            u"\u0E9E\u0EB2\u0EAA\u0EB2\u0EA5\u0EB2\u0EA7",
+            u"\u1798\u17B6\u1793\u1791\u17B9\u1780",
+            u"\u1000\u1019\u1039\u1018\u102C\u101C\u1030\u101E\u102C\u1038",
+        };
+        for (std::size_t k = 0; k < count && words_ != nullptr; ++k) {
+            text_mark marks[16] = {};
+            const text_view text{words[k]};
+            mark_words(text, {0, static_cast<std::uint32_t>(text.size())}, marks);
+            for (const text_mark mark : marks) known_[k] = known_[k] || mark != text_mark::none;
+        }
+        return {};
+    }
+
+    /// Marks where a line may end inside a range. False if ICU fails, which it does for want of memory.
+    bool mark_words(text_view text, text_range range, std::span<text_mark> marks) noexcept
+    {
+        UErrorCode status = U_ZERO_ERROR;
+        UText units = UTEXT_INITIALIZER;
+        if (text.encoding() == encoding::utf8)
+            utext_openUTF8(&units, text.utf8() + range.first, range.last - range.first, &status);
+        else
+            utext_openUChars(&units, text.utf16() + range.first, range.last - range.first, &status);
+        ubrk_setUText(words_, &units, &status);
+        if (U_SUCCESS(status))
+            for (std::int32_t at = ubrk_first(words_); at != UBRK_DONE; at = ubrk_next(words_)) {
+                const std::size_t i = range.first + static_cast<std::size_t>(at);
+                if (i > range.first && i < range.last) marks[i] = marks[i] | text_mark::may_break;
+            }
+        utext_close(&units);
+        return U_SUCCESS(status) != 0;
+    }
+
+    unicode_analyser unicode_;
+    UBreakIterator* words_ = nullptr;
+    bool opened_ = false;
+    bool known_[count] = {};
+};
+static_assert(text_analyser<icu_analyser>);
+
+}  // namespace typemesh::inline TYPEMESH_ABI

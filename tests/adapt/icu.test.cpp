@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+#ifdef TYPEMESH_TEST_WITH_ICU
+#include "unicode/break_test_file.hpp"
+
+#include <typemesh/adapt/icu.hpp>
+
+#include <unicode/ubidi.h>
+#include <unicode/uchar.h>
+
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace typemesh;
+
+namespace {
+
+/// The text with | where a line may end.
+std::u16string broken(icu_analyser& analyser, const std::u16string& text)
+{
+    text_analysis found;
+    REQUIRE_FALSE(analyser.analyse(text, {}, found));
+    REQUIRE(found.unbroken.empty());
+    std::u16string s;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (has(found.marks[i], text_mark::may_break)) s += u'|';
+        s += text[i];
+    }
+    return s;
+}
+
+}  // namespace
+
+TEST_CASE("lines may end between words that ICU's dictionaries know", "[adapt][icu]")
+{
+    icu_analyser analyser;
+    CHECK((broken(analyser, u"ภาษาไทย") == u"ภาษา|ไทย"));
+    CHECK((broken(analyser, u"ab ภาษาไทย cd") == u"ab |ภาษา|ไทย |cd"));
+    CHECK((broken(analyser, u"ພາສາລາວ") == u"ພາສາ|ລາວ"));
+    CHECK((broken(analyser, u"មានទឹក") == u"មាន|ទឹក"));
+    CHECK((broken(analyser, u"ကမ္ဘာလူသား") == u"ကမ္ဘာ|လူသား"));
+}
+
+TEST_CASE("the words are the same in both encodings", "[adapt][icu]")
+{
+    icu_analyser analyser;
+    text_analysis found;
+    REQUIRE_FALSE(analyser.analyse(u8"ab ภาษาไทย", {}, found));
+    CHECK(found.unbroken.empty());
+    for (std::size_t i = 4; i < found.marks.size(); ++i) CHECK(has(found.marks[i], text_mark::may_break) == (i == 15));
+}
+
+TEST_CASE("beside words of a dictionary an analysis with ICU is that without", "[adapt][icu]")
+{
+    icu_analyser with;
+    unicode_analyser without;
+    text_analysis a, b;
+    const std::u16string text = u"Hello (שלום 12) fox-trot\nภาษาไทย 漢字, ok";
+    REQUIRE_FALSE(with.analyse(text, {}, a));
+    REQUIRE_FALSE(without.analyse(text, {}, b));
+    REQUIRE(b.unbroken.size() == 1);
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        CHECK(a.levels[i] == b.levels[i]);
+        const bool inside = i > b.unbroken[0].first && i < b.unbroken[0].last;
+        if (!inside) CHECK(a.marks[i] == b.marks[i]);
+    }
+}
+
+TEST_CASE("what no dictionary of ICU's is for stays unbroken", "[adapt][icu]")
+{
+    icu_analyser analyser;
+    text_analysis found;
+    REQUIRE_FALSE(analyser.analyse(u"ภาษาไทย \u1A20\u1A21\u1A22", {}, found));  // Tai Tham
+    REQUIRE(found.unbroken.size() == 1);
+    CHECK(found.unbroken[0].first == 8);
+}
+
+TEST_CASE("an analyser that has been moved goes on", "[adapt][icu]")
+{
+    icu_analyser first;
+    CHECK((broken(first, u"ภาษาไทย") == u"ภาษา|ไทย"));
+    icu_analyser second{std::move(first)};
+    CHECK((broken(second, u"ภาษาไทย") == u"ภาษา|ไทย"));
+    first = std::move(second);
+    CHECK((broken(first, u"ภาษาไทย") == u"ภาษา|ไทย"));
+}
+
+// What follows compares unicode_analyser with ICU's own breaks and levels, where this ICU is of Unicode 15.0, too.
+
+namespace {
+
+std::u16string utf16_of(const std::vector<char32_t>& text)
+{
+    std::u16string s;
+    for (const char32_t c : text) {
+        if (c >= 0x10000) s += static_cast<char16_t>(0xD7C0 + (c >> 10));
+        s += static_cast<char16_t>(c < 0x10000 ? c : 0xDC00 | (c & 0x3FF));
+    }
+    return s;
+}
+
+/// Where ICU would end lines, or begin graphemes, of a text: before which units.
+std::vector<bool> breaks_by_icu(UBreakIteratorType kind, const std::u16string& text)
+{
+    UErrorCode status = U_ZERO_ERROR;
+    UBreakIterator* breaks = ubrk_open(kind, "", text.data(), static_cast<std::int32_t>(text.size()), &status);
+    REQUIRE(U_SUCCESS(status));
+    std::vector<bool> before(text.size() + 1);
+    for (std::int32_t i = ubrk_first(breaks); i != UBRK_DONE; i = ubrk_next(breaks))
+        before[static_cast<std::size_t>(i)] = true;
+    ubrk_close(breaks);
+    before.pop_back();
+    return before;
+}
+
+std::vector<bool> breaks_by_us(text_mark which, const std::u16string& text)
+{
+    unicode_analyser analyser;
+    text_analysis found;
+    REQUIRE_FALSE(analyser.analyse(text, {}, found));
+    std::vector<bool> before;
+    for (const text_mark m : found.marks) before.push_back(has(m, which));
+    return before;
+}
+
+bool is_of_our_unicode()
+{
+    UVersionInfo version;
+    u_getUnicodeVersion(version);
+    const bool same = version[0] == 15 && version[1] == 0;
+    if (!same) WARN("left out: this ICU is of Unicode " << int(version[0]) << '.' << int(version[1]));
+    return same;
+}
+
+/// Where ICU joins what UAX #14 of Unicode 15.0 lets break: its two tailorings, both of which Unicode 16 took over.
+bool is_tailored(const std::vector<char32_t>& text, std::size_t at)
+{
+    const auto line = [&](std::size_t i) { return character_of(text[i]).line; };
+    const auto is_mark = [&](std::size_t i) {
+        return line(i) == line_class::cm || line(i) == line_class::zwj || line(i) == line_class::sa_mark;
+    };
+    std::size_t before = at - 1;
+    while (before > 0 && is_mark(before)) --before;
+    // A number that begins with a full stop, " .35": the line may end before it, not inside.
+    if (line(before) == line_class::is && line(at) == line_class::nu) return true;
+    if (line(before) == line_class::sp && line(at) == line_class::is) return true;
+    // A hyphen that begins a word, "-able".
+    using classes = class_set<line_class>;
+    using enum line_class;
+    const bool begins = before == 0 || classes{bk, cr, lf, nl, sp, zw, cb, gl}.holds(line(before - 1));
+    return begins && line(before) == hy && (classes{al, hl, sa}.holds(line(at)) || is_mark(at));
+}
+
+std::vector<char32_t> random_text(std::mt19937& random, const std::u32string& letters)
+{
+    std::vector<char32_t> text(1 + random() % 20);
+    for (char32_t& c : text) c = letters[random() % letters.size()];
+    return text;
+}
+
+/// Every place where ICU and we differ must be one of its tailorings. Returns whether there is one.
+bool differs(const std::vector<char32_t>& text)
+{
+    const std::u16string units = utf16_of(text);
+    const auto icu = breaks_by_icu(UBRK_LINE, units);
+    const auto us = breaks_by_us(text_mark::may_break | text_mark::must_break, units);
+    bool any = false;
+    std::size_t unit = 0;
+    for (std::size_t i = 0; i < text.size(); unit += text[i++] >= 0x10000 ? 2 : 1) {
+        if (i == 0 || icu[unit] == us[unit]) continue;
+        any = true;
+        std::string shown;
+        for (const char32_t c : text) shown += ucd::hex_of(c) + " ";
+        INFO(shown << ", before character " << i);
+        CHECK(is_tailored(text, i));
+    }
+    return any;
+}
+
+}  // namespace
+
+TEST_CASE("ICU breaks lines and graphemes as we do, but for two tailorings", "[adapt][icu]")
+{
+    if (!is_of_our_unicode()) return;
+    int different = 0;
+    for (const ucd::break_case& one : ucd::break_cases("auxiliary/LineBreakTest.txt")) different += differs(one.text);
+    CHECK(different == 22);
+
+    const std::u32string letters =
+        U"ab1 -.,/!?$%()[]\u00AB\u00BB\"\u05D0\u0628\u0301\u200D\u200B\u2060\u00A0\u00AD\u2014"
+        U"\u2026\u3001\u6F22\u3041\u30FC\uAC00\uAC01\u1100\u1161\u11A8\U0001F1E9\U0001F466"
+        U"\U0001F3FB\U0001FAFF\u2028\u000D\u000A\u0085\uFFFC\u2329\uFF08\u0E3F\u20AC";
+    std::mt19937 random{11};
+    for (int repeat = 0; repeat < 20000; ++repeat) {
+        const auto text = random_text(random, letters);
+        differs(text);
+        const std::u16string units = utf16_of(text);
+        CHECK((breaks_by_icu(UBRK_CHARACTER, units) == breaks_by_us(text_mark::grapheme, units)));
+    }
+}
+
+TEST_CASE("ICU finds the levels that we find, where no embeddings and overrides are", "[adapt][icu]")
+{
+    if (!is_of_our_unicode()) return;
+    const std::u32string letters =
+        U"ab\u05D0\u05D1\u0628\u0301+-$%.,:1\u0661 \t!()[]<>\u2066\u2067\u2068\u2069\u200E\u200F\u00AD";
+    std::mt19937 random{12};
+    UErrorCode status = U_ZERO_ERROR;
+    UBiDi* bidi = ubidi_open();
+    unicode_analyser analyser;
+    text_analysis found;
+    for (int repeat = 0; repeat < 20000; ++repeat) {
+        const std::u16string text = utf16_of(random_text(random, letters));
+        const auto size = static_cast<std::int32_t>(text.size());
+        ubidi_setPara(bidi, text.data(), size, UBIDI_DEFAULT_LTR, nullptr, &status);
+        const UBiDiLevel* levels = ubidi_getLevels(bidi, &status);
+        REQUIRE(U_SUCCESS(status));
+        REQUIRE_FALSE(analyser.analyse(text, {}, found));
+        workspace space;
+        buffer<visual_run> runs;
+        REQUIRE_FALSE(
+            visual_runs(found, {0, static_cast<std::uint32_t>(size)}, space, runs));  // after rule L1, as ICU's
+        // Where all is read in one direction ICU gives the paragraph's level instead of those of nested isolates.
+        const int modulus = ubidi_getDirection(bidi) == UBIDI_MIXED ? 256 : 2;
+        for (const visual_run& run : runs)
+            for (std::uint32_t i = run.first; i < run.last; ++i)
+                if (character_of(text[i]).bidi != bidi_class::bn && levels[i] % modulus != run.level % modulus) {
+                    std::string shown;
+                    for (const char16_t c : text) shown += ucd::hex_of(c) + " ";
+                    FAIL(shown << ", character " << i);
+                }
+    }
+    ubidi_close(bidi);
+}
+#endif
