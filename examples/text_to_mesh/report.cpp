@@ -36,10 +36,6 @@ bool has_feature(hb_face_t* face, hb_tag_t tag)
 
 std::string in_words(const typemesh::error& e)
 {
-    if (e.code == typemesh::error::mixed_direction)
-        return "at byte " + std::to_string(e.cluster) +
-               " of the text: a line holds both left-to-right and right-to-left text (digits count as left-to-right); "
-               "make two texts of it.";
     std::string where;
     if (e.glyph != typemesh::no_glyph) where = "glyph " + std::to_string(e.glyph);
     if (e.cluster != typemesh::no_cluster)

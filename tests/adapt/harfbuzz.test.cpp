@@ -213,37 +213,56 @@ TEST_CASE("marks stand at their base", "[adapt][harfbuzz]")
     CHECK(run.lines[0].advance == shaped(font, "q").lines[0].advance);
 }
 
-TEST_CASE("a line of both directions is refused, and the place named", "[adapt][harfbuzz]")
+TEST_CASE("a line of both directions is drawn in Unicode's order", "[adapt][harfbuzz]")
 {
     harfbuzz_font font = opened(dejavu);
-    error e = refusal(font, u"abc \u05D0\u05D1");
-    CHECK(e == error::mixed_direction);
-    CHECK(e.cluster == 4);
-    e = refusal(font, u"ok\n\u05D0\u05D1 abc");
-    CHECK(e == error::mixed_direction);
-    CHECK(e.cluster == 6);
-    for (const direction d : {direction::left_to_right, direction::right_to_left})
-        CHECK(refusal(font, u"a\u05D0", with(d, "")) == error::mixed_direction);
-    CHECK(refusal(font, u"abc \u200F!") == error::mixed_direction);
-    CHECK(refusal(font, u"abc \u202Edef\u202C") == error::mixed_direction);
+    using order = std::vector<cluster_id>;
+    CHECK(clusters(shaped(font, u"abc \u05D0\u05D1")) == order{0, 1, 2, 3, 5, 4});
+    CHECK(clusters(shaped(font, u"ok\n\u05D0\u05D1 abc")) == order{0, 1, 6, 7, 8, 5, 4, 3});
+    CHECK(clusters(shaped(font, u"a\u05D0", with(direction::left_to_right, ""))) == order{0, 1});
+    CHECK(clusters(shaped(font, u"a\u05D0", with(direction::right_to_left, ""))) == order{1, 0});
+    CHECK(clusters(shaped(font, u"abc \u202Edef\u202C")) == order{0, 1, 2, 3, 4, 7, 6, 5, 8});
+    CHECK(clusters(shaped(font, "\xD7\x90 (a) \xD7\x91")) == order{7, 6, 5, 4, 3, 2, 0});
+    CHECK(clusters(shaped(font, u"abc\n\u05D0\u05D1")) == order{0, 1, 2, 5, 4});
 
-    // One direction a line is fine.
-    const glyph_run run = shaped(font, u"abc\n\u05D0\u05D1");
-    CHECK(clusters(run) == std::vector<cluster_id>{0, 1, 2, 5, 4});
+    // Each stretch has the glyphs that it has alone, and the pen goes through all of them.
+    const glyph_run both = shaped(font, u"AV \u05D0\u05D1"), latin = shaped(font, u"AV "),
+                    hebrew = shaped(font, u"\u05D0\u05D1");
+    CHECK(both.lines[0].advance == latin.lines[0].advance + hebrew.lines[0].advance);
+    for (std::size_t i = 0; i < 3; ++i) CHECK(both.glyphs[i].origin == latin.glyphs[i].origin);
+    for (std::size_t i = 0; i < 2; ++i) {
+        CHECK(both.glyphs[3 + i].id == hebrew.glyphs[i].id);
+        CHECK(both.glyphs[3 + i].origin.x == latin.lines[0].advance + hebrew.glyphs[i].origin.x);
+    }
 }
 
-TEST_CASE("numbers in right-to-left lines are refused unless they read the same both ways", "[adapt][harfbuzz]")
+TEST_CASE("numbers in right-to-left lines are read to the right", "[adapt][harfbuzz]")
 {
     harfbuzz_font font = opened(amiri);
-    const error e = refusal(font, u"عام 2024");
-    CHECK(e == error::mixed_direction);
-    CHECK(e.cluster == 4);
-    CHECK(refusal(font, u"عام \u0662\u0660") == error::mixed_direction);
-    CHECK(refusal(font, u"٥٪ من") == error::mixed_direction);
-    CHECK(refusal(font, "42", with(direction::right_to_left, "")) == error::mixed_direction);
+    using order = std::vector<cluster_id>;
+    CHECK(clusters(shaped(font, u"\u0639\u0627\u0645 2024")) == order{4, 5, 6, 7, 3, 2, 1, 0});
+    CHECK(clusters(shaped(font, u"\u0639\u0627\u0645 \u0662\u0660")) == order{4, 5, 3, 2, 1, 0});
+    CHECK(clusters(shaped(font, "42", with(direction::right_to_left, ""))) == order{0, 1});
     CHECK(shaped(font, u"عام 7").glyphs[0].cluster == 4);
     CHECK(shaped(font, "1234").glyphs[0].cluster == 0);
     CHECK(shaped(font, u"\u0661\u0662").glyphs[0].cluster == 0);  // digits alone are read to the right
+}
+
+TEST_CASE("a mixed line keeps joins, reports what is invalid or missing, and obeys features and script",
+          "[adapt][harfbuzz]")
+{
+    harfbuzz_font font = opened(amiri);
+    const glyph_run joined = shaped(font, u"\u0628\u0628 12"), plain = shaped(font, u"\u0628\u0628");
+    CHECK(joined.glyphs.back().id == plain.glyphs.back().id);
+    const glyph_run broken = shaped(font, "\xD7\x90 a\xFF b\xF0\x9F\x9B\xB8");
+    CHECK(broken.invalid_units == 1);
+    CHECK(broken.first_invalid_unit == 4);
+    CHECK(broken.missing > 0);
+    const feature cut[] = {{"lig", 1}};
+    shape_options how;
+    how.features = cut;
+    CHECK(refusal(font, u"a\u05D0", how) == error::bad_feature);
+    CHECK(refusal(font, u"a\u05D0", with(direction::automatic, "Lat")) == error::bad_option);
 }
 
 TEST_CASE("a direction that is asked for is obeyed", "[adapt][harfbuzz]")

@@ -11,6 +11,7 @@
 #include <typemesh/extrude/polyline_profile.hpp>
 #include <typemesh/inspect/closedness.hpp>
 #include <typemesh/inspect/normal_check.hpp>
+#include <typemesh/paragraph/paragraph.hpp>
 #include <typemesh/typemesh.hpp>
 #include <cassert>
 #include <cstdio>
@@ -84,6 +85,14 @@ auto lines = mesher.plan("one\nanother", {.layout = {.align = typemesh::alignmen
 const typemesh::variation bold[] = {{"wght", 700}};
 auto inter = typemesh::harfbuzz_font::open("Inter.var.ttf", {.face = 0, .variations = bold});
 
+    {
+typemesh::paragraph words{*font};
+if (auto e = words.set("In the beginning the Universe was created.")) return std::puts(e.message()), 1;
+typemesh::glyph_run page;
+if (auto e = words.lay_out({.width = 9.0, .align = typemesh::line_alignment::justify}, page)) return std::puts(e.message()), 1;
+auto column = mesher.plan(page);
+    use(column);
+    }
     {
 typemesh::glyph_run run;
 if (auto e = layout(*font, "Hello", {}, {}, run)) return std::puts(e.message()), 1;

@@ -147,9 +147,9 @@ public:
     ///
     /// direction::automatic takes the direction of the line's letters, else of options.script, else left-to-right. A
     /// requested direction is obeyed where all letters of the line have one direction, even if that is the other one. A
-    /// line with letters of both directions is error::mixed_direction (`cluster`: the first letter against the line's
-    /// first); so is a right-to-left line with a number of several digits, which is read the other way (`cluster`: its
-    /// first digit). In columns everything runs down and nothing is mixed.
+    /// line with letters of both directions, or with a number among letters that are read to the left, is set in
+    /// Unicode's order (UAX #9), which a requested direction is the base of; see mixed_line.hpp. In columns everything
+    /// runs down.
     ///
     /// Fails besides  error::bad_option: options.script is not four letters
     ///                error::bad_feature: a tag is not four printable ASCII characters
@@ -161,7 +161,7 @@ public:
         return shaping_.shape(font_, unit_size(), text, first, last, options, run);
     }
 
-    /// See item_shaper. Fails as shape() does, but for mixed_direction.
+    /// See item_shaper. Fails as shape() does.
     error shape_item(text_view text, const text_item& item, const shape_options& options,
                      buffer<shaped_glyph>& glyphs) noexcept
     {

@@ -5,6 +5,7 @@
 #include <typemesh/core/result.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/layout/line_break.hpp>
+#include <typemesh/layout/mixed_line.hpp>
 #include <typemesh/layout/reading_order.hpp>
 #include <typemesh/layout/shape_options.hpp>
 #include <typemesh/layout/shaped_glyph.hpp>
@@ -32,6 +33,8 @@ public:
         std::swap(first_unit_, other.first_unit_);
         features_.swap(other.features_);
         pieces_.swap(other.pieces_);
+        items_.swap(other.items_);
+        std::swap(mixed_, other.mixed_);
         return *this;
     }
     ~harfbuzz_shaping() { hb_buffer_destroy(buffer_); }
@@ -53,11 +56,10 @@ public:
         hb_script_t script = HB_SCRIPT_INVALID;
         if (error e = take_script(options, script)) return e;
         const auto direction = direction_of(found, options.direction, script);
-        if (!direction) return direction.error();
-        if (*direction == HB_DIRECTION_RTL) {
-            const std::size_t number = find_number(text, first, last);
-            if (number != line_reading::nowhere)
-                return error{error::mixed_direction}.at(no_glyph, static_cast<cluster_id>(number));
+        if (!direction || (*direction == HB_DIRECTION_RTL && find_number(text, first, last) != line_reading::nowhere)) {
+            if (error e = mixed_.cut(text, first, last, options, items_)) return e;
+            if (found.invalid.count != 0) run.note_invalid_units(found.invalid.first, found.invalid.count);
+            return shape_items(font, unit, text, options, run);
         }
         if (error e = take_features(options)) return e;
         if (script == HB_SCRIPT_INVALID && found.only_ascii)
@@ -85,13 +87,7 @@ public:
         if (error e = take_script(options, script)) return e;
         if (error e = take_features(options)) return e;
 
-        bool valid = true;
-        for (std::size_t i = item.first; valid && i < item.last;) {
-            const code_point c = decode(text, i, item.last);
-            valid = c.valid;
-            i = c.next;
-        }
-        fill_buffer(text, {item.first, item.last, script}, !valid, item_flags);
+        fill_buffer(text, {item.first, item.last, script}, !is_valid(text, item), item_flags);
         const bool down = item.orientation == glyph_orientation::upright;
         const hb_direction_t way = down ? HB_DIRECTION_TTB : item.to_the_left() ? HB_DIRECTION_RTL : HB_DIRECTION_LTR;
         if (error e = shape_buffer(font, way, script, language_of(options))) return e;
@@ -123,6 +119,33 @@ private:
         if (wanted == direction::right_to_left || left != line_reading::nowhere) return HB_DIRECTION_RTL;
         if (right != line_reading::nowhere || script == HB_SCRIPT_INVALID) return HB_DIRECTION_LTR;
         return hb_script_get_horizontal_direction(script) == HB_DIRECTION_RTL ? HB_DIRECTION_RTL : HB_DIRECTION_LTR;
+    }
+
+    /// Shapes a line's items from left to right.
+    result<point> shape_items(hb_font_t* font, point unit, text_view text, const shape_options& options,
+                              glyph_run& run) noexcept
+    {
+        if (error e = take_features(options)) return e;
+        point at;
+        for (const text_item& item : items_) {
+            hb_script_t script = hb_script_from_iso15924_tag(item.script);
+            if (error e = take_script(options, script)) return e;
+            fill_buffer(text, {item.first, item.last, script}, !is_valid(text, item), HB_BUFFER_FLAG_DEFAULT);
+            const hb_direction_t way = item.to_the_left() ? HB_DIRECTION_RTL : HB_DIRECTION_LTR;
+            if (error e = shape_buffer(font, way, script, language_of(options))) return e;
+            if (error e = take_glyphs(unit, at, run)) return e;
+        }
+        return at;
+    }
+
+    static bool is_valid(text_view text, const text_item& item) noexcept
+    {
+        for (std::size_t i = item.first; i < item.last;) {
+            const code_point c = decode(text, i, item.last);
+            if (!c.valid) return false;
+            i = c.next;
+        }
+        return true;
     }
 
     /// Sets `script` to the one that the options name, if they do.
@@ -305,6 +328,8 @@ private:
     std::size_t first_unit_ = 0;  // which HarfBuzz's clusters are relative to
     buffer<hb_feature_t> features_;
     buffer<piece> pieces_;
+    buffer<text_item> items_;  // of a line of both directions
+    mixed_line mixed_;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail

@@ -24,7 +24,7 @@ enum class reading : std::uint8_t {
 ///
 /// A coarse form of Unicode's Bidi_Class (UAX #9, version 14): marks belong to their script's letters, small symbols
 /// inside letter blocks count as letters, and so does everything that is not in the table. Where it is wrong a line is
-/// refused as mixed, never set wrongly.
+/// taken for one of both directions, never set wrongly.
 [[nodiscard]] inline reading reading_of(char32_t c) noexcept
 {
     struct range {

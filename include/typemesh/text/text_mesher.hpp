@@ -114,7 +114,7 @@ public:
     /// Glyphs that cannot be built are left out and reported by the plan; empty text and blank glyphs give an empty
     /// mesh.
     ///
-    /// Fails  as layout() does (error::mixed_direction, ...); error::bad_tolerance, error::bad_option;
+    /// Fails  as layout() does; error::bad_tolerance, error::bad_option;
     ///        error::too_large; error::out_of_memory
     [[nodiscard]] result<plan_type> plan(text_view text, const text_options& options = {}) & noexcept
         requires shaper<Font>

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/error.hpp>
+#include <typemesh/paragraph/break_piece.hpp>
+#include <typemesh/paragraph/line_room.hpp>
+
+#include <concepts>
+#include <cstdint>
+#include <span>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// Decides where the lines of a text end.
+///
+///     b.break_lines(pieces, room, ends)   appends for each line the index of the piece behind its last one. Each line
+///                                         has at least one piece; the last one ends with the last piece, or is number
+///                                         room.most_lines. No line ends behind a piece whose end is `never`, every
+///                                         line that holds a piece of `line` or `paragraph` ends with it.
+///
+/// Fails  error::out_of_memory
+template <class B>
+concept line_breaker =
+    requires(B& b, std::span<const break_piece> pieces, const line_room& room, buffer<std::uint32_t>& ends) {
+        { b.break_lines(pieces, room, ends) } noexcept -> std::same_as<error>;
+    };
+
+}  // namespace typemesh::inline TYPEMESH_ABI

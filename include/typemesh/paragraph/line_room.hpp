@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/version.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// How much room lines have, in font units.
+struct line_room {
+    double width = std::numeric_limits<double>::infinity();
+    double indent = 0.0;                 ///< of a paragraph's first line
+    double tab = 0.0;                    ///< between tab stops; 0: a tab has no width
+    std::span<const double> stops = {};  ///< tab stops of their own before those, ascending, times `stop_unit`
+    double stop_unit = 1.0;
+    std::uint32_t most_lines = 0xFFFF'FFFFu;  ///< breakers need not find more
+
+    /// Where the pen stands when a line begins.
+    [[nodiscard]] double start(bool begins_paragraph) const noexcept { return begins_paragraph ? indent : 0.0; }
+
+    /// Where it goes on behind a tab: at the next stop.
+    [[nodiscard]] double after_tab(double pen) const noexcept
+    {
+        for (const double stop : stops)
+            if (stop * stop_unit > pen) return stop * stop_unit;
+        return tab > 0.0 ? (std::floor(pen / tab) + 1.0) * tab : pen;
+    }
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI

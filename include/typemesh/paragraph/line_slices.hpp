@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/paragraph/line_room.hpp>
+#include <typemesh/paragraph/text_pieces.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// Neighbouring clusters of a line that are set in one direction.
+struct line_slice {
+    std::uint32_t first = 0;  ///< clusters of the shaped text
+    std::uint32_t last = 0;
+    std::uint8_t level = 0;
+    double width = 0.0;
+    double lead = 0.0;     ///< where its pen starts, from the place of the slice
+    double stretch = 0.0;  ///< by which each of its spaces is wider
+    double at = 0.0;       ///< its place along the line
+};
+
+/// What one line consists of, in the order of the text: see paragraph.
+class line_slices {
+public:
+    explicit line_slices(memory source = heap()) noexcept : slices_{source} {}
+
+    void clear() noexcept
+    {
+        slices_.clear();
+        visible_ = 0;
+    }
+    [[nodiscard]] std::span<line_slice> slices() noexcept { return slices_.view(); }
+    [[nodiscard]] std::span<const line_slice> slices() const noexcept { return slices_.view(); }
+    /// How many of them count for the line's width: those behind hang.
+    [[nodiscard]] std::size_t visible() const noexcept { return visible_; }
+
+    /// Appends pieces [first, last) of a list, as a line has them that begins and ends with them.
+    template <item_shaper Shaper>
+    error add(const text_pieces& all, const text_pieces::list& list, std::size_t first, std::size_t last,
+              shaped_text& shaped, Shaper& shaper) noexcept
+    {
+        if (first >= last) return {};
+        const auto cut_behind = [&list](std::size_t piece) noexcept { return list.places[piece].cut; };
+        const std::uint32_t head = first > 0 ? cut_behind(first - 1) : no_cut, tail = cut_behind(last - 1);
+        std::uint32_t from = list.places[first].cluster;
+        std::uint32_t to = last < list.places.size() ? list.places[last].cluster : shaped.cluster_count();
+        if (tail == no_cut && last == list.places.size()) to = end_of(shaped, list.pieces[last - 1].last, from);
+        if (head != no_cut) from = all.cut(head).right_to;
+        if (tail != no_cut) to = all.cut(tail).left_from;
+        if (from > to) return add_anew(list, first, last, shaped, shaper);
+        if (head != no_cut)
+            if (error e = append(shaped, all.cut(head).right_first, all.cut(head).right_count)) return e;
+        while (from < to) {
+            const std::uint32_t end = shaped.end_cluster(shaped.cluster(from).item);
+            const std::uint32_t count = (end < to ? end : to) - from;
+            if (error e = append(shaped, from, count)) return e;
+            from += count;
+        }
+        if (tail == no_cut) return {};
+        return append(shaped, all.cut(tail).left_first, all.cut(tail).left_count);
+    }
+
+    /// Appends clusters of one item, at its level or another one.
+    error append(const shaped_text& shaped, std::uint32_t first, std::uint32_t count, int level = -1) noexcept
+    {
+        if (count == 0) return {};
+        const std::uint8_t own = shaped.items()[shaped.cluster(first).item].level;
+        const line_slice slice{
+            .first = first, .last = first + count, .level = level < 0 ? own : static_cast<std::uint8_t>(level)};
+        return slices_.push_back(slice) ? error{} : error::out_of_memory;
+    }
+
+    /// Removes what would hang at the line's end.
+    void trim(const shaped_text& shaped) noexcept
+    {
+        while (!slices_.empty()) {
+            line_slice& s = slices_.back();
+            while (s.last > s.first && has(shaped.cluster(s.last - 1).flags, cluster_flags::hangs)) --s.last;
+            if (s.last > s.first) return;
+            slices_.truncate(slices_.size() - 1);
+        }
+    }
+
+    /// Ends the line: separates what hangs, sets that and what stands before tabs at the paragraph's level (rule L1 of
+    /// UAX #9), and measures everything, with the pen at `pen` in the beginning. Returns the line's width.
+    result<double> finish(const shaped_text& shaped, std::uint8_t level, double pen, const line_room& room) noexcept
+    {
+        visible_ = slices_.size();
+        if (error e = split_trailing(shaped, level, slices_.size(), true)) return e;
+        for (std::size_t k = visible_; k-- > 0;)
+            if (is_tab(shaped, slices_[k])) {
+                slices_[k].level = level;
+                if (error e = split_trailing(shaped, level, k, false)) return e;
+            }
+        const double start = pen;
+        for (std::size_t k = 0; k < slices_.size(); ++k) {
+            line_slice& s = slices_[k];
+            s.width = is_tab(shaped, s) ? room.after_tab(pen) - pen : shaped.advance(s.first, s.last);
+            if (k + 1 == visible_) trim_spacing(shaped, s);
+            if (k < visible_) pen += s.width;
+        }
+        return pen - start;
+    }
+
+    /// Makes the line wider by stretching its spaces behind the last tab. Returns by how much: 0 if it has none.
+    double justify(const shaped_text& shaped, double gap) noexcept
+    {
+        std::size_t first = visible_;
+        while (first > 0 && !is_tab(shaped, slices_[first - 1])) --first;
+        std::size_t spaces = 0;
+        for (std::size_t k = first; k < visible_; ++k) spaces += count_spaces(shaped, slices_[k]);
+        if (spaces == 0) return 0.0;
+        for (std::size_t k = first; k < visible_; ++k) {
+            line_slice& s = slices_[k];
+            s.stretch = gap / static_cast<double>(spaces);
+            s.width += s.stretch * static_cast<double>(count_spaces(shaped, s));
+        }
+        return gap;
+    }
+
+private:
+    /// A line so short that what changes at its two ends meets: shaped anew as a whole.
+    template <item_shaper Shaper>
+    error add_anew(const text_pieces::list& list, std::size_t first, std::size_t last, shaped_text& shaped,
+                   Shaper& shaper) noexcept
+    {
+        const std::uint32_t item = shaped.cluster(list.places[first].cluster).item, end = list.pieces[last - 1].last;
+        const auto before = static_cast<std::uint32_t>(shaped.all_clusters());
+        if (error e = shaped.shape_range(shaper, item, list.pieces[first].first, end)) return e;
+        if (list.places[last - 1].cut != no_cut && detail::is_hyphenated(shaped.text(), end))
+            if (error e = detail::append_hyphen(shaped, shaper, item, end)) return e;
+        return append(shaped, before, static_cast<std::uint32_t>(shaped.all_clusters()) - before);
+    }
+
+    /// The cluster behind the one that ends at a unit, looked for from `from` on.
+    static std::uint32_t end_of(const shaped_text& shaped, std::uint32_t unit, std::uint32_t from) noexcept
+    {
+        return static_cast<std::uint32_t>(first_where(
+            from, shaped.cluster_count(), [&](std::size_t c) noexcept { return shaped.cluster(c).first >= unit; }));
+    }
+
+    [[nodiscard]] static bool is_tab(const shaped_text& shaped, const line_slice& s) noexcept
+    {
+        return has(shaped.cluster(s.first).flags, cluster_flags::tab);
+    }
+
+    [[nodiscard]] static std::size_t count_spaces(const shaped_text& shaped, const line_slice& s) noexcept
+    {
+        std::size_t n = 0;
+        for (std::uint32_t c = s.first; c < s.last; ++c)
+            n += has(shaped.cluster(c).flags, cluster_flags::stretches) ? 1u : 0u;
+        return n;
+    }
+
+    /// Sets what is white space before slice `end` at a level; `split`: and apart from the rest.
+    error split_trailing(const shaped_text& shaped, std::uint8_t level, std::size_t end, bool split) noexcept
+    {
+        for (std::size_t k = end; k-- > 0;) {
+            line_slice& s = slices_[k];
+            std::uint32_t last = s.last;
+            while (last > s.first && has(shaped.cluster(last - 1).flags, cluster_flags::hangs)) --last;
+            if (last == s.last) return {};
+            if (last == s.first) {
+                s.level = level;
+                if (split) visible_ = k;
+                continue;
+            }
+            if (!split && s.level == level) return {};
+            const line_slice rest{.first = last, .last = s.last, .level = level};
+            s.last = last;
+            if (!slices_.push_back(rest)) return error::out_of_memory;
+            for (std::size_t m = slices_.size() - 1; m > k + 1; --m) slices_[m] = slices_[m - 1];
+            slices_[k + 1] = rest;
+            if (split)
+                visible_ = k + 1;
+            else
+                ++visible_;
+            return {};
+        }
+        return {};
+    }
+
+    /// Takes the letter spacing behind a line's last letter away.
+    void trim_spacing(const shaped_text& shaped, line_slice& s) noexcept
+    {
+        if (!has(shaped.cluster(s.last - 1).flags, cluster_flags::spaced)) return;
+        s.width -= shaped.letter_spacing();
+        if (s.level % 2 != 0) s.lead = 0.0 - shaped.letter_spacing();
+    }
+
+    buffer<line_slice> slices_;
+    std::size_t visible_ = 0;
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/layout/glyph_run.hpp>
+#include <typemesh/paragraph/line_slices.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// Puts the slices of a line into visual order, from left to right: rule L2 of UAX #9.
+inline void order_visually(std::span<line_slice> slices) noexcept
+{
+    unsigned highest = 0;
+    for (const line_slice& s : slices) highest = s.level > highest ? s.level : highest;
+    for (unsigned level = highest; level > 0; --level)
+        for (std::size_t first = 0; first < slices.size(); ++first) {
+            std::size_t last = first;
+            while (last < slices.size() && slices[last].level >= level) ++last;
+            for (std::size_t a = first, b = last; a + 1 < b;) std::swap(slices[a++], slices[--b]);
+            if (last > first) first = last;
+        }
+}
+
+/// Writes the glyphs of a shaped text's slices into a run.
+class line_writer {
+public:
+    line_writer(const shaped_text& shaped, glyph_run& run) noexcept
+        : shaped_{shaped}, run_{run}, down_{shaped.upright()}
+    {
+    }
+
+    /// Appends the glyphs of a slice whose place is `pen` along the line that begins at `origin`.
+    ///
+    /// Fails  error::out_of_memory
+    error write(const line_slice& slice, point origin, double pen) noexcept
+    {
+        pen += slice.lead;
+        const bool back = slice.level % 2 != 0;
+        const bool whole = back == shaped_.items()[shaped_.cluster(slice.first).item].to_the_left();
+        if (whole && !(slice.stretch > 0.0)) {
+            const text_cluster& low = shaped_.cluster(back ? slice.last - 1 : slice.first);
+            const text_cluster& high = shaped_.cluster(back ? slice.first : slice.last - 1);
+            return append(low.glyph, high.glyph + high.glyph_count, origin, pen);
+        }
+        for (std::uint32_t k = slice.first; k < slice.last; ++k) {
+            const text_cluster& c = shaped_.cluster(back ? slice.last - 1 - (k - slice.first) : k);
+            if (error e = append(c.glyph, c.glyph + c.glyph_count, origin, pen)) return e;
+            pen += c.advance;
+            if (has(c.flags, cluster_flags::stretches)) pen += slice.stretch;
+        }
+        return {};
+    }
+
+private:
+    error append(std::uint32_t first, std::uint32_t last, point origin, double pen) noexcept
+    {
+        if (first == last) return {};
+        placed_glyph* out = run_.glyphs.append(last - first);
+        if (out == nullptr) return error::out_of_memory;
+        const shaped_glyph* glyphs = shaped_.glyphs();
+        for (std::uint32_t i = first; i < last; ++i, ++out) {
+            const shaped_glyph& g = glyphs[i];
+            const bool missing = has(g.flags, glyph_flags::missing);
+            const point at = down_ ? point{origin.x, origin.y - pen} : point{origin.x + pen, origin.y};
+            *out = {g.id, g.cluster, at + g.offset, missing, 0};
+            pen += g.advance;
+            if (missing) run_.note_missing(g.cluster);
+            if (g.face != 0) {
+                const auto look = run_.number_of({.face = g.face});
+                if (!look) return look.error();
+                out->look = *look;
+            }
+        }
+        return {};
+    }
+
+    const shaped_text& shaped_;
+    glyph_run& run_;
+    bool down_;
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/first_where.hpp>
+#include <typemesh/core/same.hpp>
+#include <typemesh/layout/item_shaper.hpp>
+#include <typemesh/layout/letter_spacing.hpp>
+#include <typemesh/paragraph/itemise.hpp>
+#include <typemesh/paragraph/text_cluster.hpp>
+#include <typemesh/unicode/text_analysis.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// A text as it is shaped once, before it has lines: items, their clusters in the order of the text, and glyphs. Behind
+/// them, what parts of items look like where they are shaped anew because a line ends there.
+class shaped_text {
+public:
+    explicit shaped_text(memory source = heap()) noexcept
+        : analysis{source}, items_{source}, first_clusters_{source}, clusters_{source}, glyphs_{source}
+    {
+    }
+
+    text_analysis analysis;
+
+    [[nodiscard]] text_view text() const noexcept { return text_; }
+    [[nodiscard]] const shape_options& options() const noexcept { return options_; }
+    [[nodiscard]] bool upright() const noexcept { return options_.direction == direction::top_to_bottom; }
+    [[nodiscard]] double letter_spacing() const noexcept { return letter_spacing_; }
+
+    [[nodiscard]] std::span<const text_item> items() const noexcept { return items_.view(); }
+    [[nodiscard]] const text_cluster& cluster(std::size_t i) const noexcept { return clusters_[i]; }
+    [[nodiscard]] const shaped_glyph& glyph(std::size_t i) const noexcept { return glyphs_[i]; }
+    [[nodiscard]] const shaped_glyph* glyphs() const noexcept { return glyphs_.data(); }
+    /// The clusters of the text itself come first, these many.
+    [[nodiscard]] std::uint32_t cluster_count() const noexcept { return own_; }
+    [[nodiscard]] std::uint32_t first_cluster(std::size_t item) const noexcept { return first_clusters_[item]; }
+    [[nodiscard]] std::uint32_t end_cluster(std::size_t item) const noexcept
+    {
+        return item + 1 < first_clusters_.size() ? first_clusters_[item + 1] : own_;
+    }
+    /// The item that holds a unit of the text; 0 behind its end.
+    [[nodiscard]] std::uint32_t item_at(std::uint32_t unit) const noexcept
+    {
+        const std::size_t k =
+            first_where(0, items_.size(), [&](std::size_t i) noexcept { return items_[i].last > unit; });
+        return k < items_.size() ? static_cast<std::uint32_t>(k) : 0;
+    }
+
+    /// Shapes a text that has been analysed: `analysis` is its own. Distances between letters are in font units.
+    ///
+    /// Fails  error::out_of_memory, error::too_large, and as the shaper does
+    template <item_shaper Shaper>
+    error shape(Shaper& shaper, text_view text, const shape_options& options, double letter_spacing) noexcept
+    {
+        text_ = text;
+        options_ = options;
+        letter_spacing_ = letter_spacing;
+        if (!is_zero(letter_spacing)) options_.ligatures = false;
+        own_ = 0;
+        first_clusters_.clear();
+        clusters_.clear();
+        glyphs_.clear();
+        if (error e = itemise(text, analysis, upright(), items_)) return e;
+        for (std::uint32_t i = 0; i < items_.size(); ++i) {
+            if (!first_clusters_.push_back(static_cast<std::uint32_t>(clusters_.size()))) return error::out_of_memory;
+            if (error e = shape_range(shaper, i, items_[i].first, items_[i].last)) return e;
+        }
+        own_ = static_cast<std::uint32_t>(clusters_.size());
+        return {};
+    }
+
+    /// Appends the clusters of text[first, last), which lies in one item, shaped with the text round it as context.
+    template <item_shaper Shaper>
+    error shape_range(Shaper& shaper, std::uint32_t item, std::uint32_t first, std::uint32_t last) noexcept
+    {
+        text_item part = items_[item];
+        part.first = first;
+        part.last = last;
+        if (first < last && silent_at(text_, first) != 0) {
+            const bool tab = text_.unit(first) == 0x09;
+            const cluster_flags flags =
+                cluster_flags::hangs | cluster_flags::silent | (tab ? cluster_flags::tab : cluster_flags::none);
+            const auto none = static_cast<std::uint32_t>(glyphs_.size());
+            return clusters_.push_back({first, last, none, 0, 0.0, item, flags}) ? error{} : error::out_of_memory;
+        }
+        const std::size_t before = glyphs_.size();
+        if (first < last)
+            if (error e = shaper.shape_item(text_, part, options_, glyphs_)) return e;
+        if (glyphs_.size() > 0xFFFF'FFFFu) return error::too_large;
+        return cluster_glyphs(item, part, before);
+    }
+
+    /// Forgets what stands behind the clusters and glyphs of these numbers.
+    void truncate(std::size_t clusters, std::size_t glyphs) noexcept
+    {
+        clusters_.truncate(clusters);
+        glyphs_.truncate(glyphs);
+    }
+    [[nodiscard]] std::size_t all_clusters() const noexcept { return clusters_.size(); }
+    [[nodiscard]] std::size_t all_glyphs() const noexcept { return glyphs_.size(); }
+
+    /// Whether clusters[a, a + n) and clusters[b, b + n) are the same glyphs with the same advances.
+    [[nodiscard]] bool same_clusters(std::uint32_t a, std::uint32_t b, std::uint32_t n) const noexcept
+    {
+        for (std::uint32_t i = 0; i < n; ++i) {
+            const text_cluster &c = clusters_[a + i], &d = clusters_[b + i];
+            if (c.first != d.first || c.glyph_count != d.glyph_count) return false;
+            for (std::uint32_t k = 0; k < c.glyph_count; ++k) {
+                const shaped_glyph &g = glyphs_[c.glyph + k], &h = glyphs_[d.glyph + k];
+                if (g.id != h.id || g.face != h.face || !same(g.advance, h.advance) || !(g.offset == h.offset))
+                    return false;
+            }
+        }
+        return true;
+    }
+
+    [[nodiscard]] double advance(std::uint32_t first, std::uint32_t last) const noexcept
+    {
+        double sum = 0.0;
+        for (std::uint32_t i = first; i < last; ++i) sum += clusters_[i].advance;
+        return sum;
+    }
+
+    /// Appends a cluster for text[at] that shows other text, in the item's script and direction: `text`, or where the
+    /// font lacks that, `instead`. It neither hangs nor stretches.
+    template <item_shaper Shaper>
+    error append_foreign(Shaper& shaper, std::uint32_t item, std::uint32_t at, text_view text,
+                         text_view instead) noexcept
+    {
+        text_item part = items_.empty() ? text_item{} : items_[item];
+        part.first = 0;
+        const std::size_t before = glyphs_.size();
+        for (const text_view shown : {text, instead}) {
+            glyphs_.truncate(before);
+            part.last = static_cast<std::uint32_t>(shown.size());
+            if (error e = shaper.shape_item(shown, part, options_, glyphs_)) return e;
+            bool lacks = false;
+            for (std::size_t g = before; g < glyphs_.size(); ++g)
+                lacks = lacks || has(glyphs_[g].flags, glyph_flags::missing);
+            if (!lacks) break;
+        }
+        text_cluster c{.first = at,
+                       .last = at + 1,
+                       .glyph = static_cast<std::uint32_t>(before),
+                       .glyph_count = static_cast<std::uint32_t>(glyphs_.size() - before),
+                       .item = item};
+        for (std::size_t g = before; g < glyphs_.size(); ++g) {
+            glyphs_[g].cluster = at;
+            c.advance += glyphs_[g].advance;
+        }
+        return clusters_.push_back(c) ? error{} : error::out_of_memory;
+    }
+
+private:
+    /// Gathers the glyphs from `before` on into clusters, in the order of the text.
+    error cluster_glyphs(std::uint32_t item, const text_item& part, std::size_t before) noexcept
+    {
+        const std::size_t count = glyphs_.size() - before, first_cluster = clusters_.size();
+        for (std::size_t done = 0; done < count;) {
+            const bool back = part.to_the_left();
+            std::size_t begin = back ? count - done - 1 : done, end = begin + 1;
+            const cluster_id of = glyphs_[before + begin].cluster;
+            if (back)
+                while (begin > 0 && glyphs_[before + begin - 1].cluster == of) --begin;
+            else
+                while (end < count && glyphs_[before + end].cluster == of) ++end;
+            text_cluster c{.first = of,
+                           .last = part.last,
+                           .glyph = static_cast<std::uint32_t>(before + begin),
+                           .glyph_count = static_cast<std::uint32_t>(end - begin),
+                           .item = item};
+            for (std::size_t g = begin; g < end; ++g) c.advance += glyphs_[before + g].advance;
+            if (has(glyphs_[before + begin].flags, glyph_flags::unsafe_to_break)) c.flags = cluster_flags::unsafe;
+            c.flags = c.flags | flags_at(of);
+            if (clusters_.size() > first_cluster)
+                clusters_.back().last = of;
+            else
+                c.first = part.first;
+            if (!clusters_.push_back(c)) return error::out_of_memory;
+            done += end - begin;
+        }
+        if (!is_zero(letter_spacing_)) space_clusters(first_cluster, part.to_the_left());
+        return {};
+    }
+
+    [[nodiscard]] cluster_flags flags_at(cluster_id unit) const noexcept
+    {
+        const text_mark marks = analysis.marks[unit];
+        const bool space = has(marks, text_mark::space), trailing = has(marks, text_mark::trailing);
+        return (space || trailing ? cluster_flags::hangs : cluster_flags::none) |
+               (space ? cluster_flags::stretches : cluster_flags::none);
+    }
+
+    /// Adds the distance behind every letter but those that are written joined to the next one.
+    void space_clusters(std::size_t first, bool back) noexcept
+    {
+        for (std::size_t i = first; i < clusters_.size(); ++i) {
+            text_cluster& c = clusters_[i];
+            const char32_t letter = decode(text_, c.first).value;
+            if (c.glyph_count == 0 || is_default_ignorable(letter)) continue;
+            if (c.last < text_.size() && is_written_joined(letter) && is_written_joined(decode(text_, c.last).value))
+                continue;
+            c.advance += letter_spacing_;
+            c.flags = c.flags | cluster_flags::spaced;
+            glyphs_[c.glyph + c.glyph_count - 1].advance += letter_spacing_;
+            if (!back) continue;
+            for (std::uint32_t g = 0; g < c.glyph_count; ++g)
+                glyphs_[c.glyph + g].offset = glyphs_[c.glyph + g].offset + along(letter_spacing_);
+        }
+    }
+
+    [[nodiscard]] point along(double distance) const noexcept
+    {
+        return upright() ? point{0.0, 0.0 - distance} : point{distance, 0.0};
+    }
+
+    text_view text_;
+    shape_options options_;
+    double letter_spacing_ = 0.0;
+    std::uint32_t own_ = 0;
+    buffer<text_item> items_;
+    buffer<std::uint32_t> first_clusters_;  // of the items
+    buffer<text_cluster> clusters_;
+    buffer<shaped_glyph> glyphs_;
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/glyph_id.hpp>
+
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// What is known of a cluster of a shaped text; a set, joined by |.
+enum class cluster_flags : std::uint8_t {
+    none = 0,
+    unsafe = 1u << 0,     ///< a line that ends before it needs both sides shaped again
+    hangs = 1u << 1,      ///< at the end of a line it counts for nothing: white space, breaks, what is not drawn
+    stretches = 1u << 2,  ///< a space, which justified lines make wider
+    tab = 1u << 3,
+    silent = 1u << 4,  ///< a tab or a line break: it has no glyph
+    spaced = 1u << 5,  ///< letter spacing has made it wider
+};
+
+[[nodiscard]] constexpr cluster_flags operator|(cluster_flags a, cluster_flags b) noexcept
+{
+    return static_cast<cluster_flags>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
+
+/// Whether a set contains a flag; of several, any.
+[[nodiscard]] constexpr bool has(cluster_flags set, cluster_flags one) noexcept
+{
+    return (static_cast<unsigned>(set) & static_cast<unsigned>(one)) != 0;
+}
+
+/// The glyphs that a shaper keeps together, and the text that they stand for.
+struct text_cluster {
+    cluster_id first = 0;  ///< in the text
+    cluster_id last = 0;
+    std::uint32_t glyph = 0;  ///< its first glyph in drawing order
+    std::uint32_t glyph_count = 0;
+    double advance = 0.0;  ///< of all its glyphs, in font units
+    std::uint32_t item = 0;
+    cluster_flags flags = cluster_flags::none;
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/first_where.hpp>
+#include <typemesh/paragraph/break_piece.hpp>
+#include <typemesh/paragraph/line_cut.hpp>
+#include <typemesh/paragraph/paragraph_options.hpp>
+#include <typemesh/paragraph/shaped_text.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// What a piece is in its shaped text.
+struct piece_place {
+    std::uint32_t cluster = 0;   ///< which holds the piece's first unit; behind the last one for an empty piece
+    std::uint32_t cut = no_cut;  ///< what changes where a line ends with the piece
+};
+
+/// A shaped text's words, and, once they are asked for, the graphemes of those that must be broken.
+class text_pieces {
+public:
+    explicit text_pieces(memory source = heap()) noexcept
+        : words_{source}, graphemes_{source}, gathered_{source}, elided_{source}, expansions_{source}, cuts_{source}
+    {
+    }
+
+    /// Pieces, and their places in the text.
+    struct list {
+        explicit list(memory source) noexcept : pieces{source}, places{source} {}
+        buffer<break_piece> pieces;
+        buffer<piece_place> places;
+
+        void clear() noexcept
+        {
+            pieces.clear();
+            places.clear();
+        }
+        [[nodiscard]] bool push_back(const break_piece& piece, piece_place place) noexcept
+        {
+            return pieces.push_back(piece) && places.push_back(place);
+        }
+        [[nodiscard]] bool append(const list& other, std::size_t first, std::size_t count) noexcept
+        {
+            return pieces.append(other.pieces.view().subspan(first, count)) &&
+                   places.append(other.places.view().subspan(first, count));
+        }
+    };
+
+    [[nodiscard]] const list& words() const noexcept { return words_; }
+    [[nodiscard]] const line_cut& cut(std::uint32_t number) const noexcept { return cuts_[number]; }
+
+    /// Cuts a shaped text into words: at all places where Unicode allows a line to end, and behind tabs.
+    template <item_shaper Shaper>
+    error find_words(shaped_text& shaped, Shaper& shaper) noexcept
+    {
+        words_.clear();
+        graphemes_.clear();
+        expansions_.clear();
+        cuts_.clear();
+        widest_ = 0.0;
+        const auto size = static_cast<std::uint32_t>(shaped.text().size());
+        open_piece now;
+        for (std::uint32_t c = 0; c < shaped.cluster_count(); ++c) {
+            const text_cluster cluster = shaped.cluster(c);
+            now.begin(c);
+            for (std::uint32_t u = cluster.first + 1; u <= cluster.last; ++u) {
+                const bool tab = u == cluster.last && has(cluster.flags, cluster_flags::tab);
+                if (u < size && !tab && !has(shaped.analysis.marks[u], breaks)) continue;
+                const piece_end end =
+                    u < size && !has(shaped.analysis.marks[u], breaks) ? piece_end::never : end_at(shaped, cluster, u);
+                if (error e = close(shaped, shaper, {c, u, end, tab}, now, words_)) return e;
+            }
+            now.add_rest(cluster);
+        }
+        const bool more = words_.pieces.empty() || shaped.cluster_count() == 0 || ends_with_break(shaped);
+        if (more && !words_.push_back({.first = size, .last = size, .end = piece_end::paragraph},
+                                      {shaped.cluster_count(), no_cut}))
+            return error::out_of_memory;
+        expansion* all = expansions_.append(words_.pieces.size());
+        if (all == nullptr) return error::out_of_memory;
+        for (std::size_t i = 0; i < words_.pieces.size(); ++i) all[i] = {};
+        return {};
+    }
+
+    /// The pieces for a way of wrapping: the words, or all graphemes, or words of which those are broken that do not
+    /// fit into `narrowest`. The list lives until the next call. Shapes only what no earlier call has needed.
+    template <item_shaper Shaper>
+    result<const list*> pieces_for(wrap_mode wrap, double narrowest, shaped_text& shaped, Shaper& shaper) noexcept
+    {
+        const bool all = wrap == wrap_mode::grapheme;
+        if (!all && (wrap != wrap_mode::word_or_grapheme || !(widest_ > narrowest))) return &words_;
+        gathered_.clear();
+        for (std::size_t i = 0; i < words_.pieces.size(); ++i) {
+            const break_piece& word = words_.pieces[i];
+            if (!all && !(word.room() > narrowest)) {
+                if (!gathered_.append(words_, i, 1)) return error::out_of_memory;
+                continue;
+            }
+            if (error e = expand(i, shaped, shaper)) return e;
+            const std::size_t before = gathered_.pieces.size();
+            if (!gathered_.append(graphemes_, expansions_[i].first, expansions_[i].count)) return error::out_of_memory;
+            if (!all) continue;
+            for (break_piece& p : gathered_.pieces.view().subspan(before))
+                if (p.end == piece_end::in_need) p.end = piece_end::allowed;
+        }
+        return &gathered_;
+    }
+
+    /// The graphemes of text[first, last), whose ends are ends of words or graphemes. The list lives until the next
+    /// call.
+    template <item_shaper Shaper>
+    result<const list*> graphemes_of(std::uint32_t first, std::uint32_t last, shaped_text& shaped,
+                                     Shaper& shaper) noexcept
+    {
+        elided_.clear();
+        const std::span<const break_piece> words = words_.pieces.view();
+        for (std::size_t i =
+                 first_where(0, words.size(), [&](std::size_t k) noexcept { return words[k].last > first; });
+             i < words.size() && words[i].first < last; ++i) {
+            if (error e = expand(i, shaped, shaper)) return e;
+            for (std::uint32_t g = 0; g < expansions_[i].count; ++g) {
+                const break_piece& p = graphemes_.pieces[expansions_[i].first + g];
+                if (p.first >= first && p.last <= last && !elided_.append(graphemes_, expansions_[i].first + g, 1))
+                    return error::out_of_memory;
+            }
+        }
+        return &elided_;
+    }
+
+    /// The least width into which every word fits.
+    [[nodiscard]] double widest() const noexcept { return widest_; }
+
+private:
+    static constexpr text_mark breaks = text_mark::may_break | text_mark::must_break;
+
+    struct expansion {
+        std::uint32_t first = 0, count = 0;  // of graphemes_; count 0: not made yet
+    };
+
+    /// A piece that is being gathered.
+    struct open_piece {
+        std::uint32_t cluster = 0, first = 0;  // where it begins
+        double width = 0.0, space = 0.0, begin_change = 0.0;
+        bool empty = true;
+        bool spaced = false;  // its last visible cluster is
+        double taken = 0.0;   // the share of the present cluster that earlier pieces have taken
+
+        void begin(std::uint32_t c) noexcept
+        {
+            if (empty) cluster = c;
+            taken = 0.0;
+        }
+        void add(const text_cluster& c, double share) noexcept
+        {
+            empty = false;
+            const double advance = share * c.advance;
+            if (has(c.flags, cluster_flags::hangs)) {
+                space += advance;
+                return;
+            }
+            width += space + advance;
+            space = 0.0;
+            spaced = has(c.flags, cluster_flags::spaced);
+        }
+        void add_rest(const text_cluster& c) noexcept
+        {
+            if (taken < 1.0) add(c, 1.0 - taken);
+        }
+    };
+
+    /// Where a piece ends: in a cluster or behind it.
+    struct place {
+        std::uint32_t cluster, unit;
+        piece_end end;
+        bool tab;
+    };
+
+    template <item_shaper Shaper>
+    error close(shaped_text& shaped, Shaper& shaper, const place& at, open_piece& now, list& out) noexcept
+    {
+        const text_cluster cluster = shaped.cluster(at.cluster);
+        const double share = at.unit >= cluster.last
+                                 ? 1.0
+                                 : static_cast<double>(at.unit - cluster.first) / (cluster.last - cluster.first);
+        now.add(cluster, share - now.taken);
+        now.taken = share;
+        piece_place where{now.cluster, no_cut};
+        break_piece piece{.first = now.first,
+                          .last = at.unit,
+                          .width = now.width,
+                          .space = now.space,
+                          .begin_change = now.begin_change,
+                          .end_change = now.spaced ? 0.0 - shaped.letter_spacing() : 0.0,
+                          .end = at.end,
+                          .tab = at.tab};
+        double next_change = 0.0;
+        if (at.end != piece_end::never && at.unit < shaped.text().size()) {
+            line_cut cut;
+            const auto changes = make_cut(shaped, shaper, at.cluster, at.unit, share, cut);
+            if (!changes) return changes.error();
+            if (*changes) {
+                where.cut = static_cast<std::uint32_t>(cuts_.size());
+                if (!cuts_.push_back(cut)) return error::out_of_memory;
+                piece.end_change += cut.end_change;
+                next_change = cut.begin_change;
+            }
+        }
+        if (!out.push_back(piece, where)) return error::out_of_memory;
+        if (&out == &words_ && piece.room() > widest_) widest_ = piece.room();
+        const double taken = now.taken;
+        now = {.cluster = at.cluster, .first = at.unit, .begin_change = next_change};
+        now.taken = taken;
+        return {};
+    }
+
+    /// Makes the graphemes of a word.
+    template <item_shaper Shaper>
+    error expand(std::size_t number, shaped_text& shaped, Shaper& shaper) noexcept
+    {
+        if (expansions_[number].count != 0) return {};
+        const break_piece word = words_.pieces[number];
+        const piece_place home = words_.places[number];
+        const auto before = static_cast<std::uint32_t>(graphemes_.pieces.size());
+        open_piece now;
+        now.first = word.first;
+        now.begin_change = word.begin_change;
+        for (std::uint32_t c = home.cluster; c < shaped.cluster_count(); ++c) {
+            const text_cluster cluster = shaped.cluster(c);
+            if (cluster.first >= word.last) break;
+            now.begin(c);
+            if (cluster.first < word.first)
+                now.taken = static_cast<double>(word.first - cluster.first) / (cluster.last - cluster.first);
+            const std::uint32_t from = cluster.first < word.first ? word.first : cluster.first;
+            for (std::uint32_t u = from + 1; u <= cluster.last && u < word.last; ++u)
+                if (has(shaped.analysis.marks[u], text_mark::grapheme) && !hangs(shaped, u))
+                    if (error e = close(shaped, shaper, {c, u, piece_end::in_need, false}, now, graphemes_)) return e;
+            if (cluster.last <= word.last)
+                now.add_rest(cluster);
+            else
+                now.add(cluster,
+                        static_cast<double>(word.last - cluster.first) / (cluster.last - cluster.first) - now.taken);
+        }
+        const break_piece last{.first = now.first,
+                               .last = word.last,
+                               .width = now.width,
+                               .space = now.space,
+                               .begin_change = now.begin_change,
+                               .end_change = word.end_change,
+                               .end = word.end,
+                               .tab = word.tab};
+        if (!graphemes_.push_back(last, {now.cluster, home.cut})) return error::out_of_memory;
+        expansions_[number] = {before, static_cast<std::uint32_t>(graphemes_.pieces.size()) - before};
+        return {};
+    }
+
+    /// Whether white space stands at a unit, which stays with what is before it.
+    static bool hangs(const shaped_text& shaped, std::uint32_t unit) noexcept
+    {
+        return has(shaped.analysis.marks[unit], text_mark::space | text_mark::separator);
+    }
+
+    static piece_end end_at(const shaped_text& shaped, const text_cluster& cluster, std::uint32_t unit) noexcept
+    {
+        if (unit < shaped.text().size() && !has(shaped.analysis.marks[unit], text_mark::must_break))
+            return piece_end::allowed;
+        const bool silent = has(cluster.flags, cluster_flags::silent) && !has(cluster.flags, cluster_flags::tab);
+        if (!silent) return unit < shaped.text().size() ? piece_end::line : piece_end::paragraph;
+        const char32_t c = decode(shaped.text(), cluster.first).value;
+        return c == 0x0B || c == 0x0C || c == 0x2028 ? piece_end::line : piece_end::paragraph;
+    }
+
+    static bool ends_with_break(const shaped_text& shaped) noexcept
+    {
+        const cluster_flags flags = shaped.cluster(shaped.cluster_count() - 1).flags;
+        return has(flags, cluster_flags::silent) && !has(flags, cluster_flags::tab);
+    }
+
+    list words_, graphemes_, gathered_, elided_;
+    buffer<expansion> expansions_;  // of the words
+    buffer<line_cut> cuts_;
+    double widest_ = 0.0;
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+//
+// Paragraphs with real fonts: what lines hold is held against fresh shaping.
+
+#include "support/catch.hpp"
+#include "support/font_file.hpp"
+
+#include <typemesh/adapt/harfbuzz.hpp>
+#include <typemesh/paragraph/paragraph.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <tuple>
+#include <vector>
+
+using namespace typemesh;
+
+namespace {
+
+const char* const latin =
+    "The quick brown AVATAR, To Ve and office fjord flows: \xE2\x80\x9CWe. Ta Yo\xE2\x80\x9D offices \xE2\x80\x94 "
+    "efficient Tyres. A VA-VAT Wave, 1.000 LT.";
+const char* const arabic =
+    "\xD8\xA8\xD8\xB3\xD9\x85 \xD8\xA7\xD9\x84\xD9\x84\xD9\x87 \xD8\xA7\xD9\x84\xD8\xB1\xD8\xAD\xD9\x85\xD9\x86 "
+    "\xD8\xA7\xD9\x84\xD8\xB1\xD8\xAD\xD9\x8A\xD9\x85 \xD8\xB9\xD8\xA7\xD9\x85 2024 "
+    "\xD8\xA7\xD9\x84\xD8\xB3\xD9\x84\xD8\xA7\xD9\x85 "
+    "\xD8\xB9\xD9\x84\xD9\x8A\xD9\x83\xD9\x85\xD8\x8C abc \xD9\x88\xD8\xB1\xD8\xAD\xD9\x85\xD8\xA9";
+const char* const hindi =
+    "\xE0\xA4\xB9\xE0\xA4\xBF\xE0\xA4\xA8\xE0\xA5\x8D\xE0\xA4\xA6\xE0\xA5\x80 \xE0\xA4\xAE\xE0\xA5\x87\xE0\xA4\x82 "
+    "\xE0\xA4\x95\xE0\xA5\x8D\xE0\xA4\xB7\xE0\xA4\xA4\xE0\xA5\x8D\xE0\xA4\xB0\xE0\xA4\xBF\xE0\xA4\xAF "
+    "\xE0\xA4\xB8\xE0\xA5\x8D\xE0\xA4\xA4\xE0\xA5\x8D\xE0\xA4\xB0\xE0\xA5\x80 \xE0\xA4\x95\xE0\xA5\x80 12 "
+    "\xE0\xA4\x95\xE0\xA4\xB0";
+
+struct sample {
+    const char* font;
+    const char* text;
+};
+
+const sample samples[] = {
+    {"truetype/dejavu/DejaVuSans.ttf", latin},
+    {"truetype/liberation/LiberationSerif-Regular.ttf", latin},
+    {"truetype/inter-vf/Inter-roman.var.ttf", latin},
+    {"opentype/comic-neue/ComicNeue-Regular.otf", latin},
+    {"opentype/fonts-hosny-amiri/Amiri-Regular.ttf", arabic},
+    {"truetype/dejavu/DejaVuSans.ttf", arabic},
+    {"truetype/awami/AwamiNastaliq-Regular.ttf", arabic},
+    {"truetype/lohit-devanagari/Lohit-Devanagari.ttf", hindi},
+};
+
+using drawn = std::tuple<cluster_id, glyph_id>;
+
+template <class Glyphs>
+std::vector<drawn> glyphs_of(const Glyphs& glyphs)
+{
+    std::vector<drawn> all;
+    for (const auto& g : glyphs) all.push_back({g.cluster, g.id});
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+/// The glyphs of text[first, last), its items shaped afresh, and how far they take the pen.
+std::pair<std::vector<drawn>, double> fresh(harfbuzz_font& font, text_view text, std::span<const text_item> items,
+                                            std::uint32_t first, std::uint32_t last)
+{
+    buffer<shaped_glyph> glyphs;
+    for (text_item item : items) {
+        if (item.last <= first || item.first >= last || silent_at(text, item.first) != 0) continue;
+        item.first = std::max(item.first, first);
+        item.last = std::min(item.last, last);
+        REQUIRE_FALSE(font.shape_item(text, item, {}, glyphs));
+    }
+    double advance = 0.0;
+    for (const shaped_glyph& g : glyphs) advance += g.advance;
+    return {glyphs_of(glyphs.view()), advance};
+}
+
+}  // namespace
+
+TEST_CASE("every line holds the glyphs of its text shaped afresh, at any width and way of wrapping",
+          "[adapt][harfbuzz][paragraph]")
+{
+    const sample s = GENERATE(from_range(std::begin(samples), std::end(samples)));
+    const wrap_mode wrap = GENERATE(wrap_mode::none, wrap_mode::word, wrap_mode::word_or_grapheme, wrap_mode::grapheme);
+    INFO(s.font);
+    auto font = harfbuzz_font::open(font_file(s.font).c_str());
+    REQUIRE(font);
+    paragraph words{*font};
+    glyph_run run;
+    REQUIRE_FALSE(words.set(s.text));
+    const text_view text{s.text};
+    for (double width = 0.4; width < 60.0; width *= 1.3) {
+        INFO("width " << width);
+        REQUIRE_FALSE(words.lay_out({.width = width, .wrap = wrap}, run));
+        REQUIRE(run.lines.size() == words.lines().size());
+        std::uint32_t at = 0;
+        for (std::size_t k = 0; k < run.lines.size(); ++k) {
+            const laid_line& line = words.lines()[k];
+            CHECK(line.first == at);
+            REQUIRE((line.last > at || text.empty()));
+            at = line.last;
+            const auto glyphs = run.glyphs.view().subspan(run.lines[k].first_glyph, run.lines[k].glyph_count);
+            const auto [expected, advance] = fresh(*font, text, words.shaped().items(), line.first, line.last);
+            CHECK(glyphs_of(glyphs) == expected);
+            CHECK(run.lines[k].advance <= advance + 1e-6);
+            if (line.last == text.size()) CHECK(std::fabs(run.lines[k].advance - advance) < 1e-6);
+            if (wrap == wrap_mode::word_or_grapheme && width > 1.5) {
+                // Only one grapheme may be wider than there is room. (In less room lines have no place that is safe.)
+                std::size_t graphemes = 0;
+                for (std::uint32_t u = line.first; u < line.last; ++u)
+                    graphemes += has(words.shaped().analysis.marks[u], text_mark::grapheme) &&
+                                         !has(words.shaped().analysis.marks[u], text_mark::space)
+                                     ? 1u
+                                     : 0u;
+                if (graphemes > 1) CHECK(run.lines[k].advance <= width * font->units_per_em() + 1e-6);
+            }
+        }
+        CHECK(at == text.size());
+    }
+}
+
+TEST_CASE("lines of both directions are drawn as UAX #9 orders them", "[adapt][harfbuzz][paragraph]")
+{
+    auto font = harfbuzz_font::open(font_file("truetype/dejavu/DejaVuSans.ttf").c_str());
+    REQUIRE(font);
+    paragraph words{*font};
+    glyph_run run;
+    const auto clusters = [&](std::u16string_view text, direction d) {
+        shape_options how;
+        how.direction = d;
+        REQUIRE_FALSE(words.set(text, how));
+        REQUIRE_FALSE(words.lay_out({}, run));
+        std::vector<cluster_id> all;
+        for (const placed_glyph& g : run.glyphs) all.push_back(g.cluster);
+        return all;
+    };
+    using order = std::vector<cluster_id>;
+    CHECK(clusters(u"a \u05D0\u05D1 b", direction::automatic) == order{0, 1, 3, 2, 4, 5});
+    CHECK(clusters(u"\u05D0 12 \u05D1", direction::automatic) == order{5, 4, 2, 3, 1, 0});
+    CHECK(clusters(u"\u05D0 ab", direction::left_to_right) == order{0, 1, 2, 3});
+    CHECK(clusters(u"ab \u05D0", direction::right_to_left) == order{3, 2, 0, 1});
+    CHECK(clusters(u"\u202E12\u202C", direction::automatic).size() == 4);
+    CHECK(clusters(u"\u05D0\t12 3\t\u05D1", direction::automatic) == order{7, 5, 4, 2, 3, 0});
+}
+
+TEST_CASE("a paragraph's first line can be no wider than its text, nor a word than its own line",
+          "[adapt][harfbuzz][paragraph]")
+{
+    const sample s = GENERATE(from_range(std::begin(samples), std::end(samples)));
+    INFO(s.font);
+    auto font = harfbuzz_font::open(font_file(s.font).c_str());
+    REQUIRE(font);
+    paragraph words{*font};
+    glyph_run run;
+    REQUIRE_FALSE(words.set(s.text));
+    const paragraph_widths widths = words.widths();
+    REQUIRE(widths.min > 0.0);
+    REQUIRE(widths.min < widths.max);
+    REQUIRE_FALSE(words.lay_out({.width = widths.max}, run));
+    CHECK(run.lines.size() == 1);
+    REQUIRE_FALSE(words.lay_out({.width = 0.99 * widths.max}, run));
+    CHECK(run.lines.size() > 1);
+    REQUIRE_FALSE(words.lay_out({.width = widths.min, .wrap = wrap_mode::word}, run));
+    const std::size_t lines = run.lines.size();
+    REQUIRE_FALSE(words.lay_out({.width = widths.min, .wrap = wrap_mode::word_or_grapheme}, run));
+    CHECK(run.lines.size() == lines);  // nothing was broken
+}

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "support/catch.hpp"
+#include "support/counting_memory.hpp"
+
+#include <typemesh/paragraph/itemise.hpp>
+#include <typemesh/unicode/unicode_analyser.hpp>
+
+#include <string>
+#include <vector>
+
+using namespace typemesh;
+
+namespace {
+
+std::vector<text_item> items_of(text_view text, bool upright = false)
+{
+    text_analysis found;
+    REQUIRE_FALSE(unicode_analyser{}.analyse(text, {}, found));
+    buffer<text_item> items;
+    REQUIRE_FALSE(itemise(text, found, upright, items));
+    return {items.begin(), items.end()};
+}
+
+}  // namespace
+
+TEST_CASE("items cover the text in order, each of one level and one script", "[paragraph]")
+{
+    const std::u16string text = u"Ab \u05D0\u05D1 12 \u03B1\u03B2\t\u0628\r\n\r\u2028x\n";
+    text_analysis found;
+    REQUIRE_FALSE(unicode_analyser{}.analyse(text, {}, found));
+    std::uint32_t at = 0;
+    for (const text_item& item : items_of(text)) {
+        CHECK(item.first == at);
+        REQUIRE(item.last > item.first);
+        at = item.last;
+        for (std::uint32_t i = item.first; i < item.last; ++i) CHECK(found.levels[i] == item.level);
+        const std::size_t silent = silent_at(text, item.first);
+        if (silent != 0) CHECK(item.last - item.first == silent);
+        for (std::uint32_t i = item.first + 1; silent == 0 && i < item.last; ++i) CHECK(silent_at(text, i) == 0);
+    }
+    CHECK(at == text.size());
+}
+
+TEST_CASE("text is cut where its direction or its script changes, and round tabs and breaks", "[paragraph]")
+{
+    CHECK(items_of("").empty());
+    CHECK(items_of("plain text, one item (of 2 words)!").size() == 1);
+    CHECK(items_of("a\tb").size() == 3);
+    CHECK(items_of("a\r\nb").size() == 3);
+    CHECK(items_of(u"a\u05D0b").size() == 3);
+    const auto greek = items_of(u"ab \u03B1\u03B2");
+    REQUIRE(greek.size() == 2);
+    CHECK(greek[0].script == script_tag("Latn"));
+    CHECK(greek[1].script == script_tag("Grek"));
+    const auto number = items_of(u"\u0628 12");
+    REQUIRE(number.size() == 2);
+    CHECK(number[0].level == 1);
+    CHECK(number[1].level == 2);
+}
+
+TEST_CASE("in columns nothing is read to the left", "[paragraph]")
+{
+    for (const text_item& item : items_of(u"a\u05D0b \u4E16", true)) {
+        CHECK(item.level == 0);
+        CHECK(item.orientation == glyph_orientation::upright);
+    }
+}
+
+TEST_CASE("itemise reports a memory that gives nothing", "[paragraph]")
+{
+    text_analysis found;
+    REQUIRE_FALSE(unicode_analyser{}.analyse("ab", {}, found));
+    test::counting_memory failing{.fail_at = 1};
+    buffer<text_item> items{failing.source()};
+    CHECK(itemise("ab", found, false, items) == error::out_of_memory);
+}

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "support/catch.hpp"
+
+#include <typemesh/paragraph/line_room.hpp>
+
+using namespace typemesh;
+
+TEST_CASE("a tab leads to the next stop, never to where the pen is", "[paragraph]")
+{
+    const double own[] = {0.3, 0.5};
+    const line_room room{.tab = 400.0, .stops = own, .stop_unit = 1000.0};
+    for (const auto& [pen, next] :
+         {std::pair{0.0, 300.0}, {299.0, 300.0}, {300.0, 500.0}, {500.0, 800.0}, {799.0, 800.0}, {800.0, 1200.0}})
+        CHECK(room.after_tab(pen) == next);
+    CHECK(line_room{}.after_tab(7.0) == 7.0);
+    CHECK(line_room{.tab = 10.0}.after_tab(-15.0) == -10.0);
+}
+
+TEST_CASE("only a paragraph's first line is indented", "[paragraph]")
+{
+    const line_room room{.indent = 20.0};
+    CHECK(room.start(true) == 20.0);
+    CHECK(room.start(false) == 0.0);
+}

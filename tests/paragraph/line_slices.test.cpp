@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "shaped_paragraph.hpp"
+
+#include <typemesh/paragraph/line_slices.hpp>
+
+using namespace typemesh;
+using test::shaped_paragraph;
+
+namespace {
+
+double advance_of(const line_slices& line)
+{
+    double sum = 0.0;
+    for (const line_slice& s : line.slices()) sum += s.width;
+    return sum;
+}
+
+}  // namespace
+
+TEST_CASE("a line's slices are its clusters, with what its ends change", "[paragraph]")
+{
+    shaped_paragraph p{"xAV AVx"};
+    const auto& list = p.wrapped(wrap_mode::grapheme, 0.0);
+    for (std::size_t first = 0; first < list.pieces.size(); ++first)
+        for (std::size_t last = first + 1; last <= list.pieces.size(); ++last) {
+            line_slices line;
+            REQUIRE_FALSE(line.add(p.pieces, list, first, last, p.shaped, p.font));
+            const auto width = line.finish(p.shaped, 0, 0.0, {});
+            REQUIRE(width);
+            double expected = list.pieces[first].begin_change + list.pieces[last - 1].end_change;
+            for (std::size_t k = first; k < last; ++k)
+                expected += list.pieces[k].width + (k + 1 < last ? list.pieces[k].space : 0.0);
+            CHECK(*width == expected);
+            cluster_id at = list.pieces[first].first;
+            for (const line_slice& s : line.slices())
+                for (std::uint32_t c = s.first; c < s.last; ++c) {
+                    CHECK(p.shaped.cluster(c).first == at);
+                    at = p.shaped.cluster(c).last;
+                }
+            CHECK(at == list.pieces[last - 1].last);
+        }
+}
+
+TEST_CASE("white space at a line's end hangs, and takes the paragraph's level", "[paragraph]")
+{
+    shaped_paragraph p{u"\u05D0 \u05D1  "};
+    line_slices line;
+    REQUIRE_FALSE(line.add(p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
+    const auto width = line.finish(p.shaped, 0, 0.0, {});
+    REQUIRE(width);
+    CHECK(*width == 1250.0);
+    REQUIRE(line.slices().size() == 2);
+    CHECK(line.visible() == 1);
+    CHECK(line.slices()[0].level == 1);
+    CHECK(line.slices()[1].level == 0);
+    CHECK(advance_of(line) == 1750.0);
+}
+
+TEST_CASE("a line of nothing but white space has no width", "[paragraph]")
+{
+    shaped_paragraph p{"   "};
+    line_slices line;
+    REQUIRE_FALSE(line.add(p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
+    const auto width = line.finish(p.shaped, 0, 0.0, {});
+    REQUIRE(width);
+    CHECK(*width == 0.0);
+    CHECK(line.visible() == 0);
+    line.trim(p.shaped);
+    CHECK(line.slices().empty());
+}
+
+TEST_CASE("tabs take what leads to the next stop, and what stands behind the last one is justified", "[paragraph]")
+{
+    shaped_paragraph p{"a b\tc d"};
+    line_slices line;
+    REQUIRE_FALSE(line.add(p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
+    const auto width = line.finish(p.shaped, 0, 0.0, {.tab = 2000.0});
+    REQUIRE(width);
+    CHECK(*width == 2000.0 + 1250.0);
+    CHECK(line.justify(p.shaped, 90.0) == 90.0);
+    CHECK(advance_of(line) == *width + 90.0);
+    CHECK(line.slices()[0].stretch == 0.0);
+    CHECK(line.slices()[2].stretch == 90.0);
+
+    shaped_paragraph one{"word"};
+    line.clear();
+    REQUIRE_FALSE(line.add(one.pieces, one.pieces.words(), 0, 1, one.shaped, one.font));
+    REQUIRE(line.finish(one.shaped, 0, 0.0, {}));
+    CHECK(line.justify(one.shaped, 90.0) == 0.0);
+}
+
+TEST_CASE("letter spacing behind a line's last letter does not count", "[paragraph]")
+{
+    for (const char16_t* text : {u"abc ", u"\u05D0\u05D1\u05D2 "}) {
+        shaped_paragraph p{text, direction::automatic, 40.0};
+        line_slices line;
+        REQUIRE_FALSE(line.add(p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
+        const auto width = line.finish(p.shaped, 0, 0.0, {});
+        REQUIRE(width);
+        CHECK(*width == 1580.0);
+        CHECK(line.slices()[0].lead == (text[0] == u'a' ? 0.0 : -40.0));
+    }
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "shaped_paragraph.hpp"
+
+#include <typemesh/paragraph/line_writer.hpp>
+
+#include <vector>
+
+using namespace typemesh;
+using test::shaped_paragraph;
+
+namespace {
+
+std::vector<std::uint32_t> ordered(const std::vector<unsigned>& levels)
+{
+    std::vector<line_slice> slices;
+    for (std::uint32_t i = 0; i < levels.size(); ++i)
+        slices.push_back({.first = i, .last = i + 1, .level = static_cast<std::uint8_t>(levels[i])});
+    order_visually(slices);
+    std::vector<std::uint32_t> order;
+    for (const line_slice& s : slices) order.push_back(s.first);
+    return order;
+}
+
+}  // namespace
+
+TEST_CASE("runs are reversed level by level, from the highest down", "[paragraph]")
+{
+    using order = std::vector<std::uint32_t>;
+    CHECK(ordered({}).empty());
+    CHECK(ordered({0, 0, 0}) == order{0, 1, 2});
+    CHECK(ordered({1, 1, 1}) == order{2, 1, 0});
+    CHECK(ordered({0, 1, 0}) == order{0, 1, 2});
+    CHECK(ordered({0, 1, 2, 1, 0}) == order{0, 3, 2, 1, 4});
+    CHECK(ordered({1, 2, 3, 2, 1}) == order{4, 1, 2, 3, 0});
+    CHECK(ordered({2, 1, 2}) == order{2, 1, 0});
+    CHECK(ordered({1, 2, 2, 1}) == order{3, 1, 2, 0});
+}
+
+TEST_CASE("glyphs of a slice stand one behind the other, whichever way it is read", "[paragraph]")
+{
+    shaped_paragraph p{u"ab \u05D0\u05D1 "};
+    glyph_run run;
+    line_writer writer{p.shaped, run};
+    // The second item's clusters: to the left as they are, to the right at another level.
+    const line_slice left{.first = 3, .last = 5, .level = 1}, right{.first = 3, .last = 5, .level = 0};
+    REQUIRE_FALSE(writer.write(left, {10.0, 20.0}, 5.0));
+    REQUIRE_FALSE(writer.write(right, {10.0, 20.0}, 5.0));
+    REQUIRE(run.glyphs.size() == 4);
+    for (std::size_t i = 0; i < 4; ++i) CHECK(run.glyphs[i].origin == point{i % 2 == 0 ? 15.0 : 515.0, 20.0});
+    CHECK(run.glyphs[0].cluster == 4);
+    CHECK(run.glyphs[2].cluster == 3);
+}
+
+TEST_CASE("stretched spaces move what follows them", "[paragraph]")
+{
+    shaped_paragraph p{"a b c"};
+    glyph_run run;
+    line_writer writer{p.shaped, run};
+    REQUIRE_FALSE(writer.write({.first = 0, .last = 5, .stretch = 30.0}, {}, 0.0));
+    for (const auto& [i, x] : {std::pair<std::size_t, double>{1, 500.0}, {2, 780.0}, {3, 1280.0}, {4, 1560.0}})
+        CHECK(run.glyphs[i].origin.x == x);
+}
+
+TEST_CASE("a line writer counts what is missing, columns run down", "[paragraph]")
+{
+    shaped_paragraph p{u"a\uFFFFb", direction::top_to_bottom};
+    glyph_run run;
+    line_writer writer{p.shaped, run};
+    REQUIRE_FALSE(writer.write({.first = 0, .last = 3}, {7.0, 0.0}, 100.0));
+    CHECK(run.missing == 1);
+    CHECK(run.first_missing == 1);
+    CHECK(run.glyphs[1].missing);
+    CHECK(run.glyphs[2].origin == point{7.0, -1100.0});
+}

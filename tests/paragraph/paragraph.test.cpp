@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: MIT
+#include "support/catch.hpp"
+#include "support/counting_memory.hpp"
+#include "support/toy_item_shaper.hpp"
+
+#include <typemesh/paragraph/paragraph.hpp>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+using namespace typemesh;
+using test::toy_item_shaper;
+
+namespace {
+
+const std::u16string mixed =
+    u"AVATAR of the fifth office, \u05D0\u05D1 12 \u05D2\u05D3 and fi\u00ADfi\n\ta\u0301\u0302b\t\u0628\u0628 "
+    u"\u0662\u0663.\r\nx  \n";
+
+struct laid {
+    toy_item_shaper font;
+    paragraph<toy_item_shaper> words{font};
+    glyph_run run;
+
+    explicit laid(text_view text, const paragraph_options& options = {}, const shape_options& how = {})
+    {
+        REQUIRE_FALSE(words.set(text, how));
+        again(options);
+    }
+    void again(const paragraph_options& options) { REQUIRE_FALSE(words.lay_out(options, run)); }
+
+    /// A line as letters, from left to right; other glyphs are '?'.
+    [[nodiscard]] std::string line(std::size_t k) const
+    {
+        std::string shown;
+        for (const placed_glyph& g : run.glyphs.view().subspan(run.lines[k].first_glyph, run.lines[k].glyph_count))
+            shown += g.id < 0x80 ? static_cast<char>(g.id) : '?';
+        return shown;
+    }
+    [[nodiscard]] std::vector<std::string> lines() const
+    {
+        std::vector<std::string> all;
+        for (std::size_t k = 0; k < run.lines.size(); ++k) all.push_back(line(k));
+        return all;
+    }
+};
+
+using text_lines = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("a paragraph's text fills lines of a width", "[paragraph]")
+{
+    laid p{"one two three", {.width = 4.0}};
+    CHECK(p.lines() == text_lines{"one two ", "three"});
+    CHECK(p.run.lines[0].advance == 3250.0);
+    CHECK(p.run.lines[1].origin == point{0.0, -1000.0});
+    CHECK(p.run.units_per_em == 1000.0);
+    p.again({.width = 3.2});
+    CHECK(p.lines() == text_lines{"one ", "two ", "three"});
+    p.again({.width = 2.0});
+    CHECK(p.lines() == text_lines{"one ", "two ", "thre", "e"});
+    p.again({.width = 2.0, .wrap = wrap_mode::word});
+    CHECK(p.lines() == text_lines{"one ", "two ", "three"});
+    p.again({.width = 2.0, .wrap = wrap_mode::none});
+    CHECK(p.lines() == text_lines{"one two three"});
+    p.again({.width = 2.6, .wrap = wrap_mode::grapheme});
+    CHECK(p.lines() == text_lines{"one t", "wo th", "ree"});
+    p.again({});
+    CHECK(p.lines() == text_lines{"one two three"});
+}
+
+TEST_CASE("every cluster is drawn exactly once, at any width and way of wrapping", "[paragraph]")
+{
+    laid p{mixed};
+    std::map<cluster_id, int> shaped;
+    for (std::uint32_t c = 0; c < p.words.shaped().cluster_count(); ++c)
+        if (p.words.shaped().cluster(c).glyph_count != 0) shaped[p.words.shaped().cluster(c).first] = 0;
+    for (const wrap_mode wrap : {wrap_mode::none, wrap_mode::word, wrap_mode::word_or_grapheme, wrap_mode::grapheme})
+        for (double width = 0.1; width < 30.0; width *= 1.25) {
+            p.again({.width = width, .wrap = wrap});
+            std::uint32_t at = 0, glyph = 0;
+            for (std::size_t k = 0; k < p.run.lines.size(); ++k) {
+                const laid_line& line = p.words.lines()[k];
+                CHECK(line.first == at);
+                at = line.last;
+                CHECK(p.run.lines[k].first_glyph == glyph);
+                glyph += p.run.lines[k].glyph_count;
+            }
+            CHECK(at == mixed.size());
+            CHECK(glyph == p.run.glyphs.size());
+            std::map<cluster_id, int> times;
+            for (const placed_glyph& g : p.run.glyphs) times[g.cluster] |= 1;
+            for (const auto& [cluster, unused] : shaped) CHECK(times.count(cluster) == 1);
+        }
+}
+
+TEST_CASE("a layout does not depend on those before it", "[paragraph]")
+{
+    laid often{mixed};
+    for (const double width : {30.0, 3.0, 0.1, 5.0, 2.0, 3.0}) {
+        for (const wrap_mode wrap : {wrap_mode::word_or_grapheme, wrap_mode::grapheme, wrap_mode::word}) {
+            const paragraph_options options{.width = width, .wrap = wrap, .ellipsis = ".."};
+            often.again(options);
+            const laid once{mixed, options};
+            REQUIRE(often.run.glyphs.size() == once.run.glyphs.size());
+            for (std::size_t i = 0; i < once.run.glyphs.size(); ++i) {
+                CHECK(often.run.glyphs[i].id == once.run.glyphs[i].id);
+                CHECK(often.run.glyphs[i].origin == once.run.glyphs[i].origin);
+            }
+        }
+    }
+}
+
+TEST_CASE("lines are set to any side of the width, or of x = 0", "[paragraph]")
+{
+    struct expected {
+        line_alignment align;
+        double boxed, free, left, left_free;  // x of a line that is read to the right, to the left
+    };
+    using a = line_alignment;
+    laid right{"abc"}, left{u"\u05D0\u05D1\u05D2"};
+    for (const auto& [align, boxed, free, back, back_free] : {expected{a::start, 0.0, 0.0, 2500.0, -1500.0},
+                                                              {a::end, 2500.0, -1500.0, 0.0, 0.0},
+                                                              {a::left, 0.0, 0.0, 0.0, 0.0},
+                                                              {a::centre, 1250.0, -750.0, 1250.0, -750.0},
+                                                              {a::right, 2500.0, -1500.0, 2500.0, -1500.0},
+                                                              {a::justify, 0.0, 0.0, 2500.0, -1500.0}}) {
+        right.again({.width = 4.0, .align = align});
+        CHECK(right.run.lines[0].origin.x == boxed);
+        CHECK(right.run.glyphs[0].origin.x == boxed);
+        right.again({.align = align});
+        CHECK(right.run.lines[0].origin.x == free);
+        left.again({.width = 4.0, .align = align});
+        CHECK(left.run.lines[0].origin.x == back);
+        CHECK(left.run.glyphs[0].origin.x == back);
+        left.again({.align = align});
+        CHECK(left.run.lines[0].origin.x == back_free);
+    }
+}
+
+TEST_CASE("white space at a line's end hangs beyond the width, on the side where the line ends", "[paragraph]")
+{
+    const laid right{"ab   cd", {.width = 1.0, .align = line_alignment::right}};
+    CHECK(right.line(0) == "ab   ");
+    CHECK(right.run.glyphs[1].origin.x == 500.0);
+    CHECK(right.run.glyphs[2].origin.x == 1000.0);
+    const laid left{u"\u05D0\u05D1   \u05D2", {.width = 1.0}};
+    CHECK(left.run.lines[0].glyph_count == 5);
+    CHECK(left.run.glyphs[0].origin.x == -750.0);
+    CHECK(left.run.glyphs[3].origin.x == 0.0);
+}
+
+TEST_CASE("justified lines fill the width by their spaces, but for a paragraph's last", "[paragraph]")
+{
+    const laid p{"a b cd e f\ng hi", {.width = 3.2, .align = line_alignment::justify}};
+    CHECK(p.lines() == text_lines{"a b cd ", "e f", "g hi"});
+    CHECK(p.run.lines[0].advance == 3200.0);
+    CHECK(p.run.lines[1].advance == 1250.0);
+    CHECK(p.run.lines[2].advance == 1750.0);
+    CHECK(p.run.glyphs[2].origin.x - p.run.glyphs[0].origin.x == p.run.glyphs[4].origin.x - p.run.glyphs[2].origin.x);
+}
+
+TEST_CASE("first lines of paragraphs are indented at their start", "[paragraph]")
+{
+    const laid p{"ab cd\nef\xE2\x80\xA8gh", {.width = 1.5, .indent = 0.25}};
+    CHECK(p.lines() == text_lines{"ab ", "cd", "ef", "gh"});
+    for (const auto& [k, x] : {std::pair{0, 250.0}, {1, 0.0}, {2, 250.0}, {3, 0.0}})
+        CHECK(p.run.lines[static_cast<std::size_t>(k)].origin.x == x);
+    const laid left{u"\u05D0\u05D1", {.width = 2.0, .indent = 0.25}};
+    CHECK(left.run.lines[0].origin.x == 750.0);
+}
+
+TEST_CASE("tabs lead to stops, in the direction of the paragraph", "[paragraph]")
+{
+    const double stops[] = {0.75};
+    const laid p{"a\tb\tc", {.tab_stops = stops}};
+    CHECK(p.run.glyphs[1].origin.x == 750.0);
+    CHECK(p.run.glyphs[2].origin.x == 2000.0);
+    const laid left{u"\u05D0\tb", {.width = 4.0, .tab_stops = stops}};
+    CHECK(left.run.glyphs[1].origin.x == 3500.0);
+    CHECK(left.run.glyphs[0].origin.x == 4000.0 - 750.0 - 500.0);
+    const laid none{"a\tb", {.tab_width = 0.0}};
+    CHECK(none.run.glyphs[1].origin.x == 500.0);
+}
+
+TEST_CASE("soft hyphens show where a line ends and nowhere else", "[paragraph]")
+{
+    laid p{
+        "ab\xC2\xAD"
+        "cd\xC2\xAD"
+        "ef",
+        {.width = 1.6}};
+    CHECK(p.run.lines.size() == 3);
+    CHECK(p.run.lines[0].advance == 1500.0);
+    CHECK(p.run.glyphs[p.run.lines[0].glyph_count - 1].id == 0x2010);
+    p.again({});
+    for (const placed_glyph& g : p.run.glyphs) CHECK(g.id != 0x2010);
+    CHECK(p.run.lines[0].advance == 3000.0);
+}
+
+TEST_CASE("what is dropped leaves an ellipsis at the end, in the middle or at the start", "[paragraph]")
+{
+    laid p{"one two three\nfour", {.width = 4.0, .most_lines = 1, .ellipsis = ".."}};
+    CHECK(p.lines() == text_lines{"one tw.."});
+    p.again({.width = 3.3, .most_lines = 2, .ellipsis = ".."});
+    CHECK(p.lines() == text_lines{"one two ", "thre.."});
+    p.again({.width = 3.3, .most_lines = 2});
+    CHECK(p.lines() == text_lines{"one two ", "three"});
+    p.again({.width = 4.0, .wrap = wrap_mode::none, .ellipsis = ".."});
+    CHECK(p.lines() == text_lines{"one tw..", "four"});
+    p.again({.width = 4.0, .wrap = wrap_mode::none, .ellipsis = "..", .elide = ellipsis_place::start});
+    CHECK(p.lines() == text_lines{"..three", "four"});
+    p.again({.width = 4.0, .wrap = wrap_mode::none, .ellipsis = "..", .elide = ellipsis_place::middle});
+    CHECK(p.lines() == text_lines{"one..ree", "four"});
+    p.again({.width = 9.0, .wrap = wrap_mode::none, .ellipsis = ".."});
+    CHECK(p.lines() == text_lines{"one two three", "four"});
+    p.again({.width = 0.7, .wrap = wrap_mode::none, .ellipsis = ".."});
+    CHECK(p.line(0) == "..");  // nothing else fits, nor does it
+    const laid left{u"\u05D0\u05D1\u05D2", {.width = 2.0, .wrap = wrap_mode::none, .ellipsis = ".."}};
+    CHECK(left.line(0) == "???");
+    const laid cut{u"\u05D0\u05D1\u05D2\u05D3\u05D4", {.width = 2.0, .wrap = wrap_mode::none, .ellipsis = ".."}};
+    CHECK(cut.line(0) == "..??");
+}
+
+TEST_CASE("an elided line is never wider than its room, if the ellipsis fits", "[paragraph]")
+{
+    laid p{mixed};
+    for (const ellipsis_place place : {ellipsis_place::end, ellipsis_place::middle, ellipsis_place::start})
+        for (double width = 1.1; width < 20.0; width *= 1.2)
+            for (const wrap_mode wrap : {wrap_mode::none, wrap_mode::word_or_grapheme}) {
+                p.again({.width = width,
+                         .wrap = wrap,
+                         .most_lines = 1,
+                         .ellipsis = "..",
+                         .elide = place,
+                         .tab_width = 0.0});
+                CHECK(p.run.lines[0].advance <= 1000.0 * width + 1e-9);
+            }
+}
+
+TEST_CASE("text without words has lines, too", "[paragraph]")
+{
+    laid nothing{""};
+    REQUIRE(nothing.run.lines.size() == 1);
+    CHECK(nothing.run.glyphs.empty());
+    CHECK(nothing.words.widths().max == 0.0);
+    const laid spaces{"   ", {.width = 0.1, .align = line_alignment::right}};
+    REQUIRE(spaces.run.lines.size() == 1);
+    CHECK(spaces.run.lines[0].advance == 0.0);
+    CHECK(spaces.run.lines[0].origin.x == 100.0);
+    const laid breaks{"\r\n\n\xE2\x80\xA8"};
+    CHECK(breaks.run.lines.size() == 4);
+    const laid wide{"wide", {.width = 0.1}};
+    CHECK(wide.lines() == text_lines{"w", "i", "d", "e"});
+    const laid tabs{"\t\t", {.width = 0.5}};
+    CHECK(tabs.run.lines.size() == 1);
+}
+
+TEST_CASE("widths tell how narrow and how wide a text may be", "[paragraph]")
+{
+    laid p{"one two three\nfour"};
+    CHECK(p.words.widths().min == 2.5);
+    CHECK(p.words.widths().max == 6.0);
+    p.again({.width = 6.0});
+    CHECK(p.run.lines.size() == 2);
+    p.again({.width = 5.999});
+    CHECK(p.run.lines.size() == 3);
+}
+
+TEST_CASE("columns run down and are as high as the width", "[paragraph]")
+{
+    const laid p{u"ab \u05D0", {.width = 1.2}, {.direction = direction::top_to_bottom}};
+    REQUIRE(p.run.lines.size() == 2);
+    CHECK(p.run.glyphs[1].origin == point{0.0, -500.0});
+    CHECK(p.run.glyphs[3].origin == point{-1000.0, 0.0});
+}
+
+TEST_CASE("a paragraph refuses what makes no sense, and is empty then", "[paragraph]")
+{
+    toy_item_shaper font;
+    paragraph words{font};
+    glyph_run run;
+    REQUIRE_FALSE(words.set("ab"));
+    CHECK(words.lay_out({.width = 0.0}, run) == error::bad_option);
+    CHECK(run.lines.empty());
+    CHECK(words.lines().empty());
+    REQUIRE_FALSE(words.lay_out({}, run));
+    CHECK(words.set("ab", {}, std::numeric_limits<double>::quiet_NaN()) == error::bad_option);
+    const error refused = words.set("ab!");
+    CHECK(refused == error::font_library_failed);
+    CHECK(refused.cluster == 2);
+    REQUIRE_FALSE(words.lay_out({}, run));
+    CHECK(run.glyphs.empty());
+}
+
+TEST_CASE("a paragraph reports where its text is invalid or its font lacks a glyph", "[paragraph]")
+{
+    const laid p{u"ab\xD800 \uFFFF"};
+    CHECK(p.run.invalid_units == 1);
+    CHECK(p.run.first_invalid_unit == 2);
+    CHECK(p.run.missing == 1);
+    CHECK(p.run.first_missing == 4);
+}
+
+TEST_CASE("laying out again allocates nothing, and shapes nothing but the shortest lines", "[paragraph]")
+{
+    test::counting_memory counted;
+    toy_item_shaper font;
+    paragraph<toy_item_shaper> words{font, counted.source()};
+    glyph_run run{counted.source()};
+    REQUIRE_FALSE(words.set(mixed));
+    const auto all = [&] {
+        for (const double width : {3.0, 7.0, 1.0, 40.0})
+            for (const line_alignment align : {line_alignment::start, line_alignment::justify})
+                for (const wrap_mode wrap : {wrap_mode::word_or_grapheme, wrap_mode::grapheme})
+                    REQUIRE_FALSE(words.lay_out({.width = width, .wrap = wrap, .align = align}, run));
+    };
+    all();
+    const std::size_t before = counted.requests;
+    all();
+    CHECK(counted.requests == before);
+    // Of glyphs, only those of lines are shaped that are so short that what changes at their two ends meets.
+    const std::size_t calls = font.calls;
+    for (const double width : {7.0, 40.0}) REQUIRE_FALSE(words.lay_out({.width = width}, run));
+    CHECK(font.calls == calls);
+}
+
+TEST_CASE("a paragraph survives a memory that gives nothing, wherever it stops", "[paragraph]")
+{
+    const auto use = [](memory source) {
+        toy_item_shaper font;
+        paragraph<toy_item_shaper> words{font, source};
+        glyph_run run{source};
+        error e = words.set(mixed);
+        if (!e) e = words.lay_out({.width = 1.0, .wrap = wrap_mode::word_or_grapheme, .ellipsis = ".."}, run);
+        if (!e) e = words.lay_out({.width = 3.0, .most_lines = 2, .ellipsis = ".."}, run);
+        if (e) CHECK(e == error::out_of_memory);
+        return e;
+    };
+    test::counting_memory counted;
+    REQUIRE_FALSE(use(counted.source()));
+    for (std::size_t at = 1; at <= counted.requests; ++at) {
+        test::counting_memory failing{.fail_at = at};
+        CHECK(use(failing.source()) == error::out_of_memory);
+    }
+}
+
+TEST_CASE("a text of any length is shaped once, and lines end in linear time", "[paragraph]")
+{
+    // Counted are the units that the shaper sees; places that are unsafe are shaped twice more, each with few neighbours.
+    std::vector<double> a_unit;
+    for (const std::size_t size : {1000u, 10000u, 100000u}) {
+        std::u16string text;
+        while (text.size() < size) text += u"AVATAR of the fifth office, \u05D0\u05D1 12 \u05D2\u05D3 ";
+        laid p{text};
+        a_unit.push_back(static_cast<double>(p.font.units) / static_cast<double>(text.size()));
+        p.again({.width = 20.0});
+        CHECK(p.font.units <= 2 * text.size());
+    }
+    for (const double units : a_unit) CHECK(std::fabs(units - a_unit[0]) < 0.05);
+}

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "shaped_paragraph.hpp"
+
+#include <string>
+
+using namespace typemesh;
+using test::shaped_paragraph;
+
+TEST_CASE("clusters cover the text in its order, whatever the direction of their glyphs", "[paragraph]")
+{
+    const std::u16string text = u"a\u0301 \u05D0\u05D1\u05B8 12\tfi\r\n\u00ADz";
+    const shaped_paragraph p{text};
+    cluster_id at = 0;
+    for (std::uint32_t i = 0; i < p.shaped.cluster_count(); ++i) {
+        const text_cluster& c = p.shaped.cluster(i);
+        CHECK(c.first == at);
+        REQUIRE(c.last > c.first);
+        at = c.last;
+        double advance = 0.0;
+        for (std::uint32_t g = c.glyph; g < c.glyph + c.glyph_count; ++g) {
+            CHECK(p.shaped.glyph(g).cluster == c.first);
+            advance += p.shaped.glyph(g).advance;
+        }
+        CHECK(advance == c.advance);
+        CHECK(has(c.flags, cluster_flags::silent) == (silent_at(text, c.first) != 0));
+        CHECK((c.glyph_count == 0) == has(c.flags, cluster_flags::silent));
+        CHECK(i >= p.shaped.first_cluster(c.item));
+        CHECK(i < p.shaped.end_cluster(c.item));
+        CHECK(p.shaped.item_at(c.first) == c.item);
+    }
+    CHECK(at == text.size());
+}
+
+TEST_CASE("letter spacing widens every letter but those written joined, and separates ligatures", "[paragraph]")
+{
+    const shaped_paragraph plain{"fix"}, spaced{"fix", direction::automatic, 40.0};
+    CHECK(plain.shaped.cluster_count() == 2);
+    REQUIRE(spaced.shaped.cluster_count() == 3);
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        CHECK(spaced.shaped.cluster(i).advance == 540.0);
+        CHECK(has(spaced.shaped.cluster(i).flags, cluster_flags::spaced));
+    }
+    const shaped_paragraph joined{u"\u0628\u0628x", direction::automatic, 40.0};
+    CHECK(joined.shaped.cluster(0).advance == 500.0);
+    CHECK(joined.shaped.cluster(1).advance == 540.0);
+    // What is read to the left has the distance on its left.
+    CHECK(joined.shaped.glyph(joined.shaped.cluster(1).glyph).offset == point{40.0, 0.0});
+}
+
+TEST_CASE("a hyphen or an ellipsis is a cluster of the place that it stands for", "[paragraph]")
+{
+    shaped_paragraph p{"ab"};
+    REQUIRE_FALSE(p.shaped.append_foreign(p.font, 0, 1, std::u16string_view{u"\uFFFF"}, text_view{"--"}));
+    const text_cluster& c = p.shaped.cluster(p.shaped.all_clusters() - 1);
+    CHECK(c.first == 1);
+    CHECK(c.glyph_count == 2);
+    CHECK(c.advance == 1000.0);
+    CHECK(p.shaped.glyph(c.glyph).id == '-');
+    CHECK(p.shaped.glyph(c.glyph + 1).cluster == 1);
+    CHECK(p.shaped.cluster_count() == 2);
+}

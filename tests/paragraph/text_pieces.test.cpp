@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "shaped_paragraph.hpp"
+
+#include <string>
+#include <vector>
+
+using namespace typemesh;
+using test::shaped_paragraph;
+
+namespace {
+
+double all_of(const text_pieces::list& list)
+{
+    double sum = 0.0;
+    for (const break_piece& p : list.pieces) sum += p.width + p.space;
+    return sum;
+}
+
+void check_cover(const text_pieces::list& list, std::size_t size)
+{
+    REQUIRE(list.pieces.size() == list.places.size());
+    std::uint32_t at = 0;
+    for (const break_piece& p : list.pieces) {
+        CHECK(p.first == at);
+        at = p.last;
+    }
+    CHECK(at == size);
+    CHECK(list.pieces.back().end == piece_end::paragraph);
+}
+
+}  // namespace
+
+TEST_CASE("words cover the text and have its width, in whatever pieces", "[paragraph]")
+{
+    for (const std::u16string text :
+         {u"", u" ", u"one", u"one  two three", u"fi AVAV office\tx\t\ty", u"a\n\nb\u2028c\r\n", u"\u05D0\u05D1 12 ab",
+          u"long\u00ADword fi\u00ADfi", u"a\u0301\u0302 b\u0301"}) {
+        shaped_paragraph p{text};
+        check_cover(p.pieces.words(), text.size());
+        CHECK(all_of(p.pieces.words()) == p.shaped.advance(0, p.shaped.cluster_count()));
+        const double whole = all_of(p.pieces.words());
+        for (const double narrowest : {0.0, 600.0, 1e9})
+            for (const wrap_mode wrap : {wrap_mode::word_or_grapheme, wrap_mode::grapheme}) {
+                const auto& list = p.wrapped(wrap, narrowest);
+                check_cover(list, text.size());
+                CHECK(all_of(list) == whole);
+            }
+        for (const break_piece& word : p.pieces.words().pieces) CHECK(word.room() <= p.pieces.widest());
+    }
+}
+
+TEST_CASE("pieces end where the text says so", "[paragraph]")
+{
+    struct expected {
+        const char* text;
+        std::vector<piece_end> ends;
+    };
+    using enum piece_end;
+    for (const auto& [text, ends] : {expected{"", {paragraph}},
+                                     {"a b", {allowed, paragraph}},
+                                     {"a\n", {paragraph, paragraph}},
+                                     {"a\r\nb", {paragraph, paragraph}},
+                                     {"a\xE2\x80\xA8z", {line, paragraph}},
+                                     {"a\x0Bz", {line, paragraph}},
+                                     {"a\t\tb", {never, allowed, paragraph}}}) {
+        const shaped_paragraph p{text};
+        std::vector<piece_end> found;
+        for (const break_piece& piece : p.pieces.words().pieces) found.push_back(piece.end);
+        INFO(text);
+        CHECK(found == ends);
+    }
+}
+
+TEST_CASE("graphemes are made once, and only of words that need it", "[paragraph]")
+{
+    shaped_paragraph p{"AVAVAV xx fifi"};
+    const std::size_t calls = p.font.calls;
+    CHECK(&p.wrapped(wrap_mode::word, 1.0) == &p.pieces.words());
+    CHECK(&p.wrapped(wrap_mode::word_or_grapheme, p.pieces.widest()) == &p.pieces.words());
+    CHECK(p.font.calls == calls);
+    CHECK(p.wrapped(wrap_mode::word_or_grapheme, 1400.0).pieces.size() == 6 + 1 + 1);
+    const std::size_t more = p.font.calls;
+    CHECK(more > calls);
+    CHECK(p.wrapped(wrap_mode::word_or_grapheme, 1400.0).pieces.size() == 6 + 1 + 1);
+    CHECK(p.font.calls == more);
+    CHECK(p.wrapped(wrap_mode::grapheme, 0.0).pieces.size() == 6 + 2 + 4);
+    for (const break_piece& g : p.wrapped(wrap_mode::grapheme, 0.0).pieces) CHECK(g.end != piece_end::in_need);
+}
+
+TEST_CASE("marks and white space stay with what they follow", "[paragraph]")
+{
+    shaped_paragraph p{u"a\u0301b  c"};
+    const auto& list = p.wrapped(wrap_mode::grapheme, 0.0);
+    REQUIRE(list.pieces.size() == 3);
+    CHECK(list.pieces[0].last == 2);
+    CHECK(list.pieces[1].last == 5);
+    CHECK(list.pieces[1].space == 500.0);
+}
+
+TEST_CASE("the graphemes of a part of the text are those of the whole", "[paragraph]")
+{
+    shaped_paragraph p{"one two three"};
+    const auto made = p.pieces.graphemes_of(4, 13, p.shaped, p.font);
+    REQUIRE(made);
+    REQUIRE((*made)->pieces.size() == 8);
+    CHECK((*made)->pieces[0].first == 4);
+    CHECK((*made)->pieces[7].last == 13);
+    const auto inner = p.pieces.graphemes_of(5, 7, p.shaped, p.font);
+    REQUIRE(inner);
+    CHECK((*inner)->pieces.size() == 1);  // "w"; "o " ends behind 7
+}
