@@ -37,6 +37,7 @@ namespace text_to_mesh {
 namespace {
 
 constexpr const char* part_names[] = {"front", "back", "side", "front_bevel", "back_bevel"};
+constexpr const char* letter_part_names[] = {"letter_front", "letter_back", "letter_side"};
 
 typemesh::text_options text_options_of(const options& o)
 {
@@ -50,23 +51,31 @@ typemesh::text_options text_options_of(const options& o)
     return how;
 }
 
-void add_part(model& out, typemesh::part p, const typemesh::mesh_range& r)
+/// How many parts come before those of the letter within a ring.
+std::size_t ring_parts(const options& o) { return o.bevel.width > 0.0f ? 5 : o.outline.width > 0.0f ? 3 : 5; }
+
+void add_part(const options& o, model& out, typemesh::part p, const typemesh::mesh_range& r)
 {
-    if (r.index_count > 0) out.parts.push_back({part_names[static_cast<int>(p)], r.first_index, r.index_count});
+    if (r.index_count == 0) return;
+    const auto number = static_cast<std::size_t>(p), own = ring_parts(o);
+    if (number < own)
+        out.parts.push_back({part_names[number], r.first_index, r.index_count});
+    else
+        out.parts.push_back({letter_part_names[number - own], r.first_index, r.index_count, 1});
 }
 
 /// The whole mesh of a plan, part by part.
 template <class Plan>
-typemesh::error write_model(const Plan& plan, model& out)
+typemesh::error write_model(const options& o, const Plan& plan, model& out)
 {
     if (const typemesh::error e = plan.write(typemesh::into(out.vertices, out.indices))) return e;
-    for (const typemesh::part p : plan.parts()) add_part(out, p, plan.range(p));
+    for (const typemesh::part p : plan.parts()) add_part(o, out, p, plan.range(p));
     return {};
 }
 
 /// Each different letter of a plan once, by the font's name for it, and where it stands.
 template <class Plan>
-typemesh::error write_letters(const Plan& plan, const typemesh::harfbuzz_font& font, model& out)
+typemesh::error write_letters(const options& o, const Plan& plan, const typemesh::harfbuzz_font& font, model& out)
 {
     if (const typemesh::error e = plan.write_meshes(typemesh::into(out.vertices, out.indices))) return e;
     for (std::size_t m = 0; m < plan.meshes().size(); ++m) {
@@ -74,7 +83,7 @@ typemesh::error write_letters(const Plan& plan, const typemesh::harfbuzz_font& f
         hb_font_glyph_to_string(font.handle(), plan.meshes()[m].id, name, sizeof name);
         model::letter l{name, plan.meshes()[m].first_vertex, 0, out.parts.size(), 0};
         for (const typemesh::part p : plan.parts()) {
-            add_part(out, p, plan.mesh_part(m, p));
+            add_part(o, out, p, plan.mesh_part(m, p));
             l.vertex_count += plan.mesh_part(m, p).vertex_count;
         }
         l.part_count = out.parts.size() - l.first_part;
@@ -165,7 +174,7 @@ std::string draw_picture(const options& o, typemesh::harfbuzz_font& font, const 
     auto plan = mesher.plan(o.text, how);
     if (!plan) return in_words(plan.error());
     model mesh;
-    if (const typemesh::error e = write_model(*plan, mesh)) return in_words(e);
+    if (const typemesh::error e = write_model(o, *plan, mesh)) return in_words(e);
     int width = 0, height = 0;
     const overlay over = annotate(o, font, plan->run(), plan->glyphs(), discretiser, mesh);
     const auto pixels = draw(mesh, over, look, width, height);
@@ -209,7 +218,7 @@ std::string run(const options& o, progress& tell, typemesh::harfbuzz_font& font,
     mesh.name = o.text;
     tell.begin("making " + std::to_string(plan->size().triangles) + " triangles");
     mesher.observer()(typemesh::stage::extrude);
-    const typemesh::error e = o.instances ? write_letters(*plan, font, mesh) : write_model(*plan, mesh);
+    const typemesh::error e = o.instances ? write_letters(o, *plan, font, mesh) : write_model(o, *plan, mesh);
     mesher.observer()(typemesh::stage::idle);
     if (e) return in_words(e);
     const typemesh::triangle_quality quality = o.stats ? quality_of_front(mesh) : typemesh::triangle_quality{};

@@ -17,11 +17,13 @@ struct model_vertex {
 
 /// A finished mesh. Three indices per triangle, counter-clockwise seen from outside; right-handed, y up.
 struct model {
-    /// A run of indices that share a material: "front", "back", "side", "front_bevel", "back_bevel".
+    /// A run of indices that share a material: "front", "back", "side", "front_bevel", "back_bevel"; of the letter within
+    /// a ring, which is a solid of its own, "letter_front", "letter_back", "letter_side".
     struct part {
         const char* name;
         std::size_t first_index;
         std::size_t index_count;
+        unsigned solid = 0;  ///< 1: the letter within a ring
     };
 
     /// One of the different letters of an instanced model: consecutive vertices and consecutive parts.

@@ -91,9 +91,9 @@ std::string version()
 struct raw_values {
     std::vector<std::string> variations, features, show;
     std::string uv, fill, profile;
-    std::optional<double> size, bevel_depth, bevel_steps;
+    std::optional<double> size, bevel_depth, bevel_steps, letter_spacing;
     bool no_merge = false, tolerance_given = false, shading_given = false, normals_given = false, bevel_given = false;
-    std::string of_a_bevel;  // the first option that only a bevel has
+    std::string of_a_bevel, of_an_outline;  // the first option that only a bevel, an outline has
 };
 
 void add_text_options(CLI::App& app, options& out, raw_values& raw)
@@ -129,9 +129,10 @@ void add_text_options(CLI::App& app, options& out, raw_values& raw)
                           {"right", alignment::right}},
                          {"centre"});
     add_number(
-        app, "--letter-spacing", "added between letters, in em; negative: closer (default 0)",
+        app, "--letter-spacing",
+        "added between letters, in em; negative: closer (default: as much as they have become wider)",
         "a number from -1000 to 1000", [](double n) { return n >= -1000.0 && n <= 1000.0; },
-        [&out](double n) { out.letter_spacing = n; })
+        [&raw](double n) { raw.letter_spacing = n; })
         ->type_name("EM");
     add_number(
         app, "--line-spacing", "times the font's own distance between lines (default 1)", "a number from -1000 to 1000",
@@ -183,7 +184,7 @@ void add_mesh_options(CLI::App& app, options& out, raw_values& raw)
         ->check(one_of({"box", "em"}));
     auto* merged =
         app.add_flag("--merge", out.merge,
-                     "letters that meet become one solid without inner walls (default for .stl, .3mf and bevels)");
+                     "letters that meet become one solid without inner walls (default for .stl, .3mf, moved edges)");
     app.add_flag("--no-merge", raw.no_merge, "each letter stays a solid of its own (default for the others)")
         ->excludes(merged);
     app.add_flag("--instances", out.instances, "in .glb: each different letter once, and a node for each place")
@@ -218,6 +219,29 @@ void add_bevel_options(CLI::App& app, options& out, raw_values& raw)
     app.add_flag("--bevel-out", out.bevel.outward, "bevels are put on, round the letters, which grow");
     add_named<bevel_sides>(app, "--bevel-sides", out.bevel.sides, "which edges are bevelled (default both)",
                            {{"front", bevel_sides::front}, {"back", bevel_sides::back}, {"both", bevel_sides::both}});
+}
+
+void add_weight_options(CLI::App& app, options& out)
+{
+    using namespace typemesh;
+    add_number(
+        app, "--embolden", "how far edges move outwards, so that strokes become twice that wider; negative: thinner",
+        "a number from -1 to 1", [](double n) { return n >= -1.0 && n <= 1.0; },
+        [&out](double n) { out.embolden = static_cast<float>(n); })
+        ->type_name("EM");
+    add_number(
+        app, "--outline", "hollow letters: how wide the ring is; 0: none (default)", "a number from 0 to 1",
+        [](double n) { return n >= 0.0 && n <= 1.0; }, [&out](double n) { out.outline.width = static_cast<float>(n); })
+        ->type_name("EM");
+    add_named<outline_place>(app, "--outline-place", out.outline.place,
+                             "the ring lies within the letter's edges (inner, default), around them, or half and half",
+                             {{"inner", outline_place::inner},
+                              {"center", outline_place::centre},
+                              {"centre", outline_place::centre},
+                              {"outer", outline_place::outer}},
+                             {"centre"});
+    app.add_flag("--outline-letter", out.outline.letter,
+                 "the letter within the ring is made, too, as parts of its own");
 }
 
 void add_output_options(CLI::App& app, options& out, raw_values& raw)
@@ -292,6 +316,19 @@ std::string settle_bevel(options& out, const raw_values& raw)
            (raw.bevel_depth ? "" : ", the width of --bevel");
 }
 
+/// Finishes bold and hollow letters. Gives an empty string, or one sentence of what is wrong.
+std::string settle_weight(options& out, const raw_values& raw)
+{
+    using typemesh::outline_place;
+    const auto width = static_cast<double>(out.outline.width);
+    if (width == 0.0 && !raw.of_an_outline.empty()) return raw.of_an_outline + ": is for --outline";
+    const double around = out.outline.place == outline_place::outer    ? width
+                          : out.outline.place == outline_place::centre ? 0.5 * width
+                                                                       : 0.0;
+    out.letter_spacing = raw.letter_spacing.value_or(2.0 * (static_cast<double>(out.embolden) + around));
+    return {};
+}
+
 /// Finishes what the words left open. Gives an empty string, or one sentence of what is wrong.
 std::string settle(options& out, const raw_values& raw)
 {
@@ -321,6 +358,7 @@ std::string settle(options& out, const raw_values& raw)
     out.checker = shown("checker");
 
     if (std::string trouble = settle_bevel(out, raw); !trouble.empty()) return trouble;
+    if (std::string trouble = settle_weight(out, raw); !trouble.empty()) return trouble;
 
     out.kind = kind_of(out.output);
     if (!out.output.empty() && (out.kind == file_kind::unknown || out.kind == file_kind::png))
@@ -339,7 +377,8 @@ std::string settle(options& out, const raw_values& raw)
         return "--quality: is not for --discretiser two_lines, which makes two lines of every curve";
     if (out.instances && out.kind != file_kind::glb) return "--instances: is for --output FILE.glb";
     out.size = raw.size.value_or(out.kind == file_kind::three_mf ? 10.0 : 1.0);
-    out.merge = out.merge || (!raw.no_merge && !out.instances && (holds_solids(out.kind) || out.bevel.width > 0.0f));
+    const bool edges_move = out.bevel.width > 0.0f || out.outline.width > 0.0f || out.embolden != 0.0f;
+    out.merge = out.merge || (!raw.no_merge && !out.instances && (holds_solids(out.kind) || edges_move));
     out.text = with_line_breaks(out.text);
     return {};
 }
@@ -356,6 +395,7 @@ std::optional<int> parse(int argc, char** argv, options& out)
     add_text_options(app, out, raw);
     add_mesh_options(app, out, raw);
     add_bevel_options(app, out, raw);
+    add_weight_options(app, out);
     add_output_options(app, out, raw);
 
     const auto complain = [](const std::string& sentence) {
@@ -375,6 +415,8 @@ std::optional<int> parse(int argc, char** argv, options& out)
     for (const char* option :
          {"--bevel-out", "--bevel-sides", "--bevel-mode", "--bevel-steps", "--profile", "--bevel-depth"})
         if (app.count(option) > 0) raw.of_a_bevel = option;
+    for (const char* option : {"--outline-letter", "--outline-place"})
+        if (app.count(option) > 0) raw.of_an_outline = option;
     raw.shading_given = app.count("--shading") > 0;
     out.quality_given = raw.tolerance_given || app.count("--quality") > 0;
     if (!raw.tolerance_given) {

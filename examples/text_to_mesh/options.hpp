@@ -5,6 +5,7 @@
 #include "picture/picture_options.hpp"
 
 #include <typemesh/extrude/bevelled.hpp>
+#include <typemesh/extrude/outlined.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <optional>
@@ -31,6 +32,13 @@ struct bevel_options {
     bool outward = false;
 };
 
+/// Hollow letters, as outlined.hpp has them.
+struct outline_options {
+    float width = 0.0f;  ///< em; 0: none
+    typemesh::outline_place place = typemesh::outline_place::inner;
+    bool letter = false;  ///< the letter is made, too
+};
+
 /// What the command line asks for.
 struct options {
     std::string text;
@@ -41,12 +49,14 @@ struct options {
     std::string language, script;
     typemesh::direction direction = typemesh::direction::automatic;
     typemesh::alignment align = typemesh::alignment::left;
-    double letter_spacing = 0.0;  ///< em
+    double letter_spacing = 0.0;  ///< em; by default as much as letters have become wider
     double line_spacing = 1.0;    ///< times the font's own
 
     double size = 1.0;   ///< of an em in the file
     float depth = 0.2f;  ///< em; 0 makes a flat mesh
     bevel_options bevel;
+    float embolden = 0.0f;  ///< em; how far edges move outwards
+    outline_options outline;
     preset quality = preset::high;
     double tolerance = typemesh::quality::high;
     bool quality_given = false;  ///< by --quality or --tolerance

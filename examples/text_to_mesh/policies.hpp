@@ -4,6 +4,8 @@
 #include "options.hpp"
 #include "progress.hpp"
 
+#include <typemesh/extrude/emboldened.hpp>
+#include <typemesh/extrude/outlined.hpp>
 #include <typemesh/extrude/polyline_profile.hpp>
 
 #include <chrono>
@@ -106,8 +108,19 @@ struct chosen_profile {
     }
 };
 
-/// For std::visit: a mesher for three parts and one for five.
-using chosen_extruder = std::variant<unbevelled_extruder, typemesh::bevelled<chosen_profile>>;
+using bevelled_extruder = typemesh::bevelled<chosen_profile>;
+
+/// Bold letters, hollow ones, or both: of an outline without the letter, that is an extruder whose parts are switched
+/// off, and `emboldened` by nothing changes nothing.
+template <class Solid>
+using bold_extruder = typemesh::emboldened<Solid>;
+template <class Ring>
+using hollow_extruder = typemesh::emboldened<typemesh::outlined<Ring, unbevelled_extruder>>;
+
+/// For std::visit: a mesher for each number of parts and each way to plan them.
+using chosen_extruder = std::variant<unbevelled_extruder, bevelled_extruder, bold_extruder<unbevelled_extruder>,
+                                     bold_extruder<bevelled_extruder>, hollow_extruder<unbevelled_extruder>,
+                                     hollow_extruder<bevelled_extruder>>;
 
 /// What the options choose.
 [[nodiscard]] chosen_discretiser discretiser_of(const options& o, double units_per_em);

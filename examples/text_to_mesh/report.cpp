@@ -62,8 +62,8 @@ std::string in_words(const typemesh::text_report& report)
         say("the text is not valid UTF-8 at " + number(report.invalid_units) +
             (report.invalid_units == 1 ? " place" : " places") + at(report.first_invalid_unit));
     if (report.narrowed > 0)
-        say("the bevels of " + number(report.narrowed) + of_all + " glyphs are narrower than --bevel" +
-            at(report.first_narrowed));
+        say("edges of " + number(report.narrowed) + of_all +
+            " glyphs have moved less than --bevel, --outline or --embolden ask for" + at(report.first_narrowed));
     return all;
 }
 

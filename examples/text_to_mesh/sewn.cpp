@@ -17,15 +17,19 @@ struct edge {
     std::array<std::uint32_t, 2> vertices;
 };
 
-/// Numbers the places of the vertices.
+/// Numbers the places of the vertices; one where two solids touch has two numbers.
 std::vector<std::uint32_t> places_of(const model& mesh)
 {
-    std::map<std::array<float, 3>, std::uint32_t> seen;
+    std::vector<unsigned> solid(mesh.vertices.size());
+    for (const model::part& p : mesh.parts)
+        for (std::size_t i = 0; i < p.index_count; ++i) solid[mesh.indices[p.first_index + i]] = p.solid;
+    std::map<std::pair<unsigned, std::array<float, 3>>, std::uint32_t> seen;
     std::vector<std::uint32_t> places;
     places.reserve(mesh.vertices.size());
     for (const model_vertex& v : mesh.vertices) {
         const std::array<float, 3> at{v.position[0], v.position[1], v.position[2]};
-        places.push_back(seen.emplace(at, static_cast<std::uint32_t>(seen.size())).first->second);
+        const std::pair place{solid[places.size()], at};
+        places.push_back(seen.emplace(place, static_cast<std::uint32_t>(seen.size())).first->second);
     }
     return places;
 }

@@ -227,6 +227,33 @@ that "--no-merge leaves bevelled letters apart" differ joined.glb joined--no-mer
 expect 0 "" "banana" --font $sans --output instances.glb "${bevels[@]}" --instances
 that "bevelled letters may be instances" [ "$(grep -ao '"translation"' instances.glb | wc -l)" = 6 ]
 expect 0 "" "Rag" --font $sans --picture plain.png
+# Bold and hollow letters.
+expect 0 "" "HIL" --font $sans --output upright.obj
+expect 0 "" "HIL" --font $sans --output bold.obj --embolden 0.02
+that "--embolden makes letters and their advances wider" larger "$(widest bold.obj 2)" "$(widest upright.obj 2)" 0.12
+expect 0 "" "HIL" --font $sans --output tight.obj --embolden 0.02 --letter-spacing 0
+that "--letter-spacing says otherwise" larger "$(widest bold.obj 2)" "$(widest tight.obj 2)" 0.08
+expect 0 "" "HIL" --font $sans --output light.obj --embolden -0.01
+that "a negative --embolden makes them thinner" larger "$(widest upright.obj 2)" "$(widest light.obj 2)" 0.06
+expect 0 "1 of 2 glyphs left out; the first: glyph [0-9]+, at byte 1 of the text: Nothing is left of the glyph" "Ii" --font $sans --output gone.obj --embolden -0.044
+expect 0 "" "HIL" --font $sans --output hollow.obj --outline 0.02
+that "a ring within the letter keeps its size" [ "$(widest hollow.obj 2)" = "$(widest upright.obj 2)" ]
+for place in centre outer; do
+    expect 0 "" "HIL" --font $sans --output $place.obj --outline 0.02 --outline-place $place
+done
+that "a ring half around the letter is wider" larger "$(widest centre.obj 2)" "$(widest hollow.obj 2)" 0.06
+that "a ring around the letter is wider still" larger "$(widest outer.obj 2)" "$(widest centre.obj 2)" 0.06
+framed=(--outline 0.02 --outline-place outer --outline-letter --bevel 0.005 --embolden 0.01)
+for kind in glb obj stl ply; do
+    expect 0 "" "Rag" --font $sans --output framed.$kind "${framed[@]}"
+done
+for part in front back side front_bevel back_bevel letter_front letter_back letter_side; do
+    that "the OBJ's $part has a material" grep -qx "usemtl $part" framed.obj
+    that "the GLB has a material $part" grep -qa "\"name\":\"$part\"" framed.glb
+done
+expect 0 "" "Rag" --font $sans --output flat_ring.obj --outline 0.02 --depth 0
+expect 0 "" "banana" --font $sans --output rings.glb "${framed[@]}" --instances
+expect 0 "" "Rag" --font $sans --picture framed.png "${framed[@]}"
 expect 0 "" "Rag" --font $sans --picture bevelled.png "${bevels[@]}"
 expect 0 "" "Rag" --font $sans --picture shown.png "${bevels[@]}" --show triangles,normals,contours,points --stats
 that "a picture shows bevels" differ plain.png bevelled.png
@@ -256,10 +283,13 @@ if "$program" x --font $sans --output probe.3mf 2>err; then
         that "a 3MF's letters are larger than a millimetre" grep -q '<vertex x="[1-9][0-9]\.' joined.xml
         that "a 3MF is painted by its parts" [ "$(grep -cE '<base name="[a-z]+" displaycolor="#[0-9A-F]{6}(FF)?" />' joined.xml)" = 3 ]
     fi
+    expect 0 "" "Rag" --font $sans --output framed.3mf "${framed[@]}"
     expect 0 "" "مرحبا" --font $arabic --output bevelled.3mf "${bevels[@]}" --profile round
     if command -v unzip >/dev/null 2>&1; then
         unzip -p bevelled.3mf 3D/3dmodel.model >bevelled.xml
         that "a bevelled 3MF holds closed solids" closed_3mf bevelled.xml
+        unzip -p framed.3mf 3D/3dmodel.model >framed.xml
+        that "a ring and its letter are closed solids in a 3MF" closed_3mf framed.xml
         that "a bevelled 3MF is painted by five parts" [ "$(grep -cE '<base name="[a-z_]+" displaycolor="#[0-9A-F]{6}(FF)?" />' bevelled.xml)" = 5 ]
     fi
     expect 2 "--depth: must be more than 0" x --font $sans --output x.3mf --depth 0
@@ -418,6 +448,17 @@ expect 2 "bevel-mode: must be clip or fit, not fill" x --font $sans --output x.g
 expect 2 "bevel-sides: must be front, back or both, not top" x --font $sans --output x.glb --bevel 0.02 --bevel-sides top
 expect 2 "--bevel: is for solids" x --font $sans --output x.glb --bevel 0.02 --depth 0
 expect 2 "--normals: is not for --bevel" x --font $sans --output x.glb --bevel 0.02 --normals cap
+for width in -0.01 1.5 nan wide; do
+    expect 2 "^text_to_mesh: --outline: must be a number from 0 to 1, not $width$" x --font $sans --output x.glb --outline $width
+done
+for by in -1.5 2 nan bold; do
+    expect 2 "^text_to_mesh: --embolden: must be a number from -1 to 1, not $by$" x --font $sans --output x.glb --embolden $by
+done
+expect 2 "outline-place: must be inner, center or outer, not top" x --font $sans --output x.glb --outline 0.02 --outline-place top
+for option in "--outline-place outer" --outline-letter; do
+    # shellcheck disable=SC2086  # an option and its value
+    expect 2 "^text_to_mesh: ${option% *}: is for --outline$" x --font $sans --output x.glb $option
+done
 for option in "--bevel-depth 0.02" "--profile round" "--bevel-mode fit" "--bevel-sides front" --bevel-out; do
     # shellcheck disable=SC2086  # words
     expect 2 "^text_to_mesh: ${option% *}: is for --bevel$" x --font $sans --output x.glb $option

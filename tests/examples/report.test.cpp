@@ -17,7 +17,9 @@ TEST_CASE("text_to_mesh says of a report what is lost and what is narrowed, a li
     r.narrowed = 3;
     r.first_narrowed = 5;
     CHECK(text_to_mesh::in_words(r) ==
-          "text_to_mesh: the bevels of 3 of 9 glyphs are narrower than --bevel; the first is at byte 5 of the text.\n");
+          "text_to_mesh: edges of 3 of 9 glyphs have moved less than --bevel, --outline or --embolden ask for; the "
+          "first is at "
+          "byte 5 of the text.\n");
     r.missing = 1;
     r.first_missing = 7;
     r.invalid_units = 1;
@@ -25,5 +27,7 @@ TEST_CASE("text_to_mesh says of a report what is lost and what is narrowed, a li
     CHECK(text_to_mesh::in_words(r) ==
           "text_to_mesh: the font has no glyph for 1 of 9 characters; the first is at byte 7 of the text.\n"
           "text_to_mesh: the text is not valid UTF-8 at 1 place; the first is at byte 8 of the text.\n"
-          "text_to_mesh: the bevels of 3 of 9 glyphs are narrower than --bevel; the first is at byte 5 of the text.\n");
+          "text_to_mesh: edges of 3 of 9 glyphs have moved less than --bevel, --outline or --embolden ask for; the "
+          "first is at "
+          "byte 5 of the text.\n");
 }

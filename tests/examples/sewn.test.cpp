@@ -67,4 +67,17 @@ TEST_CASE("solids that touch in an upright edge keep vertices of their own", "[s
     CHECK(sewn_two.vertices.size() == 2 * 4 * 12);
 }
 
+TEST_CASE("a letter and the ring around it are sewn each by itself", "[sewn]")
+{
+    model two = extruded_ring(12);
+    const model ring = two;
+    const auto first = static_cast<std::uint32_t>(two.vertices.size());
+    two.vertices.insert(two.vertices.end(), ring.vertices.begin(), ring.vertices.end());
+    for (const std::uint32_t i : ring.indices) two.indices.push_back(first + i);
+    two.parts.push_back({"letter_side", ring.indices.size(), ring.indices.size(), 1});
+    const model sewn_two = sewn(two);
+    CHECK(is_closed(sewn_two));
+    CHECK(sewn_two.vertices.size() == 2 * 4 * 12);
+}
+
 TEST_CASE("an empty mesh is sewn to an empty one", "[sewn]") { CHECK(sewn(model{}).vertices.empty()); }
