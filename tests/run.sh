@@ -108,7 +108,6 @@ run_ctest() {  # run_ctest FOLDER LOG
 
 tier_gcc() {
     (install_missing clang-format) || say "Going on without it: the format of the sources is not checked."
-    (install_missing icu) || say "Going on without it: nothing is compared with ICU."
     test_preset gcc
     test_preset fast-math typemesh_tests
 }
@@ -198,7 +197,7 @@ need_build_folder gcc
 begun=$(date +%s)
 # The fonts of tests/workload/smoke-fonts.tsv but the largest.
 fonts=$(awk -F '\t' 'NR > 1 && $2 < 20000000 { print $1 }' "$typemesh_root/tests/workload/smoke-fonts.tsv")
-install_missing g++ cmake ninja pkg-config harfbuzz freetype glm catch2 cli11 tinygltf stb fontconfig font
+install_missing g++ cmake ninja pkg-config harfbuzz freetype icu glm catch2 cli11 tinygltf stb fontconfig font
 # shellcheck disable=SC2086  # a list of words
 install_fonts unicode-data $fonts  # the Unicode Character Database is installed as fonts are
 [ -z "$everything" ] || install_fonts fonts-mplus fonts-noto-cjk  # the large ones of tests/workload/fonts.tsv
