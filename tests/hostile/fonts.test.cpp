@@ -7,11 +7,14 @@
 // find inside HarfBuzz or FreeType is for those projects.
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
+#include "support/lit_mesh.hpp"
 
 #include <typemesh/adapt/freetype.hpp>
 #include <typemesh/adapt/harfbuzz.hpp>
+#include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/layout/layout.hpp>
 #include <typemesh/outline/outline_recorder.hpp>
+#include <typemesh/typemesh.hpp>
 
 #include <cstdlib>
 #include <random>
@@ -32,7 +35,7 @@ const char* const texts[] = {"Hello world! AV fi 12,5%",
 
 /// What was seen, so that a run which tried nothing is noticed.
 struct tally {
-    std::size_t fonts = 0, opened = 0, glyphs = 0, drawn = 0, refused = 0;
+    std::size_t fonts = 0, opened = 0, glyphs = 0, drawn = 0, refused = 0, bevelled = 0;
 };
 
 bool is_an_answer(error e)
@@ -111,6 +114,36 @@ std::size_t try_font(std::span<const std::byte> bytes, std::uint32_t most_glyphs
     return wrong;
 }
 
+/// Bevels glyphs of the first face, `most` of them; counts those refused for a reason that is none, and meshes that are
+/// not closed.
+template <class Font>
+std::size_t try_bevels(std::span<const std::byte> bytes, std::uint32_t most, tally& seen)
+{
+    auto font = Font::open(bytes, {});
+    if (!font) return 0;
+    auto mesher = text_mesher{*font}.with(bevelled<round_profile>{.width = 0.03f, .profile = {.steps = 4}});
+    std::size_t wrong = 0;
+    const std::uint32_t count = font->glyph_count(), step = count / most + 1;
+    for (glyph_id id = 0; id < count; id += step) {
+        glyph_run run;
+        run.units_per_em = font->units_per_em();
+        if (!run.glyphs.push_back({id, 0, {}})) return ++wrong;
+        const auto plan = mesher.plan(run, {.tolerance = quality::normal, .unit = output_unit::font_units});
+        if (!plan) {
+            ++wrong;
+            continue;
+        }
+        seen.refused += plan->report().refused;
+        if (plan->size().vertices == 0) continue;
+        test::lit_mesh m;
+        wrong += plan->write(into(m.vertices, m.indices)) ? 1 : 0;
+        const inspect::closedness c = inspect::check_closedness(m.view());  // far out floats cannot tell points apart
+        wrong += c.unmatched_edges + c.bad_corners;
+        ++seen.bevelled;
+    }
+    return wrong;
+}
+
 /// Both libraries, plain and with a variation that most fonts lack.
 std::size_t try_both(std::span<const std::byte> bytes, std::uint32_t most_glyphs, tally& seen)
 {
@@ -118,7 +151,8 @@ std::size_t try_both(std::span<const std::byte> bytes, std::uint32_t most_glyphs
     return try_font<harfbuzz_font>(bytes, most_glyphs, {}, seen) +
            try_font<freetype_font>(bytes, most_glyphs, {}, seen) +
            try_font<harfbuzz_font>(bytes, most_glyphs / 4 + 1, weight, seen) +
-           try_font<freetype_font>(bytes, most_glyphs / 4 + 1, weight, seen);
+           try_font<freetype_font>(bytes, most_glyphs / 4 + 1, weight, seen) +
+           try_bevels<harfbuzz_font>(bytes, most_glyphs / 20 + 1, seen);
 }
 
 const char* const victims[] = {
@@ -180,6 +214,7 @@ TEST_CASE("a font with damaged bytes is refused or drawn finitely", "[hostile]")
     }
     CHECK(seen.opened > 100);
     CHECK(seen.drawn > 5000);
+    CHECK(seen.bevelled > 150);
 }
 
 TEST_CASE("noise is no font", "[hostile]")
@@ -214,6 +249,7 @@ TEST_CASE("the fonts of fuzzing suites are refused or drawn finitely", "[hostile
         CHECK((by_path.error().code == by_bytes.error().code || bytes.empty()));
     }
     WARN(files.size() << " files, " << seen.opened << " of " << seen.fonts << " tries opened a face, " << seen.glyphs
-                      << " glyphs: " << seen.drawn << " drawn, " << seen.refused << " refused");
+                      << " glyphs: " << seen.drawn << " drawn, " << seen.refused << " refused, " << seen.bevelled
+                      << " bevelled");
     CHECK(!files.empty());
 }

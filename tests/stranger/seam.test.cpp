@@ -5,7 +5,6 @@
 
 #include <typemesh/inspect/closedness.hpp>
 #include <typemesh/inspect/mesh_measure.hpp>
-#include <typemesh/inspect/normal_check.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <cstddef>
@@ -15,50 +14,16 @@
 #include "flared.hpp"
 #include "support/catch.hpp"
 #include "support/executors.hpp"
+#include "support/lit_mesh.hpp"
 #include "support/toy_font.hpp"
 #include "tapering_twist.hpp"
 
 using namespace typemesh;
 using Catch::Approx;
-
-namespace {
-
-struct vertex {
-    vec3 place, normal;
-    vec4 tangent;
-    vec2 uv;
-    part of;
-};
-
-struct mesh {
-    std::vector<vertex> vertices;
-    std::vector<std::uint32_t> indices;
-
-    [[nodiscard]] auto view() const { return inspect::mesh_view{vertices, indices, &vertex::place}; }
-};
-
-bool same(const mesh& a, const mesh& b)
-{
-    if (a.indices != b.indices || a.vertices.size() != b.vertices.size()) return false;
-    for (std::size_t i = 0; i < a.vertices.size(); ++i) {
-        const vertex &v = a.vertices[i], &w = b.vertices[i];
-        if (!(v.place == w.place && v.normal == w.normal && v.tangent == w.tangent && v.uv == w.uv && v.of == w.of))
-            return false;
-    }
-    return true;
-}
-
-}  // namespace
-
-template <>
-struct typemesh::vertex_traits<vertex> {
-    static constexpr auto wants =
-        attribute::position | attribute::normal | attribute::tangent | attribute::uv | attribute::part;
-    vertex operator()(const surface_point<wants>& s) const noexcept
-    {
-        return {s.position, s.normal, s.tangent, s.uv, s.part};
-    }
-};
+using test::lawful;
+using test::written;
+using mesh = test::lit_mesh;
+using vertex = test::lit_vertex;
 
 namespace {
 
@@ -69,43 +34,6 @@ struct own_lock {
 };
 
 constexpr const char* word = "oExi Eo";  // x has contours that cross
-
-template <class Plan>
-mesh written(const Plan& plan)
-{
-    mesh m;
-    REQUIRE_FALSE(plan.write(into(m.vertices, m.indices)));
-    CHECK(mesh_size{m.vertices.size(), m.indices.size() / 3} == plan.size());
-    return m;
-}
-
-/// Closed, right side out, lit from outside, as large as it says and no larger, each part where it says.
-template <class Plan>
-mesh lawful(const Plan& plan, const frame& f = right_handed_y_up)
-{
-    const mesh m = written(plan);
-    const int depth_axis = f.toward.x != 0.0f ? 0 : f.toward.y != 0.0f ? 1 : 2;
-    CHECK(inspect::check_closedness(m.view(), depth_axis).is_closed());
-    const auto normals = inspect::check_normals(m.view(), &vertex::normal, f.winding);
-    CHECK(normals.is_right());
-    CHECK(inspect::measure(m.view()).volume * f.winding > 0.0);
-    bounds3 seen{m.vertices[0].place, m.vertices[0].place};
-    for (const vertex& v : m.vertices) seen.add(v.place);
-    CHECK(plan.bounds().low == seen.low);
-    CHECK(plan.bounds().high == seen.high);
-    std::uint32_t next = 0, next_index = 0;
-    for (const part p : plan.parts()) {
-        const mesh_range r = plan.range(p);
-        CHECK(r.first_vertex == next);
-        CHECK(r.first_index == next_index);
-        for (; next < r.first_vertex + r.vertex_count; ++next) REQUIRE(m.vertices[next].of == p);
-        next_index += r.index_count;
-    }
-    CHECK(next == m.vertices.size());
-    CHECK(next_index == m.indices.size());
-    for (std::size_t p = plan.parts().size(); p < most_parts; ++p) CHECK(plan.range(all_parts[p]).vertex_count == 0);
-    return m;
-}
 
 }  // namespace
 
@@ -161,13 +89,13 @@ TEST_CASE("a stranger's five parts come out of caches, teams and constrained Del
     for (int i = 0; i < 2; ++i) {
         const auto again = cached.plan(word);
         REQUIRE(again);
-        CHECK(same(lawful(*again), expected));
+        CHECK(lawful(*again) == expected);
     }
     CHECK(cache.statistics().hits >= 5);
     auto other = text_mesher{font}.with(stranger::flared{.rim = 0.1f}).with(cached_in{cache, 1});
     const auto deeper = other.plan(word);
     REQUIRE(deeper);
-    CHECK_FALSE(same(lawful(*deeper), expected));
+    CHECK_FALSE(lawful(*deeper) == expected);
 
     test::scrambled_workers pool;
     auto team = workers_of(pool, [](std::size_t) noexcept { return result<test::toy_font>{test::toy_font{}}; });
@@ -178,7 +106,7 @@ TEST_CASE("a stranger's five parts come out of caches, teams and constrained Del
         REQUIRE(shared);
         mesh m;
         REQUIRE_FALSE(shared->write(into(m.vertices, m.indices), pool));
-        CHECK(same(m, expected));
+        CHECK(m == expected);
     }
     auto delaunay = text_mesher{font}.with(stranger::flared{}).with(constrained_delaunay{});
     const auto cut = delaunay.plan(word);
@@ -239,9 +167,9 @@ TEST_CASE("a stranger's five parts are merged, cut into chunks, instanced and wr
         for (std::uint32_t i = 0; i < r.vertex_count; ++i) some.vertices[r.first_vertex + i] = {};
         for (std::uint32_t i = 0; i < r.index_count; ++i) some.indices[r.first_index + i] = 0;
     }
-    CHECK_FALSE(same(some, whole));
+    CHECK_FALSE(some == whole);
     REQUIRE_FALSE(plan->write(glyph_span{1, 2}, into(std::span{some.vertices}, std::span{some.indices})));
-    CHECK(same(some, whole));
+    CHECK(some == whole);
 }
 
 TEST_CASE("letters that twist and taper stay within the bounds that they state", "[stranger]")

@@ -7,6 +7,7 @@
 #include "support/mesh_laws.hpp"
 #include "support/toy_font.hpp"
 
+#include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <cstring>
@@ -33,10 +34,11 @@ void write_between_guards(const Plan& plan, bool at_end)
 
 }  // namespace
 
-TEST_CASE("writing stays within its arrays: the pages before and behind them cannot be touched", "[text][memory]")
+TEMPLATE_TEST_CASE("writing stays within its arrays: the pages before and behind them cannot be touched",
+                   "[text][memory]", extruded<>, bevelled<>)
 {
     test::toy_font font;
-    text_mesher mesher{font};
+    auto mesher = text_mesher{font}.with(TestType{});
     auto plan = mesher.plan(text);
     REQUIRE(plan);
     for (const bool at_end : {false, true}) {
@@ -45,10 +47,11 @@ TEST_CASE("writing stays within its arrays: the pages before and behind them can
     }
 }
 
-TEST_CASE("what is written does not depend on what lay there, and all of it is written", "[text][memory]")
+TEMPLATE_TEST_CASE("what is written does not depend on what lay there, and all of it is written", "[text][memory]",
+                   extruded<>, bevelled<>)
 {
     test::toy_font font;
-    text_mesher mesher{font};
+    auto mesher = text_mesher{font}.with(TestType{});
     auto plan = mesher.plan(text);
     REQUIRE(plan);
     const mesh_size size = plan->size();

@@ -4,6 +4,7 @@
 #include "support/toy_font.hpp"
 
 #include <typemesh/adapt/threads.hpp>
+#include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <atomic>
@@ -20,14 +21,15 @@ const char* const texts[] = {"oEix", "xxoo", "EiEiEi", "o", "x~o E", "ii\noo"};
 
 }  // namespace
 
-TEST_CASE("threads that share a cache, small enough to be emptied all the time, build the meshes of one thread",
-          "[threads][cache]")
+TEMPLATE_TEST_CASE(
+    "threads that share a cache, small enough to be emptied all the time, build the meshes of one thread",
+    "[threads][cache]", extruded<>, bevelled<>)
 {
     const std::size_t bound = GENERATE(std::size_t{0}, std::size_t{4000}, std::size_t{1} << 20);
     std::vector<full_mesh> expected;
     {
         test::toy_font font;
-        text_mesher mesher{font};
+        auto mesher = text_mesher{font}.with(TestType{});
         for (const char* text : texts) {
             full_mesh& m = expected.emplace_back();
             REQUIRE(mesher.build(text, into(m.vertices, m.indices)));
@@ -39,7 +41,7 @@ TEST_CASE("threads that share a cache, small enough to be emptied all the time, 
     for (unsigned t = 0; t < 4; ++t) {
         threads.emplace_back([&, t] {
             test::toy_font font;
-            auto mesher = text_mesher{font}.with(cached_in{cache, 1});
+            auto mesher = text_mesher{font}.with(TestType{}).with(cached_in{cache, 1});
             for (unsigned i = 0; i < 200; ++i) {
                 const unsigned which = (i * 7 + t) % 6;
                 auto plan = mesher.plan(texts[which]);

@@ -4,7 +4,7 @@
 
 #include "support/catch.hpp"
 #include "support/executors.hpp"
-#include "support/mesh_laws.hpp"
+#include "support/lit_mesh.hpp"
 #include "support/workload.hpp"
 
 #include <typemesh/adapt/harfbuzz.hpp>
@@ -23,42 +23,12 @@
 #include <vector>
 
 using namespace typemesh;
+using test::lit_mesh;
+using test::lit_vertex;
 
 namespace {
 
 constexpr const char* scripts[] = {"latin", "arabic", "chinese", "japanese"};
-
-struct lit_vertex {
-    vec3 place, normal;
-    part of;
-};
-
-struct lit_mesh {
-    std::vector<lit_vertex> vertices;
-    std::vector<std::uint32_t> indices;
-
-    [[nodiscard]] auto view() const { return inspect::mesh_view{vertices, indices, &lit_vertex::place}; }
-};
-
-bool same_mesh(const lit_mesh& a, const lit_mesh& b)
-{
-    if (a.indices != b.indices || a.vertices.size() != b.vertices.size()) return false;
-    for (std::size_t i = 0; i < a.vertices.size(); ++i) {
-        const lit_vertex &v = a.vertices[i], &w = b.vertices[i];
-        if (!(v.place == w.place && v.normal == w.normal && v.of == w.of)) return false;
-    }
-    return true;
-}
-
-}  // namespace
-
-template <>
-struct typemesh::vertex_traits<lit_vertex> {
-    static constexpr auto wants = attribute::position | attribute::normal | attribute::part;
-    lit_vertex operator()(const surface_point<wants>& s) const noexcept { return {s.position, s.normal, s.part}; }
-};
-
-namespace {
 
 struct bevelled_text {
     std::string font, script, text;
@@ -103,9 +73,7 @@ lit_mesh without_slivers(const lit_mesh& all, double cells_per_unit)
 template <class Plan>
 lit_mesh written_bevels(const Plan& plan)
 {
-    lit_mesh m;
-    REQUIRE_FALSE(plan.write(into(m.vertices, m.indices)));
-    CHECK(mesh_size{m.vertices.size(), m.indices.size() / 3} == plan.size());
+    const lit_mesh m = test::written(plan);
     CHECK(inspect::check_closedness(m.view(), 2).is_closed());
     return m;
 }
@@ -163,7 +131,7 @@ TEST_CASE("bevelled texts are the same from caches, workers and every order of t
         for (int i = 0; i < 2; ++i) {
             const auto again = cached.plan(subject.text, options);
             REQUIRE(again);
-            CHECK(same_mesh(written_bevels(*again), expected));
+            CHECK(written_bevels(*again) == expected);
         }
         CHECK(cache.statistics().hits > 0);
 
@@ -174,7 +142,7 @@ TEST_CASE("bevelled texts are the same from caches, workers and every order of t
         REQUIRE(shared);
         lit_mesh m;
         REQUIRE_FALSE(shared->write(into(m.vertices, m.indices), pool));
-        CHECK(same_mesh(m, expected));
+        CHECK(m == expected);
     }
 }
 
