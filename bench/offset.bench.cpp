@@ -6,11 +6,11 @@
 //     bench_offset                             every set that has its font, then the shapes
 //     bench_offset --benchmark_filter=Sans
 //
-// Columns: ns_per_point (best pass of three), us_per_region, of_floor (that by the floor's), events a point, refused
-// regions. Glyphs are flattened to 1/800 em by equal steps of t and swept to a share of the em. The width of a shape is
-// its area by its perimeter, half a stroke's width on average ("wide"), or a tenth of that ("narrow"). What moves a
-// corner that very many triangles share costs as many steps: parabola, upwards. For the time of CGAL's skeleton on the
-// same glyphs see tests/every_glyph/every_offset.cpp.
+// Columns: ns_per_point (best pass of three), us_per_region, of_floor (that by the floor's), events a point, schedules
+// a point, refused regions. Glyphs are flattened to 1/800 em by equal steps of t and swept to a share of the em. The
+// width of a shape is its area by its perimeter, half a stroke's width on average ("wide"), or a tenth of that
+// ("narrow"); a regular star closes at once between the two. Few flips are left over Delaunay triangles where monotone's
+// are long: circle with holes. For the time of CGAL's skeleton on the same glyphs see tests/every_glyph/every_offset.cpp.
 //
 // Fonts: packages fonts-liberation, fonts-dejavu-core, fonts-mplus.
 
@@ -61,6 +61,14 @@ struct set {
     }
 };
 
+/// Spikes of one size, which close at one time.
+bench::polygon regular_star(int n)
+{
+    bench::polygon p(1);
+    for (int i = 0; i < n; ++i) p[0].push_back(bench::on_circle(0, 0, i % 2 == 0 ? 1e8 : 5e7, double(i) / n));
+    return p;
+}
+
 template <class F>
 double nanoseconds(F&& f)
 {
@@ -74,11 +82,11 @@ void run(benchmark::State& state, const set& s, double mitre_limit)
     workspace space;
     triangle_list triangles;
     swept_region swept;
-    double floor = 1e300, best = 1e300, refused = 0, events = 0;
+    double floor = 1e300, best = 1e300, refused = 0, events = 0, schedules = 0;
     for ([[maybe_unused]] auto unused : state) {
         for (int pass = 0; pass < 3; ++pass) {
             double cut = 0, swept_in = 0;
-            refused = events = 0;
+            refused = events = schedules = 0;
             for (std::size_t i = 0; i < s.regions.size(); ++i) {
                 triangles.clear();
                 cut += nanoseconds([&] {
@@ -94,6 +102,7 @@ void run(benchmark::State& state, const set& s, double mitre_limit)
                 });
                 refused += e ? 1 : 0;
                 events += static_cast<double>(swept.events);
+                schedules += static_cast<double>(swept.schedules);
             }
             floor = (std::min)(floor, cut);
             best = (std::min)(best, swept_in);
@@ -103,6 +112,7 @@ void run(benchmark::State& state, const set& s, double mitre_limit)
     state.counters["us_per_region"] = best / 1000 / static_cast<double>(s.regions.size());
     state.counters["of_floor"] = best / floor;
     state.counters["events"] = events / s.points;
+    state.counters["schedules"] = schedules / s.points;
     state.counters["refused"] = refused;
 }
 
@@ -142,7 +152,9 @@ int main(int argc, char** argv)
         }
     }
     for (int n = 100; n <= 100'000; n *= 10) {
-        for (const auto& [name, p] : bench::shapes_of(n)) {
+        auto shapes = bench::shapes_of(n);
+        shapes.emplace_back("regular star", regular_star(n));
+        for (const auto& [name, p] : shapes) {
             for (const double share : {0.1, 1.0}) {
                 set& s = sets.emplace_back();
                 s.name = name + " of " + std::to_string(n) + (share < 1.0 ? ", narrow" : ", wide");

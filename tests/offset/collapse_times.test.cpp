@@ -46,7 +46,7 @@ struct lone_triangle {
         mesh.triangles[0].link[k] = kinetic_triangles::to_segment(s);
     }
     fixed_vector& speed(std::uint32_t v) { return mesh.vertices[v].moves.speed.of; }
-    bool find() { return times.find(0, found); }
+    bool find(std::int64_t calm = 0) { return times.find(0, found, calm); }
 };
 
 std::int64_t roll(test::dice& d, std::int64_t size)
@@ -203,6 +203,26 @@ TEST_CASE("a collapse at the limit is found, one after it is not", "[offset][col
     --t.times.limit;
     CHECK_FALSE(t.find());
     CHECK(t.found.time > t.times.limit);
+}
+
+TEST_CASE("what waits for calm does not meet or turn before, but lengths vanish when they do",
+          "[offset][collapse_times]")
+{
+    lone_triangle over{{0, 0}, {0, 9 * cell}, {9 * cell, 0}, 100 * time_one};
+    REQUIRE(over.find(3 * time_one));
+    CHECK((over.found.what == kind::turn && over.found.time == 3 * time_one));
+    CHECK_FALSE(over.find(101 * time_one));
+
+    lone_triangle t{{0, 0}, {100 * cell, 0}, {50 * cell, 30 * cell}, 100 * time_one};
+    t.put_segment(0);
+    for (std::uint32_t v = 0; v < 2; ++v) t.speed(v).y = time_one;
+    REQUIRE(t.find(20 * time_one));
+    CHECK((t.found.what == kind::meet && t.found.time == 30 * time_one));
+    REQUIRE(t.find(40 * time_one));
+    CHECK((t.found.what == kind::meet && t.found.time == 40 * time_one));
+    t.speed(1).x = -4 * time_one;
+    REQUIRE(t.find(40 * time_one));
+    CHECK((t.found.what == kind::shrink && t.found.time == 25 * time_one));
 }
 
 TEST_CASE("beside a fast corner a triangle closes up now", "[offset][collapse_times]")

@@ -87,6 +87,45 @@ TEST_CASE("flips keep all links mutual, whatever is flipped", "[offset][kinetic_
     }
 }
 
+TEST_CASE("thin_out() takes at most every other triangle from a corner, where it may", "[offset][kinetic_triangles]")
+{
+    for (const test::shape& s : shapes()) {
+        INFO(s.name);
+        for (const std::uint32_t may : {0u, 1u, 2u}) {  // none, one, or all that there are
+            detail::wavefront front{heap()};
+            test::set_up(front, s);
+            kinetic_triangles& mesh = front.mesh;
+            const auto degree = [&](std::uint32_t after) {
+                std::uint32_t count = 0;
+                mesh.around(after, [&](std::uint32_t) { ++count; });
+                return count;
+            };
+            std::uint32_t after = 0;
+            for (std::uint32_t k = 0; k < mesh.segments.size(); ++k)
+                if (degree(k) > degree(after)) after = k;
+            const std::uint32_t before = degree(after), corner = mesh.segments[after].from;
+            std::uint32_t allowed = 0;
+            std::vector<std::uint32_t> taken;
+            const std::uint32_t count = mesh.thin_out(
+                after,
+                [&](std::uint32_t h) {
+                    CHECK(mesh.origin(h) == corner);
+                    const std::uint32_t diagonal = kinetic_triangles::previous(h);
+                    return mesh.apex(diagonal) != mesh.apex(mesh.link(diagonal)) && (may == 2 || allowed++ < may);
+                },
+                [&](std::uint32_t t) { taken.push_back(t); });
+            CHECK(test::broken_link(mesh) == "");
+            CHECK(degree(after) == before - count);
+            CHECK(taken.size() == count);
+            CHECK(count <= before / 2);
+            if (may == 0 || before == 1) CHECK(count == 0);
+            if (may == 2 && mesh.vertices.size() == mesh.triangles.size() + 2) CHECK(count == before / 2);  // no hole
+            for (const std::uint32_t t : taken)
+                for (const std::uint32_t v : mesh.triangles[t].corner) CHECK(v != corner);
+        }
+    }
+}
+
 TEST_CASE("around() goes through all half-edges that leave a corner, counter-clockwise", "[offset][kinetic_triangles]")
 {
     for (const test::shape& s : shapes()) {

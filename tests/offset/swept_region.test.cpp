@@ -14,11 +14,12 @@ TEST_CASE("a swept region is emptied whole, and keeps its storage", "[swept_regi
     REQUIRE(s.cap.points.push_back({}));
     s.first_loss = 3.0;
     s.events = 2;
+    s.schedules = 3;
     const swept_node* storage = s.nodes.data();
     s.clear();
     CHECK((s.nodes.empty() && s.cells.empty() && s.triangles.empty() && s.levels.empty()));
     CHECK((s.edges_at.empty() && s.at_level.empty() && s.joins.empty()));
     CHECK(s.cap.points.empty());
-    CHECK((s.first_loss < 0.0 && s.events == 0));
+    CHECK((s.first_loss < 0.0 && s.events == 0 && s.schedules == 0));
     CHECK(s.nodes.data() == storage);
 }

@@ -19,14 +19,15 @@ public:
 
     explicit collapse_times(const kinetic_triangles& of) noexcept : of_{of} {}
 
-    /// The next collapse of a triangle; false if it has none up to the limit.
-    [[nodiscard]] bool find(std::uint32_t t, collapse& found) const noexcept
+    /// The next collapse of a triangle; false if it has none up to the limit. One without a length that vanishes (meet,
+    /// turn) comes at `calm` at the earliest.
+    [[nodiscard]] bool find(std::uint32_t t, collapse& found, std::int64_t calm = 0) const noexcept
     {
         const kinetic_triangles::triangle& tri = of_.triangles[t];
         found = {limit + 1, t, tri.stamp, collapse::kind::turn, 0, 0};
         int segments = 0;
         for (const std::uint32_t link : tri.link) segments += kinetic_triangles::is_segment(link);
-        if (segments == 0) found.time = turns_at(tri);
+        if (segments == 0) found.time = later(turns_at(tri), calm);
         if (segments >= 2 && is_inside_out(tri, found)) return true;
         for (std::uint8_t k = 0; k < 3 && segments != 0; ++k) {
             if (!kinetic_triangles::is_segment(tri.link[k])) continue;
@@ -38,7 +39,7 @@ public:
             const std::int64_t shrinks = shrinks_at(s);
             if (shrinks < found.time) found = {shrinks, t, tri.stamp, collapse::kind::shrink, k, 0};
             if (segments != 1) continue;  // between two segments the angle is constant
-            const std::int64_t meets = meets_at(s, tri.corner[(k + 2) % 3]);
+            const std::int64_t meets = later(meets_at(s, tri.corner[(k + 2) % 3]), calm);
             if (meets < found.time) found = {meets, t, tri.stamp, collapse::kind::meet, k, 0};
             if (meets == now && length(s) <= no_length) found = {now, t, tri.stamp, collapse::kind::shrink, k, 0};
         }
@@ -52,6 +53,7 @@ public:
 
 private:
     using segment = kinetic_triangles::segment;
+    [[nodiscard]] static std::int64_t later(std::int64_t a, std::int64_t b) noexcept { return a > b ? a : b; }
     static constexpr int128 no_length = static_cast<int128>(1) << 42;  // 1/16 cell
 
     /// Between two segments a triangle's angle is below 180 degrees. Where it is not, as between the bits that are left

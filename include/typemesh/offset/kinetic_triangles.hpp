@@ -124,12 +124,45 @@ public:
         }
     }
 
-    /// Makes `v` the corner between two segments, and of all triangles there.
-    void set_corner(std::uint32_t before, std::uint32_t v, std::uint32_t after) noexcept
+    /// Makes `v` the corner between two segments, and of all triangles there; how many these are.
+    std::uint32_t set_corner(std::uint32_t before, std::uint32_t v, std::uint32_t after) noexcept
     {
         segments[before].to = v;
         segments[after].from = v;
-        around(after, [&](std::uint32_t h) noexcept { triangles[h / 3].corner[h % 3] = v; });
+        std::uint32_t count = 0;
+        around(after, [&](std::uint32_t h) noexcept {
+            triangles[h / 3].corner[h % 3] = v;
+            ++count;
+        });
+        return count;
+    }
+
+    /// Takes triangles away from the corner at which segment `after` begins, every other one at most, where
+    /// is_convex(h) says that the triangle of half-edge h and the next one around the corner may be flipped;
+    /// changed(t) is called for those taken away. How many these are.
+    ///
+    ///          c               c
+    ///        / |             /   \          the triangle of h goes away, that of c stays
+    ///      v---b     ▶     v     b
+    ///     h  \ |             \   /
+    ///          a               a
+    template <class IsConvex, class Changed>
+    std::uint32_t thin_out(std::uint32_t after, IsConvex is_convex, Changed changed) noexcept
+    {
+        std::uint32_t count = 0;
+        for (std::uint32_t h = segments[after].half;;) {
+            std::uint32_t across = link(previous(h));
+            if (is_segment(across)) return count;
+            if (is_convex(h)) {
+                const std::uint32_t stays = across / 3;
+                flip(previous(h));
+                changed(h / 3);
+                ++count;
+                across = link(3 * stays);
+                if (is_segment(across)) return count;
+            }
+            h = across;
+        }
     }
 
     /// Finds the twins of triangles that have none yet, of a region whose edge i begins at corner i and is segment i:

@@ -66,6 +66,7 @@ public:
         }
         if (error e = make_cap(r)) return e;
         out_.events = front_.events();
+        out_.schedules = front_.schedules();
         out_.first_loss = front_.first_loss() < 0 ? -1.0 : static_cast<double>(front_.first_loss()) * 0x1p-32;
         const auto triangles = static_cast<std::uint32_t>(out_.triangles.size());
         return out_.levels.append(how.levels) && out_.nodes.append(front_.nodes.view()) &&

@@ -62,8 +62,9 @@ struct swept_region {
     buffer<swept_join> joins;
     contours cap;
     buffer<std::uint32_t> cap_nodes;
-    double first_loss = -1.0;  ///< the distance at which the first connected part was swept wholly; -1: none was
-    std::size_t events = 0;    ///< how often the boundary's topology changed or the triangulation had to
+    double first_loss = -1.0;   ///< the distance at which the first connected part was swept wholly; -1: none was
+    std::size_t events = 0;     ///< how often the boundary's topology changed or the triangulation had to
+    std::size_t schedules = 0;  ///< how often it was looked for when a triangle collapses: with events, a sweep's work
 
     explicit swept_region(memory source = heap()) noexcept
         : nodes{source},
@@ -91,7 +92,7 @@ struct swept_region {
         cap.clear();
         cap_nodes.clear();
         first_loss = -1.0;
-        events = 0;
+        events = schedules = 0;
     }
 };
 

@@ -8,6 +8,7 @@
 #include <typemesh/offset/collapse.hpp>
 #include <typemesh/offset/collapse_queue.hpp>
 #include <typemesh/offset/collapse_times.hpp>
+#include <typemesh/offset/flip_history.hpp>
 #include <typemesh/offset/kinetic_triangles.hpp>
 #include <typemesh/offset/moving_point.hpp>
 #include <typemesh/offset/swept_region.hpp>
@@ -29,8 +30,8 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 /// cell, but never inconsistent. Nodes within a few cells of each other on a corner's way are one node, so that nodes
 /// on the grid keep the order that they have on the way.
 ///
-/// Cost   O(log n) an event and triangle around it; the number of events is linear in the edges but for flips, which
-///        are few for outlines of glyphs
+/// Cost   O(log n) an event and triangle around it, of which most corners keep few; the number of events is linear in
+///        the edges but for flips, which are few for outlines of glyphs
 /// From   O. Aichholzer, F. Aurenhammer: Straight skeletons for general polygonal figures in the plane (1996);
 ///        P. Palfrader, M. Held, S. Huber: On computing straight skeletons by means of kinetic triangulations (2012)
 class wavefront {
@@ -52,7 +53,8 @@ public:
           ends_of{source},
           live{source},
           times_{mesh},
-          queue_{source}
+          queue_{source},
+          history_{source}
     {
     }
 
@@ -94,6 +96,7 @@ public:
     /// The time at which a part of the region had been swept wholly for the first time; negative if none has.
     [[nodiscard]] std::int64_t first_loss() const noexcept { return first_loss_; }
     [[nodiscard]] std::size_t events() const noexcept { return events_; }
+    [[nodiscard]] std::size_t schedules() const noexcept { return schedules_; }
 
 private:
     /// The node nearest to a place among `known`, if it is within 2 cells, else a new one.
@@ -123,11 +126,13 @@ private:
     [[nodiscard]] std::uint32_t last_node(std::uint32_t s) const noexcept { return node_of[mesh.segments[s].from]; }
     [[nodiscard]] std::uint32_t next_node(std::uint32_t s) const noexcept { return node_of[mesh.segments[s].to]; }
 
-    void schedule(std::uint32_t t) noexcept
+    /// What makes it flat without a length that vanishes does so at `calm` at the earliest.
+    void schedule(std::uint32_t t, std::int64_t calm = 0) noexcept
     {
         ++mesh.triangles[t].stamp;
+        ++schedules_;
         collapse next;
-        if (times_.find(t, next)) failed_ |= !queue_.push(next);
+        if (times_.find(t, next, calm)) failed_ |= !queue_.push(next);
     }
 
     void happen(const collapse& c) noexcept
@@ -342,7 +347,7 @@ private:
     {
         ++flips_;
         const std::uint32_t first = h / 3;
-        if (comes_back(h)) {
+        if (history_.comes_back(mesh.apex(h), mesh.apex(mesh.link(h)), collapse::tick(times_.now))) {
             const std::uint32_t longest = longest_beyond(h);
             if (kinetic_triangles::is_segment(mesh.link(longest))) {
                 split(longest);
@@ -353,19 +358,11 @@ private:
         }
         const std::uint32_t t = h / 3, r = mesh.link(h) / 3;
         mesh.flip(h);
-        schedule(t);
-        schedule(r);
+        std::int64_t calm = 0;
+        failed_ |= !history_.note(t, r, times_.now, calm);
+        schedule(t, calm);
+        schedule(r, calm);
         if (first != t && first != r) schedule(first);
-    }
-    /// Whether the diagonal that would replace that under h has been there at this time: flips go in a circle.
-    /// From  R. P. Brent: An improved Monte Carlo factorization algorithm (1980), for one diagonal that is remembered
-    [[nodiscard]] bool comes_back(std::uint32_t h) noexcept
-    {
-        const std::uint32_t p = mesh.apex(h), q = mesh.apex(mesh.link(h));
-        if (known_.time != collapse::tick(times_.now)) known_ = {collapse::tick(times_.now), 0, 1, none, none};
-        if ((known_.p == p && known_.q == q) || (known_.p == q && known_.q == p)) return true;
-        if (++known_.age == known_.span) known_ = {known_.time, 0, 2 * known_.span, p, q};
-        return false;
     }
     /// From the triangle beyond h on, where triangles are flat: one's longest edge that is not longer beyond, or a
     /// segment that can be split.
@@ -413,10 +410,32 @@ private:
             failed_ = true;
             return;
         }
-        mesh.set_corner(before, v, after);
+        const std::uint32_t around = mesh.set_corner(before, v, after);
         pass(mesh.segments[before].from, at, node);
         pass(mesh.segments[after].to, at, node);
+        if (around > most_around) relieve(after, around);
         mesh.around(after, [&](std::uint32_t h) noexcept { schedule(h / 3); });
+    }
+
+    /// A corner with thousands of triangles that eats a bow edge by edge would have all of them scheduled anew each
+    /// time. So it gives them away while it can; the edges of the bow then have O(log n) triangles each.
+    void relieve(std::uint32_t after, std::uint32_t around) noexcept
+    {
+        for (std::uint32_t fewer = 1; around > most_around / 2 && fewer != 0; around -= fewer)
+            fewer = mesh.thin_out(
+                after, [&](std::uint32_t h) noexcept { return is_bow(h); },
+                [&](std::uint32_t t) noexcept { schedule(t); });
+    }
+    /// Whether the triangle of half-edge h and the next one around its origin make a convex quadrilateral.
+    [[nodiscard]] bool is_bow(std::uint32_t h) const noexcept
+    {
+        const std::uint32_t next = mesh.link(kinetic_triangles::previous(h));
+        const std::uint32_t a = mesh.origin(kinetic_triangles::next(h)), b = mesh.apex(h), c = mesh.apex(next);
+        const std::uint32_t v = mesh.origin(h);
+        for (const std::uint32_t corner : {a, b, c, v})
+            if (mesh.vertices[corner].moves.fast()) return false;
+        const fixed_vector at = times_.place(a), all = times_.place(c) - at;
+        return cross(times_.place(b) - at, all) > 0 && cross(all, times_.place(v) - at) > 0;
     }
 
     /// A corner that is where another one is born passes through the same node.
@@ -437,16 +456,14 @@ private:
         if (--live[mesh.segments[s].part] == 0 && first_loss_ < 0) first_loss_ = times_.now;
     }
 
+    static constexpr std::uint32_t most_around = 64;
+
     collapse_times times_;
     collapse_queue queue_;
+    flip_history history_;
     std::int64_t level_ = 0;
     std::int64_t first_loss_ = -1;
-    struct {
-        std::int64_t time = -1;
-        std::uint32_t age = 0, span = 1;  // flips since, and until another one is remembered
-        std::uint32_t p = none, q = none;
-    } known_;
-    std::size_t most_flips_ = 0, flips_ = 0, events_ = 0;
+    std::size_t most_flips_ = 0, flips_ = 0, events_ = 0, schedules_ = 0;
     bool failed_ = false;
 };
 
