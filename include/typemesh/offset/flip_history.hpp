@@ -9,8 +9,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Remembers flips of kinetic triangles. Where corners lie on a line to within their rounding, flips may go in a circle,
-/// and two triangles may each call for the flip that undoes the other's.
+/// Remembers flips of kinetic triangles. Where corners lie on a line to within their rounding, flips may go in a
+/// circle, and two triangles may each call for the flip that undoes the other's.
 class flip_history {
 public:
     explicit flip_history(memory source) noexcept : last_{source} {}
