@@ -58,4 +58,18 @@ done
 "$program" "永遠" --font $japanese --bevel 0.02 --profile round --picture "$scratch/han.png"
 convert "$scratch"/{clip,fit,arabic,han}.png -resize x300 +append bevelled_scripts.png
 
-pngquant --quality 90-100 --speed 1 --force --ext .png normals.png bevels.png bevelled_scripts.png
+bold_and_hollow=()
+draw() {  # draw FONT OPTION...
+    "$program" "Rag" --font "$@" --picture "$scratch/${#bold_and_hollow[@]}.png"
+    bold_and_hollow+=("$scratch/${#bold_and_hollow[@]}.png")
+}
+draw $serif-Regular.ttf
+draw $serif-Regular.ttf --embolden 0.03
+draw $serif-Bold.ttf --outline 0.025
+draw $serif-Bold.ttf --outline 0.025 --outline-letter
+draw $serif-Bold.ttf --outline 0.04 --bevel 0.01 --profile round
+draw $serif-Bold.ttf --outline 0.03 --outline-place outer --outline-letter --bevel 0.01
+mogrify -resize 550x320^ -gravity center -extent 550x320 "${bold_and_hollow[@]}"
+montage "${bold_and_hollow[@]}" -tile 3x2 -geometry +0+0 bold_and_hollow.png
+
+pngquant --quality 90-100 --speed 1 --force --ext .png normals.png bevels.png bevelled_scripts.png bold_and_hollow.png
