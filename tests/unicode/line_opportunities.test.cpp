@@ -12,9 +12,9 @@ namespace {
 
 std::vector<line_opportunity> opportunities(const std::vector<char32_t>& text)
 {
-    std::vector<line_class> classes;
-    for (const char32_t c : text) classes.push_back(character_of(c).line);
-    line_opportunities next{classes.data(), classes.size()};
+    std::vector<character> characters;
+    for (const char32_t c : text) characters.push_back(character_of(c));
+    line_opportunities next{characters.data(), characters.size()};
     std::vector<line_opportunity> all;
     for (std::size_t i = 0; i < text.size(); ++i) all.push_back(next(i));
     return all;

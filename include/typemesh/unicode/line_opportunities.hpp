@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -16,7 +17,7 @@ enum class line_opportunity : std::uint8_t { none, allowed, mandatory };
 /// example 7 of its section 8.2 proposes. Small kana do not begin a line (strict). Words of Thai and other scripts that
 /// need a dictionary are not found: there is no opportunity in them.
 ///
-///     all, size    the classes of the text's characters
+///     all, size    the text's characters
 ///     i            called for each in turn, from 0
 ///
 /// Cost   O(n) for all
@@ -24,13 +25,13 @@ class line_opportunities {
     using classes = class_set<line_class>;
 
 public:
-    line_opportunities(const line_class* all, std::size_t size) noexcept : all_{all}, size_{size} {}
+    line_opportunities(const character* all, std::size_t size) noexcept : all_{all}, size_{size} {}
 
     [[nodiscard]] line_opportunity operator()(std::size_t i) noexcept
     {
         using enum line_class;
-        line_class c = resolved(all_[i]);
-        const line_class previous = i == 0 ? wj : all_[i - 1];
+        line_class c = resolved(all_[i].line);
+        const line_class previous = i == 0 ? wj : all_[i - 1].line;
         const bool starts = i == 0 || classes{bk, cr, lf, nl}.holds(previous);
         const bool joined = previous == zwj && i > 0;
         if (c == cm || c == zwj) {
@@ -82,37 +83,44 @@ private:
         if (c == nu) return true;
         if (c != op && c != op_wide && c != hy) return false;
         do ++i;
-        while (i < size_ && classes{cm, zwj, sa_mark}.holds(all_[i]));
-        return i < size_ && all_[i] == nu;
+        while (i < size_ && classes{cm, zwj, sa_mark}.holds(all_[i].line));
+        return i < size_ && all_[i].line == nu;
     }
 
-    /// LB21 to LB30b, those of two neighbours.
-    [[nodiscard]] static bool joins(line_class before, line_class after) noexcept
+    /// LB21 to LB30b, those of two neighbours: for each class, those that may not be parted from it.
+    struct neighbours {
+        static constexpr std::size_t count = static_cast<std::size_t>(line_class::sa_mark) + 1;
+        classes after[count];
+
+        constexpr void join(std::initializer_list<line_class> before, classes behind) noexcept
+        {
+            for (const line_class c : before) after[static_cast<std::size_t>(c)].add(behind);
+        }
+        constexpr neighbours() noexcept
+        {
+            using enum line_class;
+            for (classes& c : after) c = {ba, hy, ns, in};  // LB21, LB22
+            for (std::size_t c = 0; c < count; ++c) after[static_cast<std::size_t>(bb)].add(static_cast<line_class>(c));
+            join({sy}, {hl});                          // LB21b
+            join({al, hl}, {al, hl, nu, pr, po, op});  // LB23, LB24, LB28, LB30
+            join({nu}, {al, hl, op});                  // LB23, LB30
+            join({pr}, {id, picto, eb, em});           // LB23a
+            join({id, picto, eb, em}, {po});           //
+            join({pr, po, is, cp}, {al, hl});          // LB24, LB29, LB30
+            join({hy, cp}, {nu});                      // LB25, LB30
+            join({jl}, {jl, jv, h2, h3});              // LB26
+            join({jv, h2}, {jv, jt});                  //
+            join({jt, h3}, {jt});                      //
+            join({jl, jv, jt, h2, h3}, {po});          // LB27
+            join({pr}, {jl, jv, jt, h2, h3});          //
+            join({eb, picto}, {em});                   // LB30b
+        }
+    };
+
+    [[nodiscard]] static bool joins(line_class before, line_class c) noexcept
     {
-        using enum line_class;
-        struct pair {
-            classes before, after;
-        };
-        constexpr classes letters{al, hl}, hangul{jl, jv, jt, h2, h3}, ideographs{id, picto, eb, em};
-        static constexpr pair pairs[] = {
-            {{sy}, {hl}},                         // LB21b
-            {letters, {al, hl, nu, pr, po, op}},  // LB23, LB24, LB28, LB30
-            {{nu}, {al, hl, op}},                 // LB23, LB30
-            {{pr}, {id, picto, eb, em}},          // LB23a
-            {ideographs, {po}},                   //
-            {{pr, po, is, cp}, letters},          // LB24, LB29, LB30
-            {{hy, cp}, {nu}},                     // LB25, LB30
-            {{jl}, {jl, jv, h2, h3}},             // LB26
-            {{jv, h2}, {jv, jt}},                 //
-            {{jt, h3}, {jt}},                     //
-            {hangul, {po}},                       // LB27
-            {{pr}, hangul},                       //
-            {{eb, picto}, {em}},                  // LB30b
-        };
-        if (before == bb || classes{ba, hy, ns, in}.holds(after)) return true;  // LB21, LB22
-        for (const pair& p : pairs)
-            if (p.before.holds(before) && p.after.holds(after)) return true;
-        return false;
+        static constexpr neighbours all;
+        return all.after[static_cast<std::size_t>(before)].holds(c);
     }
 
     /// Remembers what the next character needs to know of this one.
@@ -140,7 +148,7 @@ private:
 
     enum class number : std::uint8_t { none, digits, closed };
 
-    const line_class* all_;
+    const character* all_;
     std::size_t size_;
     line_class before_ = line_class::bk;  // the last that is no space, and no mark on another
     bool spaces_ = false;                 // behind that

@@ -34,20 +34,35 @@ public:
     /// Of one code point; of Common, Inherited and Unknown ones, among them private ones, the universal set.
     ///
     /// Cost   O(log(ranges)): eleven reads of a table of 7 kB, none for ASCII
-    [[nodiscard]] static script_set of(char32_t c) noexcept
+    [[nodiscard]] static script_set of(char32_t c) noexcept { return numbered(range_of(c).number); }
+
+    /// Neighbouring characters of one set, which has a number; 0 is that of the universal set.
+    struct range {
+        char32_t first;
+        char32_t last;
+        std::size_t number;
+    };
+    [[nodiscard]] static range range_of(char32_t c) noexcept
+    {
+        using detail::script_ranges;
+        if (c < 0x80) {
+            const bool letter = (c | 0x20) >= U'a' && (c | 0x20) <= U'z';
+            return {c, c, letter ? latin : 0};
+        }
+        if (c > 0x10FFFF) return {c, c, 0};
+        const auto begins_behind = [c](std::size_t i) noexcept { return script_ranges[i] >> 8 > c; };
+        constexpr std::size_t ranges = sizeof script_ranges / sizeof script_ranges[0];
+        const std::size_t next = first_where(1, ranges, begins_behind);
+        const std::size_t number = script_ranges[next - 1] & 0xFF;
+        return {script_ranges[next - 1] >> 8, next == ranges ? 0x10FFFF : (script_ranges[next] >> 8) - 1,
+                number < 3 ? 0 : number};
+    }
+
+    [[nodiscard]] static script_set numbered(std::size_t number) noexcept
     {
         using namespace detail;
         script_set set;
-        if (c < 0x80) {
-            if ((c | 0x20) >= U'a' && (c | 0x20) <= U'z') set.keep_only(latin);
-            return set;
-        }
-        if (c > 0x10FFFF) return set;
-        const auto begins_behind = [c](std::size_t i) noexcept { return script_ranges[i] >> 8 > c; };
-        constexpr std::size_t ranges = sizeof script_ranges / sizeof script_ranges[0];
-        const std::size_t range = first_where(1, ranges, begins_behind) - 1;
-        const std::size_t number = script_ranges[range] & 0xFF;
-        if (number < 3) return set;
+        if (number == 0) return set;
         if (number < scripts) {
             set.keep_only(number);
             return set;

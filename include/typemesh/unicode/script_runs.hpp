@@ -34,10 +34,13 @@ public:
     /// Fails  error::out_of_memory
     error add(char32_t c, bracket_kind kind, std::uint32_t place) noexcept
     {
-        script_set own = script_set::of(c);
-        if (kind == bracket_kind::closing) close(opening_bracket(c, kind), own);
         if (!begun_) first_ = place;
         begun_ = true;
+        const std::size_t number = number_of(c);
+        if (kind == bracket_kind::none && (number == 0 || number == settled_)) return {};
+        script_set own = script_set::numbered(number);
+        settled_ = number;
+        if (kind == bracket_kind::closing) close(opening_bracket(c, kind), own);
         if (!scripts_.intersect(own)) {
             if (error e = end(place)) return e;
             scripts_ = own;
@@ -69,6 +72,14 @@ private:
         script_set scripts;  // those of its run, once that is at its end
     };
 
+    /// The number of a character's set, which is that of its neighbours more often than not.
+    [[nodiscard]] std::size_t number_of(char32_t c) noexcept
+    {
+        if (c < 0x80) return script_set::range_of(c).number;
+        if (c < range_.first || c > range_.last) range_ = script_set::range_of(c);
+        return range_.number;
+    }
+
     /// The k-th of the open brackets, from the innermost, 0, outwards. Beyond `most` the outermost are forgotten.
     [[nodiscard]] open_bracket& opened(std::size_t k) noexcept { return brackets_[(top_ - 1 - k) % most]; }
 
@@ -93,7 +104,9 @@ private:
     static constexpr std::size_t most = 32;
 
     buffer<script_run>& runs_;
-    script_set scripts_;
+    script_set scripts_;                   // of the run so far
+    std::size_t settled_ = 0;              // the number of a set that would not narrow them
+    script_set::range range_ = {1, 0, 0};  // round the last character beyond ASCII
     std::uint32_t first_ = 0;
     bool begun_ = false;
     std::size_t top_ = most, depth_ = 0;

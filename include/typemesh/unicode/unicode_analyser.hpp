@@ -17,11 +17,11 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// The algorithms of Unicode 15.0 by themselves, without a library and without dictionaries: UAX #9, #14, #24 and #29.
 /// Everywhere the same; `language` is not read. Keeps its memory for the next text.
 ///
-/// Cost   O(n) time; 11 bytes for each character of the longest paragraph, 42 more if some are read to the left
+/// Cost   O(n) time; 15 bytes for each character of the longest paragraph, 42 more if some are read to the left
 class unicode_analyser {
 public:
     explicit unicode_analyser(memory source = heap()) noexcept
-        : space_{source}, values_{source}, places_{source}, bidi_{source}, lines_{source}, levels_{source}
+        : space_{source}, values_{source}, places_{source}, bidi_{source}, characters_{source}, levels_{source}
     {
     }
 
@@ -68,7 +68,7 @@ private:
         values_.clear();
         places_.clear();
         bidi_.clear();
-        lines_.clear();
+        characters_.clear();
         for (more = false; at < text.size() && !more;) {
             code_point c = decode(text, at);
             if (!c.valid && found.invalid_units++ == 0) found.first_invalid_unit = static_cast<std::uint32_t>(at);
@@ -76,7 +76,7 @@ private:
             more = properties.bidi == bidi_class::b &&
                    !(c.value == 0x0D && c.next < text.size() && text.unit(c.next) == 0x0A);
             if (!values_.push_back(c.value) || !places_.push_back(static_cast<std::uint32_t>(at)) ||
-                !bidi_.push_back(properties.bidi) || !lines_.push_back(properties.line))
+                !bidi_.push_back(properties.bidi) || !characters_.push_back(properties))
                 return error::out_of_memory;
             at = c.next;
         }
@@ -87,11 +87,11 @@ private:
     error mark(text_analysis& found) noexcept
     {
         grapheme_boundaries begins;
-        line_opportunities opportunity{lines_.data(), lines_.size()};
+        line_opportunities opportunity{characters_.data(), characters_.size()};
         script_itemiser scripts{found.scripts};
         bool unbroken = false;  // the character before is of a script that needs a dictionary
         for (std::size_t k = 0; k < values_.size(); ++k) {
-            const character c = character_of(values_[k]);
+            const character& c = characters_[k];
             if (error e = scripts.add(values_[k], c.bracket, places_[k])) return e;
 
             const text_mark whole = marks_of(c);
@@ -129,7 +129,7 @@ private:
     buffer<char32_t> values_;
     buffer<std::uint32_t> places_;
     buffer<bidi_class> bidi_;
-    buffer<line_class> lines_;
+    buffer<character> characters_;
     buffer<std::uint8_t> levels_;
 };
 static_assert(text_analyser<unicode_analyser>);
