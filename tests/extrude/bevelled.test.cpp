@@ -608,6 +608,24 @@ TEST_CASE("an outward bevel grows the letter and keeps its front, with walls tha
         CHECK(volume_of(bevelled_of(s, bevelled<>{.width = narrow, .outward = true})) == Approx(0.2 * area_at(s, 0.0)));
 }
 
+TEST_CASE("outward bevels round sharp corners reach as far as the mitre limit, whatever that is", "[bevelled]")
+{
+    const shapes::shape spike{"spike", {shapes::polygon({{0, 0}, {800, 0}, {800, 100}})}};
+    for (const auto& [limit, reach] : {std::pair{2.0f, 0.1}, {8.0f, 0.4}, {0.0f, 0.81}}) {
+        INFO("limit " << limit);
+        monotone_caps caps{spike.made()};
+        auto maker = caps.maker();
+        bevel_data data;
+        const bevelled<> how{.width = 0.05f, .outward = true, .mitre_limit = limit};
+        const auto plan = plan_solid(how, spike.made(), data, maker);
+        REQUIRE(plan);
+        CHECK_FALSE(plan->narrowed);
+        CHECK(-plan->around.low.x / 512000.0 <= reach);
+        CHECK((limit > 0.0f || -plan->around.low.x / 512000.0 > 0.75));
+        check_laws(bevelled_of(spike, how));
+    }
+}
+
 TEST_CASE("a bevel narrower than four cells is upright, one less deep is level", "[bevelled]")
 {
     const shapes::shape shape = shapes::letter_d(8);

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+//
+// Bold and hollow letters of real fonts: closed at every distance, none narrowed, the same in every way that a text is
+// built.
+
+#include "support/catch.hpp"
+#include "support/executors.hpp"
+#include "support/workload.hpp"
+
+#include <typemesh/adapt/harfbuzz.hpp>
+#include <typemesh/extrude/bevelled.hpp>
+#include <typemesh/extrude/emboldened.hpp>
+#include <typemesh/extrude/outlined.hpp>
+#include <typemesh/inspect/closedness.hpp>
+#include <typemesh/inspect/normal_check.hpp>
+#include <typemesh/typemesh.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+using namespace typemesh;
+
+namespace {
+
+constexpr const char* scripts[] = {"latin", "arabic", "chinese", "japanese"};
+
+struct moved_vertex {
+    vec3 place, normal;
+    part of;
+
+    friend bool operator==(const moved_vertex&, const moved_vertex&) = default;
+};
+
+struct moved_mesh {
+    std::vector<moved_vertex> vertices;
+    std::vector<std::uint32_t> indices;
+
+    friend bool operator==(const moved_mesh&, const moved_mesh&) = default;
+    [[nodiscard]] auto view() const { return inspect::mesh_view{vertices, indices, &moved_vertex::place}; }
+};
+
+}  // namespace
+
+template <>
+struct typemesh::vertex_traits<moved_vertex> {
+    static constexpr auto wants = attribute::position | attribute::normal | attribute::part;
+    moved_vertex operator()(const surface_point<wants>& s) const noexcept { return {s.position, s.normal, s.part}; }
+};
+
+namespace {
+
+using framed = outlined<extruded<>, extruded<>>;
+
+template <class Plan>
+moved_mesh written(const Plan& plan)
+{
+    moved_mesh m;
+    REQUIRE_FALSE(plan.write(into(m.vertices, m.indices)));
+    CHECK(mesh_size{m.vertices.size(), m.indices.size() / 3} == plan.size());
+    CHECK(inspect::check_closedness(m.view(), 2).is_closed());
+    return m;
+}
+
+/// What became of the letters of all fonts.
+struct tally {
+    std::size_t letters = 0, gone = 0, refused = 0, narrowed = 0;
+};
+
+/// Every character of the workload in every font that serves it, letter by letter.
+template <class E>
+void check_letters(const E& how, tally& all)
+{
+    for (const test::workload_font& file : test::workload_fonts()) {
+        if (!file.available()) continue;
+        auto font = harfbuzz_font::open(file.path.c_str());
+        REQUIRE(font);
+        auto mesher = text_mesher{*font}.with(how);
+        for (const char* const script : scripts) {
+            if (!file.serves(script)) continue;
+            for (const std::string& character : test::workload_lines(std::string{"chars-"} + script + ".txt")) {
+                INFO(file.path << ", " << character);
+                const auto plan = mesher.plan(character, {.unit = output_unit::font_units});  // floats are exact
+                if (!plan && plan.error().code == error::mixed_direction) continue;
+                REQUIRE(plan);
+                const text_report& report = plan->report();
+                const bool gone = report.refused != 0 && report.first_refusal == error::nothing_left;
+                all.gone += gone;
+                all.refused += report.refused != 0 && !gone;
+                all.narrowed += report.narrowed;
+                if (plan->size().triangles == 0) continue;
+                const moved_mesh m = written(*plan);
+                CHECK(inspect::check_normals(m.view(), &moved_vertex::normal, 1).is_right());
+                ++all.letters;
+            }
+        }
+    }
+}
+
+}  // namespace
+
+TEST_CASE("bold letters of real fonts are closed and lit from outside, bolder and thinner", "[workload]")
+{
+    tally all;
+    for (const float by : {0.01f, 0.03f, 0.1f, -0.01f}) {
+        INFO("by " << by);
+        check_letters(emboldened<>{.by = by}, all);
+    }
+    CHECK(all.letters >= 1000);
+    CHECK(all.refused == 0);
+    CHECK(all.narrowed == 0);
+
+    tally thinnest;
+    check_letters(emboldened<>{.by = -0.05f}, thinnest);
+    CHECK(thinnest.gone > 20);
+    CHECK(thinnest.letters > 20);
+    CHECK(thinnest.refused == 0);
+}
+
+TEST_CASE("hollow letters of real fonts are closed and lit from outside, wherever the ring lies", "[workload]")
+{
+    tally all;
+    for (const outline_place place : {outline_place::inner, outline_place::centre, outline_place::outer}) {
+        INFO("place " << int(place));
+        check_letters(framed{.width = 0.02f, .place = place}, all);
+    }
+    CHECK(all.letters >= 1000);
+    CHECK(all.refused == 0);
+    CHECK(all.gone == 0);
+    CHECK(all.narrowed == 0);
+}
+
+TEST_CASE("bold bevelled and hollow texts of real fonts are the same from caches and workers, and merged", "[workload]")
+{
+    const auto check = [](const auto& how, const std::string& path, const std::string& text) {
+        auto font = harfbuzz_font::open(path.c_str());
+        REQUIRE(font);
+        auto mesher = text_mesher{*font}.with(how);
+        const text_options options{.unit = output_unit::font_units};
+        const auto plan = mesher.plan(text, options);
+        if (!plan && plan.error().code == error::mixed_direction) return;
+        REQUIRE(plan);
+        const moved_mesh expected = written(*plan);
+
+        glyph_cache cache;
+        auto cached = text_mesher{*font}.with(how).with(cached_in{cache, 1});
+        for (int i = 0; i < 2; ++i) {
+            const auto again = cached.plan(text, options);
+            REQUIRE(again);
+            CHECK(written(*again) == expected);
+        }
+        CHECK(cache.statistics().hits > 0);
+
+        test::scrambled_workers pool;
+        auto team = workers_of(pool, [&](std::size_t) noexcept { return harfbuzz_font::open(path.c_str()); });
+        REQUIRE(team);
+        const auto shared = mesher.plan(text, options, *team);
+        REQUIRE(shared);
+        moved_mesh m;
+        REQUIRE_FALSE(shared->write(into(m.vertices, m.indices), pool));
+        CHECK(m == expected);
+
+        const auto merged = mesher.plan(text, {.unit = output_unit::font_units, .merge = true});
+        REQUIRE(merged);
+        CHECK(merged->report().refused == 0);
+        CHECK(merged->report().narrowed == 0);
+        (void)written(*merged);
+    };
+    std::size_t texts = 0;
+    for (const test::workload_font& file : test::workload_fonts())
+        for (const char* const script : scripts) {
+            if (!file.serves(script) || !file.available()) continue;
+            const std::string text = test::workload_texts(script).back();
+            INFO(file.path << ": " << text);
+            check(emboldened<bevelled<>>{.by = 0.015f, .solid = {.width = 0.01f}}, file.path, text);
+            check(framed{.width = 0.015f, .place = outline_place::outer}, file.path, text);
+            ++texts;
+        }
+    CHECK(texts > 5);
+}
