@@ -75,6 +75,27 @@ TEST_CASE("cell_repair moves a node off a side at a level, unless the node belon
     CHECK(nodes[2].at == grid_point{500, 1});
 }
 
+TEST_CASE("cell_repair makes one of two nodes that follow each other closely, but not of nodes at levels", "[offset]")
+{
+    auto nodes = nodes_at({{0, 2}, {2, 0}, {0, -2}, {-2, 0}});
+    const auto ring = ring_of(4);
+    detail::cell_repair repair{heap()};
+    repair.begin(0);
+    REQUIRE(repair.mend(ring, nodes, nowhere));
+    CHECK(repair.node(0) == 1);
+    CHECK(repair.node(2) == 2);
+    CHECK(way(repair, 3, 0) == std::vector<std::uint32_t>{3});
+    repair.begin(4);  // all belong to an earlier band
+    CHECK(repair.node(0) == 0);
+    CHECK_FALSE(repair.mend(ring, nodes, nowhere));
+    repair.begin(0);
+    CHECK_FALSE(repair.mend(ring, nodes, [](std::uint32_t a, std::uint32_t b) { return a == b; }));
+    nodes[2].distance = 100.0f;
+    nodes[3].distance = 50.0f;
+    REQUIRE(repair.mend(ring, nodes, [](std::uint32_t a, std::uint32_t b) { return a == b && a == 0; }));
+    CHECK(repair.node(1) == 0);
+}
+
 TEST_CASE("cell_repair leaves alone what is two cells apart", "[offset]")
 {
     auto nodes = nodes_at({{0, 0}, {1000, 0}, {500, -2}, {-10, 0}});

@@ -343,6 +343,38 @@ TEST_CASE("sweep_inwards() sweeps needles that are narrower than a cell, and tip
                 CHECK(swept(test::turned(upright, degrees).loops, {0, width}, mitre_limit).farthest_off_plane < 3.0);
 }
 
+TEST_CASE("sweep_inwards() makes one node of several where a round shape closes in its centre", "[offset]")
+{
+    // Over the Delaunay triangles the corners of this one meet one by one, a few cells apart.
+    contours loops = test::contours_of(
+        {"two polygons",
+         {{{59228, -5021},   {66417, -14257},  {76215, -20658}, {87561, -23532}, {99225, -22565}, {104374, -20307},
+           {105146, -20378}, {124915, -14754}, {141317, -2368}, {152136, 15107}, {155913, 35310}, {152136, 55513},
+           {141317, 72988},  {124915, 85374},  {105146, 90998}, {84681, 89102},  {66282, 79941},  {52436, 64752},
+           {45011, 45587},   {45011, 25033},   {52436, 5868},   {57335, 494}},
+          {{60103, 89222},  {59579, 93205},  {58041, 96916},  {55596, 100103}, {52409, 102548}, {48698, 104086},
+           {44715, 104610}, {40732, 104086}, {37021, 102548}, {33834, 100103}, {31389, 96916},  {29851, 93205},
+           {29327, 89222},  {29851, 85239},  {31389, 81528},  {33834, 78341},  {37021, 75896},  {40732, 74358},
+           {44715, 73834},  {48698, 74358},  {52409, 75896},  {55596, 78341},  {58041, 81528},  {59579, 85239}},
+          {{34187, 45641},
+           {38730, 48263},
+           {40524, 53193},
+           {38730, 58123},
+           {34187, 60745},
+           {29021, 59835},
+           {25648, 55816},
+           {25648, 50570},
+           {29020, 46551}}}});
+    workspace space;
+    const auto filled = fill(loops, fill_rule::non_zero, space);
+    REQUIRE(filled);
+    test::sweep_case how;
+    how.levels = {0.0, 6559.868, 12672.694, 17921.894, 21949.748, 24481.762, 25345.386};
+    how.examine(*filled, constrained_delaunay{});
+    CHECK(how.broken == "");
+    CHECK_FALSE(how.refused);
+}
+
 TEST_CASE("sweep_inwards() allocates nothing after warm-up, and gives up cleanly when memory runs out", "[offset]")
 {
     contours loops = test::contours_of({"star", {test::star(60, 1e6, 1)}});

@@ -17,17 +17,27 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///
 ///     detour    a side goes over the node that is too close to it, in both cells: a---b becomes a---via---b
 ///     nudge     a side at a level stays straight; the node moves off it, by a cell or two
+///     union     two neighbours a few cells apart become one; a node at a level stays
 ///
-/// Both are proposals: the cells are cut anew, and whether that goes well is decided there.
+/// All are proposals: the cells are cut anew, and whether that goes well is decided there.
 class cell_repair {
 public:
-    explicit cell_repair(memory source) noexcept : detours_{source} {}
+    explicit cell_repair(memory source) noexcept : detours_{source}, united_{source} {}
 
     /// For the next band, whose own nodes begin with this one: no other is moved.
     void begin(std::size_t first_node) noexcept
     {
         detours_.clear();
+        united_.clear();
         first_node_ = first_node;
+    }
+
+    /// What a node is now.
+    [[nodiscard]] std::uint32_t node(std::uint32_t n) const noexcept
+    {
+        for (const unit& u : united_)
+            if (u.from == n) n = u.to;
+        return n;
     }
 
     /// Appends the way from the path's last node to the next one. False when memory runs out.
@@ -36,12 +46,15 @@ public:
         for (const detour& d : detours_) {
             const std::uint32_t last = path.back();
             const bool along = (d.a == last && d.b == next) || (d.a == next && d.b == last);
-            if (along) return follow(path, d.via) && path.push_back(d.via) && follow(path, next);
+            if (!along) continue;
+            const std::uint32_t via = node(d.via);
+            return via == last || via == next || (follow(path, via) && path.push_back(via) && follow(path, next));
         }
         return true;
     }
 
-    /// Mends a ring that could not be cut; false if it knows no way. `is_at_level(a, b)`: whether a side is.
+    /// Mends a ring that could not be cut; false if it knows no way. `is_at_level(a, b)`: whether a side from a to b or
+    /// back is, or, if a is b, one that begins or ends there.
     template <class IsAtLevel>
     [[nodiscard]] bool mend(const buffer<std::uint32_t>& ring, buffer<swept_node>& nodes,
                             const IsAtLevel& is_at_level) noexcept
@@ -67,7 +80,8 @@ public:
             }
         }
         if (nudged) return true;
-        return best.a != best.b && detours_.size() < most_detours && detours_.push_back(best);
+        if (best.a != best.b && detours_.size() < most_detours) return detours_.push_back(best);
+        return unite(ring, nodes, is_at_level);
     }
 
 private:
@@ -77,6 +91,35 @@ private:
         std::uint32_t a = 0, b = 0;  // instead of straight
         std::uint32_t via = 0;
     };
+
+    /// A node that has become another one.
+    struct unit {
+        std::uint32_t from, to;
+    };
+
+    /// Makes one of the two nodes of a ring that follow each other most closely, at most 4 cells apart and swept at
+    /// nearly the same distance.
+    template <class IsAtLevel>
+    [[nodiscard]] bool unite(const buffer<std::uint32_t>& ring, const buffer<swept_node>& nodes,
+                             const IsAtLevel& is_at_level) noexcept
+    {
+        constexpr std::size_t most_united = 64;
+        unit best{0, 0};
+        std::int64_t least = 4 * 4 + 1;
+        for (std::size_t i = 0; i < ring.size() && united_.size() < most_united; ++i) {
+            const std::uint32_t a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
+            const std::int64_t apart = squared_distance(nodes[a].at, nodes[b].at);
+            const float later = nodes[a].distance - nodes[b].distance;
+            if (apart >= least || later > 2.0f || later < -2.0f) continue;
+            for (const unit u : {unit{a, b}, unit{b, a}}) {
+                if (u.from < first_node_ || is_at_level(u.from, u.from)) continue;
+                least = apart;
+                best = u;
+                break;
+            }
+        }
+        return best.from != best.to && united_.push_back(best);
+    }
 
     /// The distance of a point from a side, in 1/256 cells, if it lies beside that, else `reach`.
     [[nodiscard]] static std::int64_t distance_beside(grid_point p, grid_point q, grid_point m) noexcept
@@ -111,6 +154,7 @@ private:
     }
 
     buffer<detour> detours_;
+    buffer<unit> united_;
     std::size_t first_node_ = 0;
 };
 

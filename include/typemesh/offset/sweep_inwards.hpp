@@ -257,7 +257,7 @@ private:
         const auto is_at_level = [&](std::uint32_t a, std::uint32_t b) noexcept {
             for (std::size_t k = out_.at_level[band]; k < out_.edges_at.size(); ++k) {
                 const swept_edge_at& e = out_.edges_at[k];
-                if ((e.a == a && e.b == b) || (e.a == b && e.b == a)) return true;
+                if ((e.a == a && e.b == b) || (e.a == b && e.b == a) || (a == b && (e.a == a || e.b == a))) return true;
             }
             return false;
         };
@@ -266,7 +266,8 @@ private:
             path_.clear();
             std::uint32_t i = c.corner;
             do {
-                if (!path_.push_back(corners[i].node) || !repair_.follow(path_, corners[corners[i].next].node))
+                if (!path_.push_back(repair_.node(corners[i].node)) ||
+                    !repair_.follow(path_, repair_.node(corners[corners[i].next].node)))
                     return error::out_of_memory;
                 i = corners[i].next;
             } while (i != c.corner);
