@@ -4,6 +4,7 @@
 #include "font_file.hpp"
 #include "model.hpp"
 #include "options.hpp"
+#include "page.hpp"
 #include "picture/picture.hpp"
 #include "policies.hpp"
 #include "progress.hpp"
@@ -153,8 +154,8 @@ double picture_tolerance(const options& o, const typemesh::bounds3& bounds, cons
 
 /// Draws the text, one em large, and prepares the picture. Gives an empty string, or one sentence.
 template <class Extruder, class Discretiser>
-std::string draw_picture(const options& o, typemesh::harfbuzz_font& font, const Discretiser& discretiser,
-                         file_set& files)
+std::string draw_picture(const options& o, typemesh::harfbuzz_font& font, const typemesh::glyph_run& page,
+                         const Discretiser& discretiser, file_set& files)
 {
     picture_options look;
     look.shading = o.shading;
@@ -166,12 +167,12 @@ std::string draw_picture(const options& o, typemesh::harfbuzz_font& font, const 
     typemesh::text_options how = text_options_of(o);
     how.size = 1.0;
     typemesh::bounds3 bounds;  // of a mesh of the picture's size: those of the file's may be too small to be told apart
-    if (const auto first = mesher.plan(o.text, how))
+    if (const auto first = plan_of(mesher, o, page, how))
         bounds = first->bounds();
     else
         return in_words(first.error());
     how.tolerance = picture_tolerance(o, bounds, look);
-    auto plan = mesher.plan(o.text, how);
+    auto plan = plan_of(mesher, o, page, how);
     if (!plan) return in_words(plan.error());
     model mesh;
     if (const typemesh::error e = write_model(o, *plan, mesh)) return in_words(e);
@@ -203,12 +204,14 @@ std::string run(const options& o, progress& tell, typemesh::harfbuzz_font& font,
                 const Extruder& extruder)
 {
     tell.begin("shaping the text and building its letters");
+    typemesh::glyph_run page;
+    if (std::string trouble = lay_out_page(o, font, page); !trouble.empty()) return trouble;
     auto mesher = typemesh::text_mesher{font}
                       .with(discretiser)
                       .with(triangulator_of(o))
                       .with(extruder)
                       .with(stage_clock{.tell = &tell});
-    auto plan = mesher.plan(o.text, text_options_of(o));
+    auto plan = plan_of(mesher, o, page, text_options_of(o));
     if (!plan) return in_words(plan.error());
 
     tell.clear();
@@ -230,7 +233,8 @@ std::string run(const options& o, progress& tell, typemesh::harfbuzz_font& font,
     }
     if (!o.picture.empty()) {
         tell.begin("drawing " + o.picture);
-        if (std::string trouble = draw_picture<Extruder>(o, font, discretiser, files); !trouble.empty()) return trouble;
+        if (std::string trouble = draw_picture<Extruder>(o, font, page, discretiser, files); !trouble.empty())
+            return trouble;
     }
     tell.clear();
     if (o.stats) {

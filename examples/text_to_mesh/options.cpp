@@ -92,8 +92,10 @@ struct raw_values {
     std::vector<std::string> variations, features, show;
     std::string uv, fill, profile;
     std::optional<double> size, bevel_depth, bevel_steps, letter_spacing;
-    bool no_merge = false, tolerance_given = false, shading_given = false, normals_given = false, bevel_given = false;
+    bool no_merge = false, tolerance_given = false, shading_given = false, normals_given = false, bevel_given = false,
+         align_given = false;
     std::string of_a_bevel, of_an_outline;  // the first option that only a bevel, an outline has
+    std::vector<std::string> of_a_page;     // options that only a paragraph has; those that are given
 };
 
 void add_text_options(CLI::App& app, options& out, raw_values& raw)
@@ -122,12 +124,15 @@ void add_text_options(CLI::App& app, options& out, raw_values& raw)
     add_named<direction>(
         app, "--direction", out.direction, "found from the text by default",
         {{"ltr", direction::left_to_right}, {"rtl", direction::right_to_left}, {"ttb", direction::top_to_bottom}});
-    add_named<alignment>(app, "--align", out.align, "lines against each other (default left)",
-                         {{"left", alignment::left},
-                          {"center", alignment::centre},
-                          {"centre", alignment::centre},
-                          {"right", alignment::right}},
-                         {"centre"});
+    add_named<line_alignment>(app, "--align", out.lines.align, "lines against each other, or in --width (default left)",
+                              {{"left", line_alignment::left},
+                               {"center", line_alignment::centre},
+                               {"centre", line_alignment::centre},
+                               {"right", line_alignment::right},
+                               {"start", line_alignment::start},
+                               {"end", line_alignment::end},
+                               {"justify", line_alignment::justify}},
+                              {"centre"});
     add_number(
         app, "--letter-spacing",
         "added between letters, in em; negative: closer (default: as much as they have become wider)",
@@ -138,6 +143,35 @@ void add_text_options(CLI::App& app, options& out, raw_values& raw)
         app, "--line-spacing", "times the font's own distance between lines (default 1)", "a number from -1000 to 1000",
         [](double n) { return n >= -1000.0 && n <= 1000.0; }, [&out](double n) { out.line_spacing = n; })
         ->type_name("N");
+}
+
+void add_line_options(CLI::App& app, options& out, raw_values& raw)
+{
+    using namespace typemesh;
+    add_number(
+        app, "--width", "lines end where the text is wider", "a positive number up to 1000000",
+        [](double n) { return n > 0.0 && n <= 1e6; }, [&out](double n) { out.lines.width = n; })
+        ->type_name("EM");
+    add_named<wrap_mode>(app, "--wrap", out.lines.wrap,
+                         "at words, within them where one is too long (default), at any letter, or nowhere",
+                         {{"word", wrap_mode::word},
+                          {"break", wrap_mode::word_or_grapheme},
+                          {"letter", wrap_mode::grapheme},
+                          {"none", wrap_mode::none}});
+    add_number(
+        app, "--indent", "of a paragraph's first line; negative: it hangs", "a number from -1000 to 1000",
+        [](double n) { return n >= -1000.0 && n <= 1000.0; }, [&out](double n) { out.lines.indent = n; })
+        ->type_name("EM");
+    add_number(
+        app, "--max-lines", "further lines are dropped", "a whole number from 1",
+        [](double n) { return n >= 1.0 && n < 4294967296.0 && n == std::floor(n); },
+        [&out](double n) { out.lines.most_lines = static_cast<std::uint32_t>(n); })
+        ->type_name("N");
+    app.add_option("--ellipsis", out.ellipsis, "shown for what is dropped, or does not fit")->type_name("TEXT");
+    add_named<ellipsis_place>(
+        app, "--elide", out.lines.elide, "where in its line (default end)",
+        {{"end", ellipsis_place::end}, {"middle", ellipsis_place::middle}, {"start", ellipsis_place::start}});
+    raw.of_a_page = {"--width", "--wrap", "--indent", "--max-lines", "--ellipsis", "--elide"};
 }
 
 void add_mesh_options(CLI::App& app, options& out, raw_values& raw)
@@ -329,6 +363,29 @@ std::string settle_weight(options& out, const raw_values& raw)
     return {};
 }
 
+/// Decides whether the text is a paragraph. Gives an empty string, or what is wrong.
+std::string settle_lines(options& out, const raw_values& raw)
+{
+    using typemesh::line_alignment;
+    const auto given = [&raw](const char* option) {
+        return std::find(raw.of_a_page.begin(), raw.of_a_page.end(), option) != raw.of_a_page.end();
+    };
+    const line_alignment align = out.lines.align;
+    if (!given("--width") && align == line_alignment::justify) return "--align: justify is for --width";
+    if (!given("--width") && given("--wrap")) return "--wrap: is for --width";
+    if (!given("--width") && !given("--max-lines") && given("--ellipsis"))
+        return "--ellipsis: is for --width or --max-lines";
+    if (!given("--ellipsis") && given("--elide")) return "--elide: is for --ellipsis";
+    const bool plain =
+        align == line_alignment::left || align == line_alignment::centre || align == line_alignment::right;
+    out.page = !raw.of_a_page.empty() || (raw.align_given && !plain);
+    out.lines.line_spacing = out.line_spacing;
+    out.align = align == line_alignment::centre  ? typemesh::alignment::centre
+                : align == line_alignment::right ? typemesh::alignment::right
+                                                 : typemesh::alignment::left;
+    return {};
+}
+
 /// Finishes what the words left open. Gives an empty string, or one sentence of what is wrong.
 std::string settle(options& out, const raw_values& raw)
 {
@@ -357,6 +414,7 @@ std::string settle(options& out, const raw_values& raw)
     out.show_normals = shown("normals");
     out.checker = shown("checker");
 
+    if (std::string trouble = settle_lines(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_bevel(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_weight(out, raw); !trouble.empty()) return trouble;
 
@@ -393,6 +451,7 @@ std::optional<int> parse(int argc, char** argv, options& out)
     app.set_version_flag("--version", version(), "print the version and exit");
     raw_values raw;
     add_text_options(app, out, raw);
+    add_line_options(app, out, raw);
     add_mesh_options(app, out, raw);
     add_bevel_options(app, out, raw);
     add_weight_options(app, out);
@@ -409,6 +468,10 @@ std::optional<int> parse(int argc, char** argv, options& out)
     } catch (const CLI::ParseError& wrong) {
         return complain(in_words(wrong, app, argc, argv));
     }
+    raw.align_given = app.count("--align") > 0;
+    raw.of_a_page.erase(std::remove_if(raw.of_a_page.begin(), raw.of_a_page.end(),
+                                       [&app](const std::string& option) { return app.count(option) == 0; }),
+                        raw.of_a_page.end());
     raw.tolerance_given = app.count("--tolerance") > 0;
     raw.bevel_given = app.count("--bevel") > 0;
     raw.normals_given = app.count("--normals") > 0;

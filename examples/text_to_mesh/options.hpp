@@ -6,6 +6,7 @@
 
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/outlined.hpp>
+#include <typemesh/paragraph/paragraph_options.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <optional>
@@ -51,6 +52,9 @@ struct options {
     typemesh::alignment align = typemesh::alignment::left;
     double letter_spacing = 0.0;  ///< em; by default as much as letters have become wider
     double line_spacing = 1.0;    ///< times the font's own
+    bool page = false;            ///< the text is laid out as a paragraph, by `lines` and `ellipsis`
+    typemesh::paragraph_options lines;
+    std::string ellipsis;
 
     double size = 1.0;   ///< of an em in the file
     float depth = 0.2f;  ///< em; 0 makes a flat mesh

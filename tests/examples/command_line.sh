@@ -95,6 +95,27 @@ that "a quality that is asked for is drawn" cmp -s "fine--quality high.png" "fin
 that "triangles are shown as they are" cmp -s "fine--show triangles.png" "fine--quality high --show triangles.png"
 that "the mesh keeps its quality beside a picture" cmp -s mesh.glb "mesh--quality high.glb"
 
+# Paragraphs.
+expect 0 "" "one two" --font $sans --width 100 --output wide.glb
+expect 0 "" "one two" --font $sans --output plain.glb
+that "a text that fits is the plain one" cmp -s wide.glb plain.glb
+expect 0 "" "one two" --font $sans --width 3 --output narrow.glb
+that "lines end at the width" differ narrow.glb wide.glb
+for option in "--wrap word" "--wrap break" "--wrap letter" "--wrap none" "--align justify" "--align start" "--align end" "--indent 1" \
+    "--max-lines 1" "--max-lines 1 --ellipsis ..." "--max-lines 1 --ellipsis ... --elide middle" "--wrap none --ellipsis . --elide start"; do
+    # shellcheck disable=SC2086  # words
+    expect 0 "" "one two three four" --font $sans --width 6 $option --output option.glb
+done
+expect 0 "" "قال 2024 hello" --font $arabic --output mixed.glb
+expect 0 "" "قال 2024 hello" --font $arabic --align start --output start.glb
+that "without a width, what is read to the left ends at x = 0" differ mixed.glb start.glb
+for width in 0 -1 nan x 1e7; do expect 2 "--width: must be a positive number" x --font $sans --stats --width $width; done
+expect 2 "--max-lines: must be a whole number" x --font $sans --stats --max-lines 0
+expect 2 "--align: justify is for --width" x --font $sans --stats --align justify
+expect 2 "--wrap: is for --width" x --font $sans --stats --wrap word
+expect 2 "--ellipsis: is for" x --font $sans --stats --ellipsis x
+expect 2 "--elide: is for --ellipsis" x --font $sans --stats --width 3 --elide start
+
 expect 0 "" "$(printf 'a\tb')" --font $sans --strict --output tab.glb  # a tab is no missing character
 expect 0 "" "你好" --font /usr/share/fonts/truetype/wqy/wqy-microhei.ttc --face 1 --output face.glb
 expect 0 "" "Bold" --font /usr/share/fonts/truetype/inter-vf/Inter.var.ttf --variation wght=900 --output bold.glb
@@ -371,7 +392,6 @@ head -c 2000 /dev/urandom >noise.ttf
 expect 1 "not a font" x --font noise.ttf --output x.glb
 expect 1 "no face with that number" x --font $sans --face 7 --output x.glb
 expect 1 "no such variation axis" x --font $sans --variation wght=700 --output x.glb
-expect 1 "at byte 4 of the text: .*left-to-right and right-to-left.*; make two texts of it\.$" "abc مرحبا" --font $arabic --output x.glb
 expect 1 "cannot be written" x --font $sans --output /nowhere/x.glb
 that "nothing was half-written" [ ! -e x.glb ]
 
@@ -383,7 +403,7 @@ expect 2 "^text_to_mesh: two was not expected" one --font $sans --output x.glb -
 expect 2 "must end in .*3mf, not x.fbx" x --font $sans --output x.fbx
 expect 2 "^text_to_mesh: --quality: must be low, normal, high or best, not superb$" x --font $sans --output x.glb --quality superb
 that "what to do comes after what is wrong" lines 2
-expect 2 "align: must be left, center or right, not middle" x --font $sans --output x.glb --align middle
+expect 2 "align: must be left, center, right, start, end or justify, not middle" x --font $sans --output x.glb --align middle
 expect 2 "show: must be .*checker, not trangles" x --font $sans --output x.glb --show points,trangles
 expect 2 "excludes" x --font $sans --output x.glb --quality low --tolerance 0.1
 expect 2 "--tolerance: is for --discretiser certified" x --font $sans --output x.glb --discretiser adaptive --tolerance 0.1
