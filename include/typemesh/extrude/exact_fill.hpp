@@ -44,11 +44,11 @@ template <cap_maker Caps>
     const std::uint64_t edges = edges_of(loops);
     const std::size_t before = out.size();
     caps.loops() = std::move(loops);  // which exchanges their storage
-    auto made = caps.fill(out);
-    if (made && edges_of(caps.loops()) != edges) made = error{error::crossing_contours};
-    if (!made) out.truncate(before);
+    const result<region> made = caps.fill(out);
+    const bool crossing = made && edges_of(caps.loops()) != edges;
+    if (!made || crossing) out.truncate(before);
     loops = std::move(caps.loops());
-    return made;
+    return crossing ? error{error::crossing_contours} : made;
 }
 
 }  // namespace typemesh::inline TYPEMESH_ABI
