@@ -42,7 +42,7 @@ inline std::string array_of(const std::string& type, const std::string& name, co
     return s + "\n};\n";
 }
 
-/// Small numbers, several to a word of 64 bits: a compiler reads a table in an eighth of the time.
+/// Small numbers, several to a word of 64 bits: a compiler reads fewer words sooner.
 inline numbers packed(const numbers& values, int bits)
 {
     const std::size_t a_word = 64 / static_cast<std::size_t>(bits);
