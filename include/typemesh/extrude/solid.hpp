@@ -33,7 +33,7 @@ struct solid_with : solid {
 struct solid_plan {
     part_sizes sizes;
     box around = {};
-    bool narrowed = false;  ///< its bevel is narrower than asked for, as one of that width was not proven
+    bool narrowed = false;  ///< its edges have moved less than asked for, as those farther on were not proven
 };
 
 /// A solid, and what its extruder's plan() said about it.
