@@ -19,8 +19,9 @@ struct text_report {
     std::uint32_t invalid_units = 0;  ///< places of the text that were not valid UTF and were read as U+FFFD
     cluster_id first_invalid_unit = no_cluster;
 
-    /// Glyphs of the mesh whose bevels are narrower, or whose edges have moved less, than asked for, because the rest was
-    /// not proven; a merged group counts as one. They are those of plan.glyphs() whose built->is_narrowed(). Bevels that were to fit do not count.
+    /// Glyphs of the mesh whose bevels are narrower, or whose edges have moved less, than asked for, because the rest
+    /// was not proven; a merged group counts as one. They are those of plan.glyphs() whose built->is_narrowed(). Bevels
+    /// that were to fit do not count.
     std::uint32_t narrowed = 0;
     cluster_id first_narrowed = no_cluster;
 
