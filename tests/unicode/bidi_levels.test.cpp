@@ -186,6 +186,17 @@ TEST_CASE("bidi levels of any text are those that the rules give word by word", 
     }
 }
 
+TEST_CASE("a mark that is overridden does not go with the bracket before it", "[bidi]")
+{
+    const std::u32string text = U"\u202Ba(b)\u202C\u202E\u0301";
+    std::vector<bidi_class> classes;
+    for (const char32_t c : text) classes.push_back(character_of(c).bidi);
+    std::vector<std::uint8_t> levels(text.size());
+    workspace space;
+    REQUIRE(bidi_levels(text, classes, paragraph_direction::left_to_right, space, levels));
+    CHECK(levels == std::vector<std::uint8_t>{0, 2, 2, 2, 2, 2, 2, 1});
+}
+
 TEST_CASE("an empty paragraph has a level, and one without memory an error", "[bidi]")
 {
     test::counting_memory heap;

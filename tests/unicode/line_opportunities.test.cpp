@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "unicode/break_test_file.hpp"
+#include "unicode/slow_breaks.hpp"
 
 #include <typemesh/unicode/line_opportunities.hpp>
 
+#include <random>
 #include <string>
 #include <vector>
 
@@ -62,4 +64,26 @@ TEST_CASE("lines end behind spaces and hyphens, and must end behind line feeds",
     CHECK(shown(U"a-\u00A0b") == "a-|xb");
     CHECK(shown(U"א-\u00A0b") == "x-xb");  // LB21a holds where LB12a leaves it open
     CHECK(shown(U"").empty());
+}
+
+TEST_CASE("line breaks between any classes are those that the rules give word by word", "[breaks]")
+{
+    std::mt19937 random{5};
+    const int count = static_cast<int>(line_class::sa_mark) + 1;
+    for (int repeat = 0; repeat < 400000; ++repeat) {
+        // Few classes in a text, so that rules of several characters are met.
+        std::vector<line_class> some(1 + random() % 6), classes(1 + random() % 12);
+        for (line_class& c : some) c = static_cast<line_class>(random() % count);
+        for (line_class& c : classes) c = some[random() % some.size()];
+        std::vector<character> text(classes.size());
+        for (std::size_t i = 0; i < text.size(); ++i) text[i].line = classes[i];
+        line_opportunities next{text.data(), text.size()};
+        for (std::size_t i = 0; i < text.size(); ++i) {
+            const int found = static_cast<int>(next(i));
+            if (found == (i == 0 ? 0 : slow_breaks::breaks(classes, i))) continue;
+            std::string shown;
+            for (const line_class c : classes) shown += std::to_string(static_cast<int>(c)) + " ";
+            FAIL("classes " << shown << ", before character " << i);
+        }
+    }
 }
