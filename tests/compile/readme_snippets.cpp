@@ -91,7 +91,13 @@ if (auto e = words.set("In the beginning the Universe was created.")) return std
 typemesh::glyph_run page;
 if (auto e = words.lay_out({.width = 9.0, .align = typemesh::line_alignment::justify}, page)) return std::puts(e.message()), 1;
 auto column = mesher.plan(page);
-    use(column);
+    const std::uint32_t triangle = 0;
+    const auto draw = [](const typemesh::box&) noexcept {};
+typemesh::caret here = words.laid().caret_at(7);                                // line, place on its baseline, direction
+typemesh::text_place there = words.laid().caret_from({3.0, -1.2});              // a place in the text, and on which side of it
+words.laid().boxes_of(3, 16, [&](const typemesh::box& b) { draw(b); });         // several a line where directions are mixed
+typemesh::mesh_hit what = column->hit(typemesh::part::front, triangle);         // glyph and cluster
+    use(column, here, there, what);
     }
     {
 typemesh::glyph_run run;

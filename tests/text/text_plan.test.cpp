@@ -4,6 +4,7 @@
 #include "support/mesh_laws.hpp"
 #include "support/toy_font.hpp"
 
+#include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <algorithm>
@@ -360,4 +361,29 @@ TEST_CASE("100,000 characters draw each glyph once and need memory in proportion
     std::uint64_t instances = 0;
     for (const glyph_mesh& m : plan->meshes()) instances += m.glyph_count;
     CHECK(instances == plan->glyphs().size());
+}
+
+TEST_CASE("each triangle's hit is the glyph and the cluster that it was written for", "[text]")
+{
+    test::toy_font font;
+    auto mesher = text_mesher{font}.with(bevelled<>{.width = 0.01f});
+    for (const bool merge : {false, true}) {
+        auto plan = mesher.plan("oEi x~o\noEq oooo", {.merge = merge});
+        REQUIRE(plan);
+        for (const part p : plan->parts()) {
+            std::uint32_t triangle = 0;
+            for (std::size_t g = 0; g < plan->glyphs().size(); ++g) {
+                for (std::uint32_t t = 0; t < plan->range(g, p).index_count / 3; ++t, ++triangle) {
+                    const mesh_hit hit = plan->hit(p, triangle);
+                    CHECK(hit.glyph == g);
+                    CHECK(hit.of_run == plan->owner(g, p, t));
+                    if (hit.of_run == shared_glyph)
+                        CHECK(hit.cluster == plan->glyphs()[g].cluster);
+                    else
+                        CHECK(hit.cluster == plan->run().glyphs[hit.of_run].cluster);
+                }
+            }
+            CHECK(triangle == plan->range(p).index_count / 3);
+        }
+    }
 }

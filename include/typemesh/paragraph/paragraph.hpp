@@ -6,6 +6,7 @@
 #include <typemesh/core/result.hpp>
 #include <typemesh/paragraph/first_fit.hpp>
 #include <typemesh/paragraph/laid_line.hpp>
+#include <typemesh/paragraph/laid_text.hpp>
 #include <typemesh/paragraph/line_slices.hpp>
 #include <typemesh/paragraph/line_stack.hpp>
 #include <typemesh/paragraph/line_writer.hpp>
@@ -109,6 +110,12 @@ public:
 
     /// The lines of the last layout.
     [[nodiscard]] std::span<const laid_line> lines() const noexcept { return lines_.view(); }
+
+    /// The last layout, for carets, selections and mice. It lives until the next call of set() or lay_out().
+    [[nodiscard]] laid_text laid() const noexcept
+    {
+        return {shaped_, lines_.view(), placed_.view(), font_->metrics(shaped_.options().direction), units_per_em_};
+    }
 
     /// What Unicode says of the text, and its items: for tests and for whoever looks closer.
     [[nodiscard]] const shaped_text& shaped() const noexcept { return shaped_; }

@@ -148,7 +148,8 @@ public:
                        .last = at + 1,
                        .glyph = static_cast<std::uint32_t>(before),
                        .glyph_count = static_cast<std::uint32_t>(glyphs_.size() - before),
-                       .item = item};
+                       .item = item,
+                       .flags = cluster_flags::foreign};
         for (std::size_t g = before; g < glyphs_.size(); ++g) {
             glyphs_[g].cluster = at;
             c.advance += glyphs_[g].advance;

@@ -14,8 +14,9 @@ enum class cluster_flags : std::uint8_t {
     hangs = 1u << 1,      ///< at the end of a line it counts for nothing: white space, breaks, what is not drawn
     stretches = 1u << 2,  ///< a space, which justified lines make wider
     tab = 1u << 3,
-    silent = 1u << 4,  ///< a tab or a line break: it has no glyph
-    spaced = 1u << 5,  ///< letter spacing has made it wider
+    silent = 1u << 4,   ///< a tab or a line break: it has no glyph
+    spaced = 1u << 5,   ///< letter spacing has made it wider
+    foreign = 1u << 6,  ///< it shows what is not in the text: a hyphen, an ellipsis
 };
 
 [[nodiscard]] constexpr cluster_flags operator|(cluster_flags a, cluster_flags b) noexcept

@@ -3,6 +3,7 @@
 
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/executor.hpp>
+#include <typemesh/core/first_where.hpp>
 #include <typemesh/extrude/extrude.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/text/mesh_layout.hpp>
@@ -18,6 +19,13 @@
 #include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI {
+
+/// What a triangle belongs to: see text_plan::hit().
+struct mesh_hit {
+    std::size_t glyph = 0;            ///< its index in glyphs()
+    std::uint32_t of_run = 0;         ///< in the run, or shared_glyph: see text_plan::owner()
+    cluster_id cluster = no_cluster;  ///< where in the text; where glyphs are shared, that of the first
+};
 
 /// Consecutive glyphs of a plan: glyphs [first, last).
 struct glyph_span {
@@ -135,6 +143,23 @@ public:
         if (p == part::side) return glyphs_->merged.owners_of(group)[triangle / 2];
         if (p > part::side) return shared_glyph;
         return glyphs_->merged.owner_of(group, s.built->form().triangles[triangle]);
+    }
+
+    /// What a triangle of the mesh belongs to: what lies below a mouse, say. Cost: O(log glyphs)
+    ///
+    ///     triangle    its position in range(p), below index_count / 3
+    [[nodiscard]] mesh_hit hit(part p, std::uint32_t triangle) const noexcept
+    {
+        TYPEMESH_ASSERT(triangle < range(p).index_count / 3, "a triangle was asked for that its part does not have");
+        const std::uint32_t index = range(p).first_index + 3 * triangle;
+        const auto ends_behind = [&](std::size_t g) noexcept {
+            const mesh_range r = range(g, p);
+            return r.first_index + r.index_count > index;
+        };
+        const std::size_t glyph = first_where(0, fresh().records.size(), ends_behind);
+        const std::uint32_t of_run = owner(glyph, p, (index - range(glyph, p).first_index) / 3);
+        const bool shared = of_run == shared_glyph;
+        return {glyph, of_run, shared ? glyphs()[glyph].cluster : run().glyphs[of_run].cluster};
     }
 
     /// What is not in the mesh, and why.

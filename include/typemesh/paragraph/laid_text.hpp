@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/box.hpp>
+#include <typemesh/core/first_where.hpp>
+#include <typemesh/layout/shaper.hpp>
+#include <typemesh/paragraph/laid_line.hpp>
+#include <typemesh/paragraph/line_slices.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// To which side a place between two graphemes belongs, where that makes a difference: at the end of a line, or where
+/// the direction changes.
+enum class affinity : std::uint8_t {
+    downstream,  ///< to the grapheme behind it
+    upstream,    ///< to the one before it
+};
+
+/// Where a caret stands.
+struct caret {
+    std::uint32_t line = 0;
+    point at = {};             ///< on the baseline, in em
+    bool to_the_left = false;  ///< the direction of the grapheme that it belongs to
+};
+
+/// A place in the text.
+struct text_place {
+    std::uint32_t unit = 0;
+    affinity side = affinity::downstream;
+    bool inside = false;  ///< the point was in a line, between its beginning and its end
+};
+
+/// A text that a paragraph has laid out, for carets, selections and mice. All lengths are in em; text_options::size
+/// makes output units of them. A view: it lives until the paragraph's next call.
+///
+/// Places are between graphemes. Where a cluster holds several (a ligature), each has an equal part of it.
+class laid_text {
+public:
+    laid_text(const shaped_text& shaped, std::span<const laid_line> lines, std::span<const line_slice> slices,
+              const line_metrics& metrics, double units_per_em) noexcept
+        : shaped_{&shaped}, lines_{lines}, slices_{slices}, metrics_{metrics}, em_{units_per_em}
+    {
+    }
+
+    /// The box of a line: as wide as what is visible, from descender to ascender.
+    [[nodiscard]] box line_box(std::size_t line) const noexcept
+    {
+        return box_of(lines_[line], lines_[line].left, lines_[line].right());
+    }
+
+    /// The line that holds a unit of the text; the last one behind its end. Cost: O(log lines)
+    [[nodiscard]] std::uint32_t line_of(std::uint32_t unit) const noexcept
+    {
+        const auto begins_behind = [&](std::size_t k) noexcept { return lines_[k].first > unit; };
+        return static_cast<std::uint32_t>(first_where(1, lines_.size(), begins_behind) - 1);
+    }
+
+    /// The caret before text[unit], which is moved to the beginning of its grapheme. Upstream it stands at the end of
+    /// what precedes, unless that is a line break. Needs a line. Cost: O(log lines), and O(clusters of the line)
+    [[nodiscard]] caret caret_at(std::uint32_t unit, affinity side = affinity::downstream) const noexcept
+    {
+        const auto size = static_cast<std::uint32_t>(shaped_->text().size());
+        unit = unit < size ? grapheme_at(unit) : size;
+        const bool behind_break =
+            unit > 0 && silent_at(shaped_->text(), unit - 1) != 0 && shaped_->text().unit(unit - 1) != 0x09;
+        const bool back = unit > 0 && !behind_break && (side == affinity::upstream || unit == size);
+        const std::uint32_t grapheme = back ? grapheme_at(unit - 1) : unit, line = line_of(grapheme);
+        const edges found = edges_of(lines_[line], grapheme);
+        return {line, point_of(lines_[line], back ? found.trailing : found.leading), found.to_the_left};
+    }
+
+    /// The place nearest to a point. Needs a line. Cost: O(lines), and O(clusters of the line)
+    [[nodiscard]] text_place caret_from(point p) const noexcept
+    {
+        const std::size_t k = line_near(p);
+        const laid_line& line = lines_[k];
+        const bool down = shaped_->upright();
+        const double along = em_ * (down ? 0.0 - p.y : p.x);
+        text_place best{line.first, affinity::downstream, false};
+        double beside = 0.0, distance = 0.0;  // of the best: to its grapheme, to its edge
+        bool any = false;
+        const auto offer = [&](double gap, double edge, text_place place) noexcept {
+            if (any && (gap > beside || (gap >= beside && edge >= distance))) return;
+            best = place;
+            beside = gap;
+            distance = edge;
+            any = true;
+        };
+        each_grapheme(line, [&](std::uint32_t unit, const edges& e) noexcept {
+            const double low = e.to_the_left ? e.trailing : e.leading, high = e.to_the_left ? e.leading : e.trailing;
+            const double gap = along < low ? low - along : along > high ? along - high : 0.0;
+            offer(gap, std::fabs(along - e.leading), {unit, affinity::downstream, false});
+            if (!is_break(unit))
+                offer(gap, std::fabs(along - e.trailing), {next_grapheme(unit), affinity::upstream, false});
+        });
+        const box all = line_box(k);
+        best.inside = p.x >= all.low.x && p.x <= all.high.x && p.y >= all.low.y && p.y <= all.high.y;
+        return best;
+    }
+
+    /// Calls put(box) for each stretch of text[first, last), line by line, from left to right in each: several a line
+    /// where directions are mixed. Cost: O(clusters of these lines)
+    template <class Put>
+    void boxes_of(std::uint32_t first, std::uint32_t last, const Put& put) const noexcept
+    {
+        if (lines_.empty() || first >= last) return;
+        for (std::size_t k = line_of(first); k < lines_.size() && lines_[k].first < last; ++k) {
+            double left = 0.0, right = 0.0;
+            bool open = false;  // a box from left to right, which the next slice may continue
+            for (const line_slice& s : slices_of(lines_[k])) {
+                const selection chosen = select(s, first, last);
+                if (open && !chosen.from_left) put(box_of(lines_[k], left, right)), open = false;
+                if (chosen.empty) continue;
+                if (!open) left = chosen.left;
+                right = chosen.right;
+                open = chosen.to_right;
+                if (!open) put(box_of(lines_[k], left, right));
+            }
+            if (open) put(box_of(lines_[k], left, right));
+        }
+    }
+
+private:
+    /// Where a grapheme begins and ends along its line, in the order in which it is read; in font units.
+    struct edges {
+        double leading = 0.0, trailing = 0.0;
+        bool to_the_left = false;
+    };
+
+    /// What of a slice lies in a range of the text, and whether it reaches the slice's ends.
+    struct selection {
+        double left = 0.0, right = 0.0;
+        bool empty = true, from_left = false, to_right = false;
+    };
+    [[nodiscard]] selection select(const line_slice& s, std::uint32_t first, std::uint32_t last) const noexcept
+    {
+        selection found;
+        bool begins = false, ends = false, any = false;
+        each_grapheme(s, [&](std::uint32_t unit, const edges& e) noexcept {
+            ends = unit >= first && unit < last && !is_break(unit);
+            if (!any) begins = ends;
+            any = true;
+            if (!ends) return;
+            const double left = e.to_the_left ? e.trailing : e.leading, right = e.to_the_left ? e.leading : e.trailing;
+            found.left = found.empty || left < found.left ? left : found.left;
+            found.right = found.empty || right > found.right ? right : found.right;
+            found.empty = false;
+        });
+        const bool back = s.level % 2 != 0;
+        found.from_left = back ? ends : begins;
+        found.to_right = back ? begins : ends;
+        return found;
+    }
+
+    [[nodiscard]] point point_of(const laid_line& line, double along) const noexcept
+    {
+        const point at = shaped_->upright() ? point{line.origin.x, line.origin.y - along}
+                                            : point{line.origin.x + along, line.origin.y};
+        return (1.0 / em_) * at;
+    }
+    [[nodiscard]] box box_of(const laid_line& line, double from, double to) const noexcept
+    {
+        const point a = point_of(line, from), b = point_of(line, to);
+        const double low = metrics_.descender / em_, high = metrics_.ascender / em_;
+        if (shaped_->upright()) return {{a.x + low, b.y}, {a.x + high, a.y}};
+        return {{a.x, a.y + low}, {b.x, a.y + high}};
+    }
+
+    [[nodiscard]] std::size_t line_near(point p) const noexcept
+    {
+        std::size_t best = 0;
+        double least = 0.0;
+        for (std::size_t k = 0; k < lines_.size(); ++k) {
+            const box b = line_box(k);
+            const double middle = shaped_->upright() ? (b.low.x + b.high.x) / 2 - p.x : (b.low.y + b.high.y) / 2 - p.y;
+            if (k != 0 && std::fabs(middle) >= least) continue;
+            best = k;
+            least = std::fabs(middle);
+        }
+        return best;
+    }
+
+    [[nodiscard]] bool is_break(std::uint32_t unit) const noexcept
+    {
+        return unit < shaped_->text().size() && line_break_at(shaped_->text(), unit) != 0;
+    }
+    [[nodiscard]] std::uint32_t grapheme_at(std::uint32_t unit) const noexcept
+    {
+        while (unit > 0 && !has(shaped_->analysis.marks[unit], text_mark::grapheme)) --unit;
+        return unit;
+    }
+    [[nodiscard]] std::uint32_t next_grapheme(std::uint32_t unit) const noexcept
+    {
+        const auto size = static_cast<std::uint32_t>(shaped_->text().size());
+        do ++unit;
+        while (unit < size && !has(shaped_->analysis.marks[unit], text_mark::grapheme));
+        return unit;
+    }
+
+    [[nodiscard]] edges edges_of(const laid_line& line, std::uint32_t grapheme) const noexcept
+    {
+        edges found{line.level % 2 != 0 ? line.left : line.right(), 0.0, line.level % 2 != 0};  // what is dropped
+        if (grapheme == line.first) found.leading = line.level % 2 != 0 ? line.right() : line.left;
+        found.trailing = found.leading;
+        each_grapheme(line, [&](std::uint32_t unit, const edges& e) noexcept {
+            if (unit == grapheme) found = e;
+        });
+        return found;
+    }
+
+    [[nodiscard]] std::span<const line_slice> slices_of(const laid_line& line) const noexcept
+    {
+        return slices_.subspan(line.first_slice, line.slices);
+    }
+
+    /// Calls with(unit, edges) for each grapheme of a line that is shown, slice by slice from left to right, within a
+    /// slice in the order of the text.
+    template <class With>
+    void each_grapheme(const laid_line& line, const With& with) const noexcept
+    {
+        for (const line_slice& s : slices_of(line)) each_grapheme(s, with);
+    }
+    template <class With>
+    void each_grapheme(const line_slice& s, const With& with) const noexcept
+    {
+        const bool back = s.level % 2 != 0;
+        double pen = back ? s.at + s.width : s.at;
+        for (std::uint32_t k = s.first; k < s.last; ++k) {
+            const text_cluster& c = shaped_->cluster(k);
+            double width = has(c.flags, cluster_flags::tab) ? s.width : c.advance;
+            if (has(c.flags, cluster_flags::stretches)) width += s.stretch;
+            if (!has(c.flags, cluster_flags::foreign)) each_part(c, pen, back ? -width : width, back, with);
+            pen += back ? -width : width;
+        }
+    }
+
+    /// The graphemes of a cluster, each with an equal part.
+    template <class With>
+    void each_part(const text_cluster& c, double pen, double width, bool back, const With& with) const noexcept
+    {
+        std::uint32_t count = 0;
+        const auto begins = [this, &c](std::uint32_t u) noexcept {
+            return u == c.first || has(shaped_->analysis.marks[u], text_mark::grapheme);
+        };
+        for (std::uint32_t u = c.first; u < c.last; ++u) count += begins(u) ? 1u : 0u;
+        std::uint32_t number = 0;
+        for (std::uint32_t u = c.first; u < c.last; ++u) {
+            if (!begins(u)) continue;
+            const double from = width * number / count, to = width * (number + 1) / count;
+            with(u, edges{pen + from, pen + to, back});
+            ++number;
+        }
+    }
+
+    const shaped_text* shaped_;
+    std::span<const laid_line> lines_;
+    std::span<const line_slice> slices_;
+    line_metrics metrics_;
+    double em_;
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "support/catch.hpp"
+#include "support/toy_item_shaper.hpp"
+
+#include <typemesh/paragraph/paragraph.hpp>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+using namespace typemesh;
+
+namespace {
+
+const std::u16string mixed = u"AV fix, \u05D0\u05D1 12 \u05D2 and\n\ta\u0301b fi \u05D3\u05D4\n";
+
+struct laid_out {
+    test::toy_item_shaper font;
+    paragraph<test::toy_item_shaper> words{font};
+    glyph_run run;
+
+    explicit laid_out(text_view text, const paragraph_options& options = {})
+    {
+        REQUIRE_FALSE(words.set(text));
+        REQUIRE_FALSE(words.lay_out(options, run));
+    }
+    [[nodiscard]] laid_text laid() const { return words.laid(); }
+    [[nodiscard]] std::vector<box> boxes(std::uint32_t first, std::uint32_t last) const
+    {
+        std::vector<box> all;
+        laid().boxes_of(first, last, [&](const box& b) { all.push_back(b); });
+        return all;
+    }
+};
+
+bool is_at(const caret& c, std::uint32_t line, double x, double y)
+{
+    return c.line == line && std::fabs(c.at.x - x) < 1e-12 && std::fabs(c.at.y - y) < 1e-12;
+}
+
+}  // namespace
+
+TEST_CASE("a caret stands before its grapheme, upstream behind the one before", "[paragraph]")
+{
+    const laid_out p{"ab cd", {.width = 1.5}};
+    CHECK(is_at(p.laid().caret_at(0), 0, 0.0, 0.0));
+    CHECK(is_at(p.laid().caret_at(2), 0, 1.0, 0.0));
+    CHECK(is_at(p.laid().caret_at(3), 1, 0.0, -1.0));
+    CHECK(is_at(p.laid().caret_at(3, affinity::upstream), 0, 1.25, 0.0));  // behind the space, which hangs
+    CHECK(is_at(p.laid().caret_at(5), 1, 1.0, -1.0));
+    CHECK(is_at(p.laid().caret_at(99), 1, 1.0, -1.0));
+    const laid_out ligature{u"fia\u0301"};
+    CHECK(is_at(ligature.laid().caret_at(1), 0, 0.35, 0.0));
+    CHECK(is_at(ligature.laid().caret_at(3), 0, 0.7, 0.0));  // in the midst of a grapheme
+}
+
+TEST_CASE("where directions meet, a place has two carets", "[paragraph]")
+{
+    const laid_out p{u"ab\u05D0\u05D1"};
+    CHECK(is_at(p.laid().caret_at(2), 0, 2.0, 0.0));
+    CHECK(p.laid().caret_at(2).to_the_left);
+    CHECK(is_at(p.laid().caret_at(2, affinity::upstream), 0, 1.0, 0.0));
+    CHECK_FALSE(p.laid().caret_at(2, affinity::upstream).to_the_left);
+    CHECK(is_at(p.laid().caret_at(4), 0, 1.0, 0.0));
+}
+
+TEST_CASE("behind a line break a caret stands in the next line", "[paragraph]")
+{
+    for (const affinity side : {affinity::downstream, affinity::upstream}) {
+        CHECK(is_at(laid_out{"ab\ncd"}.laid().caret_at(3, side), 1, 0.0, -1.0));
+        CHECK(is_at(laid_out{"ab\n"}.laid().caret_at(3, side), 1, 0.0, -1.0));
+        CHECK(is_at(laid_out{""}.laid().caret_at(0, side), 0, 0.0, 0.0));
+    }
+}
+
+TEST_CASE("a caret's own point leads back to it", "[paragraph]")
+{
+    for (const double width : {100.0, 5.0, 2.0, 0.6})
+        for (const line_alignment align : {line_alignment::start, line_alignment::justify, line_alignment::centre}) {
+            const laid_out p{mixed, {.width = width, .align = align}};
+            const laid_text laid = p.laid();
+            struct place {
+                std::uint32_t unit;
+                affinity side;
+                caret at;
+            };
+            std::vector<place> all;
+            for (std::uint32_t unit = 0; unit <= mixed.size(); ++unit) {
+                if (unit < mixed.size() && !has(p.words.shaped().analysis.marks[unit], text_mark::grapheme)) continue;
+                for (const affinity side : {affinity::downstream, affinity::upstream})
+                    all.push_back({unit, side, laid.caret_at(unit, side)});
+            }
+            const auto same_place = [](const caret& a, const caret& b) {
+                return a.line == b.line && std::fabs(a.at.x - b.at.x) < 1e-9;
+            };
+            for (const place& one : all) {
+                const text_place found = laid.caret_from(one.at.at);
+                CHECK(same_place(laid.caret_at(found.unit, found.side), one.at));
+                std::size_t units = 0;
+                for (const place& other : all)
+                    units += same_place(other.at, one.at) && other.unit != one.unit ? 1u : 0u;
+                if (units == 0) CHECK(found.unit == one.unit);
+            }
+        }
+}
+
+TEST_CASE("a point is nearest to one side of a grapheme, and in a line or not", "[paragraph]")
+{
+    const laid_out p{u"ab \u05D0\u05D1"};
+    CHECK(p.laid().caret_from({0.2, 0.1}).unit == 0);
+    CHECK(p.laid().caret_from({0.3, 0.1}).unit == 1);
+    CHECK(p.laid().caret_from({0.3, 0.1}).inside);
+    CHECK_FALSE(p.laid().caret_from({0.3, 5.0}).inside);
+    CHECK(p.laid().caret_from({9.0, 0.0}).unit == 3);   // the right end, where the Hebrew begins
+    CHECK(p.laid().caret_from({1.35, 0.0}).unit == 5);  // and its left, where it ends
+    CHECK(p.laid().caret_from({-9.0, 0.0}).unit == 0);
+}
+
+TEST_CASE("boxes cover what is selected, stretch by stretch", "[paragraph]")
+{
+    const laid_out p{u"ab \u05D0\u05D1 cd"};
+    REQUIRE(p.boxes(0, 8).size() == 1);
+    CHECK(p.boxes(0, 8)[0].low == point{0.0, -0.2});
+    CHECK(p.boxes(0, 8)[0].high == point{3.5, 0.7});
+    REQUIRE(p.boxes(1, 4).size() == 2);  // "b " and the right one of the Hebrew letters
+    CHECK(p.boxes(1, 4)[0].high.x == 1.25);
+    CHECK(p.boxes(1, 4)[1].low.x == 1.75);
+    CHECK(p.boxes(3, 3).empty());
+
+    // Whatever is selected, its boxes are as wide as its clusters.
+    const laid_out wrapped{mixed, {.width = 4.0}};
+    for (std::uint32_t first = 0; first < mixed.size(); ++first)
+        for (std::uint32_t last = first + 1; last <= mixed.size(); ++last) {
+            double width = 0.0, parts = 0.0;
+            for (const box& b : wrapped.boxes(first, last)) width += b.width();
+            for (std::uint32_t unit = first; unit < last; ++unit)
+                for (const box& b : wrapped.boxes(unit, unit + 1)) parts += b.width();
+            CHECK(std::fabs(width - parts) < 1e-9);
+        }
+}
+
+TEST_CASE("lines tell their boxes, columns too", "[paragraph]")
+{
+    const laid_out p{"ab cd", {.width = 2.0, .align = line_alignment::right}};
+    CHECK(length(p.laid().line_box(1).low - point{1.0, -1.2}) < 1e-12);
+    CHECK(length(p.laid().line_box(1).high - point{2.0, -0.3}) < 1e-12);
+    CHECK(p.laid().line_of(2) == 0);
+    CHECK(p.laid().line_of(3) == 1);
+
+    test::toy_item_shaper font;
+    paragraph words{font};
+    glyph_run run;
+    shape_options down;
+    down.direction = direction::top_to_bottom;
+    REQUIRE_FALSE(words.set("abc", down));
+    REQUIRE_FALSE(words.lay_out({}, run));
+    CHECK(words.laid().line_box(0).low == point{-0.2, -1.5});
+    CHECK(words.laid().caret_at(1).at == point{0.0, -0.5});
+    CHECK(words.laid().caret_from({0.1, -0.6}).unit == 1);
+}
