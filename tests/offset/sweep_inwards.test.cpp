@@ -343,6 +343,17 @@ TEST_CASE("sweep_inwards() sweeps needles that are narrower than a cell, and tip
                 CHECK(swept(test::turned(upright, degrees).loops, {0, width}, mitre_limit).farthest_off_plane < 3.0);
 }
 
+TEST_CASE("sweep_inwards() sweeps bent strokes that close at a level, and caps that touch a hole there", "[offset]")
+{
+    CHECK(swept({{{211672, 280872}, {219200, 322368}, {223752, 365496}, {0, 0}},
+                 {{213504, 365496}, {208896, 322368}, {201216, 280872}}},
+                {0, 5120, 10240})
+              .farthest_off_plane < 3.0);
+    const auto touching = swept(
+        {{{281, 440}, {133, 407}, {133, 358}, {0, 358}, {133, 0}}, {{189, 337}, {153, 317}, {153, 337}}}, {0, 10});
+    CHECK(touching.doubled_areas.back() > 0);
+}
+
 TEST_CASE("sweep_inwards() makes one node of several where a round shape closes in its centre", "[offset]")
 {
     // Over the Delaunay triangles the corners of this one meet one by one, a few cells apart.

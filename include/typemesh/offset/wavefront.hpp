@@ -108,17 +108,19 @@ private:
     {
         constexpr std::int64_t beyond = 5;  // squared
         const grid_point at = nearest_cell(place);
+        const auto distance = static_cast<float>(static_cast<double>(time) * 0x1p-32);
         std::uint32_t best = none;
         std::int64_t least = beyond;
         for (const std::uint32_t node : known) {
             if (node == none) continue;
             const std::int64_t d = squared_distance(nodes[node].at, at);
-            if (d >= least) continue;
+            const float later = distance - nodes[node].distance;
+            if (d >= least || later > 1.0f || later < -1.0f) continue;
             least = d;
             best = node;
         }
         if (best != none) return best;
-        failed_ |= !nodes.push_back({at, static_cast<float>(static_cast<double>(time) * 0x1p-32)});
+        failed_ |= !nodes.push_back({at, distance});
         return static_cast<std::uint32_t>(nodes.size() - 1);
     }
 
