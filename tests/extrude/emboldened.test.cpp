@@ -239,6 +239,37 @@ TEST_CASE("a letter that is moved less than four cells is the letter itself", "[
     }
 }
 
+TEST_CASE("letters whose loops touch in a point grow together there, or part", "[emboldened]")
+{
+    for (const float by : {0.0f, 0.02f, -0.02f}) {
+        INFO("by " << by);
+        cap_builder caps, further;
+        const shapes::shape two{"two squares",
+                                {shapes::polygon({{0, 0}, {200, 0}, {200, 200}, {0, 200}}),
+                                 shapes::polygon({{200, 200}, {400, 200}, {400, 400}, {200, 400}})}};
+        REQUIRE(append_loops(two.loops, caps.loops()));
+        caps.loops().grid = two.loops.grid;
+        caps.loops().curves = two.curves;
+        const monotone cut;
+        const auto touching = caps.fill({}, cut);
+        REQUIRE(touching);
+        REQUIRE(touching->is_touching());
+        detail::region_caps maker{caps, further, cut};
+        capped_mesh<emboldened<>> m;
+        const auto plan = plan_solid(emboldened<>{.by = by}, *touching, m.data, maker);
+        REQUIRE(plan);
+        CHECK_FALSE(plan->narrowed);
+        const solid_of<emboldened<>> form{{touching->points(), touching->starts(), caps.triangles().view()},
+                                          m.data.read()};
+        REQUIRE_FALSE(write_solid<emboldened<>>({form, *plan}, emboldened<>{.by = by}, in_em(),
+                                                static_cast<mesh<everything>&>(m)));
+        CHECK(open_edges(m) == 0);
+        CHECK(m.data.loops.contour_count() == (by > 0.0f ? 1u : 2u));
+        const double side = 0.2 + 2.0 * double(by), shared = by > 0.0f ? 0.04 * 0.04 : 0.0;
+        CHECK(volume_of(m) == Approx(0.2 * (2.0 * side * side - shared)));
+    }
+}
+
 TEST_CASE("an emboldened solid obeys its laws in every frame, and its box holds what has grown", "[emboldened]")
 {
     for (const frame& f : frames())
