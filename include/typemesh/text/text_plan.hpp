@@ -194,8 +194,8 @@ public:
     [[nodiscard]] placement place(std::size_t glyph) const noexcept { return fresh().place(fresh().records[glyph]); }
 
     /// N and H of the vertex counts 2N, 4N and 4N + 2H: contour points, and the hard ones among them, whose side
-    /// vertices are doubled. Seams of em mapping are not hard points and are counted in addition. N is of the letters as
-    /// they are drawn, before an extruder moves their edges. Cost: O(glyphs), and O(points) for H.
+    /// vertices are doubled. Seams of em mapping are not hard points and are counted in addition. N is of the letters
+    /// as they are drawn, before an extruder moves their edges. Cost: O(glyphs), and O(points) for H.
     [[nodiscard]] std::uint64_t contour_points() const noexcept
     {
         std::uint64_t points = 0;
