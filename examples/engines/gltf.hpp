@@ -3,8 +3,8 @@
 
 // glTF 2.0, as one binary file in memory (GLB): one mesh, one primitive per part, one buffer. Right-handed, y up, front
 // faces counter-clockwise, looking along +z; v downwards, normal maps with green up: a tangent's w is negated. Each
-// part has a material of its own, named after it (front, back, side), for colours and textures of yours: without one a
-// primitive is drawn as bare metal, which mirrors a black surrounding.
+// part has a material of its own, named after it (front, back, side, front_bevel, back_bevel), for colours and textures
+// of yours: without one a primitive is drawn as bare metal, which mirrors a black surrounding.
 //
 //     plain        48 bytes per vertex: floats
 //     quantised    20 bytes per vertex, by KHR_mesh_quantization (required by the file):
@@ -114,6 +114,9 @@ struct uv_range {
     }
 };
 
+inline constexpr const char* part_names[typemesh::most_parts] = {"front",      "back",   "side",   "front_bevel",
+                                                                 "back_bevel", "part 5", "part 6", "part 7"};
+
 /// The materials of the parts that are drawn, in the parts' order: painted, not metal, the sides darker. Where `packed`
 /// texture coordinates go beyond [0, 1] each has a white texture with the transform that undoes them.
 template <class Plan>
@@ -131,14 +134,12 @@ void say_materials(std::string& json, const Plan& plan, const uv_range* packed)
     const char* before = R"("materials":[)";
     for (const part p : plan.parts()) {
         if (plan.range(p).index_count == 0) continue;
-        const bool side = p == part::side;
         say(json,
             R"(%s{"name":"%s","pbrMetallicRoughness":{%s"baseColorFactor":%s,"metallicFactor":0,"roughnessFactor":0.45}})",
-            before,
-            side               ? "side"
-            : p == part::front ? "front"
-                               : "back",
-            texture.c_str(), side ? "[0.617,0.061,0.03,1]" : "[0.871,0.138,0.051,1]");
+            before, part_names[static_cast<std::size_t>(p)], texture.c_str(),
+            p == part::side  ? "[0.617,0.061,0.03,1]"
+            : p > part::side ? "[0.939,0.287,0.089,1]"
+                             : "[0.871,0.138,0.051,1]");
         before = ",";
     }
     json += "],";
@@ -156,8 +157,8 @@ template <class Plan>
                                                {high.x, high.y, plan.bounds().high.z});
 }
 
-/// How many triangles of one cap of every letter flip over or become flat in the quantised layout; walls on their
-/// rims may become flat with them.
+/// How many triangles of one cap, and of the bevels round it, of every letter flip over or become flat in the quantised
+/// layout; walls on their rims may become flat with them.
 template <class Plan>
 [[nodiscard]] std::uint64_t turned_by_quantising(const Plan& plan) noexcept
 {
@@ -165,13 +166,13 @@ template <class Plan>
     for (std::size_t i = 0; i < plan.glyphs().size(); ++i) {
         const typemesh::placement at = plan.place(i);
         const typemesh::position_box box = box_of(plan, i);
-        const typemesh::solid& shape = plan.glyphs()[i].built->form();
-        const auto corner = [&](std::uint32_t point) noexcept {
-            const typemesh::box_position p = box(at.position(shape.points[point], 0.0f));
+        const auto corner = [&](typemesh::grid_point point) noexcept {
+            const typemesh::box_position p = box(at.position(point, 0.0f));
             return typemesh::grid_point{p.x.bits, p.y.bits};
         };
-        for (const typemesh::triangle t : shape.triangles)
-            turned += typemesh::orientation(corner(t.a), corner(t.b), corner(t.c)) > 0 ? 0u : 1u;
+        plan.each_seen_from_front(i, [&](auto a, auto b, auto c) noexcept {
+            turned += typemesh::orientation(corner(a), corner(b), corner(c)) > 0 ? 0u : 1u;
+        });
     }
     return turned;
 }
@@ -231,13 +232,14 @@ void say_letters(std::string& json, const Plan& plan)
     int accessor = 4;
     for (std::size_t i = 0; i < letters; ++i) {
         say(json, R"(%s{"name":"glyph %u","primitives":[)", i != 0 ? "," : "", plan.glyphs()[i].id);
-        int material = 0;
+        int material = -1;
         const char* before = "";
         for (const part p : plan.parts()) {
-            if (plan.range(p).index_count == 0) continue;
+            if (plan.range(p).index_count != 0) ++material;
+            if (plan.range(i, p).index_count == 0) continue;  // a cap that its bevels have closed
             say(json,
                 R"(%s{"attributes":{"POSITION":0,"NORMAL":1,"TANGENT":2,"TEXCOORD_0":3},"indices":%d,"material":%d})",
-                before, accessor++, material++);
+                before, accessor++, material);
             before = ",";
         }
         json += "]}";

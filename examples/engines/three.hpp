@@ -12,7 +12,7 @@
 //         geometry.setAttribute(name, new THREE.BufferAttribute(module.HEAPF32.slice(at, at + size * vertexCount), size));
 //     }
 //     geometry.setIndex(new THREE.BufferAttribute(module.HEAPU32.slice(index / 4, index / 4 + indexCount), 1));
-//     groups.forEach((g, i) => geometry.addGroup(g.start, g.count, i));     // front, back, side: one material each
+//     groups.forEach((g, i) => geometry.addGroup(g.start, g.count, i));     // plan.parts(): one material each
 
 #include <typemesh/text/text_options.hpp>
 #include <typemesh/vertex/stream_sink.hpp>

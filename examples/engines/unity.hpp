@@ -22,7 +22,8 @@
 //         new VertexAttributeDescriptor(VertexAttribute.TexCoord0, VertexAttributeFormat.Float16, 2, 1));
 //     data[0].SetIndexBufferParams(indexCount, IndexFormat.UInt16);
 //     Write(data[0].GetVertexData<byte>(0).GetUnsafePtr(), data[0].GetVertexData<byte>(1).GetUnsafePtr(), ...);
-//     data[0].subMeshCount = 3;                               // front, back, side: plan.range(part)
+//     data[0].subMeshCount = partCount;                       // plan.parts(): front, back, side, bevels if there are any
+//     for (...) data[0].SetSubMesh(i, new SubMeshDescriptor(firstIndex, indexCount));       // plan.range(part)
 //
 // The bounds must be set by the caller (MeshUpdateFlags.DontRecalculateBounds): plan.bounds().
 

@@ -13,7 +13,8 @@
 //     auto plan = mesher.plan(text_view{text}, engines::unreal::options(100.0));        // an em is a metre
 //     engines::unreal::write(*plan, LODResources.VertexBuffers, indices);               // TArray<uint32>
 //     LODResources.IndexBuffer.SetIndices(indices, EIndexBufferStride::AutoDetect);
-//     // LODResources.Sections: one FStaticMeshSection per part, FirstIndex and NumTriangles from plan->range(part)
+//     // LODResources.Sections: one FStaticMeshSection for each of plan->parts(), FirstIndex and NumTriangles from
+//     // plan->range(part)
 
 #include <typemesh/text/text_options.hpp>
 #include <typemesh/vertex/mesh_sink.hpp>

@@ -23,6 +23,7 @@
 
 #include <cstdio>
 #include <string>
+#include <string_view>
 #include <variant>
 
 template <>
@@ -182,6 +183,16 @@ std::string draw_picture(const options& o, typemesh::harfbuzz_font& font, const 
     return write_png(pixels, width, height, o.picture, files);
 }
 
+/// Why a text cannot be planned; of an option that no check of the command line can know, as it depends on the font, by
+/// its name there.
+std::string refusal_in_words(const options& o, const typemesh::error& e)
+{
+    if (e.code != typemesh::error::bad_option || std::string_view{e.option} != "width") return in_words(e);
+    constexpr float narrow = 1e-4f;  // a ring is refused that is narrower than a few cells
+    if (o.outline.width > 0.0f && o.outline.width < narrow) return "--outline: is too narrow for this font.";
+    return "--bevel: is too wide for this font.";
+}
+
 /// Warns the user about a plan. Gives why nothing is written, or an empty string.
 template <class Plan>
 std::string name_warnings(const options& o, const Plan& plan, const typemesh::harfbuzz_font& font)
@@ -212,7 +223,7 @@ std::string run(const options& o, progress& tell, typemesh::harfbuzz_font& font,
                       .with(extruder)
                       .with(stage_clock{.tell = &tell});
     auto plan = plan_of(mesher, o, page, text_options_of(o));
-    if (!plan) return in_words(plan.error());
+    if (!plan) return refusal_in_words(o, plan.error());
 
     tell.clear();
     if (std::string trouble = name_warnings(o, *plan, font); !trouble.empty()) return trouble;

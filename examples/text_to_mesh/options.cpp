@@ -247,9 +247,11 @@ void add_bevel_options(CLI::App& app, options& out, raw_values& raw)
         "a whole number from 0 to 63", [](double n) { return n >= 0.0 && n <= 63.0 && n == std::floor(n); },
         [&raw](double n) { raw.bevel_steps = n; })
         ->type_name("N");
-    add_named<bevel_mode>(app, "--bevel-mode", out.bevel.mode,
-                          "where a stroke is too thin, bevels meet in a ridge (clip, default), or are narrower (fit)",
-                          {{"clip", bevel_mode::clip}, {"fit", bevel_mode::fit}});
+    add_named<bevel_mode>(
+        app, "--bevel-mode", out.bevel.mode,
+        "where a stroke is too thin, bevels meet in a ridge (clip, default), or are narrower: those of "
+        "that letter (fit) or of all (fit_text)",
+        {{"clip", bevel_mode::clip}, {"fit", bevel_mode::fit}, {"fit_text", bevel_mode::fit_text}});
     app.add_flag("--bevel-out", out.bevel.outward, "bevels are put on, round the letters, which grow");
     add_named<bevel_sides>(app, "--bevel-sides", out.bevel.sides, "which edges are bevelled (default both)",
                            {{"front", bevel_sides::front}, {"back", bevel_sides::back}, {"both", bevel_sides::both}});

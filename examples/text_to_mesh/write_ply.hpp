@@ -8,7 +8,8 @@
 
 namespace text_to_mesh {
 
-/// Writes a binary little-endian PLY: vertices with x y z nx ny nz s t, faces with three indices.
+/// Writes a binary little-endian PLY: vertices with x y z nx ny nz s t, faces with three indices and,
+/// if the model has parts, the number of theirs; comments name them: "part 0 front".
 ///
 /// Gives  an empty string, or one sentence for the user; see write_atomically.
 [[nodiscard]] std::string write_ply(const model& mesh, const std::string& path, file_set& files);

@@ -2,6 +2,7 @@
 #include "wrong_usage.hpp"
 
 #include <algorithm>
+#include <string_view>
 #include <vector>
 
 namespace text_to_mesh {
@@ -67,6 +68,11 @@ std::string in_words(const CLI::ParseError& wrong, CLI::App& app, int argc, char
                                                   : " was not expected; a text of several words stands in quotes");
     }
     const std::string said = wrong.what();
+    constexpr std::string_view unconverted = "Could not convert: ";
+    if (said.rfind(unconverted, 0) == 0) {  // what stands behind the = of a flag; values of others are read by checks
+        const std::string option = said.substr(unconverted.size());
+        return option.substr(0, option.find(' ')) + ": takes no value";
+    }
     const auto colon = said.find(':');
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&wrong) == nullptr || colon == std::string::npos) return said;
     const bool lacks = said.find("missing", colon) != std::string::npos;

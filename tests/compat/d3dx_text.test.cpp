@@ -5,6 +5,7 @@
 #include "support/toy_font.hpp"
 
 #include <typemesh/compat/d3dx_text.hpp>
+#include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/triangulate/constrained_delaunay.hpp>
 #include <typemesh/vertex/growing_sink.hpp>
 
@@ -442,7 +443,7 @@ TEST_CASE("another triangulator changes the caps' triangles and nothing else", "
     d3dx_text usual{font};
     auto fair = d3dx_text{font}.with(constrained_delaunay{});
     static_assert(
-        std::is_same_v<decltype(fair), d3dx_text<test::toy_font, curve_normals, no_cache, constrained_delaunay>>);
+        std::is_same_v<decltype(fair), d3dx_text<test::toy_font, extruded<>, no_cache, constrained_delaunay>>);
     for (const auto* text : {u"o", u"Eo i", u""}) {
         const auto a = usual.plan(text), b = fair.plan(text);
         REQUIRE(a);
@@ -461,5 +462,49 @@ TEST_CASE("another triangulator changes the caps' triangles and nothing else", "
         for (std::size_t i = walls.first_index; i < walls.first_index + walls.index_count; ++i)
             CHECK(old_cut[i] == new_cut[i]);
         if (!old_cut.empty()) CHECK_FALSE(old_cut == new_cut);
+    }
+}
+
+TEST_CASE("another extruder stands where Direct3D's text does, all its parts drawn, and has the extrusion as its depth",
+          "[compat]")
+{
+    test::toy_font font;
+    const double extrusion = GENERATE(0.1, 5.0);
+    // The cell of the toy font is as large as its em, so widths and depths have the same unit.
+    auto maker = d3dx_text{font}.with(bevelled<>{.width = 0.02f, .bevel_depth = 0.04f});
+    const auto plan = maker.plan(all_glyphs, {.extrusion = extrusion});
+    REQUIRE(plan);
+    const full_mesh m = write(*plan);
+    CHECK(test::examine(m).unmatched_edges == 0);
+    std::size_t indices = 0;
+    const auto lies = [&](mesh_range r, double low, double high, double facing) {
+        REQUIRE(r.vertex_count > 0);
+        indices += r.index_count;
+        for (std::uint32_t i = r.first_vertex; i < r.first_vertex + r.vertex_count; ++i) {
+            REQUIRE(m.vertices[i].position.z >= static_cast<float>(low) - 1e-6f);
+            REQUIRE(m.vertices[i].position.z <= static_cast<float>(high) + 1e-6f);
+            REQUIRE(as_double(m.vertices[i].normal.z) == Approx(facing).margin(1e-6));
+        }
+    };
+    const double lean = std::sqrt(0.2);  // of a bevel twice as deep as wide
+    lies(plan->front(), -extrusion, -extrusion, -1.0);
+    lies(plan->front_bevel(), -extrusion, -extrusion + 0.04, -lean);
+    lies(plan->sides(), -extrusion + 0.04, -0.04, 0.0);
+    lies(plan->back_bevel(), -0.04, 0.0, lean);
+    lies(plan->back(), 0.0, 0.0, 1.0);
+    CHECK(indices == m.indices.size());
+
+    CHECK(std::string{maker.plan(u"o", {.extrusion = 0.07}).error().option} == "bevel_depth");
+    maker.extruder_policy().bevel_depth = 0.03f;
+    CHECK(maker.plan(u"o", {.extrusion = 0.07}));
+
+    std::vector<d3dx_textured_vertex> textured;
+    std::vector<std::uint32_t> corners;
+    const auto boxed = maker.plan(u"oE");
+    REQUIRE(boxed);
+    REQUIRE_FALSE(boxed->write(into(textured, corners)));
+    for (const auto& v : textured) {  // as without bevels: one tile over the text
+        CHECK(v.uv.x >= 0.0f);
+        CHECK(v.uv.x <= 1.0f);
     }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-// Must not compile: an extruder for what Direct3D extrudes in one way.
+// Must not compile: an extruder without a depth for what Direct3D extrudes.
 
 #include "../support/toy_font.hpp"
 

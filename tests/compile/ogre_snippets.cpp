@@ -45,7 +45,8 @@ data->vertexBufferBinding->setBinding(0, vertices);
 data->vertexDeclaration->addElement(0, offsetof(vertex, position), Ogre::VET_FLOAT3, Ogre::VES_POSITION);
 data->vertexDeclaration->addElement(0, offsetof(vertex, normal), Ogre::VET_FLOAT3, Ogre::VES_NORMAL);
 data->vertexDeclaration->addElement(0, offsetof(vertex, uv), Ogre::VET_FLOAT2, Ogre::VES_TEXTURE_COORDINATES);
-for (auto part : plan->parts()) {                        // front, back, side: a material for each
+for (auto part : plan->parts()) {                        // front, back, side, bevels: a material for each
+    if (plan->range(part).index_count == 0) continue;
     auto* sub = mesh->createSubMesh();
     sub->indexData->indexBuffer = indices;
     sub->indexData->indexStart = plan->range(part).first_index;

@@ -8,14 +8,18 @@
 #include "engines/glm.hpp"
 #endif
 
+#include <type_traits>
+#include <utility>
+
 #include "recipe_laws.hpp"
 
 using namespace recipes;
 
 #if __has_include(<glm/vec3.hpp>)
-TEST_CASE("GLM's vectors hold a right-handed mesh, counter-clockwise, v upwards", "[engines]")
+TEMPLATE_TEST_CASE("GLM's vectors hold a right-handed mesh, counter-clockwise, v upwards", "[engines]", bench,
+                   bevelled_bench)
 {
-    bench b;
+    TestType b;
     std::vector<engines::glm_vertex> vertices;
     std::vector<std::uint32_t> indices;
     auto plan = b.mesher.plan(word, engines::glm_options());
@@ -34,20 +38,22 @@ TEST_CASE("GLM's vectors hold a right-handed mesh, counter-clockwise, v upwards"
 #endif
 
 TEMPLATE_TEST_CASE("Eigen's matrices hold a mesh with z up, a row or a column for each vertex and triangle",
-                   "[engines]", std::true_type, std::false_type)
+                   "[engines]", (std::pair<std::true_type, bench>), (std::pair<std::false_type, bench>),
+                   (std::pair<std::true_type, bevelled_bench>), (std::pair<std::false_type, bevelled_bench>))
 {
+    constexpr bool by_rows = TestType::first_type::value;
     using places_type =
-        std::conditional_t<TestType::value, Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>, Eigen::Matrix3Xf>;
+        std::conditional_t<by_rows, Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>, Eigen::Matrix3Xf>;
     using triangles_type =
-        std::conditional_t<TestType::value, Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>, Eigen::Matrix3Xi>;
-    bench b;
+        std::conditional_t<by_rows, Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>, Eigen::Matrix3Xi>;
+    typename TestType::second_type b;
     auto plan = b.mesher.plan(word, engines::eigen::options());
     REQUIRE(plan);
     places_type places, normals;
     triangles_type triangles;
     REQUIRE_FALSE(engines::eigen::write(*plan, places, normals, triangles));
     const auto at = [](auto& m, std::size_t i, int k) {
-        if constexpr (TestType::value)
+        if constexpr (by_rows)
             return m(static_cast<decltype(m.rows())>(i), k);
         else
             return m(k, static_cast<decltype(m.rows())>(i));

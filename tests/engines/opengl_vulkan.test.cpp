@@ -40,9 +40,10 @@ engine packed(engine is)
 
 }  // namespace
 
-TEST_CASE("OpenGL gets one interleaved vertex of 24 bytes, counter-clockwise, v upwards", "[engines]")
+TEMPLATE_TEST_CASE("OpenGL gets one interleaved vertex of 24 bytes, counter-clockwise, v upwards", "[engines]", bench,
+                   bevelled_bench)
 {
-    bench b;
+    TestType b;
     auto plan = b.mesher.plan(word, engines::opengl::options());
     REQUIRE(plan);
     const guarded_bytes vertices{plan->size().vertices * sizeof(engines::opengl::vertex)},
@@ -68,9 +69,10 @@ TEST_CASE("OpenGL is told of four attributes, each where the vertex has it, the 
     CHECK(offsets == std::vector<std::size_t>{1000, 1012, 1016, 1020});
 }
 
-TEST_CASE("two texts share Vulkan buffers, the second's indices counting on from the first's vertices", "[engines]")
+TEMPLATE_TEST_CASE("two texts share Vulkan buffers, the second's indices counting on from the first's vertices",
+                   "[engines]", bench, bevelled_bench)
 {
-    bench b;
+    TestType b;
     guarded_bytes vertices{24 * 60'000}, indices{4 * 200'000};
     engines::vulkan::room room{vertices.bytes(), indices.bytes()};
     auto first = b.mesher.plan("first", engines::vulkan::options());

@@ -4,6 +4,7 @@
 // What must hold for each engine's recipe, told in that engine's own coordinates, on a mesh read back from its buffers.
 
 #include <typemesh/adapt/harfbuzz.hpp>
+#include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/extruded.hpp>
 #include <typemesh/text/text_mesher.hpp>
 
@@ -25,9 +26,10 @@ using namespace typemesh;
 inline constexpr const char* word = "L\xC3\xA5&g";
 
 /// A font, and a mesher over it whose requests for memory are counted.
-class bench {
+template <class Extruder>
+class bench_of {
 public:
-    bench() : font_{open()}, mesher{font_, memory.source()} {}
+    bench_of() : font_{open()}, mesher{text_mesher{font_, memory.source()}.with(Extruder{})} {}
 
 private:
     static harfbuzz_font open()
@@ -40,8 +42,13 @@ private:
 
 public:
     test::counting_memory memory;
-    text_mesher<harfbuzz_font> mesher;
+    text_mesher<harfbuzz_font, certified, monotone, Extruder> mesher;
 };
+
+/// With three parts and with five.
+using bench = bench_of<extruded<>>;
+using bevelled_bench = bench_of<bevelled<>>;
+inline constexpr double bevel = 0.02;  // as wide and as deep
 
 /// A mesh read back from an engine's buffers.
 struct seen {
@@ -108,7 +115,9 @@ void obeys(const seen& mesh, const Plan& plan, const engine& is)
     for (const vec3 p : mesh.position) welded.push_back({p, {}, {}});
     CHECK(test::examine(welded, mesh.index).unmatched_edges == 0);
 
-    // In place: front at depth 0, in the unit asked for, readable from where the text looks to.
+    // In place: front at depth 0, in the unit asked for, readable from where the text looks to; bevels between cap and
+    // wall, leaning like both.
+    const bool has_bevels = plan.parts().size() == 5;
     for (const part where : plan.parts()) {
         const auto range = plan.range(where);
         REQUIRE(range.vertex_count > 0);
@@ -116,9 +125,16 @@ void obeys(const seen& mesh, const Plan& plan, const engine& is)
             const double depth = along(mesh.position[i], is.toward) / is.em, facing = along(mesh.normal[i], is.toward);
             if (where == part::front) CHECK(std::abs(depth) <= is.off_position);
             if (where == part::back) CHECK(std::abs(depth + 0.2) <= is.off_position);
-            CHECK(std::abs(facing - (where == part::front  ? 1.0
-                                     : where == part::back ? -1.0
-                                                           : 0.0)) <= is.off_direction);
+            if (where > part::side) {
+                const double into = where == part::front_bevel ? -depth : 0.2 + depth;
+                CHECK(std::abs(into - bevel / 2) <= bevel / 2 + is.off_position);
+                CHECK(std::abs(facing - (where == part::front_bevel ? 1.0 : -1.0) * std::sqrt(0.5)) <=
+                      2.0 * is.off_direction);
+            } else {
+                CHECK(std::abs(facing - (where == part::front  ? 1.0
+                                         : where == part::back ? -1.0
+                                                               : 0.0)) <= is.off_direction);
+            }
             CHECK(std::abs(test::dot(mesh.normal[i], mesh.normal[i]) - 1.0) <= 3.0 * is.off_direction + 1e-6);
         }
     }
@@ -129,16 +145,18 @@ void obeys(const seen& mesh, const Plan& plan, const engine& is)
         low = (std::min)(low, y), high = (std::max)(high, y), left = (std::min)(left, x), right = (std::max)(right, x);
         middle_x += x / l.vertex_count, middle_y += y / l.vertex_count;
     }
-    CHECK(high - low == Catch::Approx(0.729).margin(0.001));  // DejaVu Sans' cap height, 1493 of 2048
+    const double cap_height = 0.729 - (has_bevels ? 2.0 * bevel : 0.0);  // DejaVu Sans', 1493 of 2048
+    CHECK(high - low == Catch::Approx(cap_height).margin(0.001));
     CHECK(middle_x < (left + right) / 2);
     CHECK(middle_y < (low + high) / 2);
 
     // Texture: a tile an em. On caps by the place in the text, v = 0 where the engine has it; on walls upright, and
-    // everywhere as long as what it lies on.
+    // everywhere but on bevels, whose u is kept on the way inwards, as long as what it lies on.
     if (!mesh.uv.empty()) {
         REQUIRE(mesh.uv.size() == size.vertices);
         const double off = is.off_uv + is.off_position * 3.0;
         for (const part where : plan.parts()) {
+            if (where > part::side) continue;
             const auto range = plan.range(where);
             for (std::uint32_t i = range.first_vertex; i < range.first_vertex + range.vertex_count; ++i) {
                 const vec3 p = mesh.position[i];

@@ -98,9 +98,10 @@ std::vector<letter_node> letter_nodes(const std::string& json)
 
 }  // namespace
 
-TEST_CASE("three.js gets one typed array an attribute, counter-clockwise, v upwards", "[engines]")
+TEMPLATE_TEST_CASE("three.js gets one typed array an attribute, counter-clockwise, v upwards", "[engines]", bench,
+                   bevelled_bench)
 {
-    bench b;
+    TestType b;
     auto plan = b.mesher.plan(word, engines::three::options());
     REQUIRE(plan);
     const std::size_t n = plan->size().vertices;
@@ -130,9 +131,10 @@ TEST_CASE("three.js gets one typed array an attribute, counter-clockwise, v upwa
     CHECK(short_uv == std::vector<float>(2 * n - 1, -7.0f));
 }
 
-TEST_CASE("a plain glTF file holds floats, right-handed, counter-clockwise, v downwards", "[engines]")
+TEMPLATE_TEST_CASE("a plain glTF file holds floats, right-handed, counter-clockwise, v downwards", "[engines]", bench,
+                   bevelled_bench)
 {
-    bench b;
+    TestType b;
     auto plan = b.mesher.plan(word, engines::gltf::options());
     REQUIRE(plan);
     std::vector<std::byte> file;
@@ -166,10 +168,10 @@ TEST_CASE("a plain glTF file holds floats, right-handed, counter-clockwise, v do
     CHECK(numbers_after(g.json, "byteStride")[0] == 48);
 }
 
-TEST_CASE("a quantised glTF file gives the same mesh back through its nodes' transforms, in 20 bytes a vertex",
-          "[engines]")
+TEMPLATE_TEST_CASE("a quantised glTF file gives the same mesh back through its nodes' transforms, in 20 bytes a vertex",
+                   "[engines]", bench, bevelled_bench)
 {
-    bench b;
+    TestType b;
     auto plan = b.mesher.plan(word, engines::gltf::options());
     REQUIRE(plan);
     std::vector<std::byte> file;
@@ -311,6 +313,10 @@ TEST_CASE("a glTF file has a named material for each part that is drawn, and non
     auto solid = b.mesher.plan(word, engines::gltf::options());
     REQUIRE(solid);
     law(*solid, {"front", "back", "side"});
+    bevelled_bench rounded;
+    auto five = rounded.mesher.plan(word, engines::gltf::options());
+    REQUIRE(five);
+    law(*five, {"front", "back", "side", "front_bevel", "back_bevel"});
     bench second, third;
     auto open_behind = std::move(second.mesher).with(extruded<>{.back = false});
     auto ribbon = open_behind.plan(word, engines::gltf::options());
@@ -320,6 +326,40 @@ TEST_CASE("a glTF file has a named material for each part that is drawn, and non
     auto sheet = flattened.plan(word, engines::gltf::options());
     REQUIRE(sheet);
     law(*sheet, {"front"});
+}
+
+TEST_CASE("a letter whose bevels meet in a ridge has no primitive for its caps, and the materials of its other parts",
+          "[engines]")
+{
+    bevelled_bench b;
+    b.mesher.extruder_policy().width = 0.05f;  // wider than half of the stem, less than half of the dot
+    auto plan = b.mesher.plan("l.", engines::gltf::options());
+    REQUIRE(plan);
+    REQUIRE(plan->range(0, part::front).index_count == 0);
+    REQUIRE(plan->range(1, part::front).index_count != 0);
+    for (const auto how : {engines::gltf::layout::plain, engines::gltf::layout::quantised}) {
+        std::vector<std::byte> file;
+        REQUIRE_FALSE(engines::gltf::write(*plan, how, file));
+        const std::string json = open(file).json;
+        const bool packed = how == engines::gltf::layout::quantised;
+        const auto meshes = json.substr(json.find("\"meshes\":["), json.find("\"buffers\":["));
+        using words = std::vector<std::string>;
+        CHECK(all_after(meshes, "\"material\":") ==
+              (packed ? words{"2", "3", "4", "0", "1", "2", "3", "4"} : words{"0", "1", "2", "3", "4"}));
+        words counts;
+        for (std::size_t i = 0; i < (packed ? 2 : 1); ++i) {
+            for (const part p : plan->parts()) {
+                const mesh_range range = packed ? plan->range(i, p) : plan->range(p);
+                if (range.index_count != 0) counts.push_back(std::to_string(range.index_count));
+            }
+        }
+        words told;
+        const auto indices = all_after(meshes, "\"indices\":");
+        const auto all = all_after(json.substr(json.find("\"accessors\":[")), "\"count\":");
+        for (const std::string& k : indices) told.push_back(all.at(std::stoul(k)));
+        CHECK(told == counts);
+        CHECK(all.size() == 4 + counts.size());
+    }
 }
 
 TEST_CASE("texture coordinates over the text's box are written as they are into a quantised glTF file", "[engines]")

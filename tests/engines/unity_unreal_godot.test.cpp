@@ -32,12 +32,12 @@ engines::unity::mesh_data pointers(MeshData& data, bool wide)
 
 }  // namespace
 
-TEST_CASE(
+TEMPLATE_TEST_CASE(
     "Unity's two streams hold a left-handed mesh, clockwise to the viewer, v upwards, every attribute a multiple of 4 "
     "bytes",
-    "[engines]")
+    "[engines]", bench, bevelled_bench)
 {
-    bench b;
+    TestType b;
     auto plan = b.mesher.plan(word, engines::unity::options());
     REQUIRE(plan);
     for (const bool wide : {false, true}) {
@@ -46,7 +46,8 @@ TEST_CASE(
         data.SetIndexBufferParams(static_cast<int>(plan->size().indices()),
                                   wide ? IndexFormat::UInt32 : IndexFormat::UInt16);
         REQUIRE(data.GetVertexData(1).size() == engines::unity::stream1_bytes * plan->size().vertices);
-        const part_colours<> colours{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        const rgba8 of_part[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {0, 1, 1}};
+        const part_colours<> colours{of_part[0], of_part[1], of_part[2], of_part[3], of_part[4]};
         REQUIRE_FALSE(engines::unity::write(*plan, pointers(data, wide), colours));
 
         seen mesh;
@@ -65,12 +66,12 @@ TEST_CASE(
             mesh.normal.push_back({f(v.normal[0]), f(v.normal[1]), f(v.normal[2])});
             mesh.tangent.push_back({f(v.tangent[0]), f(v.tangent[1]), f(v.tangent[2]), f(v.tangent[3])});
             mesh.uv.push_back({f(v.uv[0]), f(v.uv[1])});
-            const std::size_t where = i < plan->range(part::back).first_vertex   ? 0
-                                      : i < plan->range(part::side).first_vertex ? 1
-                                                                                 : 2;
-            CHECK(v.colour[where].bits == 255);
-            CHECK(v.colour[(where + 1) % 3].bits == 0);
-            CHECK(v.colour[3].bits == 255);
+            for (const part where : plan->parts()) {
+                const mesh_range range = plan->range(where);
+                if (i - range.first_vertex >= range.vertex_count) continue;
+                const rgba8 own = of_part[static_cast<std::size_t>(where)];
+                CHECK((v.colour[0] == own.r && v.colour[1] == own.g && v.colour[2] == own.b && v.colour[3] == own.a));
+            }
         }
         for (std::size_t i = 0; i < plan->size().indices(); ++i) {
             std::uint32_t n = 0;
@@ -119,9 +120,10 @@ TEST_CASE("a long text overflows 16-bit indices with a clear error", "[engines]"
     CHECK_FALSE(engines::unity::write(*plan, pointers(data, true)));
 }
 
-TEST_CASE("Unreal's buffers hold a mesh in centimetres, z up, its triangles wound against their normals", "[engines]")
+TEMPLATE_TEST_CASE("Unreal's buffers hold a mesh in centimetres, z up, its triangles wound against their normals",
+                   "[engines]", bench, bevelled_bench)
 {
-    bench b;
+    TestType b;
     auto plan = b.mesher.plan(word, engines::unreal::options(100.0));
     REQUIRE(plan);
     FStaticMeshVertexBuffers buffers;
@@ -150,9 +152,10 @@ TEST_CASE("Unreal's buffers hold a mesh in centimetres, z up, its triangles woun
     for (std::int32_t i = 0; i < indices.Num(); ++i) REQUIRE(narrow[i] == indices[i]);
 }
 
-TEST_CASE("Godot's arrays hold a mesh whose front faces are clockwise in a right-handed frame", "[engines]")
+TEMPLATE_TEST_CASE("Godot's arrays hold a mesh whose front faces are clockwise in a right-handed frame", "[engines]",
+                   bench, bevelled_bench)
 {
-    bench b;
+    TestType b;
     auto plan = b.mesher.plan(word, engines::godot_mesh::options());
     REQUIRE(plan);
     using namespace ::godot;

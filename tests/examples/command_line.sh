@@ -204,6 +204,7 @@ for part in front back side front_bevel back_bevel; do
     that "there is a material $part" grep -qx "newmtl $part" bevelled.mtl
     that "the GLB has a material $part" grep -qa "\"name\":\"$part\"" bevelled.glb
 done
+that "the PLY's triangles know their parts" [ "$(grep -aoE 'comment part [0-9] [a-z_]+' bevelled.ply | cut -d' ' -f3- | tr '\n' ' ')" = "0 front 1 back 2 side 3 front_bevel 4 back_bevel " ]
 that "a bevel is carved into the depth" larger "$(widest bevelled.obj 4)" "$(widest plain.obj 4)" 0
 that "a bevel is carved into the width" larger "$(widest bevelled.obj 2)" "$(widest plain.obj 2)" 0
 expect 0 "" "Rag" --font $sans --output front.obj "${bevels[@]}" --bevel-sides front
@@ -236,6 +237,12 @@ expect 0 "" "o" --font $sans --output ridge.obj --bevel 0.3 --bevel-depth 0.1
 that "a bevel wider than the stroke closes in a ridge" sh -c '! grep -qx "g front" ridge.obj'
 expect 0 "" "o" --font $sans --output fits.obj --bevel 0.3 --bevel-depth 0.1 --bevel-mode fit
 that "a bevel that fits leaves a cap" grep -qx "g front" fits.obj
+for mode in fit fit_text; do
+    expect 0 "" "Oi" --font $sans --output $mode.obj --bevel 0.3 --bevel-depth 0.1 --bevel-mode $mode
+    expect 0 "" "i" --font $sans --output $mode-i.obj --bevel 0.3 --bevel-depth 0.1 --bevel-mode $mode
+done
+that "bevels of a text that fit are as narrow as the narrowest" differ <(grep -v ^mtllib fit.obj) <(grep -v ^mtllib fit_text.obj)
+that "a text of one letter is that letter" cmp -s <(grep -v ^mtllib fit-i.obj) <(grep -v ^mtllib fit_text-i.obj)
 expect 0 "" "o" --font $sans --output thin.obj --depth 0.3
 expect 0 "" "o" --font $sans --output grown.obj --depth 0.3 "${bevels[@]}" --bevel-out
 that "--bevel-out makes letters wider" larger "$(widest grown.obj 2)" "$(widest thin.obj 2)" 0.04
@@ -464,8 +471,17 @@ expect 0 "" x --font $sans --output x64.glb --bevel 0.02 --profile "0,0;$(printf
 expect 2 "^text_to_mesh: --profile: must have at most 64 points, not 65$" x --font $sans --output x.glb --bevel 0.02 --profile "0,0;$(printf '0.5,0.5;%.0s' $(seq 63))1,1"
 expect 2 "bevel-steps: must be a whole number from 0 to 63, not 64" x --font $sans --output x.glb --bevel 0.02 --profile round --bevel-steps 64
 expect 2 "--bevel-steps: is for --profile round or concave" x --font $sans --output x.glb --bevel 0.02 --bevel-steps 4
-expect 2 "bevel-mode: must be clip or fit, not fill" x --font $sans --output x.glb --bevel 0.02 --bevel-mode fill
+expect 2 "bevel-mode: must be clip, fit or fit_text, not fill" x --font $sans --output x.glb --bevel 0.02 --bevel-mode fill
 expect 2 "bevel-sides: must be front, back or both, not top" x --font $sans --output x.glb --bevel 0.02 --bevel-sides top
+for width in 1000 100; do
+    rm -f wide.glb; echo kept >wide.glb
+    expect 1 "^text_to_mesh: --bevel: is too wide for this font\.$" x --font $sans --output wide.glb --bevel $width --bevel-out --bevel-depth 0.02
+    that "a bevel that is too wide leaves the old file alone" [ "$(cat wide.glb)" = kept ]
+done
+expect 0 "" x --font $sans --output wide.glb --bevel 1000 --bevel-depth 0.02
+expect 1 "^text_to_mesh: --outline: is too narrow for this font\.$" x --font $sans --output narrow.glb --outline 1e-7
+that "an outline that is too narrow writes nothing" [ ! -e narrow.glb ]
+expect 2 "^text_to_mesh: --bevel-out: takes no value$" x --font $sans --output x.glb --bevel 0.02 --bevel-out=wide
 expect 2 "--bevel: is for solids" x --font $sans --output x.glb --bevel 0.02 --depth 0
 expect 2 "--normals: is not for --bevel" x --font $sans --output x.glb --bevel 0.02 --normals cap
 for width in -0.01 1.5 nan wide; do

@@ -31,6 +31,10 @@ namespace {
 static_assert(extruder<bevelled<>>);
 static_assert(capping_extruder<bevelled<>>);
 static_assert(part_count_of<bevelled<>> == 5);
+static_assert(tells_heights<bevelled<>> && makes_own_caps<bevelled<>> && tells_outline<bevelled<>>);
+static_assert(refitting_extruder<bevelled<>>);
+static_assert(!tells_heights<extruded<>> && !makes_own_caps<extruded<>> && !tells_outline<extruded<>>);
+static_assert(!refitting_extruder<extruded<>>);
 
 /// Caps as the library makes them.
 class monotone_caps {
@@ -472,12 +476,65 @@ TEST_CASE("a bevel wider than a stroke closes in a ridge, at the height that the
     CHECK(top == Approx(-0.02));
 }
 
+TEST_CASE("a bevelled solid tells the heights that it reaches, whatever closes before the profile's end", "[bevelled]")
+{
+    const auto check = [](const shapes::shape& s, const auto& how) {
+        const auto m = bevelled_of(s, how);
+        float low = 1e9f, high = -1e9f;
+        for (const auto& v : m.vertices) low = std::min(low, v.position.z), high = std::max(high, v.position.z);
+        const solid_with<bevel_data> form{{s.loops.points.view(), s.loops.starts.view(), s.cap}, m.data.read()};
+        const height_range told = how.heights(form);
+        CHECK(as_double(high) == Approx(told.high).margin(1e-7));
+        CHECK(as_double(low) == Approx(told.low).margin(1e-7));
+        return told.high - told.low;
+    };
+    const auto bar = shapes::rectangle();
+    for (const bool outward : {false, true}) {
+        for (const bevel_sides sides : {bevel_sides::both, bevel_sides::front, bevel_sides::back}) {
+            for (const float width : {0.0f, 0.02f, 0.3f}) {
+                bevelled<> how{.width = width, .bevel_depth = 0.06f, .sides = sides, .outward = outward};
+                const bool ridge = width > 0.2f && !outward;
+                const double bevels = sides == bevel_sides::both ? 2.0 : 1.0;
+                CHECK(check(bar, how) == Approx(ridge ? 0.2 - bevels * 0.02 : 0.2));
+                how.centred = true;
+                CHECK(check(bar, how) == Approx(ridge ? 0.2 - bevels * 0.02 : 0.2));
+            }
+        }
+    }
+    // Engraved: the rim is the highest, if it is reached; else the ridge below it.
+    CHECK(check(bar, bevelled<engraved_profile>{.width = 0.1f}) == Approx(0.2));
+    CHECK(check(bar, bevelled<engraved_profile>{.width = 0.8f, .bevel_depth = 0.06f}) == Approx(0.2 - 2 * 0.03));
+    CHECK(check(shapes::pair(), bevelled<round_profile>{.width = 0.5f, .profile = {4}}) < 0.2);
+}
+
+TEST_CASE("what a bevelled solid shows to the front covers what it stands on, once", "[bevelled]")
+{
+    const auto s = shapes::letter_d(8);
+    for (const bool outward : {false, true}) {
+        for (const float width : {0.0f, 0.02f, 0.3f}) {
+            const bevelled<> how{.width = width, .outward = outward};
+            const auto m = bevelled_of(s, how);
+            const solid_with<bevel_data> form{{s.loops.points.view(), s.loops.starts.view(), s.cap}, m.data.read()};
+            std::int64_t twice = 0;
+            how.seen_from_front(form, [&](grid_point a, grid_point b, grid_point c) noexcept {
+                CHECK(orientation(a, b, c) > 0);
+                twice += orientation(a, b, c);
+            });
+            const double cells = 1000.0 * s.loops.grid.cells, area = 0.5 * double(twice) / cells / cells;
+            CHECK((outward && width > 0.0f ? area > area_at(s, 0.0) + 0.01 : area == Approx(area_at(s, 0.0))));
+        }
+    }
+}
+
 TEST_CASE("a bevel that fits is 0.9 times as wide as where a part would lose its cap", "[bevelled]")
 {
     const auto reach = [](const shapes::shape& s, float width, bevel_mode mode) {
         const auto m = bevelled_of(s, bevelled<>{.width = width, .mode = mode});
         check_laws(m);
-        return m.data.swept.levels.back() / 512000.0;
+        const double reached = m.data.swept.levels.back() / 512000.0;
+        const solid_with<bevel_data> form{{s.loops.points.view(), s.loops.starts.view(), s.cap}, m.data.read()};
+        CHECK(as_double(bevelled<>{.width = width, .mode = mode}.width_of(form)) == Approx(reached));
+        return reached;
     };
     const auto bar = shapes::rectangle();  // 400 units wide
     CHECK(reach(bar, 0.1f, bevel_mode::fit) == Approx(0.1));
@@ -711,8 +768,10 @@ TEST_CASE("bevelled refuses options out of range, each by its name, with or with
     bevelled_mesh far;
     CHECK(std::string{build_bevelled(shapes::rectangle(), bevelled<>{.width = 3000.0f}, far).option} == "width");
     check_laws(bevelled_of(shapes::rectangle(), bevelled<>{.width = 2000.0f}));
-    CHECK(build_bevelled(shapes::rectangle(), bevelled<>{.width = 2000.0f, .outward = true}, far) ==
-          error::outline_beyond_grid);
+    for (const float v : {65.6f, 2000.0f})  // 2^25 cells are 65.5 em of 512,000
+        CHECK(std::string{build_bevelled(shapes::rectangle(), bevelled<>{.width = v, .outward = true}, far).option} ==
+              "width");
+    check_laws(bevelled_of(shapes::rectangle(), bevelled<>{.width = 65.5f, .outward = true}));
 
     shapes::shape unknown = shapes::rectangle();
     unknown.loops.grid.units_per_em = 0.0;

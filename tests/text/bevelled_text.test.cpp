@@ -5,6 +5,7 @@
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/inspect/closedness.hpp>
 #include <typemesh/inspect/mesh_measure.hpp>
+#include <typemesh/text/flipped_triangles.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <cstddef>
@@ -195,4 +196,180 @@ TEST_CASE("a bevelled text reports memory that fails at any request, and can be 
         if (counted.requests < n) break;
     }
     CHECK(failures > 20);
+}
+
+TEST_CASE("bevels that fit a text are as narrow as its narrowest letter's, with caches, teams and merging", "[text]")
+{
+    test::toy_font font;
+    const bevelled<round_profile> clip{.width = 0.2f, .bevel_depth = 0.03f, .profile = {4}};
+    bevelled<round_profile> fit = clip, fit_text = clip;
+    fit.mode = bevel_mode::fit;
+    fit_text.mode = bevel_mode::fit_text;
+    const auto widths_of = [](const auto& plan, const auto& how) {
+        std::vector<float> widths;
+        for (const drawn_glyph& g : plan.glyphs())
+            widths.push_back(how.width_of(g.built->template planned<bevelled<round_profile>>().form));
+        return widths;
+    };
+
+    auto each = text_mesher{font}.with(fit);
+    const auto apart = each.plan("oE");
+    REQUIRE(apart);
+    const auto own = widths_of(*apart, fit);
+    CHECK(own[1] == Catch::Approx(0.045));  // "E" is 100 units thick, and so is "o", but for its chords
+    CHECK(own[0] > own[1]);
+
+    auto mesher = text_mesher{font}.with(fit_text);
+    const auto plan = mesher.plan("oE");
+    REQUIRE(plan);
+    CHECK(plan->report().narrowed == 0);
+    const auto same_width = widths_of(*plan, fit_text);
+    CHECK(same(same_width[0], own[1]));
+    CHECK(same(same_width[1], own[1]));
+    const test::lit_mesh expected = checked_mesh(*plan);
+    CHECK(same(mesher.extruder_policy().width, 0.2f));  // the next text begins anew
+    const auto other = mesher.plan("o");
+    REQUIRE(other);
+    CHECK(same(widths_of(*other, fit_text)[0], own[0]));
+
+    bevelled<round_profile> at_once = clip;
+    at_once.width = own[1];
+    auto clipped = text_mesher{font}.with(at_once);
+    const auto by_hand = clipped.plan("oE");
+    REQUIRE(by_hand);
+    CHECK(checked_mesh(*by_hand) == expected);
+
+    glyph_cache<> cache;
+    auto cached = text_mesher{font}.with(fit_text).with(cached_in{cache, 1});
+    for (int i = 0; i < 2; ++i) {
+        const auto again = cached.plan("oE");
+        REQUIRE(again);
+        CHECK(checked_mesh(*again) == expected);
+        CHECK(cache.statistics().entries == 4);
+        CHECK(cache.statistics().pinned == 2);
+    }
+    CHECK(cache.statistics().hits == 4);
+
+    test::scrambled_workers pool;
+    auto team = workers_of(pool, [](std::size_t) noexcept { return result<test::toy_font>{test::toy_font{}}; });
+    REQUIRE(team);
+    const text_options options, merging{.merge = true};
+    for (int i = 0; i < 2; ++i) {
+        const auto shared = mesher.plan("oE", options, *team);
+        REQUIRE(shared);
+        CHECK(checked_mesh(*shared) == expected);
+    }
+
+    glyph_run run;
+    run.units_per_em = 1000.0;
+    for (const double x : {0.0, 300.0, 1500.0}) REQUIRE(run.glyphs.push_back({1, 0, {x, 0.0}}));  // two rings that meet
+    const auto joined = mesher.plan(run, merging);
+    REQUIRE(joined);
+    const auto of_groups = widths_of(*joined, fit_text);
+    REQUIRE(of_groups.size() == 2);
+    CHECK(same(of_groups[0], of_groups[1]));
+    (void)checked_mesh(*joined);
+
+    for (const bevel_mode mode : {bevel_mode::clip, bevel_mode::fit_text}) {
+        bevelled<round_profile> bad = clip;
+        bad.mode = mode;
+        bad.width = -1.0f;
+        auto refused = text_mesher{font}.with(bad);
+        CHECK(refused.plan("oE").error() == error::bad_option);
+    }
+}
+
+TEST_CASE("the bounds of a bevelled text are those of its vertices, in height as well", "[text]")
+{
+    test::toy_font font;
+    for (const float width : {0.02f, 0.3f}) {
+        auto mesher = text_mesher{font}.with(bevelled<>{.width = width, .bevel_depth = 0.09f});
+        for (const char* text : {"o", "i", "oExi"}) {
+            const auto plan = mesher.plan(text);
+            REQUIRE(plan);
+            test::lit_mesh m;
+            REQUIRE_FALSE(plan->write(into(m.vertices, m.indices)));
+            bounds3 seen{m.vertices[0].place, m.vertices[0].place};
+            for (const test::lit_vertex& v : m.vertices) seen.add(v.place);
+            CHECK(plan->bounds().low == seen.low);
+            CHECK(plan->bounds().high == seen.high);
+            CHECK((plan->bounds().high.z < 0.0f) == (width > 0.1f));
+        }
+    }
+}
+
+TEST_CASE("triangles of bevels that floats turn over are counted, far from the origin", "[text]")
+{
+    test::toy_font font;
+    auto mesher = text_mesher{font}.with(bevelled<round_profile>{.width = 0.02f, .profile = {16}});
+    auto plain = text_mesher{font};
+    const auto flipped_at = [](auto& made, double x) {
+        glyph_run run;
+        run.units_per_em = 1000.0;
+        REQUIRE(run.glyphs.push_back({1, 0, {x, 0.0}}));
+        const auto plan = made.plan(run);
+        REQUIRE(plan);
+        return flipped_triangles(*plan);
+    };
+    CHECK(flipped_at(mesher, 0.0) == 0);
+    const double far = 4e6;  // floats are 244 micro-em apart there, and a strip is about a milli-em wide
+    CHECK(flipped_at(mesher, far) > flipped_at(plain, far));
+}
+
+TEST_CASE("of merged letters with bevels every triangle is shared", "[text]")
+{
+    test::toy_font font;
+    auto mesher = text_mesher{font}.with(rounding);
+    glyph_run run;
+    run.units_per_em = 1000.0;
+    for (const double x : {0.0, 300.0}) REQUIRE(run.glyphs.push_back({1, 0, {x, 0.0}}));
+    const auto plan = mesher.plan(run, {.merge = true});
+    REQUIRE(plan);
+    for (const part p : plan->parts()) {
+        const std::uint32_t triangles = plan->range(0, p).index_count / 3;
+        for (const std::uint32_t t : {0u, triangles - 1}) CHECK(plan->owner(0, p, t) == shared_glyph);
+    }
+}
+
+TEST_CASE("letters that meet when outward bevels have grown are merged: one surface, which turns over nowhere",
+          "[text]")
+{
+    test::toy_font font;
+    glyph_run run;
+    run.units_per_em = 1000.0;
+    for (const double x : {0.0, 140.0, 800.0}) REQUIRE(run.glyphs.push_back({5, 0, {x, 0.0}}));  // bars, 100 wide
+    const double depth = 0.2, height = 0.5;
+    for (const bevel_sides sides : {bevel_sides::both, bevel_sides::front, bevel_sides::back}) {
+        for (const float width : {0.01f, 0.03f}) {
+            const bevelled<> how{.width = width, .bevel_depth = 0.05f, .sides = sides, .outward = true};
+            const bool meet = width > 0.02f;
+            auto mesher = text_mesher{font}.with(how);
+            const auto plan = mesher.plan(run, {.merge = true});
+            REQUIRE(plan);
+            REQUIRE(plan->glyphs().size() == (meet ? 2u : 3u));
+            const bevelled<> inward{.width = width, .bevel_depth = 0.05f, .sides = sides};
+            auto carved = text_mesher{font}.with(inward);
+            const auto apart = carved.plan(run, {.merge = true});
+            REQUIRE(apart);
+            CHECK(apart->glyphs().size() == 3);
+
+            test::lit_mesh m;
+            REQUIRE_FALSE(plan->write(into(m.vertices, m.indices)));
+            CHECK(inspect::check_closedness(m.view()).is_closed());
+            std::int64_t twice = 0;
+            plan->each_seen_from_front(0, [&](grid_point a, grid_point b, grid_point c) noexcept {
+                CHECK(orientation(a, b, c) > 0);
+                twice += orientation(a, b, c);
+            });
+            // Seen from the front: the outline of both bars, grown, and with bevels on one side the grown cap as well.
+            const double w = static_cast<double>(width), cells = 512000.0;
+            const double bars = meet ? 0.24 : 0.1, rounding_off = 1e-4;
+            const double grown = (bars + 2.0 * w) * (height + 2.0 * w);
+            const double own = 3.0 * 0.1 * height;
+            const double seen = sides == bevel_sides::both ? grown : 2.0 * grown;
+            CHECK(0.5 * static_cast<double>(twice) / cells / cells == Catch::Approx(seen).margin(rounding_off));
+            CHECK(inspect::measure(m.view()).volume < depth * grown * 3.0);
+            CHECK(inspect::measure(m.view()).volume > depth * own);
+        }
+    }
 }

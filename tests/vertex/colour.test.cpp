@@ -29,4 +29,8 @@ TEST_CASE("each part has its colour", "[vertex]")
     static_assert(colours(part::front).r.bits == 255 && colours(part::back).g.bits == 255 &&
                   colours(part::side).b.bits == 255);
     CHECK(part_colours<int>{1, 2, 3}(part::back) == 2);
+    for (const part p : {part::front_bevel, part::back_bevel}) CHECK(part_colours<int>{1, 2, 3}(p) == 3);
+    CHECK(part_colours<int>{1, 2, 3, 4}(part::front_bevel) == 4);
+    CHECK(part_colours<int>{1, 2, 3, 4}(part::back_bevel) == 3);
+    CHECK(part_colours<int>{1, 2, 3, 4, 5}(part::back_bevel) == 5);
 }

@@ -43,6 +43,12 @@ struct d3dx_text_options {
     bool draw_missing = true;                      ///< draw the font's box for characters that it lacks, as GDI does
 };
 
+/// An extruder whose depth can be set: extruded, bevelled.
+template <class E>
+concept d3dx_extruder = extruder<E> && requires(E& e) {
+    { e.depth } -> std::same_as<float&>;
+};
+
 /// Text as D3DXCreateText makes it, without Direct3D, GDI or windows.h: a replacement with the same meaning that fills
 /// the caller's arrays.
 ///
@@ -70,18 +76,20 @@ struct d3dx_text_options {
 ///     glyph_cache cache;
 ///     d3dx_text maker{font, cached_in{cache, 1}};
 ///
-/// Caps are triangulated by monotone, or by another triangulator:
+/// Caps are triangulated by monotone, or by another triangulator. The solid is extruded, or made by another extruder
+/// whose member `depth` is set to the extrusion, and which maps textures onto a box if it has a member `texture`:
 ///
 ///     auto fair = d3dx_text{font}.with(constrained_delaunay{});
-template <class Font, side_normals Normals = curve_normals, class Cache = no_cache,
-          triangulator Triangulator = monotone>
+///     auto moulded = d3dx_text{font}.with(bevelled<>{.width = 0.02f, .bevel_depth = 0.03f});
+///
+/// The width of a bevel is in em, its depth in output units, as the extrusion is.
+template <class Font, d3dx_extruder Extruder = extruded<>, class Cache = no_cache, triangulator Triangulator = monotone>
     requires shaper<Font> && outline_source<Font>
 class d3dx_text {
-    using extruder_type = extruded<Normals>;
-    using mesher_type = text_mesher<Font, certified, Triangulator, extruder_type, no_observer, Cache>;
+    using mesher_type = text_mesher<Font, certified, Triangulator, Extruder, no_observer, Cache>;
 
 public:
-    using plan_type = d3dx_text_plan<extruder_type>;
+    using plan_type = d3dx_text_plan<Extruder>;
 
     explicit d3dx_text(Font& font, memory source = heap()) noexcept
         requires std::is_same_v<Cache, no_cache>
@@ -89,23 +97,24 @@ public:
     {
     }
     d3dx_text(Font& font, Cache cache, memory source = heap()) noexcept
-        : font_{&font},
-          mesher_{text_mesher{font, source}.with(extruder_type{.texture = texture_mapping::box}).with(cache)},
-          features_{source}
+        : font_{&font}, mesher_{text_mesher{font, source}.with(in_a_box(Extruder{})).with(cache)}, features_{source}
     {
     }
 
-    /// The same with another triangulator.
+    /// The same with another triangulator, or another extruder.
     template <class Policy>
     [[nodiscard]] auto with(Policy policy) && noexcept
     {
         if constexpr (triangulator<Policy>) {
-            return d3dx_text<Font, Normals, Cache, Policy>{font_, std::move(mesher_).with(std::move(policy)),
-                                                           std::move(features_)};
+            return d3dx_text<Font, Extruder, Cache, Policy>{font_, std::move(mesher_).with(std::move(policy)),
+                                                            std::move(features_)};
+        } else if constexpr (d3dx_extruder<Policy>) {
+            return d3dx_text<Font, Policy, Cache, Triangulator>{
+                font_, std::move(mesher_).with(in_a_box(std::move(policy))), std::move(features_)};
         } else {
             static_assert(sizeof(Policy) == 0,
-                          "typemesh: with() of a d3dx_text takes a triangulator; everything else is "
-                          "as Direct3D has it. A text_mesher takes other policies too.");
+                          "typemesh: with() of a d3dx_text takes a triangulator, or an extruder that has a depth; "
+                          "everything else is as Direct3D has it. A text_mesher takes other policies too.");
             return std::move(*this);
         }
     }
@@ -128,7 +137,8 @@ public:
     /// Everything except the writing. Ends the plan before it.
     ///
     /// Fails  error::bad_tolerance: the deviation is negative, NaN or infinite
-    ///        error::bad_option: the extrusion is not a positive 32-bit number (for flat text see extrude/flat.hpp)
+    ///        error::bad_option: the extrusion is not a positive 32-bit number (for flat text see extrude/flat.hpp), or
+    ///        what the extruder refuses
     ///        what text_mesher::plan() fails with
     [[nodiscard]] result<plan_type> plan(text_view text, const d3dx_text_options& options = {}) & noexcept
     {
@@ -171,7 +181,14 @@ public:
 
     /// The style of side normals, to change its options between texts: curve_normals' crease angle is 15 degrees,
     /// Direct3D's 45.
-    [[nodiscard]] Normals& normals_policy() noexcept { return mesher_.extruder_policy().normals; }
+    [[nodiscard]] auto& normals_policy() noexcept
+        requires requires(Extruder& e) { e.normals; }
+    {
+        return mesher_.extruder_policy().normals;
+    }
+
+    /// The extruder, to change its options between texts; its depth is the next plan's extrusion.
+    [[nodiscard]] Extruder& extruder_policy() noexcept { return mesher_.extruder_policy(); }
 
     /// The size of an em in the output.
     [[nodiscard]] double em_size_of(const d3dx_text_options& options) noexcept
@@ -183,9 +200,16 @@ public:
     }
 
 private:
-    template <class OtherFont, side_normals OtherNormals, class OtherCache, triangulator OtherTriangulator>
+    template <class OtherFont, d3dx_extruder OtherExtruder, class OtherCache, triangulator OtherTriangulator>
         requires shaper<OtherFont> && outline_source<OtherFont>
     friend class d3dx_text;
+
+    template <class E>
+    static E in_a_box(E how) noexcept
+    {
+        if constexpr (requires { how.texture = texture_mapping::box; }) how.texture = texture_mapping::box;
+        return how;
+    }
 
     d3dx_text(Font* font, mesher_type&& mesher, buffer<feature>&& features) noexcept
         : font_{font}, mesher_{std::move(mesher)}, features_{std::move(features)}
@@ -204,8 +228,8 @@ d3dx_text(Font&, memory) -> d3dx_text<Font>;
 template <class Font>
 d3dx_text(const result<Font>&, memory = heap()) -> d3dx_text<Font>;
 template <class Font, cache_lock Lock>
-d3dx_text(Font&, cached_in<Lock>) -> d3dx_text<Font, curve_normals, cached_in<Lock>>;
+d3dx_text(Font&, cached_in<Lock>) -> d3dx_text<Font, extruded<>, cached_in<Lock>>;
 template <class Font, cache_lock Lock>
-d3dx_text(Font&, cached_in<Lock>, memory) -> d3dx_text<Font, curve_normals, cached_in<Lock>>;
+d3dx_text(Font&, cached_in<Lock>, memory) -> d3dx_text<Font, extruded<>, cached_in<Lock>>;
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -52,6 +52,17 @@ public:
     /// The range of the cap at z = 0.
     [[nodiscard]] mesh_range back() const noexcept { return plan_.range(part::front); }
     [[nodiscard]] mesh_range sides() const noexcept { return plan_.range(part::side); }
+    /// The bevels round the two, of an extruder that makes bevels.
+    [[nodiscard]] mesh_range front_bevel() const noexcept
+        requires(part_count_of<Extruder> == 5)
+    {
+        return plan_.range(part::back_bevel);
+    }
+    [[nodiscard]] mesh_range back_bevel() const noexcept
+        requires(part_count_of<Extruder> == 5)
+    {
+        return plan_.range(part::front_bevel);
+    }
 
     /// The text_mesher's own plan: ranges of glyphs, bounds, the shaped text. Its part::front is the cap at z = 0.
     [[nodiscard]] const text_plan<Extruder>& text() const noexcept { return plan_; }

@@ -40,6 +40,8 @@ struct bevel_strip {
 struct bevel_rims {
     float wall = 0.0f;            ///< where the wall ends, as a share of the bevel's depth
     float cap = 0.0f;             ///< where the cap lies
+    float top = 0.0f;             ///< how high anything reaches
+    float width = 0.0f;           ///< of the bevel, in em
     bool own_cap = false;         ///< the cap is the region's own: the bevel has no width, or lies outside of it
     bool outward = false;         ///< the walls do not stand on the region's own edges
     std::uint32_t vertices = 0;   ///< of the bevel, and of its triangles; what comes after them are the walls of an
@@ -55,10 +57,11 @@ struct bevel_rims {
 ///     bevel_vertex, bevel_triangle, bevel_strip       of one bevel
 ///     bevel_rims      one
 ///     grid_point, triangle        of the cap within the bevel
+///     grid_point, std::uint32_t   of an outward one the points and starts of its walls' loops, which bound that cap
 ///
 /// And what plan() needs on the way, kept for the next glyph.
-struct bevel_data
-    : plan_arrays<side_point, bevel_vertex, bevel_triangle, bevel_strip, bevel_rims, grid_point, triangle> {
+struct bevel_data : plan_arrays<side_point, bevel_vertex, bevel_triangle, bevel_strip, bevel_rims, grid_point, triangle,
+                                std::uint32_t> {
     /// One edge's face at a node, and the vertex that it has there.
     struct corner {
         std::uint32_t edge;

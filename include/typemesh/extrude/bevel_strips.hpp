@@ -75,6 +75,16 @@ struct bevel_tilt {
     return true;
 }
 
+/// A vertex's height as a share of the bevel's depth; that of its strip's end to the bit.
+[[nodiscard]] inline float height_of(const bevel_vertex& v, std::span<const bevel_strip> strips) noexcept
+{
+    const bevel_strip& s = strips[v.strip];
+    if (!(v.share > 0.0f)) return s.from;
+    if (!(v.share < 1.0f)) return s.to;
+    const auto risen = static_cast<float>(as_double(v.share) * (as_double(s.to) - as_double(s.from)));
+    return static_cast<float>(as_double(s.from) + as_double(risen));
+}
+
 /// The strips of a bevel where it is written: heights, lengths and normals across its profile.
 class bevel_slopes {
 public:
@@ -106,15 +116,8 @@ public:
         }
     }
 
-    /// As a share of the bevel's depth; that of the strip's end to the bit.
-    [[nodiscard]] float height(const bevel_vertex& v) const noexcept
-    {
-        const bevel_strip& s = strips_[v.strip];
-        if (!(v.share > 0.0f)) return s.from;
-        if (!(v.share < 1.0f)) return s.to;
-        const auto risen = static_cast<float>(as_double(v.share) * (as_double(s.to) - as_double(s.from)));
-        return static_cast<float>(as_double(s.from) + as_double(risen));
-    }
+    /// See height_of().
+    [[nodiscard]] float height(const bevel_vertex& v) const noexcept { return height_of(v, strips_); }
 
     /// The length of the profile from the wall, in cells.
     [[nodiscard]] double length(const bevel_vertex& v) const noexcept

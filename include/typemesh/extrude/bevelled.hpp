@@ -20,6 +20,7 @@
 #include <typemesh/extrude/texture.hpp>
 #include <typemesh/extrude/upright_walls.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -31,8 +32,11 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// What a bevel does where a stroke is thinner than twice its width.
 enum class bevel_mode : std::uint8_t {
-    clip,  ///< it closes in a ridge
-    fit,   ///< the bevels of that glyph become narrower: 0.9 times the width at which a part of it would lose its cap
+    clip,      ///< it closes in a ridge
+    fit,       ///< the bevels of that glyph become narrower: 0.9 times the width at which a part of it would lose its
+               ///< cap
+    fit_text,  ///< those of the whole text become as narrow as those of its narrowest glyph: it is planned twice. A
+               ///< text_mesher's; to anything else it means fit
 };
 
 /// A front, a back, walls between them, and bevels along the edges of front, back or both: five parts.
@@ -65,7 +69,7 @@ enum class bevel_mode : std::uint8_t {
 template <bevel_profile Profile = chamfer_profile>
 struct bevelled {
     float depth = 0.2f;         ///< of the whole; in em, or in output units: see text_options::depth_in
-    float width = 0.02f;        ///< how far a bevel reaches inwards; always in em, at most 2^30 cells
+    float width = 0.02f;        ///< how far a bevel reaches; always in em, at most 2^30 cells, outwards 2^25
     float bevel_depth = 0.02f;  ///< how deep a bevel is, in the unit of depth
     bevel_sides sides = bevel_sides::both;
     bevel_mode mode = bevel_mode::clip;
@@ -99,7 +103,7 @@ struct bevelled {
             for (const bool flag : flags) bits.words[1] |= std::uint64_t{flag} << bit++;
         };
         note({front, back, side, own_heights().is_bevelled(true), own_heights().is_bevelled(false), outward});
-        note({texture == texture_mapping::em, mode == bevel_mode::fit, joins == bevel_joins::round});
+        note({texture == texture_mapping::em, mode != bevel_mode::clip, joins == bevel_joins::round});
         note({shading == bevel_shading::rounded, !refused(), own_heights().has_walls(0.0f)});
         bits.words[1] |= option_bits{mitre_limit}.words[0] << 32;
         option_hash rest;
@@ -120,17 +124,65 @@ struct bevelled {
         const double em = filled.grid().cells * filled.grid().units_per_em;
         if (!(em > 0.0)) return error::bad("units_per_em");
         profile_scale scale{as_double(width) * em, as_double(bevel_depth) * em, filled.tolerance()};
-        if (!(scale.width <= 0x1p30)) return error::bad("width");
+        if (!(scale.width <= (outward ? 0x1p25 : 0x1p30))) return error::bad("width");
         solid_plan made;
         const error e = outward && scale.width >= profile_levels::finest ? plan_outward(filled, scale, data, caps, made)
                                                                          : plan_inward(filled, scale, data, caps, made);
         if (e) return e;
+        const bool is_narrower = scale.width < as_double(width) * em;
+        data.of<bevel_rims>()[0].width = is_narrower ? static_cast<float>(scale.width / em) : width;
         const auto within = data.of<grid_point>().size();
         if (data.of<bevel_vertex>().size() > 0x3FFF'FFFFu || within > 0x3FFF'FFFFu) return error::too_large;
         return made;
     }
 
     [[nodiscard]] height_range heights() const noexcept { return {own_heights().low(), own_heights().high()}; }
+
+    /// Those of a planned solid, whose bevels may meet in a ridge before they are as high as they could be.
+    [[nodiscard]] height_range heights(const solid_with<plan_data>& s) const noexcept
+    {
+        const bevel_heights own = own_heights();
+        if (s.points.empty()) return heights();
+        const float top = s.data.template of<bevel_rims>()[0].top;
+        return {own.rim(false, top), own.rim(true, top)};
+    }
+
+    /// Of bevels those of one side, of caps each that is there.
+    template <class Put>
+    void seen_from_front(const solid_with<plan_data>& s, Put&& put) const noexcept
+    {
+        if (s.points.empty()) return;
+        const auto strips = s.data.template of<bevel_strip>();
+        const auto vertices = s.data.template of<bevel_vertex>();
+        const bevel_rims& rims = s.data.template of<bevel_rims>()[0];
+        for (const auto& [t] : s.data.template of<bevel_triangle>().first(rims.triangles))
+            if (!is_zero(strips[vertices[t.a].strip].run)) put(vertices[t.a].at, vertices[t.b].at, vertices[t.c].at);
+        const auto within = s.data.template of<grid_point>();
+        for (const triangle t : s.data.template of<triangle>()) put(within[t.a], within[t.b], within[t.c]);
+        if (rims.has_own_cap(own_heights().is_bevelled(true)) || rims.has_own_cap(own_heights().is_bevelled(false)))
+            for (const triangle t : s.triangles) put(s.points[t.a], s.points[t.b], s.points[t.c]);
+    }
+
+    /// Of outward bevels that of the walls.
+    [[nodiscard]] solid_outline outline(const solid_with<plan_data>& s) const noexcept
+    {
+        if (s.points.empty() || !s.data.template of<bevel_rims>()[0].outward) return {s.points, s.starts};
+        return {s.data.template of<grid_point>(), s.data.template of<std::uint32_t>()};
+    }
+
+    /// How wide the bevels of a planned solid are, in em: narrower than asked for where they fit, or are narrowed.
+    [[nodiscard]] float width_of(const solid_with<plan_data>& s) const noexcept
+    {
+        return s.points.empty() ? 0.0f : s.data.template of<bevel_rims>()[0].width;
+    }
+
+    /// For bevel_mode::fit_text: takes the width of a solid, if that is narrower.
+    [[nodiscard]] bool refit(const solid_with<plan_data>& s) noexcept
+    {
+        if (mode != bevel_mode::fit_text || s.points.empty() || !(width_of(s) < width)) return false;
+        width = width_of(s);
+        return true;
+    }
 
     /// As extruded counts them.
     [[nodiscard]] std::uint64_t hard_edges(const solid_with<plan_data>& s) const noexcept
@@ -205,7 +257,7 @@ private:
     [[nodiscard]] bevel_carver carver_of(const region& filled, bool outwards) const noexcept
     {
         const double tolerance = joins == bevel_joins::round ? filled.tolerance() : 0.0;
-        return {{as_double(mitre_limit), tolerance, outwards}, mode == bevel_mode::fit};
+        return {{as_double(mitre_limit), tolerance, outwards}, mode != bevel_mode::clip};
     }
 
     template <cap_maker Caps>
@@ -238,9 +290,8 @@ private:
         const auto doubled = plan_sides(*around, curve_normals{crease_degrees}, texture, data.of<side_point>());
         if (!doubled) return doubled.error();
         const auto make = [&](const swept_region&) noexcept {
-            if (sides == bevel_sides::both) return error{};
             leave_frame(data.swept.cap);
-            return make_cap(data, caps);
+            return sides == bevel_sides::both ? keep_outline(data) : make_cap(data, caps);
         };
         const auto profile_at = [this](const profile_scale& at) noexcept { return points_of(at); };
         bevel_carver carve = carver_of(filled, true);
@@ -265,7 +316,17 @@ private:
     {
         const auto cap = fill_exactly(data.swept.cap, caps, data.of<triangle>());
         if (!cap) return cap.error();
-        return data.of<grid_point>().append(cap->points()) ? error{} : error{error::out_of_memory};
+        const bool kept = data.of<grid_point>().append(cap->points()) && data.of<std::uint32_t>().append(cap->starts());
+        return kept ? error{} : error{error::out_of_memory};
+    }
+
+    /// Of outward bevels on both sides there is no such cap, but the walls have an outline.
+    static error keep_outline(plan_data& data) noexcept
+    {
+        const contours& walls = data.swept.cap;
+        const bool kept =
+            data.of<grid_point>().append(walls.points.view()) && data.of<std::uint32_t>().append(walls.starts.view());
+        return kept ? error{} : error{error::out_of_memory};
     }
 
     static constexpr std::uint32_t none = ~std::uint32_t{0};
@@ -282,13 +343,18 @@ private:
         const double em = filled.grid().cells * filled.grid().units_per_em;
         const double most_apart = texture == texture_mapping::em ? em / 1024.0 : -1.0;
         bevel_vertices vertices{data, light, {crease_cosine(crease_degrees), most_apart}};
-        bevel_rims rims{levels.view().front().arrives, levels.view().back().leaves, levels.view().size() == 1};
+        bevel_rims rims{levels.view().front().arrives, levels.view().back().leaves};
+        rims.own_cap = levels.view().size() == 1;
         if (frame != none) {
             light.turn_round(filled, sides_of, data.swept);
             vertices.outwards(frame);
             rims.outward = true;
         }
         if (error e = vertices.make(levels, scratch)) return e;
+        rims.top =
+            data.of<grid_point>().empty() && !rims.has_own_cap(true) ? rims.wall : (std::max)(rims.wall, rims.cap);
+        for (const bevel_vertex& v : data.of<bevel_vertex>())
+            rims.top = (std::max)(rims.top, height_of(v, data.of<bevel_strip>().view()));
         rims.vertices = static_cast<std::uint32_t>(data.of<bevel_vertex>().size());
         rims.triangles = static_cast<std::uint32_t>(data.of<bevel_triangle>().size());
         if (rims.outward && side && own_heights().has_walls(rims.wall))

@@ -44,8 +44,7 @@ struct emboldened_data : inner_solid<Solid> {
 /// degrees and more. Sharper ones, which would grow spikes, become round.
 ///
 /// Advances are the layout's: layout_options::letter_spacing of twice the distance keeps the letters' own spacing.
-/// Letters are merged (text_options::merge) where they meet as they are drawn; neighbours that only grow into each
-/// other stay solids of their own.
+/// Letters are merged (text_options::merge) where they meet when they have grown.
 ///
 /// A distance at which the new edges are not proven is halved for that glyph (solid_plan::narrowed).
 ///
@@ -101,6 +100,34 @@ struct emboldened {
     }
 
     [[nodiscard]] height_range heights() const noexcept { return solid.heights(); }
+
+    // What the other extruder tells of the bolder letter.
+
+    [[nodiscard]] height_range heights(const solid_with<plan_data>& s) const noexcept
+        requires tells_heights<Solid>
+    {
+        return s.points.empty() ? solid.heights() : solid.heights(s.data);
+    }
+    template <class Put>
+    void seen_from_front(const solid_with<plan_data>& s, Put&& put) const noexcept
+    {
+        if (!s.points.empty()) each_seen_from_front(solid, s.data, put);
+    }
+    [[nodiscard]] bool refit(const solid_with<plan_data>& s) noexcept
+        requires refitting_extruder<Solid>
+    {
+        return !s.points.empty() && solid.refit(s.data);
+    }
+
+    /// Of a thinner letter that of the letter as it is drawn.
+    [[nodiscard]] solid_outline outline(const solid_with<plan_data>& s) const noexcept
+    {
+        if (s.points.empty() || !(by > 0.0f)) return {s.points, s.starts};
+        if constexpr (tells_outline<Solid>)
+            return solid.outline(s.data);
+        else
+            return {s.data.points, s.data.starts};
+    }
 
     /// As the other extruder counts them.
     [[nodiscard]] std::uint64_t hard_edges(const solid_with<plan_data>& s) const noexcept

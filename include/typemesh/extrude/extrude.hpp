@@ -49,8 +49,9 @@ void write_vertices(part p, const planned_solid_of<Extruder>& s, const Extruder&
                     Sink& sink) noexcept
 {
     detail::planned_vertices<Sink> to{sink, s.plan.sizes.vertices[p]};
-    TYPEMESH_ASSERT((to.bounds = detail::promised_bounds(s.plan.around, s.form.points, how.heights(), at), true),
-                    "filled in");
+    TYPEMESH_ASSERT(
+        (to.bounds = detail::promised_bounds(s.plan.around, s.form.points, heights_of(how, s.form), at), true),
+        "filled in");
     write_vertices(p, s.form, how, at, to);
     TYPEMESH_ASSERT(to.emitted >= to.planned, "an extruder emitted fewer vertices of a part than its plan() said");
 }

@@ -25,6 +25,12 @@ struct height_range {
     double high = 0.0;
 };
 
+/// Loops in the plane, as those of a region: what a solid covers.
+struct solid_outline {
+    std::span<const grid_point> points;
+    std::span<const std::uint32_t> starts;
+};
+
 /// The output that the concept `extruder` is checked with.
 struct ignore_surface {
     template <attribute Wants>
@@ -32,6 +38,11 @@ struct ignore_surface {
     {
     }
     constexpr void operator()(std::uint32_t, std::uint32_t, std::uint32_t) const noexcept {}
+};
+
+/// The output that `makes_own_caps` is checked with.
+struct ignore_places {
+    constexpr void operator()(grid_point, grid_point, grid_point) const noexcept {}
 };
 
 /// How many parts an extruder writes: its part_count, or else three.
@@ -96,6 +107,14 @@ concept plans_with_caps = requires(const E& e, const region& r, plan_data_of<E>&
 ///     E::part_count                    parts 0 to part_count - 1 instead of front, back and side; at most eight
 ///     e.hard_edges(s)                  how many contour points are doubled because their walls meet hard
 ///     e.cache_key()                    all options that affect plan(), if there are any: option_bits.hpp
+///     e.heights(s)                     between which heights a planned solid lies, where that may be less
+///     e.seen_from_front(s, put)        put(a, b, c) with the grid points of every triangle that is neither upright nor
+///                                      the mirror image of another, if they are not the region's own
+///     e.outline(s)                     the loops of all that it covers in the plane, if it grows beyond the region: merged
+///                                      are glyphs whose outlines meet
+///     e.refit(s)                       adapts the options to a planned solid of the text, if all its solids must agree
+///                                      in something; true if that changes an option. When each solid has been asked,
+///                                      and one said so, all are planned again
 ///
 /// Of several plan() the one with most arguments is called. text_mesher calls it with an empty region first, so that a
 /// text without letters refuses the same options. plan() fails with error::refused_by_user and others that concern the
@@ -118,6 +137,30 @@ concept extruder = (detail::plans_by_itself<E> || detail::plans_with_data<E> || 
 template <class E>
 concept tells_hard_edges = extruder<E> && requires(const E& e, const solid_of<E>& s) {
     { e.hard_edges(s) } noexcept -> std::convertible_to<std::uint64_t>;
+};
+
+/// An extruder that tells the heights of each solid.
+template <class E>
+concept tells_heights = extruder<E> && requires(const E& e, const solid_of<E>& s) {
+    { e.heights(s) } noexcept -> std::same_as<height_range>;
+};
+
+/// An extruder whose caps are not the region's own.
+template <class E>
+concept makes_own_caps = extruder<E> && requires(const E& e, const solid_of<E>& s, ignore_places put) {
+    { e.seen_from_front(s, put) } noexcept;
+};
+
+/// An extruder whose solids grow beyond their regions.
+template <class E>
+concept tells_outline = extruder<E> && requires(const E& e, const solid_of<E>& s) {
+    { e.outline(s) } noexcept -> std::same_as<solid_outline>;
+};
+
+/// An extruder that makes all solids of a text agree.
+template <class E>
+concept refitting_extruder = extruder<E> && requires(E& e, const solid_of<E>& s) {
+    { e.refit(s) } noexcept -> std::same_as<bool>;
 };
 
 /// An extruder that asks for caps.
@@ -144,6 +187,26 @@ template <extruder E, cap_maker Caps>
                         "an extruder planned vertices or triangles of a part beyond its part_count");
     }
     return plan;
+}
+
+/// Between which heights a planned solid lies.
+template <extruder E>
+[[nodiscard]] height_range heights_of(const E& how, [[maybe_unused]] const solid_of<E>& s) noexcept
+{
+    if constexpr (tells_heights<E>)
+        return how.heights(s);
+    else
+        return how.heights();
+}
+
+/// What seen_from_front() tells of a solid, or else the region's triangles.
+template <extruder E, class Put>
+void each_seen_from_front(const E& how, const solid_of<E>& s, Put&& put) noexcept
+{
+    if constexpr (makes_own_caps<E>)
+        how.seen_from_front(s, put);
+    else
+        for (const triangle t : s.triangles) put(s.points[t.a], s.points[t.b], s.points[t.c]);
 }
 
 /// Why an extruder refuses its options, or none: what its plan() returns for an empty region.

@@ -97,7 +97,8 @@ struct outlined_data {
 /// materials of their own. There may be eight. Edges that both have are the same, point by point, in opposite
 /// directions: nothing gapes between them.
 ///
-/// Corners, advances, letters that meet and distances that are not proven are as with `emboldened`.
+/// Corners, advances and distances that are not proven are as with `emboldened`. Letters are merged where they meet as
+/// they are drawn; rings that only grow into each other stay solids of their own.
 ///
 /// Fails  error::bad_option: the width is not positive and finite, or on a glyph less than four cells (centre: eight)
 ///        or 2^28 and more, the mitre limit is below 1 and not 0, or as the two extruders do
@@ -166,6 +167,15 @@ struct outlined {
         if constexpr (!has_letter) return a;
         const height_range b = letter.heights();
         return {a.low < b.low ? a.low : b.low, a.high > b.high ? a.high : b.high};
+    }
+
+    /// Of the ring, then of the letter.
+    template <class Put>
+    void seen_from_front(const solid_with<plan_data>& s, Put&& put) const noexcept
+    {
+        if (s.points.empty()) return;
+        each_seen_from_front(ring, s.data.ring, put);
+        if constexpr (has_letter) each_seen_from_front(letter, s.data.letter, put);
     }
 
     /// As the two extruders count them.

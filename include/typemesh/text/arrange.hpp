@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/error.hpp>
+#include <typemesh/extrude/extruder.hpp>
 #include <typemesh/extrude/placed_bounds.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/text/text_glyphs.hpp>
@@ -11,12 +12,43 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
+namespace detail {
+
+/// Finds the bounds of all vertices, once the text is placed.
+template <extruder Extruder>
+void bound(text_glyphs& all, const Extruder& how) noexcept
+{
+    const text_placement& placed = all.placed;
+    placement at;
+    at.unit_per_depth = placed.unit_per_depth;
+    at.frame = placed.frame;
+    float bottom = at.height(how.heights().low), top = at.height(how.heights().high);
+    const bool along_axes = placed.frame.is_along_axes();
+    for (const drawn_glyph& s : all.records) {
+        at.pen = s.built->cells() * (s.origin - placed.centre);
+        at.unit_per_cell = placed.unit_per_font_unit * s.built->font_units_per_cell();
+        const box& around = s.built->around();
+        if constexpr (tells_heights<Extruder>) {
+            const height_range own = how.heights(s.built->template planned<Extruder>().form);
+            bottom = at.height(own.low), top = at.height(own.high);
+        }
+        if (&s == all.records.begin()) {
+            const vec3 corner = at.position(at.foot(around.low), bottom);
+            all.bounds = {corner, corner};
+        }
+        add_placed(all.bounds, around, bottom, top, at, along_axes);
+    }
+}
+
+}  // namespace detail
+
 /// Computes what is known of a text only when all its glyphs are: the bounding box of its ink and those of its lines,
-/// its unit, and the bounds of its vertices between two heights, given in the extruder's own unit.
+/// its unit, and the bounds of its vertices.
 ///
 /// Fails  error::out_of_memory
-inline error arrange(text_glyphs& all, const glyph_run& run, const text_options& options, double units_per_em,
-                     height_range heights) noexcept
+template <extruder Extruder>
+error arrange(text_glyphs& all, const glyph_run& run, const text_options& options, double units_per_em,
+              const Extruder& how) noexcept
 {
     const bool by_line = options.texture_over == texture_box::line;
     if (by_line) {
@@ -54,21 +86,7 @@ inline error arrange(text_glyphs& all, const glyph_run& run, const text_options&
     placed.em_per_depth = options.depth_in == depth_unit::output ? 1.0 / placed.unit_per_em : 1.0;
     placed.texture_per_font_unit = text_glyphs::texture_over(all.ink);
 
-    placement at;
-    at.unit_per_depth = placed.unit_per_depth;
-    at.frame = placed.frame;
-    const float bottom = at.height(heights.low), top = at.height(heights.high);
-    const bool along_axes = placed.frame.is_along_axes();
-    for (const drawn_glyph& s : all.records) {
-        at.pen = s.built->cells() * (s.origin - placed.centre);
-        at.unit_per_cell = placed.unit_per_font_unit * s.built->font_units_per_cell();
-        const box& around = s.built->around();
-        if (&s == all.records.begin()) {
-            const vec3 corner = at.position(at.foot(around.low), bottom);
-            all.bounds = {corner, corner};
-        }
-        add_placed(all.bounds, around, bottom, top, at, along_axes);
-    }
+    detail::bound(all, how);
     return {};
 }
 

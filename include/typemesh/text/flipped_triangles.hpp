@@ -9,14 +9,17 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How many triangles of the caps are reversed or flattened when placed positions are rounded to 32-bit floats: none if
-/// every triangle's height is more than two of the plan's position_step(). Each part that is drawn has as many. Walls
-/// over the rim of such a cap may be flattened with it.
+/// How many triangles of caps and bevels, seen from the front, are reversed or flattened when placed positions are
+/// rounded to 32-bit floats: none if every triangle's height is more than two of the plan's position_step(). The cap of
+/// front and back is counted once, each part that is drawn has as many; so are bevels. Walls over the rim of such a cap
+/// may be flattened with it. Of an extruder that makes caps of its own and does not tell them (see
+/// extruder.hpp, seen_from_front) only the region's are counted.
 ///
 /// On the grid no triangle is reversed or flat; floats are coarser than it wherever units per em are not a power of
 /// two, and far from the origin everywhere. Within 4 em of it there are only those that no other diagonals avoid (see
-/// triangulate/low_triangles.hpp), or that a triangulator wants kept (has_final_diagonals). Glyphs that each stand at
-/// an origin of their own (see text_plan::write_meshes) do not have this problem.
+/// triangulate/low_triangles.hpp), or that a triangulator wants kept (has_final_diagonals), and slivers of bevels,
+/// where edges meet. Glyphs that each stand at an origin of their own (see text_plan::write_meshes) do not have this
+/// problem.
 ///
 /// Cost   O(triangles), computed in double precision from the positions as they are written
 template <extruder Extruder>
@@ -35,14 +38,13 @@ template <extruder Extruder>
         const placement at = plan.place(i);
         const frame& f = at.frame;
         const vector facing = cross(wide(f.right), wide(f.up));
-        const solid& form = plan.glyphs()[i].built->form();
-        for (const triangle t : form.triangles) {
-            const vector a = wide(at.position(form.points[t.a], 0.0f)), b = wide(at.position(form.points[t.b], 0.0f)),
-                         c = wide(at.position(form.points[t.c], 0.0f));
+        const auto look_at = [&](grid_point p, grid_point q, grid_point r) noexcept {
+            const vector a = wide(at.position(p, 0.0f)), b = wide(at.position(q, 0.0f)), c = wide(at.position(r, 0.0f));
             const vector normal = cross(delta(a, b), delta(a, c));
             const bool upright = normal.x * facing.x + normal.y * facing.y + normal.z * facing.z > 0.0;
             flipped += upright ? 0u : 1u;
-        }
+        };
+        plan.each_seen_from_front(i, look_at);
     }
     return flipped;
 }

@@ -16,7 +16,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Merges the glyphs of a text whose outlines meet, group by group:
+/// Merges the glyphs of a text whose outlines meet, group by group; where the extruder makes them grow (tells_outline in
+/// extruder.hpp), those that meet when they have grown:
 ///
 ///      ╭──╮╭─╮     ╭──╮                    ╭─────╮     ╭──╮        A group is a chain of glyphs of which each
 ///      │a ││b│ ╭╮  │d │        ->          │     │ ╭╮  │d │        shares a point with the next; all others are
@@ -62,7 +63,7 @@ public:
         auto* last = scratch.take<std::uint32_t>(count);  // the last so far of the group that begins here
         std::uint32_t* first_of = all.merged.first_of.append(count);
         if (count != 0 && (next == nullptr || last == nullptr || first_of == nullptr)) return error::out_of_memory;
-        if (error e = find_groups(all, run, {first_of, count})) return e;
+        if (error e = find_groups(all, run, with.raise, {first_of, count})) return e;
 
         const auto region_of = [&](const placed_glyph& glyph) noexcept {
             auto face = all.looks.face_of(font, glyph.look);
@@ -112,7 +113,9 @@ private:
         return cells;
     }
 
-    error find_groups(const text_glyphs& all, const glyph_run& run, std::span<std::uint32_t> first_of) noexcept
+    template <class Extruder>
+    error find_groups(const text_glyphs& all, const glyph_run& run, const Extruder& how,
+                      std::span<std::uint32_t> first_of) noexcept
     {
         workspace::scope scratch{caps_.space()};
         auto* loops = scratch.take<placed_loops>(first_of.size());
@@ -127,8 +130,14 @@ private:
             const bool stands = std::fabs(origin.x) * cells <= farthest && std::fabs(origin.y) * cells <= farthest;
             if (!is_finite(origin.x) || !is_finite(origin.y) || !stands || !same(s.cells(), cells)) continue;
             const pen at = snapped(origin, cells);
-            loops[i] = {s.form().points, s.form().starts, at.x, at.y,
-                        static_cast<std::uint32_t>(all.looks.style_of(run.glyphs[i].look))};
+            const auto kind = static_cast<std::uint32_t>(all.looks.style_of(run.glyphs[i].look));
+            loops[i] = {s.form().points, s.form().starts, at.x, at.y, kind};
+            if constexpr (tells_outline<Extruder>) {
+                if (s.form().points.empty()) continue;  // blank or refused: no plan data
+                const solid_outline grown = how.outline(s.planned<Extruder>().form);
+                loops[i].points = grown.points;
+                loops[i].starts = grown.starts;
+            }
         }
         return group_intersection({loops, first_of.size()}, first_of, caps_.space());
     }

@@ -241,6 +241,8 @@ private:
     result<plan_type> plan_text(text_view text, const text_options& options, Workers& workers) noexcept;
     template <plan_workers<Font> Workers>
     result<plan_type> plan_run(const glyph_run& run, const text_options& options, Workers& workers) noexcept;
+    template <plan_workers<Font> Workers>
+    result<plan_type> plan_once(const glyph_run& run, const text_options& options, Workers& workers) noexcept;
 
     /// The name of the option to blame for heights that cannot be written.
     static constexpr const char* heights_name() noexcept
@@ -367,6 +369,27 @@ template <plan_workers<Font> Workers>
 auto text_mesher<Font, D, T, E, O, C>::plan_run(const glyph_run& run, const text_options& options,
                                                 Workers& workers) noexcept -> result<plan_type>
 {
+    auto made = plan_once(run, options, workers);
+    if constexpr (refitting_extruder<E>) {
+        if (!made) return made;
+        const E asked = extruder_;
+        bool refitted = false;
+        for (const drawn_glyph& s : glyphs_.records)
+            refitted = extruder_.refit(s.built->template planned<E>().form) || refitted;
+        if (refitted) {
+            glyphs_.clear();
+            made = plan_once(run, options, workers);
+        }
+        extruder_ = asked;
+    }
+    return made;
+}
+
+template <outline_source Font, discretiser D, triangulator T, extruder E, stage_observer O, class C>
+template <plan_workers<Font> Workers>
+auto text_mesher<Font, D, T, E, O, C>::plan_once(const glyph_run& run, const text_options& options,
+                                                 Workers& workers) noexcept -> result<plan_type>
+{
     if (!is_finite(options.tolerance) || !(options.tolerance > 0.0)) return stop(error::bad_tolerance);
     if (!is_finite(options.pixels_per_em) || !(options.pixels_per_em > 0.0) || options.pixels_per_em > 0x1p30)
         return stop(error::bad("pixels_per_em"));
@@ -391,7 +414,7 @@ auto text_mesher<Font, D, T, E, O, C>::plan_run(const glyph_run& run, const text
     if (!e && options.merge) e = merge(run, options);
     if (!e) e = place_glyphs(glyphs_, run);
     const height_range heights = extruder_.heights();
-    if (!e) e = arrange(glyphs_, run, options, units_per_em, heights);
+    if (!e) e = arrange(glyphs_, run, options, units_per_em, extruder_);
     if (!e) e = refuse_extremes(glyphs_.placed, glyphs_.bounds, heights, heights_name());
     if (e) {
         glyphs_.pinned.release();

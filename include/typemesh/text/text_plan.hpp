@@ -132,13 +132,14 @@ public:
     /// The owner of a triangle: the index in the run of the one glyph whose outline all contour edges at its corners
     /// follow (for a wall: on whose outline it stands), or shared_glyph where merged glyphs run together. For extruders
     /// that write caps in the order of the region's triangles and walls as two triangles per edge, as flat and extruded
-    /// do.
+    /// do; of those that make caps of their own (bevelled), all triangles of merged glyphs are shared.
     ///
     ///     triangle    its position in range(glyph, p), below index_count / 3
     [[nodiscard]] std::uint32_t owner(std::size_t glyph, part p, std::uint32_t triangle) const noexcept
     {
         const drawn_glyph& s = fresh().records[glyph];
         if (s.merged == drawn_glyph::none) return s.glyph;
+        if constexpr (makes_own_caps<Extruder>) return shared_glyph;
         const merged_group& group = glyphs_->merged.groups[s.merged];
         if (p == part::side) return glyphs_->merged.owners_of(group)[triangle / 2];
         if (p > part::side) return shared_glyph;
@@ -192,6 +193,14 @@ public:
 
     /// The placement of one glyph, as its extruder gets it.
     [[nodiscard]] placement place(std::size_t glyph) const noexcept { return fresh().place(fresh().records[glyph]); }
+
+    /// Calls put(a, b, c) with the grid points of each triangle of a glyph that its extruder tells as seen from the
+    /// front (seen_from_front in extruder.hpp), or else of the region's.
+    template <class Put>
+    void each_seen_from_front(std::size_t glyph, Put&& put) const noexcept
+    {
+        typemesh::each_seen_from_front(extruder_, fresh().records[glyph].built->template planned<Extruder>().form, put);
+    }
 
     /// N and H of the vertex counts 2N, 4N and 4N + 2H: contour points, and the hard ones among them, whose side
     /// vertices are doubled. Seams of em mapping are not hard points and are counted in addition. N is of the letters

@@ -31,16 +31,24 @@ struct bgra8 {
 };
 
 /// One colour (or any other T) per part, for a writer that wants attribute::part: call it with s.part. A single colour
-/// for all parts is simply a member of the writer.
+/// for all parts is simply a member of the writer. Bevels are coloured as the side, unless told otherwise.
 template <class T = rgba8>
 struct part_colours {
     T front;
     T back;
     T side;
+    T front_bevel = side;
+    T back_bevel = side;
 
     [[nodiscard]] constexpr T operator()(part p) const noexcept
     {
-        return p == part::front ? front : p == part::back ? back : side;
+        switch (p) {
+        case part::front: return front;
+        case part::back: return back;
+        case part::front_bevel: return front_bevel;
+        case part::back_bevel: return back_bevel;
+        default: return side;
+        }
     }
 };
 
