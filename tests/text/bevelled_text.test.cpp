@@ -3,6 +3,8 @@
 // Bevelled letters go wherever all others do: into caches, merged letters, chunks, instances, teams and partial writes.
 
 #include <typemesh/extrude/bevelled.hpp>
+#include <typemesh/extrude/emboldened.hpp>
+#include <typemesh/extrude/outlined.hpp>
 #include <typemesh/inspect/closedness.hpp>
 #include <typemesh/inspect/mesh_measure.hpp>
 #include <typemesh/text/flipped_triangles.hpp>
@@ -10,6 +12,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "support/catch.hpp"
@@ -372,4 +375,46 @@ TEST_CASE("letters that meet when outward bevels have grown are merged: one surf
             CHECK(inspect::measure(m.view()).volume > depth * own);
         }
     }
+}
+
+TEST_CASE("bolder letters are merged where they have grown together, thinner ones where they are drawn together",
+          "[text]")
+{
+    test::toy_font font;
+    const auto glyphs_at = [&](const auto& how, double second) {
+        glyph_run run;
+        run.units_per_em = 1000.0;
+        for (const double x : {0.0, second}) REQUIRE(run.glyphs.push_back({5, 0, {x, 0.0}}));  // bars, 100 wide
+        auto mesher = text_mesher{font}.with(how);
+        const auto plan = mesher.plan(run, {.merge = true});
+        REQUIRE(plan);
+        bevel_mesh m;
+        REQUIRE_FALSE(plan->write(into(m.vertices, m.indices)));
+        CHECK(inspect::check_closedness(m.view()).is_closed());
+        std::int64_t twice = 0;
+        for (std::size_t i = 0; i < plan->glyphs().size(); ++i)
+            plan->each_seen_from_front(
+                i, [&](grid_point a, grid_point b, grid_point c) noexcept { twice += orientation(a, b, c); });
+        return std::pair{plan->glyphs().size(), 0.5 * static_cast<double>(twice) / 512000.0 / 512000.0};
+    };
+    using bold = emboldened<bevelled<>>;
+    const auto grown = glyphs_at(bold{.by = 0.03f, .solid = {.width = 0.01f}}, 140.0);
+    CHECK(grown.first == 1);
+    CHECK(grown.second == Catch::Approx((0.24 + 0.06) * (0.5 + 0.06)));
+    CHECK(glyphs_at(bold{.by = 0.01f, .solid = {.width = 0.01f}}, 140.0).first == 2);
+    CHECK(glyphs_at(bold{.by = 0.01f, .solid = {.width = 0.02f, .outward = true}}, 140.0).first == 1);
+    const auto thinned = glyphs_at(emboldened<>{.by = -0.01f}, 100.0);  // drawn side by side
+    CHECK(thinned.first == 1);
+    CHECK(thinned.second == Catch::Approx((0.2 - 0.02) * (0.5 - 0.02)));
+    const auto hollow = glyphs_at(outlined<>{.width = 0.01f}, 140.0);
+    CHECK(hollow.first == 2);
+    CHECK(hollow.second == Catch::Approx(2.0 * (0.1 * 0.5 - 0.08 * 0.48)));
+
+    bold fitting{.by = 0.01f, .solid = {.width = 0.2f, .mode = bevel_mode::fit_text}};
+    auto mesher = text_mesher{font}.with(fitting);
+    const auto plan = mesher.plan("Ei");
+    REQUIRE(plan);
+    REQUIRE(plan->glyphs().size() == 2);
+    for (const drawn_glyph& g : plan->glyphs())
+        CHECK(fitting.solid.width_of(g.built->planned<bold>().form.data) == Catch::Approx(0.9 * 0.06f).margin(1e-4));
 }

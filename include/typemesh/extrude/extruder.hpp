@@ -110,8 +110,8 @@ concept plans_with_caps = requires(const E& e, const region& r, plan_data_of<E>&
 ///     e.heights(s)                     between which heights a planned solid lies, where that may be less
 ///     e.seen_from_front(s, put)        put(a, b, c) with the grid points of every triangle that is neither upright nor
 ///                                      the mirror image of another, if they are not the region's own
-///     e.outline(s)                     the loops of all that it covers in the plane, if it grows beyond the region: merged
-///                                      are glyphs whose outlines meet
+///     e.outline(s)                     the loops of all that it covers in the plane, if it grows beyond the region:
+///                                      glyphs whose outlines meet are merged
 ///     e.refit(s)                       adapts the options to a planned solid of the text, if all its solids must agree
 ///                                      in something; true if that changes an option. When each solid has been asked,
 ///                                      and one said so, all are planned again

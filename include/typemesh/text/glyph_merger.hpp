@@ -16,8 +16,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Merges the glyphs of a text whose outlines meet, group by group; where the extruder makes them grow (tells_outline in
-/// extruder.hpp), those that meet when they have grown:
+/// Merges the glyphs of a text whose outlines meet, group by group; where the extruder makes them grow (tells_outline
+/// in extruder.hpp), those that meet when they have grown:
 ///
 ///      ╭──╮╭─╮     ╭──╮                    ╭─────╮     ╭──╮        A group is a chain of glyphs of which each
 ///      │a ││b│ ╭╮  │d │        ->          │     │ ╭╮  │d │        shares a point with the next; all others are

@@ -58,8 +58,8 @@ struct text_options {
     texture_box texture_over = texture_box::text;  ///< only for the `box` texture mapping; see texture.hpp
     typemesh::frame frame = right_handed_y_up;
 
-    /// Merge glyphs whose outlines meet (kerned, cursive or accented ones; with outward bevels those that meet when they
-    /// have grown) to one solid without inner walls: see glyph_merger.hpp.
+    /// Merge glyphs whose outlines meet (kerned, cursive or accented ones; bolder ones and those with outward bevels
+    /// when they have grown) to one solid without inner walls: see glyph_merger.hpp.
     bool merge = false;
 
     /// Build a repeated glyph only once. If false, every occurrence is built anew, to the same mesh: for measurements.
