@@ -388,7 +388,7 @@ TEST_CASE("bolder letters are merged where they have grown together, thinner one
         auto mesher = text_mesher{font}.with(how);
         const auto plan = mesher.plan(run, {.merge = true});
         REQUIRE(plan);
-        bevel_mesh m;
+        test::lit_mesh m;
         REQUIRE_FALSE(plan->write(into(m.vertices, m.indices)));
         CHECK(inspect::check_closedness(m.view()).is_closed());
         std::int64_t twice = 0;
