@@ -249,8 +249,7 @@ void add_bevel_options(CLI::App& app, options& out, raw_values& raw)
         ->type_name("N");
     add_named<bevel_mode>(
         app, "--bevel-mode", out.bevel.mode,
-        "where a stroke is too thin, bevels meet in a ridge (clip, default), or are narrower: those of "
-        "that letter (fit) or of all (fit_text)",
+        "where a stroke is thin: a ridge (clip, default); narrower, that letter (fit), all (fit_text)",
         {{"clip", bevel_mode::clip}, {"fit", bevel_mode::fit}, {"fit_text", bevel_mode::fit_text}});
     app.add_flag("--bevel-out", out.bevel.outward, "bevels are put on, round the letters, which grow");
     add_named<bevel_sides>(app, "--bevel-sides", out.bevel.sides, "which edges are bevelled (default both)",
