@@ -479,8 +479,8 @@ for width in 1000 100; do
     that "a bevel that is too wide leaves the old file alone" [ "$(cat wide.glb)" = kept ]
 done
 expect 0 "" x --font $sans --output wide.glb --bevel 1000 --bevel-depth 0.02
-expect 1 "^text_to_mesh: --outline: is too narrow for this font\.$" x --font $sans --output narrow.glb --outline 1e-7
-that "an outline that is too narrow writes nothing" [ ! -e narrow.glb ]
+expect 1 "^text_to_mesh: --outline: is too narrow for this font\.$" x --font $sans --output thin_ring.glb --outline 1e-7
+that "an outline that is too narrow writes nothing" [ ! -e thin_ring.glb ]
 expect 2 "^text_to_mesh: --bevel-out: takes no value$" x --font $sans --output x.glb --bevel 0.02 --bevel-out=wide
 expect 2 "--bevel: is for solids" x --font $sans --output x.glb --bevel 0.02 --depth 0
 expect 2 "--normals: is not for --bevel" x --font $sans --output x.glb --bevel 0.02 --normals cap
