@@ -86,7 +86,9 @@ public:
             const cluster_flags flags =
                 cluster_flags::hangs | cluster_flags::silent | (tab ? cluster_flags::tab : cluster_flags::none);
             const auto none = static_cast<std::uint32_t>(glyphs_.size());
-            return clusters_.push_back({first, last, none, 0, 0.0, item, flags}) ? error{} : error::out_of_memory;
+            if (!clusters_.push_back({first, last, none, 0, 0.0, item, flags})) return error::out_of_memory;
+            sum_up(clusters_.size() - 1);
+            return {};
         }
         const std::size_t before = glyphs_.size();
         if (first < last)
@@ -119,11 +121,11 @@ public:
         return true;
     }
 
+    /// The advance of clusters [first, last). Cost: O(1)
     [[nodiscard]] double advance(std::uint32_t first, std::uint32_t last) const noexcept
     {
-        double sum = 0.0;
-        for (std::uint32_t i = first; i < last; ++i) sum += clusters_[i].advance;
-        return sum;
+        if (first == last) return 0.0;
+        return clusters_[last - 1].before + clusters_[last - 1].advance - clusters_[first].before;
     }
 
     /// Appends a cluster for text[at] that shows other text, in the item's script and direction: `text`, or where the
@@ -154,10 +156,19 @@ public:
             glyphs_[g].cluster = at;
             c.advance += glyphs_[g].advance;
         }
-        return clusters_.push_back(c) ? error{} : error::out_of_memory;
+        if (!clusters_.push_back(c)) return error::out_of_memory;
+        sum_up(clusters_.size() - 1);
+        return {};
     }
 
 private:
+    /// Sums the advances before clusters from `first` on.
+    void sum_up(std::size_t first) noexcept
+    {
+        for (std::size_t i = first; i < clusters_.size(); ++i)
+            clusters_[i].before = i == 0 ? 0.0 : clusters_[i - 1].before + clusters_[i - 1].advance;
+    }
+
     /// Gathers the glyphs from `before` on into clusters, in the order of the text.
     error cluster_glyphs(std::uint32_t item, const text_item& part, std::size_t before) noexcept
     {
@@ -186,6 +197,7 @@ private:
             done += end - begin;
         }
         if (!is_zero(letter_spacing_)) space_clusters(first_cluster, part.to_the_left());
+        sum_up(first_cluster);
         return {};
     }
 

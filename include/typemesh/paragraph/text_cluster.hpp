@@ -39,6 +39,7 @@ struct text_cluster {
     double advance = 0.0;  ///< of all its glyphs, in font units
     std::uint32_t item = 0;
     cluster_flags flags = cluster_flags::none;
+    double before = 0.0;  ///< the advances of all clusters that stand before it in its shaped_text
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI
