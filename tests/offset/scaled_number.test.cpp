@@ -38,6 +38,26 @@ TEST_CASE("a scaled number keeps the 61 highest bits, rounded down", "[offset][s
     }
 }
 
+TEST_CASE("a scaled number is below 2^62 on both sides, by as few bits as that takes", "[offset][scaled_number]")
+{
+    constexpr detail::int128 one = 1, most = one << 62;
+    for (int bits = 0; bits < 125; ++bits) {
+        for (int beside = -2; beside <= 2; ++beside) {
+            for (const detail::int128 v : {(one << bits) + beside, -(one << bits) + beside}) {
+                detail::int128 expected = v;
+                int power = 7;
+                for (; expected >= most || expected <= -most; ++power) expected >>= 1;
+                const scaled_number s = scaled_number::of(v, 7);
+                const bool same = s.m == expected && s.power == power;
+                if (!same) CHECK(same);
+                int width = 0;
+                while (expected >> width != 0 && expected >> width != -1) ++width;
+                if (s.m > 0) CHECK(s.top() == width + power);
+            }
+        }
+    }
+}
+
 TEST_CASE("products of scaled numbers are right to 2^-59 of them", "[offset][scaled_number]")
 {
     test::dice d{2};

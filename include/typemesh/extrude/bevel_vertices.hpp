@@ -115,12 +115,20 @@ private:
         for (; cell + 1 < swept_.cells.size() && swept_.cells[cell].band == band; ++cell) {
             const swept_cell& c = swept_.cells[cell];
             if (is_frame(c.edge)) continue;
+            triangle last{none, none, none}, made;  // of neighbours in a cell, which mostly follow each other
+            const auto add = [&](std::uint32_t at, std::uint32_t& vertex, const triangle& known) noexcept {
+                if (at == last.a) return vertex = known.a, true;
+                if (at == last.b) return vertex = known.b, true;
+                if (at == last.c) return vertex = known.c, true;
+                return add_corner(c.edge, at, band, strip, vertex);
+            };
             for (std::uint32_t t = c.first_triangle; t < swept_.cells[cell + 1].first_triangle; ++t) {
                 const triangle& at = swept_.triangles[t];
-                triangle made;
-                if (!add_corner(c.edge, at.a, band, strip, made.a) || !add_corner(c.edge, at.b, band, strip, made.b) ||
-                    !add_corner(c.edge, at.c, band, strip, made.c) || !triangles.push_back({made}))
+                const triangle known = made;
+                if (!add(at.a, made.a, known) || !add(at.b, made.b, known) || !add(at.c, made.c, known) ||
+                    !triangles.push_back({made}))
                     return false;
+                last = at;
             }
         }
         return true;

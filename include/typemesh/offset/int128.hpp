@@ -143,6 +143,11 @@ using int128 = two_word_integer;
         a = -a;
         b = -b;
     }
+    constexpr std::int64_t one_word = std::int64_t{1} << 62;
+    if (b < one_word && -one_word < a && a < one_word) {  // as nearly all unit vectors have it
+        const auto all = static_cast<std::int64_t>(a);
+        return all >= 0 ? (all + b / 2) / b : -((b / 2 - all) / b);
+    }
     return static_cast<std::int64_t>(a >= 0 ? (a + b / 2) / b : -((b / 2 - a) / b));
 }
 

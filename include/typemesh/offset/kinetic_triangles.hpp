@@ -169,21 +169,27 @@ public:
     /// half-edges from a to b and from b to a are twins. `scratch` has 2n + 3 values a triangle.
     void link_all(std::uint32_t corners, std::uint32_t* scratch) noexcept
     {
-        const auto halves = static_cast<std::uint32_t>(3 * triangles.size());
         std::uint32_t *const leaving = scratch, *const noted = scratch + corners, *const after = noted + corners;
         for (std::uint32_t v = 0; v < corners; ++v) leaving[v] = noted[v] = none;
-        for (std::uint32_t h = halves; h-- != 0;) {
-            after[h] = leaving[origin(h)];
-            leaving[origin(h)] = h;
+        for (auto t = static_cast<std::uint32_t>(triangles.size()); t-- != 0;) {
+            for (std::uint32_t k = 3; k-- != 0;) {
+                std::uint32_t& first = leaving[triangles[t].corner[k]];
+                after[3 * t + k] = first;
+                first = 3 * t + k;
+            }
         }
         for (std::uint32_t v = 0; v < corners; ++v) {
-            for (std::uint32_t h = leaving[v]; h != none; h = after[h]) noted[origin(next(h))] = h;
             for (std::uint32_t h = leaving[v]; h != none; h = after[h]) {
-                const std::uint32_t coming = previous(h), from = origin(coming), back = noted[from];
+                const std::uint32_t t = h / 3, k = h - 3 * t;
+                noted[triangles[t].corner[k == 2 ? 0 : k + 1]] = h;
+            }
+            for (std::uint32_t h = leaving[v]; h != none; h = after[h]) {
+                const std::uint32_t t = h / 3, k = h - 3 * t, coming = k == 0 ? 2 : k - 1;
+                const std::uint32_t from = triangles[t].corner[coming], back = noted[from];
                 if (back != none && origin(back) == v)
-                    triangles[coming / 3].link[coming % 3] = back;
+                    triangles[t].link[coming] = back;
                 else
-                    join(coming, to_segment(from));
+                    join(3 * t + coming, to_segment(from));
             }
         }
     }

@@ -4,6 +4,7 @@
 #include <typemesh/core/point.hpp>
 #include <typemesh/offset/int128.hpp>
 
+#include <bit>
 #include <cstdint>
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
@@ -45,8 +46,8 @@ struct fixed_vector {
 [[nodiscard]] inline fixed_vector unit_along(fixed_vector v) noexcept
 {
     const std::int64_t x = v.x < 0 ? -v.x : v.x, y = v.y < 0 ? -v.y : v.y;
-    std::int64_t scale = 1;
-    while ((x | y) * scale < (std::int64_t{1} << 31)) scale *= 2;
+    const int above = std::countl_zero(static_cast<std::uint64_t>(x | y)) - 32;
+    const std::int64_t scale = std::int64_t{1} << (above > 0 ? above : 0);
     const fixed_vector large{v.x * scale, v.y * scale};
     const std::int64_t size = square_root(dot(large, large));
     return {nearest_quotient(static_cast<int128>(large.x) * unit_one, size),
@@ -103,6 +104,7 @@ struct moving_point {
     [[nodiscard]] fixed_vector place(std::int64_t time) const noexcept
     {
         const std::int64_t passed = time - since;
+        if (passed == 0) return start;
         return {start.x + shifted_product(speed.of.x, passed, 48), start.y + shifted_product(speed.of.y, passed, 48)};
     }
 };

@@ -31,6 +31,7 @@ public:
                                    triangle_list& out) noexcept
     {
         const std::size_t before = out.size();
+        if (ring.size() == 4 && cut_quadrilateral(ring, nodes, out)) return error::none;
         if (out.append(ring.size() - 2) == nullptr || !left_.reserve(ring.size())) return error::out_of_memory;
         out.truncate(before);  // append() grows by more than it is asked for, reserve() does not
         if (cut_mountain(ring, nodes, out)) return error::none;
@@ -44,6 +45,28 @@ private:
     static bool is_ear(const buffer<swept_node>& nodes, std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept
     {
         return orientation(nodes[a].at, nodes[b].at, nodes[c].at) > 0;
+    }
+
+    /// What cut_mountain() makes of most rings; false if it would go on, or memory has run out.
+    static bool cut_quadrilateral(const buffer<std::uint32_t>& ring, const buffer<swept_node>& nodes,
+                                  triangle_list& out) noexcept
+    {
+        std::size_t base = 0;
+        std::int64_t longest = -1;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const std::int64_t size = squared_distance(nodes[ring[i]].at, nodes[ring[(i + 1) % 4]].at);
+            if (size <= longest) continue;
+            longest = size;
+            base = i;
+        }
+        const std::uint32_t a = ring[(base + 1) % 4], b = ring[(base + 2) % 4], c = ring[(base + 3) % 4],
+                            d = ring[base];
+        if (!is_ear(nodes, a, b, c) || !is_ear(nodes, a, c, d)) return false;
+        triangle* const two = out.append(2);
+        if (two == nullptr) return false;
+        two[0] = {a, b, c};
+        two[1] = {a, c, d};
+        return true;
     }
 
     /// From the end of the longest edge around to its beginning: whatever can be cut off is cut off at once.

@@ -291,6 +291,7 @@ private:
     template <class Take>
     [[nodiscard]] error each_ring(Take take) noexcept
     {
+        if (is_short_ring()) return take(path_);
         while (on_path_.size() < front_.nodes.size())
             if (!on_path_.push_back(none)) return error::out_of_memory;
         stack_.clear();
@@ -314,6 +315,17 @@ private:
         return take(ring_);
     }
 
+    /// Whether the path is a ring as it is; told of short ones alone, which nearly all cells are.
+    [[nodiscard]] bool is_short_ring() const noexcept
+    {
+        const std::size_t n = path_.size();
+        if (n < 3 || n > 6) return false;
+        for (std::size_t i = 1; i < n; ++i)
+            for (std::size_t k = 0; k < i; ++k)
+                if (path_[i] == path_[k]) return false;
+        return true;
+    }
+
     /// The loops that the segments still make.
     [[nodiscard]] error make_cap(const region& r) noexcept
     {
@@ -331,10 +343,14 @@ private:
                 if (!path_.push_back(front_.node_of[mesh.segments[k].from])) return error::out_of_memory;
             }
             if (error e = each_ring([&](const buffer<std::uint32_t>& ring) noexcept -> error {
-                    for (const std::uint32_t node : ring)
-                        if (!cap.points.push_back(front_.nodes[node].at) || !cap.edges.push_back({}) ||
-                            !out_.cap_nodes.push_back(node))
-                            return error::out_of_memory;
+                    grid_point* at = cap.points.append(ring.size());
+                    auto* edge = cap.edges.append(ring.size());
+                    if (at == nullptr || edge == nullptr || !out_.cap_nodes.append(ring.view()))
+                        return error::out_of_memory;
+                    for (const std::uint32_t node : ring) {
+                        *at++ = front_.nodes[node].at;
+                        *edge++ = {};
+                    }
                     return cap.starts.push_back(static_cast<std::uint32_t>(cap.points.size())) ? error::none
                                                                                                : error::out_of_memory;
                 }))
