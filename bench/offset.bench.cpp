@@ -10,11 +10,19 @@
 // a point, refused regions. Glyphs are flattened to 1/800 em by equal steps of t and swept to a share of the em. The
 // width of a shape is its area by its perimeter, half a stroke's width on average ("wide"), or a tenth of that
 // ("narrow"); a regular star closes at once between the two. Few flips are left over Delaunay triangles where monotone's
-// are long: circle with holes. For the time of CGAL's skeleton on the same glyphs see tests/every_glyph/every_offset.cpp.
+// are long: circle with holes.
+//
+// With -DTYPEMESH_BENCH_PEERS=ON, at 2 % of the em without joins, on a sample of the glyphs: cgal_us, the time that CGAL's
+// interior straight skeleton of a region takes; ours_us, that of the triangulation and the sweep together; cgal_of_ours;
+// cgal_none, the glyphs of which CGAL gave no skeleton within 10 s.
 //
 // Fonts: packages fonts-liberation, fonts-dejavu-core, fonts-mplus.
 
 #include "polygons.hpp"
+#ifdef TYPEMESH_BENCH_PEERS
+#include "every_glyph/skeleton_peer.hpp"
+#include "seconds_within.hpp"
+#endif
 
 #include <typemesh/fill/orient.hpp>
 #include <typemesh/inspect/polyline.hpp>
@@ -77,32 +85,85 @@ double nanoseconds(F&& f)
     return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// Cuts regions and sweeps them, one after another.
+class sweeper {
+public:
+    explicit sweeper(double mitre_limit) : mitre_limit_{mitre_limit} {}
+
+    double cut(const region& r)
+    {
+        triangles_.clear();
+        return nanoseconds([&] {
+            if (monotone{}(r, space_, triangles_)) std::abort();
+        });
+    }
+    /// Of what was cut last.
+    double sweep(const region& r, double width)
+    {
+        const double levels[] = {0.0, width};
+        return nanoseconds([&] {
+            swept_.clear();
+            workspace::scope scratch{space_};
+            was_refused_ = bool(
+                sweep_inwards(r, triangles_.view(), {.levels = levels, .mitre_limit = mitre_limit_}, scratch, swept_));
+        });
+    }
+    [[nodiscard]] bool was_refused() const { return was_refused_; }
+    [[nodiscard]] std::size_t events() const { return swept_.events; }
+    [[nodiscard]] std::size_t schedules() const { return swept_.schedules; }
+
+private:
+    double mitre_limit_;
+    workspace space_;
+    triangle_list triangles_;
+    swept_region swept_;
+    bool was_refused_ = false;
+};
+
+#ifdef TYPEMESH_BENCH_PEERS
+void run_beside_cgal(benchmark::State& state, const set& s)
+{
+    constexpr std::size_t most = 60;
+    sweeper ours{0.0};
+    double of_cgal = 0, of_ours = 0, none = 0, count = 0;
+    for (std::size_t i = 0; i < s.regions.size(); i += 1 + s.regions.size() / most) {
+        const region& r = s.regions[i];
+        const double seconds = bench::seconds_within(10, [&] {
+            test::skeleton_peer peer;
+            return peer.build(r) ? peer.seconds() : 0.0;
+        });
+        double best = 1e300;
+        for (int pass = 0; pass < 3; ++pass) {
+            const double cut = ours.cut(r);
+            best = (std::min)(best, cut + ours.sweep(r, s.widths[i]));
+        }
+        none += seconds > 0.0 ? 0 : 1;
+        if (!(seconds > 0.0)) continue;
+        of_cgal += 1e9 * seconds;
+        of_ours += best;
+        ++count;
+    }
+    state.counters["cgal_us"] = of_cgal / 1000 / count;
+    state.counters["ours_us"] = of_ours / 1000 / count;
+    state.counters["cgal_of_ours"] = of_cgal / of_ours;
+    state.counters["cgal_none"] = none;
+}
+#endif
+
 void run(benchmark::State& state, const set& s, double mitre_limit)
 {
-    workspace space;
-    triangle_list triangles;
-    swept_region swept;
+    sweeper ours{mitre_limit};
     double floor = 1e300, best = 1e300, refused = 0, events = 0, schedules = 0;
     for ([[maybe_unused]] auto unused : state) {
         for (int pass = 0; pass < 3; ++pass) {
             double cut = 0, swept_in = 0;
             refused = events = schedules = 0;
             for (std::size_t i = 0; i < s.regions.size(); ++i) {
-                triangles.clear();
-                cut += nanoseconds([&] {
-                    if (monotone{}(s.regions[i], space, triangles)) std::abort();
-                });
-                const double levels[] = {0.0, s.widths[i]};
-                error e;
-                swept_in += nanoseconds([&] {
-                    swept.clear();
-                    workspace::scope scratch{space};
-                    e = sweep_inwards(s.regions[i], triangles.view(), {.levels = levels, .mitre_limit = mitre_limit},
-                                      scratch, swept);
-                });
-                refused += e ? 1 : 0;
-                events += static_cast<double>(swept.events);
-                schedules += static_cast<double>(swept.schedules);
+                cut += ours.cut(s.regions[i]);
+                swept_in += ours.sweep(s.regions[i], s.widths[i]);
+                refused += ours.was_refused() ? 1 : 0;
+                events += static_cast<double>(ours.events());
+                schedules += static_cast<double>(ours.schedules());
             }
             floor = (std::min)(floor, cut);
             best = (std::min)(best, swept_in);
@@ -114,6 +175,9 @@ void run(benchmark::State& state, const set& s, double mitre_limit)
     state.counters["events"] = events / s.points;
     state.counters["schedules"] = schedules / s.points;
     state.counters["refused"] = refused;
+#ifdef TYPEMESH_BENCH_PEERS
+    if (mitre_limit <= 0 && s.name.find(" 2 %") != std::string::npos) run_beside_cgal(state, s);
+#endif
 }
 
 void add(const set& s, double mitre_limit)

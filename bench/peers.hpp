@@ -5,6 +5,8 @@
 // Only with -DTYPEMESH_BENCH_PEERS=ON; nothing here is installed or part of the library. Each gets the loops as monotone accepts
 // them and leaves its result in its own form. POSIX only.
 
+#include "seconds_within.hpp"
+
 #include <typemesh/core/contours.hpp>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -12,8 +14,6 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_2.h>
 #include <GL/glu.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <array>
 #include <cstdint>
@@ -23,27 +23,6 @@
 #include <vector>
 
 namespace bench {
-
-/// What f returns, computed in a child process that is stopped after so many seconds; then 0.
-template <class F>
-double seconds_within(unsigned seconds, F&& f)
-{
-    int ends[2];
-    if (pipe(ends) != 0) return 0;
-    const pid_t child = fork();
-    if (child == 0) {
-        alarm(seconds);
-        const double value = f();
-        const auto written = write(ends[1], &value, sizeof value);
-        _exit(written == sizeof value ? 0 : 1);
-    }
-    close(ends[1]);
-    double value = 0;
-    if (child < 0 || read(ends[0], &value, sizeof value) != sizeof value) value = 0;
-    close(ends[0]);
-    if (child > 0) waitpid(child, nullptr, 0);
-    return value;
-}
 
 struct glu_run {
     GLUtesselator* tessellator = gluNewTess();

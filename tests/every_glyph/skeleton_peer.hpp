@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// CGAL's interior straight skeleton (GPL), to compare offsets with: its faces cut at a distance. Only the program
-// every_offset includes this; POSIX only.
+// CGAL's interior straight skeleton (GPL), to compare offsets with: its faces cut at a distance. Only the programs
+// every_offset and bench_offset include this, on demand.
 //
 // Its own two answers differ now and then: the level sets of the faces are the ones to compare with. It gives none for
 // some outlines, and does not come to an end on others.
@@ -14,10 +14,10 @@
 #include <CGAL/Polygon_with_holes_2.h>
 #include <CGAL/create_straight_skeleton_from_polygon_with_holes_2.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <ctime>
 #include <utility>
 #include <vector>
 
@@ -53,16 +53,16 @@ public:
             for (std::size_t h = 0; h < loops.size(); ++h)
                 if (typemesh::inspect::doubled_area(loops[h]) < 0 && outer_of(loops, h) == l)
                     outer.add_hole(polygon_of(loops[h]));
-            const auto start = std::chrono::steady_clock::now();
+            const std::clock_t start = std::clock();
             const auto skeleton = CGAL::create_interior_straight_skeleton_2(outer, kernel{});
-            seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+            seconds_ += double(std::clock() - start) / CLOCKS_PER_SEC;
             if (!skeleton) return false;
             for (auto f = skeleton->faces_begin(); f != skeleton->faces_end(); ++f) add_face(f->halfedge());
         }
         return true;
     }
 
-    /// The time that the skeletons took.
+    /// The processor's time that the skeletons took.
     [[nodiscard]] double seconds() const { return seconds_; }
 
     /// What of each face is farther than `distance` from its edge, on the grid.
