@@ -154,14 +154,14 @@ TEST_CASE("a paragraph's first line can be no wider than its text, nor a word th
     glyph_run run;
     REQUIRE_FALSE(words.set(s.text));
     const paragraph_widths widths = words.widths();
-    REQUIRE(widths.min > 0.0);
-    REQUIRE(widths.min < widths.max);
-    REQUIRE_FALSE(words.lay_out({.width = widths.max}, run));
+    REQUIRE(widths.narrowest > 0.0);
+    REQUIRE(widths.narrowest < widths.widest);
+    REQUIRE_FALSE(words.lay_out({.width = widths.widest}, run));
     CHECK(run.lines.size() == 1);
-    REQUIRE_FALSE(words.lay_out({.width = 0.99 * widths.max}, run));
+    REQUIRE_FALSE(words.lay_out({.width = 0.99 * widths.widest}, run));
     CHECK(run.lines.size() > 1);
-    REQUIRE_FALSE(words.lay_out({.width = widths.min, .wrap = wrap_mode::word}, run));
+    REQUIRE_FALSE(words.lay_out({.width = widths.narrowest, .wrap = wrap_mode::word}, run));
     const std::size_t lines = run.lines.size();
-    REQUIRE_FALSE(words.lay_out({.width = widths.min, .wrap = wrap_mode::word_or_grapheme}, run));
+    REQUIRE_FALSE(words.lay_out({.width = widths.narrowest, .wrap = wrap_mode::word_or_grapheme}, run));
     CHECK(run.lines.size() == lines);  // nothing was broken
 }

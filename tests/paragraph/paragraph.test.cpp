@@ -247,7 +247,7 @@ TEST_CASE("text without words has lines, too", "[paragraph]")
     laid nothing{""};
     REQUIRE(nothing.run.lines.size() == 1);
     CHECK(nothing.run.glyphs.empty());
-    CHECK(nothing.words.widths().max == 0.0);
+    CHECK(nothing.words.widths().widest == 0.0);
     const laid spaces{"   ", {.width = 0.1, .align = line_alignment::right}};
     REQUIRE(spaces.run.lines.size() == 1);
     CHECK(spaces.run.lines[0].advance == 0.0);
@@ -263,8 +263,8 @@ TEST_CASE("text without words has lines, too", "[paragraph]")
 TEST_CASE("widths tell how narrow and how wide a text may be", "[paragraph]")
 {
     laid p{"one two three\nfour"};
-    CHECK(p.words.widths().min == 2.5);
-    CHECK(p.words.widths().max == 6.0);
+    CHECK(p.words.widths().narrowest == 2.5);
+    CHECK(p.words.widths().widest == 6.0);
     p.again({.width = 6.0});
     CHECK(p.run.lines.size() == 2);
     p.again({.width = 5.999});

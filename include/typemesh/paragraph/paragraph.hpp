@@ -24,8 +24,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// The least and the greatest width that make a difference, in em.
 struct paragraph_widths {
-    double min = 0.0;  ///< of the longest word: in less it is broken, or sticks out
-    double max = 0.0;  ///< of the longest line, if lines end only where the text demands it
+    double narrowest = 0.0;  ///< of the longest word: in less it is broken, or sticks out
+    double widest = 0.0;     ///< of the longest line, if lines end only where the text demands it
 };
 
 /// A text that is shaped once and then laid out at any width, as often as wanted: directions mixed, lines broken.
@@ -102,7 +102,7 @@ public:
         for (const break_piece& p : pieces_.words().pieces) {
             const bool last = p.ends_line();
             const double width = (pen + p.width + (last ? p.end_change : 0.0)) / em;
-            if (p.width > 0.0 && width > found.max) found.max = width;
+            if (p.width > 0.0 && width > found.widest) found.widest = width;
             pen = last ? 0.0 : pen + p.width + p.space;
         }
         return found;
