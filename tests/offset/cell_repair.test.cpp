@@ -55,6 +55,21 @@ TEST_CASE("cell_repair leads a side over the node that is nearest to it, in both
     CHECK(way(repair, 0, 1) == std::vector<std::uint32_t>{0});
 }
 
+TEST_CASE("cell_repair makes no detour that leads back over the side that it replaces", "[offset]")
+{
+    // Each of three nodes lies beside the side between the two others, as far as rounding tells.
+    auto nodes = nodes_at({{0, 0}, {100, 0}, {50, -1}});
+    detail::cell_repair repair{heap()};
+    repair.begin(0);
+    REQUIRE(repair.mend(ring_of(3), nodes, nowhere));
+    CHECK(way(repair, 0, 1) == std::vector<std::uint32_t>{0, 2});
+    nodes[1].at = {50, 0};  // now node 1 is beside the side from 0 to 2
+    nodes[2].at = {100, -1};
+    CHECK_FALSE(repair.mend(ring_of(3), nodes, nowhere));
+    CHECK(way(repair, 0, 2) == std::vector<std::uint32_t>{0});
+    CHECK(way(repair, 0, 1) == std::vector<std::uint32_t>{0, 2});
+}
+
 TEST_CASE("cell_repair moves a node off a side at a level, unless the node belongs to an earlier band", "[offset]")
 {
     const auto at_level = [](std::uint32_t a, std::uint32_t b) { return a + b == 1; };

@@ -47,8 +47,7 @@ public:
             const std::uint32_t last = path.back();
             const bool along = (d.a == last && d.b == next) || (d.a == next && d.b == last);
             if (!along) continue;
-            const std::uint32_t via = node(d.via);
-            return via == last || via == next || (follow(path, via) && path.push_back(via) && follow(path, next));
+            return follow(path, d.via) && path.push_back(d.via) && follow(path, next);
         }
         return true;
     }
@@ -73,7 +72,7 @@ public:
                 if (at_level) {
                     const bool beyond = orientation(p, q, nodes[via].at) <= 0 && distance < reach;
                     nudged = (beyond && nudge(p, q, nodes[via].at, via)) || nudged;
-                } else if (distance < least) {
+                } else if (distance < least && !leads_over({a, via}, {a, b}) && !leads_over({via, b}, {a, b})) {
                     least = distance;
                     best = {a, b, via};
                 }
@@ -91,6 +90,20 @@ private:
         std::uint32_t a = 0, b = 0;  // instead of straight
         std::uint32_t via = 0;
     };
+
+    struct side {
+        std::uint32_t a, b;
+    };
+
+    /// Whether the way along a side leads over another one: a detour there must not lead back to it.
+    [[nodiscard]] bool leads_over(side from, side to) const noexcept
+    {
+        if ((from.a == to.a && from.b == to.b) || (from.a == to.b && from.b == to.a)) return true;
+        for (const detour& d : detours_)
+            if ((d.a == from.a && d.b == from.b) || (d.a == from.b && d.b == from.a))
+                return leads_over({d.a, d.via}, to) || leads_over({d.via, d.b}, to);
+        return false;
+    }
 
     /// A node that has become another one.
     struct unit {
@@ -118,7 +131,9 @@ private:
                 break;
             }
         }
-        return best.from != best.to && united_.push_back(best);
+        if (best.from == best.to) return false;
+        detours_.clear();  // they may lead over it; those that are still needed are found again
+        return united_.push_back(best);
     }
 
     /// The distance of a point from a side, in 1/256 cells, if it lies beside that, else `reach`.
