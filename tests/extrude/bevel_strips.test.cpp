@@ -123,3 +123,21 @@ TEST_CASE("rounded shading turns from the wall to the cap with the profile's len
     CHECK(degrees(slopes.tilt(vertex_at(1, 0.0f))) == Approx(45.0));
     CHECK(degrees(slopes.tilt(vertex_at(1, 1.0f))) == Approx(90.0));
 }
+
+// Three steps turn by 30 degrees each, and by 15 at the ends: the default crease angle and half of it.
+TEST_CASE("an angle equal to the crease angle is smooth at every width", "[bevel_strips]")
+{
+    for (int i = 0; i < 2000; ++i) {
+        const double width = 500.0 + 7.3 * i;
+        const profile_scale scale{width, width, 0.0};
+        profile_points points;
+        round_profile{.steps = 3}(scale, points);
+        buffer<bevel_strip> made;
+        REQUIRE(add_strips({points, scale}, 30.0f, bevel_shading::by_slope, made));
+        REQUIRE(made.size() == 3);
+        for (const bevel_strip& s : made) {
+            REQUIRE(s.smooth_before);
+            REQUIRE(s.smooth_after);
+        }
+    }
+}

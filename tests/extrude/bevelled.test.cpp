@@ -766,9 +766,9 @@ TEST_CASE("bevelled refuses options out of range, each by its name, with or with
     check("shading", bevelled<engraved_profile>{.shading = bevel_shading::rounded});
 
     bevelled_mesh far;
-    CHECK(std::string{build_bevelled(shapes::rectangle(), bevelled<>{.width = 3000.0f}, far).option} == "width");
-    check_laws(bevelled_of(shapes::rectangle(), bevelled<>{.width = 2000.0f}));
-    for (const float v : {65.6f, 2000.0f})  // 2^25 cells are 65.5 em of 512,000
+    CHECK(std::string{build_bevelled(shapes::rectangle(), bevelled<>{.width = 525.0f}, far).option} == "width");
+    check_laws(bevelled_of(shapes::rectangle(), bevelled<>{.width = 524.0f}));  // 2^28 cells are 524.3 em
+    for (const float v : {65.6f, 2000.0f})                                      // 2^25 cells are 65.5 em of 512,000
         CHECK(std::string{build_bevelled(shapes::rectangle(), bevelled<>{.width = v, .outward = true}, far).option} ==
               "width");
     check_laws(bevelled_of(shapes::rectangle(), bevelled<>{.width = 65.5f, .outward = true}));

@@ -46,7 +46,7 @@ struct bevel_carver {
                 continue;
             }
             if (!e) e = make(out);
-            if (!e || e != error::crossing_contours) return e;
+            if (!e || e != error::crossing_contours || scale.width < profile_levels::finest) return e;
             scale.width *= 0.5;
             narrowed = true;
         }

@@ -61,7 +61,10 @@ struct bevel_tilt {
     const auto smooth = [&](bevel_tilt a, bevel_tilt b, double crease) noexcept {
         return shading == bevel_shading::rounded || a.out * b.out + a.up * b.up >= crease;
     };
-    const double between = crease_cosine(crease_degrees), at_ends = crease_cosine(0.5f * crease_degrees);
+    // A profile's floats turn by an angle of their own, give or take 2^-24: one equal to the crease angle is smooth.
+    constexpr double slack = 0x1p-20;
+    const double between = crease_cosine(crease_degrees) - slack,
+                 at_ends = crease_cosine(0.5f * crease_degrees) - slack;
     const double depth = levels.back().distance;
     for (std::size_t i = 0; i < out.size(); ++i) {
         if (is_zero(out[i].run)) continue;

@@ -33,8 +33,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// What a bevel does where a stroke is thinner than twice its width.
 enum class bevel_mode : std::uint8_t {
     clip,      ///< it closes in a ridge
-    fit,       ///< the bevels of that glyph become narrower: 0.9 times the width at which a part of it would lose its
-               ///< cap
+    fit,       ///< the bevels of that glyph become narrower: at most 0.9 times the width at which one of its connected
+               ///< pieces would lose all of its cap; thinner strokes of a piece still close in ridges
     fit_text,  ///< those of the whole text become as narrow as those of its narrowest glyph: it is planned twice. A
                ///< text_mesher's; to anything else it means fit
 };
@@ -64,12 +64,14 @@ enum class bevel_mode : std::uint8_t {
 ///
 /// Fails  error::bad_option: an option is out of range, the profile is not valid (profile_points), or the bevels
 ///        together are deeper than the whole, or as deep with a profile that is at 0 again beyond the wall
-///        error::too_large: more than 2^30 - 1 points or vertices of a bevel
+///        error::too_large: more than 2^24 points, or 2^30 - 1 vertices of a bevel
+///        error::crossing_contours, too_many_pieces, outline_beyond_grid: the surroundings of an outward bevel are not
+///        proven, or reach beyond the grid; the glyph is left out
 ///        error::out_of_memory
 template <bevel_profile Profile = chamfer_profile>
 struct bevelled {
     float depth = 0.2f;         ///< of the whole; in em, or in output units: see text_options::depth_in
-    float width = 0.02f;        ///< how far a bevel reaches; always in em, at most 2^30 cells, outwards 2^25
+    float width = 0.02f;        ///< how far a bevel reaches; always in em, below 2^28 cells, outwards 2^25
     float bevel_depth = 0.02f;  ///< how deep a bevel is, in the unit of depth
     bevel_sides sides = bevel_sides::both;
     bevel_mode mode = bevel_mode::clip;
@@ -124,7 +126,7 @@ struct bevelled {
         const double em = filled.grid().cells * filled.grid().units_per_em;
         if (!(em > 0.0)) return error::bad("units_per_em");
         profile_scale scale{as_double(width) * em, as_double(bevel_depth) * em, filled.tolerance()};
-        if (!(scale.width <= (outward ? 0x1p25 : 0x1p30))) return error::bad("width");
+        if (!(scale.width < (outward ? 0x1p25 : grid::reach))) return error::bad("width");
         solid_plan made;
         const error e = outward && scale.width >= profile_levels::finest ? plan_outward(filled, scale, data, caps, made)
                                                                          : plan_inward(filled, scale, data, caps, made);

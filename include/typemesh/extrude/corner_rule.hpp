@@ -9,13 +9,14 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How a corner is filled that edges move away from and that is sharper than the mitre limit.
+/// How a corner is filled that edges move away from and that is sharper than the mitre limit: by an arc within the
+/// region's tolerance (where that is unknown as by `bevelled`), or by as few edges as keep the limit.
 enum class bevel_joins : std::uint8_t { round, bevelled };
 
 /// What becomes of the corners that edges move away from.
 struct corner_rule {
     bevel_joins joins = bevel_joins::round;
-    float mitre_limit = 4.0f;  ///< at least 1; 0: none
+    float mitre_limit = 4.0f;  ///< at least 1; 0: none, but for needles' tips
 
     [[nodiscard]] bool is_valid() const noexcept
     {

@@ -22,7 +22,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Where the ring of a hollow letter lies: within the letter's edges, on both sides of them, or around them.
 enum class outline_place : std::uint8_t { inner, centre, outer };
 
-/// In place of an extruder: no letter within the ring.
+/// The extruder of nothing: no letter within the ring.
 struct no_letter {
     [[nodiscard]] result<part_sizes> plan(const region&) const noexcept { return part_sizes{}; }
     [[nodiscard]] height_range heights() const noexcept { return {}; }

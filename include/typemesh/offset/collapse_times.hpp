@@ -99,7 +99,7 @@ private:
     /// And so is one whose corner has just been born without leaving it any: edges begin at the start alone.
     [[nodiscard]] std::int64_t shrinks_at(const segment& s) const noexcept
     {
-        constexpr int128 no_gain = static_cast<int128>(1) << 42;  // 1/4 cell in the longest sweep
+        constexpr int128 no_gain = static_cast<int128>(1) << 42;  // 2^-20 of the distance swept
         const moving_point &from = of_.vertices[s.from].moves, &to = of_.vertices[s.to].moves;
         const int128 size = length(s), rate = dot(of_.lines[s.line].along, to.speed.of - from.speed.of);
         const bool cut_short = now != 0 && (from.since == now || to.since == now);

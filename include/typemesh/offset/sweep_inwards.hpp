@@ -87,6 +87,8 @@ private:
     /// Segment, line, vertex and node i belong to point i and the edge that begins there.
     [[nodiscard]] error begin(const region& r, std::span<const triangle> cap) noexcept
     {
+        // Half-edges are numbered below 2^31, those of up to 31 joins a corner included.
+        if (r.points().size() > std::size_t{1} << 24 || cap.size() > std::size_t{1} << 25) return error::too_large;
         const auto n = static_cast<std::uint32_t>(r.points().size());
         kinetic_triangles& mesh = front_.mesh;
         if (!mesh.lines.reserve(n) || !mesh.vertices.reserve(3 * n) || !mesh.segments.reserve(n) ||
@@ -384,14 +386,16 @@ private:
 /// common boundary is the region's.
 ///
 /// Fails  error::crossing_contours: on the grid a cell's outline crosses itself, or flips do not end; `out` is then
-///        void. No glyph is known
+///        void. Nothing like it is known of a glyph
+///        error::too_large: more than 2^24 points
 ///        error::out_of_memory
-/// Cost   O(n log n) and O(log n) per event (see wavefront.hpp)
+/// Cost   O(n log n) and O(log n) per event (see wavefront.hpp). A band in which a cell must be mended is cut again, and
+///        mending takes the square of that cell's nodes (cell_repair.hpp)
 [[nodiscard]] inline error sweep_inwards(const region& r, std::span<const triangle> triangles, const sweep_options& how,
                                          workspace::scope& scratch, swept_region& out) noexcept
 {
-    TYPEMESH_ASSERT(how.levels.size() >= 2 && !(how.levels[0] > 0.0) && how.levels.back() < 0x1p30,
-                    "levels begin with 0 and end with the width, which is below 2^30 cells");
+    TYPEMESH_ASSERT(how.levels.size() >= 2 && !(how.levels[0] > 0.0) && how.levels.back() < grid::reach,
+                    "levels begin with 0 and end with the width, which is below 2^28 cells");
     detail::inward_sweep sweep{scratch, out};
     return sweep.run(r, triangles, how);
 }
