@@ -57,7 +57,7 @@ std::optional<typemesh::feature> read_feature(std::string_view written)
 
 std::string read_profile(std::string_view written, typemesh::profile_points& out)
 {
-    const std::string given{written};
+    const std::string given = '"' + std::string{written} + '"';
     std::vector<typemesh::profile_point> points;
     for (;;) {
         const auto end = written.find(';'), comma = written.substr(0, end).find(',');
@@ -66,7 +66,8 @@ std::string read_profile(std::string_view written, typemesh::profile_points& out
         if (!t || !h || comma == std::string_view::npos)
             return "must be chamfer, round, concave, stepped, engraved or points such as 0,0;0.2,0.8;1,1, not " + given;
         const typemesh::profile_point p{static_cast<float>(*t), static_cast<float>(*h)};
-        if (!points.empty() && p.t < points.back().t) return "must not run back in t, as it does in " + given;
+        if (!points.empty() && p.t < points.back().t)
+            return "must not run back in t, as it does to " + std::string{written.substr(0, end)} + " in " + given;
         if (!(p.h >= 0.0f && p.h <= 1.0f)) return "must have every h from 0 to 1, unlike " + given;
         points.push_back(p);
         if (end == std::string_view::npos) break;

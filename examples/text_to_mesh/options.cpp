@@ -90,7 +90,7 @@ std::string version()
 /// Words of the command line that become something else after parsing.
 struct raw_values {
     std::vector<std::string> variations, features, show;
-    std::string uv, fill, profile;
+    std::string uv, fill, profile = "chamfer";
     std::optional<double> size, bevel_depth, bevel_steps, letter_spacing;
     bool no_merge = false, tolerance_given = false, shading_given = false, normals_given = false, bevel_given = false,
          align_given = false;
@@ -307,9 +307,11 @@ std::string written(float n)
 /// The profile by its name or its points. Gives an empty string, or what is wrong.
 std::string settle_profile(bevel_options& out, const raw_values& raw)
 {
-    constexpr std::pair<std::string_view, profile_name> known[] = {
-        {"", profile_name::chamfer},        {"chamfer", profile_name::chamfer}, {"round", profile_name::round},
-        {"concave", profile_name::concave}, {"stepped", profile_name::stepped}, {"engraved", profile_name::engraved}};
+    constexpr std::pair<std::string_view, profile_name> known[] = {{"chamfer", profile_name::chamfer},
+                                                                   {"round", profile_name::round},
+                                                                   {"concave", profile_name::concave},
+                                                                   {"stepped", profile_name::stepped},
+                                                                   {"engraved", profile_name::engraved}};
     out.profile = profile_name::points;
     for (const auto& [name, profile] : known)
         if (raw.profile == name) out.profile = profile;
@@ -346,9 +348,9 @@ std::string settle_bevel(options& out, const raw_values& raw)
     const double bevels = (both ? 2.0 : 1.0) * static_cast<double>(out.bevel.depth);
     const auto depth = static_cast<double>(out.depth);
     if (bevels < depth || (bevels <= depth && !leaves_some)) return {};
-    return std::string{"--bevel-depth: must be "} + (leaves_some ? "less than " : "at most ") +
-           (both ? "half of " : "") + "--depth " + written(out.depth) + ", not " + written(out.bevel.depth) +
-           (raw.bevel_depth ? "" : ", the width of --bevel");
+    return std::string{raw.bevel_depth ? "--bevel-depth" : "--bevel, where --bevel-depth is not given"} + ": must be " +
+           (leaves_some ? "less than " : "at most ") + (both ? "half of " : "") + "--depth " + written(out.depth) +
+           ", not " + written(out.bevel.depth);
 }
 
 /// Finishes bold and hollow letters. Gives an empty string, or one sentence of what is wrong.

@@ -458,14 +458,14 @@ for profile in stepped engraved "0,0;0.5,0;1,1"; do
     expect 0 "" x --font $sans --output deep.glb --bevel 0.02 --bevel-depth 0.099 --profile "$profile"
 done
 expect 2 "^text_to_mesh: --bevel-depth: must be at most --depth 0\.2, not 0\.21$" x --font $sans --output x.glb --bevel 0.02 --bevel-depth 0.21 --bevel-sides front
-expect 2 "^text_to_mesh: --bevel-depth: must be at most half of --depth 0\.2, not 0\.3, the width of --bevel$" x --font $sans --output x.glb --bevel 0.3
-for profile in rond "0,0;0.5;1,1" "0,0;;1,1" "0,0;nan,0;1,1" ",0;1,1" "0,0;1,1;" "0,0,0;1,1"; do
-    expect 2 "^text_to_mesh: --profile: must be chamfer, round, concave, stepped, engraved or points such as 0,0;0\.2,0\.8;1,1, not $profile$" x --font $sans --output x.glb --bevel 0.02 --profile "$profile"
+expect 2 "^text_to_mesh: --bevel, where --bevel-depth is not given: must be at most half of --depth 0\.2, not 0\.3$" x --font $sans --output x.glb --bevel 0.3
+for profile in "" rond "0,0;0.5;1,1" "0,0;;1,1" "0,0;nan,0;1,1" ",0;1,1" "0,0;1,1;" "0,0,0;1,1"; do
+    expect 2 "^text_to_mesh: --profile: must be chamfer, round, concave, stepped, engraved or points such as 0,0;0\.2,0\.8;1,1, not \"$profile\"$" x --font $sans --output x.glb --bevel 0.02 --profile "$profile"
 done
-expect 2 "^text_to_mesh: --profile: must not run back in t, as it does in 0,0;0\.5,0\.5;0\.3,0\.7;1,1$" x --font $sans --output x.glb --bevel 0.02 --profile "0,0;0.5,0.5;0.3,0.7;1,1"
-expect 2 "^text_to_mesh: --profile: must have every h from 0 to 1, unlike 0,0;0\.5,1\.5;1,1$" x --font $sans --output x.glb --bevel 0.02 --profile "0,0;0.5,1.5;1,1"
+expect 2 "^text_to_mesh: --profile: must not run back in t, as it does to 0\.3,0\.7 in \"0,0;0\.5,0\.5;0\.3,0\.7;1,1\"$" x --font $sans --output x.glb --bevel 0.02 --profile "0,0;0.5,0.5;0.3,0.7;1,1"
+expect 2 "^text_to_mesh: --profile: must have every h from 0 to 1, unlike \"0,0;0\.5,1\.5;1,1\"$" x --font $sans --output x.glb --bevel 0.02 --profile "0,0;0.5,1.5;1,1"
 for profile in "0,0" "0.1,0;1,1" "0,0.1;1,1" "0,0;0.5,1" "0,0;2,1"; do
-    expect 2 "^text_to_mesh: --profile: must go from 0,0 to t = 1, unlike $profile$" x --font $sans --output x.glb --bevel 0.02 --profile "$profile"
+    expect 2 "^text_to_mesh: --profile: must go from 0,0 to t = 1, unlike \"$profile\"$" x --font $sans --output x.glb --bevel 0.02 --profile "$profile"
 done
 expect 0 "" x --font $sans --output x64.glb --bevel 0.02 --profile "0,0;$(printf '0.5,0.5;%.0s' $(seq 62))1,1"
 expect 2 "^text_to_mesh: --profile: must have at most 64 points, not 65$" x --font $sans --output x.glb --bevel 0.02 --profile "0,0;$(printf '0.5,0.5;%.0s' $(seq 63))1,1"

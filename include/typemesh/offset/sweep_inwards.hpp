@@ -389,8 +389,8 @@ private:
 ///        void. Nothing like it is known of a glyph
 ///        error::too_large: more than 2^24 points
 ///        error::out_of_memory
-/// Cost   O(n log n) and O(log n) per event (see wavefront.hpp). A band in which a cell must be mended is cut again, and
-///        mending takes the square of that cell's nodes (cell_repair.hpp)
+/// Cost   O(n log n) and O(log n) per event (see wavefront.hpp). A band in which a cell must be mended is cut again,
+///        and mending takes the square of that cell's nodes (cell_repair.hpp)
 [[nodiscard]] inline error sweep_inwards(const region& r, std::span<const triangle> triangles, const sweep_options& how,
                                          workspace::scope& scratch, swept_region& out) noexcept
 {
