@@ -57,7 +57,10 @@ TEST_CASE("a closing bracket belongs to the script of its opening one", "[script
     CHECK(runs_of(U"(ab מ)") == "Latn4 Hebr1 Latn1");
     CHECK(runs_of(U"ab)ש)") == "Latn3 Hebr2");
     CHECK(runs_of(U"ab[ש)") == "Latn3 Hebr2");
-    CHECK(runs_of(std::u32string(100, U'(') + U"aש" + std::u32string(100, U')')) == "Latn101 Hebr1 Latn100");
+    std::u32string deep(100, U'(');
+    deep += U"aש";
+    deep.append(100, U')');
+    CHECK(runs_of(deep) == "Latn101 Hebr1 Latn100");
 }
 
 TEST_CASE("the runs of any text follow each other, and neighbours differ", "[script]")

@@ -4,7 +4,6 @@
 
 #include <typemesh/unicode/unicode_analyser.hpp>
 
-#include <algorithm>
 #include <random>
 #include <string>
 #include <vector>
@@ -314,6 +313,7 @@ TEST_CASE("long texts of all kinds are analysed", "[analysis]")
         for (std::size_t i = 0; i < many; ++i) units += one;
         analyse();
     }
-    units = std::u16string(many, u'(') + std::u16string(many, u')');
+    units.assign(many, u'(');
+    units.append(many, u')');
     analyse();
 }

@@ -24,7 +24,7 @@ using namespace typemesh;
 
 namespace {
 
-constexpr const char* scripts[] = {"latin", "arabic", "chinese", "japanese"};
+constexpr const char* bold_scripts[] = {"latin", "arabic", "chinese", "japanese"};
 
 struct moved_vertex {
     vec3 place, normal;
@@ -77,7 +77,7 @@ void check_letters(const E& how, tally& all)
         auto font = harfbuzz_font::open(file.path.c_str());
         REQUIRE(font);
         auto mesher = text_mesher{*font}.with(how);
-        for (const char* const script : scripts) {
+        for (const char* const script : bold_scripts) {
             if (!file.serves(script)) continue;
             for (const std::string& character : test::workload_lines(std::string{"chars-"} + script + ".txt")) {
                 INFO(file.path << ", " << character);
@@ -169,7 +169,7 @@ TEST_CASE("bold bevelled and hollow texts of real fonts are the same from caches
     };
     std::size_t texts = 0;
     for (const test::workload_font& file : test::workload_fonts())
-        for (const char* const script : scripts) {
+        for (const char* const script : bold_scripts) {
             if (!file.serves(script) || !file.available()) continue;
             const std::string text = test::workload_texts(script).back();
             INFO(file.path << ": " << text);

@@ -128,20 +128,19 @@ private:
             const bidi_class c = types_[i];
             if (c == pdi) close_isolate();
             levels_[i] = stack_[depth_].level;
-            switch (c) {
-            case b: levels_[i] = base_; continue;
-            case bn: continue;
-            case lre: open_embedding(0, on); break;
-            case rle: open_embedding(1, on); break;
-            case lro: open_embedding(0, l); break;
-            case rlo: open_embedding(1, r); break;
-            case pdf: close_embedding(); break;
-            default:
+            if (c == lre || c == rle || c == lro || c == rlo) {
+                const bidi_class override_to = c == lro ? l : c == rlo ? r : on;
+                open_embedding(c == rle || c == rlo ? 1 : 0, override_to);
+                types_[i] = bn;
+            } else if (c == pdf) {
+                close_embedding();
+                types_[i] = bn;
+            } else if (c == b) {
+                levels_[i] = base_;
+            } else if (c != bn) {
                 if (stack_[depth_].override_to != on) types_[i] = stack_[depth_].override_to;
                 if (c == lri || c == rli || c == fsi) open_isolate(c == rli ? 1 : 0);
-                continue;
             }
-            types_[i] = bn;
         }
     }
 

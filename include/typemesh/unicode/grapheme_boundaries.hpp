@@ -40,15 +40,11 @@ private:
         if (before_ == cr && c == lf) return true;
         if (classes{control, cr, lf}.holds(before_) || classes{control, cr, lf}.holds(c)) return false;
         if (classes{extend, zwj, spacing_mark}.holds(c) || before_ == prepend) return true;
-        switch (before_) {
-        case l: return classes{l, v, lv, lvt}.holds(c);
-        case lv:
-        case v: return c == v || c == t;
-        case lvt:
-        case t: return c == t;
-        case regional_indicator: return c == regional_indicator && half_a_flag_;
-        default: return c == pictographic && emoji_ == emoji::joiner;
-        }
+        if (before_ == l) return classes{l, v, lv, lvt}.holds(c);
+        if (before_ == lv || before_ == v) return c == v || c == t;
+        if (before_ == lvt || before_ == t) return c == t;
+        if (before_ == regional_indicator) return c == regional_indicator && half_a_flag_;
+        return c == pictographic && emoji_ == emoji::joiner;
     }
 
     grapheme_class before_ = grapheme_class::other;

@@ -42,13 +42,10 @@ struct part_colours {
 
     [[nodiscard]] constexpr T operator()(part p) const noexcept
     {
-        switch (p) {
-        case part::front: return front;
-        case part::back: return back;
-        case part::front_bevel: return front_bevel;
-        case part::back_bevel: return back_bevel;
-        default: return side;
-        }
+        if (p == part::front) return front;
+        if (p == part::back) return back;
+        if (p == part::front_bevel) return front_bevel;
+        return p == part::back_bevel ? back_bevel : side;
     }
 };
 
