@@ -359,6 +359,8 @@ std::string settle_weight(options& out, const raw_values& raw)
     using typemesh::outline_place;
     const auto width = static_cast<double>(out.outline.width);
     if (width == 0.0 && !raw.of_an_outline.empty()) return raw.of_an_outline + ": is for --outline";
+    if (out.outline.letter && out.bevel.outward && out.bevel.width > 0.0f)
+        return "--bevel-out: is not for --outline-letter, into which the ring would grow";
     const double around = out.outline.place == outline_place::outer    ? width
                           : out.outline.place == outline_place::centre ? 0.5 * width
                                                                        : 0.0;

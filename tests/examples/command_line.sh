@@ -491,6 +491,7 @@ for by in -1.5 2 nan bold; do
     expect 2 "^text_to_mesh: --embolden: must be a number from -1 to 1, not $by$" x --font $sans --output x.glb --embolden $by
 done
 expect 2 "outline-place: must be inner, center or outer, not top" x --font $sans --output x.glb --outline 0.02 --outline-place top
+expect 2 "^text_to_mesh: --bevel-out: is not for --outline-letter, into which the ring would grow$" x --font $sans --output x.glb --outline 0.02 --outline-letter --bevel 0.01 --bevel-out
 for option in "--outline-place outer" --outline-letter; do
     # shellcheck disable=SC2086  # an option and its value
     expect 2 "^text_to_mesh: ${option% *}: is for --outline$" x --font $sans --output x.glb $option

@@ -210,6 +210,61 @@ TEST_CASE("bold and hollow letters that meet as they are drawn are merged first"
     (void)checked_mesh(*rings, 6);
 }
 
+TEST_CASE("rings that meet when they have grown are one ring round both letters", "[text]")
+{
+    test::toy_font font;
+    const auto plan_of = [&](auto how, double second) {
+        glyph_run run;
+        run.units_per_em = 1000.0;
+        for (const double x : {0.0, second}) REQUIRE(run.glyphs.push_back({5, 0, {x, 0.0}}));  // bars, 100 wide
+        auto mesher = text_mesher{font}.with(how);
+        auto plan = mesher.plan(run, {.merge = true});
+        REQUIRE(plan);
+        (void)checked_mesh(*plan, part_count_of<decltype(how)>);
+        return std::pair{plan->glyphs().size(), flipped_triangles(*plan)};
+    };
+    using ring = outlined<extruded<>, extruded<>>;
+    for (const auto place : {outline_place::outer, outline_place::centre}) {
+        const float width = place == outline_place::outer ? 0.03f : 0.06f;
+        CHECK(plan_of(ring{.width = width, .place = place}, 140.0).first == 1);
+        CHECK(plan_of(ring{.width = width, .place = place}, 170.0).first == 2);
+        CHECK(plan_of(ring{.width = width, .place = place}, 140.0).second == 0);
+    }
+    CHECK(plan_of(ring{.width = 0.03f}, 140.0).first == 2);  // within the letters
+    const outlined<bevelled<>> grown{.width = 0.02f, .ring = {.width = 0.03f, .outward = true}};
+    CHECK(plan_of(grown, 140.0).first == 1);
+    CHECK(plan_of(grown, 170.0).first == 2);
+}
+
+TEST_CASE("a ring that would grow into the letter within it is refused", "[text]")
+{
+    test::toy_font font;
+    using ring = outlined<bevelled<>, extruded<>>;
+    auto mesher = text_mesher{font}.with(ring{.width = 0.02f, .ring = {.width = 0.01f, .outward = true}});
+    const auto plan = mesher.plan("o");
+    REQUIRE_FALSE(plan);
+    CHECK(plan.error() == error::bad_option);
+    CHECK(std::string{plan.error().option} == "ring");
+    auto inwards = text_mesher{font}.with(ring{.width = 0.02f, .ring = {.width = 0.01f}});
+    CHECK(inwards.plan("o"));
+}
+
+TEST_CASE("bevels of rings have one width in a text, and their bounds are exact", "[text]")
+{
+    test::toy_font font;
+    using ring = outlined<bevelled<>>;
+    auto mesher = text_mesher{font}.with(
+        ring{.width = 0.03f, .ring = {.width = 0.1f, .bevel_depth = 0.05f, .mode = bevel_mode::fit_text}});
+    const auto plan = mesher.plan("oi");
+    REQUIRE(plan);
+    const bold_mesh m = checked_mesh(*plan, 5);
+    bounds3 reached;
+    for (const bold_corner& v : m.vertices) reached.add(v.place);
+    CHECK(reached.low == plan->bounds().low);
+    CHECK(reached.high == plan->bounds().high);
+    CHECK(plan->report().narrowed == 0);
+}
+
 TEST_CASE("a glyph that thinning leaves nothing of is left out and named, from a cache as well", "[text]")
 {
     test::toy_font font;

@@ -10,6 +10,7 @@
 #include <typemesh/extrude/extruded.hpp>
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/extrude/inner_solid.hpp>
+#include <typemesh/extrude/plan_arrays.hpp>
 #include <typemesh/extrude/surroundings.hpp>
 
 #include <cstddef>
@@ -37,47 +38,53 @@ struct no_letter {
 };
 static_assert(extruder<no_letter>);
 
-/// The plan data of outlined: the ring's solid, and the letter's within it.
+/// The plan data of outlined: the ring's solid, the letter's within it, and where the letter has grown its outline.
 template <class Ring, class Letter>
 struct outlined_data {
+    using outline_arrays = plan_arrays<grid_point, std::uint32_t>;  ///< points, starts
     struct view {
+        typename outline_arrays::view outline;
         solid_of<Ring> ring;
         solid_of<Letter> letter;
     };
 
+    outline_arrays outline;
     inner_solid<Ring> ring;
     inner_solid<Letter> letter;
     boundary_mover mover;
     buffer<curve> curves;
 
     explicit outlined_data(memory source = heap()) noexcept
-        : ring{source}, letter{source}, mover{source}, curves{source}
+        : outline{source}, ring{source}, letter{source}, mover{source}, curves{source}
     {
     }
     void clear() noexcept
     {
+        outline.clear();
         ring.clear();
         letter.clear();
     }
-    [[nodiscard]] view read() const noexcept { return {ring.read(), letter.read()}; }
+    [[nodiscard]] view read() const noexcept { return {outline.read(), ring.read(), letter.read()}; }
 
     // --- as bytes: see plan_arrays
 
-    [[nodiscard]] std::size_t bytes() const noexcept { return 8 + ring.bytes() + letter.bytes(); }
+    [[nodiscard]] std::size_t bytes() const noexcept { return 16 + outline.bytes() + ring.bytes() + letter.bytes(); }
 
-    ///     block   [ bytes of the ring ][ ring ][ letter ]
+    ///     block   [ where the ring begins, where the letter ][ outline ][ ring ][ letter ]
     void copy_to(std::byte* block) const noexcept
     {
-        const std::uint64_t of_ring = ring.bytes();
-        std::memcpy(block, &of_ring, 8);
-        ring.copy_to(block + 8);
-        letter.copy_to(block + 8 + of_ring);
+        const std::uint64_t of_ring = 16 + outline.bytes(), at[] = {of_ring, of_ring + ring.bytes()};
+        std::memcpy(block, at, sizeof at);
+        outline.copy_to(block + sizeof at);
+        ring.copy_to(block + at[0]);
+        letter.copy_to(block + at[1]);
     }
     [[nodiscard]] static view read_from(const std::byte* block) noexcept
     {
-        std::uint64_t of_ring = 0;
-        std::memcpy(&of_ring, block, 8);
-        return {inner_solid<Ring>::read_from(block + 8), inner_solid<Letter>::read_from(block + 8 + of_ring)};
+        std::uint64_t at[2];
+        std::memcpy(at, block, sizeof at);
+        return {outline_arrays::read_from(block + sizeof at), inner_solid<Ring>::read_from(block + at[0]),
+                inner_solid<Letter>::read_from(block + at[1])};
     }
 };
 
@@ -97,8 +104,10 @@ struct outlined_data {
 /// materials of their own. There may be eight. Edges that both have are the same, point by point, in opposite
 /// directions: nothing gapes between them.
 ///
-/// Corners, advances and distances that are not proven are as with `emboldened`. Letters are merged where they meet as
-/// they are drawn; rings that only grow into each other stay solids of their own.
+/// Corners, advances, letters that meet when they have grown, and distances that are not proven are as with
+/// `emboldened`.
+///
+/// A ring that grows, by outward bevels for example, would grow into a letter within it: error::bad_option "ring".
 ///
 /// Fails  error::bad_option: the width is not positive and finite, or on a glyph less than four cells (centre: eight)
 ///        or 2^28 and more, the mitre limit is below 1 and not 0, or as the two extruders do
@@ -178,6 +187,38 @@ struct outlined {
         if constexpr (has_letter) each_seen_from_front(letter, s.data.letter, put);
     }
 
+    // What the two extruders tell of the ring and of the letter.
+
+    [[nodiscard]] height_range heights(const solid_with<plan_data>& s) const noexcept
+        requires(tells_heights<Ring> || tells_heights<Letter>)
+    {
+        const height_range a = heights_of(ring, s.data.ring);
+        if (!has_letter || s.data.letter.points.empty()) return a;
+        const height_range b = heights_of(letter, s.data.letter);
+        return {a.low < b.low ? a.low : b.low, a.high > b.high ? a.high : b.high};
+    }
+    [[nodiscard]] bool refit(const solid_with<plan_data>& s) noexcept
+        requires(refitting_extruder<Ring> || refitting_extruder<Letter>)
+    {
+        bool changed = false;
+        if constexpr (refitting_extruder<Ring>) changed = !s.data.ring.points.empty() && ring.refit(s.data.ring);
+        if constexpr (refitting_extruder<Letter>)
+            changed = (!s.data.letter.points.empty() && letter.refit(s.data.letter)) || changed;
+        return changed;
+    }
+
+    /// That of the letter with the ring round it. A ring whose own extruder makes it grow covers what that one says.
+    [[nodiscard]] solid_outline outline(const solid_with<plan_data>& s) const noexcept
+    {
+        if (s.points.empty()) return {s.points, s.starts};
+        if constexpr (tells_outline<Ring>) {
+            const solid_outline own = ring.outline(s.data.ring);
+            if (own.points.data() != s.data.ring.points.data()) return own;
+        }
+        if (place == outline_place::inner) return {s.points, s.starts};
+        return {s.data.outline.template of<grid_point>(), s.data.outline.template of<std::uint32_t>()};
+    }
+
     /// As the two extruders count them.
     [[nodiscard]] std::uint64_t hard_edges(const solid_with<plan_data>& s) const noexcept
         requires tells_hard_edges<Ring> && (!has_letter || tells_hard_edges<Letter>)
@@ -205,6 +246,14 @@ struct outlined {
     }
 
 private:
+    template <class E>
+    static height_range heights_of(const E& how, const solid_of<E>& s) noexcept
+    {
+        if constexpr (tells_heights<E>)
+            if (!s.points.empty()) return how.heights(s);
+        return how.heights();
+    }
+
     static constexpr bool is_of_ring(part p) noexcept { return static_cast<std::size_t>(p) < ring_parts; }
     static constexpr part of_letter(part p) noexcept
     {
@@ -224,6 +273,12 @@ private:
         if (!data.curves.append(filled.curves())) return error::out_of_memory;
         if (error e = data.mover(filled, around, corners, caps, data.curves, outer)) return e;
         if (error e = data.mover(filled, around - distance, corners, caps, data.curves, inner)) return e;
+        if (place != outline_place::inner) {
+            data.outline.clear();
+            if (!data.outline.template of<grid_point>().append(outer.points.view()) ||
+                !data.outline.template of<std::uint32_t>().append(outer.starts.view()))
+                return error::out_of_memory;
+        }
         const std::uint32_t own = outer.contour_count();
         if (!append_loops(inner, outer)) return error::out_of_memory;
         for (std::uint32_t k = own; k < outer.contour_count(); ++k) turn_loop(outer, k);
@@ -268,6 +323,11 @@ private:
         }
         all->around.merge(within->around);
         all->narrowed = all->narrowed || within->narrowed;
+        if constexpr (tells_outline<Ring>) {
+            const auto made = data.ring.read();
+            const bool grows = !made.points.empty() && ring.outline(made).points.data() != made.points.data();
+            if (grows) return error::bad("ring");
+        }
         return all;
     }
 };
