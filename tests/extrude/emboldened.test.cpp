@@ -187,7 +187,7 @@ TEST_CASE("an edge that is cut short is lit like the part of its curve that is l
     }
 }
 
-TEST_CASE("a sharp corner that grows becomes round, and shades round; a blunt one stays a corner", "[emboldened]")
+TEST_CASE("a sharp corner that grows becomes round and shades round, a blunt one stays a corner", "[emboldened]")
 {
     shapes::shape spike{"spike", {shapes::polygon({{0, 0}, {800, 0}, {800, 100}})}};
     spike.loops.tolerance = 20.0;
