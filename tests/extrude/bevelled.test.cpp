@@ -732,7 +732,7 @@ TEST_CASE("parts that are switched off are left out, the others stay what they a
 
 TEST_CASE("bevelled refuses options out of range, each by its name, with or without a region", "[bevelled]")
 {
-    const float infinite = std::numeric_limits<float>::infinity(), nowhere = std::numeric_limits<float>::quiet_NaN();
+    const float endless = std::numeric_limits<float>::infinity(), nowhere = std::numeric_limits<float>::quiet_NaN();
     const auto check = [](const char* name, const auto& how) {
         INFO(name);
         bevelled_mesh m;
@@ -742,7 +742,7 @@ TEST_CASE("bevelled refuses options out of range, each by its name, with or with
             CHECK(std::string{e.option} == name);
         }
     };
-    for (const float v : {-0.1f, infinite, -infinite, nowhere}) {
+    for (const float v : {-0.1f, endless, -endless, nowhere}) {
         check("depth", bevelled<>{.depth = v});
         check("width", bevelled<>{.width = v});
         check("bevel_depth", bevelled<>{.bevel_depth = v});

@@ -157,7 +157,7 @@ TEST_CASE("bidi levels of any text are those that the rules give word by word", 
     const std::u32string letters =
         U"a\u05D0\u06281+$\u0661,\u0301\u00AD\t .()[]\u2329\u232A\u3008\u3009"
         U"\u202A\u202B\u202C\u202D\u202E\u2066\u2067\u2068\u2069";
-    for (int repeat = 0; repeat < 20000; ++repeat) {
+    for (std::size_t repeat = 0; repeat < 20000; ++repeat) {
         // Some letters more than others, so that brackets and isolates close what was opened; some texts deep.
         const std::size_t few = 1 + random() % letters.size(), deep = repeat % 100 == 0 ? 140 : 0;
         std::u32string text;

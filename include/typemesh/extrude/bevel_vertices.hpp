@@ -117,10 +117,9 @@ private:
             if (is_frame(c.edge)) continue;
             triangle last{none, none, none}, made;  // of neighbours in a cell, which mostly follow each other
             const auto add = [&](std::uint32_t at, std::uint32_t& vertex, const triangle& known) noexcept {
-                if (at == last.a) return vertex = known.a, true;
-                if (at == last.b) return vertex = known.b, true;
-                if (at == last.c) return vertex = known.c, true;
-                return add_corner(c.edge, at, band, strip, vertex);
+                const bool is_known = at == last.a || at == last.b || at == last.c;
+                if (is_known) vertex = at == last.a ? known.a : at == last.b ? known.b : known.c;
+                return is_known || add_corner(c.edge, at, band, strip, vertex);
             };
             for (std::uint32_t t = c.first_triangle; t < swept_.cells[cell + 1].first_triangle; ++t) {
                 const triangle& at = swept_.triangles[t];

@@ -30,7 +30,8 @@ void bound(text_glyphs& all, const Extruder& how) noexcept
         const box& around = s.built->around();
         if constexpr (tells_heights<Extruder>) {
             const height_range own = how.heights(s.built->template planned<Extruder>().form);
-            bottom = at.height(own.low), top = at.height(own.high);
+            bottom = at.height(own.low);
+            top = at.height(own.high);
         }
         if (&s == all.records.begin()) {
             const vec3 corner = at.position(at.foot(around.low), bottom);

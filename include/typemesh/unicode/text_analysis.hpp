@@ -22,7 +22,7 @@ struct text_paragraph {
 
 /// What Unicode's algorithms find in a text, by a text_analyser. All places count units, as clusters do.
 ///
-///     units     a  b     R  R  S  S  \n      "ab " and the two Hebrew letters R and S, of two bytes each
+///     units     a  b     R  R  S  S  LF      "ab " and the two Hebrew letters R and S, of two bytes each
 ///     levels    0  0  0  1  1  1  1  0       one for each unit: odd ones are read to the left
 ///     marks     g  g  g  b     g     g       a set for each unit, text_mark: here where graphemes begin (g), the
 ///                                            fourth of which, R, may also begin a line (b)
