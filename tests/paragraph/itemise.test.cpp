@@ -6,18 +6,20 @@
 #include <typemesh/unicode/unicode_analyser.hpp>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace typemesh;
 
 namespace {
 
-std::vector<text_item> items_of(text_view text, bool upright = false)
+std::vector<text_item> items_of(text_view text, direction flow = direction::automatic,
+                                const std::vector<std::uint32_t>& cuts = {})
 {
     text_analysis found;
     REQUIRE_FALSE(unicode_analyser{}.analyse(text, {}, found));
     buffer<text_item> items;
-    REQUIRE_FALSE(itemise(text, found, upright, items));
+    REQUIRE_FALSE(itemise(text, found, cuts, flow, items));
     return {items.begin(), items.end()};
 }
 
@@ -58,9 +60,30 @@ TEST_CASE("text is cut where its direction or its script changes, and round tabs
     CHECK(number[1].level == 2);
 }
 
+TEST_CASE("items end only where graphemes do", "[paragraph]")
+{
+    const auto latin = items_of(u"ba\u093Fc");  // a Devanagari sign upon a Latin letter
+    REQUIRE(latin.size() == 2);
+    CHECK(latin[0].last == 3);
+    CHECK(latin[0].script == script_tag("Latn"));
+    const auto hebrew = items_of(u"\u05D0\u093Fa");  // one that is read to the right upon a letter that is not
+    REQUIRE(hebrew.size() == 2);
+    CHECK(hebrew[0].last == 2);
+    CHECK(hebrew[0].level == 1);
+    CHECK(hebrew[1].level % 2 == 0);
+}
+
+TEST_CASE("text is cut where the caller wants it, behind the grapheme if need be", "[paragraph]")
+{
+    const auto items = items_of(u"ab\u0301c d", direction::automatic, {0, 1, 2, 4, 4, 9});
+    REQUIRE(items.size() == 4);
+    for (const auto& [k, last] : {std::pair<std::size_t, std::uint32_t>{0, 1}, {1, 3}, {2, 4}, {3, 6}})
+        CHECK(items[k].last == last);
+}
+
 TEST_CASE("in columns nothing is read to the left", "[paragraph]")
 {
-    for (const text_item& item : items_of(u"a\u05D0b \u4E16", true)) {
+    for (const text_item& item : items_of(u"a\u05D0b \u4E16", direction::top_to_bottom)) {
         CHECK(item.level == 0);
         CHECK(item.orientation == glyph_orientation::upright);
     }
@@ -72,5 +95,5 @@ TEST_CASE("itemise reports a memory that gives nothing", "[paragraph]")
     REQUIRE_FALSE(unicode_analyser{}.analyse("ab", {}, found));
     test::counting_memory failing{.fail_at = 1};
     buffer<text_item> items{failing.source()};
-    CHECK(itemise("ab", found, false, items) == error::out_of_memory);
+    CHECK(itemise("ab", found, {}, direction::automatic, items) == error::out_of_memory);
 }

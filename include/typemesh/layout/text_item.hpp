@@ -14,12 +14,14 @@ enum class glyph_orientation : std::uint8_t {
     sideways,    ///< in a column, but shaped as in a line and turned clockwise: Latin between kanji
 };
 
-/// A range of a text that is shaped at once: of one level, one script, one look, without line breaks and tabs.
+/// A range of a text that is shaped at once: of one level, one script, one style, without line breaks and tabs.
+/// It holds whole graphemes.
 struct text_item {
     std::uint32_t first = 0;
     std::uint32_t last = 0;
     std::uint32_t script = 0;  ///< ISO 15924, its first letter in the highest byte ('Latn'); 0: none
-    std::uint32_t look = 0;    ///< its index in a table of whoever made the item
+    std::uint32_t style = 0;   ///< its index in a table of whoever made the item; 0: plain
+    std::uint16_t face = 0;    ///< of a shaper of several faces, the one that shapes it first
     std::uint8_t level = 0;    ///< by UAX #9: an odd one is set from right to left
     glyph_orientation orientation = glyph_orientation::horizontal;
 

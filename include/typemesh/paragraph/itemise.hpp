@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/buffer.hpp>
 #include <typemesh/layout/line_break.hpp>
+#include <typemesh/layout/shape_options.hpp>
 #include <typemesh/layout/text_item.hpp>
 #include <typemesh/unicode/text_analysis.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -16,27 +19,37 @@ namespace typemesh::inline TYPEMESH_ABI {
     return text.unit(i) == 0x09 ? 1 : line_break_at(text, i);
 }
 
-/// Cuts an analysed text into items: where the level changes, where the script does, and round every tab and every line
-/// break, which are items of their own and not for a shaper.
+/// Cuts an analysed text into items: where the level changes, where the script does, at places of the caller's, and
+/// round every tab and every line break, which are items of their own and not for a shaper. What would be cut inside a
+/// grapheme is cut behind it; such an item has the level and the script of its beginning.
 ///
-///     items    emptied first; they cover the text in order
-///     upright  for columns: all items are of level 0 and upright
+///     cuts    places in the text, ascending
+///     flow    top_to_bottom: all items are of level 0 and upright
+///     items   emptied first; they cover the text in order
 ///
 /// Fails  error::out_of_memory
 /// Cost   O(n)
-inline error itemise(text_view text, const text_analysis& found, bool upright, buffer<text_item>& items) noexcept
+inline error itemise(text_view text, const text_analysis& found, std::span<const std::uint32_t> cuts, direction flow,
+                     buffer<text_item>& items) noexcept
 {
     items.clear();
+    const bool upright = flow == direction::top_to_bottom;
     const auto orientation = upright ? glyph_orientation::upright : glyph_orientation::horizontal;
-    std::size_t script = 0;
+    std::size_t script = 0, cut = 0;
     for (std::size_t i = 0; i < text.size();) {
         while (script + 1 < found.scripts.size() && i >= found.scripts[script].last) ++script;
-        const std::size_t end = script < found.scripts.size() ? found.scripts[script].last : text.size();
+        while (cut < cuts.size() && i >= cuts[cut]) ++cut;
+        std::size_t end = script < found.scripts.size() ? found.scripts[script].last : text.size();
+        if (cut < cuts.size() && cuts[cut] < end) end = cuts[cut];
         std::size_t last = i + silent_at(text, i);
         const std::uint8_t level = found.levels[i];
+        const auto goes_on = [&](std::size_t k) noexcept {
+            if (!has(found.marks[k], text_mark::grapheme)) return true;
+            return k < end && (upright || found.levels[k] == level) && silent_at(text, k) == 0;
+        };
         if (last == i) do
                 ++last;
-            while (last < end && (upright || found.levels[last] == level) && silent_at(text, last) == 0);
+            while (last < text.size() && goes_on(last));
         const std::uint32_t tag = script < found.scripts.size() ? found.scripts[script].script : 0;
         if (!items.push_back({.first = static_cast<std::uint32_t>(i),
                               .last = static_cast<std::uint32_t>(last),

@@ -65,7 +65,7 @@ public:
         first_clusters_.clear();
         clusters_.clear();
         glyphs_.clear();
-        if (error e = itemise(text, analysis, upright(), items_)) return e;
+        if (error e = itemise(text, analysis, {}, options_.direction, items_)) return e;
         for (std::uint32_t i = 0; i < items_.size(); ++i) {
             if (!first_clusters_.push_back(static_cast<std::uint32_t>(clusters_.size()))) return error::out_of_memory;
             if (error e = shape_range(shaper, i, items_[i].first, items_[i].last)) return e;
