@@ -265,15 +265,20 @@ TEST_CASE("a mixed line keeps joins, reports what is invalid or missing, and obe
     CHECK(refusal(font, u"a\u05D0", with(direction::automatic, "Lat")) == error::bad_option);
 }
 
-TEST_CASE("a direction that is asked for is obeyed", "[adapt][harfbuzz]")
+TEST_CASE("a direction that is asked for is the line's, letters keep their own", "[adapt][harfbuzz]")
 {
     harfbuzz_font font = opened(dejavu);
-    CHECK(clusters(shaped(font, "abc", with(direction::right_to_left, ""))) == std::vector<cluster_id>{2, 1, 0});
-    CHECK(clusters(shaped(font, "(?", with(direction::right_to_left, ""))) == std::vector<cluster_id>{1, 0});
-    CHECK(clusters(shaped(font, u"\u05D0\u05D1", with(direction::left_to_right, ""))) == std::vector<cluster_id>{0, 1});
+    using order = std::vector<cluster_id>;
+    CHECK(clusters(shaped(font, "abc", with(direction::right_to_left, ""))) == order{0, 1, 2});
+    CHECK(clusters(shaped(font, "abc.", with(direction::right_to_left, ""))) == order{3, 0, 1, 2});
+    CHECK(clusters(shaped(font, "(?", with(direction::right_to_left, ""))) == order{1, 0});
+    CHECK(clusters(shaped(font, u"\u05D0\u05D1", with(direction::left_to_right, ""))) == order{1, 0});
+    CHECK(clusters(shaped(font, u"\u05D0\u05D1.", with(direction::left_to_right, ""))) == order{1, 0, 2});
+    CHECK(clusters(shaped(font, u"\u05D0\tab.", with(direction::automatic, ""))) == order{4, 2, 3, 0});
     // A line without letters follows the script, where one is given.
-    CHECK(clusters(shaped(font, "(?", with(direction::automatic, "Hebr"))) == std::vector<cluster_id>{1, 0});
-    CHECK(clusters(shaped(font, "(?")) == std::vector<cluster_id>{0, 1});
+    CHECK(clusters(shaped(font, "(?", with(direction::automatic, "Hebr"))) == order{1, 0});
+    CHECK(clusters(shaped(font, "(12", with(direction::automatic, "Hebr"))) == order{1, 2, 0});
+    CHECK(clusters(shaped(font, "(?")) == order{0, 1});
 }
 
 TEST_CASE("scripts are shaped each by its own rules in one line", "[adapt][harfbuzz]")

@@ -6,6 +6,7 @@
 #include "support/font_file.hpp"
 
 #include <typemesh/adapt/harfbuzz.hpp>
+#include <typemesh/layout/layout.hpp>
 #include <typemesh/paragraph/paragraph.hpp>
 
 #include <algorithm>
@@ -141,6 +142,31 @@ TEST_CASE("lines of both directions are drawn as UAX #9 orders them", "[adapt][h
     CHECK(clusters(u"ab \u05D0", direction::right_to_left) == order{3, 2, 0, 1});
     CHECK(clusters(u"\u202E12\u202C", direction::automatic).size() == 4);
     CHECK(clusters(u"\u05D0\t12 3\t\u05D1", direction::automatic) == order{7, 5, 4, 2, 3, 0});
+}
+
+TEST_CASE("a line is drawn in the same order whether it is laid out alone or as a paragraph",
+          "[adapt][harfbuzz][paragraph]")
+{
+    auto font = harfbuzz_font::open(font_file("truetype/dejavu/DejaVuSans.ttf").c_str());
+    REQUIRE(font);
+    paragraph words{*font};
+    const auto clusters = [](const glyph_run& run) {
+        std::vector<cluster_id> all;
+        for (const placed_glyph& g : run.glyphs) all.push_back(g.cluster);
+        return all;
+    };
+    for (const char16_t* text : {u"abc.", u"\u05D0\u05D1.", u"\u05D0 ab, \u05D1!", u"ab \u05D0\u05D1 (12).",
+                                 u"12 % \u05D0", u"(?", u"1.5", u"\u05D0\tab.\t\u05D1!", u"ab.\t\u05D0.\tcd."})
+        for (const direction d : {direction::automatic, direction::left_to_right, direction::right_to_left}) {
+            INFO(static_cast<int>(d));
+            shape_options how;
+            how.direction = d;
+            glyph_run alone, laid;
+            REQUIRE_FALSE(layout(*font, text, how, {}, alone));
+            REQUIRE_FALSE(words.set(text, how));
+            REQUIRE_FALSE(words.lay_out({}, laid));
+            CHECK(clusters(alone) == clusters(laid));
+        }
 }
 
 TEST_CASE("a paragraph's first line can be no wider than its text, nor a word than its own line",

@@ -35,10 +35,11 @@ struct one_way_shaper {
         if (!down && right && left)
             return error{error::mixed_direction}.at(
                 no_glyph, static_cast<cluster_id>((std::max)(found.to_the_right, found.to_the_left)));
-        const bool asked_for = how.direction == direction::right_to_left;
-        const bool leftward = asked_for || (how.direction == direction::automatic && left);
-        if (const std::size_t number = find_number(text, first, last); leftward && number != line_reading::nowhere)
+        const std::size_t number = find_number(text, first, last);
+        if (!down && left && number != line_reading::nowhere)
             return error{error::mixed_direction}.at(no_glyph, static_cast<cluster_id>(number));
+        const bool neutral = !left && !right && number == line_reading::nowhere;
+        const bool leftward = !down && (left || (neutral && how.direction == direction::right_to_left));
 
         std::vector<code_point> characters;
         std::vector<cluster_id> places;
@@ -202,11 +203,22 @@ TEST_CASE("between tabs letters are read in their own direction, and in the line
     CHECK(ids(set("ab\t" + hebrew)) == U"ab\u05D1\u05D0");
     CHECK(ids(set(hebrew + "\tab")) == U"ab\u05D1\u05D0");
     CHECK(ids(set(hebrew + "\t42\t(;")) == U";(42\u05D1\u05D0");
+    CHECK(ids(set("(;\tab")) == U"(;ab");
     for (const direction d : {direction::left_to_right, direction::right_to_left}) {
         const std::u32string expected = d == direction::left_to_right ? U"ab\u05D1\u05D0" : U"\u05D1\u05D0ab";
         CHECK(ids(set("ab\t" + hebrew, 4.0, d)) == expected);
     }
-    CHECK(ids(set("ab\tcd", 4.0, direction::right_to_left)) == U"dcba");  // obeyed, as without a tab
+    CHECK(ids(set("ab\tcd", 4.0, direction::right_to_left)) == U"cdab");
+
+    // Every segment's direction is the line's, for what is neither: a full stop behind Latin in a Hebrew line.
+    for (const auto& [text, d] : {std::pair{hebrew + "\tab", direction::right_to_left},
+                                  {"ab\t" + hebrew, direction::left_to_right},
+                                  {"\t42\t", direction::automatic}}) {
+        one_way_shaper font;
+        glyph_run run;
+        REQUIRE(shape_line(font, text, 0, text.size(), {}, {}, run));
+        for (std::size_t k = 1; k < font.asked.size(); ++k) CHECK(font.asked[k] == d);  // the first is of a space
+    }
 
     one_way_shaper font;
     glyph_run run;

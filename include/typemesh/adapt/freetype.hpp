@@ -175,7 +175,7 @@ public:
     {
         TYPEMESH_ASSERT(first <= last && last <= text.size(), "a shaper was given a range outside its text");
         if (options.direction == direction::right_to_left || options.direction == direction::top_to_bottom)
-            return error::needs_shaping;
+            return error{error::needs_shaping}.at(no_glyph, static_cast<cluster_id>(first));
         bool kerning = FT_HAS_KERNING(face_);
         for (const feature& f : options.features)
             if (f.tag[0] == 'k' && f.tag[1] == 'e' && f.tag[2] == 'r' && f.tag[3] == 'n')

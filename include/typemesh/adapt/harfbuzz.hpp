@@ -145,11 +145,8 @@ public:
     /// The line is cut where the script changes, and each piece is shaped for its own script, unless options.script
     /// names one.
     ///
-    /// direction::automatic takes the direction of the line's letters, else of options.script, else left-to-right. A
-    /// requested direction is obeyed where all letters of the line have one direction, even if that is the other one. A
-    /// line with letters of both directions, or with a number among letters that are read to the left, is set in
-    /// Unicode's order (UAX #9), which a requested direction is the base of; see mixed_line.hpp. In columns everything
-    /// runs down.
+    /// Lines are set in Unicode's order (UAX #9): see mixed_line.hpp. direction::automatic takes the direction of the
+    /// line's first letter, else of options.script, else left-to-right. In columns everything runs down.
     ///
     /// Fails besides  error::bad_option: options.script is not four letters
     ///                error::bad_feature: a tag is not four printable ASCII characters

@@ -57,7 +57,9 @@ public:
         if (error e = take_script(options, script)) return e;
         const auto direction = direction_of(found, options.direction, script);
         if (!direction || (*direction == HB_DIRECTION_RTL && find_number(text, first, last) != line_reading::nowhere)) {
-            if (error e = mixed_.cut(text, first, last, options, items_)) return e;
+            shape_options base = options;
+            if (direction) base.direction = direction::right_to_left;  // the script's, say, of a line of digits
+            if (error e = mixed_.cut(text, first, last, base, items_)) return e;
             if (found.invalid.count != 0) run.note_invalid_units(found.invalid.first, found.invalid.count);
             return shape_items(font, unit, text, options, run);
         }
@@ -109,15 +111,16 @@ private:
         hb_script_t script;
     };
 
+    /// The direction of a line that has only one; an error for others.
     static result<hb_direction_t> direction_of(const line_reading& found, direction wanted, hb_script_t script) noexcept
     {
         if (wanted == direction::top_to_bottom) return HB_DIRECTION_TTB;
-        const std::size_t right = found.to_the_right, left = found.to_the_left;
-        if (right != line_reading::nowhere && left != line_reading::nowhere)
-            return error{error::mixed_direction}.at(no_glyph, static_cast<cluster_id>(right < left ? left : right));
-        if (wanted == direction::left_to_right) return HB_DIRECTION_LTR;
-        if (wanted == direction::right_to_left || left != line_reading::nowhere) return HB_DIRECTION_RTL;
-        if (right != line_reading::nowhere || script == HB_SCRIPT_INVALID) return HB_DIRECTION_LTR;
+        const bool right = found.to_the_right != line_reading::nowhere,
+                   left = found.to_the_left != line_reading::nowhere;
+        if ((right && (left || wanted == direction::right_to_left)) || (left && wanted == direction::left_to_right))
+            return error::mixed_direction;
+        if (left || wanted == direction::right_to_left) return HB_DIRECTION_RTL;
+        if (right || wanted == direction::left_to_right || script == HB_SCRIPT_INVALID) return HB_DIRECTION_LTR;
         return hb_script_get_horizontal_direction(script) == HB_DIRECTION_RTL ? HB_DIRECTION_RTL : HB_DIRECTION_LTR;
     }
 

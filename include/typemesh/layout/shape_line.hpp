@@ -64,20 +64,12 @@ result<double> space_advance(Shaper& shaper, const shape_options& how, glyph_run
     return how.direction == direction::top_to_bottom ? -advance->y : advance->x;
 }
 
-/// The direction in which the segment between two tabs is set, in a line with tabs that is read right-to-left or not.
-/// Each segment is a line of its own to the shaper, so segments may differ where letters within one may not.
-[[nodiscard]] inline direction between_tabs(direction wanted, const line_reading& line, bool to_the_left,
-                                            text_view text, std::size_t first, std::size_t last) noexcept
+/// The direction of a line for what stands between its tabs: that of its first letter, unless one is asked for. A line
+/// without letters has none.
+[[nodiscard]] inline direction direction_of(direction wanted, const line_reading& line) noexcept
 {
-    constexpr std::size_t nowhere = line_reading::nowhere;
-    const line_reading own = read_line(text, first, last);
-    const bool right = own.to_the_right != nowhere, left = own.to_the_left != nowhere;
-    if (wanted == direction::automatic) {
-        const bool follows = to_the_left && !right && !left && find_number(text, first, last) == nowhere;
-        return follows ? direction::right_to_left : wanted;
-    }
-    const bool mixed = line.to_the_right != nowhere && line.to_the_left != nowhere;
-    return mixed && (to_the_left ? right && !left : left && !right) ? direction::automatic : wanted;
+    if (wanted != direction::automatic || line.to_the_left == line.to_the_right) return wanted;
+    return line.to_the_left < line.to_the_right ? direction::right_to_left : direction::left_to_right;
 }
 
 inline void reverse(std::span<placed_glyph> glyphs) noexcept
@@ -114,7 +106,8 @@ result<point> shape_spaced(Shaper& shaper, text_view text, std::size_t first, st
 ///
 ///     |       |       |       |            Between tabs the shaper gets segments of the line, each as a line of its
 ///     |name   |weight |price  |            own. A line is read right-to-left if the options or, by default, its first
-///     |ambergris      |12 g   |            letter say so; then the segments follow each other to the left.
+///     |ambergris      |12 g   |            letter say so; then the segments follow each other to the left, each a
+///                                          line of that direction.
 ///
 ///     text[first, last)    the line, without line breaks; first < last
 ///     options              tab_width 0: tabs are characters like others, which most fonts lack; letter_spacing
@@ -138,17 +131,15 @@ result<point> shape_line(Shaper& shaper, text_view text, std::size_t first, std:
     if (!space) return space.error();
     const double apart = options.tab_width * *space;
     const bool down = how.direction == direction::top_to_bottom;
-    const line_reading line = read_line(text, first, last);
-    const bool to_the_left = how.direction == direction::right_to_left ||
-                             (how.direction == direction::automatic && line.to_the_left < line.to_the_right);
+    shape_options own = how;
+    own.direction = detail::direction_of(how.direction, read_line(text, first, last));
+    const bool to_the_left = own.direction == direction::right_to_left;
 
     const std::size_t first_glyph = run.glyphs.size();
     double pen = 0.0;  // from the line's start, in its reading direction
     for (std::size_t begin = first;;) {
         if (begin < end) {
             const std::size_t before = run.glyphs.size();
-            shape_options own = how;
-            if (!down) own.direction = detail::between_tabs(how.direction, line, to_the_left, text, begin, end);
             const result<point> advance = detail::shape_spaced(shaper, text, begin, end, own, options, run);
             if (!advance) return advance.error();
             const double length = down ? -advance->y : advance->x;

@@ -9,9 +9,11 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The direction in which a line is set.
+/// The direction of a line, or a column: where it begins, and in which order its stretches of either direction follow
+/// each other; what UAX #9 calls the level of the paragraph. Letters keep their own direction: a Hebrew word reads to
+/// the left in a left-to-right line, too, but the full stop behind it stands on its right.
 enum class direction : std::uint8_t {
-    automatic,  ///< left-to-right or right-to-left, by the line's script
+    automatic,  ///< left-to-right or right-to-left: that of the first letter, else of the script asked for
     left_to_right,
     right_to_left,
     top_to_bottom,  ///< columns, each to the left of the one before

@@ -30,9 +30,10 @@ struct line_metrics {
 ///                                         segment of one between two tabs: see shape_line()), to run.glyphs, in
 ///                                         drawing order, with the pen starting at (0, 0), and returns the pen's
 ///                                         offset: {advance x, advance y} in font units; horizontal lines always run to
-///                                         the right, vertical lines down. Clusters count from the start of `text`, in
-///                                         its units. Flags missing glyphs and calls run.note_missing() for each;
-///                                         calls run.note_invalid_units() where the text is not valid UTF.
+///                                         the right, vertical lines down. o.direction is the line's, letters keep
+///                                         their own. Clusters count from the start of `text`, in its
+///                                         units. Flags missing glyphs and calls run.note_missing() for each; calls
+///                                         run.note_invalid_units() where the text is not valid UTF.
 ///                                         Glyphs that are not simply drawn by the source's first face refer to
 ///                                         a look: run.number_of(look).
 ///
