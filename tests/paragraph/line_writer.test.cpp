@@ -61,6 +61,28 @@ TEST_CASE("stretched spaces move what follows them", "[paragraph]")
         CHECK(run.glyphs[i].origin.x == x);
 }
 
+TEST_CASE("spaces are narrowed as they are stretched", "[paragraph]")
+{
+    shaped_paragraph p{"a b"};
+    glyph_run run;
+    line_writer writer{p.shaped, run};
+    REQUIRE_FALSE(writer.write({.first = 0, .last = 3, .stretch = -30.0}, {}, 0.0));
+    CHECK(run.glyphs[2].origin.x == 720.0);
+}
+
+TEST_CASE("letters are spread where they are not joined, a letter's distance stands behind it", "[paragraph]")
+{
+    for (const auto& [text, second] : {std::pair{u"ab", 530.0}, {u"\u0628\u0628", 500.0}, {u"\u05D0\u05D1", 530.0}}) {
+        shaped_paragraph p{text};
+        const bool back = text[0] != u'a';
+        glyph_run run;
+        line_writer writer{p.shaped, run};
+        REQUIRE_FALSE(writer.write({.first = 0, .last = 2, .level = back, .spread = 30.0}, {}, 0.0));
+        CHECK(run.glyphs[0].origin.x == (back ? 30.0 : 0.0));
+        CHECK(run.glyphs[1].origin.x - run.glyphs[0].origin.x == second);
+    }
+}
+
 TEST_CASE("a line writer counts what is missing, columns run down", "[paragraph]")
 {
     shaped_paragraph p{u"a\uFFFFb", direction::top_to_bottom};

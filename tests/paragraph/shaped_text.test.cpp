@@ -38,13 +38,42 @@ TEST_CASE("letter spacing widens every letter but those written joined, and sepa
     REQUIRE(spaced.shaped.cluster_count() == 3);
     for (std::uint32_t i = 0; i < 3; ++i) {
         CHECK(spaced.shaped.cluster(i).advance == 540.0);
-        CHECK(has(spaced.shaped.cluster(i).flags, cluster_flags::spaced));
+        CHECK(spaced.shaped.spacing_of(spaced.shaped.cluster(i)) == 40.0);
     }
     const shaped_paragraph joined{u"\u0628\u0628x", direction::automatic, 40.0};
     CHECK(joined.shaped.cluster(0).advance == 500.0);
+    CHECK(joined.shaped.spacing_of(joined.shaped.cluster(0)) == 0.0);
+    CHECK_FALSE(joined.shaped.may_be_spaced(joined.shaped.cluster(0)));
+    CHECK(joined.shaped.may_be_spaced(joined.shaped.cluster(1)));
     CHECK(joined.shaped.cluster(1).advance == 540.0);
     // What is read to the left has the distance on its left.
     CHECK(joined.shaped.glyph(joined.shaped.cluster(1).glyph).offset == point{40.0, 0.0});
+}
+
+TEST_CASE("what is not drawn takes no distance", "[paragraph]")
+{
+    const shaped_paragraph p{u"a\u00AD\tb"};
+    CHECK(p.shaped.may_be_spaced(p.shaped.cluster(0)));
+    CHECK_FALSE(p.shaped.may_be_spaced(p.shaped.cluster(1)));
+    CHECK_FALSE(p.shaped.may_be_spaced(p.shaped.cluster(2)));
+    CHECK(p.shaped.may_be_spaced(p.shaped.cluster(3)));
+}
+
+TEST_CASE("a cluster knows whether a tatweel may stand before it", "[paragraph]")
+{
+    const shaped_paragraph p{u"\u0628\u0628 \u0628"};
+    for (std::uint32_t i = 0; i < 4; ++i) CHECK(has(p.shaped.cluster(i).flags, cluster_flags::tatweel) == (i == 1));
+}
+
+TEST_CASE("a line ends with a hyphen behind U+00AD, in either encoding, and where the analyser says so", "[paragraph]")
+{
+    shaped_paragraph wide{u"ab\u00ADc"}, narrow{
+                                             "ab\xC2\xAD"
+                                             "c"};
+    for (std::uint32_t place = 0; place <= 4; ++place) CHECK(wide.shaped.hyphenates(place) == (place == 3));
+    for (std::uint32_t place = 0; place <= 5; ++place) CHECK(narrow.shaped.hyphenates(place) == (place == 4));
+    wide.shaped.analysis.marks[1] = wide.shaped.analysis.marks[1] | text_mark::hyphen;
+    CHECK(wide.shaped.hyphenates(1));
 }
 
 TEST_CASE("a hyphen or an ellipsis is a cluster of the place that it stands for", "[paragraph]")

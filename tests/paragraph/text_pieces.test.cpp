@@ -109,3 +109,38 @@ TEST_CASE("the graphemes of a part of the text are those of the whole", "[paragr
     REQUIRE(inner);
     CHECK((*inner)->pieces.size() == 1);  // "w"; "o " ends behind 7
 }
+
+TEST_CASE("a piece knows what it can be stretched by, and whether it is hyphenated at a line's end", "[paragraph]")
+{
+    shaped_paragraph p{u"one )  so\u00ADft\u00A0"};
+    const auto& words = p.pieces.words().pieces;
+    REQUIRE(words.size() == 3);
+    CHECK(words[0].stretch == 750.0);  // one space within, two behind it
+    CHECK(words[1].stretch == 0.0);
+    CHECK(words[2].stretch == 0.0);
+    for (std::size_t k = 0; k < 3; ++k) CHECK(words[k].hyphen == (k == 1));
+    const auto& graphemes = p.wrapped(wrap_mode::word_or_grapheme, 600.0);
+    double stretch = 0.0;
+    int hyphens = 0;
+    for (const break_piece& g : graphemes.pieces) {
+        stretch += g.stretch;
+        hyphens += g.hyphen ? 1 : 0;
+    }
+    CHECK(stretch == 750.0);
+    CHECK(hyphens == 1);
+}
+
+TEST_CASE("a hyphen that the analyser wants costs its width where a line ends", "[paragraph]")
+{
+    shaped_paragraph p{"abcd"};
+    p.shaped.analysis.marks[2] = p.shaped.analysis.marks[2] | text_mark::may_break | text_mark::hyphen;
+    REQUIRE_FALSE(p.pieces.find_words(p.shaped, p.font));
+    REQUIRE(p.pieces.words().pieces.size() == 2);
+    CHECK(p.pieces.words().pieces[0].hyphen);
+    CHECK(p.pieces.words().pieces[0].end_change == 500.0);
+    CHECK(p.pieces.words().pieces[1].begin_change == 0.0);
+    const line_cut& cut = p.pieces.cut(p.pieces.words().places[0].cut);
+    const text_cluster& hyphen = p.shaped.cluster(cut.left_first + cut.left_count - 1);
+    CHECK(p.shaped.glyph(hyphen.glyph).id == 0x2010);
+    CHECK(hyphen.first == 1);
+}

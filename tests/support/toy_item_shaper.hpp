@@ -13,7 +13,7 @@ namespace test {
 
 /// Every code point is a glyph of that number, 500 units wide, a space 250, a soft hyphen 0, 1000 units to the em. Combining marks belong
 /// to the letter before and have no width. "AV" is kerned by -100 on the A, "fi" is one glyph of 700 (of id 0xFB01):
-/// both are unsafe to break between. U+FFFF is missing, '!' is refused. Counts what it is asked.
+/// both are unsafe to break between. Between two of U+0628 there may be a tatweel. U+FFFF is missing, '!' is refused. Counts what it is asked.
 struct toy_item_shaper {
     typemesh::line_metrics lines{700.0, -200.0, 100.0};
     std::size_t calls = 0, units = 0;
@@ -43,6 +43,7 @@ struct toy_item_shaper {
             if (c.value == 0xFFFF) g = {0, cluster, 500.0, {}, 0, glyph_flags::missing};
             if (!made.empty() && made.back().id == 'A' && c.value == 'V')
                 made.back().advance -= 100.0, g.flags = unsafe;
+            if (!made.empty() && made.back().id == 0x628 && c.value == 0x628) g.flags = glyph_flags::tatweel;
             if (!made.empty() && made.back().id == 'f' && c.value == 'i' && how.ligatures)
                 made.back().id = 0xFB01, made.back().advance = 700.0;
             else

@@ -25,12 +25,14 @@ enum class piece_end : std::uint8_t {
 struct break_piece {
     std::uint32_t first = 0;  ///< in the text
     std::uint32_t last = 0;
-    double width = 0.0;  ///< without the white space at its end; 0 if it is nothing else
-    double space = 0.0;  ///< of that white space, but for a tab
+    double width = 0.0;    ///< without the white space at its end; 0 if it is nothing else
+    double space = 0.0;    ///< of that white space, but for a tab
+    double stretch = 0.0;  ///< of all its spaces, which justified lines make wider
     double begin_change = 0.0;
     double end_change = 0.0;
     piece_end end = piece_end::allowed;
-    bool tab = false;  ///< it ends with a tab: the next piece begins at a tab stop
+    bool hyphen = false;  ///< a line that ends with it shows a hyphen
+    bool tab = false;     ///< it ends with a tab: the next piece begins at a tab stop
 
     /// Whether a line must end with it.
     [[nodiscard]] constexpr bool ends_line() const noexcept

@@ -3,6 +3,7 @@
 
 #include <typemesh/core/box.hpp>
 #include <typemesh/core/first_where.hpp>
+#include <typemesh/core/same.hpp>
 #include <typemesh/layout/shaper.hpp>
 #include <typemesh/paragraph/laid_line.hpp>
 #include <typemesh/paragraph/line_slices.hpp>
@@ -234,6 +235,7 @@ private:
             const text_cluster& c = shaped_->cluster(k);
             double width = has(c.flags, cluster_flags::tab) ? s.width : c.advance;
             if (has(c.flags, cluster_flags::stretches)) width += s.stretch;
+            if (!is_zero(s.spread) && shaped_->may_be_spaced(c)) width += s.spread;
             if (!has(c.flags, cluster_flags::foreign)) each_part(c, pen, back ? -width : width, back, with);
             pen += back ? -width : width;
         }

@@ -27,26 +27,19 @@ struct line_cut {
 
 namespace detail {
 
-/// Whether a soft hyphen stands before text[place].
-[[nodiscard]] inline bool is_hyphenated(text_view text, std::size_t place) noexcept
-{
-    if (text.encoding() == encoding::utf16) return place >= 1 && text.unit(place - 1) == 0xAD;
-    return place >= 2 && text.unit(place - 1) == 0xAD && text.unit(place - 2) == 0xC2;
-}
-
 /// The advance of clusters without what hangs at their end.
 [[nodiscard]] inline double visible_advance(const shaped_text& shaped, std::uint32_t first, std::uint32_t last) noexcept
 {
     while (last > first && has(shaped.cluster(last - 1).flags, cluster_flags::hangs)) --last;
-    const bool spaced = last > first && has(shaped.cluster(last - 1).flags, cluster_flags::spaced);
-    return shaped.advance(first, last) - (spaced ? shaped.letter_spacing() : 0.0);
+    return shaped.advance(first, last) - (last > first ? shaped.spacing_of(shaped.cluster(last - 1)) : 0.0);
 }
 
-/// Appends a hyphen, as a cluster of the soft hyphen before text[place]: the font's own, else hyphen-minus.
+/// Appends a hyphen, as a cluster of the grapheme before text[place]: the font's own, else hyphen-minus.
 template <item_shaper Shaper>
 error append_hyphen(shaped_text& shaped, Shaper& shaper, std::uint32_t item, std::uint32_t place) noexcept
 {
-    const std::uint32_t at = place - (shaped.text().encoding() == encoding::utf8 ? 2 : 1);
+    std::uint32_t at = place - 1;
+    while (at > 0 && !has(shaped.analysis.marks[at], text_mark::grapheme)) --at;
     return shaped.append_foreign(shaper, item, at, std::u16string_view{u"\u2010"}, std::u16string_view{u"-"});
 }
 
@@ -67,7 +60,7 @@ result<bool> make_cut(shaped_text& shaped, Shaper& shaper, std::uint32_t c, std:
 {
     const std::uint32_t item = shaped.cluster(c).item, begin = shaped.first_cluster(item),
                         end = shaped.end_cluster(item);
-    const bool inside = place < shaped.cluster(c).last, hyphen = detail::is_hyphenated(shaped.text(), place);
+    const bool inside = place < shaped.cluster(c).last, hyphen = shaped.hyphenates(place);
     const auto unsafe = [&shaped](std::uint32_t i) noexcept {
         return has(shaped.cluster(i).flags, cluster_flags::unsafe);
     };

@@ -19,6 +19,7 @@ struct line_slice {
     double width = 0.0;
     double lead = 0.0;     ///< where its pen starts, from the place of the slice
     double stretch = 0.0;  ///< by which each of its spaces is wider
+    double spread = 0.0;   ///< by which each of its clusters is wider that shaped_text::may_be_spaced()
     double at = 0.0;       ///< its place along the line
 };
 
@@ -130,7 +131,7 @@ private:
         const std::uint32_t item = shaped.cluster(list.places[first].cluster).item, end = list.pieces[last - 1].last;
         const auto before = static_cast<std::uint32_t>(shaped.all_clusters());
         if (error e = shaped.shape_range(shaper, item, list.pieces[first].first, end)) return e;
-        if (list.places[last - 1].cut != no_cut && detail::is_hyphenated(shaped.text(), end))
+        if (list.places[last - 1].cut != no_cut && shaped.hyphenates(end))
             if (error e = detail::append_hyphen(shaped, shaper, item, end)) return e;
         return append(shaped, before, static_cast<std::uint32_t>(shaped.all_clusters()) - before);
     }
@@ -186,9 +187,9 @@ private:
     /// Takes the letter spacing behind a line's last letter away.
     void trim_spacing(const shaped_text& shaped, line_slice& s) noexcept
     {
-        if (!has(shaped.cluster(s.last - 1).flags, cluster_flags::spaced)) return;
-        s.width -= shaped.letter_spacing();
-        if (s.level % 2 != 0) s.lead = 0.0 - shaped.letter_spacing();
+        const double spacing = shaped.spacing_of(shaped.cluster(s.last - 1));
+        s.width -= spacing;
+        if (s.level % 2 != 0) s.lead = 0.0 - spacing;
     }
 
     buffer<line_slice> slices_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/same.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/paragraph/line_slices.hpp>
 
@@ -41,15 +42,17 @@ public:
         pen += slice.lead;
         const bool back = slice.level % 2 != 0;
         const bool whole = back == shaped_.items()[shaped_.cluster(slice.first).item].to_the_left();
-        if (whole && !(slice.stretch > 0.0)) {
+        if (whole && is_zero(slice.stretch) && is_zero(slice.spread)) {
             const text_cluster& low = shaped_.cluster(back ? slice.last - 1 : slice.first);
             const text_cluster& high = shaped_.cluster(back ? slice.first : slice.last - 1);
             return append(low.glyph, high.glyph + high.glyph_count, origin, pen);
         }
         for (std::uint32_t k = slice.first; k < slice.last; ++k) {
             const text_cluster& c = shaped_.cluster(back ? slice.last - 1 - (k - slice.first) : k);
+            const double spread = !is_zero(slice.spread) && shaped_.may_be_spaced(c) ? slice.spread : 0.0;
+            if (back) pen += spread;
             if (error e = append(c.glyph, c.glyph + c.glyph_count, origin, pen)) return e;
-            pen += c.advance;
+            pen += c.advance + (back ? 0.0 : spread);
             if (has(c.flags, cluster_flags::stretches)) pen += slice.stretch;
         }
         return {};

@@ -30,7 +30,6 @@ public:
     [[nodiscard]] text_view text() const noexcept { return text_; }
     [[nodiscard]] const shape_options& options() const noexcept { return options_; }
     [[nodiscard]] bool upright() const noexcept { return options_.direction == direction::top_to_bottom; }
-    [[nodiscard]] double letter_spacing() const noexcept { return letter_spacing_; }
 
     [[nodiscard]] std::span<const text_item> items() const noexcept { return items_.view(); }
     [[nodiscard]] const text_cluster& cluster(std::size_t i) const noexcept { return clusters_[i]; }
@@ -49,6 +48,31 @@ public:
         const std::size_t k =
             first_where(0, items_.size(), [&](std::size_t i) noexcept { return items_[i].last > unit; });
         return k < items_.size() ? static_cast<std::uint32_t>(k) : 0;
+    }
+
+    /// How an item is shaped.
+    [[nodiscard]] shape_options options_of([[maybe_unused]] std::uint32_t item) const noexcept { return options_; }
+
+    /// By how much letter spacing has made a cluster wider, in font units.
+    [[nodiscard]] double spacing_of(const text_cluster& c) const noexcept
+    {
+        return has(c.flags, cluster_flags::spaced) ? letter_spacing_ : 0.0;
+    }
+
+    /// Whether a distance may be added behind a cluster: it is drawn, and not written joined to the next one.
+    [[nodiscard]] bool may_be_spaced(const text_cluster& c) const noexcept
+    {
+        const char32_t letter = decode(text_, c.first).value;
+        if (c.glyph_count == 0 || is_default_ignorable(letter)) return false;
+        return c.last >= text_.size() || !is_written_joined(letter) || !is_written_joined(decode(text_, c.last).value);
+    }
+
+    /// Whether a line that ends before text[place] shows a hyphen.
+    [[nodiscard]] bool hyphenates(std::uint32_t place) const noexcept
+    {
+        if (place < text_.size() && has(analysis.marks[place], text_mark::hyphen)) return true;
+        if (text_.encoding() == encoding::utf16) return place >= 1 && text_.unit(place - 1) == 0xAD;
+        return place >= 2 && text_.unit(place - 1) == 0xAD && text_.unit(place - 2) == 0xC2;
     }
 
     /// Shapes a text that has been analysed: `analysis` is its own. Distances between letters are in font units.
@@ -92,7 +116,7 @@ public:
         }
         const std::size_t before = glyphs_.size();
         if (first < last)
-            if (error e = shaper.shape_item(text_, part, options_, glyphs_)) return e;
+            if (error e = shaper.shape_item(text_, part, options_of(item), glyphs_)) return e;
         if (glyphs_.size() > 0xFFFF'FFFFu) return error::too_large;
         return cluster_glyphs(item, part, before);
     }
@@ -140,7 +164,7 @@ public:
         for (const text_view shown : {text, instead}) {
             glyphs_.truncate(before);
             part.last = static_cast<std::uint32_t>(shown.size());
-            if (error e = shaper.shape_item(shown, part, options_, glyphs_)) return e;
+            if (error e = shaper.shape_item(shown, part, options_of(item), glyphs_)) return e;
             bool lacks = false;
             for (std::size_t g = before; g < glyphs_.size(); ++g)
                 lacks = lacks || has(glyphs_[g].flags, glyph_flags::missing);
@@ -187,8 +211,7 @@ private:
                            .glyph_count = static_cast<std::uint32_t>(end - begin),
                            .item = item};
             for (std::size_t g = begin; g < end; ++g) c.advance += glyphs_[before + g].advance;
-            if (has(glyphs_[before + begin].flags, glyph_flags::unsafe_to_break)) c.flags = cluster_flags::unsafe;
-            c.flags = c.flags | flags_at(of);
+            c.flags = flags_of(glyphs_[before + begin]);
             if (clusters_.size() > first_cluster)
                 clusters_.back().last = of;
             else
@@ -201,12 +224,15 @@ private:
         return {};
     }
 
-    [[nodiscard]] cluster_flags flags_at(cluster_id unit) const noexcept
+    /// Those of the cluster that a glyph belongs to.
+    [[nodiscard]] cluster_flags flags_of(const shaped_glyph& g) const noexcept
     {
-        const text_mark marks = analysis.marks[unit];
+        const text_mark marks = analysis.marks[g.cluster];
         const bool space = has(marks, text_mark::space), trailing = has(marks, text_mark::trailing);
         return (space || trailing ? cluster_flags::hangs : cluster_flags::none) |
-               (space ? cluster_flags::stretches : cluster_flags::none);
+               (space ? cluster_flags::stretches : cluster_flags::none) |
+               (has(g.flags, glyph_flags::unsafe_to_break) ? cluster_flags::unsafe : cluster_flags::none) |
+               (has(g.flags, glyph_flags::tatweel) ? cluster_flags::tatweel : cluster_flags::none);
     }
 
     /// Adds the distance behind every letter but those that are written joined to the next one.
@@ -214,10 +240,7 @@ private:
     {
         for (std::size_t i = first; i < clusters_.size(); ++i) {
             text_cluster& c = clusters_[i];
-            const char32_t letter = decode(text_, c.first).value;
-            if (c.glyph_count == 0 || is_default_ignorable(letter)) continue;
-            if (c.last < text_.size() && is_written_joined(letter) && is_written_joined(decode(text_, c.last).value))
-                continue;
+            if (!may_be_spaced(c)) continue;
             c.advance += letter_spacing_;
             c.flags = c.flags | cluster_flags::spaced;
             glyphs_[c.glyph + c.glyph_count - 1].advance += letter_spacing_;

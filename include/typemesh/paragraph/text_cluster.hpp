@@ -17,6 +17,7 @@ enum class cluster_flags : std::uint8_t {
     silent = 1u << 4,   ///< a tab or a line break: it has no glyph
     spaced = 1u << 5,   ///< letter spacing has made it wider
     foreign = 1u << 6,  ///< it shows what is not in the text: a hyphen, an ellipsis
+    tatweel = 1u << 7,  ///< U+0640 may be inserted before it to fill a line
 };
 
 [[nodiscard]] constexpr cluster_flags operator|(cluster_flags a, cluster_flags b) noexcept

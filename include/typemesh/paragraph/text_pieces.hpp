@@ -74,7 +74,7 @@ public:
                     u < size && !has(shaped.analysis.marks[u], breaks) ? piece_end::never : end_at(shaped, cluster, u);
                 if (error e = close(shaped, shaper, {c, u, end, tab}, now, words_)) return e;
             }
-            now.add_rest(cluster);
+            now.add_rest(shaped, cluster);
         }
         const bool more = words_.pieces.empty() || shaped.cluster_count() == 0 || ends_with_break(shaped);
         if (more && !words_.push_back({.first = size, .last = size, .end = piece_end::paragraph},
@@ -144,31 +144,32 @@ private:
     /// A piece that is being gathered.
     struct open_piece {
         std::uint32_t cluster = 0, first = 0;  // where it begins
-        double width = 0.0, space = 0.0, begin_change = 0.0;
+        double width = 0.0, space = 0.0, stretch = 0.0, begin_change = 0.0;
         bool empty = true;
-        bool spaced = false;  // its last visible cluster is
-        double taken = 0.0;   // the share of the present cluster that earlier pieces have taken
+        double spacing = 0.0;  // of its last visible cluster
+        double taken = 0.0;    // the share of the present cluster that earlier pieces have taken
 
         void begin(std::uint32_t c) noexcept
         {
             if (empty) cluster = c;
             taken = 0.0;
         }
-        void add(const text_cluster& c, double share) noexcept
+        void add(const shaped_text& shaped, const text_cluster& c, double share) noexcept
         {
             empty = false;
             const double advance = share * c.advance;
             if (has(c.flags, cluster_flags::hangs)) {
                 space += advance;
+                if (has(c.flags, cluster_flags::stretches)) stretch += advance;
                 return;
             }
             width += space + advance;
             space = 0.0;
-            spaced = has(c.flags, cluster_flags::spaced);
+            spacing = shaped.spacing_of(c);
         }
-        void add_rest(const text_cluster& c) noexcept
+        void add_rest(const shaped_text& shaped, const text_cluster& c) noexcept
         {
-            if (taken < 1.0) add(c, 1.0 - taken);
+            if (taken < 1.0) add(shaped, c, 1.0 - taken);
         }
     };
 
@@ -186,19 +187,22 @@ private:
         const double share = at.unit >= cluster.last
                                  ? 1.0
                                  : static_cast<double>(at.unit - cluster.first) / (cluster.last - cluster.first);
-        now.add(cluster, share - now.taken);
+        now.add(shaped, cluster, share - now.taken);
         now.taken = share;
+        const bool parts = at.end != piece_end::never && at.unit < shaped.text().size();
         piece_place where{now.cluster, no_cut};
         break_piece piece{.first = now.first,
                           .last = at.unit,
                           .width = now.width,
                           .space = now.space,
+                          .stretch = now.stretch,
                           .begin_change = now.begin_change,
-                          .end_change = now.spaced ? 0.0 - shaped.letter_spacing() : 0.0,
+                          .end_change = 0.0 - now.spacing,
                           .end = at.end,
+                          .hyphen = parts && shaped.hyphenates(at.unit),
                           .tab = at.tab};
         double next_change = 0.0;
-        if (at.end != piece_end::never && at.unit < shaped.text().size()) {
+        if (parts) {
             line_cut cut;
             const auto changes = make_cut(shaped, shaper, at.cluster, at.unit, share, cut);
             if (!changes) return changes.error();
@@ -239,18 +243,20 @@ private:
                 if (has(shaped.analysis.marks[u], text_mark::grapheme) && !hangs(shaped, u))
                     if (error e = close(shaped, shaper, {c, u, piece_end::in_need, false}, now, graphemes_)) return e;
             if (cluster.last <= word.last)
-                now.add_rest(cluster);
+                now.add_rest(shaped, cluster);
             else
-                now.add(cluster,
+                now.add(shaped, cluster,
                         static_cast<double>(word.last - cluster.first) / (cluster.last - cluster.first) - now.taken);
         }
         const break_piece last{.first = now.first,
                                .last = word.last,
                                .width = now.width,
                                .space = now.space,
+                               .stretch = now.stretch,
                                .begin_change = now.begin_change,
                                .end_change = word.end_change,
                                .end = word.end,
+                               .hyphen = word.hyphen,
                                .tab = word.tab};
         if (!graphemes_.push_back(last, {now.cluster, home.cut})) return error::out_of_memory;
         expansions_[number] = {before, static_cast<std::uint32_t>(graphemes_.pieces.size()) - before};

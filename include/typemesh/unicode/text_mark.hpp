@@ -9,7 +9,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// What is known of one unit of a text; a set, joined by |.
 ///
-/// The first four are marks of a character's first unit, the others of all its units.
+/// The first four and the last are marks of a character's first unit, the others of all its units.
 enum class text_mark : std::uint8_t {
     none = 0,
     character = 1u << 0,   ///< a code point begins here
@@ -19,6 +19,7 @@ enum class text_mark : std::uint8_t {
     space = 1u << 4,       ///< white space, which a line may end with beyond its width; no no-break space
     trailing = 1u << 5,    ///< at the end of a line it is set as the paragraph is: spaces and what is not drawn (L1)
     separator = 1u << 6,   ///< and so are, anywhere, tabs and what ends a paragraph, with what is trailing before them
+    hyphen = 1u << 7,      ///< a line that ends before this unit shows a hyphen; U+00AD needs no mark
 };
 
 [[nodiscard]] constexpr text_mark operator|(text_mark a, text_mark b) noexcept
