@@ -5,8 +5,11 @@
 #include "offset_laws.hpp"
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
+#include "support/joined_offsets.hpp"
 #include "support/smoke_glyphs.hpp"
 
+#include <cmath>
+#include <cstddef>
 #include <string>
 
 TEST_CASE("every 1600th glyph of the smoke fonts can be swept inwards at every width", "[every_glyph][offset]")
@@ -39,4 +42,28 @@ TEST_CASE("letters swept inwards are where the slow wavefront is", "[every_glyph
             CHECK(f.farthest_off_plane < 2.0);
         }
     }
+}
+
+TEST_CASE("joins change glyphs that are swept inwards within 4 widths of their corners only",
+          "[every_glyph][offset][joins]")
+{
+    test::offset_laws laws;
+    std::size_t corners = 0, compared = 0, refused = 0;
+    test::each_smoke_glyph(400, [&](auto& font, typemesh::glyph_id g, const std::string& name) {
+        const typemesh::region r = laws.region_of(font, g, typemesh::quality::high);
+        if (r.points().empty()) return;
+        for (const double width : {0.005, 0.02, 0.05}) {
+            const test::joined_offsets both{r, std::floor(width * r.grid().units_per_em * r.grid().cells)};
+            corners += both.corners;
+            compared += both.compared;
+            refused += both.refused;
+            if (both.failed.empty() && both.farthest <= 2.0) continue;
+            CAPTURE(name, width, both.where.x, both.where.y);
+            CHECK(both.failed == "");
+            CHECK(both.farthest <= 2.0);
+        }
+    });
+    CHECK(corners > 50);
+    CHECK(compared > 10'000);
+    CHECK(refused == 0);
 }
