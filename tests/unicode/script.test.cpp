@@ -42,6 +42,20 @@ TEST_CASE("sets of scripts narrow down to what all have in common", "[script]")
     CHECK(all.tag() == script_tag("Latn"));
 }
 
+TEST_CASE("Han, the kana and Bopomofo are set as one script, and no others", "[script]")
+{
+    const std::uint32_t east[] = {script_tag("Hani"), script_tag("Hira"), script_tag("Kana"), script_tag("Bopo")};
+    for (const std::uint32_t a : east) {
+        for (const std::uint32_t b : east) CHECK(set_as_one(a, b));
+        for (const std::uint32_t b : {script_tag("Hang"), script_tag("Latn"), script_tag("Zyyy"), std::uint32_t{0}}) {
+            CHECK_FALSE(set_as_one(a, b));
+            CHECK_FALSE(set_as_one(b, a));
+        }
+    }
+    CHECK_FALSE(set_as_one(script_tag("Latn"), script_tag("Grek")));
+    CHECK(set_as_one(script_tag("Latn"), script_tag("Latn")));
+}
+
 TEST_CASE("each script that a character has is one that it shares with a set of that character", "[script]")
 {
     for (char32_t c = 0; c < 0x110000; ++c) {

@@ -43,7 +43,9 @@ TEST_CASE("a text is cut where its script changes", "[script]")
     CHECK(runs_of(U"123 %") == "Zyyy5");
     CHECK(runs_of(U"12 Hello, 34!") == "Latn13");
     CHECK(runs_of(U"Hello שלום 5") == "Latn6 Hebr6");
-    CHECK(runs_of(U"漢字かなカナ") == "Hani2 Hira2 Kana2");
+    CHECK(runs_of(U"漢字かなカナ") == "Hani6");  // one script for shapers
+    CHECK(runs_of(U"かな漢字、ㄅ한") == "Hira6 Hang1");
+    CHECK(runs_of(U"カ漢b漢") == "Kana2 Latn1 Hani1");
     CHECK(runs_of(U"カー") == "Kana2");
     CHECK(runs_of(U"ーカ") == "Kana2");
     CHECK(runs_of(U"e\u0301") == "Latn2");

@@ -10,6 +10,7 @@
 #include <typemesh/layout/shape_options.hpp>
 #include <typemesh/layout/shaped_glyph.hpp>
 #include <typemesh/layout/text_item.hpp>
+#include <typemesh/unicode/script.hpp>
 #include <typemesh/unicode/text_view.hpp>
 
 #include <hb.h>
@@ -193,15 +194,6 @@ private:
         return hb_unicode_script(unicode, c);
     }
 
-    /// Han and the kana count as one script.
-    static bool belong_together(hb_script_t a, hb_script_t b) noexcept
-    {
-        const auto east_asian = [](hb_script_t s) noexcept {
-            return s == HB_SCRIPT_HAN || s == HB_SCRIPT_HIRAGANA || s == HB_SCRIPT_KATAKANA || s == HB_SCRIPT_BOPOMOFO;
-        };
-        return a == b || (east_asian(a) && east_asian(b));
-    }
-
     /// Cuts where the script changes. Characters without a script of their own (spaces, digits, marks) stay with what
     /// precedes them.
     error cut_into_pieces(text_view text, std::size_t first, std::size_t last, hb_script_t given) noexcept
@@ -215,7 +207,7 @@ private:
             if (script != HB_SCRIPT_COMMON && script != HB_SCRIPT_INHERITED && script != HB_SCRIPT_UNKNOWN) {
                 if (open.script == HB_SCRIPT_INVALID)
                     open.script = script;
-                else if (!belong_together(script, open.script)) {
+                else if (!set_as_one(script, open.script)) {
                     if (!pieces_.push_back({open.first, i, open.script})) return error::out_of_memory;
                     open = {i, last, script};
                 }

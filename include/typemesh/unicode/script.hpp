@@ -18,6 +18,16 @@ namespace typemesh::inline TYPEMESH_ABI {
     return tag;
 }
 
+/// Whether text of two scripts is set as text of one: of the same, or of Han, the kana and Bopomofo, which change within
+/// words, share their punctuation and are kerned with each other.
+[[nodiscard]] constexpr bool set_as_one(std::uint32_t a, std::uint32_t b) noexcept
+{
+    const auto east_asian = [](std::uint32_t s) noexcept {
+        return s == script_tag("Hani") || s == script_tag("Hira") || s == script_tag("Kana") || s == script_tag("Bopo");
+    };
+    return a == b || (east_asian(a) && east_asian(b));
+}
+
 /// Scripts in which a character may occur: Script_Extensions. The universal set stands for a character of all scripts.
 class script_set {
     static constexpr std::size_t scripts = sizeof detail::script_tags / sizeof detail::script_tags[0];

@@ -22,7 +22,8 @@ struct script_run {
 ///
 ///     Hello (мир) 5     marks, spaces and punctuation belong to the run before them, at the start of the paragraph to
 ///     |Latn  |Cy|Latn   the one behind; a closing bracket to that of its opening one. What several scripts have in
-///                       common ends no run of one of them.
+///                       common ends no run of one of them, nor do scripts that are set as one (script.hpp), whose
+///                       run has the script of its first letter.
 ///
 /// At most 32 brackets are open at a time. Appends to `runs`. Cost: O(n)
 class script_itemiser {
@@ -41,7 +42,7 @@ public:
         script_set own = script_set::numbered(number);
         settled_ = number;
         if (kind == bracket_kind::closing) close(opening_bracket(c, kind), own);
-        if (!scripts_.intersect(own)) {
+        if (!scripts_.intersect(own) && !set_as_one(scripts_.tag(), own.tag())) {
             if (error e = end(place)) return e;
             scripts_ = own;
             first_ = place;
