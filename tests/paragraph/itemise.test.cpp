@@ -60,6 +60,17 @@ TEST_CASE("text is cut where its direction or its script changes, and round tabs
     CHECK(number[1].level == 2);
 }
 
+TEST_CASE("what ends a paragraph is an item of its own, and so is a tab", "[paragraph]")
+{
+    for (const char16_t* mark :
+         {u"\t", u"\n", u"\v", u"\f", u"\r\n", u"\u0085", u"\u2028", u"\u2029", u"\u001C", u"\u001D", u"\u001E"}) {
+        const std::u16string text = std::u16string{u"a"}.append(mark).append(u"b");
+        CHECK(items_of(text).size() == 3);
+        CHECK(silent_at(text, 1) == text.size() - 2);
+    }
+    CHECK(silent_at(u"\u001F", 0) == 0);
+}
+
 TEST_CASE("items end only where graphemes do", "[paragraph]")
 {
     const auto latin = items_of(u"ba\u093Fc");  // a Devanagari sign upon a Latin letter

@@ -69,6 +69,15 @@ TEST_CASE("behind a line break a caret stands in the next line", "[paragraph]")
     for (const affinity side : {affinity::downstream, affinity::upstream}) {
         CHECK(is_at(laid_out{"ab\ncd"}.laid().caret_at(3, side), 1, 0.0, -1.0));
         CHECK(is_at(laid_out{"ab\n"}.laid().caret_at(3, side), 1, 0.0, -1.0));
+        for (const char16_t* mark : {u"\n", u"\r\n", u"\u0085", u"\u2028", u"\u2029", u"\u001C"}) {
+            const std::u16string text = std::u16string{u"ab"}.append(mark);
+            const auto size = static_cast<std::uint32_t>(text.size());
+            CHECK(is_at(laid_out{text}.laid().caret_at(size, side), 1, 0.0, -1.0));
+        }
+        for (const char* text : {"ab\r\n", "ab\xC2\x85", "ab\xE2\x80\xA8", "ab\xE2\x80\xA9", "ab\x1E"}) {
+            const auto size = static_cast<std::uint32_t>(std::string{text}.size());
+            CHECK(is_at(laid_out{text}.laid().caret_at(size, side), 1, 0.0, -1.0));
+        }
         CHECK(is_at(laid_out{""}.laid().caret_at(0, side), 0, 0.0, 0.0));
     }
 }

@@ -13,10 +13,17 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How many units of a text are not shaped, because a tab or a line break stands there; 0 for all else.
+/// The length of what ends a line at text[i], in units: a line break, or U+001C to U+001E, which end a paragraph by
+/// UAX #9. 0 if there is none.
+[[nodiscard]] inline std::size_t line_end_at(text_view text, std::size_t i) noexcept
+{
+    return text.unit(i) >= 0x1C && text.unit(i) <= 0x1E ? 1 : line_break_at(text, i);
+}
+
+/// How many units of a text are not shaped, because a tab or the end of a line stands there; 0 for all else.
 [[nodiscard]] inline std::size_t silent_at(text_view text, std::size_t i) noexcept
 {
-    return text.unit(i) == 0x09 ? 1 : line_break_at(text, i);
+    return text.unit(i) == 0x09 ? 1 : line_end_at(text, i);
 }
 
 /// Cuts an analysed text into items: where the level changes, where the script does, at places of the caller's, and

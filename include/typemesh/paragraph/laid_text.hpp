@@ -67,8 +67,7 @@ public:
     {
         const auto size = static_cast<std::uint32_t>(shaped_->text().size());
         unit = unit < size ? grapheme_at(unit) : size;
-        const bool behind_break =
-            unit > 0 && silent_at(shaped_->text(), unit - 1) != 0 && shaped_->text().unit(unit - 1) != 0x09;
+        const bool behind_break = unit > 0 && is_break(grapheme_at(unit - 1));
         const bool back = unit > 0 && !behind_break && (side == affinity::upstream || unit == size);
         const std::uint32_t grapheme = back ? grapheme_at(unit - 1) : unit, line = line_of(grapheme);
         const edges found = edges_of(lines_[line], grapheme);
@@ -188,7 +187,7 @@ private:
 
     [[nodiscard]] bool is_break(std::uint32_t unit) const noexcept
     {
-        return unit < shaped_->text().size() && line_break_at(shaped_->text(), unit) != 0;
+        return unit < shaped_->text().size() && line_end_at(shaped_->text(), unit) != 0;
     }
     [[nodiscard]] std::uint32_t grapheme_at(std::uint32_t unit) const noexcept
     {
