@@ -260,6 +260,27 @@ TEST_CASE("text without words has lines, too", "[paragraph]")
     CHECK(tabs.run.lines.size() == 1);
 }
 
+TEST_CASE("information separators end paragraphs, and are not drawn", "[paragraph]")
+{
+    const laid p{
+        "ab\x1C"
+        "cd\x1D\x1E",
+        {.indent = 0.5}};
+    CHECK(p.lines() == text_lines{"ab", "cd", "", ""});
+    CHECK(p.run.lines[1].origin.x == 500.0);
+}
+
+TEST_CASE("text for which the font gives no glyphs is laid out, too", "[paragraph]")
+{
+    laid p{"ab\n\x7F\n\x7F"};
+    REQUIRE(p.run.lines.size() == 3);
+    CHECK(p.run.glyphs.size() == 2);
+    CHECK(p.words.lines()[2].last == 6);
+    const caret end = p.words.laid().caret_at(6);
+    CHECK(end.line == 2);
+    CHECK(end.at == point{0.0, -2.0});
+}
+
 TEST_CASE("widths tell how narrow and how wide a text may be", "[paragraph]")
 {
     laid p{"one two three\nfour"};

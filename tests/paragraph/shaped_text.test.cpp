@@ -31,6 +31,22 @@ TEST_CASE("clusters cover the text in its order, whatever the direction of their
     CHECK(at == text.size());
 }
 
+TEST_CASE("an item without glyphs is one cluster", "[paragraph]")
+{
+    for (const double spacing : {0.0, 40.0}) {
+        const shaped_paragraph p{"a\t\x7F\x7F", direction::automatic, spacing};
+        REQUIRE(p.shaped.cluster_count() == 3);
+        const text_cluster& c = p.shaped.cluster(2);
+        CHECK(c.first == 2);
+        CHECK(c.last == 4);
+        CHECK(c.glyph_count == 0);
+        CHECK(c.advance == 0.0);
+        CHECK(c.item == 2);
+        CHECK(p.shaped.item_at(3) == 2);
+        CHECK(p.shaped.advance(0, 3) == p.shaped.advance(0, 1));
+    }
+}
+
 TEST_CASE("letter spacing widens every letter but those written joined, and separates ligatures", "[paragraph]")
 {
     const shaped_paragraph plain{"fix"}, spaced{"fix", direction::automatic, 40.0};

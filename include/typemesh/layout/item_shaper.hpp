@@ -15,11 +15,12 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     s.units_per_em(), s.metrics(direction)   as in shaper
 ///     s.shape_item(text, item, o, glyphs)      appends the glyphs of text[item.first, item.last) in drawing order: to
 ///                                              the right, or down. Clusters ascend, from right to left they descend;
-///                                              none is less than a base and its marks. The item's level decides the
-///                                              direction, whatever the letters say, and o.direction is not read;
-///                                              its script is item.script unless o.script names another. The text
-///                                              round the item is context: letters join across its ends. The item may
-///                                              be any part of another, so a shaper keeps nothing between two calls.
+///                                              none is less than a base and its marks. What is not drawn may have no
+///                                              glyph. The item's level decides the direction, whatever the letters
+///                                              say, and o.direction is not read; its script is item.script unless
+///                                              o.script names another. The text round the item is context: letters
+///                                              join across its ends. The item may be any part of another, so a shaper
+///                                              keeps nothing between two calls.
 ///
 /// Fails  error::needs_shaping: the shaper is not made for this script
 ///        error::out_of_memory, and whatever else it finds; `glyphs` may then hold some of the item's

@@ -193,7 +193,7 @@ private:
             clusters_[i].before = i == 0 ? 0.0 : clusters_[i - 1].before + clusters_[i - 1].advance;
     }
 
-    /// Gathers the glyphs from `before` on into clusters, in the order of the text.
+    /// Gathers the glyphs from `before` on into clusters, in the order of the text: at least one, if there is text.
     error cluster_glyphs(std::uint32_t item, const text_item& part, std::size_t before) noexcept
     {
         const std::size_t count = glyphs_.size() - before, first_cluster = clusters_.size();
@@ -219,6 +219,13 @@ private:
             if (!clusters_.push_back(c)) return error::out_of_memory;
             done += end - begin;
         }
+        if (count == 0 && part.first < part.last &&
+            !clusters_.push_back({.first = part.first,
+                                  .last = part.last,
+                                  .glyph = static_cast<std::uint32_t>(before),
+                                  .item = item,
+                                  .flags = flags_at(part.first)}))
+            return error::out_of_memory;
         if (!is_zero(letter_spacing_)) space_clusters(first_cluster, part.to_the_left());
         sum_up(first_cluster);
         return {};
