@@ -224,7 +224,7 @@ private:
                                   .last = part.last,
                                   .glyph = static_cast<std::uint32_t>(before),
                                   .item = item,
-                                  .flags = flags_at(part.first)}))
+                                  .flags = flags_of({.cluster = part.first})}))
             return error::out_of_memory;
         if (!is_zero(letter_spacing_)) space_clusters(first_cluster, part.to_the_left());
         sum_up(first_cluster);
