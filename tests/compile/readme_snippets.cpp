@@ -12,6 +12,7 @@
 #include <typemesh/inspect/closedness.hpp>
 #include <typemesh/inspect/normal_check.hpp>
 #include <typemesh/paragraph/paragraph.hpp>
+#include <typemesh/paragraph/total_fit.hpp>
 #include <typemesh/typemesh.hpp>
 #include <cassert>
 #include <cstdio>
@@ -91,6 +92,8 @@ if (auto e = words.set("In the beginning the Universe was created.")) return std
 typemesh::glyph_run page;
 if (auto e = words.lay_out({.width = 9.0, .align = typemesh::line_alignment::justify}, page)) return std::puts(e.message()), 1;
 auto column = mesher.plan(page);
+typemesh::paragraph even{*font, typemesh::heap(), typemesh::unicode_analyser{}, typemesh::total_fit{.tolerance = 0.8}};
+    use(even);
     const std::uint32_t triangle = 0;
     const auto draw = [](const typemesh::box&) noexcept {};
 typemesh::caret here = words.laid().caret_at(7);                                // line, place on its baseline, direction

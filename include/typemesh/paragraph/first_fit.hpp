@@ -27,9 +27,9 @@ struct first_fit {
         return {};
     }
 
-private:
-    static std::size_t end_of(std::span<const break_piece> pieces, std::size_t begin, double pen,
-                              const line_room& room) noexcept
+    /// The piece behind the line that begins with piece `begin` and the pen at `pen`.
+    [[nodiscard]] static std::size_t end_of(std::span<const break_piece> pieces, std::size_t begin, double pen,
+                                            const line_room& room) noexcept
     {
         std::size_t best = 0, in_need = 0, first = 0;  // 0: none yet
         pen += pieces[begin].begin_change;

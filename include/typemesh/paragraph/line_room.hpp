@@ -14,6 +14,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 struct line_room {
     double width = std::numeric_limits<double>::infinity();
     double indent = 0.0;                 ///< of a paragraph's first line
+    double shrink = 0.0;                 ///< by which part of their width spaces may be narrower, so that more fits
     double tab = 0.0;                    ///< between tab stops; 0: a tab has no width
     std::span<const double> stops = {};  ///< tab stops of their own before those, ascending, times `stop_unit`
     double stop_unit = 1.0;

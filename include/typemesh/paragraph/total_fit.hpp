@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/finite.hpp>
+#include <typemesh/paragraph/first_fit.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// Chooses all line ends of a paragraph together, so that the lines are filled as evenly as possible: the sum of their
+/// demerits is the least, by D. Knuth and M. Plass, "Breaking paragraphs into lines" (1981), without their classes of
+/// fitness.
+///
+///     stretch     by which part of their own width a line's spaces grow until it is full
+///     badness     100 (2 stretch)^3; of spaces that shrink 100 (share of the most that they may)^3; 0 for a line that
+///                 the text ends
+///     demerits    (10 + badness)^2, and at a hyphen hyphen_penalty^2
+///
+/// Where no lines are within the tolerance, first_fit makes one, from the last place where a line may still begin.
+///
+/// At most 64 beginnings of lines are compared at a time. Where more are possible, as in lines of hundreds of words,
+/// those that promise least are forgotten: lines still keep the tolerance, but need not be the best.
+///
+/// Cost  O(n) for n pieces, at most 64 comparisons each; twice that where emergency_stretch is needed
+struct total_fit {
+    double tolerance = 1.0;          ///< the most stretch of a line: 1 lets spaces double
+    double hyphen_penalty = 50.0;    ///< 0: hyphens are as good as spaces; infinite: none but where first_fit sets them
+    double emergency_stretch = 0.0;  ///< for a paragraph that has no such lines: the part of the width by which each
+                                     ///< may stretch besides
+
+    error break_lines(std::span<const break_piece> pieces, const line_room& room,
+                      buffer<std::uint32_t>& ends) const noexcept;
+};
+
+namespace detail {
+
+/// The line ends of one stretch of pieces, at whose end the text demands one.
+class best_lines {
+public:
+    best_lines(const total_fit& how, std::span<const break_piece> pieces, const line_room& room, bool fresh,
+               std::size_t first, std::size_t last) noexcept
+        : how_{how}, pieces_{pieces}, room_{room}, fresh_{fresh}, first_{first}, last_{last}
+    {
+    }
+
+    /// Appends the ends.
+    ///
+    /// Fails  error::out_of_memory
+    error operator()(buffer<std::uint32_t>& ends) noexcept
+    {
+        const std::size_t base = ends.size();
+        if (ends.append(last_ - first_) == nullptr) return error::out_of_memory;
+        begins_ = ends.view().subspan(base);
+        const double emergency = how_.emergency_stretch * room_.width;
+        if (!search(0.0, !(emergency > 0.0))) (void)search(emergency, true);
+        ends.truncate(base + list_ends());
+        return {};
+    }
+
+private:
+    /// A place where a line may begin, as the end of the best lines before it. Lengths are as the pen adds them up.
+    struct start {
+        std::uint32_t piece = 0;
+        double origin = 0.0;   // what the pen has added up where the line has its x = 0
+        double before = 0.0;   // the stretch up to where the line's own counts
+        double width = 0.0;    // of the line up to the present piece, without what hangs
+        double stretch = 0.0;  // likewise
+        double demerits = 0.0;
+        double forecast = 0.0;  // demerits without those that lines have at least
+    };
+
+    static constexpr double infinite = std::numeric_limits<double>::infinity();
+    static constexpr double least = 100.0;  // demerits of a perfect line
+    static constexpr std::size_t most = 64;
+
+    /// Fills in begins_. With `always` first_fit helps where there is no way; without, it returns false there.
+    bool search(double emergency, bool always) noexcept
+    {
+        emergency_ = emergency;
+        begin_at(first_, 0.0);
+        for (std::size_t k = first_; k < last_;) {
+            const start best = pass(k);
+            ++k;
+            if (best.demerits < infinite) {
+                begins_[k - 1 - first_] = best.piece;
+                add(k, best.demerits);
+            }
+            if (count_ != 0 || (k == last_ && best.demerits < infinite)) continue;
+            if (!always) return false;
+            const std::size_t end = first_fit::end_of(pieces_, lost_.piece, pen_at(lost_.piece), room_);
+            begins_[end - 1 - first_] = lost_.piece;
+            begin_at(end, lost_.demerits);
+            k = end;
+        }
+        return true;
+    }
+
+    [[nodiscard]] double pen_at(std::size_t piece) const noexcept { return room_.start(fresh_ && piece == first_); }
+
+    /// Has lines begin at `piece` and nowhere else.
+    void begin_at(std::size_t piece, double demerits) noexcept
+    {
+        pen_ = stretch_ = 0.0;
+        count_ = 0;
+        if (piece < last_) add(piece, demerits);
+    }
+
+    /// Adds a beginning, in place of the least promising one if there are too many.
+    void add(std::size_t piece, double demerits) noexcept
+    {
+        if (piece == last_) return;
+        const start s{.piece = static_cast<std::uint32_t>(piece),
+                      .origin = pen_ - pen_at(piece) - pieces_[piece].begin_change,
+                      .before = stretch_,
+                      .demerits = demerits,
+                      .forecast = demerits - least * pen_ / room_.width};
+        if (count_ < most) {
+            starts_[count_++] = s;
+            return;
+        }
+        std::size_t worst = 0;
+        for (std::size_t i = 1; i < most; ++i)
+            if (starts_[i].forecast > starts_[worst].forecast) worst = i;
+        if (!(s.forecast < starts_[worst].forecast)) return;
+        for (std::size_t i = worst; i + 1 < most; ++i) starts_[i] = starts_[i + 1];
+        starts_[most - 1] = s;
+    }
+
+    /// Goes over piece k: the best line that ends behind it, with infinite demerits if there is none. Beginnings from
+    /// which lines are too long now are dropped, the last of them into lost_.
+    start pass(std::size_t k) noexcept
+    {
+        const break_piece& p = pieces_[k];
+        const bool visible = p.width > 0.0 || p.end_change > 0.0, ends = k + 1 == last_;
+        const double width = pen_ + p.width, stretch = stretch_;
+        const double change = visible ? p.end_change : 0.0;
+        start best{.demerits = infinite};
+        std::size_t kept = 0;
+        pen_ += p.width + p.space;
+        stretch_ += p.stretch;
+        for (std::size_t i = 0; i < count_; ++i) {
+            start& s = starts_[i];
+            if (visible) {
+                s.width = width - s.origin;
+                s.stretch = stretch - s.before;
+            }
+            const double spare = room_.width - s.width - change, shrink = room_.shrink * s.stretch;
+            if (ends || p.end == piece_end::allowed) {
+                const double sum = s.demerits + demerits_of(spare, s.stretch, shrink, ends, p.hyphen);
+                if (sum < best.demerits) best = {.piece = s.piece, .demerits = sum};
+            }
+            if (ends || (spare < 0.0 - shrink && spare + change < 0.0 - shrink)) {
+                lost_ = s;
+                continue;
+            }
+            if (p.tab) {
+                s.origin = pen_ - room_.after_tab(pen_ - s.origin);
+                s.before = stretch_;
+            }
+            starts_[kept++] = s;
+        }
+        count_ = kept;
+        return best;
+    }
+
+    /// Of a line with so much room left; infinite beyond the tolerance.
+    [[nodiscard]] double demerits_of(double spare, double stretch, double shrink, bool ends, bool hyphen) const noexcept
+    {
+        double share = 0.0;
+        if (spare < 0.0) {
+            if (spare < 0.0 - shrink) return infinite;
+            share = 0.0 - spare / shrink;
+        } else if (spare > 0.0 && !ends) {
+            const double all = stretch + emergency_;
+            if (spare > how_.tolerance * all) return infinite;
+            share = 2.0 * spare / all;
+        }
+        const double bad = 10.0 + 100.0 * share * share * share;
+        return bad * bad + (hyphen && !ends ? how_.hyphen_penalty * how_.hyphen_penalty : 0.0);
+    }
+
+    /// Makes of the chain of beginnings the list of ends, in place. Returns how many.
+    std::size_t list_ends() noexcept
+    {
+        auto next = static_cast<std::uint32_t>(last_);
+        for (auto end = next; end > first_;) {
+            std::uint32_t& link = begins_[end - 1 - first_];
+            const std::uint32_t begin = link;
+            link = next;
+            next = end;
+            end = begin;
+        }
+        std::size_t lines = 0;
+        for (std::uint32_t end = next;;) {
+            const std::uint32_t behind = begins_[end - 1 - first_];
+            begins_[lines++] = end;
+            if (end == last_) return lines;
+            end = behind;
+        }
+    }
+
+    const total_fit& how_;
+    std::span<const break_piece> pieces_;
+    const line_room& room_;
+    bool fresh_;
+    std::size_t first_, last_;
+    std::span<std::uint32_t> begins_;  // for each piece, where the best line begins that ends behind it
+    double emergency_ = 0.0;
+    double pen_ = 0.0, stretch_ = 0.0;  // added up since begin_at()
+    start starts_[most];
+    std::size_t count_ = 0;
+    start lost_;
+};
+
+}  // namespace detail
+
+inline error total_fit::break_lines(std::span<const break_piece> pieces, const line_room& room,
+                                    buffer<std::uint32_t>& ends) const noexcept
+{
+    if (!(tolerance >= 0.0)) return error::bad("tolerance");
+    if (!(hyphen_penalty >= 0.0)) return error::bad("hyphen_penalty");
+    if (!is_finite(emergency_stretch) || emergency_stretch < 0.0) return error::bad("emergency_stretch");
+    const std::size_t before = ends.size();
+    bool fresh = true;
+    for (std::size_t first = 0; first < pieces.size() && ends.size() - before < room.most_lines;) {
+        std::size_t last = first + 1;
+        while (last < pieces.size() && !pieces[last - 1].ends_line()) ++last;
+        if (error e = detail::best_lines{*this, pieces, room, fresh, first, last}(ends)) return e;
+        fresh = pieces[last - 1].end == piece_end::paragraph;
+        first = last;
+    }
+    if (ends.size() - before > room.most_lines) ends.truncate(before + room.most_lines);
+    return {};
+}
+
+static_assert(line_breaker<total_fit>);
+
+}  // namespace typemesh::inline TYPEMESH_ABI
