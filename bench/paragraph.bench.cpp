@@ -4,11 +4,13 @@
 //
 //     set_of_lay_out     analysing and shaping by laying out
 //     ns_a_byte          of laying out: the same for any length, as far as the cache reaches
+//     total_of_first     whole layouts of 200,000 bytes with total_fit by those with first_fit, at a width
 //
 //     paragraph_bench                  fonts are looked for under $TYPEMESH_FONT_DIR (default /usr/share/fonts)
 
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/paragraph/paragraph.hpp>
+#include <typemesh/paragraph/total_fit.hpp>
 
 #include <benchmark/benchmark.h>
 
@@ -68,6 +70,38 @@ void lay_out(benchmark::State& state, const sample& s, wrap_mode wrap, line_alig
     state.counters["ns_a_byte"] = 1e9 * once / static_cast<double>(text.size());
 }
 
+/// Seconds of the processor for a layout, over several widths from state.range(0) em on.
+template <line_breaker Breaker>
+double seconds_of(benchmark::State& state, harfbuzz_font& font, const std::string& text, Breaker breaker)
+{
+    paragraph words{font, heap(), unicode_analyser{}, breaker};
+    glyph_run run;
+    const auto least = static_cast<double>(state.range(0));
+    if (words.set(text) || words.lay_out({.width = least}, run)) return 0.0;
+    constexpr int times = 20;
+    const std::clock_t from = std::clock();
+    for (int k = 0; k < times; ++k)
+        if (words.lay_out({.width = least * (1.0 + 0.02 * k), .align = line_alignment::justify}, run)) return 0.0;
+    return static_cast<double>(std::clock() - from) / CLOCKS_PER_SEC / times;
+}
+
+void break_lines(benchmark::State& state, const sample& s)
+{
+    const char* folder = std::getenv("TYPEMESH_FONT_DIR");
+    auto font =
+        harfbuzz_font::open((std::string{folder != nullptr ? folder : "/usr/share/fonts"} + "/" + s.font).c_str());
+    if (!font) return state.SkipWithError(font.error().message());
+    std::string text;
+    while (text.size() < 200'000) text += s.text;
+    double first = 0.0, total = 0.0;
+    for (auto unused : state) {
+        (void)unused;
+        first += seconds_of(state, *font, text, first_fit{});
+        total += seconds_of(state, *font, text, total_fit{});
+    }
+    state.counters["total_of_first"] = total / first;
+}
+
 BENCHMARK_CAPTURE(lay_out, latin, latin, wrap_mode::word_or_grapheme, line_alignment::start)
     ->RangeMultiplier(10)
     ->Range(1000, 1000000);
@@ -80,6 +114,8 @@ BENCHMARK_CAPTURE(lay_out, justified, mixed, wrap_mode::word_or_grapheme, line_a
 BENCHMARK_CAPTURE(lay_out, graphemes, mixed, wrap_mode::grapheme, line_alignment::start)
     ->RangeMultiplier(10)
     ->Range(1000, 1000000);
+BENCHMARK_CAPTURE(break_lines, latin, latin)->Arg(10)->Arg(20)->Arg(60)->Arg(400)->Iterations(1);
+BENCHMARK_CAPTURE(break_lines, mixed, mixed)->Arg(20)->Iterations(1);
 
 }  // namespace
 

@@ -108,7 +108,7 @@ double least_demerits(const total_fit& how, const piece_list& pieces, const line
     return least;
 }
 
-/// The same for long texts: of all beginnings, not of 64.
+/// The same for long texts: of all beginnings, not of 32.
 double least_demerits_of_many(const total_fit& how, const piece_list& pieces, const line_room& room,
                               std::size_t shortest, std::size_t longest)
 {
@@ -203,7 +203,7 @@ TEST_CASE("every line of total_fit is within the tolerance, or first_fit made it
     CHECK(helped > 100);
 }
 
-TEST_CASE("lines of hundreds of words are nearly the best, though 64 beginnings are compared at a time", "[paragraph]")
+TEST_CASE("lines of hundreds of words are nearly the best, though 32 beginnings are compared at a time", "[paragraph]")
 {
     dice d;
     piece_list pieces(1500);

@@ -4,6 +4,7 @@
 #include <typemesh/core/finite.hpp>
 #include <typemesh/paragraph/first_fit.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -22,10 +23,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 /// Where no lines are within the tolerance, first_fit makes one, from the last place where a line may still begin.
 ///
-/// At most 64 beginnings of lines are compared at a time. Where more are possible, as in lines of hundreds of words,
+/// At most 32 beginnings of lines are compared at a time. Where more are possible, as in lines of hundreds of words,
 /// those that promise least are forgotten: lines still keep the tolerance, but need not be the best.
 ///
-/// Cost  O(n) for n pieces, at most 64 comparisons each; twice that where emergency_stretch is needed
+/// Cost  O(n) for n pieces, at most 32 comparisons each; twice that where emergency_stretch is needed
 struct total_fit {
     double tolerance = 1.0;          ///< the most stretch of a line: 1 lets spaces double
     double hyphen_penalty = 50.0;    ///< 0: hyphens are as good as spaces; infinite: none but where first_fit sets them
@@ -75,7 +76,7 @@ private:
 
     static constexpr double infinite = std::numeric_limits<double>::infinity();
     static constexpr double least = 100.0;  // demerits of a perfect line
-    static constexpr std::size_t most = 64;
+    static constexpr std::size_t most = 32;
 
     /// Fills in begins_. With `always` first_fit helps where there is no way; without, it returns false there.
     bool search(double emergency, bool always) noexcept
@@ -89,7 +90,7 @@ private:
                 begins_[k - 1 - first_] = best.piece;
                 add(k, best.demerits);
             }
-            if (count_ != 0 || (k == last_ && best.demerits < infinite)) continue;
+            if (from_ != to_ || (k == last_ && best.demerits < infinite)) continue;
             if (!always) return false;
             const std::size_t end = first_fit::end_of(pieces_, lost_.piece, pen_at(lost_.piece), room_);
             begins_[end - 1 - first_] = lost_.piece;
@@ -105,7 +106,7 @@ private:
     void begin_at(std::size_t piece, double demerits) noexcept
     {
         pen_ = stretch_ = 0.0;
-        count_ = 0;
+        from_ = to_ = 0;
         if (piece < last_) add(piece, demerits);
     }
 
@@ -118,16 +119,20 @@ private:
                       .before = stretch_,
                       .demerits = demerits,
                       .forecast = demerits - least * pen_ / room_.width};
-        if (count_ < most) {
-            starts_[count_++] = s;
-            return;
+        if (to_ - from_ == most) {
+            std::size_t worst = from_;
+            for (std::size_t i = from_; i < to_; ++i)
+                if (starts_[i].forecast > starts_[worst].forecast) worst = i;
+            if (!(s.forecast < starts_[worst].forecast)) return;
+            std::copy(starts_ + worst + 1, starts_ + to_, starts_ + worst);
+            --to_;
         }
-        std::size_t worst = 0;
-        for (std::size_t i = 1; i < most; ++i)
-            if (starts_[i].forecast > starts_[worst].forecast) worst = i;
-        if (!(s.forecast < starts_[worst].forecast)) return;
-        for (std::size_t i = worst; i + 1 < most; ++i) starts_[i] = starts_[i + 1];
-        starts_[most - 1] = s;
+        if (to_ == 2 * most) {
+            std::copy(starts_ + from_, starts_ + to_, starts_);
+            to_ -= from_;
+            from_ = 0;
+        }
+        starts_[to_++] = s;
     }
 
     /// Goes over piece k: the best line that ends behind it, with infinite demerits if there is none. Beginnings from
@@ -139,31 +144,34 @@ private:
         const double width = pen_ + p.width, stretch = stretch_;
         const double change = visible ? p.end_change : 0.0;
         start best{.demerits = infinite};
-        std::size_t kept = 0;
+        std::size_t kept = from_;
         pen_ += p.width + p.space;
         stretch_ += p.stretch;
-        for (std::size_t i = 0; i < count_; ++i) {
+        const bool may_end = ends || p.end == piece_end::allowed;
+        for (std::size_t i = from_; i < to_; ++i) {
             start& s = starts_[i];
             if (visible) {
                 s.width = width - s.origin;
                 s.stretch = stretch - s.before;
             }
             const double spare = room_.width - s.width - change, shrink = room_.shrink * s.stretch;
-            if (ends || p.end == piece_end::allowed) {
+            if (may_end && (ends || !(spare > how_.tolerance * (s.stretch + emergency_)))) {
                 const double sum = s.demerits + demerits_of(spare, s.stretch, shrink, ends, p.hyphen);
                 if (sum < best.demerits) best = {.piece = s.piece, .demerits = sum};
             }
             if (ends || (spare < 0.0 - shrink && spare + change < 0.0 - shrink)) {
                 lost_ = s;
+                if (kept == from_) kept = from_ = i + 1;
                 continue;
             }
             if (p.tab) {
                 s.origin = pen_ - room_.after_tab(pen_ - s.origin);
                 s.before = stretch_;
             }
-            starts_[kept++] = s;
+            if (kept != i) starts_[kept] = s;
+            ++kept;
         }
-        count_ = kept;
+        to_ = kept;
         return best;
     }
 
@@ -176,7 +184,6 @@ private:
             share = 0.0 - spare / shrink;
         } else if (spare > 0.0 && !ends) {
             const double all = stretch + emergency_;
-            if (spare > how_.tolerance * all) return infinite;
             share = 2.0 * spare / all;
         }
         const double bad = 10.0 + 100.0 * share * share * share;
@@ -211,8 +218,8 @@ private:
     std::span<std::uint32_t> begins_;  // for each piece, where the best line begins that ends behind it
     double emergency_ = 0.0;
     double pen_ = 0.0, stretch_ = 0.0;  // added up since begin_at()
-    start starts_[most];
-    std::size_t count_ = 0;
+    start starts_[2 * most];
+    std::size_t from_ = 0, to_ = 0;  // those in use, in the order of the text
     start lost_;
 };
 
