@@ -384,3 +384,22 @@ TEST_CASE("a text of any length is shaped once, and lines end in linear time", "
     }
     for (const double units : a_unit) CHECK(std::fabs(units - a_unit[0]) < 0.05);
 }
+
+TEST_CASE("where no place is safe, a line's end is still shaped with few neighbours", "[paragraph]")
+{
+    std::vector<double> a_unit;
+    for (const std::size_t size : {1000u, 6000u}) {
+        std::string text;
+        while (text.size() < size) text += "abcd efghijk lmnop qr ";
+        toy_item_shaper font;
+        font.all_unsafe = true;
+        paragraph words{font};
+        glyph_run run;
+        REQUIRE_FALSE(words.set(text));
+        for (const wrap_mode wrap : {wrap_mode::word, wrap_mode::grapheme})
+            REQUIRE_FALSE(words.lay_out({.width = 9.0, .wrap = wrap}, run));
+        CHECK(run.glyphs.size() == text.size());
+        a_unit.push_back(static_cast<double>(font.units) / static_cast<double>(text.size()));
+    }
+    CHECK(a_unit[1] < 1.05 * a_unit[0]);
+}

@@ -17,6 +17,7 @@ namespace test {
 /// glyph, U+FFFF is missing, '!' is refused. Counts what it is asked.
 struct toy_item_shaper {
     typemesh::line_metrics lines{700.0, -200.0, 100.0};
+    bool all_unsafe = false;  // to break, before every glyph
     std::size_t calls = 0, units = 0;
 
     double units_per_em() const noexcept { return 1000.0; }
@@ -42,6 +43,7 @@ struct toy_item_shaper {
                            : c.value == 0xAD ? 0.0
                                              : 500.0};
             if (mark) g.cluster = made.back().cluster, g.advance = 0.0, g.flags = made.back().flags;
+            if (all_unsafe) g.flags = unsafe;
             if (c.value == 0xFFFF) g = {0, cluster, 500.0, {}, 0, glyph_flags::missing};
             if (!made.empty() && made.back().id == 'A' && c.value == 'V')
                 made.back().advance -= 100.0, g.flags = unsafe;

@@ -46,7 +46,8 @@ error append_hyphen(shaped_text& shaped, Shaper& shaper, std::uint32_t item, std
 }  // namespace detail
 
 /// Finds out what changes where a line ends before text[place], in cluster c or behind it, by shaping both sides anew
-/// from the nearest places where that is safe. Their clusters are appended; where nothing changes none are.
+/// from the nearest places where that is safe, at most 64 clusters away. Their clusters are appended; where nothing
+/// changes none are.
 ///
 ///     cut      gets the result
 ///     share    the part of cluster c that stands before the place, 1 if all of it does
@@ -68,9 +69,12 @@ result<bool> make_cut(shaped_text& shaped, Shaper& shaper, std::uint32_t c, std:
     if (!both && !hyphen) return false;
 
     const std::size_t clusters = shaped.all_clusters(), glyphs = shaped.all_glyphs();
+    constexpr std::uint32_t most = 64;  // clusters a side: in a font where nothing is safe time stays linear
     std::uint32_t left = c, right = c + 1;
-    while (left > begin && (unsafe(left) || (hyphen && has(shaped.cluster(left).flags, cluster_flags::hangs)))) --left;
-    while (both && right < end && unsafe(right)) ++right;
+    while (left > begin && c - left < most &&
+           (unsafe(left) || (hyphen && has(shaped.cluster(left).flags, cluster_flags::hangs))))
+        --left;
+    while (both && right < end && right - c <= most && unsafe(right)) ++right;
 
     cut.left_from = left;
     cut.left_first = static_cast<std::uint32_t>(clusters);

@@ -18,8 +18,8 @@ namespace typemesh::inline TYPEMESH_ABI {
     return tag;
 }
 
-/// Whether text of two scripts is set as text of one: of the same, or of Han, the kana and Bopomofo, which change within
-/// words, share their punctuation and are kerned with each other.
+/// Whether text of two scripts is set as text of one: of the same, or of Han, the kana and Bopomofo, which change
+/// within words, share their punctuation and are kerned with each other.
 [[nodiscard]] constexpr bool set_as_one(std::uint32_t a, std::uint32_t b) noexcept
 {
     const auto east_asian = [](std::uint32_t s) noexcept {
