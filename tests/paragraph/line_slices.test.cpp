@@ -3,6 +3,8 @@
 
 #include <typemesh/paragraph/line_slices.hpp>
 
+#include <ctime>
+
 using namespace typemesh;
 using test::shaped_paragraph;
 
@@ -54,6 +56,37 @@ TEST_CASE("white space at a line's end hangs, and takes the paragraph's level", 
     CHECK(line.slices()[0].level == 1);
     CHECK(line.slices()[1].level == 0);
     CHECK(advance_of(line) == 1750.0);
+}
+
+TEST_CASE("white space before each tab takes the paragraph's level, in linear time", "[paragraph]")
+{
+    for (const char16_t* unit : {u"\u05D0 \t", u"\t", u"\u05D0 \u2067 \u2069 \t\t", u"a \t\u05D0b \t "}) {
+        std::u16string text;
+        while (text.size() < 20'000) text += unit;
+        text += u"\u05D0";
+        shaped_paragraph p{text, direction::left_to_right};
+        line_slices line;
+        const std::clock_t begin = std::clock();
+        REQUIRE_FALSE(line.add(p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
+        REQUIRE(line.finish(p.shaped, 0, 0.0, {}));
+        CHECK(std::clock() - begin < CLOCKS_PER_SEC);  // seconds, were each tab to look at all before it
+        std::size_t wrong = 0;
+        std::uint32_t next = 0;
+        for (const line_slice& s : line.slices()) {
+            wrong += s.first != next ? 1u : 0u;  // a gap
+            next = s.last;
+            for (std::uint32_t c = s.first; c < s.last; ++c) {
+                std::uint32_t k = c;  // does only white space follow, up to a tab?
+                const auto hangs = [&] { return has(p.shaped.cluster(k).flags, cluster_flags::hangs); };
+                while (hangs() && !has(p.shaped.cluster(k).flags, cluster_flags::tab)) ++k;
+                if (has(p.shaped.cluster(k).flags, cluster_flags::tab) && s.level != 0) ++wrong;
+            }
+        }
+        CHECK(wrong == 0);
+        CHECK(next == p.shaped.cluster_count());
+        CHECK(line.slices().back().level == 1);
+        CHECK(line.visible() == line.slices().size());
+    }
 }
 
 TEST_CASE("a line of nothing but white space has no width", "[paragraph]")

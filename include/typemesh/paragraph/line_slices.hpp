@@ -68,6 +68,8 @@ public:
     error append(const shaped_text& shaped, std::uint32_t first, std::uint32_t count, int level = -1) noexcept
     {
         if (count == 0) return {};
+        if (has(shaped.cluster(first).flags, cluster_flags::tab))
+            if (const auto parted = part_white_space(shaped, false); !parted) return parted.error();
         const std::uint8_t own = shaped.items()[shaped.cluster(first).item].level;
         const line_slice slice{
             .first = first, .last = first + count, .level = level < 0 ? own : static_cast<std::uint8_t>(level)};
@@ -79,7 +81,7 @@ public:
     {
         while (!slices_.empty()) {
             line_slice& s = slices_.back();
-            while (s.last > s.first && has(shaped.cluster(s.last - 1).flags, cluster_flags::hangs)) --s.last;
+            s.last = end_of_letters(shaped, s);
             if (s.last > s.first) return;
             slices_.truncate(slices_.size() - 1);
         }
@@ -89,13 +91,15 @@ public:
     /// UAX #9), and measures everything, with the pen at `pen` in the beginning. Returns the line's width.
     result<double> finish(const shaped_text& shaped, std::uint8_t level, double pen, const line_room& room) noexcept
     {
-        visible_ = slices_.size();
-        if (error e = split_trailing(shaped, level, slices_.size(), true)) return e;
-        for (std::size_t k = visible_; k-- > 0;)
-            if (is_tab(shaped, slices_[k])) {
-                slices_[k].level = level;
-                if (error e = split_trailing(shaped, level, k, false)) return e;
-            }
+        const auto visible = part_white_space(shaped, true);
+        if (!visible) return visible.error();
+        visible_ = *visible;
+        bool hangs = true;  // what follows, up to a tab or the end
+        for (std::size_t k = slices_.size(); k-- > 0;) {
+            line_slice& s = slices_[k];
+            hangs = is_tab(shaped, s) || (hangs && end_of_letters(shaped, s) == s.first);
+            if (hangs) s.level = level;
+        }
         const double start = pen;
         for (std::size_t k = 0; k < slices_.size(); ++k) {
             line_slice& s = slices_[k];
@@ -156,32 +160,32 @@ private:
         return n;
     }
 
-    /// Sets what is white space before slice `end` at a level; `split`: and apart from the rest.
-    error split_trailing(const shaped_text& shaped, std::uint8_t level, std::size_t end, bool split) noexcept
+    /// Where the white space at the end of a slice begins.
+    static std::uint32_t end_of_letters(const shaped_text& shaped, const line_slice& s) noexcept
     {
-        for (std::size_t k = end; k-- > 0;) {
-            line_slice& s = slices_[k];
-            std::uint32_t last = s.last;
-            while (last > s.first && has(shaped.cluster(last - 1).flags, cluster_flags::hangs)) --last;
-            if (last == s.last) return {};
-            if (last == s.first) {
-                s.level = level;
-                if (split) visible_ = k;
-                continue;
-            }
-            if (!split && s.level == level) return {};
-            const line_slice rest{.first = last, .last = s.last, .level = level};
-            s.last = last;
-            if (!slices_.push_back(rest)) return error::out_of_memory;
-            for (std::size_t m = slices_.size() - 1; m > k + 1; --m) slices_[m] = slices_[m - 1];
-            slices_[k + 1] = rest;
-            if (split)
-                visible_ = k + 1;
-            else
-                ++visible_;
-            return {};
-        }
-        return {};
+        std::uint32_t last = s.last;
+        while (last > s.first && has(shaped.cluster(last - 1).flags, cluster_flags::hangs)) --last;
+        return last;
+    }
+
+    /// Parts the white space at the end from what stands before it. Returns how many slices do; behind a tab, all those
+    /// up to it.
+    result<std::size_t> part_white_space(const shaped_text& shaped, bool beyond_tabs) noexcept
+    {
+        std::size_t k = slices_.size();
+        while (k > 0 && end_of_letters(shaped, slices_[k - 1]) == slices_[k - 1].first &&
+               (beyond_tabs || !is_tab(shaped, slices_[k - 1])))
+            --k;
+        if (k == 0) return k;
+        const line_slice all = slices_[k - 1];
+        const std::uint32_t last = end_of_letters(shaped, all);
+        if (last == all.last || last == all.first) return k;
+        line_slice rest = all;
+        rest.first = slices_[k - 1].last = last;
+        if (!slices_.push_back(rest)) return error::out_of_memory;
+        for (std::size_t m = slices_.size() - 1; m > k; --m) slices_[m] = slices_[m - 1];
+        slices_[k] = rest;
+        return k;
     }
 
     /// Takes the letter spacing behind a line's last letter away.
