@@ -14,8 +14,10 @@
 #include <typemesh/paragraph/paragraph.hpp>
 #include <typemesh/paragraph/total_fit.hpp>
 #include <typemesh/typemesh.hpp>
+#include <typemesh/unicode/hyphenating.hpp>
 #include <cassert>
 #include <cstdio>
+#include <string_view>
 #include <vector>
 
 struct vertex { typemesh::vec3 position, normal; typemesh::vec2 uv; };          // yours, whatever it looks like
@@ -44,6 +46,11 @@ int main()
 
 void draw(std::uint32_t, typemesh::vec3) noexcept {}
 void draw(std::uint32_t, std::uint32_t, std::uint32_t) noexcept {}
+
+struct my_patterns {
+    void hyphenate(typemesh::text_view text, typemesh::text_range word, std::string_view language, auto put) noexcept;  // put(place) ...
+};
+void my_patterns::hyphenate(typemesh::text_view, typemesh::text_range, std::string_view, auto) noexcept {}
 
 template <class... T>
 void use(const T&...)
@@ -94,6 +101,8 @@ if (auto e = words.lay_out({.width = 9.0, .align = typemesh::line_alignment::jus
 auto column = mesher.plan(page);
 typemesh::paragraph even{*font, typemesh::heap(), typemesh::unicode_analyser{}, typemesh::total_fit{.tolerance = 0.8}};
     use(even);
+typemesh::paragraph parted{*font, typemesh::heap(), typemesh::hyphenating{typemesh::unicode_analyser{}, my_patterns{}}};
+    use(parted);
     const std::uint32_t triangle = 0;
     const auto draw = [](const typemesh::box&) noexcept {};
 typemesh::caret here = words.laid().caret_at(7);                                // line, place on its baseline, direction

@@ -5,6 +5,7 @@
 
 #include <typemesh/paragraph/paragraph.hpp>
 #include <typemesh/paragraph/total_fit.hpp>
+#include <typemesh/unicode/hyphenating.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -143,6 +144,14 @@ piece_list some_pieces(dice& d, std::size_t count)
     return pieces;
 }
 
+struct in_the_middle {
+    template <class Put>
+    void hyphenate(text_view, text_range word, std::string_view, const Put& put) noexcept
+    {
+        put((word.first + word.last) / 2);
+    }
+};
+
 }  // namespace
 }  // namespace total_fit_tests
 
@@ -273,4 +282,25 @@ TEST_CASE("a paragraph keeps the memory that total_fit needs", "[paragraph]")
     CHECK(counted.requests == before);
     CHECK(run.lines.size() == lines);
     CHECK(run.glyphs.size() == glyphs);
+}
+
+TEST_CASE("words are parted with hyphens, as hyphen_penalty allows", "[paragraph]")
+{
+    test::toy_item_shaper font;
+    paragraph words{font, heap(), hyphenating{unicode_analyser{}, in_the_middle{}}, total_fit{.tolerance = 5.0}};
+    glyph_run run;
+    REQUIRE_FALSE(words.set("a b cdef gh ij"));
+    const auto hyphens = [&](double penalty) {
+        words.breaker().hyphen_penalty = penalty;
+        REQUIRE_FALSE(words.lay_out({.width = 3.3}, run));
+        std::size_t count = 0;
+        for (const placed_glyph& g : run.glyphs) count += g.id == 0x2010 ? 1u : 0u;
+        for (const text_line& line : run.lines) CHECK(line.advance <= 3300.0);
+        return count;
+    };
+    CHECK(hyphens(0.0) == 2);
+    CHECK(hyphens(1e9) == 1);  // nothing else is within the tolerance
+    words.breaker().tolerance = 12.0;
+    CHECK(hyphens(0.0) == 2);
+    CHECK(hyphens(1e9) == 0);
 }
