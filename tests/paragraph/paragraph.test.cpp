@@ -5,6 +5,7 @@
 
 #include <typemesh/paragraph/paragraph.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -292,6 +293,31 @@ TEST_CASE("widths tell how narrow and how wide a text may be", "[paragraph]")
     CHECK(p.run.lines.size() == 3);
 }
 
+TEST_CASE("a text is measured as it is laid out, without writing it", "[paragraph]")
+{
+    laid p{mixed};
+    for (const double width : {2.0, 5.0, 30.0}) {
+        const paragraph_options options{.width = width, .most_lines = 7, .ellipsis = "..", .indent = 0.25};
+        const auto size = p.words.measure(options);
+        REQUIRE(size);
+        const std::size_t lines = p.words.lines().size();
+        const box last = p.words.laid().line_box(lines - 1);
+        p.again(options);
+        CHECK(p.run.lines.size() == lines);
+        CHECK(p.words.laid().line_box(lines - 1).high.x == last.high.x);
+        CHECK(size->height == 1.0 * static_cast<double>(lines - 1) + 0.9);
+        double longest = 0.0;
+        for (std::size_t k = 0; k < lines; ++k)
+            longest = std::max(longest, (p.run.lines[k].origin.x + p.run.lines[k].advance) / 1000.0);
+        if (width > 20.0) CHECK(size->width == p.words.measure({.width = size->width, .indent = 0.25})->width);
+        CHECK(size->width <= width);
+    }
+    CHECK(p.words.measure({.width = -1.0}).error() == error::bad_option);
+    CHECK(p.words.lines().empty());
+    paragraph nothing{p.font};
+    CHECK(nothing.measure({})->height == 0.0);
+}
+
 TEST_CASE("columns run down and are as high as the width", "[paragraph]")
 {
     const laid p{u"ab \u05D0", {.width = 1.2}, {.direction = direction::top_to_bottom}};
@@ -367,6 +393,43 @@ TEST_CASE("a paragraph survives a memory that gives nothing, wherever it stops",
     for (std::size_t at = 1; at <= counted.requests; ++at) {
         test::counting_memory failing{.fail_at = at};
         CHECK(use(failing.source()) == error::out_of_memory);
+    }
+}
+
+TEST_CASE("a layout for which memory fails leaves nothing behind for the next one", "[paragraph]")
+{
+    const paragraph_options options{.width = 1.0, .ellipsis = ".."};
+    const laid fresh{mixed, options};
+    toy_item_shaper font;
+    test::counting_memory counted;
+    {
+        paragraph<toy_item_shaper> words{font, counted.source()};
+        glyph_run run;
+        REQUIRE_FALSE(words.set(mixed));
+        counted.requests = 0;
+        REQUIRE_FALSE(words.lay_out(options, run));
+    }
+    const std::size_t all = counted.requests;
+    REQUIRE(all > 2);
+    for (std::size_t at = 1; at <= all; ++at) {
+        test::counting_memory failing;
+        paragraph<toy_item_shaper> words{font, failing.source()};
+        glyph_run run;
+        REQUIRE_FALSE(words.set(mixed));
+        failing.fail_at = failing.requests + at;
+        CHECK(words.lay_out(options, run) == error::out_of_memory);
+        failing.fail_at = 0;
+        for (int k = 0; k < 2; ++k) {
+            REQUIRE_FALSE(words.lay_out({.width = 2.0}, run));
+            REQUIRE_FALSE(words.lay_out(options, run));
+        }
+        REQUIRE(run.glyphs.size() == fresh.run.glyphs.size());
+        bool same_glyphs = true;
+        for (std::size_t i = 0; i < run.glyphs.size(); ++i) {
+            const placed_glyph &a = run.glyphs[i], &b = fresh.run.glyphs[i];
+            same_glyphs = same_glyphs && a.id == b.id && a.cluster == b.cluster && a.origin == b.origin;
+        }
+        CHECK(same_glyphs);
     }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/point.hpp>
+#include <typemesh/layout/shaper.hpp>
 
 #include <cstdint>
 
@@ -16,7 +17,8 @@ struct laid_line {
     std::uint8_t level = 0;  ///< of its paragraph: odd ones are read to the left
     double left = 0.0;       ///< where what is visible begins
     double width = 0.0;      ///< of what is visible: white space at its end hangs
-    point origin = {};       ///< the pen where all lines begin
+    line_metrics metrics = {};
+    point origin = {};  ///< the pen where all lines begin
 
     [[nodiscard]] constexpr double right() const noexcept { return left + width; }
 };

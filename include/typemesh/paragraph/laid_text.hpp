@@ -4,7 +4,6 @@
 #include <typemesh/core/box.hpp>
 #include <typemesh/core/first_where.hpp>
 #include <typemesh/core/same.hpp>
-#include <typemesh/layout/shaper.hpp>
 #include <typemesh/paragraph/laid_line.hpp>
 #include <typemesh/paragraph/line_slices.hpp>
 
@@ -43,8 +42,8 @@ struct text_place {
 class laid_text {
 public:
     laid_text(const shaped_text& shaped, std::span<const laid_line> lines, std::span<const line_slice> slices,
-              const line_metrics& metrics, double units_per_em) noexcept
-        : shaped_{&shaped}, lines_{lines}, slices_{slices}, metrics_{metrics}, em_{units_per_em}
+              double units_per_em) noexcept
+        : shaped_{&shaped}, lines_{lines}, slices_{slices}, em_{units_per_em}
     {
     }
 
@@ -166,7 +165,7 @@ private:
     [[nodiscard]] box box_of(const laid_line& line, double from, double to) const noexcept
     {
         const point a = point_of(line, from), b = point_of(line, to);
-        const double low = metrics_.descender / em_, high = metrics_.ascender / em_;
+        const double low = line.metrics.descender / em_, high = line.metrics.ascender / em_;
         if (shaped_->upright()) return {{a.x + low, b.y}, {a.x + high, a.y}};
         return {{a.x, a.y + low}, {b.x, a.y + high}};
     }
@@ -261,7 +260,6 @@ private:
     const shaped_text* shaped_;
     std::span<const laid_line> lines_;
     std::span<const line_slice> slices_;
-    line_metrics metrics_;
     double em_;
 };
 

@@ -45,7 +45,7 @@ public:
     {
         if (first >= last) return {};
         const auto cut_behind = [&list](std::size_t piece) noexcept { return list.places[piece].cut; };
-        const std::uint32_t head = first > 0 ? cut_behind(first - 1) : no_cut, tail = cut_behind(last - 1);
+        const std::uint32_t head = first > 0 ? cut_behind(first - 1) : list.begin_cut, tail = cut_behind(last - 1);
         std::uint32_t from = list.places[first].cluster;
         std::uint32_t to = last < list.places.size() ? list.places[last].cluster : shaped.cluster_count();
         if (tail == no_cut && last == list.places.size()) to = end_of(shaped, list.pieces[last - 1].last, from);
@@ -76,12 +76,13 @@ public:
         return slices_.push_back(slice) ? error{} : error::out_of_memory;
     }
 
-    /// Removes what would hang at the line's end.
+    /// Removes what would hang at the line's end, and a hyphen.
     void trim(const shaped_text& shaped) noexcept
     {
+        constexpr cluster_flags trimmed = cluster_flags::hangs | cluster_flags::foreign;
         while (!slices_.empty()) {
             line_slice& s = slices_.back();
-            s.last = end_of_letters(shaped, s);
+            while (s.last > s.first && has(shaped.cluster(s.last - 1).flags, trimmed)) --s.last;
             if (s.last > s.first) return;
             slices_.truncate(slices_.size() - 1);
         }

@@ -3,6 +3,7 @@
 
 #include <typemesh/core/same.hpp>
 #include <typemesh/layout/glyph_run.hpp>
+#include <typemesh/paragraph/item_look.hpp>
 #include <typemesh/paragraph/line_slices.hpp>
 
 #include <cstddef>
@@ -41,17 +42,18 @@ public:
     {
         pen += slice.lead;
         const bool back = slice.level % 2 != 0;
-        const bool whole = back == shaped_.items()[shaped_.cluster(slice.first).item].to_the_left();
+        const text_item& item = shaped_.items()[shaped_.cluster(slice.first).item];
+        const bool whole = back == item.to_the_left();
         if (whole && is_zero(slice.stretch) && is_zero(slice.spread)) {
             const text_cluster& low = shaped_.cluster(back ? slice.last - 1 : slice.first);
             const text_cluster& high = shaped_.cluster(back ? slice.first : slice.last - 1);
-            return append(low.glyph, high.glyph + high.glyph_count, origin, pen);
+            return append(item, low.glyph, high.glyph + high.glyph_count, origin, pen);
         }
         for (std::uint32_t k = slice.first; k < slice.last; ++k) {
             const text_cluster& c = shaped_.cluster(back ? slice.last - 1 - (k - slice.first) : k);
             const double spread = !is_zero(slice.spread) && shaped_.may_be_spaced(c) ? slice.spread : 0.0;
             if (back) pen += spread;
-            if (error e = append(c.glyph, c.glyph + c.glyph_count, origin, pen)) return e;
+            if (error e = append(item, c.glyph, c.glyph + c.glyph_count, origin, pen)) return e;
             pen += c.advance + (back ? 0.0 : spread);
             if (has(c.flags, cluster_flags::stretches)) pen += slice.stretch;
         }
@@ -59,7 +61,7 @@ public:
     }
 
 private:
-    error append(std::uint32_t first, std::uint32_t last, point origin, double pen) noexcept
+    error append(const text_item& item, std::uint32_t first, std::uint32_t last, point origin, double pen) noexcept
     {
         if (first == last) return {};
         placed_glyph* out = run_.glyphs.append(last - first);
@@ -72,11 +74,11 @@ private:
             *out = {g.id, g.cluster, at + g.offset, missing, 0};
             pen += g.advance;
             if (missing) run_.note_missing(g.cluster);
-            if (g.face != 0) {
-                const auto look = run_.number_of({.face = g.face});
-                if (!look) return look.error();
-                out->look = *look;
-            }
+            const look drawn = look_of(item, g);
+            if (run_.looks.empty() && drawn == look{}) continue;
+            const auto number = run_.number_of(drawn);
+            if (!number) return number.error();
+            out->look = *number;
         }
         return {};
     }

@@ -4,13 +4,14 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/result.hpp>
+#include <typemesh/paragraph/elision.hpp>
 #include <typemesh/paragraph/first_fit.hpp>
 #include <typemesh/paragraph/laid_line.hpp>
 #include <typemesh/paragraph/laid_text.hpp>
 #include <typemesh/paragraph/line_slices.hpp>
-#include <typemesh/paragraph/line_stack.hpp>
 #include <typemesh/paragraph/line_writer.hpp>
 #include <typemesh/paragraph/paragraph_options.hpp>
+#include <typemesh/paragraph/stack_lines.hpp>
 #include <typemesh/paragraph/text_pieces.hpp>
 #include <typemesh/unicode/unicode_analyser.hpp>
 
@@ -26,6 +27,12 @@ namespace typemesh::inline TYPEMESH_ABI {
 struct paragraph_widths {
     double narrowest = 0.0;  ///< of the longest word: in less it is broken, or sticks out
     double widest = 0.0;     ///< of the longest line, if lines end only where the text demands it
+};
+
+/// How large a text is in a layout, in em.
+struct paragraph_size {
+    double width = 0.0;   ///< of the longest line with its indent; a greater one changes nothing but alignment
+    double height = 0.0;  ///< from the first line's ascender to the last one's descender
 };
 
 /// A text that is shaped once and then laid out at any width, as often as wanted: directions mixed, lines broken.
@@ -53,6 +60,7 @@ public:
           shaped_{source},
           pieces_{source},
           slices_{source},
+          elision_{source},
           ends_{source},
           lines_{source},
           placed_{source}
@@ -85,12 +93,25 @@ public:
     error lay_out(const paragraph_options& options, glyph_run& run) noexcept
     {
         run.clear();
-        const error e = place_lines(options, run);
+        error e = compose_lines(options);
+        if (!e) e = write_lines(run);
         if (!e) return {};
         run.clear();
-        lines_.clear();
-        placed_.clear();
+        forget_lines();
         return e;
+    }
+
+    /// Lays the text out without writing it anywhere: lines() and laid() tell of this layout then.
+    ///
+    /// Fails and costs as lay_out()
+    result<paragraph_size> measure(const paragraph_options& options) noexcept
+    {
+        if (error e = compose_lines(options)) {
+            forget_lines();
+            return e;
+        }
+        const double em = units_per_em_ > 0.0 ? units_per_em_ : 1.0;
+        return paragraph_size{.width = longest_ / em, .height = height_ / em};
     }
 
     /// Between which widths a width makes a difference. Indents and tab stops do not count.
@@ -112,21 +133,13 @@ public:
     [[nodiscard]] std::span<const laid_line> lines() const noexcept { return lines_.view(); }
 
     /// The last layout, for carets, selections and mice. It lives until the next call of set() or lay_out().
-    [[nodiscard]] laid_text laid() const noexcept
-    {
-        return {shaped_, lines_.view(), placed_.view(), font_->metrics(shaped_.options().direction), units_per_em_};
-    }
+    [[nodiscard]] laid_text laid() const noexcept { return {shaped_, lines_.view(), placed_.view(), units_per_em_}; }
 
     /// What Unicode says of the text, and its items: for tests and for whoever looks closer.
     [[nodiscard]] const shaped_text& shaped() const noexcept { return shaped_; }
 
 private:
     using list = text_pieces::list;
-
-    /// A line and its pieces.
-    struct line_range {
-        std::size_t number, first, last;
-    };
 
     error set_text(text_view text, const shape_options& how, double letter_spacing) noexcept
     {
@@ -159,8 +172,16 @@ private:
         return {};
     }
 
-    error place_lines(const paragraph_options& options, glyph_run& run) noexcept
+    void forget_lines() noexcept
     {
+        lines_.clear();
+        placed_.clear();
+    }
+
+    /// Finds all lines and what stands where in each.
+    error compose_lines(const paragraph_options& options) noexcept
+    {
+        forget_lines();
         if (error e = refused_option(options)) return e;
         const double em = units_per_em_;
         room_ = {.width = options.width * em,
@@ -170,166 +191,99 @@ private:
                  .stop_unit = em,
                  .most_lines = options.most_lines};
         shaped_.truncate(own_clusters_, own_glyphs_);
+        const auto pieces = break_lines(options);
+        own_clusters_ = shaped_.all_clusters();
+        own_glyphs_ = shaped_.all_glyphs();
+        if (!pieces) return pieces.error();
+
+        const line_metrics metrics = font_->metrics(shaped_.options().direction);
+        longest_ = 0.0;
+        for (std::size_t k = 0; k < ends_.size(); ++k) {
+            if (error e = compose_line(line_of(**pieces, k), options)) return e;
+            lines_.back().metrics = metrics;
+        }
+        height_ = stack_lines(lines_.view(), em, options, shaped_.upright());
+        return {};
+    }
+
+    [[nodiscard]] line_source<Font> source(const paragraph_options& options) noexcept
+    {
+        return {shaped_, pieces_, *font_, room_, options};
+    }
+
+    /// Finds where lines end, and all pieces that they need: what is shaped for them is kept for later layouts.
+    result<const list*> break_lines(const paragraph_options& options) noexcept
+    {
         const double narrowest = options.indent > 0.0 ? room_.width - room_.indent : room_.width;
         const auto pieces = pieces_.pieces_for(options.wrap, narrowest, shaped_, *font_);
-        if (!pieces) return pieces.error();
+        if (!pieces) return pieces;
         const list& all = **pieces;
         line_room breaking = room_;
         if (options.wrap == wrap_mode::none) breaking.width = paragraph_options{}.width;
         ends_.clear();
-        lines_.clear();
-        placed_.clear();
         if (error e = breaker_.break_lines(all.pieces.view(), breaking, ends_)) return e;
-        if (error e = find_elided(all, options)) return e;
-        own_clusters_ = shaped_.all_clusters();
-        own_glyphs_ = shaped_.all_glyphs();
-
-        run.units_per_em = em;
-        if (shaped_.analysis.invalid_units != 0)
-            run.note_invalid_units(shaped_.analysis.first_invalid_unit, shaped_.analysis.invalid_units);
-        const line_stack stack{font_->metrics(shaped_.options().direction), em, options, ends_.size(),
-                               shaped_.upright()};
-        paragraph_ = 0;
-        std::size_t first = 0;
-        for (std::size_t k = 0; k < ends_.size(); ++k) {
-            if (error e = place_line(all, {k, first, ends_[k]}, options, stack, run)) return e;
-            first = ends_[k];
-        }
-        return run.glyphs.size() > 0xFFFF'FFFFu ? error{error::too_large} : error{};
-    }
-
-    [[nodiscard]] bool begins_paragraph(const list& all, std::size_t piece) const noexcept
-    {
-        return piece == 0 || all.pieces[piece - 1].end == piece_end::paragraph;
-    }
-
-    /// Whether a line does not show all that it should: it is wider than there is room, or the last before some that
-    /// are dropped.
-    [[nodiscard]] bool is_elided(const list& all, const line_range& line,
-                                 const paragraph_options& options) const noexcept
-    {
-        if (options.ellipsis.empty()) return false;
-        if (line.number + 1 == ends_.size() && line.last < all.pieces.size()) return true;
-        return width_of(all, line) > room_.width;
-    }
-    [[nodiscard]] double width_of(const list& all, const line_range& line) const noexcept
-    {
-        double pen = room_.start(begins_paragraph(all, line.first)) + all.pieces[line.first].begin_change, width = 0.0;
-        for (std::size_t k = line.first; k < line.last; ++k) {
-            const break_piece& p = all.pieces[k];
-            if (p.width > 0.0) width = pen + p.width + (k + 1 == line.last ? p.end_change : 0.0);
-            pen += p.width + p.space;
-            if (p.tab) pen = room_.after_tab(pen);
-        }
-        return width;
-    }
-
-    /// The text that an elided line would show if it had room: to the end of what the text demands to be one line, or,
-    /// where only its beginning counts, to where the room ends.
-    [[nodiscard]] std::uint32_t end_of_elided(const list& all, std::size_t first, ellipsis_place place) const noexcept
-    {
-        double pen = 0.0;
-        std::size_t k = first;
-        for (; k + 1 < all.pieces.size() && !all.pieces[k].ends_line(); ++k) {
-            pen += all.pieces[k].width + all.pieces[k].space;
-            if (place == ellipsis_place::end && pen > room_.width) break;
-        }
-        return all.pieces[k].last;
-    }
-
-    /// Has the graphemes of all elided lines made, before anything is appended that belongs to one layout only.
-    error find_elided(const list& all, const paragraph_options& options) noexcept
-    {
-        std::size_t first = 0;
         for (std::size_t k = 0; k < ends_.size() && !options.ellipsis.empty(); ++k) {
-            if (is_elided(all, {k, first, ends_[k]}, options)) {
-                const auto made = pieces_.graphemes_of(all.pieces[first].first,
-                                                       end_of_elided(all, first, options.elide), shaped_, *font_);
-                if (!made) return made.error();
-            }
-            first = ends_[k];
+            const broken_line line = line_of(all, k);
+            if (!elision::is_needed(line, room_, options)) continue;
+            const auto made = elision::graphemes_of(source(options), line);
+            if (!made) return made;
         }
-        return {};
+        return pieces;
     }
 
-    error add_elided(const list& all, const line_range& line, double pen, const paragraph_options& options,
-                     std::uint8_t level) noexcept
+    [[nodiscard]] broken_line line_of(const list& all, std::size_t number) const noexcept
     {
-        const std::uint32_t first = all.pieces[line.first].first;
-        const auto made = pieces_.graphemes_of(first, end_of_elided(all, line.first, options.elide), shaped_, *font_);
-        if (!made) return made.error();
-        const list& graphemes = **made;
-        const auto dots = static_cast<std::uint32_t>(shaped_.all_clusters());
-        const std::uint32_t item = shaped_.item_at(first);
-        if (error e = shaped_.append_foreign(*font_, item, first, options.ellipsis, text_view{"..."})) return e;
-        double room = room_.width - pen - shaped_.cluster(dots).advance;
-
-        const std::span<const break_piece> p = graphemes.pieces.view();
-        std::size_t head = 0, tail = p.size();
-        if (options.elide == ellipsis_place::end) head = head_that_fits(p, room);
-        if (options.elide == ellipsis_place::middle) head = head_that_fits(p, room / 2);
-        for (std::size_t k = 0; k < head; ++k) room -= p[k].width + (k + 1 < head ? p[k].space : p[k].end_change);
-        if (options.elide != ellipsis_place::end) tail = tail_that_fits(p, head, room);
-
-        if (error e = slices_.add(pieces_, graphemes, 0, head, shaped_, *font_)) return e;
-        slices_.trim(shaped_);
-        if (error e = slices_.append(shaped_, dots, 1, level)) return e;
-        return slices_.add(pieces_, graphemes, tail, p.size(), shaped_, *font_);
+        const std::size_t first = number == 0 ? 0 : ends_[number - 1], last = ends_[number];
+        const bool begins = first == 0 || all.pieces[first - 1].end == piece_end::paragraph;
+        const bool drops = number + 1 == ends_.size() && last < all.pieces.size();
+        return {all, first, last, room_.start(begins), drops};
     }
 
-    [[nodiscard]] static std::size_t head_that_fits(std::span<const break_piece> p, double room) noexcept
+    /// The level of the paragraph that a unit of the text is in.
+    [[nodiscard]] std::uint8_t level_at(std::uint32_t unit) const noexcept
     {
-        std::size_t best = 0;
-        double pen = 0.0;
-        for (std::size_t k = 0; k < p.size() && pen + p[k].width <= room; ++k) {
-            if (pen + p[k].width + p[k].end_change <= room) best = k + 1;
-            pen += p[k].width + p[k].space;
-        }
-        return best;
-    }
-    [[nodiscard]] static std::size_t tail_that_fits(std::span<const break_piece> p, std::size_t head,
-                                                    double room) noexcept
-    {
-        std::size_t best = p.size();
-        double width = 0.0;
-        for (std::size_t k = p.size(); k > head; --k) {
-            width += p[k - 1].width + (k < p.size() ? p[k - 1].space : p[k - 1].end_change);
-            if (width > room) break;
-            if (width + p[k - 1].begin_change <= room) best = k - 1;
-        }
-        return best;
+        if (shaped_.analysis.paragraphs.empty() || shaped_.upright()) return 0;
+        return shaped_.analysis.paragraph_of(unit).level;
     }
 
-    error place_line(const list& all, const line_range& line, const paragraph_options& options, const line_stack& stack,
-                     glyph_run& run) noexcept
+    error compose_line(const broken_line& line, const paragraph_options& options) noexcept
     {
-        const auto& paragraphs = shaped_.analysis.paragraphs;
-        const break_piece& last_piece = all.pieces[line.last - 1];
-        while (paragraph_ + 1 < paragraphs.size() && paragraphs[paragraph_].last <= all.pieces[line.first].first)
-            ++paragraph_;
-        const std::uint8_t level =
-            paragraphs.empty() || shaped_.upright() ? std::uint8_t{0} : paragraphs[paragraph_].level;
-        const double pen = room_.start(begins_paragraph(all, line.first));
-        const bool elided = is_elided(all, line, options);
-        slices_.clear();
-        if (error e = elided ? add_elided(all, line, pen, options, level)
-                             : slices_.add(pieces_, all, line.first, line.last, shaped_, *font_))
-            return e;
-        const auto natural = slices_.finish(shaped_, level, pen, room_);
+        const break_piece &first = line.all.pieces[line.first], &last = line.all.pieces[line.last - 1];
+        const std::uint8_t level = level_at(first.first);
+        const bool elided = elision::is_needed(line, room_, options);
+        const auto natural = elided ? elision_.compose(source(options), line, level, slices_) : fill(line, level);
         if (!natural) return natural.error();
         double width = *natural;
-        const double spare = room_.width - pen - width;
-        const bool whole = elided || last_piece.ends_line() || line.last == all.pieces.size();
+        const double spare = room_.width - line.pen - width;
+        const bool whole = elided || last.ends_line() || line.last == line.all.pieces.size();
         if (options.align == line_alignment::justify && !whole && spare > 0.0 && is_finite(spare))
             width += slices_.justify(shaped_, spare);
-        if (!lines_.push_back({.first = all.pieces[line.first].first,
-                               .last = last_piece.last,
-                               .first_slice = static_cast<std::uint32_t>(placed_.size()),
-                               .level = level,
-                               .left = start_of(options.align, level % 2 != 0, pen, width),
-                               .width = width > 0.0 ? width : 0.0}))
-            return error::out_of_memory;
-        return write_line(lines_.back(), stack, run);
+        if (line.pen + width > longest_) longest_ = line.pen + width;
+
+        const laid_line laid{.first = first.first,
+                             .last = last.last,
+                             .first_slice = static_cast<std::uint32_t>(placed_.size()),
+                             .slices = static_cast<std::uint32_t>(slices_.slices().size()),
+                             .level = level,
+                             .left = start_of(options.align, level % 2 != 0, line.pen, width),
+                             .width = width > 0.0 ? width : 0.0};
+        double at = laid.left;
+        if (level % 2 != 0)
+            for (const line_slice& s : slices_.slices().subspan(slices_.visible())) at -= s.width;
+        order_visually(slices_.slices());
+        for (line_slice& s : slices_.slices()) {
+            s.at = at;
+            at += s.width;
+        }
+        return lines_.push_back(laid) && placed_.append(slices_.slices()) ? error{} : error::out_of_memory;
+    }
+
+    /// Makes a line that shows all its pieces. Returns its width.
+    result<double> fill(const broken_line& line, std::uint8_t level) noexcept
+    {
+        slices_.clear();
+        if (error e = slices_.add(pieces_, line.all, line.first, line.last, shaped_, *font_)) return e;
+        return slices_.finish(shaped_, level, line.pen, room_);
     }
 
     /// Where a line begins whose pen starts at `pen`, from its width.
@@ -346,26 +300,23 @@ private:
         return boxed ? indent + spare / 2 : 0.0 - width / 2;
     }
 
-    error write_line(laid_line& line, const line_stack& stack, glyph_run& run) noexcept
+    /// Writes the glyphs of all lines that have been composed.
+    error write_lines(glyph_run& run) noexcept
     {
-        const std::size_t number = lines_.size() - 1;
-        line.origin = stack.at(number, 0.0);
-        const auto first_glyph = static_cast<std::uint32_t>(run.glyphs.size());
-        double at = line.left;
-        if (line.level % 2 != 0)
-            for (const line_slice& s : slices_.slices().subspan(slices_.visible())) at -= s.width;
-        order_visually(slices_.slices());
+        run.units_per_em = units_per_em_;
+        if (shaped_.analysis.invalid_units != 0)
+            run.note_invalid_units(shaped_.analysis.first_invalid_unit, shaped_.analysis.invalid_units);
         line_writer writer{shaped_, run};
-        for (line_slice& s : slices_.slices()) {
-            s.at = at;
-            if (error e = writer.write(s, line.origin, at)) return e;
-            at += s.width;
+        for (const laid_line& line : lines_) {
+            const auto first = static_cast<std::uint32_t>(run.glyphs.size());
+            for (const line_slice& s : placed_.view().subspan(line.first_slice, line.slices))
+                if (error e = writer.write(s, line.origin, s.at)) return e;
+            if (run.glyphs.size() > 0xFFFF'FFFFu) return error::too_large;
+            const point along = shaped_.upright() ? point{0.0, 0.0 - line.left} : point{line.left, 0.0};
+            const auto count = static_cast<std::uint32_t>(run.glyphs.size()) - first;
+            if (!run.lines.push_back({first, count, line.origin + along, line.width})) return error::out_of_memory;
         }
-        line.slices = static_cast<std::uint32_t>(slices_.slices().size());
-        if (!placed_.append(slices_.slices())) return error::out_of_memory;
-        const auto count = static_cast<std::uint32_t>(run.glyphs.size()) - first_glyph;
-        const text_line made{first_glyph, count, stack.at(number, line.left), line.width};
-        return run.lines.push_back(made) ? error{} : error::out_of_memory;
+        return {};
     }
 
     Font* font_;
@@ -374,6 +325,7 @@ private:
     shaped_text shaped_;
     text_pieces pieces_;
     line_slices slices_;
+    elision elision_;
     buffer<std::uint32_t> ends_;  // of the lines, in the list of pieces
     buffer<laid_line> lines_;
     buffer<line_slice> placed_;  // of all lines, from left to right
@@ -381,7 +333,7 @@ private:
     double units_per_em_ = 0.0;
     double space_ = 0.0;                             // its advance
     std::size_t own_clusters_ = 0, own_glyphs_ = 0;  // of the text: what stands behind belongs to one layout
-    std::size_t paragraph_ = 0;                      // of the present line
+    double longest_ = 0.0, height_ = 0.0;            // of the last layout
 };
 
 template <class Font>

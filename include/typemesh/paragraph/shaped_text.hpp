@@ -152,24 +152,22 @@ public:
         return clusters_[last - 1].before + clusters_[last - 1].advance - clusters_[first].before;
     }
 
-    /// Appends a cluster for text[at] that shows other text, in the item's script and direction: `text`, or where the
-    /// font lacks that, `instead`. It neither hangs nor stretches.
+    /// Appends a cluster for text[at] that shows other text, in an item's style: `parts` of `shown`, in drawing order.
+    /// It neither hangs nor stretches. Returns whether the font has all its glyphs.
     template <item_shaper Shaper>
-    error append_foreign(Shaper& shaper, std::uint32_t item, std::uint32_t at, text_view text,
-                         text_view instead) noexcept
+    result<bool> append_foreign(Shaper& shaper, std::uint32_t item, std::uint32_t at, text_view shown,
+                                std::span<const text_item> parts) noexcept
     {
-        text_item part = items_.empty() ? text_item{} : items_[item];
-        part.first = 0;
         const std::size_t before = glyphs_.size();
-        for (const text_view shown : {text, instead}) {
-            glyphs_.truncate(before);
-            part.last = static_cast<std::uint32_t>(shown.size());
+        const text_item home = items_.empty() ? text_item{} : items_[item];
+        for (text_item part : parts) {
+            part.style = home.style;
+            part.face = home.face;
+            part.orientation = home.orientation;
+            if (upright()) part.level = 0;
             if (error e = shaper.shape_item(shown, part, options_of(item), glyphs_)) return e;
-            bool lacks = false;
-            for (std::size_t g = before; g < glyphs_.size(); ++g)
-                lacks = lacks || has(glyphs_[g].flags, glyph_flags::missing);
-            if (!lacks) break;
         }
+        bool complete = true;
         text_cluster c{.first = at,
                        .last = at + 1,
                        .glyph = static_cast<std::uint32_t>(before),
@@ -179,10 +177,36 @@ public:
         for (std::size_t g = before; g < glyphs_.size(); ++g) {
             glyphs_[g].cluster = at;
             c.advance += glyphs_[g].advance;
+            complete = complete && !has(glyphs_[g].flags, glyph_flags::missing);
         }
         if (!clusters_.push_back(c)) return error::out_of_memory;
         sum_up(clusters_.size() - 1);
+        return complete;
+    }
+    /// The same in the item's script and direction, too: of `shown`, or, where the font lacks that, of `instead`.
+    template <item_shaper Shaper>
+    error append_foreign(Shaper& shaper, std::uint32_t item, std::uint32_t at, text_view shown,
+                         text_view instead) noexcept
+    {
+        text_item part = items_.empty() ? text_item{} : items_[item];
+        part.first = 0;
+        const std::size_t clusters = clusters_.size(), glyphs = glyphs_.size();
+        for (const text_view wanted : {shown, instead}) {
+            truncate(clusters, glyphs);
+            part.last = static_cast<std::uint32_t>(wanted.size());
+            const auto complete = append_foreign(shaper, item, at, wanted, std::span{&part, 1});
+            if (!complete) return complete.error();
+            if (*complete) break;
+        }
         return {};
+    }
+    /// Makes a cluster that shows other text stand for text[at].
+    void move_foreign(std::size_t cluster, std::uint32_t at) noexcept
+    {
+        text_cluster& c = clusters_[cluster];
+        c.first = at;
+        c.last = at + 1;
+        for (std::uint32_t g = c.glyph; g < c.glyph + c.glyph_count; ++g) glyphs_[g].cluster = at;
     }
 
 private:

@@ -33,9 +33,11 @@ public:
         explicit list(memory source) noexcept : pieces{source}, places{source} {}
         buffer<break_piece> pieces;
         buffer<piece_place> places;
+        std::uint32_t begin_cut = no_cut;  ///< what changes where a line begins with the first piece
 
         void clear() noexcept
         {
+            begin_cut = no_cut;
             pieces.clear();
             places.clear();
         }
@@ -122,9 +124,11 @@ public:
                  first_where(0, words.size(), [&](std::size_t k) noexcept { return words[k].last > first; });
              i < words.size() && words[i].first < last; ++i) {
             if (error e = expand(i, shaped, shaper)) return e;
-            for (std::uint32_t g = 0; g < expansions_[i].count; ++g) {
-                const break_piece& p = graphemes_.pieces[expansions_[i].first + g];
-                if (p.first >= first && p.last <= last && !elided_.append(graphemes_, expansions_[i].first + g, 1))
+            if (i > 0 && words[i].first == first) elided_.begin_cut = words_.places[i - 1].cut;
+            for (std::uint32_t g = expansions_[i].first; g < expansions_[i].first + expansions_[i].count; ++g) {
+                const break_piece& p = graphemes_.pieces[g];
+                if (p.last == first) elided_.begin_cut = graphemes_.places[g].cut;
+                if (p.first >= first && p.last <= last && !elided_.append(graphemes_, g, 1))
                     return error::out_of_memory;
             }
         }
@@ -221,14 +225,27 @@ private:
         return {};
     }
 
-    /// Makes the graphemes of a word.
+    /// Makes the graphemes of a word, once; none where that fails.
     template <item_shaper Shaper>
     error expand(std::size_t number, shaped_text& shaped, Shaper& shaper) noexcept
     {
         if (expansions_[number].count != 0) return {};
-        const break_piece word = words_.pieces[number];
-        const piece_place home = words_.places[number];
-        const auto before = static_cast<std::uint32_t>(graphemes_.pieces.size());
+        const std::size_t before = graphemes_.pieces.size(), cuts = cuts_.size();
+        const std::size_t clusters = shaped.all_clusters(), glyphs = shaped.all_glyphs();
+        if (error e = add_graphemes(words_.pieces[number], words_.places[number], shaped, shaper)) {
+            graphemes_.pieces.truncate(before);
+            graphemes_.places.truncate(before);
+            cuts_.truncate(cuts);
+            shaped.truncate(clusters, glyphs);
+            return e;
+        }
+        expansions_[number] = {static_cast<std::uint32_t>(before),
+                               static_cast<std::uint32_t>(graphemes_.pieces.size() - before)};
+        return {};
+    }
+    template <item_shaper Shaper>
+    error add_graphemes(break_piece word, piece_place home, shaped_text& shaped, Shaper& shaper) noexcept
+    {
         open_piece now;
         now.first = word.first;
         now.begin_change = word.begin_change;
@@ -258,9 +275,7 @@ private:
                                .end = word.end,
                                .hyphen = word.hyphen,
                                .tab = word.tab};
-        if (!graphemes_.push_back(last, {now.cluster, home.cut})) return error::out_of_memory;
-        expansions_[number] = {before, static_cast<std::uint32_t>(graphemes_.pieces.size()) - before};
-        return {};
+        return graphemes_.push_back(last, {now.cluster, home.cut}) ? error{} : error::out_of_memory;
     }
 
     /// Whether white space stands at a unit, which stays with what is before it.

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/result.hpp>
+#include <typemesh/layout/mixed_line.hpp>
+#include <typemesh/paragraph/line_room.hpp>
+#include <typemesh/paragraph/line_slices.hpp>
+#include <typemesh/paragraph/paragraph_options.hpp>
+#include <typemesh/paragraph/text_pieces.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// What the lines of a paragraph are made from.
+template <item_shaper Shaper>
+struct line_source {
+    shaped_text& shaped;
+    text_pieces& pieces;
+    Shaper& shaper;
+    const line_room& room;
+    const paragraph_options& options;
+};
+
+/// A line as it was broken: pieces [first, last) of a list.
+struct broken_line {
+    const text_pieces::list& all;
+    std::size_t first = 0;
+    std::size_t last = 0;
+    double pen = 0.0;    ///< where it starts
+    bool drops = false;  ///< it is the last line, and text behind it is dropped
+};
+
+/// Makes the lines that cannot show all that they should: as many graphemes as there is room for, and an ellipsis.
+///
+///     at the end   one two th...     The ellipsis stands for the graphemes that are dropped, and for the first of them
+///     middle       one t...hree      in the text. Where nothing is dropped but the lines behind, it stands at the end.
+///     start        ...two three
+class elision {
+public:
+    explicit elision(memory source = heap()) noexcept : cutter_{source}, parts_{source} {}
+
+    /// Whether a line must be elided: it is wider than there is room, or text behind it is dropped.
+    [[nodiscard]] static bool is_needed(const broken_line& line, const line_room& room,
+                                        const paragraph_options& options) noexcept
+    {
+        return !options.ellipsis.empty() && (line.drops || width_of(line, room) > room.width);
+    }
+
+    /// The graphemes of which a line that is elided shows some: its own, or, if text behind it is dropped, those up to
+    /// where the text demands that the line ends. They are made once: before anything is appended for one layout only.
+    template <item_shaper Shaper>
+    static result<const text_pieces::list*> graphemes_of(const line_source<Shaper>& from,
+                                                         const broken_line& line) noexcept
+    {
+        const std::span<const break_piece> p = line.all.pieces.view();
+        const std::size_t last = line.drops ? p.size() : line.last;
+        double pen = line.pen;
+        std::size_t k = line.first;
+        for (; k + 1 < last && !p[k].ends_line(); ++k) {
+            pen += p[k].width + p[k].space;
+            if (from.options.elide == ellipsis_place::end && pen > from.room.width) break;
+        }
+        return from.pieces.graphemes_of(p[line.first].first, p[k].last, from.shaped, from.shaper);
+    }
+
+    /// Makes a line of a paragraph of a level: `slices` gets what it shows, finished. Returns its width; it is greater
+    /// than the room only if that is too small for the ellipsis alone.
+    ///
+    /// Fails  error::out_of_memory, and as the shaper does
+    template <item_shaper Shaper>
+    result<double> compose(const line_source<Shaper>& from, const broken_line& line, std::uint8_t level,
+                           line_slices& slices) noexcept
+    {
+        const auto made = graphemes_of(from, line);
+        if (!made) return made.error();
+        const text_pieces::list& graphemes = **made;
+        const std::span<const break_piece> p = graphemes.pieces.view();
+        shaped_text& shaped = from.shaped;
+        const auto dots = static_cast<std::uint32_t>(shaped.all_clusters());
+        if (error e = append_ellipsis(from, p.front().first, level)) return e;
+
+        const std::size_t clusters = shaped.all_clusters(), glyphs = shaped.all_glyphs();
+        const double most = from.room.width - line.pen;
+        double spare = most - shaped.cluster(dots).advance;
+        for (;;) {
+            const shown s = fitting(p, from, line.pen, spare);
+            shaped.truncate(clusters, glyphs);
+            slices.clear();
+            if (error e = slices.add(from.pieces, graphemes, 0, s.head, shaped, from.shaper)) return e;
+            slices.trim(shaped);
+            const std::size_t at = slices.slices().size();
+            if (error e = slices.append(shaped, dots, 1, level)) return e;
+            if (error e = slices.add(from.pieces, graphemes, s.tail, p.size(), shaped, from.shaper)) return e;
+            if (at > 0 && at + 1 < slices.slices().size()) {
+                const std::uint8_t before = slices.slices()[at - 1].level, behind = slices.slices()[at + 1].level;
+                slices.slices()[at].level = before < behind ? before : behind;
+            }
+            const auto width = slices.finish(shaped, level, line.pen, from.room);
+            if (!width) return width;
+            if (*width <= most || (s.head == 0 && s.tail == p.size())) {
+                shaped.move_foreign(dots, s.head < p.size() ? p[s.head].first : p.back().last);
+                return width;
+            }
+            const double less = spare - (*width - most), fewer = std::nextafter(s.width, -1.0);
+            spare = less < fewer ? less : fewer;
+        }
+    }
+
+private:
+    /// Which graphemes are shown, [0, head) and from `tail` on, and about how wide they are.
+    struct shown {
+        std::size_t head = 0, tail = 0;
+        double width = 0.0;
+    };
+
+    [[nodiscard]] static double width_of(const broken_line& line, const line_room& room) noexcept
+    {
+        const std::span<const break_piece> p = line.all.pieces.view();
+        double pen = line.pen + p[line.first].begin_change, width = 0.0;
+        for (std::size_t k = line.first; k < line.last; ++k) {
+            if (p[k].width > 0.0) width = pen + p[k].width + (k + 1 == line.last ? p[k].end_change : 0.0);
+            pen += p[k].width + p[k].space;
+            if (p[k].tab) pen = room.after_tab(pen);
+        }
+        return width;
+    }
+
+    /// Shapes the ellipsis by itself, as a cluster of an item's first unit.
+    template <item_shaper Shaper>
+    error append_ellipsis(const line_source<Shaper>& from, std::uint32_t at, std::uint8_t level) noexcept
+    {
+        shaped_text& shaped = from.shaped;
+        const std::uint32_t item = shaped.item_at(at);
+        shape_options how;
+        how.direction = level % 2 != 0 ? direction::right_to_left : direction::left_to_right;
+        const std::size_t clusters = shaped.all_clusters(), glyphs = shaped.all_glyphs();
+        for (const text_view wanted : {from.options.ellipsis, text_view{"..."}}) {
+            shaped.truncate(clusters, glyphs);
+            if (error e = cutter_.cut(wanted, 0, wanted.size(), how, parts_)) return e;
+            const auto complete = shaped.append_foreign(from.shaper, item, at, wanted, parts_.view());
+            if (!complete) return complete.error();
+            if (*complete) break;
+        }
+        return {};
+    }
+
+    template <item_shaper Shaper>
+    [[nodiscard]] static shown fitting(std::span<const break_piece> p, const line_source<Shaper>& from, double pen,
+                                       double room) noexcept
+    {
+        const ellipsis_place place = from.options.elide;
+        shown s{0, p.size(), 0.0};
+        if (place == ellipsis_place::end) take_head(p, from.room, pen, room, s);
+        if (place == ellipsis_place::middle) take_head(p, from.room, pen, room / 2, s);
+        if (place != ellipsis_place::end) take_tail(p, room, s);
+        if (s.tail <= s.head) s.head = s.tail = p.size();
+        return s;
+    }
+    static void take_head(std::span<const break_piece> p, const line_room& room, double start, double most,
+                          shown& s) noexcept
+    {
+        double pen = start + (p.empty() ? 0.0 : p.front().begin_change);
+        for (std::size_t k = 0; k < p.size() && pen - start + p[k].width <= most; ++k) {
+            const double width = pen - start + p[k].width + p[k].end_change;
+            if (width <= most) {
+                s.head = k + 1;
+                s.width = width;
+            }
+            pen += p[k].width + p[k].space;
+            if (p[k].tab) pen = room.after_tab(pen);
+        }
+    }
+    static void take_tail(std::span<const break_piece> p, double most, shown& s) noexcept
+    {
+        const double head = s.width;
+        double width = head;
+        for (std::size_t k = p.size(); k > s.head; --k) {
+            width += p[k - 1].width + (k < p.size() ? p[k - 1].space : p[k - 1].end_change);
+            if (width > most) break;
+            if (width + p[k - 1].begin_change <= most) {
+                s.tail = k - 1;
+                s.width = width + p[k - 1].begin_change;
+            }
+        }
+    }
+
+    mixed_line cutter_;
+    buffer<text_item> parts_;
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI
