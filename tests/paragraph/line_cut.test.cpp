@@ -36,10 +36,10 @@ TEST_CASE("a kerned pair that is parted is shaped again from the nearest safe pl
     shaped_paragraph p{"xAVx"};
     const cut_at made{p, 1, 2};
     REQUIRE(made.changes);
-    CHECK(made.cut.left_from == 1);
-    CHECK(made.cut.left_count == 1);
-    CHECK(made.cut.right_to == 3);
-    CHECK(made.cut.right_count == 1);
+    CHECK(made.cut.before_from == 1);
+    CHECK(made.cut.before_count == 1);
+    CHECK(made.cut.behind_to == 3);
+    CHECK(made.cut.behind_count == 1);
     CHECK(made.cut.end_change == 100.0);  // A has its whole width again
     CHECK(made.cut.begin_change == 0.0);
 }
@@ -49,8 +49,8 @@ TEST_CASE("a ligature that is parted shows its letters", "[paragraph]")
     shaped_paragraph p{"xfiy"};
     const cut_at made{p, 1, 2, 0.5};
     REQUIRE(made.changes);
-    CHECK(p.shaped.glyph(p.shaped.cluster(made.cut.left_first).glyph).id == 'f');
-    CHECK(p.shaped.glyph(p.shaped.cluster(made.cut.right_first).glyph).id == 'i');
+    CHECK(p.shaped.glyph(p.shaped.cluster(made.cut.before_first).glyph).id == 'f');
+    CHECK(p.shaped.glyph(p.shaped.cluster(made.cut.behind_first).glyph).id == 'i');
     CHECK(made.cut.end_change == 500.0 - 350.0);
     CHECK(made.cut.begin_change == 500.0 - 350.0);
 }
@@ -63,12 +63,12 @@ TEST_CASE("a soft hyphen shows at a line's end, in either encoding", "[paragraph
         const std::uint32_t place = text.encoding() == encoding::utf8 ? 4 : 3;
         const cut_at made{p, 2, place};
         REQUIRE(made.changes);
-        const text_cluster& last = p.shaped.cluster(made.cut.left_first + made.cut.left_count - 1);
+        const text_cluster& last = p.shaped.cluster(made.cut.before_first + made.cut.before_count - 1);
         CHECK(p.shaped.glyph(last.glyph).id == 0x2010);
         CHECK(last.first == 2);
         CHECK_FALSE(has(last.flags, cluster_flags::hangs));
         CHECK(made.cut.end_change == 500.0);
-        CHECK(made.cut.right_count == 0);
-        CHECK(made.cut.right_to == 3);
+        CHECK(made.cut.behind_count == 0);
+        CHECK(made.cut.behind_to == 3);
     }
 }

@@ -140,7 +140,7 @@ TEST_CASE("a hyphen that the analyser wants costs its width where a line ends", 
     CHECK(p.pieces.words().pieces[0].end_change == 500.0);
     CHECK(p.pieces.words().pieces[1].begin_change == 0.0);
     const line_cut& cut = p.pieces.cut(p.pieces.words().places[0].cut);
-    const text_cluster& hyphen = p.shaped.cluster(cut.left_first + cut.left_count - 1);
+    const text_cluster& hyphen = p.shaped.cluster(cut.before_first + cut.before_count - 1);
     CHECK(p.shaped.glyph(hyphen.glyph).id == 0x2010);
     CHECK(hyphen.first == 1);
 }

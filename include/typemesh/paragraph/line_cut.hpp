@@ -12,15 +12,15 @@ inline constexpr std::uint32_t no_cut = 0xFFFF'FFFFu;
 
 /// What changes where a line ends in the midst of an item: clusters of the text, and those that replace them.
 ///
-///     text       |  |  |left_from ...  place  ... right_to|  |  |
-///     replaced               |left|              |right|
+///     text      |  |  |before_from ... place ... |behind_to  |  |
+///     instead         |     before     |  behind |
 struct line_cut {
-    std::uint32_t left_from = 0;
-    std::uint32_t left_first = 0;
-    std::uint32_t left_count = 0;
-    std::uint32_t right_to = 0;
-    std::uint32_t right_first = 0;
-    std::uint32_t right_count = 0;
+    std::uint32_t before_from = 0;  ///< from this cluster on, what stands before the place is replaced
+    std::uint32_t before_first = 0;
+    std::uint32_t before_count = 0;
+    std::uint32_t behind_to = 0;  ///< up to this one, what stands behind it is
+    std::uint32_t behind_first = 0;
+    std::uint32_t behind_count = 0;
     double end_change = 0.0;    ///< by how much the line before is wider
     double begin_change = 0.0;  ///< and the line behind
 };
@@ -70,37 +70,37 @@ result<bool> make_cut(shaped_text& shaped, Shaper& shaper, std::uint32_t c, std:
 
     const std::size_t clusters = shaped.all_clusters(), glyphs = shaped.all_glyphs();
     constexpr std::uint32_t most = 64;  // clusters a side: in a font where nothing is safe time stays linear
-    std::uint32_t left = c, right = c + 1;
-    while (left > begin && c - left < most &&
-           (unsafe(left) || (hyphen && has(shaped.cluster(left).flags, cluster_flags::hangs))))
-        --left;
-    while (both && right < end && right - c <= most && unsafe(right)) ++right;
+    std::uint32_t from = c, to = c + 1;
+    while (from > begin && c - from < most &&
+           (unsafe(from) || (hyphen && has(shaped.cluster(from).flags, cluster_flags::hangs))))
+        --from;
+    while (both && to < end && to - c <= most && unsafe(to)) ++to;
 
-    cut.left_from = left;
-    cut.left_first = static_cast<std::uint32_t>(clusters);
-    if (error e = shaped.shape_range(shaper, item, shaped.cluster(left).first, place)) return e;
+    cut.before_from = from;
+    cut.before_first = static_cast<std::uint32_t>(clusters);
+    if (error e = shaped.shape_range(shaper, item, shaped.cluster(from).first, place)) return e;
     if (hyphen)
         if (error e = detail::append_hyphen(shaped, shaper, item, place)) return e;
-    cut.left_count = static_cast<std::uint32_t>(shaped.all_clusters() - clusters);
-    cut.right_to = right;
-    cut.right_first = static_cast<std::uint32_t>(shaped.all_clusters());
+    cut.before_count = static_cast<std::uint32_t>(shaped.all_clusters() - clusters);
+    cut.behind_to = to;
+    cut.behind_first = static_cast<std::uint32_t>(shaped.all_clusters());
     if (both)
-        if (error e = shaped.shape_range(shaper, item, place, shaped.cluster(right - 1).last)) return e;
-    cut.right_count = static_cast<std::uint32_t>(shaped.all_clusters()) - cut.right_first;
+        if (error e = shaped.shape_range(shaper, item, place, shaped.cluster(to - 1).last)) return e;
+    cut.behind_count = static_cast<std::uint32_t>(shaped.all_clusters()) - cut.behind_first;
 
-    if (!inside && !hyphen && cut.left_count == c + 1 - left && cut.right_count == right - c - 1 &&
-        shaped.same_clusters(left, cut.left_first, cut.left_count) &&
-        shaped.same_clusters(c + 1, cut.right_first, cut.right_count)) {
+    if (!inside && !hyphen && cut.before_count == c + 1 - from && cut.behind_count == to - c - 1 &&
+        shaped.same_clusters(from, cut.before_first, cut.before_count) &&
+        shaped.same_clusters(c + 1, cut.behind_first, cut.behind_count)) {
         shaped.truncate(clusters, glyphs);
         return false;
     }
     const double own = shaped.cluster(c).advance;
-    const double was = inside ? shaped.advance(left, c) + share * own : detail::visible_advance(shaped, left, c + 1);
-    cut.end_change = detail::visible_advance(shaped, cut.left_first, cut.left_first + cut.left_count) - was;
+    const double was = inside ? shaped.advance(from, c) + share * own : detail::visible_advance(shaped, from, c + 1);
+    cut.end_change = detail::visible_advance(shaped, cut.before_first, cut.before_first + cut.before_count) - was;
     cut.begin_change = 0.0;
     if (both)
-        cut.begin_change = shaped.advance(cut.right_first, cut.right_first + cut.right_count) -
-                           shaped.advance(c + 1, right) - (inside ? own - share * own : 0.0);
+        cut.begin_change = shaped.advance(cut.behind_first, cut.behind_first + cut.behind_count) -
+                           shaped.advance(c + 1, to) - (inside ? own - share * own : 0.0);
     return true;
 }
 

@@ -49,11 +49,11 @@ public:
         std::uint32_t from = list.places[first].cluster;
         std::uint32_t to = last < list.places.size() ? list.places[last].cluster : shaped.cluster_count();
         if (tail == no_cut && last == list.places.size()) to = end_of(shaped, list.pieces[last - 1].last, from);
-        if (head != no_cut) from = all.cut(head).right_to;
-        if (tail != no_cut) to = all.cut(tail).left_from;
+        if (head != no_cut) from = all.cut(head).behind_to;
+        if (tail != no_cut) to = all.cut(tail).before_from;
         if (from > to) return add_anew(list, first, last, shaped, shaper);
         if (head != no_cut)
-            if (error e = append(shaped, all.cut(head).right_first, all.cut(head).right_count)) return e;
+            if (error e = append(shaped, all.cut(head).behind_first, all.cut(head).behind_count)) return e;
         while (from < to) {
             const std::uint32_t end = shaped.end_cluster(shaped.cluster(from).item);
             const std::uint32_t count = (end < to ? end : to) - from;
@@ -61,7 +61,7 @@ public:
             from += count;
         }
         if (tail == no_cut) return {};
-        return append(shaped, all.cut(tail).left_first, all.cut(tail).left_count);
+        return append(shaped, all.cut(tail).before_first, all.cut(tail).before_count);
     }
 
     /// Appends clusters of one item, at its level or another one.

@@ -257,7 +257,7 @@ private:
                 now.taken = static_cast<double>(word.first - cluster.first) / (cluster.last - cluster.first);
             const std::uint32_t from = cluster.first < word.first ? word.first : cluster.first;
             for (std::uint32_t u = from + 1; u <= cluster.last && u < word.last; ++u)
-                if (has(shaped.analysis.marks[u], text_mark::grapheme) && !hangs(shaped, u))
+                if (has(shaped.analysis.marks[u], text_mark::grapheme) && !is_white_space(shaped, u))
                     if (error e = close(shaped, shaper, {c, u, piece_end::in_need, false}, now, graphemes_)) return e;
             if (cluster.last <= word.last)
                 now.add_rest(shaped, cluster);
@@ -279,7 +279,7 @@ private:
     }
 
     /// Whether white space stands at a unit, which stays with what is before it.
-    static bool hangs(const shaped_text& shaped, std::uint32_t unit) noexcept
+    static bool is_white_space(const shaped_text& shaped, std::uint32_t unit) noexcept
     {
         return has(shaped.analysis.marks[unit], text_mark::space | text_mark::separator);
     }
