@@ -17,5 +17,9 @@ TEST_CASE("a piece needs its width and what its ends may add, mere white space n
     CHECK(break_piece{.width = 5.0, .space = 2.0}.room() == 5.0);
     CHECK(break_piece{.width = 5.0, .begin_change = 1.0, .end_change = 2.0}.room() == 8.0);
     CHECK(break_piece{.width = 5.0, .begin_change = -1.0, .end_change = -2.0}.room() == 5.0);
-    CHECK(break_piece{.space = 2.0, .end_change = 1.0}.room() == 0.0);
+    CHECK(break_piece{.space = 2.0, .end_change = -1.0}.room() == 0.0);
+    CHECK(break_piece{.end_change = 1.0}.room() == 1.0);  // a soft hyphen alone
+    CHECK_FALSE(break_piece{.space = 2.0}.is_visible());
+    CHECK(break_piece{.end_change = 1.0}.is_visible());
+    CHECK(break_piece{.width = 1.0}.is_visible());
 }

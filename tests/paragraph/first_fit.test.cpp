@@ -41,6 +41,19 @@ double width_of(const std::vector<break_piece>& pieces, std::size_t first, std::
 
 }  // namespace
 
+TEST_CASE("a hyphen that does not fit is not set", "[paragraph]")
+{
+    // a, b, a soft hyphen, which the line may end with, c
+    std::vector<break_piece> pieces(4, break_piece{.width = 1.0, .end = piece_end::in_need});
+    pieces[2] = {.end_change = 1.0, .hyphen = true};
+    pieces[3].end = piece_end::paragraph;
+    CHECK(broken(pieces, {.width = 2.0}) == ends_of{2, 4});
+    CHECK(broken(pieces, {.width = 2.5}) == ends_of{2, 4});
+    CHECK(broken(pieces, {.width = 3.0}) == ends_of{4});
+    pieces[3].width = 2.0;
+    CHECK(broken(pieces, {.width = 3.0}) == ends_of{3, 4});
+}
+
 TEST_CASE("a line takes all words that fit, and white space at its end does not count", "[paragraph]")
 {
     CHECK(broken(words({3, 3, 3}), {.width = 7.0}) == ends_of{2, 3});

@@ -39,10 +39,13 @@ struct break_piece {
     {
         return end == piece_end::line || end == piece_end::paragraph;
     }
+    /// Whether a line that ends with it shows something of it: no mere white space, though a soft hyphen alone.
+    [[nodiscard]] constexpr bool is_visible() const noexcept { return width > 0.0 || end_change > 0.0; }
+
     /// The room that is enough for it, wherever in a line it stands: 0 for mere white space.
     [[nodiscard]] constexpr double room() const noexcept
     {
-        if (!(width > 0.0)) return 0.0;
+        if (!is_visible()) return 0.0;
         return width + (begin_change > 0.0 ? begin_change : 0.0) + (end_change > 0.0 ? end_change : 0.0);
     }
 };

@@ -36,7 +36,7 @@ struct first_fit {
         for (std::size_t k = begin; k < pieces.size(); ++k) {
             const break_piece& p = pieces[k];
             const double at_end = pen + p.width + p.end_change;
-            const bool blank = !(p.width > 0.0);
+            const bool blank = !p.is_visible();
             const double least = p.ends_line() || p.end_change < 0.0 ? at_end : pen + p.width;
             const bool overflows = !blank && least > room.width;
             if (overflows && best != 0) return best;

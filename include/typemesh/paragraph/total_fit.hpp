@@ -140,7 +140,7 @@ private:
     start pass(std::size_t k) noexcept
     {
         const break_piece& p = pieces_[k];
-        const bool visible = p.width > 0.0 || p.end_change > 0.0, ends = k + 1 == last_;
+        const bool visible = p.is_visible(), ends = k + 1 == last_;
         const double width = pen_ + p.width, stretch = stretch_;
         const double change = visible ? p.end_change : 0.0;
         start best{.demerits = infinite};
