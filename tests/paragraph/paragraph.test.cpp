@@ -203,6 +203,39 @@ TEST_CASE("soft hyphens show where a line ends and nowhere else", "[paragraph]")
     CHECK(p.run.lines[0].advance == 3000.0);
 }
 
+TEST_CASE("a hyphen never sticks out of a line in which something else fits", "[paragraph]")
+{
+    laid p{
+        "abcd\xC2\xAD"
+        "efgh"};
+    for (double width = 0.5; width < 5.0; width += 0.25) {
+        p.again({.width = width});
+        for (const text_line& line : p.run.lines) CHECK(line.advance <= 1000.0 * width);
+    }
+    p.again({.width = 2.0});
+    CHECK(p.run.lines.size() == 2);
+}
+
+TEST_CASE("into the width that it was measured at a text fits, whatever is rounded", "[paragraph]")
+{
+    toy_item_shaper font;
+    paragraph words{font};
+    glyph_run run;
+    for (int k = 1; k < 200; ++k) {
+        REQUIRE_FALSE(words.set("one two three\nfour and more words", {}, 0.01 * k));
+        REQUIRE_FALSE(words.lay_out({.width = words.widths().widest}, run));
+        CHECK(run.lines.size() == 2);
+        REQUIRE_FALSE(words.lay_out({.width = words.widths().narrowest}, run));
+        std::size_t lines = run.lines.size();
+        CHECK(lines == 7);
+        double width = 0.0;
+        for (const text_line& line : run.lines) width = line.advance > width ? line.advance : width;
+        REQUIRE_FALSE(words.lay_out({.width = width / font.units_per_em(), .most_lines = 7, .ellipsis = ".."}, run));
+        CHECK(run.lines.size() == lines);
+        for (const placed_glyph& g : run.glyphs) CHECK(g.id != '.');
+    }
+}
+
 TEST_CASE("what is dropped leaves an ellipsis at the end, in the middle or at the start", "[paragraph]")
 {
     laid p{"one two three\nfour", {.width = 4.0, .most_lines = 1, .ellipsis = ".."}};
@@ -221,6 +254,10 @@ TEST_CASE("what is dropped leaves an ellipsis at the end, in the middle or at th
     CHECK(p.lines() == text_lines{"one two three", "four"});
     p.again({.width = 0.7, .wrap = wrap_mode::none, .ellipsis = ".."});
     CHECK(p.line(0) == "..");  // nothing else fits, nor does it
+    for (const char* end : {"\n", "\n\n", "\n \n"}) {
+        const laid empty{std::string{"one"} + end, {.most_lines = 1, .ellipsis = ".."}};
+        CHECK(empty.line(0) == "one");  // nothing is dropped but empty lines
+    }
     const laid left{u"\u05D0\u05D1\u05D2", {.width = 2.0, .wrap = wrap_mode::none, .ellipsis = ".."}};
     CHECK(left.line(0) == "???");
     const laid cut{u"\u05D0\u05D1\u05D2\u05D3\u05D4", {.width = 2.0, .wrap = wrap_mode::none, .ellipsis = ".."}};
@@ -342,6 +379,26 @@ TEST_CASE("a paragraph refuses what makes no sense, and is empty then", "[paragr
     CHECK(refused.cluster == 2);
     REQUIRE_FALSE(words.lay_out({}, run));
     CHECK(run.glyphs.empty());
+    CHECK(run.lines.empty());
+    CHECK(words.widths().widest == 0.0);
+}
+
+TEST_CASE("a paragraph is empty after a text that was refused, even if there is no memory for more", "[paragraph]")
+{
+    test::counting_memory counted;
+    toy_item_shaper font;
+    paragraph<toy_item_shaper> words{font, counted.source()};
+    glyph_run run;
+    const std::string text{"a text of words"}, refused{"a text of more words than before, with a mark!"};
+    REQUIRE_FALSE(words.set(text));
+    counted.fail_at = counted.requests + 1;
+    CHECK(words.set(refused));
+    REQUIRE_FALSE(words.lay_out({.width = 1.0}, run));
+    CHECK(run.glyphs.empty());
+    CHECK(run.lines.empty());
+    CHECK(words.shaped().text().empty());
+    CHECK(words.shaped().cluster_count() == 0);
+    CHECK(words.shaped().items().empty());
 }
 
 TEST_CASE("a paragraph reports where its text is invalid or its font lacks a glyph", "[paragraph]")

@@ -48,7 +48,7 @@ public:
     [[nodiscard]] static bool is_needed(const broken_line& line, const line_room& room,
                                         const paragraph_options& options) noexcept
     {
-        return !options.ellipsis.empty() && (line.drops || width_of(line, room) > room.width);
+        return !options.ellipsis.empty() && (line.drops || width_of(line, room) > widened(room.width));
     }
 
     /// The graphemes of which a line that is elided shows some: its own, or, if text behind it is dropped, those up to
@@ -123,7 +123,9 @@ private:
         const std::span<const break_piece> p = line.all.pieces.view();
         double pen = line.pen + p[line.first].begin_change, width = 0.0;
         for (std::size_t k = line.first; k < line.last; ++k) {
-            if (p[k].width > 0.0) width = pen + p[k].width + (k + 1 == line.last ? p[k].end_change : 0.0);
+            const bool last = k + 1 == line.last;
+            if (p[k].width > 0.0 || (last && p[k].is_visible()))
+                width = pen + p[k].width + (last ? p[k].end_change : 0.0);
             pen += p[k].width + p[k].space;
             if (p[k].tab) pen = room.after_tab(pen);
         }

@@ -76,12 +76,12 @@ public:
     /// letter. letter_spacing is in em, as in layout_options.
     ///
     /// Fails  error::bad_option: letter_spacing is NaN or infinite; error::too_large; error::out_of_memory; and as the
-    ///        analyser and the shaper do. The text is then empty.
+    ///        analyser and the shaper do. A layout then has no lines.
     /// Cost   O(n), but for the shaper's; places where a line may end and that are unsafe are shaped twice more
     error set(text_view text, const shape_options& how = {}, double letter_spacing = 0.0) noexcept
     {
         const error e = set_text(text, how, letter_spacing);
-        if (e) (void)set_text({}, {}, 0.0);
+        if (e) clear();
         return e;
     }
 
@@ -140,6 +140,14 @@ public:
 
 private:
     using list = text_pieces::list;
+
+    void clear() noexcept
+    {
+        shaped_.clear();
+        pieces_.clear();
+        forget_lines();
+        own_clusters_ = own_glyphs_ = 0;
+    }
 
     error set_text(text_view text, const shape_options& how, double letter_spacing) noexcept
     {
@@ -215,10 +223,11 @@ private:
     result<const list*> break_lines(const paragraph_options& options) noexcept
     {
         const double narrowest = options.indent > 0.0 ? room_.width - room_.indent : room_.width;
-        const auto pieces = pieces_.pieces_for(options.wrap, narrowest, shaped_, *font_);
+        const auto pieces = pieces_.pieces_for(options.wrap, widened(narrowest), shaped_, *font_);
         if (!pieces) return pieces;
         const list& all = **pieces;
         line_room breaking = room_;
+        breaking.width = widened(room_.width);
         if (options.wrap == wrap_mode::none) breaking.width = paragraph_options{}.width;
         ends_.clear();
         if (error e = breaker_.break_lines(all.pieces.view(), breaking, ends_)) return e;
@@ -235,7 +244,9 @@ private:
     {
         const std::size_t first = number == 0 ? 0 : ends_[number - 1], last = ends_[number];
         const bool begins = first == 0 || all.pieces[first - 1].end == piece_end::paragraph;
-        const bool drops = number + 1 == ends_.size() && last < all.pieces.size();
+        bool drops = false;  // empty lines do not count
+        for (std::size_t k = last; number + 1 == ends_.size() && k < all.pieces.size() && !drops; ++k)
+            drops = all.pieces[k].is_visible();
         return {all, first, last, room_.start(begins), drops};
     }
 

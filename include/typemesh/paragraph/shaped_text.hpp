@@ -121,6 +121,18 @@ public:
         return cluster_glyphs(item, part, before);
     }
 
+    /// Forgets the text.
+    void clear() noexcept
+    {
+        text_ = {};
+        analysis.clear();
+        own_ = 0;
+        items_.clear();
+        first_clusters_.clear();
+        clusters_.clear();
+        glyphs_.clear();
+    }
+
     /// Forgets what stands behind the clusters and glyphs of these numbers.
     void truncate(std::size_t clusters, std::size_t glyphs) noexcept
     {

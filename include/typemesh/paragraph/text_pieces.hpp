@@ -52,6 +52,15 @@ public:
         }
     };
 
+    void clear() noexcept
+    {
+        words_.clear();
+        graphemes_.clear();
+        expansions_.clear();
+        cuts_.clear();
+        widest_ = 0.0;
+    }
+
     [[nodiscard]] const list& words() const noexcept { return words_; }
     [[nodiscard]] const line_cut& cut(std::uint32_t number) const noexcept { return cuts_[number]; }
 
@@ -59,11 +68,7 @@ public:
     template <item_shaper Shaper>
     error find_words(shaped_text& shaped, Shaper& shaper) noexcept
     {
-        words_.clear();
-        graphemes_.clear();
-        expansions_.clear();
-        cuts_.clear();
-        widest_ = 0.0;
+        clear();
         const auto size = static_cast<std::uint32_t>(shaped.text().size());
         open_piece now;
         for (std::uint32_t c = 0; c < shaped.cluster_count(); ++c) {
