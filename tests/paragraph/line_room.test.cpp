@@ -22,3 +22,13 @@ TEST_CASE("only a paragraph's first line is indented", "[paragraph]")
     CHECK(room.start(true) == 20.0);
     CHECK(room.start(false) == 0.0);
 }
+
+TEST_CASE("a width holds what was measured, and hardly more", "[paragraph]")
+{
+    for (double em = 100.0; em < 3000.0; em += 1.0)
+        for (double width = 0.1; width < 1e4; width *= 3.0) {
+            CHECK(widened(width / em * em) >= width);
+            CHECK(widened(width) < width + 1e-11 * width);
+        }
+    CHECK(widened(line_room{}.width) == line_room{}.width);
+}

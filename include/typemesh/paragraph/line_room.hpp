@@ -11,10 +11,7 @@
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// A width into which fits what was measured to be as wide, whatever was rounded: wider by 10^-12 of it.
-[[nodiscard]] constexpr double widened(double width) noexcept
-{
-    return width + 1e-12 * width;
-}
+[[nodiscard]] constexpr double widened(double width) noexcept { return width + 1e-12 * width; }
 
 /// How much room lines have, in font units.
 struct line_room {
