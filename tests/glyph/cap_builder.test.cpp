@@ -10,6 +10,7 @@
 #include "support/counting_memory.hpp"
 #include "support/cycles.hpp"
 #include "support/regions.hpp"
+#include "support/unproving.hpp"
 
 #include <tuple>
 
@@ -65,14 +66,6 @@ struct plain_prover {
     }
 };
 static_assert(proving_triangulator<plain_prover<monotone>> && !touching_triangulator<plain_prover<monotone>>);
-
-/// One that takes proven regions only.
-struct unproving {
-    error operator()(const region& r, workspace& space, triangle_list& out) const noexcept
-    {
-        return monotone{}(r, space, out);
-    }
-};
 
 int touching = 0, proven_fast = 0;
 
@@ -400,7 +393,7 @@ TEST_CASE("cap() cuts a region of others, beside the builder's own or in its pla
     CHECK(test::oracle::broken_law(*made, caps.triangles().view()) == "");
 }
 
-TEMPLATE_TEST_CASE("points may be moved in loops() between two caps", "[glyph][cap_builder]", monotone, unproving)
+TEMPLATE_TEST_CASE("points may be moved in loops() between two caps", "[glyph][cap_builder]", monotone, test::unproving)
 {
     cap_builder caps;
     caps.loops() = test::contours_of({test::square(0, 0, 8)});

@@ -11,6 +11,7 @@
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
 #include "support/oracle.hpp"
+#include "support/unproving.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -206,14 +207,6 @@ std::vector<point> changes(const capped& c, const outline& o)
     }
     return all;
 }
-
-/// monotone, as a triangulator that takes proven regions only.
-struct unproving {
-    error operator()(const region& r, workspace& space, triangle_list& out) const noexcept
-    {
-        return monotone{}(r, space, out);
-    }
-};
 
 constexpr double tolerance = 2.5;  // of an em of 1000 units
 constexpr double angles[] = {0.0, 0.3, 1.1, 2.0, pi / 2};
@@ -489,7 +482,7 @@ TEST_CASE("what keeps no tolerance is not asked twice, and triangulators that pr
     CHECK(lines.effort().rounds == 0);
     CHECK(halves.effort().rounds == 0);
     build(proving, o, tolerance, fill_rule::even_odd);
-    build(plain, o, tolerance, fill_rule::even_odd, certified{}, unproving{});
+    build(plain, o, tolerance, fill_rule::even_odd, certified{}, test::unproving{});
     CHECK(proving.effort().rounds > 0);
     CHECK(test::oracle::doubled_area(test::oracle::loops_of(proving.made)) ==
           test::oracle::doubled_area(test::oracle::loops_of(plain.made)));

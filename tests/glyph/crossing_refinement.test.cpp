@@ -17,7 +17,7 @@ using namespace typemesh;
 
 namespace {
 
-constexpr double tolerance = 2.0;  // font units, of an em of 1000
+constexpr double font_tolerance = 2.0;  // font units, of an em of 1000
 const grid cells{512.0};
 
 /// Two contours: each a curve, closed by a line.
@@ -48,11 +48,11 @@ struct refinement {
 
     refinement(const curve& a, const curve& b) : shape{two_curves(a, b)}
     {
-        REQUIRE(filter.open(scratch, shape, tolerance, cells));
+        REQUIRE(filter.open(scratch, shape, font_tolerance, cells));
     }
 };
 
-grid_point rounded(point p)
+grid_point to_cells(point p)
 {
     return {static_cast<std::int32_t>(std::lround(p.x)), static_cast<std::int32_t>(std::lround(p.y))};
 }
@@ -120,8 +120,8 @@ TEST_CASE("a curve drawn twice, in either direction, lies on itself wherever its
         const intersection::edge a = whole_chord(same.shape, 0), b = whole_chord(same.shape, 2);
         for (const double share : {0.1, 0.5, 0.9})
             CHECK(same.filter({a, b,
-                               rounded(lerp(point{double(a.from.x), double(a.from.y)},
-                                            point{double(a.to.x), double(a.to.y)}, share))}));
+                               to_cells(lerp(point{double(a.from.x), double(a.from.y)},
+                                             point{double(a.to.x), double(a.to.y)}, share))}));
         CHECK(same.filter.is_content());
     }
     refinement moved{curve::from(c), curve::from(cubic{c.p0, c.p1, c.p2 + point{0, 1e-3}, c.p3})};
@@ -148,7 +148,7 @@ TEST_CASE("an intersection that stands has a common point of the curves near by,
                 : curve::from(quadratic{beside(a.p[2], apart), beside(a.p[1], 2 * apart), beside(a.p[0], apart)});
         refinement r{a, b};
         contours chords;
-        REQUIRE_FALSE(discretise(r.shape, certified{}, tolerance, cells, chords));
+        REQUIRE_FALSE(discretise(r.shape, certified{}, font_tolerance, cells, chords));
         std::vector<intersection::edge> of[2];
         for (std::uint32_t contour = 0; contour < 2; ++contour) {
             for (std::uint32_t i = chords.starts[contour]; i < chords.starts[contour + 1]; ++i) {
@@ -161,8 +161,8 @@ TEST_CASE("an intersection that stands has a common point of the curves near by,
             for (const auto& f : of[1]) {
                 point at;
                 if (!cross_inside(e, f, at)) continue;
-                const bool stands = r.filter({e, f, rounded(at)});
-                const double allowed = crossing_refinement::farthest * tolerance * cells.cells;
+                const bool stands = r.filter({e, f, to_cells(at)});
+                const double allowed = crossing_refinement::farthest * font_tolerance * cells.cells;
                 INFO("round " << round << " at " << at.x << ", " << at.y);
                 if (stands) {
                     ++stood;
@@ -221,7 +221,7 @@ TEST_CASE("a wide gap asks for fewer halvings than a narrow one", "[glyph][cross
         CHECK(now >= 1);
         CHECK(now <= last);
         // The strips of both curves then fit into the gap, or they are halved as often as they may be.
-        CHECK((now == crossing_refinement::most_halvings || 2.0 * tolerance / double(1u << now) <= gap * 1.01));
+        CHECK((now == crossing_refinement::most_halvings || 2.0 * font_tolerance / double(1u << now) <= gap * 1.01));
         last = now;
     }
     CHECK(last == 1);

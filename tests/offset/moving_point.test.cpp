@@ -99,8 +99,8 @@ TEST_CASE("the common point of two lines stays on both, however they turn", "[of
         }
         // of less than a right angle the error of a unit vector's length counts, of more it cancels
         const bool sharp = detail::dot(before.along, after.along) < 0;
-        const double most = sharp ? 0x1p-32 : 0x1p-28;
-        const bool on_both = error_of(v, before) < most && error_of(v, after) < most;
+        const double allowed = sharp ? 0x1p-32 : 0x1p-28;
+        const bool on_both = error_of(v, before) < allowed && error_of(v, after) < allowed;
         if (!on_both) {
             CAPTURE(turn, error_of(v, before), error_of(v, after));
             CHECK(on_both);

@@ -14,7 +14,7 @@ using namespace typemesh;
 
 namespace {
 
-constexpr constrained_delaunay by_slabs{.most_flips = 0};
+constexpr constrained_delaunay slabs_alone{.most_flips = 0};
 
 /// What is wrong with the triangles of this filled shape, or how they differ from those that flips make.
 std::string difference(const test::shape& s, std::size_t& touching)
@@ -26,7 +26,7 @@ std::string difference(const test::shape& s, std::size_t& touching)
     touching += filled->is_touching();
     triangle_list flips, slabs;
     if (const error e = constrained_delaunay{}(*filled, space, flips)) return e.message();
-    if (const error e = by_slabs(*filled, space, slabs)) return e.message();
+    if (const error e = slabs_alone(*filled, space, slabs)) return e.message();
     if (auto wrong = test::oracle::broken_law(*filled, slabs.view()); !wrong.empty()) return wrong;
     if (auto wrong = test::oracle::broken_delaunay(*filled, slabs.view()); !wrong.empty()) return wrong;
     return test::oracle::as_set(flips.view()) == test::oracle::as_set(slabs.view()) ? "" : "flips make other triangles";
@@ -106,7 +106,7 @@ TEST_CASE("slabs take 100,000 points and thousands of holes", "[triangulate][del
           test::square_with_holes(70, 16), test::circle_with_holes(20'000, 2000), test::chess_board(200),
           test::shape{"spiral", {test::spiral(50'000, 60, 1'000'000)}}}) {
         INFO(s.name);
-        const test::meshed m = test::mesh_of(s, by_slabs);
+        const test::meshed m = test::mesh_of(s, slabs_alone);
         CHECK(m.mistake == "");
         CHECK(m.triangles.size() > 39'000);
     }
@@ -116,7 +116,7 @@ TEST_CASE("when flips are spent on the way slabs make the same triangles", "[tri
 {
     for (const test::shape& s : {test::shape{"circle", {test::circle(5000, 1e8)}}, test::circle_with_holes(3000, 100),
                                  test::shape{"parabola", {test::parabola(3000, true)}}}) {
-        const auto expected = test::mesh_of(s, by_slabs).triangles;
+        const auto expected = test::mesh_of(s, slabs_alone).triangles;
         for (const std::uint32_t most_flips : {1u, 2u, 3u, 1000u}) {
             INFO(s.name << ", " << most_flips << " flips a triangle");
             CHECK((test::mesh_of(s, {.most_flips = most_flips}).triangles == expected));
@@ -133,7 +133,7 @@ TEST_CASE("slabs without memory say so, and after warming up ask for none", "[tr
         triangle_list out{memory.source()};
         memory.fail_at = nth;
         memory.fail_once = true;
-        const result<region> proven = by_slabs.prove(loops, space, out);
+        const result<region> proven = slabs_alone.prove(loops, space, out);
         const bool was_asked = memory.requests >= nth;
         memory.fail_at = 0;
         INFO("request " << nth);
@@ -142,10 +142,10 @@ TEST_CASE("slabs without memory say so, and after warming up ask for none", "[tr
             CHECK(out.empty());
         }
         out.clear();
-        REQUIRE(by_slabs.prove(loops, space, out));
+        REQUIRE(slabs_alone.prove(loops, space, out));
         const std::size_t warm = memory.requests;
         out.clear();
-        REQUIRE(by_slabs.prove(loops, space, out));
+        REQUIRE(slabs_alone.prove(loops, space, out));
         CHECK(memory.requests == warm);
         if (!was_asked) break;
     }
@@ -166,7 +166,7 @@ TEST_CASE("slabs take at most 170 bytes of scratch memory a point and 88 a hole"
         const std::size_t before = memory.requests;
         triangle_list out;
         INFO(s.name);
-        REQUIRE(by_slabs.prove(loops, measured, out));
+        REQUIRE(slabs_alone.prove(loops, measured, out));
         CHECK(memory.requests == before);
     }
 }
