@@ -125,8 +125,8 @@ TEST_CASE("a bolder letter holds what lies within the distance, and no more beyo
                 const bolder loops = bolder_of(s, emboldened<>{.by = by, .mitre_limit = limit});
                 const double wide = std::abs(double(by)), slack = (100.0 + 3.0) / cells;
                 std::size_t sampled = 0;
-                for (double x = -0.2; x < 1.3; x += 0.0171)
-                    for (double y = -0.6; y < 1.3; y += 0.0173) {
+                for (double x = -0.2; x < 1.3; x += 0.0342)
+                    for (double y = -0.6; y < 1.3; y += 0.0346) {
                         double d = distance_to(loops.before, {x, y});
                         if (by < 0.0f) d = -d;
                         const bool within = (by < 0.0f ? -1.0 : 1.0) * distance_to(loops.after, {x, y}) < 0.0;
@@ -134,7 +134,7 @@ TEST_CASE("a bolder letter holds what lies within the distance, and no more beyo
                         if (d > wide * double(limit) + slack) REQUIRE_FALSE(within);
                         ++sampled;
                     }
-                CHECK(sampled > 5000);
+                CHECK(sampled > 2000);
                 for (const auto& loop : loops.after)
                     for (const point p : loop) {
                         const double d = (by < 0.0f ? -1.0 : 1.0) * distance_to(loops.before, p);
