@@ -252,6 +252,7 @@ private:
     error add_graphemes(break_piece word, piece_place home, shaped_text& shaped, Shaper& shaper) noexcept
     {
         open_piece now;
+        now.cluster = home.cluster;
         now.first = word.first;
         now.begin_change = word.begin_change;
         for (std::uint32_t c = home.cluster; c < shaped.cluster_count(); ++c) {
