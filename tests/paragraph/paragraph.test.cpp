@@ -99,6 +99,15 @@ TEST_CASE("every cluster is drawn exactly once, at any width and way of wrapping
         }
 }
 
+TEST_CASE("a text that ends with a break has an empty last line, however it is wrapped", "[paragraph]")
+{
+    for (const wrap_mode wrap : {wrap_mode::none, wrap_mode::word, wrap_mode::word_or_grapheme, wrap_mode::grapheme}) {
+        CHECK(laid{"ab\n", {.wrap = wrap}}.lines() == text_lines{"ab", ""});
+        CHECK(laid{"ab\n\n", {.wrap = wrap}}.lines() == text_lines{"ab", "", ""});
+    }
+    CHECK(laid{"ab\n", {.width = 1.0, .indent = 2.0}}.lines() == text_lines{"a", "b", ""});
+}
+
 TEST_CASE("a layout does not depend on those before it", "[paragraph]")
 {
     laid often{mixed};

@@ -18,7 +18,7 @@ TEST_CASE("clusters cover the text in its order, whatever the direction of their
         at = c.last;
         double advance = 0.0;
         for (std::uint32_t g = c.glyph; g < c.glyph + c.glyph_count; ++g) {
-            CHECK(p.shaped.glyph(g).cluster == c.first);
+            CHECK((p.shaped.glyph(g).cluster >= c.first && p.shaped.glyph(g).cluster < c.last));
             advance += p.shaped.glyph(g).advance;
         }
         CHECK(advance == c.advance);
@@ -29,6 +29,25 @@ TEST_CASE("clusters cover the text in its order, whatever the direction of their
         CHECK(p.shaped.item_at(c.first) == c.item);
     }
     CHECK(at == text.size());
+}
+
+TEST_CASE("a grapheme is never in two clusters, and letter spacing stands behind it", "[paragraph]")
+{
+    for (const char16_t* text : {u"\u1112\u1161\u11ABx", u"\u202E\u1112\u1161\u11ABx"}) {  // a syllable of three letters
+        const shaped_paragraph p{std::u16string{text}, direction::automatic, 40.0};
+        const std::uint32_t at = text[0] == 0x202E ? 1 : 0;
+        REQUIRE(p.shaped.cluster_count() == at + 2);
+        const text_cluster& c = p.shaped.cluster(at);
+        CHECK(c.first == at);
+        CHECK(c.last == at + 3);
+        CHECK(c.advance == 1540.0);
+        REQUIRE(c.glyph_count == 3);
+        for (std::uint32_t g = 0; g < 3; ++g) {
+            const shaped_glyph& glyph = p.shaped.glyph(c.glyph + g);
+            CHECK(glyph.cluster == at + (at != 0 ? 2 - g : g));  // as the shaper said
+            CHECK(glyph.id == text[glyph.cluster]);
+        }
+    }
 }
 
 TEST_CASE("an item without glyphs is one cluster", "[paragraph]")

@@ -229,7 +229,8 @@ private:
             clusters_[i].before = i == 0 ? 0.0 : clusters_[i - 1].before + clusters_[i - 1].advance;
     }
 
-    /// Gathers the glyphs from `before` on into clusters, in the order of the text: at least one, if there is text.
+    /// Gathers the glyphs from `before` on into clusters, in the order of the text: at least one, if there is text, and
+    /// none that ends within a grapheme.
     error cluster_glyphs(std::uint32_t item, const text_item& part, std::size_t before) noexcept
     {
         const std::size_t count = glyphs_.size() - before, first_cluster = clusters_.size();
@@ -248,12 +249,16 @@ private:
                            .item = item};
             for (std::size_t g = begin; g < end; ++g) c.advance += glyphs_[before + g].advance;
             c.flags = flags_of(glyphs_[before + begin]);
-            if (clusters_.size() > first_cluster)
-                clusters_.back().last = of;
-            else
-                c.first = part.first;
-            if (!clusters_.push_back(c)) return error::out_of_memory;
             done += end - begin;
+            if (clusters_.size() == first_cluster) {
+                c.first = part.first;
+            } else if (has(analysis.marks[of], text_mark::grapheme)) {
+                clusters_.back().last = of;
+            } else {
+                join_last(c);
+                continue;
+            }
+            if (!clusters_.push_back(c)) return error::out_of_memory;
         }
         if (count == 0 && part.first < part.last &&
             !clusters_.push_back({.first = part.first,
@@ -265,6 +270,15 @@ private:
         if (!is_zero(letter_spacing_)) space_clusters(first_cluster, part.to_the_left());
         sum_up(first_cluster);
         return {};
+    }
+
+    /// Adds a cluster that begins within the last one's grapheme. Their glyphs stand side by side.
+    void join_last(const text_cluster& c) noexcept
+    {
+        text_cluster& last = clusters_.back();
+        if (c.glyph < last.glyph) last.glyph = c.glyph;
+        last.glyph_count += c.glyph_count;
+        last.advance += c.advance;
     }
 
     /// Those of the cluster that a glyph belongs to.
