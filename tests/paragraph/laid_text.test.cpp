@@ -54,6 +54,20 @@ TEST_CASE("a caret stands before its grapheme, upstream behind the one before", 
     CHECK(is_at(ligature.laid().caret_at(3), 0, 0.7, 0.0));  // in the midst of a grapheme
 }
 
+TEST_CASE("a line's last letter ends where its letter spacing has been taken away", "[paragraph]")
+{
+    test::toy_item_shaper font;
+    paragraph<test::toy_item_shaper> words{font};
+    glyph_run run;
+    for (const text_view text : {text_view{"ab "}, text_view{u"\u05D0\u05D1 "}}) {
+        REQUIRE_FALSE(words.set(text, {}, 0.1));
+        REQUIRE_FALSE(words.lay_out({.width = 9.0, .align = line_alignment::left}, run));
+        const bool back = words.lines()[0].level != 0;
+        for (const affinity side : {affinity::downstream, affinity::upstream})
+            CHECK(is_at(words.laid().caret_at(2, side), 0, back ? 0.0 : 1.1, 0.0));
+    }
+}
+
 TEST_CASE("where directions meet, a place has two carets", "[paragraph]")
 {
     const laid_out p{u"ab\u05D0\u05D1"};

@@ -99,6 +99,22 @@ TEST_CASE("every cluster is drawn exactly once, at any width and way of wrapping
         }
 }
 
+TEST_CASE("a line that is read to the left ends with its hyphen on the left", "[paragraph]")
+{
+    laid p{u"\u0627\u062F\u00AD\u062F\u0627", {.width = 1.6}};
+    REQUIRE(p.lines() == text_lines{"????", "??"});
+    std::vector<cluster_id> clusters;
+    for (const placed_glyph& g : p.run.glyphs) clusters.push_back(g.cluster);
+    CHECK(clusters == std::vector<cluster_id>{2, 2, 1, 0, 4, 3});
+    CHECK(p.run.glyphs[0].id == 0x2010);
+    CHECK(p.run.glyphs[3].origin.x == p.run.lines[0].origin.x + 1000.0);
+}
+
+TEST_CASE("no line ends between a space and a mark upon it", "[paragraph]")
+{
+    CHECK(laid{u"ab \u0301cd", {.width = 1.2, .wrap = wrap_mode::word}}.lines() == text_lines{"ab ?cd"});
+}
+
 TEST_CASE("a text that ends with a break has an empty last line, however it is wrapped", "[paragraph]")
 {
     for (const wrap_mode wrap : {wrap_mode::none, wrap_mode::word, wrap_mode::word_or_grapheme, wrap_mode::grapheme}) {

@@ -33,7 +33,8 @@ TEST_CASE("clusters cover the text in its order, whatever the direction of their
 
 TEST_CASE("a grapheme is never in two clusters, and letter spacing stands behind it", "[paragraph]")
 {
-    for (const char16_t* text : {u"\u1112\u1161\u11ABx", u"\u202E\u1112\u1161\u11ABx"}) {  // a syllable of three letters
+    for (const char16_t* text :
+         {u"\u1112\u1161\u11ABx", u"\u202E\u1112\u1161\u11ABx"}) {  // a syllable of three letters
         const shaped_paragraph p{std::u16string{text}, direction::automatic, 40.0};
         const std::uint32_t at = text[0] == 0x202E ? 1 : 0;
         REQUIRE(p.shaped.cluster_count() == at + 2);

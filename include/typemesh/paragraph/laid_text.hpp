@@ -228,12 +228,14 @@ private:
     void each_grapheme(const line_slice& s, const With& with) const noexcept
     {
         const bool back = s.level % 2 != 0;
+        const double end = back ? s.at : s.at + s.width;
         double pen = back ? s.at + s.width : s.at;
         for (std::uint32_t k = s.first; k < s.last; ++k) {
             const text_cluster& c = shaped_->cluster(k);
-            double width = has(c.flags, cluster_flags::tab) ? s.width : c.advance;
+            double width = c.advance;
             if (has(c.flags, cluster_flags::stretches)) width += s.stretch;
             if (!is_zero(s.spread) && shaped_->may_be_spaced(c)) width += s.spread;
+            if (k + 1 == s.last) width = std::fabs(end - pen);  // a tab, or without the distance behind it
             if (!has(c.flags, cluster_flags::foreign)) each_part(c, pen, back ? -width : width, back, with);
             pen += back ? -width : width;
         }

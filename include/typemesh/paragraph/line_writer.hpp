@@ -43,12 +43,12 @@ public:
         pen += slice.lead;
         const bool back = slice.level % 2 != 0;
         const text_item& item = shaped_.items()[shaped_.cluster(slice.first).item];
-        const bool whole = back == item.to_the_left();
-        if (whole && is_zero(slice.stretch) && is_zero(slice.spread)) {
-            const text_cluster& low = shaped_.cluster(back ? slice.last - 1 : slice.first);
-            const text_cluster& high = shaped_.cluster(back ? slice.first : slice.last - 1);
+        const text_cluster& low = shaped_.cluster(back ? slice.last - 1 : slice.first);
+        const text_cluster& high = shaped_.cluster(back ? slice.first : slice.last - 1);
+        const bool whole =
+            back == item.to_the_left() && low.glyph <= high.glyph;  // else a hyphen ends what is read back
+        if (whole && is_zero(slice.stretch) && is_zero(slice.spread))
             return append(item, low.glyph, high.glyph + high.glyph_count, origin, pen);
-        }
         for (std::uint32_t k = slice.first; k < slice.last; ++k) {
             const text_cluster& c = shaped_.cluster(back ? slice.last - 1 - (k - slice.first) : k);
             const double spread = !is_zero(slice.spread) && shaped_.may_be_spaced(c) ? slice.spread : 0.0;

@@ -76,9 +76,9 @@ public:
             now.begin(c);
             for (std::uint32_t u = cluster.first + 1; u <= cluster.last; ++u) {
                 const bool tab = u == cluster.last && has(cluster.flags, cluster_flags::tab);
-                if (u < size && !tab && !has(shaped.analysis.marks[u], breaks)) continue;
+                if (u < size && !tab && !may_end(shaped.analysis.marks[u])) continue;
                 const piece_end end =
-                    u < size && !has(shaped.analysis.marks[u], breaks) ? piece_end::never : end_at(shaped, cluster, u);
+                    u < size && !may_end(shaped.analysis.marks[u]) ? piece_end::never : end_at(shaped, cluster, u);
                 if (error e = close(shaped, shaper, {c, u, end, tab}, now, words_)) return e;
             }
             now.add_rest(shaped, cluster);
@@ -144,7 +144,11 @@ public:
     [[nodiscard]] double widest() const noexcept { return widest_; }
 
 private:
-    static constexpr text_mark breaks = text_mark::may_break | text_mark::must_break;
+    /// UAX #14 lets a line end between a space and a mark upon it, which are one grapheme.
+    static bool may_end(text_mark marks) noexcept
+    {
+        return has(marks, text_mark::may_break | text_mark::must_break) && has(marks, text_mark::grapheme);
+    }
 
     struct expansion {
         std::uint32_t first = 0, count = 0;  // of graphemes_; count 0: not made yet
