@@ -13,6 +13,7 @@
 #include <typemesh/inspect/normal_check.hpp>
 #include <typemesh/paragraph/paragraph.hpp>
 #include <typemesh/paragraph/total_fit.hpp>
+#include <typemesh/text/font_cascade.hpp>
 #include <typemesh/typemesh.hpp>
 #include <typemesh/unicode/hyphenating.hpp>
 #include <cassert>
@@ -121,6 +122,13 @@ auto initial = mesher.plan(run);
 if (!initial) return std::puts(initial.error().message()), 1;
 auto its_front = initial->range(typemesh::style_id{7}, typemesh::part::front);
     use(its_front);
+    }
+    {
+        auto arabic = typemesh::harfbuzz_font::open("Amiri-Regular.ttf"), cjk = typemesh::harfbuzz_font::open("CJK.ttc");
+typemesh::font_cascade fonts{*font, *arabic, *cjk};
+typemesh::text_mesher in_any_script{fonts};
+auto greeting = in_any_script.plan("Hello, مرحبا, 你好");
+        use(greeting);
     }
 auto word = mesher.plan("مرحبا", {.merge = true});
     use(lines, inter, word);

@@ -62,6 +62,24 @@ TEST_CASE("a requested direction is the line's", "[layout]")
     CHECK(cut_line(u"\u05D0a\u05D0", 1, 3).ranges() == ranges{{1, 2}, {2, 3}});
 }
 
+TEST_CASE("a column's items stand from top to bottom, upright", "[layout]")
+{
+    const cut_line p{u"a\u05D0\u05D1\u4E00", 0, 4, direction::top_to_bottom};
+    CHECK(p.ranges() == ranges{{0, 1}, {1, 3}, {3, 4}});
+    for (const text_item& i : p.items) {
+        CHECK(i.orientation == glyph_orientation::upright);
+        CHECK(i.level == 0);
+    }
+}
+
+TEST_CASE("no grapheme is cut where the script or the level changes inside it", "[layout]")
+{
+    CHECK(cut_line(u"xa\u093Fb", 0, 4).ranges() == ranges{{0, 3}, {3, 4}});
+    CHECK(cut_line(u"\u05D0\u093F", 0, 2).ranges() == ranges{{0, 2}});  // a letter and a mark of two directions
+    CHECK(cut_line(u"a\u05D0\u200C", 0, 3).ranges() == ranges{{0, 1}, {1, 3}});  // not set as the line's end is
+    CHECK(cut_line(u"a\u093F", 0, 2, direction::top_to_bottom).ranges() == ranges{{0, 2}});
+}
+
 TEST_CASE("items of a line cover it", "[layout]")
 {
     const std::u16string text = u"ab \u202Ecd\u202C (\u05D0 1.5% \u0628)\u2067x\u2069 \u4E00";

@@ -16,7 +16,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Cuts a line that holds text of both directions into items, in the order in which they are drawn: for shapers. Keeps
+/// Cuts a line into items, which may be of both directions, in the order in which they are drawn: for shapers. Keeps
 /// its memory for the next line.
 class mixed_line {
 public:
@@ -27,7 +27,8 @@ public:
 
     /// Cuts text[first, last), which is read by itself: no text before it decides on its direction.
     ///
-    ///     items   emptied first; then they stand from left to right, their places counted from the text's start
+    ///     items   emptied first; then they stand from left to right, or in a column from top to bottom, all upright.
+    ///             Places count from the text's start. Items hold whole graphemes.
     ///
     /// Fails  error::out_of_memory
     /// Cost   O(n) and O(log n) a run
@@ -40,6 +41,12 @@ public:
         if (how.direction == direction::right_to_left) reading.direction = paragraph_direction::right_to_left;
         if (error e = analyser_.analyse(part_of(text, first, last), reading, found_)) return e;
         const text_range whole{0, static_cast<std::uint32_t>(last - first)};
+        if (how.direction == direction::top_to_bottom) {
+            if (error e = cut_run({whole.first, whole.last, 0}, static_cast<std::uint32_t>(first), items)) return e;
+            for (text_item& item : items) item.orientation = glyph_orientation::upright;
+            return {};
+        }
+        join_graphemes();
         if (error e = visual_runs(found_, whole, space_, runs_)) return e;
         for (const visual_run& run : runs_)
             if (error e = cut_run(run, static_cast<std::uint32_t>(first), items)) return e;
@@ -53,23 +60,35 @@ private:
         return std::u16string_view{text.utf16() + first, last - first};
     }
 
-    /// Cuts a run where the script changes.
+    /// Marks of letters follow these, so that no grapheme is torn apart.
+    void join_graphemes() noexcept
+    {
+        for (std::size_t i = 1; i < found_.levels.size(); ++i) {
+            if (has(found_.marks[i], text_mark::grapheme)) continue;
+            found_.levels[i] = found_.levels[i - 1];
+            found_.marks[i] = has(found_.marks[i - 1], text_mark::trailing) ? text_mark::trailing : text_mark::none;
+        }
+    }
+
+    /// Cuts a run where the script changes, but in no grapheme.
     error cut_run(const visual_run& run, std::uint32_t offset, buffer<text_item>& items) noexcept
     {
         const std::size_t before = items.size();
         const std::span<const script_run> scripts = found_.scripts.view();
         const auto ends_behind = [&](std::size_t k) noexcept { return scripts[k].last > run.first; };
-        for (std::size_t k = first_where(0, scripts.size(), ends_behind); k < scripts.size(); ++k) {
+        std::size_t k = first_where(0, scripts.size(), ends_behind);
+        for (std::uint32_t first = run.first; first < run.last && k < scripts.size(); ++k) {
             const script_run& s = scripts[k];
-            const std::uint32_t first = s.first > run.first ? s.first : run.first;
-            const std::uint32_t last = s.last < run.last ? s.last : run.last;
-            if (first >= last) break;
+            std::uint32_t last = s.last < run.last ? s.last : run.last;
+            while (last < run.last && !has(found_.marks[last], text_mark::grapheme)) ++last;
+            if (first >= last) continue;
             const text_item item{
                 .first = first + offset, .last = last + offset, .script = s.script, .level = run.level};
             if (!items.push_back(item)) return error::out_of_memory;
+            first = last;
         }
         if (run.level % 2 != 0)
-            for (std::size_t i = before, k = items.size(); i + 1 < k; ++i) std::swap(items[i], items[--k]);
+            for (std::size_t i = before, end = items.size(); i + 1 < end; ++i) std::swap(items[i], items[--end]);
         return {};
     }
 

@@ -1,15 +1,31 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/layout/item_shaper.hpp>
 #include <typemesh/layout/shaper.hpp>
 #include <typemesh/outline/face_source.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <tuple>
 #include <type_traits>
 
 namespace typemesh::inline TYPEMESH_ABI {
+
+namespace detail {
+
+/// Says of which face glyphs are, whose unit is `unit` units of the first face.
+inline void belong_to(std::span<shaped_glyph> glyphs, std::uint16_t face, double unit) noexcept
+{
+    for (shaped_glyph& g : glyphs) {
+        g.face = face;
+        g.advance *= unit;
+        g.offset = {unit * g.offset.x, unit * g.offset.y};
+    }
+}
+
+}  // namespace detail
 
 /// Several fonts, or sets of drawings, as the faces of one source, in the given order:
 ///
@@ -17,7 +33,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     text_mesher mesher{faces};
 ///     auto icon = run.number_of({.face = 2});              // for placed_glyph::look; a result, see glyph_run.hpp
 ///
-/// Plain text is shaped by the first one, if that is a shaper.
+/// Plain text is shaped by the first one, if that is a shaper; an item of a paragraph by the one that it names, if all
+/// are item shapers. Where one is to stand in for what another lacks: font_cascade.hpp.
 template <outline_source... Sources>
 class font_faces {
     static_assert(sizeof...(Sources) != 0, "typemesh: font_faces needs a font");
@@ -74,6 +91,19 @@ public:
         requires shaper<first_type>
     {
         return first().shape(text, begin, end, options, run);
+    }
+
+    /// See item_shaper. Lengths are in units of the first face. Fails also with error::no_such_face.
+    error shape_item(text_view text, const text_item& item, const shape_options& options,
+                     buffer<shaped_glyph>& glyphs) const noexcept
+        requires(item_shaper<Sources> && ...)
+    {
+        const std::size_t before = glyphs.size();
+        error e{error::no_such_face, face_count()};
+        call(item.face, [&](auto& source) noexcept { e = source.shape_item(text, item, options, glyphs); });
+        if (!e && item.face != 0)
+            detail::belong_to(glyphs.view().subspan(before), item.face, units_per_em() / units_per_em(item.face));
+        return e;
     }
 
 private:

@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/first_where.hpp>
+#include <typemesh/core/result.hpp>
+#include <typemesh/layout/glyph_run.hpp>
+#include <typemesh/layout/mixed_line.hpp>
+#include <typemesh/layout/plain_text.hpp>
+#include <typemesh/layout/shape_options.hpp>
+#include <typemesh/layout/shaped_glyph.hpp>
+#include <typemesh/layout/text_item.hpp>
+#include <typemesh/unicode/grapheme_boundaries.hpp>
+#include <typemesh/unicode/text_view.hpp>
+#include <typemesh/unicode/utf.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// Shapes with several faces: what one has no glyphs for, the next one shapes.
+///
+///     text      t e a   R S T !      Face 0 shapes all of it, face 1 the hole, with the text round it as context: its
+///     face 0    t e a   - - - !      letters join as in face 1 alone.
+///     face 1            R S T
+///
+/// A hole is whole graphemes and whole clusters, so no grapheme comes from two faces. Controls, and characters that are
+/// not drawn, are never looked for in another face. What no face has stays as the item's own face draws it, flagged as
+/// missing. A face is chosen by its number alone: first that of the item, then the others from 0 on.
+///
+/// `Faces` below, which several classes are:
+///
+///     f.face_count()                         they are numbered from 0; what is found adds to them
+///     f.shape_item(text, item, o, glyphs)    as in item_shaper, by face item.face, in the units of face 0 and with the
+///                                            number on the glyphs: see font_faces.hpp
+///     f.shape(text, first, last, o, run)     as in shaper, by face 0
+///     f.find(text, range, script, language)  result: the number of another face for a grapheme that no face has;
+///                                            no_face if there is none. What finds nothing leaves it out.
+///
+/// Keeps its memory for the next item.
+class fallback_shaping {
+public:
+    static constexpr std::uint32_t no_face = 0xFFFFu;
+
+    explicit fallback_shaping(memory source = heap()) noexcept
+        : now_{source},
+          made_{source},
+          clusters_{source},
+          graphemes_{source},
+          line_{source},
+          items_{source},
+          mixed_{source}
+    {
+    }
+
+    /// Shapes an item as an item_shaper does; `face` of each glyph says where it comes from.
+    ///
+    /// Fails  as the faces do, but for error::needs_shaping of others than the item's own: they lack that script
+    /// Cost   what the item's own face takes, if that has all glyphs; else once more for each hole and face, and O(n)
+    template <class Faces>
+    error shape_item(Faces& faces, text_view text, const text_item& item, const shape_options& how,
+                     buffer<shaped_glyph>& glyphs) noexcept
+    {
+        const std::size_t before = glyphs.size();
+        if (error e = faces.shape_item(text, item, how, glyphs)) return e;
+        bool lacks = false;
+        for (std::size_t i = before; i < glyphs.size(); ++i)
+            lacks = lacks || has(glyphs[i].flags, glyph_flags::missing);
+        return lacks ? fill_holes(faces, {text, item, how}, before, glyphs) : error{};
+    }
+
+    /// Shapes a line as a shaper does. The first face's own shape() is asked first; where that lacks nothing, the run
+    /// is the same as without the other faces.
+    template <class Faces>
+    result<point> shape(Faces& faces, text_view text, std::size_t first, std::size_t last, const shape_options& how,
+                        glyph_run& run) noexcept
+    {
+        const std::size_t before = run.glyphs.size();
+        const std::uint32_t missing = run.missing;
+        const cluster_id first_missing = run.first_missing;
+        const result<point> advance = faces.shape(text, first, last, how, run);
+        if (!advance || run.missing == missing) return advance;
+        run.glyphs.truncate(before);
+        run.missing = missing;
+        run.first_missing = first_missing;
+        if (error e = mixed_.cut(text, first, last, how, items_)) return e;
+        point pen;
+        for (const text_item& item : items_) {
+            line_.clear();
+            if (error e = shape_item(faces, text, item, how, line_)) return e;
+            if (error e = place(item, pen, run)) return e;
+        }
+        return pen;
+    }
+
+private:
+    struct job {
+        text_view text;
+        const text_item& item;
+        const shape_options& how;
+    };
+
+    /// A cluster of an item, and its glyphs.
+    struct cluster {
+        cluster_id first = 0;
+        std::uint32_t glyph = 0, glyph_count = 0;
+        bool missing = false;  // and may be looked for
+        bool unsafe = false;
+    };
+
+    /// Clusters [first, last) of an item.
+    struct hole {
+        std::size_t first, last;
+    };
+
+    /// Fills the holes of an item whose glyphs are glyphs[before, ..).
+    template <class Faces>
+    error fill_holes(Faces& faces, const job& of, std::size_t before, buffer<shaped_glyph>& glyphs) noexcept
+    {
+        std::uint32_t known = faces.face_count();
+        constexpr bool finds = requires { faces.find(of.text, text_range{}, of.item.script, of.how.language); };
+        if (!finds && known < 2) return {};
+        now_.clear();
+        if (!now_.append(glyphs.view().subspan(before))) return error::out_of_memory;
+        if (of.item.to_the_left()) reverse(now_.view());
+        if (error e = find_graphemes(of)) return e;
+
+        result<bool> open = true;  // whether there may be holes
+        for (std::uint32_t face = 0; face < known && open && *open; ++face)
+            if (face != of.item.face) open = fill_with(faces, of, face);
+        if constexpr (finds)
+            while (open && *open) {
+                if (error e = ask(faces, of, known)) return e;
+                const std::uint32_t from = known;
+                known = faces.face_count();
+                if (from == known) break;
+                for (std::uint32_t face = from; face < known && open && *open; ++face)
+                    open = fill_with(faces, of, face);
+            }
+        if (open && *open) open = fill_with(faces, of, of.item.face);
+        if (!open) return open.error();
+
+        if (of.item.to_the_left()) reverse(now_.view());
+        glyphs.truncate(before);
+        return glyphs.append(now_.view()) ? error{} : error{error::out_of_memory};
+    }
+
+    /// Shapes all holes with one face; with the item's own, also what was given up. Returns whether there were any.
+    template <class Faces>
+    result<bool> fill_with(Faces& faces, const job& of, std::uint32_t face) noexcept
+    {
+        if (error e = find_clusters(of, face == of.item.face)) return e;
+        made_.clear();
+        std::size_t kept = 0;
+        for (hole h = next_hole(0); h.first < clusters_.size(); h = next_hole(h.last)) {
+            if (!keep(kept, h.first)) return error::out_of_memory;
+            if (error e = fill(faces, of, h, face)) return e;
+            kept = h.last;
+        }
+        if (kept == 0) return false;
+        if (!keep(kept, clusters_.size())) return error::out_of_memory;
+        now_.swap(made_);
+        return true;
+    }
+
+    /// Shapes one hole with one face.
+    template <class Faces>
+    error fill(Faces& faces, const job& of, const hole& h, std::uint32_t face) noexcept
+    {
+        const std::size_t before = made_.size();
+        text_item part = of.item;
+        part.first = clusters_[h.first].first;
+        part.last = end_of(of, h.last - 1);
+        part.face = static_cast<std::uint16_t>(face);
+        const error e = faces.shape_item(of.text, part, of.how, made_);
+        if (e == error::needs_shaping && face != of.item.face) {
+            made_.truncate(before);
+            return keep(h.first, h.last) ? error{} : error{error::out_of_memory};
+        }
+        if (e) return e;
+        const std::span<shaped_glyph> made = made_.view().subspan(before);
+        if (of.item.to_the_left()) reverse(made);
+        // Where a line could not end before it cannot now, for what stands beside the hole has not been shaped again.
+        // Nor can it in a grapheme, behind a space before a mark: a part of it may have another face.
+        std::size_t k = h.first;
+        for (shaped_glyph& g : made) {
+            while (k + 1 < h.last && clusters_[k + 1].first <= g.cluster) ++k;
+            if (clusters_[k].unsafe || clusters_[k].first != g.cluster || !begins_grapheme(g.cluster))
+                g.flags = g.flags | glyph_flags::unsafe_to_break;
+            if (g.cluster == made.front().cluster) g.flags = g.flags | glyph_flags::unsafe_to_concat;
+        }
+        if (h.last < clusters_.size())
+            for (shaped_glyph& g : glyphs_of(clusters_[h.last])) g.flags = g.flags | glyph_flags::unsafe_to_concat;
+        return {};
+    }
+
+    /// Has faces found for what the first `known` ones lack, and gives up what there is none for. Of a hole that gets
+    /// one the rest is left to that face.
+    template <class Faces>
+    error ask(Faces& faces, const job& of, std::uint32_t known) noexcept
+    {
+        if (error e = find_clusters(of, false)) return e;
+        for (hole h = next_hole(0); h.first < clusters_.size(); h = next_hole(h.last))
+            for (std::size_t k = h.first, next = k; k < h.last; k = next) {
+                do ++next;
+                while (next < h.last && !begins_grapheme(clusters_[next].first));
+                const text_range range{clusters_[k].first, end_of(of, next - 1)};
+                const result<std::uint32_t> face = faces.find(of.text, range, of.item.script, of.how.language);
+                if (!face) return face.error();
+                if (*face >= known && *face != no_face) break;
+                for (; k < next; ++k)
+                    for (shaped_glyph& g : glyphs_of(clusters_[k])) g.face = no_face;
+            }
+        return {};
+    }
+
+    /// Finds where the graphemes of an item begin.
+    error find_graphemes(const job& of) noexcept
+    {
+        graphemes_.clear();
+        grapheme_boundaries begins;
+        for (std::size_t i = of.item.first; i < of.item.last;) {
+            const code_point c = decode(of.text, i, of.item.last);
+            if (begins(character_of(c.value).grapheme) && !graphemes_.push_back(static_cast<std::uint32_t>(i)))
+                return error::out_of_memory;
+            i = c.next;
+        }
+        return {};
+    }
+    [[nodiscard]] bool begins_grapheme(cluster_id unit) const noexcept
+    {
+        const std::size_t k =
+            first_where(0, graphemes_.size(), [&](std::size_t i) noexcept { return graphemes_[i] >= unit; });
+        return k < graphemes_.size() && graphemes_[k] == unit;
+    }
+
+    /// Gathers the glyphs into clusters.
+    error find_clusters(const job& of, bool with_given_up) noexcept
+    {
+        clusters_.clear();
+        for (std::uint32_t i = 0; i < now_.size();) {
+            cluster c{.first = clusters_.empty() ? of.item.first : now_[i].cluster, .glyph = i};
+            bool missing = false, given_up = false;
+            const cluster_id id = now_[i].cluster;
+            for (; i < now_.size() && now_[i].cluster == id; ++i, ++c.glyph_count) {
+                missing = missing || has(now_[i].flags, glyph_flags::missing);
+                given_up = given_up || now_[i].face == no_face;
+                c.unsafe = c.unsafe || has(now_[i].flags, glyph_flags::unsafe_to_break);
+            }
+            const cluster_id end = i < now_.size() ? now_[i].cluster : of.item.last;
+            c.missing = given_up ? with_given_up : missing && is_drawn(of.text, c.first, end);
+            if (!clusters_.push_back(c)) return error::out_of_memory;
+        }
+        return {};
+    }
+
+    /// Whether text[first, last) holds more than controls and what is not drawn.
+    [[nodiscard]] static bool is_drawn(text_view text, std::size_t first, std::size_t last) noexcept
+    {
+        using enum grapheme_class;
+        while (first < last) {
+            const code_point c = decode(text, first, last);
+            const grapheme_class kind = character_of(c.value).grapheme;
+            if (kind != control && kind != cr && kind != lf && !is_default_ignorable(c.value)) return true;
+            first = c.next;
+        }
+        return false;
+    }
+
+    /// The first hole from a cluster on, which begins a grapheme; behind the last cluster if there is none.
+    [[nodiscard]] hole next_hole(std::size_t from) const noexcept
+    {
+        hole h{from, from};
+        while (h.first < clusters_.size() && !clusters_[h.first].missing) ++h.first;
+        h.last = h.first;
+        while (h.first > from && h.first < clusters_.size() && !begins_grapheme(clusters_[h.first].first)) --h.first;
+        while (h.last < clusters_.size() && (clusters_[h.last].missing || !begins_grapheme(clusters_[h.last].first)))
+            ++h.last;
+        return h;
+    }
+
+    [[nodiscard]] cluster_id end_of(const job& of, std::size_t k) const noexcept
+    {
+        return k + 1 < clusters_.size() ? clusters_[k + 1].first : of.item.last;
+    }
+    [[nodiscard]] std::span<shaped_glyph> glyphs_of(const cluster& c) noexcept
+    {
+        return now_.view().subspan(c.glyph, c.glyph_count);
+    }
+
+    /// Takes over clusters [first, last) as they are.
+    [[nodiscard]] bool keep(std::size_t first, std::size_t last) noexcept
+    {
+        if (first == last) return true;
+        const std::size_t begin = clusters_[first].glyph,
+                          end = clusters_[last - 1].glyph + clusters_[last - 1].glyph_count;
+        return made_.append(std::span<const shaped_glyph>{now_.view().subspan(begin, end - begin)});
+    }
+
+    static void reverse(std::span<shaped_glyph> glyphs) noexcept
+    {
+        for (std::size_t i = 0, k = glyphs.size(); i + 1 < k; ++i) std::swap(glyphs[i], glyphs[--k]);
+    }
+
+    /// Appends the glyphs of an item to a run, from the pen on, which advances.
+    error place(const text_item& item, point& pen, glyph_run& run) noexcept
+    {
+        const bool down = item.orientation == glyph_orientation::upright;
+        placed_glyph* out = run.glyphs.append(line_.size());
+        if (out == nullptr && !line_.empty()) return error::out_of_memory;
+        for (const shaped_glyph& g : line_) {
+            const bool missing = has(g.flags, glyph_flags::missing);
+            *out = {g.id, g.cluster, pen + g.offset, missing, 0};
+            if (g.face != 0) {
+                const auto look = run.number_of({.face = g.face});
+                if (!look) return look.error();
+                out->look = *look;
+            }
+            if (missing) run.note_missing(g.cluster);
+            pen = pen + (down ? point{0.0, 0.0 - g.advance} : point{g.advance, 0.0});
+            ++out;
+        }
+        return {};
+    }
+
+    buffer<shaped_glyph> now_;   // of the item, in the order of its text
+    buffer<shaped_glyph> made_;  // what the holes of those become
+    buffer<cluster> clusters_;
+    buffer<std::uint32_t> graphemes_;
+    buffer<shaped_glyph> line_;
+    buffer<text_item> items_;
+    mixed_line mixed_;
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A font with glyphs for some characters only, for what several fonts do together.
+
+#include <typemesh/layout/item_shaper.hpp>
+#include <typemesh/layout/mixed_line.hpp>
+#include <typemesh/layout/plain_text.hpp>
+#include <typemesh/outline/outline_source.hpp>
+#include <typemesh/unicode/grapheme_boundaries.hpp>
+#include <typemesh/unicode/utf.hpp>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace test {
+
+/// Every character that it has is a glyph of that number, drawn as a square of 1/10 em and half an em wide; marks have
+/// no width, and a cluster is a grapheme, but "fi" is a cluster of both. A joiner before a letter makes that unsafe to
+/// break before. Counts what it is asked.
+struct toy_covering_font {
+    std::u32string has;
+    double units = 1000.0;
+    std::size_t shaped = 0, items = 0;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> asked = {};
+
+    explicit toy_covering_font(std::u32string characters, double units_of_em = 1000.0)
+        : has{std::move(characters)}, units{units_of_em}
+    {
+    }
+
+    double units_per_em() const noexcept { return units; }
+    typemesh::fill_rule fill() const noexcept { return typemesh::fill_rule::non_zero; }
+    typemesh::line_metrics metrics(typemesh::direction) const noexcept { return {0.8 * units, -0.2 * units, 0.0}; }
+
+    template <typemesh::outline_sink Sink>
+    typemesh::error outline(typemesh::glyph_id id, Sink& sink) noexcept
+    {
+        if (id == ' ') return {};
+        const double side = units / 10;
+        sink.move({0, 0}), sink.line({side, 0}), sink.line({side, side}), sink.line({0, side}), sink.close();
+        return {};
+    }
+
+    bool covers(char32_t c) const { return has.find(c) != std::u32string::npos; }
+
+    typemesh::error shape_item(typemesh::text_view text, const typemesh::text_item& item,
+                               const typemesh::shape_options&,
+                               typemesh::buffer<typemesh::shaped_glyph>& glyphs) noexcept
+    {
+        using namespace typemesh;
+        ++items;
+        asked.emplace_back(item.first, item.last);
+        std::vector<shaped_glyph> made;
+        grapheme_boundaries begins;
+        char32_t before = 0;
+        for (std::size_t i = item.first; i < item.last;) {
+            const code_point c = decode(text, i, item.last);
+            const grapheme_class kind = character_of(c.value).grapheme;
+            const bool first = begins(kind) || made.empty();
+            shaped_glyph g{static_cast<glyph_id>(c.value), static_cast<cluster_id>(i), units / 2};
+            if (first && before == 'f' && c.value == 'i') {
+                g.cluster = made.back().cluster;
+            } else if (first) {
+                if (before == 0x200D) g.flags = glyph_flags::unsafe_to_break;
+            } else {
+                g.cluster = made.back().cluster, g.advance = 0.0, g.flags = made.back().flags;
+                g.offset = {units / 4, 0};
+            }
+            // What is not drawn has no glyph of its own, whatever the font has.
+            const bool drawn = !is_default_ignorable(c.value);
+            if (drawn && !covers(c.value)) g.id = 0, g.flags = g.flags | glyph_flags::missing;
+            if (!drawn) g.advance = 0.0;
+            made.push_back(g);
+            before = c.value;
+            i = c.next;
+        }
+        if (item.to_the_left()) std::reverse(made.begin(), made.end());
+        return glyphs.append(made) ? error{} : error{error::out_of_memory};
+    }
+
+    typemesh::result<typemesh::point> shape(typemesh::text_view text, std::size_t first, std::size_t last,
+                                            const typemesh::shape_options& how, typemesh::glyph_run& run) noexcept
+    {
+        using namespace typemesh;
+        ++shaped;
+        mixed_line line;
+        buffer<text_item> cut;
+        buffer<shaped_glyph> glyphs;
+        if (error e = line.cut(text, first, last, how, cut)) return e;
+        const std::size_t before = items;
+        for (const text_item& item : cut)
+            if (error e = shape_item(text, item, how, glyphs)) return e;
+        items = before;
+        double pen = 0.0;
+        for (const shaped_glyph& g : glyphs) {
+            const bool missing = typemesh::has(g.flags, glyph_flags::missing);
+            if (!run.glyphs.push_back({g.id, g.cluster, point{pen, 0} + g.offset, missing}))
+                return error::out_of_memory;
+            if (missing) run.note_missing(g.cluster);
+            pen += g.advance;
+        }
+        return point{pen, 0};
+    }
+};
+static_assert(typemesh::item_shaper<toy_covering_font> && typemesh::shaper<toy_covering_font> &&
+              typemesh::outline_source<toy_covering_font>);
+
+}  // namespace test
