@@ -383,7 +383,7 @@ private:
     {
         const fixed_vector along = along_edge(h), up = times_.place(mesh.apex(h)) - times_.place(mesh.origin(h));
         const int128 area = cross(along, up);
-        return (area < 0 ? -area : area) >> 12 <=
+        return ((area < 0 ? -area : area) >> 12) <=
                (along.x < 0 ? -along.x : along.x) + (along.y < 0 ? -along.y : along.y);
     }
 
