@@ -16,6 +16,15 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
+/// What an analyser needs to know of shape_options.
+[[nodiscard]] inline analysis_options analysis_of(const shape_options& how) noexcept
+{
+    analysis_options reading{.language = how.language};
+    if (how.direction == direction::left_to_right) reading.direction = paragraph_direction::left_to_right;
+    if (how.direction == direction::right_to_left) reading.direction = paragraph_direction::right_to_left;
+    return reading;
+}
+
 /// Cuts a line into items, which may be of both directions, in the order in which they are drawn: for shapers. Keeps
 /// its memory for the next line.
 class mixed_line {
@@ -36,10 +45,7 @@ public:
               buffer<text_item>& items) noexcept
     {
         items.clear();
-        analysis_options reading{.language = how.language};
-        if (how.direction == direction::left_to_right) reading.direction = paragraph_direction::left_to_right;
-        if (how.direction == direction::right_to_left) reading.direction = paragraph_direction::right_to_left;
-        if (error e = analyser_.analyse(part_of(text, first, last), reading, found_)) return e;
+        if (error e = analyser_.analyse(part_of(text, first, last), analysis_of(how), found_)) return e;
         const text_range whole{0, static_cast<std::uint32_t>(last - first)};
         if (how.direction == direction::top_to_bottom) {
             if (error e = cut_run({whole.first, whole.last, 0}, static_cast<std::uint32_t>(first), items)) return e;

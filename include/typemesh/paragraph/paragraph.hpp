@@ -153,10 +153,7 @@ private:
     {
         if (!is_finite(letter_spacing)) return error::bad("letter_spacing");
         if (static_cast<std::uint64_t>(text.size()) >= 0xFFFF'FFFFu) return error::too_large;
-        analysis_options reading{.language = how.language};
-        if (how.direction == direction::left_to_right) reading.direction = paragraph_direction::left_to_right;
-        if (how.direction == direction::right_to_left) reading.direction = paragraph_direction::right_to_left;
-        if (error e = analyser_.analyse(text, reading, shaped_.analysis)) return e;
+        if (error e = analyser_.analyse(text, analysis_of(how), shaped_.analysis)) return e;
         units_per_em_ = font_->units_per_em();
         if (error e = shaped_.shape(*font_, text, how, letter_spacing * units_per_em_)) return e;
         if (error e = pieces_.find_words(shaped_, *font_)) return e;
