@@ -119,6 +119,21 @@ TEST_CASE("an ellipsis of letters is read in their own direction", "[paragraph]"
     CHECK(p.line(0) == u"]x-z[");  // the brackets belong to the line, a font mirrors them
 }
 
+TEST_CASE("a column gives way, too", "[paragraph]")
+{
+    test::toy_item_shaper font;
+    paragraph words{font};
+    glyph_run run;
+    REQUIRE_FALSE(words.set("abcdef", {.direction = direction::top_to_bottom}));
+    REQUIRE_FALSE(words.lay_out({.width = 2.0, .wrap = wrap_mode::none, .ellipsis = ".:"}, run));
+    REQUIRE(run.glyphs.size() == 4);
+    const glyph_id shown[] = {'a', 'b', '.', ':'};
+    for (std::size_t i = 0; i < 4; ++i) {
+        CHECK(run.glyphs[i].id == shown[i]);
+        CHECK(run.glyphs[i].origin == point{0.0, -500.0 * static_cast<double>(i)});
+    }
+}
+
 TEST_CASE("an ellipsis stands for the first grapheme that is dropped", "[paragraph]")
 {
     const auto place_of = [](ellipsis_place place) {

@@ -344,15 +344,6 @@ TEST_CASE("text for which the font gives no glyphs is laid out, too", "[paragrap
     CHECK(end.at == point{0.0, -2.0});
 }
 
-TEST_CASE("the line behind a last break is empty, whatever way of wrapping", "[paragraph]")
-{
-    laid p{"a b\n"};
-    for (const wrap_mode wrap : {wrap_mode::none, wrap_mode::word, wrap_mode::word_or_grapheme, wrap_mode::grapheme}) {
-        p.again({.wrap = wrap});
-        CHECK(p.lines() == text_lines{"a b", ""});
-    }
-}
-
 TEST_CASE("widths tell how narrow and how wide a text may be", "[paragraph]")
 {
     laid p{"one two three\nfour"};

@@ -139,7 +139,9 @@ private:
         shaped_text& shaped = from.shaped;
         const std::uint32_t item = shaped.item_at(at);
         shape_options how;
-        how.direction = level % 2 != 0 ? direction::right_to_left : direction::left_to_right;
+        how.direction = shaped.upright() ? direction::top_to_bottom
+                        : level % 2 != 0 ? direction::right_to_left
+                                         : direction::left_to_right;
         const std::size_t clusters = shaped.all_clusters(), glyphs = shaped.all_glyphs();
         for (const text_view wanted : {from.options.ellipsis, text_view{"..."}}) {
             shaped.truncate(clusters, glyphs);
