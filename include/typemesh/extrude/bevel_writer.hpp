@@ -96,7 +96,9 @@ public:
         const auto place = [&](const bevel_vertex& b) noexcept -> across {
             const double down = wall_end - as_double(facing) * slopes.length(b) / cells;
             const float z = at.height(heights_.at_share(in_front, slopes.height(b)));
-            return {z, walls.v(down), slopes.tilt(b), slopes.is_riser(b)};
+            const bevel_tilt tilt = slopes.tilt(b);
+            const auto up = static_cast<float>(tilt.up) * facing;
+            return {z, walls.v(down), static_cast<float>(tilt.out), up, slopes.is_riser(b)};
         };
         across ends[4 * profile_points::most];  // of all strips: nearly all vertices lie there
         for (std::uint32_t i = 0; i < strips.size(); ++i) {
@@ -113,9 +115,7 @@ public:
             if constexpr (has(Wants, attribute::position)) v.position = axes.position(axes.foot(b.at), here.z);
             [[maybe_unused]] vec3 normal;
             if constexpr (has(Wants, attribute::normal | attribute::tangent))
-                normal = {static_cast<float>(here.tilt.out * as_double(b.outward.x)),
-                          static_cast<float>(here.tilt.out * as_double(b.outward.y)),
-                          static_cast<float>(here.tilt.up) * facing};
+                normal = {here.out * b.outward.x, here.out * b.outward.y, here.up};
             if constexpr (has(Wants, attribute::normal)) v.normal = axes.direction(normal.x, normal.y, normal.z);
             if constexpr (has(Wants, attribute::uv))
                 v.uv = texture_ == texture_mapping::em ? vec2{walls.u(b.along), here.v} : planar(b.at);
@@ -131,7 +131,7 @@ private:
     struct across {
         float z;          ///< in output units
         float v;          ///< as it is written
-        bevel_tilt tilt;  ///< on the front
+        float out, up;    ///< its normal: along `outward`, and towards the reader
         bool riser;
     };
 
