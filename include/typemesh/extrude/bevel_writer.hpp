@@ -88,6 +88,24 @@ public:
     template <attribute Wants, class Axes, class Put>
     void bevel(const Axes& axes, const placement& at, bool in_front, Put& put) const noexcept
     {
+        if constexpr (has(Wants, attribute::uv | attribute::tangent)) {
+            if (texture_ == texture_mapping::box)
+                return mapped_bevel<Wants, texture_mapping::box>(axes, at, in_front, put);
+        }
+        mapped_bevel<Wants, texture_mapping::em>(axes, at, in_front, put);
+    }
+
+private:
+    /// What all of a bevel's vertices at one place of the profile have in common.
+    struct across {
+        float z;        ///< in output units
+        float v;        ///< as it is written
+        float out, up;  ///< the normal: along `outward`, and towards the reader
+    };
+
+    template <attribute Wants, texture_mapping Mapping, class Axes, class Put>
+    void mapped_bevel(const Axes& axes, const placement& at, bool in_front, Put& put) const noexcept
+    {
         const auto strips = solid_.data.of<bevel_strip>();
         const float facing = in_front ? 1.0f : -1.0f;
         const double cells = at.cells_per_depth(), wall_end = heights_.high() - heights_.rim(in_front, rims_.wall);
@@ -97,42 +115,61 @@ public:
             const double down = wall_end - as_double(facing) * slopes.length(b) / cells;
             const float z = at.height(heights_.at_share(in_front, slopes.height(b)));
             const bevel_tilt tilt = slopes.tilt(b);
-            const auto up = static_cast<float>(tilt.up) * facing;
-            return {z, walls.v(down), static_cast<float>(tilt.out), up, slopes.is_riser(b)};
+            return {z, walls.v(down), static_cast<float>(tilt.out), static_cast<float>(tilt.up) * facing};
         };
         across ends[4 * profile_points::most];  // of all strips: nearly all vertices lie there
         for (std::uint32_t i = 0; i < strips.size(); ++i) {
             ends[2 * i] = place({{}, {}, 0.0f, 0.0f, i});
             ends[2 * i + 1] = place({{}, {}, 0.0f, 1.0f, i});
         }
-        const planar_texture planar{texture_, at};
-        texture_tangent tangents;
-        if constexpr (has(Wants, attribute::tangent)) tangents = texture_tangent{at.frame};
-        for (const bevel_vertex& b : solid_.data.of<bevel_vertex>().first(rims_.vertices)) {
-            const bool inner = b.share >= 1.0f;
-            const across here = inner || b.share <= 0.0f ? ends[2 * b.strip + (inner ? 1u : 0u)] : place(b);
-            surface_point<Wants> v;
-            if constexpr (has(Wants, attribute::position)) v.position = axes.position(axes.foot(b.at), here.z);
-            [[maybe_unused]] vec3 normal;
-            if constexpr (has(Wants, attribute::normal | attribute::tangent))
-                normal = {here.out * b.outward.x, here.out * b.outward.y, here.up};
-            if constexpr (has(Wants, attribute::normal)) v.normal = axes.direction(normal.x, normal.y, normal.z);
-            if constexpr (has(Wants, attribute::uv))
-                v.uv = texture_ == texture_mapping::em ? vec2{walls.u(b.along), here.v} : planar(b.at);
-            if constexpr (has(Wants, attribute::tangent))
-                v.tangent = texture_ == texture_mapping::em || here.riser ? tangents.on_wall(axes, b.outward)
-                                                                          : tangents.on_rim(axes, normal, facing);
-            put(v);
+        const bevel_surface<Wants, Mapping, Axes> surface{axes, at, slopes, facing};
+        const auto vertices = solid_.data.of<bevel_vertex>().first(rims_.vertices);
+        // Those within a strip have a loop of their own, so that the other one calls nothing and stays in registers.
+        for (const bevel_vertex *b = vertices.data(), *const end = b + vertices.size(); b != end; ++b) {
+            for (; b != end; ++b) {
+                const bool inner = b->share >= 1.0f;
+                if (!inner && b->share > 0.0f) break;
+                put(surface(*b, ends[2 * b->strip + (inner ? 1u : 0u)]));
+            }
+            if (b == end) break;
+            put(surface(*b, place(*b)));
         }
     }
 
-private:
-    /// What all of a bevel's vertices at one place of the profile have in common.
-    struct across {
-        float z;          ///< in output units
-        float v;          ///< as it is written
-        float out, up;    ///< its normal: along `outward`, and towards the reader
-        bool riser;
+    /// Makes surface points of a bevel's vertices. The mapping is a parameter, so that their loop does not ask for it.
+    template <attribute Wants, texture_mapping Mapping, class Axes>
+    class bevel_surface {
+    public:
+        bevel_surface(const Axes& axes, const placement& at, const bevel_slopes& slopes, float facing) noexcept
+            : axes_{axes}, planar_{Mapping, at}, walls_{at}, slopes_{slopes}, facing_{facing}
+        {
+            if constexpr (has(Wants, attribute::tangent)) tangents_ = texture_tangent{at.frame};
+        }
+
+        [[nodiscard]] surface_point<Wants> operator()(const bevel_vertex& b, const across& here) const noexcept
+        {
+            surface_point<Wants> v;
+            if constexpr (has(Wants, attribute::position)) v.position = axes_.position(axes_.foot(b.at), here.z);
+            [[maybe_unused]] vec3 normal;
+            if constexpr (has(Wants, attribute::normal | attribute::tangent))
+                normal = {here.out * b.outward.x, here.out * b.outward.y, here.up};
+            if constexpr (has(Wants, attribute::normal)) v.normal = axes_.direction(normal.x, normal.y, normal.z);
+            if constexpr (has(Wants, attribute::uv))
+                v.uv = Mapping == texture_mapping::em ? vec2{walls_.u(b.along), here.v} : planar_(b.at);
+            if constexpr (has(Wants, attribute::tangent))
+                v.tangent = Mapping == texture_mapping::em || slopes_.is_riser(b)
+                                ? tangents_.on_wall(axes_, b.outward)
+                                : tangents_.on_rim(axes_, normal, facing_);
+            return v;
+        }
+
+    private:
+        Axes axes_;  // copies: writing vertices cannot alias them
+        planar_texture planar_;
+        wall_texture walls_;
+        const bevel_slopes& slopes_;
+        float facing_;
+        texture_tangent tangents_;
     };
 
     /// The walls of an outward bevel.
