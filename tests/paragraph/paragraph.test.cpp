@@ -353,6 +353,10 @@ TEST_CASE("widths tell how narrow and how wide a text may be", "[paragraph]")
     CHECK(p.run.lines.size() == 2);
     p.again({.width = 5.999});
     CHECK(p.run.lines.size() == 3);
+    REQUIRE_FALSE(p.words.set("one two", {}, 0.1));  // without the distance behind the last letter
+    CHECK(p.words.widths().narrowest == 1.7);
+    p.again({.width = 1.7});
+    CHECK(p.lines() == text_lines{"one ", "two"});
 }
 
 TEST_CASE("a text is measured as it is laid out, without writing it", "[paragraph]")

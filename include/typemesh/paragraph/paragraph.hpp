@@ -118,11 +118,13 @@ public:
     [[nodiscard]] paragraph_widths widths() const noexcept
     {
         const double em = units_per_em_ > 0.0 ? units_per_em_ : 1.0;
-        paragraph_widths found{pieces_.widest() / em, 0.0};
+        paragraph_widths found;
         double pen = 0.0;
         for (const break_piece& p : pieces_.words().pieces) {
             const bool last = p.ends_line();
+            const double alone = (p.begin_change + p.width + p.end_change) / em;
             const double width = (pen + p.width + (last ? p.end_change : 0.0)) / em;
+            if (p.width > 0.0 && alone > found.narrowest) found.narrowest = alone;
             if (p.width > 0.0 && width > found.widest) found.widest = width;
             pen = last ? 0.0 : pen + p.width + p.space;
         }
