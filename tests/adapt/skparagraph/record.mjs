@@ -139,7 +139,7 @@ function ranges_of(t) {
 /// Boxes that touch, which SkParagraph cuts where a run ends, are one.
 function record_boxes(p, t) {
     for (const [first, last] of ranges_of(t)) {
-        const boxes = p.getRectsForRange(first, last, CK.RectHeightStyle.Tight, CK.RectWidthStyle.Tight)
+        const boxes = p.getRectsForRange(first, last, CK.RectHeightStyle.Max, CK.RectWidthStyle.Tight)
             .map(({ rect }) => ({ left: rect[0], right: rect[2], top: rect[1] }))
             .sort((a, b) => a.top - b.top || a.left - b.left);
         const joined = [];
