@@ -142,13 +142,31 @@ private:
                         meet_askew(before, after, joint, may_break, sides[i]);
                     }
                 }
-                in = derivative.is_constant() ? out : direction(edge.t1, true);
                 arriving = leaving;
-                last = &edge;
+                i = shine_within(derivative, c, i, arriving, sides);
+                last = &c.edges[i];
+                in = derivative.is_constant() ? out : direction(last->t1, true);
             }
         }
 
     private:
+        /// Lights the points within edge i's curve, where it goes on evenly: nearly all that lie within one. Returns
+        /// the edge behind the last of them, and its direction in `arriving`.
+        static std::uint32_t shine_within(const hodograph& derivative, const contour& c, std::uint32_t i,
+                                          point& arriving, side_point* sides) noexcept
+        {
+            for (; i != c.last; ++i) {
+                const contour_edge &edge = c.edges[i], &next = c.edges[i + 1];
+                if (!goes_on(edge, next) || is_forth(next) != is_forth(edge)) break;
+                const point direction = derivative.derivative(as_double(edge.t1)), leaving = c.along(i + 1);
+                if (derivative.vanishes(direction) || !is_near(direction, arriving) || !is_near(direction, leaving))
+                    break;
+                sides[i + 1].before = sides[i + 1].after = rounded(unit(outward(direction)));
+                arriving = leaving;
+            }
+            return i;
+        }
+
         /// The derivative of an edge's curve, along the edge.
         [[nodiscard]] hodograph along(const contour_edge& e) const noexcept
         {
