@@ -61,6 +61,11 @@ std::string in_words(const typemesh::text_report& report)
     if (report.invalid_units > 0)
         say("the text is not valid UTF-8 at " + number(report.invalid_units) +
             (report.invalid_units == 1 ? " place" : " places") + at(report.first_invalid_unit));
+    if (report.unbroken > 0)
+        say("no dictionary tells where the words end in " + number(report.unbroken) +
+            (report.unbroken == 1 ? " run" : " runs") +
+            " of Thai, Lao, Khmer, Burmese or the like, so lines end there only where they must" +
+            at(report.first_unbroken));
     if (report.narrowed > 0)
         say("edges of " + number(report.narrowed) + of_all +
             " glyphs have moved less than --bevel, --outline or --embolden ask for" + at(report.first_narrowed));

@@ -74,6 +74,10 @@ TEST_CASE("what no dictionary of ICU's is for stays unbroken", "[adapt][icu]")
     REQUIRE_FALSE(analyser.analyse(u"ภาษาไทย \u1A20\u1A21\u1A22", {}, found));  // Tai Tham
     REQUIRE(found.unbroken.size() == 1);
     CHECK(found.unbroken[0].first == 8);
+    REQUIRE_FALSE(analyser.analyse(u"\u1A20\u1A21ภาษาไทย", {}, found));  // and holds up no other script
+    REQUIRE(found.unbroken.size() == 1);
+    CHECK(found.unbroken[0].last == 2);
+    CHECK(has(found.marks[6], text_mark::may_break));
 }
 
 TEST_CASE("an analyser that has been moved goes on", "[adapt][icu]")

@@ -109,6 +109,8 @@ done
 expect 0 "" "قال 2024 hello" --font $arabic --output mixed.glb
 expect 0 "" "قال 2024 hello" --font $arabic --align start --output start.glb
 that "without a width, what is read to the left ends at x = 0" differ mixed.glb start.glb
+expect 0 "no dictionary tells where the words end in 2 runs of Thai.*at byte 4 of the text" "one ภาษา two ລາວ" --font $sans --width 6 --output thai.glb
+that "the text that was not broken is built" test -s thai.glb
 for width in 0 -1 nan x 1e7; do expect 2 "--width: must be a positive number" x --font $sans --stats --width $width; done
 expect 2 "--max-lines: must be a whole number" x --font $sans --stats --max-lines 0
 expect 2 "--align: justify is for --width" x --font $sans --stats --align justify

@@ -24,9 +24,13 @@ TEST_CASE("text_to_mesh says of a report what is lost and what is narrowed, a li
     r.first_missing = 7;
     r.invalid_units = 1;
     r.first_invalid_unit = 8;
+    r.unbroken = 2;
+    r.first_unbroken = 4;
     CHECK(text_to_mesh::in_words(r) ==
           "text_to_mesh: the font has no glyph for 1 of 9 characters; the first is at byte 7 of the text.\n"
           "text_to_mesh: the text is not valid UTF-8 at 1 place; the first is at byte 8 of the text.\n"
+          "text_to_mesh: no dictionary tells where the words end in 2 runs of Thai, Lao, Khmer, Burmese or the like, "
+          "so lines end there only where they must; the first is at byte 4 of the text.\n"
           "text_to_mesh: edges of 3 of 9 glyphs have moved less than --bevel, --outline or --embolden ask for; the "
           "first is at "
           "byte 5 of the text.\n");

@@ -21,7 +21,11 @@ TEST_CASE("missing glyphs and invalid places are counted, and the first place of
     run.note_invalid_units(5);
     CHECK(run.invalid_units == 3);
     CHECK(run.first_invalid_unit == 5);
+    run.unbroken = 1;
+    run.first_unbroken = 4;
     run.clear();
+    CHECK(run.unbroken == 0);
+    CHECK(run.first_unbroken == no_cluster);
     CHECK(run.missing == 0);
     CHECK(run.first_missing == no_cluster);
     CHECK(run.invalid_units == 0);

@@ -439,6 +439,22 @@ TEST_CASE("a paragraph reports where its text is invalid or its font lacks a gly
     CHECK(p.run.first_missing == 4);
 }
 
+TEST_CASE("a paragraph reports words that only a dictionary finds, where lines have a width to end at", "[paragraph]")
+{
+    laid p{u"ab \u0E20\u0E32\u0E29\u0E32 cd \u0E9E\u0EB2", {.width = 3.0}};
+    CHECK(p.run.unbroken == 2);
+    CHECK(p.run.first_unbroken == 3);
+    p.again({.width = 3.0, .wrap = wrap_mode::word});
+    CHECK(p.run.unbroken == 2);
+    p.again({});
+    CHECK(p.run.unbroken == 0);
+    for (const wrap_mode wrap : {wrap_mode::none, wrap_mode::grapheme}) {
+        p.again({.width = 3.0, .wrap = wrap});
+        CHECK(p.run.unbroken == 0);
+        CHECK(p.run.first_unbroken == no_cluster);
+    }
+}
+
 TEST_CASE("laying out again allocates nothing, and shapes nothing but the shortest lines", "[paragraph]")
 {
     test::counting_memory counted;

@@ -281,6 +281,15 @@ TEST_CASE("a missing glyph is reported, and drawn only if asked", "[text]")
     REQUIRE(made);
     CHECK(made->missing == 1);
     CHECK(made->first_missing == 1);
+    CHECK(made->unbroken == 0);
+    glyph_run run;
+    run.unbroken = 2;
+    run.first_unbroken = 7;
+    const auto reported = mesher.build(run, into(m.vertices, m.indices));
+    REQUIRE(reported);
+    CHECK(reported->unbroken == 2);
+    CHECK(reported->first_unbroken == 7);
+    CHECK(mesher.build("EqE", into(m.vertices, m.indices)));
     const std::size_t without = m.vertices.size();
     REQUIRE(mesher.build("EqE", into(m.vertices, m.indices), {.draw_missing = true}));
     CHECK(m.vertices.size() > without);

@@ -12,6 +12,7 @@ TEST_CASE("a report is complete unless a glyph was refused, was missing, or some
     r.glyphs = 9;
     r.blank = 4;
     r.narrowed = 2;
+    r.unbroken = 1;
     CHECK(r.complete());
     for (std::uint32_t text_report::* const lost :
          {&text_report::refused, &text_report::missing, &text_report::invalid_units}) {

@@ -183,6 +183,16 @@ TEST_CASE("words that only a dictionary finds are named, and nothing breaks insi
     CHECK(found.unbroken[1].first == 14);
     CHECK(found.unbroken[1].last == 18);
     check_laws(text, found);
+
+    // Each range is of one script, whose dictionary an analyser may have or not.
+    const std::u16string both = u"ภาພາສາ\u1A20\u1A21";
+    REQUIRE_FALSE(analyser.analyse(both, {}, found));
+    REQUIRE(found.unbroken.size() == 3);
+    CHECK(found.unbroken[0].last == 2);
+    CHECK(found.unbroken[1].first == 2);
+    CHECK(found.unbroken[1].last == 6);
+    CHECK(found.unbroken[2].last == 8);
+    check_laws(both, found);
 }
 
 TEST_CASE("what is not UTF is counted", "[analysis]")

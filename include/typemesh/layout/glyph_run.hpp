@@ -44,6 +44,9 @@ struct glyph_run {
     cluster_id first_missing = no_cluster;  ///< the position of the first of them in the text
     std::uint32_t invalid_units = 0;        ///< places where the text was not valid UTF and U+FFFD was read instead
     cluster_id first_invalid_unit = no_cluster;
+    std::uint32_t unbroken = 0;  ///< runs of Thai, Lao, Khmer and the like in lines of a width, which could end inside
+                                 ///< but only a dictionary tells where, and there was none
+    cluster_id first_unbroken = no_cluster;
 
     explicit glyph_run(memory source = heap()) noexcept : glyphs{source}, lines{source}, looks{source} {}
 
@@ -85,8 +88,8 @@ struct glyph_run {
         lines.clear();
         looks.clear();
         units_per_em = 0.0;
-        missing = invalid_units = 0;
-        first_missing = first_invalid_unit = no_cluster;
+        missing = invalid_units = unbroken = 0;
+        first_missing = first_invalid_unit = first_unbroken = no_cluster;
     }
 };
 

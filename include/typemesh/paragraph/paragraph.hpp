@@ -95,7 +95,10 @@ public:
         run.clear();
         error e = compose_lines(options);
         if (!e) e = write_lines(run);
-        if (!e) return {};
+        if (!e) {
+            note_unbroken(options, run);
+            return {};
+        }
         run.clear();
         forget_lines();
         return e;
@@ -327,6 +330,16 @@ private:
             if (!run.lines.push_back({first, count, line.origin + along, line.width})) return error::out_of_memory;
         }
         return {};
+    }
+
+    /// Tells of words that only a dictionary finds, where lines may end between words.
+    void note_unbroken(const paragraph_options& options, glyph_run& run) const noexcept
+    {
+        const auto& unbroken = shaped_.analysis.unbroken;
+        const bool words = options.wrap == wrap_mode::word || options.wrap == wrap_mode::word_or_grapheme;
+        if (!words || !is_finite(options.width) || unbroken.empty()) return;
+        run.unbroken = static_cast<std::uint32_t>(unbroken.size());
+        run.first_unbroken = unbroken[0].first;
     }
 
     Font* font_;

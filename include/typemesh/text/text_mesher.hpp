@@ -406,6 +406,8 @@ auto text_mesher<Font, D, T, E, O, C>::plan_once(const glyph_run& run, const tex
     report.first_missing = run.first_missing;
     report.invalid_units = run.invalid_units;
     report.first_invalid_unit = run.first_invalid_unit;
+    report.unbroken = run.unbroken;
+    report.first_unbroken = run.first_unbroken;
 
     error e = refused_options(extruder_);
     if (!e) e = glyphs_.looks.read(run, *font_);

@@ -18,6 +18,8 @@ struct text_report {
     cluster_id first_missing = no_cluster;
     std::uint32_t invalid_units = 0;  ///< places of the text that were not valid UTF and were read as U+FFFD
     cluster_id first_invalid_unit = no_cluster;
+    std::uint32_t unbroken = 0;  ///< runs of text whose words only a dictionary finds: see glyph_run
+    cluster_id first_unbroken = no_cluster;
 
     /// Glyphs of the mesh whose bevels are narrower, or whose edges have moved less, than asked for, because the rest
     /// was not proven; a merged group counts as one. They are those of plan.glyphs() whose built->is_narrowed(). Bevels

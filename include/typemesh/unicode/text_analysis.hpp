@@ -32,7 +32,7 @@ struct text_analysis {
     buffer<script_run> scripts;         ///< no run goes beyond a paragraph
     buffer<text_paragraph> paragraphs;  ///< one more than there are paragraph separators: the last may be empty
     buffer<text_range> unbroken;        ///< Thai, Lao, Khmer, Burmese: lines could end inside, but only a dictionary
-                                        ///< tells where, and the analyser has none
+                                        ///< tells where, and the analyser has none; each of one script
     std::uint32_t invalid_units = 0;    ///< places that are not valid UTF and read as U+FFFD
     std::uint32_t first_invalid_unit = 0;
 

@@ -92,7 +92,9 @@ private:
         bool unbroken = false;  // the character before is of a script that needs a dictionary
         for (std::size_t k = 0; k < values_.size(); ++k) {
             const character& c = characters_[k];
+            const std::size_t runs = found.scripts.size();
             if (error e = scripts.add(values_[k], c.bracket, places_[k])) return e;
+            if (found.scripts.size() != runs) unbroken = false;  // another script, another dictionary
 
             const text_mark whole = marks_of(c);
             text_mark first = whole | text_mark::character;
