@@ -221,10 +221,8 @@ TEST_CASE("ICU finds the levels that we find, where no embeddings and overrides 
         const UBiDiLevel* levels = ubidi_getLevels(bidi, &status);
         REQUIRE(U_SUCCESS(status));
         REQUIRE_FALSE(analyser.analyse(text, {}, found));
-        workspace space;
         buffer<visual_run> runs;
-        REQUIRE_FALSE(
-            visual_runs(found, {0, static_cast<std::uint32_t>(size)}, space, runs));  // after rule L1, as ICU's
+        REQUIRE_FALSE(visual_runs(found, {0, static_cast<std::uint32_t>(size)}, runs));  // after rule L1, as ICU's
         // Where all is read in one direction ICU gives the paragraph's level instead of those of nested isolates.
         const int modulus = ubidi_getDirection(bidi) == UBIDI_MIXED ? 256 : 2;
         for (const visual_run& run : runs)

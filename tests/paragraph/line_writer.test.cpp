@@ -3,38 +3,10 @@
 
 #include <typemesh/paragraph/line_writer.hpp>
 
-#include <vector>
+#include <utility>
 
 using namespace typemesh;
 using test::shaped_paragraph;
-
-namespace {
-
-std::vector<std::uint32_t> ordered(const std::vector<unsigned>& levels)
-{
-    std::vector<line_slice> slices;
-    for (std::uint32_t i = 0; i < levels.size(); ++i)
-        slices.push_back({.first = i, .last = i + 1, .level = static_cast<std::uint8_t>(levels[i])});
-    order_visually(slices);
-    std::vector<std::uint32_t> order;
-    for (const line_slice& s : slices) order.push_back(s.first);
-    return order;
-}
-
-}  // namespace
-
-TEST_CASE("runs are reversed level by level, from the highest down", "[paragraph]")
-{
-    using order = std::vector<std::uint32_t>;
-    CHECK(ordered({}).empty());
-    CHECK(ordered({0, 0, 0}) == order{0, 1, 2});
-    CHECK(ordered({1, 1, 1}) == order{2, 1, 0});
-    CHECK(ordered({0, 1, 0}) == order{0, 1, 2});
-    CHECK(ordered({0, 1, 2, 1, 0}) == order{0, 3, 2, 1, 4});
-    CHECK(ordered({1, 2, 3, 2, 1}) == order{4, 1, 2, 3, 0});
-    CHECK(ordered({2, 1, 2}) == order{2, 1, 0});
-    CHECK(ordered({1, 2, 2, 1}) == order{3, 1, 2, 0});
-}
 
 TEST_CASE("glyphs of a slice stand one behind the other, whichever way it is read", "[paragraph]")
 {

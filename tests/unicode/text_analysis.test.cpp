@@ -24,10 +24,9 @@ TEST_CASE("a line of an analysis is ordered with the level of its paragraph", "[
 {
     unicode_analyser analyser;
     text_analysis found;
-    workspace space;
     buffer<visual_run> runs;
     REQUIRE_FALSE(analyser.analyse(u"ab\nשל ab ", {}, found));
-    REQUIRE_FALSE(visual_runs(found, {3, 9}, space, runs));
+    REQUIRE_FALSE(visual_runs(found, {3, 9}, runs));
     REQUIRE(runs.size() == 3);
     CHECK(runs[0].first == 8);  // the space at the end, as far left as the line goes
     CHECK(runs[0].level == 1);

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <random>
+#include <span>
+#include <utility>
 #include <vector>
 
 using namespace typemesh;
@@ -37,10 +39,9 @@ std::vector<std::uint32_t> order_of(const buffer<visual_run>& runs)
 }
 
 error order(const std::vector<std::uint8_t>& levels, const std::vector<text_mark>& marks, std::uint8_t paragraph,
-            workspace& space, buffer<visual_run>& runs)
+            buffer<visual_run>& runs)
 {
-    return visual_runs(levels.data(), marks.data(), paragraph, {0, static_cast<std::uint32_t>(levels.size())}, space,
-                       runs);
+    return visual_runs(levels.data(), marks.data(), paragraph, {0, static_cast<std::uint32_t>(levels.size())}, runs);
 }
 
 }  // namespace
@@ -48,14 +49,13 @@ error order(const std::vector<std::uint8_t>& levels, const std::vector<text_mark
 TEST_CASE("visual_runs() orders a line as reversing it level by level does", "[bidi]")
 {
     std::mt19937 random{1};
-    workspace space;
     buffer<visual_run> runs;
     for (const unsigned most : {1u, 2u, 3u, 9u, 126u})
         for (int repeat = 0; repeat < 400; ++repeat) {
             std::vector<std::uint8_t> levels(random() % 60);
             for (auto& level : levels) level = static_cast<std::uint8_t>(random() % (most + 1));
             const std::vector<text_mark> marks(levels.size(), text_mark::none);
-            REQUIRE_FALSE(order(levels, marks, 0, space, runs));
+            REQUIRE_FALSE(order(levels, marks, 0, runs));
             REQUIRE(order_of(runs) == reversed_by_rule(levels));
         }
 }
@@ -63,11 +63,10 @@ TEST_CASE("visual_runs() orders a line as reversing it level by level does", "[b
 TEST_CASE("white space at a line's end and before a tab has the paragraph's level", "[bidi]")
 {
     constexpr auto o = text_mark::none, w = text_mark::trailing, t = text_mark::separator;
-    workspace space;
     buffer<visual_run> runs;
     const std::vector<std::uint8_t> levels{1, 1, 1, 1, 1, 1, 1};
     const std::vector<text_mark> marks{o, w, t, o, w, o, w};
-    REQUIRE_FALSE(order(levels, marks, 0, space, runs));
+    REQUIRE_FALSE(order(levels, marks, 0, runs));
     REQUIRE(runs.size() == 4);
     CHECK(runs[0].first == 0);
     CHECK(runs[0].last == 1);
@@ -83,21 +82,37 @@ TEST_CASE("white space at a line's end and before a tab has the paragraph's leve
 TEST_CASE("visual_runs() of an empty line is empty, and without memory it says so", "[bidi]")
 {
     test::counting_memory heap;
-    workspace space{heap.source()};
     buffer<visual_run> runs{heap.source()};
-    CHECK_FALSE(order({}, {}, 1, space, runs));
+    CHECK_FALSE(order({}, {}, 1, runs));
     CHECK(runs.empty());
     const std::vector<std::uint8_t> levels{0, 1, 2};
     const std::vector<text_mark> marks(3, text_mark::none);
-    for (std::size_t fail = 1; fail <= 2; ++fail) {
-        heap.fail_at = heap.requests + 1;
-        CHECK(order(levels, marks, 0, space, runs) == error::out_of_memory);
-        CHECK(runs.empty());
-        heap.fail_at = 0;
-        REQUIRE(runs.reserve(3));
-    }
-    CHECK_FALSE(order(levels, marks, 0, space, runs));
+    heap.fail_at = heap.requests + 1;
+    CHECK(order(levels, marks, 0, runs) == error::out_of_memory);
+    CHECK(runs.empty());
+    heap.fail_at = 0;
+    CHECK_FALSE(order(levels, marks, 0, runs));
     const std::size_t warm = heap.requests;
-    CHECK_FALSE(order(levels, marks, 0, space, runs));
+    CHECK_FALSE(order(levels, marks, 0, runs));
     CHECK(heap.requests == warm);
+}
+
+TEST_CASE("runs are reversed level by level, from the highest down", "[bidi]")
+{
+    using runs = std::vector<std::uint32_t>;
+    for (const auto& [levels, expected] : {std::pair<std::vector<unsigned>, runs>{{}, {}},
+                                           {{0, 0, 0}, {0, 1, 2}},
+                                           {{1, 1, 1}, {2, 1, 0}},
+                                           {{0, 1, 2, 1, 0}, {0, 3, 2, 1, 4}},
+                                           {{1, 2, 3, 2, 1}, {4, 1, 2, 3, 0}},
+                                           {{2, 1, 2}, {2, 1, 0}},
+                                           {{1, 2, 2, 1}, {3, 1, 2, 0}}}) {
+        std::vector<visual_run> line;
+        for (std::uint32_t i = 0; i < levels.size(); ++i)
+            line.push_back({i, i + 1, static_cast<std::uint8_t>(levels[i])});
+        order_visually(std::span{line});
+        runs order;
+        for (const visual_run& run : line) order.push_back(run.first);
+        CHECK(order == expected);
+    }
 }

@@ -3,7 +3,6 @@
 
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/first_where.hpp>
-#include <typemesh/core/workspace.hpp>
 #include <typemesh/layout/shape_options.hpp>
 #include <typemesh/layout/text_item.hpp>
 #include <typemesh/unicode/unicode_analyser.hpp>
@@ -29,10 +28,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// its memory for the next line.
 class mixed_line {
 public:
-    explicit mixed_line(memory source = heap()) noexcept
-        : analyser_{source}, found_{source}, space_{source}, runs_{source}
-    {
-    }
+    explicit mixed_line(memory source = heap()) noexcept : analyser_{source}, found_{source}, runs_{source} {}
 
     /// Cuts text[first, last), which is read by itself: no text before it decides on its direction.
     ///
@@ -53,7 +49,7 @@ public:
             return {};
         }
         join_graphemes();
-        if (error e = visual_runs(found_, whole, space_, runs_)) return e;
+        if (error e = visual_runs(found_, whole, runs_)) return e;
         for (const visual_run& run : runs_)
             if (error e = cut_run(run, static_cast<std::uint32_t>(first), items)) return e;
         return {};
@@ -100,7 +96,6 @@ private:
 
     unicode_analyser analyser_;
     text_analysis found_;
-    workspace space_;
     buffer<visual_run> runs_;
 };
 

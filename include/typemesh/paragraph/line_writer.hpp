@@ -8,24 +8,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
-#include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI {
-
-/// Puts the slices of a line into visual order, from left to right: rule L2 of UAX #9.
-inline void order_visually(std::span<line_slice> slices) noexcept
-{
-    unsigned highest = 0;
-    for (const line_slice& s : slices) highest = s.level > highest ? s.level : highest;
-    for (unsigned level = highest; level > 0; --level)
-        for (std::size_t first = 0; first < slices.size(); ++first) {
-            std::size_t last = first;
-            while (last < slices.size() && slices[last].level >= level) ++last;
-            for (std::size_t a = first, b = last; a + 1 < b;) std::swap(slices[a++], slices[--b]);
-            if (last > first) first = last;
-        }
-}
 
 /// Writes the glyphs of a shaped text's slices into a run.
 class line_writer {

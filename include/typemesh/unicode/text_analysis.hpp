@@ -63,11 +63,10 @@ struct text_analysis {
 /// The runs of one line, which is in one paragraph, from left to right: see visual_order.hpp.
 ///
 /// Fails  error::out_of_memory
-inline error visual_runs(const text_analysis& text, text_range line, workspace& space,
-                         buffer<visual_run>& runs) noexcept
+inline error visual_runs(const text_analysis& text, text_range line, buffer<visual_run>& runs) noexcept
 {
     TYPEMESH_ASSERT(line.first <= line.last && line.last <= text.levels.size(), "a line lies outside its text");
-    return visual_runs(text.levels.data(), text.marks.data(), text.paragraph_of(line.first).level, line, space, runs);
+    return visual_runs(text.levels.data(), text.marks.data(), text.paragraph_of(line.first).level, line, runs);
 }
 
 }  // namespace typemesh::inline TYPEMESH_ABI

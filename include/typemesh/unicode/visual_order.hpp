@@ -3,12 +3,12 @@
 
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/error.hpp>
-#include <typemesh/core/workspace.hpp>
 #include <typemesh/unicode/text_mark.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
+#include <span>
+#include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -24,6 +24,22 @@ struct visual_run {
     std::uint32_t last = 0;  ///< one past its end
     std::uint8_t level = 0;  ///< odd: read to the left
 };
+
+/// Rule L2 of UAX #9: puts what a line consists of, each of one `level`, from left to right; it stands in the order in
+/// which it is read. Cost: O(n) for each of the levels, 126 at most
+template <class Run>
+void order_visually(std::span<Run> line) noexcept
+{
+    unsigned highest = 0;
+    for (const Run& run : line) highest = run.level > highest ? run.level : highest;
+    for (unsigned level = highest; level > 0; --level)
+        for (std::size_t first = 0; first < line.size(); ++first) {
+            std::size_t last = first;
+            while (last < line.size() && line[last].level >= level) ++last;
+            for (std::size_t a = first, b = last; a + 1 < b;) std::swap(line[a++], line[--b]);
+            if (last > first) first = last;
+        }
+}
 
 namespace detail {
 
@@ -46,48 +62,6 @@ inline error line_runs(const std::uint8_t* levels, const text_mark* marks, std::
     return {};
 }
 
-/// Rule L2 for runs from the line's end to its start. Every sequence of runs at a level or above stands in the order of
-/// that level: what is read first to the left or to the right. Such sequences lie in one another as brackets do, so a
-/// stack of those that are still open joins them in one pass.
-inline void sort_visually(buffer<visual_run>& runs, visual_run* sorted, std::uint32_t* next) noexcept
-{
-    struct group {
-        std::uint8_t level;
-        std::uint32_t left, right;  // runs at its ends; `next` links those between
-    };
-    group open[128] = {};
-    std::size_t depth = 0;
-    const auto join = [next](group& outer, const group& later) noexcept {
-        if (outer.level % 2 == 0) {
-            next[outer.right] = later.left;
-            outer.right = later.right;
-        } else {
-            next[later.right] = outer.left;
-            outer.left = later.left;
-        }
-    };
-    for (auto k = static_cast<std::uint32_t>(runs.size()); k-- > 0;) {
-        const std::uint8_t level = runs[k].level;
-        while (depth > 0 && open[depth - 1].level > level) {
-            if (depth > 1 && open[depth - 2].level >= level) {
-                join(open[depth - 2], open[depth - 1]);
-                --depth;
-            } else
-                open[depth - 1].level = level;
-        }
-        const group one{level, k, k};
-        if (depth > 0 && open[depth - 1].level == level)
-            join(open[depth - 1], one);
-        else
-            open[depth++] = one;
-    }
-    for (; depth > 1; --depth) join(open[depth - 2], open[depth - 1]);
-    next[open[0].right] = 0;
-    std::uint32_t k = open[0].left;
-    for (std::size_t i = 0; i < runs.size(); ++i, k = next[k]) sorted[i] = runs[k];
-    std::memcpy(runs.data(), sorted, runs.size() * sizeof(visual_run));
-}
-
 }  // namespace detail
 
 /// Puts one line in visual order: rules L1 and L2 of UAX #9.
@@ -98,24 +72,17 @@ inline void sort_visually(buffer<visual_run>& runs, visual_run* sorted, std::uin
 ///                     stand from right to left.
 ///
 /// Fails  error::out_of_memory
-/// Cost   O(length of the line)
+/// Cost   O(length of the line), and as order_visually()
 inline error visual_runs(const std::uint8_t* levels, const text_mark* marks, std::uint8_t paragraph, text_range line,
-                         workspace& space, buffer<visual_run>& runs) noexcept
+                         buffer<visual_run>& runs) noexcept
 {
     runs.clear();
     if (error e = detail::line_runs(levels, marks, paragraph, line, runs)) {
         runs.clear();
         return e;
     }
-    if (runs.size() < 2) return {};
-    workspace::scope scratch{space};
-    auto* sorted = scratch.take<visual_run>(runs.size());
-    auto* next = scratch.take<std::uint32_t>(runs.size());
-    if (sorted == nullptr || next == nullptr) {
-        runs.clear();
-        return error::out_of_memory;
-    }
-    detail::sort_visually(runs, sorted, next);
+    for (std::size_t a = 0, b = runs.size(); a + 1 < b;) std::swap(runs[a++], runs[--b]);
+    order_visually(runs.view());
     return {};
 }
 
