@@ -158,6 +158,10 @@ void add_line_options(CLI::App& app, options& out, raw_values& raw)
                           {"break", wrap_mode::word_or_grapheme},
                           {"letter", wrap_mode::grapheme},
                           {"none", wrap_mode::none}});
+    add_named<justification>(
+        app, "--justify", out.lines.justify,
+        "what makes justified lines wider: spaces (default), letters, or Arabic's kashida",
+        {{"spaces", justification::spaces}, {"letters", justification::letters}, {"kashida", justification::kashida}});
     add_number(
         app, "--indent", "of a paragraph's first line; negative: it hangs", "a number from -1000 to 1000",
         [](double n) { return n >= -1000.0 && n <= 1000.0; }, [&out](double n) { out.lines.indent = n; })
@@ -171,7 +175,7 @@ void add_line_options(CLI::App& app, options& out, raw_values& raw)
     add_named<ellipsis_place>(
         app, "--elide", out.lines.elide, "where in its line (default end)",
         {{"end", ellipsis_place::end}, {"middle", ellipsis_place::middle}, {"start", ellipsis_place::start}});
-    raw.of_a_page = {"--width", "--wrap", "--indent", "--max-lines", "--ellipsis", "--elide"};
+    raw.of_a_page = {"--width", "--wrap", "--justify", "--indent", "--max-lines", "--ellipsis", "--elide"};
 }
 
 void add_mesh_options(CLI::App& app, options& out, raw_values& raw)
@@ -377,6 +381,7 @@ std::string settle_lines(options& out, const raw_values& raw)
     };
     const line_alignment align = out.lines.align;
     if (!given("--width") && align == line_alignment::justify) return "--align: justify is for --width";
+    if (align != line_alignment::justify && given("--justify")) return "--justify: is for --align justify";
     if (!given("--width") && given("--wrap")) return "--wrap: is for --width";
     if (!given("--width") && !given("--max-lines") && given("--ellipsis"))
         return "--ellipsis: is for --width or --max-lines";

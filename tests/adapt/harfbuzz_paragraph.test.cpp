@@ -191,3 +191,67 @@ TEST_CASE("a paragraph's first line can be no wider than its text, nor a word th
     REQUIRE_FALSE(words.lay_out({.width = widths.narrowest, .wrap = wrap_mode::word_or_grapheme}, run));
     CHECK(run.lines.size() == lines);  // nothing was broken
 }
+
+namespace {
+
+std::vector<glyph_id> arabic_glyphs(harfbuzz_font& font, std::u16string_view word)
+{
+    buffer<shaped_glyph> glyphs;
+    const auto size = static_cast<std::uint32_t>(word.size());
+    REQUIRE_FALSE(font.shape_item(word, {.last = size, .script = script_tag("Arab"), .level = 1}, {}, glyphs));
+    std::vector<glyph_id> ids;
+    for (const shaped_glyph& g : glyphs) ids.push_back(g.id);
+    return ids;
+}
+
+/// With how many strokes, at one place, a word looks like that; 99 if it never does.
+std::size_t strokes_in(harfbuzz_font& font, const std::u16string& word, const std::vector<glyph_id>& shown)
+{
+    if (arabic_glyphs(font, word) == shown) return 0;
+    for (std::size_t n = 1; n <= line_justifier::most_strokes; ++n)
+        for (std::size_t place = 1; place < word.size(); ++place) {
+            std::u16string longer{word};
+            longer.insert(place, n, u'\u0640');
+            if (arabic_glyphs(font, longer) == shown) return n;
+        }
+    return 99;
+}
+
+}  // namespace
+
+TEST_CASE("words with strokes are drawn as their text with U+0640, shaped afresh", "[adapt][harfbuzz][paragraph]")
+{
+    const char* const name = GENERATE("opentype/fonts-hosny-amiri/Amiri-Regular.ttf", "truetype/dejavu/DejaVuSans.ttf");
+    INFO(name);
+    const std::u16string text =
+        u"\u0628\u0650\u0633\u0652\u0645\u0650 \u0627\u0644\u0644\u0647 \u0627\u0644\u0631\u062D\u0645\u0646 "
+        u"\u0627\u0644\u0631\u062D\u064A\u0645 \u0627\u0644\u0633\u0644\u0627\u0645 \u0639\u0644\u064A\u0643\u0645 "
+        u"\u0648\u0631\u062D\u0645\u0629 \u0627\u0644\u0644\u0647 \u0648\u0628\u0631\u0643\u0627\u062A\u0647";
+    auto font = harfbuzz_font::open(font_file(name).c_str());
+    REQUIRE(font);
+    paragraph words{*font};
+    glyph_run run;
+    REQUIRE_FALSE(words.set(text));
+    std::size_t strokes = 0;
+    for (double width = 4.0; width < 16.0; width += 0.37) {
+        REQUIRE_FALSE(
+            words.lay_out({.width = width, .align = line_alignment::justify, .justify = justification::kashida}, run));
+        for (std::size_t k = 0; k + 1 < run.lines.size(); ++k) {
+            const laid_line& line = words.lines()[k];
+            std::size_t first = line.first, count = 0;
+            for (; first < line.last; ++count) {
+                const std::size_t last = std::min(text.find(u' ', first), text.size());
+                std::vector<glyph_id> shown;
+                for (const placed_glyph& g :
+                     run.glyphs.view().subspan(run.lines[k].first_glyph, run.lines[k].glyph_count))
+                    if (g.cluster >= first && g.cluster < last) shown.push_back(g.id);
+                const std::size_t n = strokes_in(*font, text.substr(first, last - first), shown);
+                CHECK(n <= line_justifier::most_strokes);
+                strokes += n;
+                first = last + 1;
+            }
+            if (count > 1) CHECK(run.lines[k].advance == Approx(width * font->units_per_em()).epsilon(1e-9));
+        }
+    }
+    CHECK(strokes > 100);
+}

@@ -101,11 +101,16 @@ expect 0 "" "one two" --font $sans --output plain.glb
 that "a text that fits is the plain one" cmp -s wide.glb plain.glb
 expect 0 "" "one two" --font $sans --width 3 --output narrow.glb
 that "lines end at the width" differ narrow.glb wide.glb
-for option in "--wrap word" "--wrap break" "--wrap letter" "--wrap none" "--align justify" "--align start" "--align end" "--indent 1" \
+for option in "--wrap word" "--wrap break" "--wrap letter" "--wrap none" "--align justify" "--align justify --justify letters" "--align justify --justify kashida" "--align start" "--align end" "--indent 1" \
     "--max-lines 1" "--max-lines 1 --ellipsis ..." "--max-lines 1 --ellipsis ... --elide middle" "--wrap none --ellipsis . --elide start"; do
     # shellcheck disable=SC2086  # words
     expect 0 "" "one two three four" --font $sans --width 6 $option --output option.glb
 done
+for how in spaces letters kashida; do
+    expect 0 "" "بسم الله الرحمن الرحيم" --font $arabic --width 6 --align justify --justify $how --output $how.glb
+done
+that "letters and strokes make lines wider otherwise than spaces" differ spaces.glb letters.glb
+that "strokes are drawn" differ spaces.glb kashida.glb
 expect 0 "" "قال 2024 hello" --font $arabic --output mixed.glb
 expect 0 "" "قال 2024 hello" --font $arabic --align start --output start.glb
 that "without a width, what is read to the left ends at x = 0" differ mixed.glb start.glb
@@ -114,6 +119,8 @@ that "the text that was not broken is built" test -s thai.glb
 for width in 0 -1 nan x 1e7; do expect 2 "--width: must be a positive number" x --font $sans --stats --width $width; done
 expect 2 "--max-lines: must be a whole number" x --font $sans --stats --max-lines 0
 expect 2 "--align: justify is for --width" x --font $sans --stats --align justify
+expect 2 "--justify: is for --align justify" x --font $sans --stats --width 9 --justify letters
+expect 2 "--justify: must be spaces, letters or kashida, not words" x --font $sans --stats --width 9 --align justify --justify words
 expect 2 "--wrap: is for --width" x --font $sans --stats --wrap word
 expect 2 "--ellipsis: is for" x --font $sans --stats --ellipsis x
 expect 2 "--elide: is for --ellipsis" x --font $sans --stats --width 3 --elide start

@@ -51,7 +51,8 @@ measured line_of(const piece_list& pieces, std::size_t first, std::size_t last, 
     measured line;
     for (std::size_t k = first; k < last; ++k) {
         const break_piece& p = pieces[k];
-        if (p.width > 0.0) line = {pen + p.width + (k + 1 == last ? p.end_change : 0.0), stretch};
+        if (p.width > 0.0 || (k + 1 == last && p.is_visible()))
+            line = {pen + p.width + (k + 1 == last ? p.end_change : 0.0), stretch};
         pen += p.width + p.space;
         stretch += p.stretch;
         if (p.tab) pen = room.after_tab(pen), stretch = 0.0;
@@ -138,7 +139,8 @@ piece_list some_pieces(dice& d, std::size_t count)
         p.hyphen = d.one_in(4);
         if (p.hyphen) p.end_change = 1.0;
         if (d.one_in(8)) p.end_change = -0.5;
-        if (d.one_in(16)) p.width = p.end_change = 0.0;
+        if (d.one_in(16)) p.width = 0.0;
+        if (d.one_in(32)) p.width = p.end_change = 0.0;
     }
     pieces.back().end = piece_end::paragraph;
     return pieces;

@@ -118,16 +118,20 @@ private:
         double width = 0.0;
     };
 
+    /// The least width of a line, whose spaces may shrink.
     [[nodiscard]] static double width_of(const broken_line& line, const line_room& room) noexcept
     {
         const std::span<const break_piece> p = line.all.pieces.view();
-        double pen = line.pen + p[line.first].begin_change, width = 0.0;
+        double pen = line.pen + p[line.first].begin_change, width = 0.0, stretch = 0.0;
         for (std::size_t k = line.first; k < line.last; ++k) {
             const bool last = k + 1 == line.last;
             if (p[k].width > 0.0 || (last && p[k].is_visible()))
-                width = pen + p[k].width + (last ? p[k].end_change : 0.0);
+                width = pen + p[k].width + (last ? p[k].end_change : 0.0) - room.shrink * stretch;
             pen += p[k].width + p[k].space;
-            if (p[k].tab) pen = room.after_tab(pen);
+            stretch += p[k].stretch;
+            if (!p[k].tab) continue;
+            pen = room.after_tab(pen);
+            stretch = 0.0;
         }
         return width;
     }

@@ -111,11 +111,19 @@ public:
         return pen - start;
     }
 
-    /// Makes the line wider by stretching its spaces behind the last tab. Returns by how much: 0 if it has none.
-    double justify(const shaped_text& shaped, double gap) noexcept
+    /// The slice behind the last tab: what stands before it is not justified.
+    [[nodiscard]] std::size_t behind_tabs(const shaped_text& shaped) const noexcept
     {
         std::size_t first = visible_;
         while (first > 0 && !is_tab(shaped, slices_[first - 1])) --first;
+        return first;
+    }
+
+    /// Makes the line wider by stretching its spaces behind the last tab, or narrower. Returns by how much: 0 if it has
+    /// none.
+    double justify(const shaped_text& shaped, double gap) noexcept
+    {
+        const std::size_t first = behind_tabs(shaped);
         std::size_t spaces = 0;
         for (std::size_t k = first; k < visible_; ++k) spaces += count_spaces(shaped, slices_[k]);
         if (spaces == 0) return 0.0;
@@ -125,6 +133,13 @@ public:
             s.width += s.stretch * static_cast<double>(count_spaces(shaped, s));
         }
         return gap;
+    }
+
+    /// Takes over slices that someone has made of these, and how many of them are visible.
+    void replace(buffer<line_slice>& made, std::size_t visible) noexcept
+    {
+        slices_.swap(made);
+        visible_ = visible;
     }
 
 private:

@@ -8,6 +8,7 @@
 #include <typemesh/paragraph/first_fit.hpp>
 #include <typemesh/paragraph/laid_line.hpp>
 #include <typemesh/paragraph/laid_text.hpp>
+#include <typemesh/paragraph/line_justifier.hpp>
 #include <typemesh/paragraph/line_slices.hpp>
 #include <typemesh/paragraph/line_writer.hpp>
 #include <typemesh/paragraph/paragraph_options.hpp>
@@ -61,6 +62,7 @@ public:
           pieces_{source},
           slices_{source},
           elision_{source},
+          justifier_{source},
           ends_{source},
           lines_{source},
           placed_{source}
@@ -196,11 +198,13 @@ private:
         const double em = units_per_em_;
         room_ = {.width = options.width * em,
                  .indent = options.indent * em,
+                 .shrink = options.align == line_alignment::justify ? 0.25 : 0.0,
                  .tab = options.tab_width * space_,
                  .stops = options.tab_stops,
                  .stop_unit = em,
                  .most_lines = options.most_lines};
         shaped_.truncate(own_clusters_, own_glyphs_);
+        justifier_.clear();
         const auto pieces = break_lines(options);
         own_clusters_ = shaped_.all_clusters();
         own_glyphs_ = shaped_.all_glyphs();
@@ -269,8 +273,12 @@ private:
         double width = *natural;
         const double spare = room_.width - line.pen - width;
         const bool whole = elided || last.ends_line() || line.last == line.all.pieces.size();
-        if (options.align == line_alignment::justify && !whole && spare > 0.0 && is_finite(spare))
-            width += slices_.justify(shaped_, spare);
+        if (options.align == line_alignment::justify && spare > 0.0 && !whole && is_finite(spare)) {
+            const auto grown = justifier_.widen(slices_, shaped_, *font_, options.justify, spare);
+            if (!grown) return grown.error();
+            width += *grown;
+        }
+        if (spare < 0.0 && !elided) width -= line_justifier::narrow(slices_, shaped_, 0.0 - spare, room_.shrink);
         if (line.pen + width > longest_) longest_ = line.pen + width;
 
         const laid_line laid{.first = first.first,
@@ -349,6 +357,7 @@ private:
     text_pieces pieces_;
     line_slices slices_;
     elision elision_;
+    line_justifier justifier_;
     buffer<std::uint32_t> ends_;  // of the lines, in the list of pieces
     buffer<laid_line> lines_;
     buffer<line_slice> placed_;  // of all lines, from left to right

@@ -26,7 +26,14 @@ enum class line_alignment : std::uint8_t {
     left,
     centre,
     right,
-    justify,  ///< the spaces of every line but a paragraph's last are stretched, lines without any stand at the start
+    justify,  ///< every line but a paragraph's last is made as wide as the width; what cannot be stands at the start
+};
+
+/// What makes justified lines wider. Where it cannot, spaces do.
+enum class justification : std::uint8_t {
+    spaces,
+    letters,  ///< all distances between letters and spaces alike, but for letters that are written joined
+    kashida,  ///< where the font allows, strokes between joined letters of Arabic and its kin; spaces the rest
 };
 
 /// What stands at y = 0, or where the text stands in a box from there down by its height.
@@ -50,6 +57,7 @@ struct paragraph_options {
     double width = std::numeric_limits<double>::infinity();  ///< of a line, in columns their height; more than 0
     wrap_mode wrap = wrap_mode::word_or_grapheme;
     line_alignment align = line_alignment::start;
+    justification justify = justification::spaces;  ///< for line_alignment::justify
     vertical_anchor anchor = vertical_anchor::first_baseline;
     double height = 0.0;                      ///< of the box that top, middle and bottom refer to
     std::uint32_t most_lines = 0xFFFF'FFFFu;  ///< further ones are dropped, 0 is refused

@@ -221,6 +221,42 @@ public:
         for (std::uint32_t g = c.glyph; g < c.glyph + c.glyph_count; ++g) glyphs_[g].cluster = at;
     }
 
+    /// Appends a cluster for text[at] that shows a part of other text, as it looks in the whole of that: in the item's
+    /// script and direction.
+    template <item_shaper Shaper>
+    error append_part(Shaper& shaper, std::uint32_t item, std::uint32_t at, text_view whole, text_range part) noexcept
+    {
+        text_item all = items_[item];
+        all.first = 0;
+        all.last = static_cast<std::uint32_t>(whole.size());
+        const std::size_t before = glyphs_.size();
+        if (error e = shaper.shape_item(whole, all, options_of(item), glyphs_)) return e;
+        std::size_t kept = before;
+        text_cluster c{.first = at,
+                       .last = at + 1,
+                       .glyph = static_cast<std::uint32_t>(before),
+                       .item = item,
+                       .flags = cluster_flags::foreign};
+        for (std::size_t g = before; g < glyphs_.size(); ++g) {
+            if (glyphs_[g].cluster < part.first || glyphs_[g].cluster >= part.last) continue;
+            glyphs_[kept] = glyphs_[g];
+            glyphs_[kept].cluster = at;
+            c.advance += glyphs_[kept++].advance;
+        }
+        glyphs_.truncate(kept);
+        c.glyph_count = static_cast<std::uint32_t>(kept - before);
+        if (!clusters_.push_back(c)) return error::out_of_memory;
+        sum_up(clusters_.size() - 1);
+        return {};
+    }
+    /// Scales the advances of a cluster that shows other text, and of its glyphs.
+    void scale_foreign(std::size_t cluster, double scale) noexcept
+    {
+        text_cluster& c = clusters_[cluster];
+        c.advance *= scale;
+        for (std::uint32_t g = c.glyph; g < c.glyph + c.glyph_count; ++g) glyphs_[g].advance *= scale;
+    }
+
 private:
     /// Sums the advances before clusters from `first` on.
     void sum_up(std::size_t first) noexcept

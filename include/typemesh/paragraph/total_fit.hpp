@@ -150,13 +150,15 @@ private:
         const bool may_end = ends || p.end == piece_end::allowed;
         for (std::size_t i = from_; i < to_; ++i) {
             start& s = starts_[i];
-            if (visible) {
-                s.width = width - s.origin;
-                s.stretch = stretch - s.before;
+            const double line = visible ? width - s.origin : s.width;
+            const double spaces = visible ? stretch - s.before : s.stretch;
+            if (p.width > 0.0) {
+                s.width = line;
+                s.stretch = spaces;
             }
-            const double spare = room_.width - s.width - change, shrink = room_.shrink * s.stretch;
-            if (may_end && (ends || !(spare > how_.tolerance * (s.stretch + emergency_)))) {
-                const double sum = s.demerits + demerits_of(spare, s.stretch, shrink, ends, p.hyphen);
+            const double spare = room_.width - line - change, shrink = room_.shrink * spaces;
+            if (may_end && (ends || !(spare > how_.tolerance * (spaces + emergency_)))) {
+                const double sum = s.demerits + demerits_of(spare, spaces, shrink, ends, p.hyphen);
                 if (sum < best.demerits) best = {.piece = s.piece, .demerits = sum};
             }
             if (ends || (spare < 0.0 - shrink && spare + change < 0.0 - shrink)) {

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+#include "support/catch.hpp"
+#include "support/counting_memory.hpp"
+#include "support/toy_item_shaper.hpp"
+
+#include <typemesh/paragraph/paragraph.hpp>
+#include <typemesh/paragraph/total_fit.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace typemesh;
+
+namespace line_justifier_tests {
+namespace {
+
+const std::u16string mixed =
+    u"AVATAR of the fifth \u0628\u0628\u0628 \u0628\u0628 office, \u05D0\u05D1 12 \u05D2\u05D3 and fi\u00ADfi\n"
+    u"\u0628\u0628\u0628\u0628 a\u0301\u0302b\t\u0628\u0628\u0628\u0628 \u0662\u0663 \u0628\u0628\u0628 cd, "
+    u"\u05D0\u05D1\u05D2 \u05D3 xyz.\r\nx  \n";
+constexpr glyph_id stroke = 0x640;
+
+template <class Breaker = first_fit>
+struct justified {
+    test::toy_item_shaper font;
+    paragraph<test::toy_item_shaper, unicode_analyser, Breaker> words{font, heap(), unicode_analyser{}, Breaker{}};
+    glyph_run run;
+
+    justified(const std::u16string& text, double width, justification by, direction d = direction::automatic)
+        : text_{text}
+    {
+        shape_options how;
+        how.direction = d;
+        REQUIRE_FALSE(words.set(text_, how));
+        again(width, by);
+    }
+    void again(double width, justification by, line_alignment align = line_alignment::justify)
+    {
+        REQUIRE_FALSE(words.lay_out({.width = width, .align = align, .justify = by}, run));
+    }
+    [[nodiscard]] std::vector<double> places() const
+    {
+        std::vector<double> x;
+        for (const placed_glyph& g : run.glyphs) x.push_back(g.origin.x);
+        return x;
+    }
+    [[nodiscard]] std::size_t strokes() const
+    {
+        std::size_t n = 0;
+        for (const placed_glyph& g : run.glyphs) n += g.id == stroke ? 1u : 0u;
+        return n;
+    }
+
+private:
+    std::u16string text_;
+};
+
+constexpr justification all_ways[] = {justification::spaces, justification::letters, justification::kashida};
+
+/// Whether the text of a line demands that it ends there.
+bool is_last(const std::u16string& text, const laid_line& line)
+{
+    return line.last == text.size() || text[line.last - 1] == u'\n';
+}
+
+template <class Breaker>
+void check_widths(double width, justification by)
+{
+    const justified<Breaker> p{mixed, width, by};
+    for (std::size_t k = 0; k < p.run.lines.size(); ++k) {
+        const laid_line& line = p.words.lines()[k];
+        if (is_last(mixed, line) || line.width > width * 1000.0) continue;
+        const std::u16string shown = mixed.substr(line.first, line.last - line.first);
+        const std::size_t end = shown.find_last_not_of(u' ');
+        if (shown.find(u' ') >= end || shown.find(u'\t') < end) continue;  // no space to stretch, or before a tab
+        INFO(width << " " << static_cast<int>(by) << " line " << k);
+        CHECK(std::fabs(line.left) <= 1e-9 * width * 1000.0);
+        CHECK(std::fabs(line.width - width * 1000.0) <= 1e-9 * width * 1000.0);
+    }
+}
+
+}  // namespace
+}  // namespace line_justifier_tests
+
+using namespace line_justifier_tests;
+
+TEST_CASE("justified lines are as wide as the width, whatever makes them wider", "[paragraph]")
+{
+    for (const justification by : all_ways)
+        for (double width = 3.0; width < 30.0; width *= 1.07) {
+            check_widths<first_fit>(width, by);
+            check_widths<total_fit>(width, by);
+        }
+}
+
+TEST_CASE("every cluster of a justified text is drawn once, besides it hyphens and strokes only", "[paragraph]")
+{
+    for (const justification by : all_ways)
+        for (double width = 2.0; width < 30.0; width *= 1.2) {
+            justified<> plain{mixed, width, by}, p{mixed, width, by};
+            plain.again(width, by, line_alignment::start);
+            std::map<std::pair<cluster_id, glyph_id>, int> times;
+            for (const placed_glyph& g : plain.run.glyphs) ++times[{g.cluster, g.id}];
+            for (const placed_glyph& g : p.run.glyphs)
+                if (g.id != stroke) --times[{g.cluster, g.id}];
+            for (const auto& [glyph, count] : times) CHECK(count == 0);
+            CHECK((by == justification::kashida || p.strokes() == 0));
+        }
+}
+
+TEST_CASE("lines that need nothing are left as they are", "[paragraph]")
+{
+    for (const justification by : all_ways) {
+        const std::u16string text =
+            u"\u0628\u0628 ab \u0628\u0628\u0628";  // of 4000, in the only line and before a break
+        for (const auto& shown : {text, text + u"\nab", text + u"  " + text}) {
+            justified<> plain{shown, 4.0, by}, p{shown, 4.0, by};
+            plain.again(4.0, by, line_alignment::start);
+            CHECK(p.places() == plain.places());
+        }
+        justified<> last{text, 9.0, by};
+        last.again(9.0, by, line_alignment::start);
+        const auto before = last.places();
+        last.again(9.0, by);
+        CHECK(last.places() == before);
+    }
+}
+
+TEST_CASE("letters move apart evenly, but for those that are written joined", "[paragraph]")
+{
+    justified<> p{u"abc de \u0628\u0628 x yyyyyyyy", 6.5, justification::letters};
+    REQUIRE(p.run.lines.size() == 2);
+    // 12 letters and spaces before the edge, 11 distances of which one is between joined letters; 1000 to fill
+    const std::vector<double> x = p.places();
+    const double each = (6500.0 - p.words.shaped().advance(0, 11)) / 9.0;
+    double pen = 0.0;
+    for (std::size_t k = 0; k < 6; ++k) {
+        CHECK(x[k] == Approx(pen));
+        pen += (k == 3 ? 250.0 : 500.0) + each;
+    }
+    const auto glyphs = p.run.glyphs.view();
+    for (std::size_t k = 0; k + 1 < glyphs.size(); ++k)
+        if (glyphs[k].id == 0x628 && glyphs[k + 1].id == 0x628) CHECK(x[k + 1] - x[k] == 500.0);
+    CHECK(p.run.lines[0].advance == Approx(6500.0));
+
+    justified<> kana{u"\u304B\u306A\u304B\u306A\u304B\u306A", 2.2, justification::letters};  // no spaces at all
+    CHECK(kana.run.lines[0].advance == Approx(2200.0));
+    CHECK(kana.places()[3] == Approx(1700.0));
+}
+
+TEST_CASE("letters end at both edges of lines of both directions", "[paragraph]")
+{
+    using d = direction;
+    for (const auto& [text, way] : {std::pair{u"\u05D0\u05D1 ab cd xxxxxxxx", d::right_to_left},
+                                    {u"\u05D0\u05D1 ab cd xxxxxxxx", d::left_to_right},
+                                    {u"ab \u05D0\u05D1 cd xxxxxxxx", d::left_to_right},
+                                    {u"ab cd \u05D0\u05D1 xxxxxxxx", d::right_to_left},
+                                    {u"ab cd \u05D0\u05D1 xxxxxxxx", d::left_to_right}}) {
+        justified<> p{text, 4.7, justification::letters, way};
+        double left = 1e9, right = 0.0;
+        const text_line& line = p.run.lines[0];
+        for (const placed_glyph& g : p.run.glyphs.view().subspan(line.first_glyph, line.glyph_count)) {
+            if (g.id == ' ') continue;
+            left = (std::min)(left, g.origin.x);
+            right = (std::max)(right, g.origin.x + 500.0);
+        }
+        CHECK(left == Approx(0.0).margin(1e-6));
+        CHECK(right == Approx(4700.0));
+    }
+}
+
+TEST_CASE("strokes stand between joined letters, each belongs to the letter before it", "[paragraph]")
+{
+    justified<> p{u"\u0628\u0628\u0628 \u0628\u0628 \u0628 xxxxxxxxxx", 5.7, justification::kashida};
+    REQUIRE(p.strokes() == 4);  // 2200 to fill: four of 500, the rest in two spaces
+    const text_line& line = p.run.lines[0];
+    CHECK(line.advance == Approx(5700.0));
+    std::map<cluster_id, int> of;
+    const auto glyphs = p.run.glyphs.view().subspan(line.first_glyph, line.glyph_count);
+    for (std::size_t k = 0; k < glyphs.size(); ++k)
+        if (glyphs[k].id == stroke) {
+            ++of[glyphs[k].cluster];
+            CHECK(glyphs[k].origin.x - glyphs[k - 1].origin.x == Approx(500.0));
+            CHECK(glyphs[k + 1].origin.x - glyphs[k].origin.x == Approx(500.0));
+        }
+    CHECK(of == std::map<cluster_id, int>{{1, 2}, {4, 2}});
+}
+
+TEST_CASE("a line without spaces is filled by strokes that overlap, up to so many in a word", "[paragraph]")
+{
+    justified<> p{u"\u0628\u0628\u0628 xxxxxxxxxxxxx", 2.3, justification::kashida};
+    CHECK(p.strokes() == 2);
+    CHECK(p.run.lines[0].advance == Approx(2300.0));
+    p.again(6.0, justification::kashida);
+    CHECK(p.strokes() == line_justifier::most_strokes);
+    CHECK(p.run.lines[0].advance == Approx(5500.0));
+}
+
+TEST_CASE("without a stroke in the font spaces fill the line", "[paragraph]")
+{
+    struct without_strokes : test::toy_item_shaper {
+        error shape_item(text_view text, const text_item& item, const shape_options& how,
+                         buffer<shaped_glyph>& glyphs) noexcept
+        {
+            if (item.first < item.last && decode(text, item.first).value == stroke) return {};
+            return test::toy_item_shaper::shape_item(text, item, how, glyphs);
+        }
+    } font;
+    paragraph words{font};
+    glyph_run run;
+    REQUIRE_FALSE(words.set(u"\u0628\u0628 \u0628\u0628 xxxxxxxxxx"));
+    REQUIRE_FALSE(
+        words.lay_out({.width = 4.0, .align = line_alignment::justify, .justify = justification::kashida}, run));
+    CHECK(run.lines[0].advance == 4000.0);
+    for (const placed_glyph& g : run.glyphs) CHECK(g.id != stroke);
+}
+
+TEST_CASE("a caret's own point leads back to its place in lines of every justification", "[paragraph]")
+{
+    for (const justification by : all_ways) {
+        const justified<> p{mixed, 7.0, by};
+        const laid_text laid = p.words.laid();
+        for (std::uint32_t u = 0; u < mixed.size(); ++u) {
+            if (!has(p.words.shaped().analysis.marks[u], text_mark::grapheme)) continue;
+            const caret at = laid.caret_at(u);
+            const text_place back = laid.caret_from(at.at);
+            CHECK(laid.caret_at(back.unit, back.side).at == at.at);
+        }
+    }
+}
+
+TEST_CASE("lines that total_fit has made too full are narrowed to the width", "[paragraph]")
+{
+    const std::u16string text = u"aa bb cc dd ee ff gg hh ii jj kk ll";
+    for (const justification by : all_ways) {
+        const justified<total_fit> p{text, 7.0, by};
+        REQUIRE(p.run.lines.size() == 2);  // of 7250 by nature
+        for (const text_line& line : p.run.lines) CHECK(line.advance == Approx(7000.0));
+    }
+}
+
+TEST_CASE("justifying reports a memory that gives nothing, wherever it does, and keeps what it has", "[paragraph]")
+{
+    for (const justification by : all_ways) {
+        test::toy_item_shaper font;
+        test::counting_memory counted;
+        paragraph words{font, counted.source(), unicode_analyser{counted.source()}};
+        REQUIRE_FALSE(words.set(mixed));
+        const paragraph_options how{.width = 6.0, .align = line_alignment::justify, .justify = by};
+        for (std::size_t n = 1;; ++n) {
+            test::counting_memory failing{.fail_at = n};
+            paragraph poor{font, failing.source(), unicode_analyser{failing.source()}};
+            glyph_run run;
+            error e = poor.set(mixed);
+            if (!e) e = poor.lay_out(how, run);
+            if (!e) break;
+            REQUIRE(e == error::out_of_memory);
+        }
+        glyph_run run{counted.source()};
+        REQUIRE_FALSE(words.lay_out(how, run));
+        const std::size_t before = counted.requests;
+        for (int k = 0; k < 3; ++k) REQUIRE_FALSE(words.lay_out(how, run));
+        CHECK(counted.requests == before);
+    }
+}
