@@ -3,7 +3,7 @@
 # How each adapter's library is found: by its CMake package first, by pkg-config second. Used by the source tree and,
 # installed beside typemesh-config.cmake, by find_package(typemesh COMPONENTS ...).
 
-set(typemesh_adapters harfbuzz freetype directwrite icu glm threads)
+set(typemesh_adapters harfbuzz freetype directwrite fontconfig icu glm threads)
 
 # Sets `result` to the target of the library that the adapter `name` needs, or leaves it empty and says in `reason` why.
 function(typemesh_find_adapter name result reason)
@@ -26,6 +26,9 @@ function(typemesh_find_adapter name result reason)
             set(library dwrite)
         endif()
         set(why "DirectWrite is a part of Windows, and this is built for ${CMAKE_SYSTEM_NAME}")
+    elseif(name STREQUAL "fontconfig")
+        typemesh_find_library(Fontconfig Fontconfig::Fontconfig fontconfig library)
+        set(why "fontconfig was not found, neither by CMake's FindFontconfig nor as the pkg-config module 'fontconfig'")
     elseif(name STREQUAL "icu")
         if(NOT TARGET ICU::uc)
             find_package(ICU QUIET COMPONENTS uc)

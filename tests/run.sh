@@ -174,7 +174,7 @@ install_npm() {  # install_npm FOLDER PACKAGE VERSION
 tier_external() {
     install_missing benchmark
     (install_missing admesh openscad node npm) || say "Going on without them: the tests that need them are skipped."
-    (install_missing fontconfig-dev lib3mf) || say "Going on without them: text_to_mesh takes font files only, or writes no 3MF."
+    (install_missing lib3mf) || say "Going on without it: text_to_mesh writes no 3MF."
     mkdir -p "$typemesh_root/build/external"
     build release
     install_npm external gltf-validator 2.0.0-dev.3.10
@@ -197,7 +197,7 @@ need_build_folder gcc
 begun=$(date +%s)
 # The fonts of tests/workload/smoke-fonts.tsv but the largest.
 fonts=$(awk -F '\t' 'NR > 1 && $2 < 20000000 { print $1 }' "$typemesh_root/tests/workload/smoke-fonts.tsv")
-install_missing g++ cmake ninja pkg-config harfbuzz freetype icu glm catch2 cli11 tinygltf stb fontconfig font
+install_missing g++ cmake ninja pkg-config harfbuzz freetype fontconfig-dev icu glm catch2 cli11 tinygltf stb fontconfig font
 # shellcheck disable=SC2086  # a list of words
 install_fonts unicode-data $fonts  # the Unicode Character Database is installed as fonts are
 [ -z "$everything" ] || install_fonts fonts-mplus fonts-noto-cjk  # the large ones of tests/workload/fonts.tsv

@@ -39,7 +39,7 @@ void add_loops(overlay& to, const options& o, std::span<const typemesh::grid_poi
 
 }  // namespace
 
-overlay annotate(const options& o, typemesh::harfbuzz_font& font, const typemesh::glyph_run& run,
+overlay annotate(const options& o, font_set& font, const typemesh::glyph_run& run,
                  std::span<const typemesh::drawn_glyph> shapes, const chosen_discretiser& discretiser,
                  const model& mesh)
 {
@@ -58,7 +58,11 @@ overlay annotate(const options& o, typemesh::harfbuzz_font& font, const typemesh
     typemesh::outline shape;
     typemesh::contours loops;
     for (const typemesh::placed_glyph& glyph : run.glyphs) {
-        if (glyph.missing || record(font, glyph.id, shape) || shape.curves.empty()) continue;
+        const std::uint32_t face = run.looks.empty() ? 0 : run.looks[glyph.look].face;
+        const double scale = upem / font.units_per_em(face);
+        const typemesh::affine map{.xx = scale, .yy = scale};
+        typemesh::mapped_face own{font, face, &map, upem};
+        if (glyph.missing || record(own, glyph.id, shape) || shape.curves.empty()) continue;
         const auto grid = typemesh::grid::fitting(upem, shape.bounds);
         const auto lines = [&](const auto& d) { return discretise(shape, d, o.tolerance * upem, *grid, loops); };
         if (!grid || std::visit(lines, discretiser)) continue;

@@ -15,8 +15,11 @@ struct font_file {
     std::vector<typemesh::variation> variations;  ///< that make a variable font the style asked for
 };
 
+/// Whether a name looks like a file's, or there is such a file.
+[[nodiscard]] bool is_a_file(const std::string& name);
+
 /// Finds what --font names: a file, or an installed family with a style, as fontconfig writes it ("DejaVu Sans",
-/// "DejaVu Sans:bold"). What looks like a path, or is a file, is one. No other family stands in for one that is not
+/// "DejaVu Sans:bold"). No other family stands in for one that is not
 /// installed.
 ///
 /// Gives  an empty string, or one sentence for the user

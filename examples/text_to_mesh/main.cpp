@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "annotations.hpp"
 #include "atomic_file.hpp"
-#include "font_file.hpp"
 #include "model.hpp"
 #include "options.hpp"
 #include "page.hpp"
@@ -11,6 +10,7 @@
 #include "report.hpp"
 #include "sewn.hpp"
 #include "statistics.hpp"
+#include "text_fonts.hpp"
 #include "write_3mf.hpp"
 #include "write_glb.hpp"
 #include "write_obj.hpp"
@@ -77,12 +77,15 @@ typemesh::error write_model(const options& o, const Plan& plan, model& out)
 
 /// Each different letter of a plan once, by the font's name for it, and where it stands.
 template <class Plan>
-typemesh::error write_letters(const options& o, const Plan& plan, const typemesh::harfbuzz_font& font, model& out)
+typemesh::error write_letters(const options& o, const Plan& plan, const font_set& fonts, model& out)
 {
     if (const typemesh::error e = plan.write_meshes(typemesh::into(out.vertices, out.indices))) return e;
     for (std::size_t m = 0; m < plan.meshes().size(); ++m) {
         char name[64];
-        hb_font_glyph_to_string(font.handle(), plan.meshes()[m].id, name, sizeof name);
+        const typemesh::glyph_run& all = plan.run();
+        const std::uint32_t look = all.glyphs[plan.glyphs()[plan.meshes()[m].first_glyph].glyph].look;
+        const std::uint32_t face = all.looks.empty() ? 0 : all.looks[look].face;
+        hb_font_glyph_to_string(fonts.font(face).handle(), plan.meshes()[m].id, name, sizeof name);
         model::letter l{name, plan.meshes()[m].first_vertex, 0, out.parts.size(), 0};
         for (const typemesh::part p : plan.parts()) {
             add_part(o, out, p, plan.mesh_part(m, p));
@@ -155,7 +158,7 @@ double picture_tolerance(const options& o, const typemesh::bounds3& bounds, cons
 
 /// Draws the text, one em large, and prepares the picture. Gives an empty string, or one sentence.
 template <class Extruder, class Discretiser>
-std::string draw_picture(const options& o, typemesh::harfbuzz_font& font, const typemesh::glyph_run& page,
+std::string draw_picture(const options& o, font_set& font, const typemesh::glyph_run& page,
                          const Discretiser& discretiser, file_set& files)
 {
     picture_options look;
@@ -195,9 +198,9 @@ std::string refusal_in_words(const options& o, const typemesh::error& e)
 
 /// Warns the user about a plan. Gives why nothing is written, or an empty string.
 template <class Plan>
-std::string name_warnings(const options& o, const Plan& plan, const typemesh::harfbuzz_font& font)
+std::string name_warnings(const options& o, const Plan& plan, const font_set& fonts)
 {
-    bool warned = name_missing_features(font, o.features);
+    bool warned = name_missing_features(fonts, o.features);
     warned = name_losses(plan.report()) || warned;
     if (!o.output.empty() && !o.instances) {
         const bool instances_help = o.kind == file_kind::glb && !o.merge;
@@ -211,7 +214,7 @@ std::string name_warnings(const options& o, const Plan& plan, const typemesh::ha
 
 /// All of it with an open font. Gives an empty string, or one sentence.
 template <class Discretiser, class Extruder>
-std::string run(const options& o, progress& tell, typemesh::harfbuzz_font& font, const Discretiser& discretiser,
+std::string run(const options& o, progress& tell, font_set& font, const Discretiser& discretiser,
                 const Extruder& extruder)
 {
     tell.begin("shaping the text and building its letters");
@@ -258,17 +261,13 @@ std::string run(const options& o, progress& tell, typemesh::harfbuzz_font& font,
 /// The same from the font on.
 std::string run(const options& o, progress& tell)
 {
-    tell.begin("opening the font");
-    font_file found;
-    if (std::string trouble = find_font(o.font, found); !trouble.empty()) return trouble;
-    found.variations.insert(found.variations.end(), o.variations.begin(), o.variations.end());
-    auto font = typemesh::harfbuzz_font::open(found.path.c_str(),
-                                              {.face = o.face.value_or(found.face), .variations = found.variations});
-    if (!font) return found.path + ": " + in_words(font.error());
+    tell.begin("opening the fonts");
+    text_fonts fonts;
+    if (std::string trouble = fonts.open(o); !trouble.empty()) return trouble;
     options of_file = o;
     if (o.kind == file_kind::three_mf) of_file.normals = normals_name::shared;  // see write_3mf()
-    return std::visit([&](const auto& d, const auto& e) { return run(o, tell, *font, d, e); },
-                      discretiser_of(o, font->units_per_em()), extruder_of(of_file));
+    return std::visit([&](const auto& d, const auto& e) { return run(o, tell, fonts.set(), d, e); },
+                      discretiser_of(o, fonts.set().units_per_em()), extruder_of(of_file));
 }
 
 }  // namespace

@@ -70,7 +70,8 @@ public:
     }
     std::string make_usage(const CLI::App*, std::string name) const override
     {
-        return "Usage: " + name + " TEXT --font FONT (--output FILE | --picture FILE.png | --stats) [options]\n";
+        return "Usage: " + name +
+               " TEXT (--font FONT | --family FAMILY) (--output FILE | --picture FILE.png | --stats) [options]\n";
     }
     std::string make_option_opts(const CLI::Option* option) const override
     {
@@ -90,7 +91,7 @@ std::string version()
 /// Words of the command line that become something else after parsing.
 struct raw_values {
     std::vector<std::string> variations, features, show;
-    std::string uv, fill, profile = "chamfer";
+    std::string uv, fill, profile = "chamfer", family;
     std::optional<double> size, bevel_depth, bevel_steps, letter_spacing;
     bool no_merge = false, tolerance_given = false, shading_given = false, normals_given = false, bevel_given = false,
          align_given = false;
@@ -104,8 +105,13 @@ void add_text_options(CLI::App& app, options& out, raw_values& raw)
     app.add_option("TEXT", out.text, "UTF-8; \\n starts a new line, a tab leads to the next tab stop")->required();
     app.add_option("--font", out.font,
                    "a file: TrueType, OpenType, collection, variable; or an installed family: \"DejaVu Sans:bold\"")
-        ->required()
         ->type_name("FONT");
+    app.add_option("--fallback", out.fallback, "another, for what the font lacks; may come again")
+        ->type_name("FONT")
+        ->take_all()
+        ->expected(1);
+    app.add_option("--family", raw.family, "instead of --font: a family, and any installed font for what it lacks")
+        ->type_name("FAMILY");
     add_number(
         app, "--face", "the face's number in a collection", "a whole number",
         [](double n) { return n >= 0.0 && n < 4294967296.0 && n == std::floor(n); },
@@ -396,6 +402,16 @@ std::string settle_lines(options& out, const raw_values& raw)
     return {};
 }
 
+/// Chooses between --font and --family. Gives an empty string, or what is wrong.
+std::string settle_font(options& out, const raw_values& raw)
+{
+    if (raw.family.empty() && out.font.empty()) return "--font is missing, or --family";
+    if (!raw.family.empty() && !out.font.empty()) return "--family: is not for --font, which names the font already";
+    out.family = !raw.family.empty();
+    if (out.family) out.font = raw.family;
+    return {};
+}
+
 /// Finishes what the words left open. Gives an empty string, or one sentence of what is wrong.
 std::string settle(options& out, const raw_values& raw)
 {
@@ -424,6 +440,7 @@ std::string settle(options& out, const raw_values& raw)
     out.show_normals = shown("normals");
     out.checker = shown("checker");
 
+    if (std::string trouble = settle_font(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_lines(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_bevel(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_weight(out, raw); !trouble.empty()) return trouble;

@@ -43,7 +43,9 @@ struct outline_options {
 /// What the command line asks for.
 struct options {
     std::string text;
-    std::string font;              ///< a file's name or a family's
+    std::string font;     ///< a file's name or a family's
+    bool family = false;  ///< it is that of --family: other installed fonts stand in for it
+    std::vector<std::string> fallback;
     std::optional<unsigned> face;  ///< in a collection
     std::vector<typemesh::variation> variations;
     std::vector<typemesh::feature> features;

@@ -7,7 +7,7 @@
 
 namespace text_to_mesh {
 
-std::string lay_out_page(const options& o, typemesh::harfbuzz_font& font, typemesh::glyph_run& page)
+std::string lay_out_page(const options& o, font_set& font, typemesh::glyph_run& page)
 {
     if (!o.page) return {};
     typemesh::paragraph words{font};

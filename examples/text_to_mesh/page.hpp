@@ -2,8 +2,8 @@
 #pragma once
 
 #include "options.hpp"
+#include "text_fonts.hpp"
 
-#include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 
 #include <string>
@@ -12,7 +12,7 @@ namespace text_to_mesh {
 
 /// Lays the text out as a paragraph, if the options ask for one: `page` gets its lines. Gives an empty string, or one
 /// sentence of what is wrong.
-[[nodiscard]] std::string lay_out_page(const options& o, typemesh::harfbuzz_font& font, typemesh::glyph_run& page);
+[[nodiscard]] std::string lay_out_page(const options& o, font_set& font, typemesh::glyph_run& page);
 
 /// What a mesher plans: that page, or the plain text.
 template <class Mesher>

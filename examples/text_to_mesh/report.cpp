@@ -79,11 +79,14 @@ bool name_losses(const typemesh::text_report& report)
     return !losses.empty();
 }
 
-bool name_missing_features(const typemesh::harfbuzz_font& font, std::span<const typemesh::feature> wanted)
+bool name_missing_features(const font_set& fonts, std::span<const typemesh::feature> wanted)
 {
     bool missing = false;
     for (const typemesh::feature& f : wanted) {
-        if (f.value == 0 || has_feature(hb_font_get_face(font.handle()), hb_tag_from_string(f.tag, 4))) continue;
+        bool found = f.value == 0;
+        for (std::uint32_t face = 0; face < fonts.face_count(); ++face)
+            found = found || has_feature(hb_font_get_face(fonts.font(face).handle()), hb_tag_from_string(f.tag, 4));
+        if (found) continue;
         std::fprintf(stderr, "text_to_mesh: the font has no feature %s.\n", f.tag);
         missing = true;
     }

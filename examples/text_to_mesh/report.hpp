@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/adapt/harfbuzz.hpp>
+#include "text_fonts.hpp"
+
 #include <typemesh/typemesh.hpp>
 
 #include <cstdint>
@@ -21,9 +22,9 @@ namespace text_to_mesh {
 /// What in_words() says of the report; true when it says something.
 bool name_losses(const typemesh::text_report& report);
 
-/// Features that are to be on and that the font has not: neither among its substitutions nor its positions. True where
+/// Features that are to be on and that no font has: neither among its substitutions nor its positions. True where
 /// there is one.
-bool name_missing_features(const typemesh::harfbuzz_font& font, std::span<const typemesh::feature> wanted);
+bool name_missing_features(const font_set& fonts, std::span<const typemesh::feature> wanted);
 
 /// Triangles that 32-bit positions flip or flatten: typemesh::flipped_triangles. True where there are some.
 /// `instances_help` where --instances can be given.

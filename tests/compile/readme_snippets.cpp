@@ -14,7 +14,11 @@
 #include <typemesh/paragraph/paragraph.hpp>
 #include <typemesh/paragraph/total_fit.hpp>
 #include <typemesh/text/font_cascade.hpp>
+#include <typemesh/text/font_list.hpp>
 #include <typemesh/typemesh.hpp>
+#if __has_include(<fontconfig/fontconfig.h>)
+#include <typemesh/adapt/fontconfig_fallback.hpp>
+#endif
 #include <typemesh/unicode/hyphenating.hpp>
 #include <cassert>
 #include <cstdio>
@@ -129,6 +133,13 @@ typemesh::font_cascade fonts{*font, *arabic, *cjk};
 typemesh::text_mesher in_any_script{fonts};
 auto greeting = in_any_script.plan("Hello, مرحبا, 你好");
         use(greeting);
+#if __has_include(<fontconfig/fontconfig.h>)
+auto fonts_here = typemesh::fontconfig_fonts::open();
+if (!fonts_here) return std::puts(fonts_here.error().message()), 1;
+typemesh::fontconfig_fallback<typemesh::harfbuzz_font> installed{*fonts_here, "Noto Sans"};   // a family to resemble
+typemesh::font_list any{*font, installed};
+        use(any);
+#endif
     }
 auto word = mesher.plan("مرحبا", {.merge = true});
     use(lines, inter, word);

@@ -125,6 +125,23 @@ expect 2 "--wrap: is for --width" x --font $sans --stats --wrap word
 expect 2 "--ellipsis: is for" x --font $sans --stats --ellipsis x
 expect 2 "--elide: is for --ellipsis" x --font $sans --stats --width 3 --elide start
 
+# Many fonts: what one lacks the next one has, and the text of the first is as without them.
+many="Tea شاي 茶!"
+comic=/usr/share/fonts/opentype/comic-neue/ComicNeue-Regular.otf
+cjk=/usr/share/fonts/truetype/wqy/wqy-microhei.ttc
+expect 0 "no glyph for 4 of 10 characters" "$many" --font $comic --output lacking.glb
+expect 0 "no glyph for 1 of 10 characters" "$many" --font $comic --fallback $arabic --output lacking.glb
+expect 0 "" "$many" --font $comic --fallback $arabic --fallback $cjk --strict --output many.glb --picture many.png --show contours
+expect 0 "" "$many" --font $comic --fallback $arabic --fallback $cjk --strict --instances --width 3 --output many_letters.glb
+expect 0 "" "Tea" --font $comic --output first.glb
+expect 0 "" "Tea" --font $comic --fallback $arabic --output first_of_two.glb
+that "what the first font has is its own" cmp -s first.glb first_of_two.glb
+expect 1 "--fallback: Nope is n" x --font $sans --stats --fallback Nope
+expect 1 "--fallback: nope.ttf: The font file cannot be opened" x --font $sans --stats --fallback nope.ttf
+expect 2 "--fallback" x --font $sans --stats --fallback
+expect 2 "--family: is not for --font" x --font $sans --stats --family Amiri
+expect 1 "--family: must be an installed family, not the file" x --stats --family $sans
+
 expect 0 "" "$(printf 'a\tb')" --font $sans --strict --output tab.glb  # a tab is no missing character
 expect 0 "" "你好" --font /usr/share/fonts/truetype/wqy/wqy-microhei.ttc --face 1 --output face.glb
 expect 0 "" "Bold" --font /usr/share/fonts/truetype/inter-vf/Inter.var.ttf --variation wght=900 --output bold.glb
@@ -358,7 +375,14 @@ if "$program" x --font "Liberation Sans" --output family.glb 2>err; then
         expect 1 "^text_to_mesh: Liberation Sans:$words: no installed font of this family has that .*\.$" x --font "Liberation Sans:$words" --output x.glb
     done
     expect 1 "^text_to_mesh: Nobodys Sans is neither a file nor an installed family" x --font "Nobodys Sans" --output x.glb
+    expect 0 "" x --family "Liberation Sans" --output of_family.glb
+    that "--family is --font where nothing is lacking" cmp -s of_family.glb family.glb
+    expect 0 "" "$many" --family "Comic Neue" --strict --output installed.glb
+    expect 0 "" "$many" --family "Comic Neue" --fallback $arabic --strict --output installed_after.glb
+    that "fonts that are named come before those that are found" differ installed.glb installed_after.glb
+    expect 1 "^text_to_mesh: Nobodys Sans is neither a file nor an installed family" x --family "Nobodys Sans" --output x.glb
 else
+    expect 1 "--family: this program was built without fontconfig" x --family "Liberation Sans" --output x.glb
     that "why no family is found" grep -q "Liberation Sans is no file, and this program was built without fontconfig" err
 fi
 

@@ -26,6 +26,7 @@ struct [[nodiscard]] error {
         no_such_look,         ///< a glyph names a look that its run's table does not hold; count = how many it holds
         other_units,          ///< a run's units per em are not those of the font that is to draw it
         no_such_family,       ///< no font of that family is installed or in the given collection
+        no_such_style,        ///< the family has no font of that style; `option` names the property
         no_outlines,          ///< the font holds bitmaps only, or is not scalable
         unknown_glyph,        ///< the font has no such glyph, or its outline cannot be loaded
         unknown_variation,    ///< the font has no such axis
@@ -99,6 +100,7 @@ struct [[nodiscard]] error {
         case no_such_look: return "A glyph names a look that the table of its glyph_run does not hold.";
         case other_units: return "The glyph_run was made for a font with other units per em.";
         case no_such_family: return "No font of this family is installed or in the given collection.";
+        case no_such_style: return "No installed font of the family has this style.";
         case no_outlines: return "The font has no outlines (it holds bitmaps only).";
         case unknown_glyph: return "The font has no such glyph, or its outline cannot be loaded.";
         case unknown_variation: return "The font has no such variation axis.";

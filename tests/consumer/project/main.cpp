@@ -10,6 +10,9 @@
 #ifdef USER_HAS_directwrite
 #include <typemesh/adapt/directwrite.hpp>
 #endif
+#ifdef USER_HAS_fontconfig
+#include <typemesh/adapt/fontconfig.hpp>
+#endif
 #ifdef USER_HAS_glm
 #include <typemesh/adapt/glm.hpp>
 #endif
@@ -38,6 +41,10 @@ int main()
 #endif
 #ifdef USER_HAS_directwrite
     if (typemesh::directwrite_font::open(L"no such file")) return 1;
+#endif
+#ifdef USER_HAS_fontconfig
+    typemesh::installed_font found;
+    if (typemesh::fontconfig_fonts::open()->find("no such family", found) != typemesh::error::no_such_family) return 1;
 #endif
 #ifdef USER_HAS_glm
     if (glm::vec2(1.0f).x != 1.0f) return 1;

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/result.hpp>
+#include <typemesh/outline/font_options.hpp>
+#include <typemesh/unicode/script.hpp>
+
+#include <fontconfig/fontconfig.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <string_view>
+#include <utility>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+namespace detail {
+
+/// A pattern of fontconfig's, kept as long as this lives.
+class fontconfig_pattern {
+public:
+    explicit fontconfig_pattern(FcPattern* owned) noexcept : pattern_{owned} {}
+    fontconfig_pattern(const fontconfig_pattern&) = delete;
+    fontconfig_pattern& operator=(const fontconfig_pattern&) = delete;
+    ~fontconfig_pattern()
+    {
+        if (pattern_ != nullptr) FcPatternDestroy(pattern_);
+    }
+    [[nodiscard]] FcPattern* get() const noexcept { return pattern_; }
+
+private:
+    FcPattern* pattern_;
+};
+
+/// The n-th word of a property, null if there is none.
+[[nodiscard]] inline const FcChar8* fontconfig_word(const FcPattern* of, const char* property, int n = 0) noexcept
+{
+    FcChar8* found = nullptr;
+    return FcPatternGetString(of, property, n, &found) == FcResultMatch ? found : nullptr;
+}
+
+[[nodiscard]] inline bool fontconfig_has(const FcPattern* of, const char* property, const FcChar8* word) noexcept
+{
+    for (int n = 0;; ++n) {
+        const FcChar8* own = fontconfig_word(of, property, n);
+        if (own == nullptr) return false;
+        if (FcStrCmpIgnoreCase(own, word) == 0) return true;
+    }
+}
+
+}  // namespace detail
+
+/// Where an installed font lies, and which font of its file it is.
+class installed_font {
+public:
+    explicit installed_font(memory source = heap()) noexcept : path_{source}, variations_{source} {}
+
+    /// Empty before a font has been found.
+    [[nodiscard]] const char* path() const noexcept { return path_.empty() ? "" : path_.data(); }
+    /// For opening it. They refer to this.
+    [[nodiscard]] font_options options() const noexcept { return {face_, variations_.view()}; }
+    /// The number, from 1, of one of a variable font's named places on its axes, where fontconfig knows no more of it;
+    /// else 0.
+    [[nodiscard]] std::uint32_t named_instance() const noexcept { return instance_; }
+
+    /// What a pattern says that fontconfig has matched. Fails with error::out_of_memory.
+    error take(const FcPattern* match) noexcept
+    {
+        path_.clear();
+        variations_.clear();
+        const auto* file = static_cast<const char*>(static_cast<const void*>(detail::fontconfig_word(match, FC_FILE)));
+        if (file == nullptr) return error::no_such_family;
+        if (!path_.append({file, std::strlen(file) + 1})) return error::out_of_memory;
+        int index = 0;
+        FcPatternGetInteger(match, FC_INDEX, 0, &index);
+        face_ = static_cast<std::uint32_t>(index) & 0xFFFFu;
+        const void* axes = detail::fontconfig_word(match, FC_FONT_VARIATIONS);
+        if (error e = take_variations(static_cast<const char*>(axes))) return e;
+        instance_ = static_cast<std::uint32_t>(index) >> 16;
+        if (!variations_.empty() || instance_ == 0x8000u) instance_ = 0;  // 0x8000: the variable font itself
+        return {};
+    }
+
+private:
+    /// "wght=700,wdth=75"
+    error take_variations(const char* written) noexcept
+    {
+        while (written != nullptr && std::strlen(written) > 5 && written[4] == '=') {
+            variation v;
+            std::memcpy(v.tag, written, 4);
+            v.value = std::strtof(written + 5, nullptr);
+            if (!variations_.push_back(v)) return error::out_of_memory;
+            written = std::strchr(written, ',');
+            if (written != nullptr) ++written;
+        }
+        return {};
+    }
+
+    buffer<char> path_;
+    buffer<variation> variations_;
+    std::uint32_t face_ = 0, instance_ = 0;
+};
+
+/// The fonts that are installed, as fontconfig knows them. What it allocates comes from its own heap.
+///
+///     auto fonts = fontconfig_fonts::open();
+///     installed_font found;
+///     if (error e = fonts->find("Noto Sans:bold", found)) ...
+///     auto font = harfbuzz_font::open(found.path(), found.options());
+///
+/// Move-only. Used by one thread at a time.
+class fontconfig_fonts {
+public:
+    /// Reads the configuration and the lists of fonts: tens of milliseconds.
+    /// Fails with error::font_library_failed: there is no configuration, or no memory.
+    static result<fontconfig_fonts> open() noexcept
+    {
+        FcConfig* made = FcInitLoadConfigAndFonts();
+        if (made == nullptr) return error::font_library_failed;
+        return fontconfig_fonts{made};
+    }
+    fontconfig_fonts(fontconfig_fonts&& other) noexcept : config_{std::exchange(other.config_, nullptr)} {}
+    fontconfig_fonts& operator=(fontconfig_fonts&& other) noexcept
+    {
+        std::swap(config_, other.config_);
+        return *this;
+    }
+    ~fontconfig_fonts()
+    {
+        if (config_ != nullptr) FcConfigDestroy(config_);
+    }
+
+    [[nodiscard]] FcConfig* handle() const noexcept { return config_; }
+
+    /// Finds a font by its family and style, as fontconfig writes them: "Noto Sans", "Noto Sans:bold:italic",
+    /// "Inter:style=Semi Bold". Only scalable fonts are found, and none that is merely similar.
+    ///
+    /// Fails  error::no_such_family; error::no_such_style: the family has no such font, `option` says in what: weight,
+    ///        width, slant or style; error::bad_option: the name cannot be read; error::out_of_memory
+    error find(const char* name, installed_font& out) const noexcept
+    {
+        const void* words = name;
+        const detail::fontconfig_pattern asked{FcNameParse(static_cast<const FcChar8*>(words))};
+        const FcChar8* family = asked.get() != nullptr ? detail::fontconfig_word(asked.get(), FC_FAMILY) : nullptr;
+        if (family == nullptr) return error::bad("name");
+        const detail::fontconfig_pattern complete{FcPatternDuplicate(asked.get())};
+        if (complete.get() == nullptr) return error::out_of_memory;
+        FcPatternAddBool(complete.get(), FC_SCALABLE, FcTrue);
+        FcConfigSubstitute(config_, complete.get(), FcMatchPattern);
+        FcDefaultSubstitute(complete.get());
+        FcResult result = FcResultNoMatch;
+        const detail::fontconfig_pattern match{FcFontMatch(config_, complete.get(), &result)};
+        if (match.get() == nullptr || !detail::fontconfig_has(match.get(), FC_FAMILY, family))
+            return error::no_such_family;
+        if (const char* lacks = style_not_found(asked.get(), match.get())) {
+            error e = error::no_such_style;
+            e.option = lacks;
+            return e;
+        }
+        return out.take(match.get());
+    }
+
+private:
+    explicit fontconfig_fonts(FcConfig* owned) noexcept : config_{owned} {}
+
+    /// What was asked for and is not the match's, for fontconfig gives the nearest that there is; else null.
+    static const char* style_not_found(const FcPattern* asked, const FcPattern* match) noexcept
+    {
+        if (const FcChar8* style = detail::fontconfig_word(asked, FC_STYLE))
+            return detail::fontconfig_has(match, FC_STYLE, style) ? nullptr : FC_STYLE;
+        for (const char* what : {FC_WEIGHT, FC_WIDTH, FC_SLANT}) {
+            double wanted = 0.0, found = 0.0;
+            if (FcPatternGetDouble(asked, what, 0, &wanted) != FcResultMatch ||
+                FcPatternGetDouble(match, what, 0, &found) != FcResultMatch)
+                continue;
+            const bool slant = std::string_view{what} == FC_SLANT;  // oblique is as good as italic
+            const double apart = wanted < found ? found - wanted : wanted - found;
+            if (slant ? (wanted > 0.0) != (found > 0.0) : apart > 5.0) return what;  // book is as good as regular
+        }
+        return nullptr;
+    }
+
+    FcConfig* config_;
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI

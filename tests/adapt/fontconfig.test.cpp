@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#ifdef TYPEMESH_TEST_WITH_FONTCONFIG
+#include "support/catch.hpp"
+
+#include <typemesh/adapt/fontconfig.hpp>
+#include <typemesh/adapt/harfbuzz.hpp>
+
+#include <hb-ot.h>
+
+#include <string>
+#include <string_view>
+
+using namespace typemesh;
+
+namespace {
+
+std::string file_of(const installed_font& font)
+{
+    const std::string_view path{font.path()};
+    return std::string{path.substr(path.find_last_of('/') + 1)};
+}
+
+}  // namespace
+
+TEST_CASE("an installed font is found by its family and style", "[adapt][fontconfig]")
+{
+    auto fonts = fontconfig_fonts::open();
+    REQUIRE(fonts);
+    installed_font found;
+    CHECK(std::string_view{found.path()}.empty());
+    REQUIRE_FALSE(fonts->find("DejaVu Sans", found));
+    CHECK(file_of(found) == "DejaVuSans.ttf");
+    CHECK(found.options().face == 0);
+    CHECK(found.options().variations.empty());
+    CHECK(found.named_instance() == 0);
+    REQUIRE(harfbuzz_font::open(found.path(), found.options()));
+    REQUIRE_FALSE(fonts->find("dejavu sans:bold", found));  // letters count as on paper
+    CHECK(file_of(found) == "DejaVuSans-Bold.ttf");
+    REQUIRE_FALSE(fonts->find("Liberation Serif:bold:italic", found));
+    CHECK(file_of(found) == "LiberationSerif-BoldItalic.ttf");
+    REQUIRE_FALSE(fonts->find("Comic Neue:style=Light Italic", found));
+    CHECK(file_of(found) == "ComicNeue-LightItalic.otf");
+    REQUIRE_FALSE(fonts->find("WenQuanYi Micro Hei Mono", found));
+    CHECK(found.options().face == 1);  // of a collection
+}
+
+TEST_CASE("no font stands in for one that is not installed", "[adapt][fontconfig]")
+{
+    auto fonts = fontconfig_fonts::open();
+    REQUIRE(fonts);
+    installed_font found;
+    CHECK(fonts->find("No Family Of This Name", found) == error::no_such_family);
+    CHECK(fonts->find("", found) == error::bad_option);
+    CHECK(fonts->find(":bold", found) == error::bad_option);
+    const error weight = fonts->find("DejaVu Sans:black", found);
+    REQUIRE(weight == error::no_such_style);
+    CHECK(std::string_view{weight.option} == "weight");
+    CHECK(fonts->find("DejaVu Sans:style=Ornate", found) == error::no_such_style);
+    CHECK(std::string_view{found.path()}.empty());
+}
+
+TEST_CASE("a found font says where on its axes it lies", "[adapt][fontconfig]")
+{
+    FcPattern* match = FcPatternCreate();
+    const void* words[] = {"/fonts/a.ttf", "wght=700,wdth=87.5"};
+    FcPatternAddString(match, FC_FILE, static_cast<const FcChar8*>(words[0]));
+    FcPatternAddString(match, FC_FONT_VARIATIONS, static_cast<const FcChar8*>(words[1]));
+    FcPatternAddInteger(match, FC_INDEX, 0x8000 << 16 | 2);
+    installed_font font;
+    REQUIRE_FALSE(font.take(match));
+    FcPatternDestroy(match);
+    CHECK(std::string_view{font.path()} == "/fonts/a.ttf");
+    const font_options options = font.options();
+    CHECK(options.face == 2);
+    CHECK(font.named_instance() == 0);
+    REQUIRE(options.variations.size() == 2);
+    CHECK(std::string_view{options.variations[0].tag} == "wght");
+    CHECK(options.variations[0].value == 700.0f);
+    CHECK(std::string_view{options.variations[1].tag} == "wdth");
+    CHECK(options.variations[1].value == 87.5f);
+}
+#endif
