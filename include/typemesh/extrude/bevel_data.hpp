@@ -68,10 +68,28 @@ struct bevel_data : plan_arrays<side_point, bevel_vertex, bevel_triangle, bevel_
         std::uint32_t vertex;
         std::uint32_t next;  ///< of the same node
     };
-    /// What the corners of a vertex have in common.
+    /// The normals of the corners that share a vertex.
     struct corner_normals {
-        point first;
-        point sum;
+        point first, sum;
+        point right, left;  ///< the outermost ones, less than 180 degrees apart
+
+        explicit corner_normals(point n) noexcept : first{n}, sum{n}, right{n}, left{n} {}
+
+        void add(point n) noexcept
+        {
+            sum = sum + n;
+            if (cross(right, n) < 0.0) right = n;
+            if (cross(left, n) > 0.0) left = n;
+        }
+        /// Whether all differ by less than 90 degrees from their sum when one more is added.
+        [[nodiscard]] bool stays_near(point n) const noexcept
+        {
+            if (cross(right, n) < 0.0 && cross(left, n) > 0.0) return false;  // all round the vertex
+            corner_normals more = *this;
+            more.add(n);
+            constexpr double least = 0x1p-10;
+            return dot(more.sum, more.right) > least && dot(more.sum, more.left) > least;
+        }
     };
 
     swept_region swept;
