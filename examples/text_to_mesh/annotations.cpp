@@ -58,10 +58,10 @@ overlay annotate(const options& o, font_set& font, const typemesh::glyph_run& ru
     typemesh::outline shape;
     typemesh::contours loops;
     for (const typemesh::placed_glyph& glyph : run.glyphs) {
-        const std::uint32_t face = run.looks.empty() ? 0 : run.looks[glyph.look].face;
-        const double scale = upem / font.units_per_em(face);
-        const typemesh::affine map{.xx = scale, .yy = scale};
-        typemesh::mapped_face own{font, face, &map, upem};
+        const typemesh::look drawn_so = run.looks.empty() ? typemesh::look{} : run.looks[glyph.look];
+        const double scale = upem / typemesh::units_per_em_of(font, drawn_so.face);
+        const typemesh::affine map = typemesh::scaled_before(drawn_so.map, scale);
+        typemesh::mapped_face own{font, drawn_so.face, &map, upem};
         if (glyph.missing || record(own, glyph.id, shape) || shape.curves.empty()) continue;
         const auto grid = typemesh::grid::fitting(upem, shape.bounds);
         const auto lines = [&](const auto& d) { return discretise(shape, d, o.tolerance * upem, *grid, loops); };

@@ -56,7 +56,8 @@ typemesh::text_options text_options_of(const options& o)
 /// How many parts come before those of the letter within a ring.
 std::size_t ring_parts(const options& o) { return o.bevel.width > 0.0f ? 5 : o.outline.width > 0.0f ? 3 : 5; }
 
-void add_part(const options& o, model& out, typemesh::part p, const typemesh::mesh_range& r)
+void add_part(const options& o, model& out, typemesh::part p, const typemesh::mesh_range& r,
+              typemesh::style_id style = {})
 {
     if (r.index_count == 0) return;
     const auto number = static_cast<std::size_t>(p), own = ring_parts(o);
@@ -64,6 +65,10 @@ void add_part(const options& o, model& out, typemesh::part p, const typemesh::me
         out.parts.push_back({part_names[number], r.first_index, r.index_count});
     else
         out.parts.push_back({letter_part_names[number - own], r.first_index, r.index_count, 1});
+    const auto coloured = static_cast<std::size_t>(style);
+    if (coloured == 0) return;
+    out.parts.back().name += "_" + std::to_string(coloured);
+    out.parts.back().colour = o.styles[coloured - 1].colour;
 }
 
 /// The whole mesh of a plan, part by part.
@@ -71,7 +76,8 @@ template <class Plan>
 typemesh::error write_model(const options& o, const Plan& plan, model& out)
 {
     if (const typemesh::error e = plan.write(typemesh::into(out.vertices, out.indices))) return e;
-    for (const typemesh::part p : plan.parts()) add_part(o, out, p, plan.range(p));
+    for (const typemesh::part p : plan.parts())
+        for (const typemesh::style_id style : plan.styles()) add_part(o, out, p, plan.range(style, p), style);
     return {};
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,15 +16,22 @@ struct model_vertex {
     float uv[2];
 };
 
+/// A colour in sRGB.
+struct rgb_colour {
+    unsigned char rgb[3];
+};
+
 /// A finished mesh. Three indices per triangle, counter-clockwise seen from outside; right-handed, y up.
 struct model {
     /// A run of indices that share a material: "front", "back", "side", "front_bevel", "back_bevel"; of the letter within
-    /// a ring, which is a solid of its own, "letter_front", "letter_back", "letter_side".
+    /// a ring, which is a solid of its own, "letter_front", "letter_back", "letter_side". Of a style with a colour they
+    /// have its number at the end: "front_1".
     struct part {
-        const char* name;
+        std::string name;
         std::size_t first_index;
         std::size_t index_count;
-        unsigned solid = 0;  ///< 1: the letter within a ring
+        unsigned solid = 0;                     ///< 1: the letter within a ring
+        std::optional<rgb_colour> colour = {};  ///< of its style; else the usual one
     };
 
     /// One of the different letters of an instanced model: consecutive vertices and consecutive parts.

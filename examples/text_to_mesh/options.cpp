@@ -181,7 +181,21 @@ void add_line_options(CLI::App& app, options& out, raw_values& raw)
     add_named<ellipsis_place>(
         app, "--elide", out.lines.elide, "where in its line (default end)",
         {{"end", ellipsis_place::end}, {"middle", ellipsis_place::middle}, {"start", ellipsis_place::start}});
-    raw.of_a_page = {"--width", "--wrap", "--justify", "--indent", "--max-lines", "--ellipsis", "--elide"};
+    const auto complaint = [](std::string& given) {
+        styled_range unused;
+        return read_styled_range(given, unused);
+    };
+    const auto take = [&out](const std::vector<std::string>& given) {
+        for (const std::string& one : given) (void)read_styled_range(one, out.styles.emplace_back());
+        return true;
+    };
+    app.add_option("--style", CLI::callback_t{take},
+                   "of characters, counted from 0: \"6..11:colour=red,underline,size=1.5\"; may come again")
+        ->type_name("A..B:SETTING,...")
+        ->check(CLI::Validator{complaint, ""})
+        ->take_all()
+        ->expected(1);
+    raw.of_a_page = {"--width", "--wrap", "--justify", "--indent", "--max-lines", "--ellipsis", "--elide", "--style"};
 }
 
 void add_mesh_options(CLI::App& app, options& out, raw_values& raw)
@@ -464,8 +478,10 @@ std::string settle(options& out, const raw_values& raw)
     out.size = raw.size.value_or(out.kind == file_kind::three_mf ? 10.0 : 1.0);
     const bool edges_move = out.bevel.width > 0.0f || out.outline.width > 0.0f || out.embolden != 0.0f;
     out.merge = out.merge || (!raw.no_merge && !out.instances && (holds_solids(out.kind) || edges_move));
+    if (out.instances && !out.styles.empty()) return "--style: is not for --instances";
     out.text = with_line_breaks(out.text);
-    return {};
+    const std::string trouble = refused_ranges(out.styles, out.text);
+    return trouble.empty() ? trouble : "--style: " + trouble;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "file_kind.hpp"
 #include "picture/picture_options.hpp"
+#include "styled_range.hpp"
 
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/outlined.hpp>
@@ -57,6 +58,7 @@ struct options {
     bool page = false;            ///< the text is laid out as a paragraph, by `lines` and `ellipsis`
     typemesh::paragraph_options lines;
     std::string ellipsis;
+    std::vector<styled_range> styles;
 
     double size = 1.0;   ///< of an em in the file
     float depth = 0.2f;  ///< em; 0 makes a flat mesh

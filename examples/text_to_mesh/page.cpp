@@ -5,6 +5,8 @@
 
 #include <typemesh/paragraph/paragraph.hpp>
 
+#include <cstdio>
+
 namespace text_to_mesh {
 
 std::string lay_out_page(const options& o, font_set& font, typemesh::glyph_run& page)
@@ -15,9 +17,15 @@ std::string lay_out_page(const options& o, font_set& font, typemesh::glyph_run& 
         .direction = o.direction, .language = o.language, .script = o.script, .features = o.features};
     typemesh::paragraph_options lines = o.lines;
     lines.ellipsis = o.ellipsis;
-    typemesh::error e = words.set(o.text, how, o.letter_spacing);
+    typemesh::error e = words.set(o.text, how, spans_of(o.styles, o.text), o.letter_spacing);
     if (!e) e = words.lay_out(lines, page);
-    return e ? in_words(e) : std::string{};
+    if (e) return in_words(e);
+    if (const std::uint32_t moved = words.shaped().styles.moved(); moved != 0) {
+        std::fprintf(stderr, "text_to_mesh: --style: %u %s inside a character; the whole character is styled.\n", moved,
+                     moved == 1 ? "end stands" : "ends stand");
+        if (o.strict) return "--strict: nothing is written.";
+    }
+    return {};
 }
 
 }  // namespace text_to_mesh

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "model.hpp"
+
 #include <string_view>
 
 namespace text_to_mesh {
@@ -17,6 +19,22 @@ inline constexpr unsigned char letter_face_rgb[3] = {250, 232, 208}, letter_side
     if (part == "letter_side") return letter_side_rgb;
     if (part == "letter_front" || part == "letter_back") return letter_face_rgb;
     return part == "side" ? side_rgb : part == "front_bevel" || part == "back_bevel" ? bevel_rgb : face_rgb;
+}
+
+/// The colour of a part. Of a style's own the front has it, sides are darker and bevels lighter.
+[[nodiscard]] inline rgb_colour colour_of(const model::part& part)
+{
+    if (!part.colour) {
+        const auto& usual = colour_of(std::string_view{part.name});
+        return {{usual[0], usual[1], usual[2]}};
+    }
+    rgb_colour made = *part.colour;
+    const bool side = part.name.find("side") != std::string::npos, bevel = part.name.find("bevel") != std::string::npos;
+    for (unsigned char& c : made.rgb) {
+        if (side) c = static_cast<unsigned char>(c * 8 / 10);
+        if (bevel) c = static_cast<unsigned char>(c + (255 - c) / 5);
+    }
+    return made;
 }
 
 }  // namespace text_to_mesh

@@ -67,10 +67,10 @@ bool paint(NMR::PLib3MFModel* file, NMR::PLib3MFModelMeshObject* object, const m
         return false;
     std::vector<DWORD> groups(mesh.indices.size() / 3, group), numbers(groups.size());
     for (const model::part& part : mesh.parts) {
-        const auto& rgb = colour_of(part.name);
+        const auto& [rgb] = colour_of(part);
         DWORD number = 0;
-        if (NMR::lib3mf_basematerial_addmaterialutf8(materials.object, part.name, rgb[0], rgb[1], rgb[2], &number) !=
-                LIB3MF_OK ||
+        if (NMR::lib3mf_basematerial_addmaterialutf8(materials.object, part.name.c_str(), rgb[0], rgb[1], rgb[2],
+                                                     &number) != LIB3MF_OK ||
             NMR::lib3mf_basematerial_setdisplaycolorrgba(materials.object, number, rgb[0], rgb[1], rgb[2], 255) !=
                 LIB3MF_OK)
             return false;

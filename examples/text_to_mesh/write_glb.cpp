@@ -39,13 +39,14 @@ int add_accessor(tinygltf::Model& file, int view, std::size_t offset, std::size_
 }
 
 /// The material of a part, made if it does not exist yet.
-int material_of(tinygltf::Model& file, const std::string& name)
+int material_of(tinygltf::Model& file, const model::part& part)
 {
+    const std::string& name = part.name;
     for (std::size_t i = 0; i < file.materials.size(); ++i)
         if (file.materials[i].name == name) return static_cast<int>(i);
     tinygltf::Material material;
     material.name = name;
-    const vec3 colour = to_linear(colour_of(name));
+    const vec3 colour = to_linear(colour_of(part).rgb);
     material.pbrMetallicRoughness.baseColorFactor = {colour.x, colour.y, colour.z, 1.0};
     material.pbrMetallicRoughness.metallicFactor = 0.0;
     material.pbrMetallicRoughness.roughnessFactor = 0.45;
@@ -122,7 +123,7 @@ void add_mesh(tinygltf::Model& file, const model& mesh, const model::letter& l, 
             add_accessor(file, in.index_view, part.first_index * (in.wide ? 4 : 2), part.index_count,
                          in.wide ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT : TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
                          TINYGLTF_TYPE_SCALAR);
-        primitive.material = material_of(file, part.name);
+        primitive.material = material_of(file, part);
         made.primitives.push_back(std::move(primitive));
     }
     file.meshes.push_back(std::move(made));

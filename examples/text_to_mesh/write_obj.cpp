@@ -54,7 +54,7 @@ byte_writer materials(const model& mesh)
         out.text("newmtl ");
         out.text(part.name);
         float colour[3];
-        for (std::size_t i = 0; i < 3; ++i) colour[i] = static_cast<float>(colour_of(part.name)[i]) / 255.0F;
+        for (std::size_t i = 0; i < 3; ++i) colour[i] = static_cast<float>(colour_of(part).rgb[i]) / 255.0F;
         out.u8('\n');
         line(out, "Kd", colour, 3);
         out.text("Ks 0.2 0.2 0.2\nNs 60\nillum 2\n");
@@ -77,7 +77,7 @@ std::string write_obj(const model& mesh, const std::string& path, file_set& file
     for (const model_vertex& v : mesh.vertices) line(out, "vn", v.normal, 3);
     for (const model::part& part : mesh.parts) {
         if (part.index_count == 0) continue;
-        out.text("g " + std::string{part.name} + "\nusemtl " + part.name + "\n");
+        out.text("g " + part.name + "\nusemtl " + part.name + "\n");
         faces(out, mesh, part.first_index, part.index_count);
     }
     if (mesh.parts.empty()) {

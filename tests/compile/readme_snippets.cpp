@@ -108,6 +108,11 @@ typemesh::paragraph even{*font, typemesh::heap(), typemesh::unicode_analyser{}, 
     use(even);
 typemesh::paragraph parted{*font, typemesh::heap(), typemesh::hyphenating{typemesh::unicode_analyser{}, my_patterns{}}};
     use(parted);
+const typemesh::style_span spans[] = {
+    {6, 11, {.decorations = typemesh::decoration::underline, .style = typemesh::style_id{1}}},
+    {11, 12, {.size = 1.5, .style = typemesh::style_id{2}}},
+};
+if (auto e = words.set("Hello world!", {}, spans)) return std::puts(e.message()), 1;
     const std::uint32_t triangle = 0;
     const auto draw = [](const typemesh::box&) noexcept {};
 typemesh::caret here = words.laid().caret_at(7);                                // line, place on its baseline, direction

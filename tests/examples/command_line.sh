@@ -116,6 +116,31 @@ expect 0 "" "قال 2024 hello" --font $arabic --align start --output start.glb
 that "without a width, what is read to the left ends at x = 0" differ mixed.glb start.glb
 expect 0 "no dictionary tells where the words end in 2 runs of Thai.*at byte 4 of the text" "one ภาษา two ລາວ" --font $sans --width 6 --output thai.glb
 that "the text that was not broken is built" test -s thai.glb
+
+# Styles of parts of a text.
+expect 0 "" "Hello world!" --font $sans --style 6..11:colour=#2060c0,underline --style 0..5:size=1.5,slant=0.2 --output styled.obj
+that "a colour is a material of its own" grep -q "usemtl front_1" styled.obj
+expect 0 "" "Hello world!" --font $sans --style 0..12:colour=red --output red.stl
+expect 0 "" "Hello world!" --font $sans --width 100 --output plain.stl
+that "a colour moves nothing" cmp -s red.stl plain.stl
+for setting in overline strike-through superscript subscript rise=0.2 letter-spacing=0.1 word-spacing=0.5 language=tr feature=-kern; do
+    expect 0 "" "AV wo" --font $sans --style 1..4:$setting --picture styled.png
+done
+expect 0 "1 end stands inside a character" "$(printf 'e\xCC\x81x')" --font $sans --style 0..1:colour=red --output moved.glb
+expect 1 "--strict: nothing is written" "$(printf 'e\xCC\x81x')" --font $sans --style 0..1:colour=red --output x.glb --strict
+expect 2 "--style: 0..3 and 2..4 overlap" abcd --font $sans --stats --style 0..3:underline --style 2..4:underline
+expect 2 "--style: 2..9 ends behind the text, which has 4 characters" abcd --font $sans --stats --style 2..9:underline
+expect 2 "--style: must end behind its beginning, not 3..2" abcd --font $sans --stats --style 3..2:underline
+for range in 1 1..2 x..2:underline 1..:underline -1..2:underline; do
+    expect 2 "--style: must be of the form" abcd --font $sans --stats "--style=$range"
+done
+expect 2 "--style: must hold settings such as" abcd --font $sans --stats --style 1..2:wavy
+expect 2 "--style: colour must be" abcd --font $sans --stats --style 1..2:colour=#12345
+expect 2 "--style: size must be a positive number" abcd --font $sans --stats --style 1..2:size=0
+expect 1 "There is no face with that number" abcd --font $sans --stats --style 1..2:font=2
+expect 0 "" abcd --font $sans --fallback $arabic --stats --style 1..2:font=2
+expect 2 "--style: font must be a whole number" abcd --font $sans --stats --style 1..2:font=0
+expect 2 "--style: is not for --instances" abcd --font $sans --output x.glb --instances --style 1..2:underline
 for width in 0 -1 nan x 1e7; do expect 2 "--width: must be a positive number" x --font $sans --stats --width $width; done
 expect 2 "--max-lines: must be a whole number" x --font $sans --stats --max-lines 0
 expect 2 "--align: justify is for --width" x --font $sans --stats --align justify

@@ -13,7 +13,7 @@ namespace text_to_mesh {
 surface::surface(const model& mesh, const picture_options& options, const camera& from)
     : mesh_(mesh), options_(options), from_(from)
 {
-    for (const model::part& part : mesh.parts) colours_.push_back(to_linear(colour_of(part.name)));
+    for (const model::part& part : mesh.parts) colours_.push_back(to_linear(colour_of(part).rgb));
     if (colours_.empty()) colours_.push_back(to_linear(colour_of("")));
 }
 

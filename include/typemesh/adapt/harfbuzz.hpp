@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/adapt/harfbuzz_metrics.hpp>
 #include <typemesh/adapt/harfbuzz_shaping.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/finite.hpp>
 #include <typemesh/layout/item_shaper.hpp>
+#include <typemesh/layout/ligature_carets.hpp>
 #include <typemesh/layout/shaper.hpp>
 #include <typemesh/outline/font_options.hpp>
 #include <typemesh/outline/outline_source.hpp>
@@ -137,6 +139,15 @@ public:
         hb_font_get_extents_for_direction(font_, vertical ? HB_DIRECTION_TTB : HB_DIRECTION_LTR, &extents);
         const double unit = vertical ? unit_size().x : unit_size().y;
         return {unit * extents.ascender, unit * extents.descender, unit * extents.line_gap};
+    }
+
+    /// See face_metrics.hpp.
+    [[nodiscard]] face_metrics suggested_metrics() const noexcept { return detail::read_face_metrics(font_); }
+
+    /// See ligature_carets.hpp; of its only face.
+    error ligature_carets(std::uint32_t, glyph_id id, bool down, buffer<double>& carets) const noexcept
+    {
+        return detail::append_ligature_carets(font_, unit_size(), id, down, carets);
     }
 
     /// See shaper. The text around text[first, last), up to the next line break, is read as context: letters join
@@ -361,5 +372,6 @@ private:
 };
 
 static_assert(outline_source<harfbuzz_font> && shaper<harfbuzz_font> && item_shaper<harfbuzz_font>);
+static_assert(knows_ligature_carets<harfbuzz_font>);
 
 }  // namespace typemesh::inline TYPEMESH_ABI

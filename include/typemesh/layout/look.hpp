@@ -18,7 +18,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 /// Looks that differ only in style share what is built.
 struct look {
-    std::uint32_t face = 0;  ///< which face of the outline source; see outline/face_source.hpp
+    std::uint32_t face = 0;  ///< of the outline source; see outline/face_source.hpp, and bar_face.hpp for bars
     affine map = {};         ///< of the outline, about the glyph's own (0, 0), in the run's units
     style_id style = {};     ///< the caller's number
 

@@ -4,6 +4,7 @@
 #include <typemesh/core/affine.hpp>
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/outline.hpp>
+#include <typemesh/outline/bar_face.hpp>
 #include <typemesh/outline/outline_recorder.hpp>
 #include <typemesh/outline/outline_source.hpp>
 #include <typemesh/outline/transformed_outlines.hpp>
@@ -40,44 +41,48 @@ template <outline_source Source>
         return 1;
 }
 
-/// The font units per em of one face. face < face_count_of(source).
+/// The font units per em of one face: face < face_count_of(source), or bar_face.
 template <outline_source Source>
 [[nodiscard]] double units_per_em_of(Source& source, std::uint32_t face) noexcept
 {
+    if (face == bar_face) return source.units_per_em();
     if constexpr (face_source<Source>)
         return source.units_per_em(face);
     else
-        return static_cast<void>(face), source.units_per_em();
+        return source.units_per_em();
 }
 
 /// The fill rule of one face, and one of its outlines.
 template <outline_source Source>
 [[nodiscard]] fill_rule fill_of(Source& source, std::uint32_t face) noexcept
 {
+    if (face == bar_face) return fill_rule::non_zero;
     if constexpr (face_source<Source>)
         return source.fill(face);
     else
-        return static_cast<void>(face), source.fill();
+        return source.fill();
 }
 template <outline_source Source, outline_sink Sink>
 error outline_of(Source& source, std::uint32_t face, glyph_id id, Sink& sink) noexcept
 {
+    if (face == bar_face) return draw_bar(sink), error{};
     if constexpr (face_source<Source>)
         return source.outline(face, id, sink);
     else
-        return static_cast<void>(face), source.outline(id, sink);
+        return source.outline(id, sink);
 }
 
 /// variation_of() of one face.
 template <class Source>
 [[nodiscard]] std::uint64_t variation_of(const Source& source, std::uint32_t face) noexcept
 {
+    if (face == bar_face) return 0;
     if constexpr (requires {
                       { source.variation_key(face) } noexcept -> std::convertible_to<std::uint64_t>;
                   })
         return source.variation_key(face);
     else
-        return static_cast<void>(face), variation_of(source);
+        return variation_of(source);
 }
 
 /// Maps every point of an outline. Curves that shrink to a point are dropped, and so are contours of nothing else.

@@ -3,7 +3,6 @@
 
 #include <typemesh/core/box.hpp>
 #include <typemesh/core/first_where.hpp>
-#include <typemesh/core/same.hpp>
 #include <typemesh/paragraph/laid_line.hpp>
 #include <typemesh/paragraph/line_slices.hpp>
 
@@ -38,7 +37,8 @@ struct text_place {
 /// A text that a paragraph has laid out, for carets, selections and mice. All lengths are in em; text_options::size
 /// makes output units of them. A view: it lives until the paragraph's next call.
 ///
-/// Places are between graphemes. Where a cluster holds several (a ligature), each has an equal part of it.
+/// Places are between graphemes. Where a cluster holds several (a ligature), carets stand where the font says, else
+/// each has an equal part of it.
 class laid_text {
 public:
     laid_text(const shaped_text& shaped, std::span<const laid_line> lines, std::span<const line_slice> slices,
@@ -232,29 +232,35 @@ private:
         double pen = back ? s.at + s.width : s.at;
         for (std::uint32_t k = s.first; k < s.last; ++k) {
             const text_cluster& c = shaped_->cluster(k);
-            double width = c.advance;
-            if (has(c.flags, cluster_flags::stretches)) width += s.stretch;
-            if (!is_zero(s.spread) && shaped_->may_be_spaced(c)) width += s.spread;
+            double width = width_of(*shaped_, s, k);
             if (k + 1 == s.last) width = std::fabs(end - pen);  // a tab, or without the distance behind it
-            if (!has(c.flags, cluster_flags::foreign)) each_part(c, pen, back ? -width : width, back, with);
+            if (!has(c.flags, cluster_flags::foreign)) each_part(k, pen, width, back, with);
             pen += back ? -width : width;
         }
     }
 
-    /// The graphemes of a cluster, each with an equal part.
+    /// The graphemes of a cluster that is so wide and stands at the pen, or before it: parted where the font says,
+    /// else equal.
     template <class With>
-    void each_part(const text_cluster& c, double pen, double width, bool back, const With& with) const noexcept
+    void each_part(std::uint32_t cluster, double pen, double width, bool back, const With& with) const noexcept
     {
+        const text_cluster& c = shaped_->cluster(cluster);
         std::uint32_t count = 0;
         const auto begins = [this, &c](std::uint32_t u) noexcept {
             return u == c.first || has(shaped_->analysis.marks[u], text_mark::grapheme);
         };
         for (std::uint32_t u = c.first; u < c.last; ++u) count += begins(u) ? 1u : 0u;
+        const std::span<const double> carets = shaped_->carets_of(cluster);
+        const bool own = !carets.empty() && carets.size() + 1 == count;
+        const auto place = [&](std::uint32_t number) noexcept {  // of the edge before a grapheme, from the cluster's
+            if (!own || number == 0 || number == count) return width * number / count;
+            return back ? c.advance - carets[count - 1 - number] : carets[number - 1];
+        };
+        const double way = back ? -1.0 : 1.0;
         std::uint32_t number = 0;
         for (std::uint32_t u = c.first; u < c.last; ++u) {
             if (!begins(u)) continue;
-            const double from = width * number / count, to = width * (number + 1) / count;
-            with(u, edges{pen + from, pen + to, back});
+            with(u, edges{pen + way * place(number), pen + way * place(number + 1), back});
             ++number;
         }
     }

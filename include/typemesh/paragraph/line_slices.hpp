@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/buffer.hpp>
+#include <typemesh/core/same.hpp>
 #include <typemesh/paragraph/line_room.hpp>
 #include <typemesh/paragraph/text_pieces.hpp>
 
@@ -22,6 +23,16 @@ struct line_slice {
     double spread = 0.0;   ///< by which each of its clusters is wider that shaped_text::may_be_spaced()
     double at = 0.0;       ///< its place along the line
 };
+
+/// How wide a cluster of a slice is in its line; the last one, a tab say, may be wider or narrower: it ends the slice.
+[[nodiscard]] inline double width_of(const shaped_text& shaped, const line_slice& s, std::uint32_t cluster) noexcept
+{
+    const text_cluster& c = shaped.cluster(cluster);
+    double width = c.advance;
+    if (has(c.flags, cluster_flags::stretches)) width += s.stretch;
+    if (!is_zero(s.spread) && shaped.may_be_spaced(c)) width += s.spread;
+    return width;
+}
 
 /// What one line consists of, in the order of the text: see paragraph.
 class line_slices {

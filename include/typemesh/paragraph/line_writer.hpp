@@ -26,11 +26,11 @@ public:
     {
         pen += slice.lead;
         const bool back = slice.level % 2 != 0;
-        const text_item& item = shaped_.items()[shaped_.cluster(slice.first).item];
+        const std::uint32_t item = shaped_.cluster(slice.first).item;
         const text_cluster& low = shaped_.cluster(back ? slice.last - 1 : slice.first);
         const text_cluster& high = shaped_.cluster(back ? slice.first : slice.last - 1);
-        const bool whole =
-            back == item.to_the_left() && low.glyph <= high.glyph;  // else a hyphen ends what is read back
+        const bool whole = back == shaped_.items()[item].to_the_left() &&
+                           low.glyph <= high.glyph;  // else a hyphen ends what is read back
         if (whole && is_zero(slice.stretch) && is_zero(slice.spread))
             return append(item, low.glyph, high.glyph + high.glyph_count, origin, pen);
         for (std::uint32_t k = slice.first; k < slice.last; ++k) {
@@ -45,7 +45,15 @@ public:
     }
 
 private:
-    error append(const text_item& item, std::uint32_t first, std::uint32_t last, point origin, double pen) noexcept
+    /// What glyphs are drawn with that stand one after the other.
+    struct drawn_with {
+        std::uint32_t item = 0, style = 0, look = 0;
+        std::uint16_t face = 0;
+        double rise = 0.0;
+        bool known = false;
+    };
+
+    error append(std::uint32_t item, std::uint32_t first, std::uint32_t last, point origin, double pen) noexcept
     {
         if (first == last) return {};
         placed_glyph* out = run_.glyphs.append(last - first);
@@ -54,22 +62,38 @@ private:
         for (std::uint32_t i = first; i < last; ++i, ++out) {
             const shaped_glyph& g = glyphs[i];
             const bool missing = has(g.flags, glyph_flags::missing);
-            const point at = down_ ? point{origin.x, origin.y - pen} : point{origin.x + pen, origin.y};
-            *out = {g.id, g.cluster, at + g.offset, missing, 0};
+            if (error e = find_look(item, g)) return e;
+            const point at =
+                down_ ? point{origin.x + now_.rise, origin.y - pen} : point{origin.x + pen, origin.y + now_.rise};
+            *out = {g.id, g.cluster, at + g.offset, missing, now_.look};
             pen += g.advance;
             if (missing) run_.note_missing(g.cluster);
-            const look drawn = look_of(item, g);
-            if (run_.looks.empty() && drawn == look{}) continue;
+        }
+        return {};
+    }
+
+    /// Finds what a glyph is drawn with: mostly the same as the one before.
+    error find_look(std::uint32_t item, const shaped_glyph& g) noexcept
+    {
+        const std::uint32_t style = shaped_.styles.number_at(g.cluster);
+        if (now_.known && now_.item == item && now_.style == style && now_.face == g.face) return {};
+        const item_setting set = shaped_.setting_of(item);
+        const text_style& painted = shaped_.styles[style];
+        now_ = {.item = item, .style = style, .face = g.face, .rise = set.lift + painted.rise * shaped_.units_per_em()};
+        const look drawn = look_of(set, painted, g);
+        if (!run_.looks.empty() || !(drawn == look{})) {
             const auto number = run_.number_of(drawn);
             if (!number) return number.error();
-            out->look = *number;
+            now_.look = *number;
         }
+        now_.known = true;
         return {};
     }
 
     const shaped_text& shaped_;
     glyph_run& run_;
     bool down_;
+    drawn_with now_;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

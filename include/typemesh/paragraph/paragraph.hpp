@@ -4,10 +4,12 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/result.hpp>
+#include <typemesh/paragraph/bar_writer.hpp>
 #include <typemesh/paragraph/elision.hpp>
 #include <typemesh/paragraph/first_fit.hpp>
 #include <typemesh/paragraph/laid_line.hpp>
 #include <typemesh/paragraph/laid_text.hpp>
+#include <typemesh/paragraph/line_extent.hpp>
 #include <typemesh/paragraph/line_justifier.hpp>
 #include <typemesh/paragraph/line_slices.hpp>
 #include <typemesh/paragraph/line_writer.hpp>
@@ -82,7 +84,19 @@ public:
     /// Cost   O(n), but for the shaper's; places where a line may end and that are unsafe are shaped twice more
     error set(text_view text, const shape_options& how = {}, double letter_spacing = 0.0) noexcept
     {
-        const error e = set_text(text, how, letter_spacing);
+        return set(text, how, std::span<const style_span>{}, letter_spacing);
+    }
+
+    /// The same with styles for parts of the text; how and letter_spacing hold for all of it. What the spans refer to
+    /// must stay as it is until the next set(). How many of their ends were moved: shaped().styles.moved().
+    ///
+    ///     words.set("E = mc2", {}, spans);      // const style_span spans[] = {{6, 7, {.rise = 0.3}}};
+    ///
+    /// Fails besides  as style_spans::read() does
+    error set(text_view text, const shape_options& how, std::span<const style_span> spans,
+              double letter_spacing = 0.0) noexcept
+    {
+        const error e = set_text(text, how, spans, letter_spacing);
         if (e) clear();
         return e;
     }
@@ -156,12 +170,14 @@ private:
         own_clusters_ = own_glyphs_ = 0;
     }
 
-    error set_text(text_view text, const shape_options& how, double letter_spacing) noexcept
+    error set_text(text_view text, const shape_options& how, std::span<const style_span> spans,
+                   double letter_spacing) noexcept
     {
         if (!is_finite(letter_spacing)) return error::bad("letter_spacing");
         if (static_cast<std::uint64_t>(text.size()) >= 0xFFFF'FFFFu) return error::too_large;
         if (error e = analyser_.analyse(text, analysis_of(how), shaped_.analysis)) return e;
         units_per_em_ = font_->units_per_em();
+        if (error e = shaped_.styles.read(spans, shaped_.analysis, face_count())) return e;
         if (error e = shaped_.shape(*font_, text, how, letter_spacing * units_per_em_)) return e;
         if (error e = pieces_.find_words(shaped_, *font_)) return e;
         if (error e = measure_space()) return e;
@@ -177,11 +193,20 @@ private:
         bool tabs = false;
         for (const break_piece& p : pieces_.words().pieces) tabs = tabs || p.tab;
         if (!tabs) return {};
-        const std::size_t clusters = shaped_.all_clusters(), glyphs = shaped_.all_glyphs();
-        if (error e = shaped_.append_foreign(*font_, 0, 0, text_view{" "}, text_view{" "})) return e;
-        space_ = shaped_.cluster(clusters).advance;
-        shaped_.truncate(clusters, glyphs);
+        const auto found = shaped_.space_advance(*font_);
+        if (!found) return found.error();
+        space_ = *found;
         return {};
+    }
+
+    [[nodiscard]] std::uint32_t face_count() noexcept
+    {
+        if constexpr (requires {
+                          { font_->face_count() } -> std::convertible_to<std::uint32_t>;
+                      })
+            return font_->face_count();
+        else
+            return 1;
     }
 
     void forget_lines() noexcept
@@ -214,7 +239,10 @@ private:
         longest_ = 0.0;
         for (std::size_t k = 0; k < ends_.size(); ++k) {
             if (error e = compose_line(line_of(**pieces, k), options)) return e;
-            lines_.back().metrics = metrics;
+            laid_line& line = lines_.back();
+            line.metrics = metrics;
+            if (options.boxes == line_box::content)
+                line.metrics = extent_of(*font_, shaped_, placed_.view().subspan(line.first_slice), metrics);
         }
         height_ = stack_lines(lines_.view(), em, options, shaped_.upright());
         return {};
@@ -328,10 +356,13 @@ private:
         if (shaped_.analysis.invalid_units != 0)
             run.note_invalid_units(shaped_.analysis.first_invalid_unit, shaped_.analysis.invalid_units);
         line_writer writer{shaped_, run};
+        bar_writer<Font> bars{*font_, shaped_, run};
         for (const laid_line& line : lines_) {
             const auto first = static_cast<std::uint32_t>(run.glyphs.size());
-            for (const line_slice& s : placed_.view().subspan(line.first_slice, line.slices))
+            const std::span<const line_slice> slices = placed_.view().subspan(line.first_slice, line.slices);
+            for (const line_slice& s : slices)
                 if (error e = writer.write(s, line.origin, s.at)) return e;
+            if (error e = bars.write(line, slices)) return e;
             if (run.glyphs.size() > 0xFFFF'FFFFu) return error::too_large;
             const point along = shaped_.upright() ? point{0.0, 0.0 - line.left} : point{line.left, 0.0};
             const auto count = static_cast<std::uint32_t>(run.glyphs.size()) - first;

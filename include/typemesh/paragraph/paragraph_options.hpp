@@ -48,6 +48,12 @@ enum class vertical_anchor : std::uint8_t {
 /// Which part of a line gives way to an ellipsis.
 enum class ellipsis_place : std::uint8_t { end, middle, start };
 
+/// How high lines are.
+enum class line_box : std::uint8_t {
+    content,  ///< each as what stands in it: large letters, and faces with other metrics, move lines apart
+    uniform,  ///< all as the first face says for letters of size 1
+};
+
 /// How a shaped text is laid out. Lengths are in em.
 ///
 ///     x = 0          x = width       With a width the text stands in a box from x = 0 to there. Without one lines
@@ -63,7 +69,8 @@ struct paragraph_options {
     std::uint32_t most_lines = 0xFFFF'FFFFu;  ///< further ones are dropped, 0 is refused
     text_view ellipsis = {};                  ///< for what is dropped, or is wider than the width; empty: none
     ellipsis_place elide = ellipsis_place::end;
-    double line_spacing = 1.0;               ///< times the font's own distance between lines
+    line_box boxes = line_box::content;
+    double line_spacing = 1.0;               ///< times the distance between lines that their boxes ask for
     double indent = 0.0;                     ///< of a paragraph's first line, at its start; negative ones hang
     double tab_width = 4.0;                  ///< between tab stops, in spaces; 0: tabs have no width
     std::span<const double> tab_stops = {};  ///< before those: ascending, from a line's start

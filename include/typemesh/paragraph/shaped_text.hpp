@@ -6,6 +6,8 @@
 #include <typemesh/core/same.hpp>
 #include <typemesh/layout/item_shaper.hpp>
 #include <typemesh/layout/letter_spacing.hpp>
+#include <typemesh/paragraph/cluster_carets.hpp>
+#include <typemesh/paragraph/item_settings.hpp>
 #include <typemesh/paragraph/itemise.hpp>
 #include <typemesh/paragraph/text_cluster.hpp>
 #include <typemesh/unicode/text_analysis.hpp>
@@ -21,14 +23,23 @@ namespace typemesh::inline TYPEMESH_ABI {
 class shaped_text {
 public:
     explicit shaped_text(memory source = heap()) noexcept
-        : analysis{source}, items_{source}, first_clusters_{source}, clusters_{source}, glyphs_{source}
+        : analysis{source},
+          styles{source},
+          items_{source},
+          settings_{source},
+          first_clusters_{source},
+          clusters_{source},
+          glyphs_{source},
+          carets_{source}
     {
     }
 
     text_analysis analysis;
+    style_spans styles;
 
     [[nodiscard]] text_view text() const noexcept { return text_; }
     [[nodiscard]] const shape_options& options() const noexcept { return options_; }
+    [[nodiscard]] double units_per_em() const noexcept { return em_; }
     [[nodiscard]] bool upright() const noexcept { return options_.direction == direction::top_to_bottom; }
 
     [[nodiscard]] std::span<const text_item> items() const noexcept { return items_.view(); }
@@ -50,13 +61,27 @@ public:
         return k < items_.size() ? static_cast<std::uint32_t>(k) : 0;
     }
 
-    /// How an item is shaped.
-    [[nodiscard]] shape_options options_of([[maybe_unused]] std::uint32_t item) const noexcept { return options_; }
+    /// How an item is set, and how it is shaped.
+    [[nodiscard]] item_setting setting_of(std::uint32_t item) const noexcept { return settings_[item]; }
+    [[nodiscard]] shape_options options_of(std::uint32_t item) const noexcept { return settings_.options_of(item); }
+
+    /// How a cluster is painted.
+    [[nodiscard]] const text_style& style_of(const text_cluster& c) const noexcept
+    {
+        return styles[styles.number_at(c.first)];
+    }
 
     /// By how much letter spacing has made a cluster wider, in font units.
     [[nodiscard]] double spacing_of(const text_cluster& c) const noexcept
     {
-        return has(c.flags, cluster_flags::spaced) ? letter_spacing_ : 0.0;
+        return has(c.flags, cluster_flags::spaced) ? setting_of(c.item).letter_spacing : 0.0;
+    }
+
+    /// Where carets stand within a ligature, along the line from where its cluster's pen begins, in font units,
+    /// ascending: one fewer than it has graphemes, or none if the font does not say. Cost: O(log ligatures)
+    [[nodiscard]] std::span<const double> carets_of(std::uint32_t cluster) const noexcept
+    {
+        return carets_.of(cluster);
     }
 
     /// Whether a distance may be added behind a cluster: it is drawn, and not written joined to the next one.
@@ -75,7 +100,8 @@ public:
         return place >= 2 && text_.unit(place - 1) == 0xAD && text_.unit(place - 2) == 0xC2;
     }
 
-    /// Shapes a text that has been analysed: `analysis` is its own. Distances between letters are in font units.
+    /// Shapes a text that has been analysed: `analysis` and `styles` are its own. Distances between letters are in font
+    /// units.
     ///
     /// Fails  error::out_of_memory, error::too_large, and as the shaper does
     template <item_shaper Shaper>
@@ -83,13 +109,15 @@ public:
     {
         text_ = text;
         options_ = options;
-        letter_spacing_ = letter_spacing;
-        if (!is_zero(letter_spacing)) options_.ligatures = false;
+        em_ = shaper.units_per_em();
         own_ = 0;
         first_clusters_.clear();
         clusters_.clear();
         glyphs_.clear();
-        if (error e = itemise(text, analysis, {}, options_.direction, items_)) return e;
+        carets_.clear();
+        if (error e = itemise(text, analysis, styles.cuts(), options_.direction, items_)) return e;
+        const item_settings::base plain{options, letter_spacing};
+        if (error e = settings_.read(shaper, text, analysis, styles, plain, items_.view())) return e;
         for (std::uint32_t i = 0; i < items_.size(); ++i) {
             if (!first_clusters_.push_back(static_cast<std::uint32_t>(clusters_.size()))) return error::out_of_memory;
             if (error e = shape_range(shaper, i, items_[i].first, items_[i].last)) return e;
@@ -114,11 +142,13 @@ public:
             sum_up(clusters_.size() - 1);
             return {};
         }
-        const std::size_t before = glyphs_.size();
+        const std::size_t before = glyphs_.size(), first_cluster = clusters_.size();
         if (first < last)
             if (error e = shaper.shape_item(text_, part, options_of(item), glyphs_)) return e;
         if (glyphs_.size() > 0xFFFF'FFFFu) return error::too_large;
-        return cluster_glyphs(item, part, before);
+        scale_glyphs(item, before);
+        if (error e = cluster_glyphs(item, part, before)) return e;
+        return find_carets(shaper, first_cluster);
     }
 
     /// Forgets the text.
@@ -126,11 +156,14 @@ public:
     {
         text_ = {};
         analysis.clear();
+        styles.clear();
         own_ = 0;
         items_.clear();
+        settings_.clear();
         first_clusters_.clear();
         clusters_.clear();
         glyphs_.clear();
+        carets_.clear();
     }
 
     /// Forgets what stands behind the clusters and glyphs of these numbers.
@@ -138,6 +171,7 @@ public:
     {
         clusters_.truncate(clusters);
         glyphs_.truncate(glyphs);
+        carets_.truncate(clusters);
     }
     [[nodiscard]] std::size_t all_clusters() const noexcept { return clusters_.size(); }
     [[nodiscard]] std::size_t all_glyphs() const noexcept { return glyphs_.size(); }
@@ -155,6 +189,20 @@ public:
             }
         }
         return true;
+    }
+
+    /// The advance of a space of the whole text, whatever its styles.
+    template <item_shaper Shaper>
+    result<double> space_advance(Shaper& shaper) noexcept
+    {
+        const std::size_t before = glyphs_.size();
+        text_item space{.last = 1};
+        if (!items_.empty()) space.orientation = items_[0].orientation;
+        if (error e = shaper.shape_item(text_view{" "}, space, options_, glyphs_)) return e;
+        double advance = 0.0;
+        for (const shaped_glyph& g : glyphs_.view().subspan(before)) advance += g.advance;
+        glyphs_.truncate(before);
+        return advance;
     }
 
     /// The advance of clusters [first, last). Cost: O(1)
@@ -179,6 +227,7 @@ public:
             if (upright()) part.level = 0;
             if (error e = shaper.shape_item(shown, part, options_of(item), glyphs_)) return e;
         }
+        scale_glyphs(item, before);
         bool complete = true;
         text_cluster c{.first = at,
                        .last = at + 1,
@@ -231,6 +280,7 @@ public:
         all.last = static_cast<std::uint32_t>(whole.size());
         const std::size_t before = glyphs_.size();
         if (error e = shaper.shape_item(whole, all, options_of(item), glyphs_)) return e;
+        scale_glyphs(item, before);
         std::size_t kept = before;
         text_cluster c{.first = at,
                        .last = at + 1,
@@ -303,7 +353,8 @@ private:
                                   .item = item,
                                   .flags = flags_of({.cluster = part.first})}))
             return error::out_of_memory;
-        if (!is_zero(letter_spacing_)) space_clusters(first_cluster, part.to_the_left());
+        if (!is_zero(setting_of(item).letter_spacing)) space_clusters(first_cluster, item);
+        if (!styles.empty()) widen_spaces(first_cluster);
         sum_up(first_cluster);
         return {};
     }
@@ -329,18 +380,66 @@ private:
     }
 
     /// Adds the distance behind every letter but those that are written joined to the next one.
-    void space_clusters(std::size_t first, bool back) noexcept
+    void space_clusters(std::size_t first, std::uint32_t item) noexcept
     {
+        const double distance = setting_of(item).letter_spacing;
         for (std::size_t i = first; i < clusters_.size(); ++i) {
             text_cluster& c = clusters_[i];
             if (!may_be_spaced(c)) continue;
-            c.advance += letter_spacing_;
             c.flags = c.flags | cluster_flags::spaced;
-            glyphs_[c.glyph + c.glyph_count - 1].advance += letter_spacing_;
-            if (!back) continue;
+            widen(c, distance);
+            if (!items_[item].to_the_left()) continue;
             for (std::uint32_t g = 0; g < c.glyph_count; ++g)
-                glyphs_[c.glyph + g].offset = glyphs_[c.glyph + g].offset + along(letter_spacing_);
+                glyphs_[c.glyph + g].offset = glyphs_[c.glyph + g].offset + along(distance);
         }
+    }
+
+    /// Adds the distance that styles add to spaces.
+    void widen_spaces(std::size_t first) noexcept
+    {
+        for (std::size_t i = first; i < clusters_.size(); ++i) {
+            text_cluster& c = clusters_[i];
+            if (!has(c.flags, cluster_flags::stretches) || c.glyph_count == 0) continue;
+            const double distance = style_of(c).word_spacing * em_;
+            if (!is_zero(distance)) widen(c, distance);
+        }
+    }
+
+    void widen(text_cluster& c, double distance) noexcept
+    {
+        c.advance += distance;
+        glyphs_[c.glyph + c.glyph_count - 1].advance += distance;
+    }
+
+    /// Scales the glyphs from `before` on by their item's style.
+    void scale_glyphs(std::uint32_t item, std::size_t before) noexcept
+    {
+        const double scale = setting_of(item).scale;
+        if (same(scale, 1.0)) return;
+        for (std::size_t g = before; g < glyphs_.size(); ++g) {
+            glyphs_[g].advance *= scale;
+            glyphs_[g].offset = scale * glyphs_[g].offset;
+        }
+    }
+
+    /// Asks for the carets within the clusters from `first` on.
+    template <item_shaper Shaper>
+    error find_carets([[maybe_unused]] Shaper& shaper, [[maybe_unused]] std::size_t first) noexcept
+    {
+        if constexpr (knows_ligature_carets<Shaper>) {
+            for (std::size_t i = first; i < clusters_.size(); ++i) {
+                const text_cluster& c = clusters_[i];
+                std::uint32_t inner = 0;  // graphemes behind the first
+                for (std::uint32_t u = c.first + 1; u < c.last; ++u)
+                    inner += has(analysis.marks[u], text_mark::grapheme) ? 1u : 0u;
+                if (inner == 0) continue;
+                const std::span<const shaped_glyph> own = glyphs_.view().subspan(c.glyph, c.glyph_count);
+                if (error e = carets_.find(shaper, own,
+                                           {static_cast<std::uint32_t>(i), inner, setting_of(c.item).scale, upright()}))
+                    return e;
+            }
+        }
+        return {};
     }
 
     [[nodiscard]] point along(double distance) const noexcept
@@ -350,12 +449,14 @@ private:
 
     text_view text_;
     shape_options options_;
-    double letter_spacing_ = 0.0;
+    double em_ = 0.0;
     std::uint32_t own_ = 0;
     buffer<text_item> items_;
+    item_settings settings_;
     buffer<std::uint32_t> first_clusters_;  // of the items
     buffer<text_cluster> clusters_;
     buffer<shaped_glyph> glyphs_;
+    cluster_carets carets_;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -18,7 +18,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     auto plan = mesher.plan(text);
 ///
 /// Text that the first font has is shaped by it alone, once, as without the others. Glyphs of the others are as large
-/// as the first one's em, and lines stand as far apart as the first one says. How holes are found and filled:
+/// as the first one's em, and lines stand as far apart as the first one says, in a
+/// paragraph as those say that stand in them, unless its options want uniform ones. How holes are found and filled:
 /// fallback_shaping.hpp; fonts whose number is known only at run time: font_list.hpp.
 ///
 /// Move-only. Used by one thread at a time.
@@ -33,8 +34,10 @@ public:
 
     using faces::face_count;
     using faces::fill;
+    using faces::ligature_carets;
     using faces::metrics;
     using faces::outline;
+    using faces::suggested_metrics;
     using faces::units_per_em;
     using faces::variation_key;
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/layout/face_metrics.hpp>
 #include <typemesh/layout/item_shaper.hpp>
+#include <typemesh/layout/ligature_carets.hpp>
 #include <typemesh/layout/shaper.hpp>
 #include <typemesh/outline/face_source.hpp>
 
@@ -103,6 +105,33 @@ public:
         call(item.face, [&](auto& source) noexcept { e = source.shape_item(text, item, options, glyphs); });
         if (!e && item.face != 0)
             detail::belong_to(glyphs.view().subspan(before), item.face, units_per_em() / units_per_em(item.face));
+        return e;
+    }
+
+    /// What one face says of lines, bars and carets, in units of the first: see face_metrics.hpp, ligature_carets.hpp.
+    [[nodiscard]] line_metrics metrics(direction d, std::uint32_t face) const noexcept
+        requires(item_shaper<Sources> && ...)
+    {
+        line_metrics own;
+        call(face, [&](auto& source) noexcept { own = source.metrics(d); });
+        return scaled(own, units_per_em() / units_per_em(face));
+    }
+    [[nodiscard]] face_metrics suggested_metrics(std::uint32_t face) const noexcept
+        requires(item_shaper<Sources> && ...)
+    {
+        face_metrics own;
+        call(face, [&](auto& source) noexcept { own = face_metrics_of(source, 0); });
+        return own;
+    }
+    error ligature_carets(std::uint32_t face, glyph_id id, bool down, buffer<double>& carets) const noexcept
+        requires(item_shaper<Sources> && ...)
+    {
+        error e;
+        const std::size_t before = carets.size();
+        call(face, [&]<class Source>(Source& source) noexcept {
+            if constexpr (knows_ligature_carets<Source>) e = source.ligature_carets(0, id, down, carets);
+        });
+        for (double& place : carets.view().subspan(before)) place *= units_per_em() / units_per_em(face);
         return e;
     }
 

@@ -67,6 +67,24 @@ public:
     }
     [[nodiscard]] line_metrics metrics(direction d) const noexcept { return font(0).metrics(d); }
 
+    /// What one font says of lines, bars and carets, in units of the first: see face_metrics.hpp, ligature_carets.hpp.
+    [[nodiscard]] line_metrics metrics(direction d, std::uint32_t face) const noexcept
+    {
+        return scaled(font(face).metrics(d), units_per_em() / units_per_em(face));
+    }
+    [[nodiscard]] face_metrics suggested_metrics(std::uint32_t face) const noexcept
+    {
+        return face_metrics_of(font(face), 0);
+    }
+    error ligature_carets(std::uint32_t face, glyph_id id, bool down, buffer<double>& carets) const noexcept
+        requires knows_ligature_carets<Font>
+    {
+        const std::size_t before = carets.size();
+        const error e = font(face).ligature_carets(0, id, down, carets);
+        for (double& place : carets.view().subspan(before)) place *= units_per_em() / units_per_em(face);
+        return e;
+    }
+
     /// See shaper and item_shaper. Fails also as the provider does.
     result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& options,
                         glyph_run& run) noexcept

@@ -57,7 +57,7 @@ public:
         const std::uint32_t faces = face_count_of(font);
         for (std::size_t i = 0; i < count; ++i) {
             const look& l = run.looks[i];
-            if (l.face >= faces) return {error::no_such_face, faces};
+            if (l.face >= faces && l.face != bar_face) return {error::no_such_face, faces};
             const double units = units_per_em_of(font, l.face);
             if (!is_finite(units) || !(units > 0.0)) return error::bad("units_per_em");
             const double factor = units_per_em_ / units;

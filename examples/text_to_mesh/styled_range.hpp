@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model.hpp"
+
+#include <typemesh/paragraph/style_spans.hpp>
+#include <typemesh/typemesh.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace text_to_mesh {
+
+/// What one --style asks for.
+struct styled_range {
+    std::size_t first = 0, last = 0;  ///< characters of the text, from 0, the last one not included
+    typemesh::text_style style;       ///< but for the three below
+    std::vector<typemesh::feature> features;
+    std::string language;
+    std::optional<rgb_colour> colour;
+};
+
+/// "6..11:colour=#2060c0,underline". Gives an empty string, or what is wrong: "must ...".
+[[nodiscard]] std::string read_styled_range(std::string_view written, styled_range& out);
+
+/// Whether the ranges lie in the text and apart. Gives an empty string, or what is wrong.
+[[nodiscard]] std::string refused_ranges(const std::vector<styled_range>& ranges, std::string_view text);
+
+/// The ranges in bytes of the text, which must not be refused. They refer to the ranges. Those with a colour have a
+/// style number: one more than their index.
+[[nodiscard]] std::vector<typemesh::style_span> spans_of(const std::vector<styled_range>& ranges,
+                                                         std::string_view text);
+
+}  // namespace text_to_mesh

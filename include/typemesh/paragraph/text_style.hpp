@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/glyph_id.hpp>
+#include <typemesh/core/same.hpp>
+#include <typemesh/layout/shape_options.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// Bars drawn with a text; a set, joined by |. Each is a solid of its own, as deep as the letters.
+enum class decoration : std::uint8_t {
+    none = 0,
+    underline = 1u << 0,
+    strike_through = 1u << 1,
+    overline = 1u << 2,
+};
+
+[[nodiscard]] constexpr decoration operator|(decoration a, decoration b) noexcept
+{
+    return static_cast<decoration>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
+
+/// Whether a set contains a decoration; of several, any.
+[[nodiscard]] constexpr bool has(decoration set, decoration one) noexcept
+{
+    return (static_cast<unsigned>(set) & static_cast<unsigned>(one)) != 0;
+}
+
+/// Small letters above or below the others: the font's own ("sups", "subs") where it has them for the whole stretch,
+/// else smaller ones, of the size and at the height that the font names.
+enum class script_position : std::uint8_t { normal, superscript, subscript };
+
+/// How a stretch of a text is set. Lengths are in em of the whole text, whatever the size here.
+///
+///     shaping    face, size, letter_spacing, features, language, position: the text is shaped apart where they change,
+///                so letters are not kerned across, and no ligature crosses
+///     painting   all else: letters stay as they are. A ligature, and whatever else a font keeps together, is painted
+///                as its first character.
+struct text_style {
+    std::uint16_t face = 0;  ///< of the shaper's faces
+    double size = 1.0;       ///< times the text's; more than 0. Solids stay as deep, and bevels as wide, as of size 1
+    double letter_spacing = 0.0;             ///< besides the whole text's
+    std::span<const feature> features = {};  ///< behind those of the whole text
+    std::string_view language = {};          ///< empty: the whole text's
+    script_position position = script_position::normal;
+
+    double word_spacing = 0.0;  ///< added to every space
+    double rise = 0.0;          ///< of the baseline
+    double slant = 0.0;         ///< to the right, for each em upwards
+    decoration decorations = decoration::none;
+    style_id style = {};  ///< the caller's number for a material or colour
+};
+
+/// Whether text of both styles is shaped at once.
+[[nodiscard]] inline bool shaped_alike(const text_style& a, const text_style& b) noexcept
+{
+    if (a.face != b.face || !same(a.size, b.size) || !same(a.letter_spacing, b.letter_spacing)) return false;
+    if (a.position != b.position || a.language != b.language || a.features.size() != b.features.size()) return false;
+    for (std::size_t i = 0; i < a.features.size(); ++i) {
+        const feature &f = a.features[i], &g = b.features[i];
+        if (std::string_view{f.tag, 4} != std::string_view{g.tag, 4} || f.value != g.value) return false;
+    }
+    return true;
+}
+
+}  // namespace typemesh::inline TYPEMESH_ABI

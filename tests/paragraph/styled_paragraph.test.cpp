@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+//
+// Laws of styles that hold for every text: colours move nothing, sizes scale, memory.
+
+#include "support/catch.hpp"
+#include "support/counting_memory.hpp"
+#include "support/toy_item_shaper.hpp"
+
+#include <typemesh/paragraph/paragraph.hpp>
+
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+using namespace typemesh;
+
+namespace {
+
+const std::u16string letters = u"AV fix, \u05D0\u05D1 12 \u05D2 and\n\ta\u0301b fi AVAV \u05D3\u05D4 of fi";
+
+/// Spans one behind the other, with gaps, some of which begin inside graphemes.
+std::vector<style_span> random_spans(std::mt19937& random, std::uint32_t size)
+{
+    std::vector<style_span> spans;
+    for (std::uint32_t at = 0;;) {
+        const auto first = static_cast<std::uint32_t>(at + random() % 4),
+                   last = static_cast<std::uint32_t>(first + random() % 5);
+        if (last > size) return spans;
+        spans.push_back({first, last, {.style = style_id{static_cast<std::uint32_t>(random() % 3)}}});
+        at = last;
+    }
+}
+
+bool same_glyphs(const glyph_run& a, const glyph_run& b)
+{
+    if (a.glyphs.size() != b.glyphs.size() || a.lines.size() != b.lines.size()) return false;
+    for (std::size_t i = 0; i < a.glyphs.size(); ++i) {
+        const placed_glyph &g = a.glyphs[i], &h = b.glyphs[i];
+        if (g.id != h.id || g.cluster != h.cluster || !(g.origin == h.origin)) return false;
+    }
+    for (std::size_t i = 0; i < a.lines.size(); ++i)
+        if (!(a.lines[i].origin == b.lines[i].origin) || !same(a.lines[i].advance, b.lines[i].advance)) return false;
+    return true;
+}
+
+style_id style_of(const glyph_run& run, std::size_t glyph)
+{
+    return run.looks.empty() ? style_id{} : run.looks[run.glyphs[glyph].look].style;
+}
+
+}  // namespace
+
+TEST_CASE("colours move nothing: glyphs and places are the same to the bit", "[paragraph][styles]")
+{
+    test::toy_item_shaper font;
+    paragraph<test::toy_item_shaper> plain{font}, coloured{font};
+    std::mt19937 random{3};
+    for (int round = 0; round < 60; ++round) {
+        const auto spans = random_spans(random, static_cast<std::uint32_t>(letters.size()));
+        REQUIRE_FALSE(plain.set(letters));
+        const std::size_t calls = font.calls;
+        REQUIRE_FALSE(plain.set(letters));
+        const std::size_t once = font.calls - calls;
+        REQUIRE_FALSE(coloured.set(letters, {}, spans));
+        CHECK(font.calls - calls == 2 * once);
+        for (const double width : {2.0, 4.0, 1e3}) {
+            glyph_run without, with;
+            const paragraph_options options{.width = width, .align = line_alignment::justify};
+            REQUIRE_FALSE(plain.lay_out(options, without));
+            REQUIRE_FALSE(coloured.lay_out(options, with));
+            CHECK(same_glyphs(without, with));
+            for (std::size_t i = 0; i < with.glyphs.size(); ++i) {  // by its first character's span
+                const style_spans& styles = coloured.shaped().styles;
+                CHECK(style_of(with, i) == styles[styles.number_at(with.glyphs[i].cluster)].style);
+            }
+        }
+    }
+}
+
+TEST_CASE("a ligature over two styles has its first character's", "[paragraph][styles]")
+{
+    test::toy_item_shaper font;
+    paragraph<test::toy_item_shaper> words{font};
+    const style_span spans[] = {{1, 2, {.style = style_id{7}}}, {2, 3, {.style = style_id{8}}}};
+    REQUIRE_FALSE(words.set("xfi", {}, spans));
+    glyph_run run;
+    REQUIRE_FALSE(words.lay_out({}, run));
+    REQUIRE(run.glyphs.size() == 2);
+    CHECK(run.glyphs[1].id == 0xFB01);
+    CHECK(style_of(run, 0) == style_id{});
+    CHECK(style_of(run, 1) == style_id{7});
+
+    const style_span sizes[] = {{1, 2, {.size = 2.0}}};  // which shape it apart
+    REQUIRE_FALSE(words.set("xfi", {}, sizes));
+    REQUIRE_FALSE(words.lay_out({}, run));
+    CHECK(run.glyphs.size() == 3);
+}
+
+TEST_CASE("sizes, rises, slants and distances do what they say", "[paragraph][styles]")
+{
+    test::toy_item_shaper font;
+    paragraph<test::toy_item_shaper> words{font};
+    glyph_run run;
+    const style_span spans[] = {{1, 3, {.size = 2.0, .letter_spacing = 0.25, .rise = 0.5, .slant = 0.125}},
+                                {3, 6, {.word_spacing = 0.125}}};
+    REQUIRE_FALSE(words.set("abc d\te", {}, spans));
+    REQUIRE_FALSE(words.lay_out({.tab_stops = {}}, run));
+    REQUIRE(run.glyphs.size() == 6);
+    const double places[] = {0.0, 500.0, 1750.0, 3000.0, 3375.0};
+    for (std::size_t i = 0; i < 5; ++i) CHECK(std::fabs(run.glyphs[i].origin.x - places[i]) < 1e-9);
+    CHECK(run.glyphs[1].origin.y == 500.0);
+    CHECK(run.looks[run.glyphs[1].look].map == affine{.xx = 2.0, .xy = 0.25, .yy = 2.0});
+    CHECK(run.looks[run.glyphs[0].look] == look{});
+    CHECK(run.glyphs[5].origin.x == 4000.0);  // stops are those of plain spaces
+
+    const style_span large[] = {{0, 7, {.size = 3.0}}};
+    REQUIRE_FALSE(words.set("abc d\te", {}, large));
+    REQUIRE_FALSE(words.lay_out({}, run));
+    CHECK(run.glyphs.back().origin.x == 7000.0);
+}
+
+TEST_CASE("a refused set of spans leaves an empty text", "[paragraph][styles]")
+{
+    test::toy_item_shaper font;
+    paragraph<test::toy_item_shaper> words{font};
+    const style_span nested[] = {{0, 3, {}}, {1, 2, {}}}, other_face[] = {{0, 1, {.face = 1}}};
+    CHECK(words.set("abc", {}, nested) == error::overlapping_spans);
+    CHECK(words.shaped().text().size() == 0);
+    CHECK(words.set("abc", {}, other_face) == error::no_such_face);
+    const style_span good[] = {{0, 1, {.style = style_id{1}}}};
+    REQUIRE_FALSE(words.set("abc", {}, good));
+    REQUIRE_FALSE(words.set("abc"));
+    CHECK(words.shaped().styles.empty());
+}
+
+TEST_CASE("a styled text laid out again needs no memory", "[paragraph][styles]")
+{
+    test::toy_item_shaper font;
+    test::counting_memory memory;
+    paragraph<test::toy_item_shaper> words{font, memory.source()};
+    glyph_run run{memory.source()};
+    const style_span spans[] = {{1, 4, {.size = 2.0, .decorations = decoration::underline}},
+                                {5, 20, {.letter_spacing = 0.1, .style = style_id{2}}}};
+    for (int round = 0; round < 2; ++round) {
+        if (round == 1) memory.requests = 0;
+        REQUIRE_FALSE(words.set(letters, {}, spans));
+        for (const double width : {2.0, 3.0, 7.0}) REQUIRE_FALSE(words.lay_out({.width = width}, run));
+    }
+    CHECK(memory.requests == 0);
+}
+
+TEST_CASE("a styled text whose memory fails is laid out as before once there is some", "[paragraph][styles]")
+{
+    test::toy_item_shaper font;
+    const style_span spans[] = {{1, 4, {.size = 2.0, .decorations = decoration::underline}},
+                                {5, 9, {.position = script_position::superscript, .style = style_id{2}}}};
+    paragraph<test::toy_item_shaper> fresh{font};
+    glyph_run wanted;
+    REQUIRE_FALSE(fresh.set(letters, {}, spans));
+    REQUIRE_FALSE(fresh.lay_out({.width = 3.0}, wanted));
+    bool failed = true;
+    for (std::size_t at = 1; failed; ++at) {
+        test::counting_memory failing{.fail_at = at, .fail_once = true};
+        paragraph<test::toy_item_shaper> words{font, failing.source()};
+        glyph_run run{failing.source()};
+        error e = words.set(letters, {}, spans);
+        if (!e) e = words.lay_out({.width = 3.0}, run);
+        failed = static_cast<bool>(e);
+        if (failed) CHECK(e == error::out_of_memory);
+        REQUIRE_FALSE(words.set(letters, {}, spans));
+        REQUIRE_FALSE(words.lay_out({.width = 3.0}, run));
+        CHECK(same_glyphs(run, wanted));
+    }
+}
