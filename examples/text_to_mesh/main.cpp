@@ -225,13 +225,14 @@ std::string run(const options& o, progress& tell, font_set& font, const Discreti
 {
     tell.begin("shaping the text and building its letters");
     typemesh::glyph_run page;
-    if (std::string trouble = lay_out_page(o, font, page); !trouble.empty()) return trouble;
+    typemesh::text_options how = text_options_of(o);
+    if (std::string trouble = lay_out_page(o, font, page, how.size); !trouble.empty()) return trouble;
     auto mesher = typemesh::text_mesher{font}
                       .with(discretiser)
                       .with(triangulator_of(o))
                       .with(extruder)
                       .with(stage_clock{.tell = &tell});
-    auto plan = plan_of(mesher, o, page, text_options_of(o));
+    auto plan = plan_of(mesher, o, page, how);
     if (!plan) return refusal_in_words(o, plan.error());
 
     tell.clear();

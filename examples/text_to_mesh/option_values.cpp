@@ -80,6 +80,16 @@ std::string read_profile(std::string_view written, typemesh::profile_points& out
     return out.is_valid() ? std::string{} : "must go from 0,0 to t = 1, unlike " + given;
 }
 
+bool read_box(std::string_view written, double& width, double& height)
+{
+    const auto cross = written.find('x');
+    if (cross == std::string_view::npos) return false;
+    const auto w = decimal(written.substr(0, cross)), h = decimal(written.substr(cross + 1));
+    width = w.value_or(0.0);
+    height = h.value_or(0.0);
+    return width > 0.0 && width <= 1e6 && height > 0.0 && height <= 1e6;
+}
+
 std::string with_line_breaks(std::string text)
 {
     for (std::size_t i = 0; (i = text.find("\\n", i)) != std::string::npos; ++i) text.replace(i, 2, "\n");

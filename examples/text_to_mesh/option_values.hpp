@@ -21,6 +21,9 @@ namespace text_to_mesh {
 /// A bevel's points, "0,0;0.2,0.8;1,1". Gives an empty string, or what is wrong: "must ...".
 [[nodiscard]] std::string read_profile(std::string_view written, typemesh::profile_points& out);
 
+/// A box, "30x10": two positive numbers up to 1000000. False if it is not of that form.
+[[nodiscard]] bool read_box(std::string_view written, double& width, double& height);
+
 /// A backslash and an n, as a shell passes them on, become a line break.
 [[nodiscard]] std::string with_line_breaks(std::string text);
 

@@ -91,7 +91,7 @@ std::string version()
 /// Words of the command line that become something else after parsing.
 struct raw_values {
     std::vector<std::string> variations, features, show;
-    std::string uv, fill, profile = "chamfer", family;
+    std::string uv, fill, fit, profile = "chamfer", family;
     std::optional<double> size, bevel_depth, bevel_steps, letter_spacing;
     bool no_merge = false, tolerance_given = false, shading_given = false, normals_given = false, bevel_given = false,
          align_given = false;
@@ -158,6 +158,9 @@ void add_line_options(CLI::App& app, options& out, raw_values& raw)
         app, "--width", "lines end where the text is wider", "a positive number up to 1000000",
         [](double n) { return n > 0.0 && n <= 1e6; }, [&out](double n) { out.lines.width = n; })
         ->type_name("EM");
+    app.add_option("--fit", raw.fit,
+                   "the largest size at which the text fits into a box, as in 30x10; in the file's unit")
+        ->type_name("WxH");
     add_named<wrap_mode>(app, "--wrap", out.lines.wrap,
                          "at words, within them where one is too long (default), at any letter, or nowhere",
                          {{"word", wrap_mode::word},
@@ -195,7 +198,8 @@ void add_line_options(CLI::App& app, options& out, raw_values& raw)
         ->check(CLI::Validator{complaint, ""})
         ->take_all()
         ->expected(1);
-    raw.of_a_page = {"--width", "--wrap", "--justify", "--indent", "--max-lines", "--ellipsis", "--elide", "--style"};
+    raw.of_a_page = {"--width",     "--fit",      "--wrap",  "--justify", "--indent",
+                     "--max-lines", "--ellipsis", "--elide", "--style"};
 }
 
 void add_mesh_options(CLI::App& app, options& out, raw_values& raw)
@@ -400,9 +404,15 @@ std::string settle_lines(options& out, const raw_values& raw)
         return std::find(raw.of_a_page.begin(), raw.of_a_page.end(), option) != raw.of_a_page.end();
     };
     const line_alignment align = out.lines.align;
-    if (!given("--width") && align == line_alignment::justify) return "--align: justify is for --width";
+    if (given("--fit") && !read_box(raw.fit, out.fit_width, out.fit_height))
+        return "--fit: must be two positive numbers up to 1000000, such as 30x10, not " + raw.fit;
+    for (const char* other : {"--width", "--ellipsis"})
+        if (given("--fit") && given(other)) return std::string{other} + ": is not for --fit, which shows all text";
+    if (given("--fit") && raw.size) return "--size: is not for --fit, which finds it";
+    const bool boxed = given("--width") || given("--fit");
+    if (!boxed && align == line_alignment::justify) return "--align: justify is for --width or --fit";
     if (align != line_alignment::justify && given("--justify")) return "--justify: is for --align justify";
-    if (!given("--width") && given("--wrap")) return "--wrap: is for --width";
+    if (!boxed && given("--wrap")) return "--wrap: is for --width or --fit";
     if (!given("--width") && !given("--max-lines") && given("--ellipsis"))
         return "--ellipsis: is for --width or --max-lines";
     if (!given("--ellipsis") && given("--elide")) return "--elide: is for --ellipsis";

@@ -59,6 +59,7 @@ struct options {
     typemesh::paragraph_options lines;
     std::string ellipsis;
     std::vector<styled_range> styles;
+    double fit_width = 0.0, fit_height = 0.0;  ///< of the box that gives the size; 0: none
 
     double size = 1.0;   ///< of an em in the file
     float depth = 0.2f;  ///< em; 0 makes a flat mesh

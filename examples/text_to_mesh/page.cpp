@@ -3,13 +3,14 @@
 
 #include "report.hpp"
 
+#include <typemesh/paragraph/fit_size.hpp>
 #include <typemesh/paragraph/paragraph.hpp>
 
 #include <cstdio>
 
 namespace text_to_mesh {
 
-std::string lay_out_page(const options& o, font_set& font, typemesh::glyph_run& page)
+std::string lay_out_page(const options& o, font_set& font, typemesh::glyph_run& page, double& size)
 {
     if (!o.page) return {};
     typemesh::paragraph words{font};
@@ -18,6 +19,13 @@ std::string lay_out_page(const options& o, font_set& font, typemesh::glyph_run& 
     typemesh::paragraph_options lines = o.lines;
     lines.ellipsis = o.ellipsis;
     typemesh::error e = words.set(o.text, how, spans_of(o.styles, o.text), o.letter_spacing);
+    if (!e && o.fit_width > 0.0) {
+        const auto found = typemesh::fit_size(words, o.fit_width, o.fit_height, lines);
+        if (found.error() == typemesh::error::bad_option) return "--fit: the text demands more lines than --max-lines.";
+        if (!found) return in_words(found.error());
+        size = *found;
+        lines.width = o.fit_width / size;
+    }
     if (!e) e = words.lay_out(lines, page);
     if (e) return in_words(e);
     if (const std::uint32_t moved = words.shaped().styles.moved(); moved != 0) {

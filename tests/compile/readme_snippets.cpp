@@ -11,6 +11,7 @@
 #include <typemesh/extrude/polyline_profile.hpp>
 #include <typemesh/inspect/closedness.hpp>
 #include <typemesh/inspect/normal_check.hpp>
+#include <typemesh/paragraph/fit_size.hpp>
 #include <typemesh/paragraph/paragraph.hpp>
 #include <typemesh/paragraph/total_fit.hpp>
 #include <typemesh/text/font_cascade.hpp>
@@ -104,6 +105,11 @@ if (auto e = words.set("In the beginning the Universe was created.")) return std
 typemesh::glyph_run page;
 if (auto e = words.lay_out({.width = 9.0, .align = typemesh::line_alignment::justify}, page)) return std::puts(e.message()), 1;
 auto column = mesher.plan(page);
+auto em = fit_size(words, 30.0, 10.0);                                          // of a box of 30 by 10 in the mesh
+if (!em) return std::puts(em.error().message()), 1;
+if (auto e = words.lay_out({.width = 30.0 / *em}, page)) return std::puts(e.message()), 1;
+auto sign = mesher.plan(page, {.size = *em});
+    use(sign);
 typemesh::paragraph even{*font, typemesh::heap(), typemesh::unicode_analyser{}, typemesh::total_fit{.tolerance = 0.8}};
     use(even);
 typemesh::paragraph parted{*font, typemesh::heap(), typemesh::hyphenating{typemesh::unicode_analyser{}, my_patterns{}}};

@@ -143,10 +143,20 @@ expect 2 "--style: font must be a whole number" abcd --font $sans --stats --styl
 expect 2 "--style: is not for --instances" abcd --font $sans --output x.glb --instances --style 1..2:underline
 for width in 0 -1 nan x 1e7; do expect 2 "--width: must be a positive number" x --font $sans --stats --width $width; done
 expect 2 "--max-lines: must be a whole number" x --font $sans --stats --max-lines 0
+expect 0 "" "one two three" --font $sans --fit 30x10 --stats
+expect 0 "" "one two three" --font $sans --fit 30x1e1 --align justify --output fitted.glb
+expect 0 "" "one two three" --font $sans --fit 60x20 --align justify --output larger.glb
+that "a larger box makes a larger text" differ fitted.glb larger.glb
+for box in 30 x 0x1 -1x2 30x 30x10x1 1x1e7 "3 x 4"; do
+    expect 2 "--fit: must be two positive numbers" x --font $sans --stats --fit "$box"
+done
+expect 2 "--size: is not for --fit" x --font $sans --stats --fit 3x1 --size 2
+expect 2 "--width: is not for --fit" x --font $sans --stats --fit 3x1 --width 2
+expect 1 "--fit: the text demands more lines" "$(printf 'a\nb')" --font $sans --stats --fit 3x1 --max-lines 1
 expect 2 "--align: justify is for --width" x --font $sans --stats --align justify
 expect 2 "--justify: is for --align justify" x --font $sans --stats --width 9 --justify letters
 expect 2 "--justify: must be spaces, letters or kashida, not words" x --font $sans --stats --width 9 --align justify --justify words
-expect 2 "--wrap: is for --width" x --font $sans --stats --wrap word
+expect 2 "--wrap: is for --width or --fit" x --font $sans --stats --wrap word
 expect 2 "--ellipsis: is for" x --font $sans --stats --ellipsis x
 expect 2 "--elide: is for --ellipsis" x --font $sans --stats --width 3 --elide start
 
