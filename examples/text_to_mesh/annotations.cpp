@@ -1,18 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "annotations.hpp"
 
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <string_view>
+#include <utility>
+
 namespace text_to_mesh {
 namespace {
 
 constexpr unsigned char contour_rgb[3] = {20, 60, 160}, point_rgb[3] = {20, 30, 60}, control_rgb[3] = {120, 120, 120},
                         on_curve_rgb[3] = {30, 140, 70}, normal_rgb[3] = {30, 120, 200};
 
-void add_segment(overlay& to, const float (&a)[3], const float (&b)[3], const unsigned char (&rgb)[3])
+void add_segment(overlay& to, const float* a, const float* b, const unsigned char (&rgb)[3])
 {
     to.segments.push_back({{a[0], a[1], a[2]}, {b[0], b[1], b[2]}, {rgb[0], rgb[1], rgb[2]}});
 }
 
-void add_dot(overlay& to, const float (&p)[3], const unsigned char (&rgb)[3], float radius)
+void add_dot(overlay& to, const float* p, const unsigned char (&rgb)[3], float radius)
 {
     to.dots.push_back({{p[0], p[1], p[2]}, {rgb[0], rgb[1], rgb[2]}, radius});
 }
@@ -37,6 +44,35 @@ void add_loops(overlay& to, const options& o, std::span<const typemesh::grid_poi
     }
 }
 
+/// The outline of letters whose edges have moved, and of rings: edges of what is seen from the front that have a triangle
+/// on one side only.
+void add_moved_loops(overlay& to, const options& o, const model& mesh)
+{
+    using position = std::array<float, 3>;
+    const auto at = [&](std::size_t i) -> position {
+        const float* p = mesh.vertices[mesh.indices[i]].position;
+        return {p[0], p[1], p[2]};
+    };
+    for (const unsigned solid : {0u, 1u}) {
+        std::map<std::pair<position, position>, int> edges;  // how often there, less how often back
+        for (const model::part& part : mesh.parts) {
+            const std::string_view name = part.name;
+            if (part.solid != solid || (name != "front" && name != "front_bevel" && name != "letter_front")) continue;
+            for (std::size_t i = part.first_index; i < part.first_index + part.index_count; ++i) {
+                const position a = at(i), b = at(i % 3 == 2 ? i - 2 : i + 1);
+                a < b ? ++edges[{a, b}] : --edges[{b, a}];
+            }
+        }
+        for (const auto& [ends, count] : edges) {
+            if (count == 0) continue;
+            if (o.show_contours) add_segment(to, ends.first.data(), ends.second.data(), contour_rgb);
+            if (!o.show_points) continue;
+            add_dot(to, ends.first.data(), point_rgb, 3.0f);
+            add_dot(to, ends.second.data(), point_rgb, 3.0f);
+        }
+    }
+}
+
 }  // namespace
 
 overlay annotate(const options& o, font_set& font, const typemesh::glyph_run& run,
@@ -53,6 +89,8 @@ overlay annotate(const options& o, font_set& font, const typemesh::glyph_run& ru
         }
     }
     if (!o.show_contours && !o.show_points && !o.show_control) return drawn;
+    const bool moved = o.outline.width > 0.0f || std::fabs(o.embolden) > 0.0f;
+    if (moved) add_moved_loops(drawn, o, mesh);
 
     const double upem = font.units_per_em();
     typemesh::outline shape;
@@ -79,11 +117,11 @@ overlay annotate(const options& o, font_set& font, const typemesh::glyph_run& ru
                 add_dot(drawn, put(c.start()).at, on_curve_rgb, 4.5f);
             }
         }
-        if (!o.merge)
+        if (!o.merge && !moved)
             add_loops(drawn, o, loops.points.view(), loops.starts.view(),
                       [&](typemesh::grid_point p) { return put(grid->place(p)); });
     }
-    for (std::size_t k = 0; k < shapes.size() && o.merge; ++k) {
+    for (std::size_t k = 0; k < shapes.size() && o.merge && !moved; ++k) {
         const typemesh::drawn_glyph& s = shapes[k];
         const double unit = s.built->font_units_per_cell();
         add_loops(drawn, o, s.built->form().points, s.built->form().starts, [&](typemesh::grid_point p) {

@@ -12,7 +12,7 @@ namespace text_to_mesh {
 
 /// The lines and dots that --show asks for, drawn on the front of the mesh: control polygons and contours from the
 /// stages themselves, called one by one for each glyph of the run; normals from the finished mesh. With --merge
-/// contours and points are those of the merged glyphs.
+/// contours and points are those of the merged glyphs; where edges have moved (--embolden, --outline), those of the mesh.
 [[nodiscard]] overlay annotate(const options& o, font_set& font, const typemesh::glyph_run& run,
                                std::span<const typemesh::drawn_glyph> shapes, const chosen_discretiser& discretiser,
                                const model& mesh);

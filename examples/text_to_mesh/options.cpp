@@ -249,7 +249,8 @@ void add_mesh_options(CLI::App& app, options& out, raw_values& raw)
                      "letters that meet become one solid without inner walls (default for .stl, .3mf, moved edges)");
     app.add_flag("--no-merge", raw.no_merge, "each letter stays a solid of its own (default for the others)")
         ->excludes(merged);
-    app.add_flag("--instances", out.instances, "in .glb: each different letter once, and a node for each place")
+    app.add_flag("--instances", out.instances,
+                 "in .glb: each different letter once, unmerged, and a node for each place")
         ->excludes(merged);
     app.add_flag("--strict", out.strict, "every warning is an error, and nothing is written");
 }

@@ -53,6 +53,13 @@ int main()
 void draw(std::uint32_t, typemesh::vec3) noexcept {}
 void draw(std::uint32_t, std::uint32_t, std::uint32_t) noexcept {}
 
+struct ogee_profile {  // an S; options of a profile go into its cache_key()
+    void operator()(const typemesh::profile_scale&, typemesh::profile_points& out) const noexcept
+    {
+        for (float t = 0.0f; t <= 1.0f; t += 0.125f) out.add({t, t * t * (3.0f - 2.0f * t)});
+    }
+};
+
 struct my_patterns {
     void hyphenate(typemesh::text_view text, typemesh::text_range word, std::string_view language, auto put) noexcept;  // put(place) ...
 };
@@ -85,7 +92,8 @@ auto blocky    = typemesh::text_mesher{*font}.with(typemesh::extruded<typemesh::
 auto chamfered = typemesh::text_mesher{*font}.with(typemesh::bevelled<>{.width = 0.02f, .bevel_depth = 0.02f});
 auto rounded   = typemesh::text_mesher{*font}.with(typemesh::bevelled<typemesh::round_profile>{.profile = {.steps = 4}});
 auto moulded   = typemesh::text_mesher{*font}.with(typemesh::bevelled<typemesh::polyline_profile>{.profile = {{{0, 0}, {0.2f, 0.8f}, {1, 1}}}});
-    use(chamfered, rounded, moulded);
+auto swung = typemesh::text_mesher{*font}.with(typemesh::bevelled<ogee_profile>{.width = 0.04f});
+    use(chamfered, rounded, moulded, swung);
 auto bolder = typemesh::text_mesher{*font}.with(typemesh::emboldened<typemesh::bevelled<>>{.by = 0.015f, .solid = {.width = 0.01f}});
 auto hollow = typemesh::text_mesher{*font}.with(typemesh::outlined<>{.width = 0.02f});
 auto framed = typemesh::text_mesher{*font}.with(typemesh::outlined<typemesh::extruded<>, typemesh::extruded<>>{

@@ -19,7 +19,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 /// At each node the faces that meet there share a vertex as long as their normals differ by less than the crease angle
 /// from those of the first of them, by less than 90 degrees from the normalised sum, which is the vertex's, and they
-/// agree on `along`. Faces of two bands share one if the strips do. A riser has vertices of its own: pairs, below and above in the profile's order.
+/// agree on `along`. Faces of two bands share one if the strips do. A riser has vertices of its own: pairs, below and
+/// above in the profile's order.
 class bevel_vertices {
 public:
     struct sharing {
