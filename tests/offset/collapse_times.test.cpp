@@ -225,16 +225,16 @@ TEST_CASE("what waits for calm does not meet or turn before, but lengths vanish 
     CHECK((t.found.what == kind::shrink && t.found.time == 25 * time_one));
 }
 
-TEST_CASE("beside a fast corner a triangle closes up now", "[offset][collapse_times]")
+TEST_CASE("beside an instant corner a triangle closes up now", "[offset][collapse_times]")
 {
-    for (std::uint32_t fast = 0; fast < 3; ++fast) {
+    for (std::uint32_t instant = 0; instant < 3; ++instant) {
         lone_triangle t{{0, 0}, {100 * cell, 0}, {50 * cell, 300 * cell}, 10 * time_one};
-        t.mesh.vertices[fast].moves.speed.fast = true;
+        t.mesh.vertices[instant].moves.speed.instant = true;
         CHECK_FALSE(t.find());  // between diagonals it waits
         t.put_segment(0);
         t.times.now = 5;
-        CHECK(t.find() == (fast != 2));
-        if (fast != 2) CHECK((t.found.what == kind::close_up && t.found.time == 5 && t.found.k == 0));
+        CHECK(t.find() == (instant != 2));
+        if (instant != 2) CHECK((t.found.what == kind::close_up && t.found.time == 5 && t.found.k == 0));
     }
 }
 

@@ -84,17 +84,17 @@ TEST_CASE("unit_along() of a turned or mirrored vector is the turned or mirrored
 TEST_CASE("the common point of two lines stays on both, however they turn", "[offset][moving_point]")
 {
     test::dice d{3};
-    int wide = 0, narrow = 0, fast = 0;
+    int wide = 0, narrow = 0, instant = 0;
     for (int i = 0; i < 200'000; ++i) {
         const double angle = test::turn_once * d.fraction();
         const double needle = test::turn_once / 2 - std::ldexp(d.fraction(), -d.roll(24));
         const double turn = i % 2 == 0 ? test::turn_once * d.fraction() : i % 4 == 1 ? needle : -needle;
         const moving_line before = towards(angle), after = towards(angle + turn);
         const crossing_speed v = detail::speed_of(before, after, false);
-        if (v.fast) {
+        if (v.instant) {
             const bool opposite = std::fabs(std::sin(turn)) < 0x1.01p-20 && std::cos(turn) < 0.0;
             if (!opposite) CHECK(opposite);
-            ++fast;
+            ++instant;
             continue;
         }
         // of less than a right angle the error of a unit vector's length counts, of more it cancels
@@ -109,7 +109,7 @@ TEST_CASE("the common point of two lines stays on both, however they turn", "[of
     }
     CHECK(wide > 1000);
     CHECK(narrow > 1000);
-    CHECK(fast > 1000);
+    CHECK(instant > 1000);
 }
 
 TEST_CASE("both ways to a corner's speed agree", "[offset][moving_point]")
@@ -120,7 +120,7 @@ TEST_CASE("both ways to a corner's speed agree", "[offset][moving_point]")
                      turn = (d.roll(2) == 0 ? 1 : -1) * (0.1 + 2.9 * d.fraction());
         const moving_line before = towards(angle), after = towards(angle + turn);
         const crossing_speed v = detail::speed_of(before, after, false);
-        REQUIRE(!v.fast);
+        REQUIRE(!v.instant);
         const real_vector a = real(before.along, 0x1p-30L), b = real(after.along, 0x1p-30L);
         const long double cosine = a.x * b.x + a.y * b.y, sine = a.x * b.y - a.y * b.x;
         const real_vector other = cosine < 0 ? real_vector{-(a.y + b.y) / (1 + cosine), (a.x + b.x) / (1 + cosine)}
@@ -148,30 +148,30 @@ TEST_CASE("a mirrored corner moves mirrored, a turned one turned", "[offset][mov
         const auto turned = [](const moving_line& l) { return moving_line{l.inward()}; };
         const crossing_speed m = detail::speed_of(mirrored(after), mirrored(before), born),
                              t = detail::speed_of(turned(before), turned(after), born);
-        const bool same =
-            v.fast == m.fast && v.fast == t.fast && equal(m.of, {-v.of.x, v.of.y}) && equal(t.of, {-v.of.y, v.of.x});
+        const bool same = v.instant == m.instant && v.instant == t.instant && equal(m.of, {-v.of.x, v.of.y}) &&
+                          equal(t.of, {-v.of.y, v.of.x});
         if (!same) CHECK(same);
     }
 }
 
-TEST_CASE("only what turns by half a turn is fast, and a corner born on the way that turns right by nearly that",
+TEST_CASE("only what turns by half a turn is instant, and a corner born on the way that turns right by nearly that",
           "[offset][moving_point]")
 {
     const double half = test::turn_once / 2;
-    const auto is_fast = [](double turn, bool born) {
-        return detail::speed_of(towards(0.3), towards(0.3 + turn), born).fast;
+    const auto is_instant = [](double turn, bool born) {
+        return detail::speed_of(towards(0.3), towards(0.3 + turn), born).instant;
     };
     for (const bool born : {false, true}) {
-        CHECK(is_fast(half, born));
-        CHECK(is_fast(half - 1e-7, born));
-        CHECK(is_fast(half + 1e-7, born));
-        CHECK_FALSE(is_fast(0.0, born));
-        CHECK_FALSE(is_fast(half / 2, born));
-        CHECK_FALSE(is_fast(-half / 2, born));
-        CHECK_FALSE(is_fast(half - 1e-5, born));  // a left turn: the corner of a needle of the outline
-        CHECK_FALSE(is_fast(0.1 - half, born));
-        CHECK(is_fast(0.001 - half, born) == born);
-        CHECK(is_fast(0.04 - half, born) == born);
+        CHECK(is_instant(half, born));
+        CHECK(is_instant(half - 1e-7, born));
+        CHECK(is_instant(half + 1e-7, born));
+        CHECK_FALSE(is_instant(0.0, born));
+        CHECK_FALSE(is_instant(half / 2, born));
+        CHECK_FALSE(is_instant(-half / 2, born));
+        CHECK_FALSE(is_instant(half - 1e-5, born));  // a left turn: the corner of a needle of the outline
+        CHECK_FALSE(is_instant(0.1 - half, born));
+        CHECK(is_instant(0.001 - half, born) == born);
+        CHECK(is_instant(0.04 - half, born) == born);
     }
     CHECK(detail::turns_left(towards(0.0), towards(3.0)));
     CHECK_FALSE(detail::turns_left(towards(0.0), towards(-3.0)));

@@ -80,7 +80,7 @@ void check_front(const joined& j, std::uint32_t corners)
     for (std::uint32_t s = corners; s < mesh.segments.size(); ++s) {
         const auto& [v, inward] = j.emitted[s - corners];
         const auto& one = mesh.segments[s];
-        const bool known = one.line == s && one.part == 0 && inward.x == mesh.lines[s].inward().x &&
+        const bool known = one.line == s && one.component == 0 && inward.x == mesh.lines[s].inward().x &&
                            inward.y == mesh.lines[s].inward().y;
         if (!known) CHECK(known);
         for (const std::uint32_t end : {one.from, one.to}) {

@@ -20,7 +20,7 @@ namespace test {
 using typemesh::detail::kinetic_triangles;
 using typemesh::detail::wavefront;
 
-/// All is one part.
+/// All is one component.
 inline void set_up(wavefront& front, const shape& s)
 {
     using namespace typemesh;

@@ -28,7 +28,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// those on the region's own edges. Keeps its storage for the next region.
 class boundary_mover {
 public:
-    static constexpr double finest = 4.0;  ///< in cells: a smaller distance moves nothing
+    static constexpr double finest = finest_band;  ///< in cells: a smaller distance moves nothing
 
     explicit boundary_mover(memory source = heap()) noexcept : swept_{source}, around_{source}, triangles_{source} {}
 

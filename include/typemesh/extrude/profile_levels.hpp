@@ -3,6 +3,7 @@
 
 #include <typemesh/core/assert.hpp>
 #include <typemesh/extrude/bevel_profile.hpp>
+#include <typemesh/offset/swept_region.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -30,7 +31,7 @@ struct profile_level {
 ///     level 0, 1 ...
 class profile_levels {
 public:
-    static constexpr double finest = 4.0;
+    static constexpr double finest = finest_band;
 
     /// `points` are valid; of the scale the tolerance does not matter.
     profile_levels(const profile_points& points, const profile_scale& scale) noexcept

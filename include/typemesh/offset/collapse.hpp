@@ -10,7 +10,7 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 /// How a kinetic triangle becomes flat.
 ///
 ///     shrink      the segment on half-edge k loses its length
-///     close_up    that segment ends in a fast corner: the area beside it has no width
+///     close_up    that segment ends in an instant corner: the area beside it has no width
 ///     meet        its apex reaches the line of the segment on half-edge k
 ///     turn        one of three corners, none beside a segment of it, reaches the opposite diagonal
 struct collapse {

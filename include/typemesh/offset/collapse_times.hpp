@@ -32,7 +32,7 @@ public:
         for (std::uint8_t k = 0; k < 3 && segments != 0; ++k) {
             if (!kinetic_triangles::is_segment(tri.link[k])) continue;
             const auto& s = of_.segments[kinetic_triangles::segment_in(tri.link[k])];
-            if (of_.vertices[s.from].moves.fast() || of_.vertices[s.to].moves.fast()) {
+            if (of_.vertices[s.from].moves.instant() || of_.vertices[s.to].moves.instant()) {
                 found = {now, t, tri.stamp, collapse::kind::close_up, k, 0};
                 return true;
             }
@@ -41,7 +41,7 @@ public:
             if (segments != 1) continue;  // between two segments the angle is constant
             const std::int64_t meets = later(meets_at(s, tri.corner[(k + 2) % 3]), calm);
             if (meets < found.time) found = {meets, t, tri.stamp, collapse::kind::meet, k, 0};
-            if (meets == now && length(s) <= no_length) found = {now, t, tri.stamp, collapse::kind::shrink, k, 0};
+            if (meets == now && length(s) <= slip_along) found = {now, t, tri.stamp, collapse::kind::shrink, k, 0};
         }
         if (found.time > limit) return false;
         if (found.what >= collapse::kind::meet) found.reach = reach(tri, found.time);
@@ -54,7 +54,6 @@ public:
 private:
     using segment = kinetic_triangles::segment;
     [[nodiscard]] static std::int64_t later(std::int64_t a, std::int64_t b) noexcept { return a > b ? a : b; }
-    static constexpr int128 no_length = static_cast<int128>(1) << 42;  // 1/16 cell
 
     /// Between two segments a triangle's angle is below 180 degrees. Where it is not, as between the bits that are left
     /// when several strokes close at once, the triangle has no area and the shorter of the two segments goes now.
@@ -66,7 +65,7 @@ private:
                 continue;
             const segment &a = of_.segments[kinetic_triangles::segment_in(tri.link[k])],
                           &b = of_.segments[kinetic_triangles::segment_in(tri.link[after])];
-            if (of_.vertices[a.to].moves.fast() || cross(of_.lines[a.line].along, of_.lines[b.line].along) >= 0)
+            if (of_.vertices[a.to].moves.instant() || cross(of_.lines[a.line].along, of_.lines[b.line].along) >= 0)
                 continue;
             const fixed_vector first = place(a.to) - place(a.from), second = place(b.to) - place(b.from);
             const bool first_is_shorter = dot(first, first) <= dot(second, second);
@@ -103,7 +102,7 @@ private:
         const moving_point &from = of_.vertices[s.from].moves, &to = of_.vertices[s.to].moves;
         const int128 size = length(s), rate = dot(of_.lines[s.line].along, to.speed.of - from.speed.of);
         const bool cut_short = now != 0 && (from.since == now || to.since == now);
-        if (size <= no_length && (rate <= no_gain || cut_short)) return now;
+        if (size <= slip_along && (rate <= no_gain || cut_short)) return now;
         return zero_of(size, rate);
     }
 
@@ -116,7 +115,7 @@ private:
     [[nodiscard]] std::int64_t meets_at(const segment& s, std::uint32_t apex) const noexcept
     {
         const moving_point& w = of_.vertices[apex].moves;
-        if (w.fast()) return limit + 1;
+        if (w.instant()) return limit + 1;
         const fixed_vector inward = of_.lines[s.line].inward();
         constexpr int128 line_speed = static_cast<int128>(time_one) * unit_one;
         return zero_of(dot(inward, w.place(now) - of_.vertices[s.from].moves.place(now)),
@@ -128,7 +127,7 @@ private:
     {
         const moving_point &u = of_.vertices[tri.corner[0]].moves, &v = of_.vertices[tri.corner[1]].moves,
                            &w = of_.vertices[tri.corner[2]].moves;
-        if (u.fast() || v.fast() || w.fast()) return limit + 1;
+        if (u.instant() || v.instant() || w.instant()) return limit + 1;
         const fixed_vector p = v.place(now) - u.place(now), q = w.place(now) - u.place(now);
         const fixed_vector p_speed = v.speed.of - u.speed.of, q_speed = w.speed.of - u.speed.of;
         const scaled_number left{limit - now, -32};

@@ -33,7 +33,7 @@ public:
         std::uint32_t line = 0;
         std::uint32_t from = 0, to = 0;  ///< vertices
         std::uint32_t half = 0;          ///< the half-edge on its left
-        std::uint32_t part = 0;          ///< the connected part of the region that it bounds
+        std::uint32_t component = 0;     ///< the connected component of the region that it bounds
         bool alive = true;
     };
     struct triangle {
@@ -66,7 +66,7 @@ public:
     [[nodiscard]] static std::uint32_t to_segment(std::uint32_t s) noexcept { return s | boundary; }
 
     /// Puts half-edge h and what lies on the other side next to each other.
-    void join(std::uint32_t h, std::uint32_t other) noexcept
+    void connect(std::uint32_t h, std::uint32_t other) noexcept
     {
         triangles[h / 3].link[h % 3] = other;
         if (is_segment(other))
@@ -84,9 +84,9 @@ public:
         ++triangles[h / 3].stamp;
         if (is_segment(a) && is_segment(b)) return false;
         if (is_segment(a))
-            join(b, a);
+            connect(b, a);
         else
-            join(a, b);
+            connect(a, b);
         return true;
     }
 
@@ -104,11 +104,11 @@ public:
         const std::uint32_t bc = link(next(h)), ca = link(previous(h)), ad = link(next(g)), db = link(previous(g));
         triangles[t] = {{a, d, c}, {none, none, none}, triangles[t].stamp, true};
         triangles[r] = {{d, b, c}, {none, none, none}, triangles[r].stamp, true};
-        join(3 * t, ad);
-        join(3 * t + 2, ca);
-        join(3 * r, db);
-        join(3 * r + 1, bc);
-        join(3 * t + 1, 3 * r + 2);
+        connect(3 * t, ad);
+        connect(3 * t + 2, ca);
+        connect(3 * r, db);
+        connect(3 * r + 1, bc);
+        connect(3 * t + 1, 3 * r + 2);
     }
 
     /// Calls visit(h) for each half-edge h that leaves the corner at which segment `after` begins, counter-clockwise.
@@ -189,7 +189,7 @@ public:
                 if (back != none && origin(back) == v)
                     triangles[t].link[coming] = back;
                 else
-                    join(3 * t + coming, to_segment(from));
+                    connect(3 * t + coming, to_segment(from));
             }
         }
     }

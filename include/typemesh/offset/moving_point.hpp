@@ -16,11 +16,18 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 //     speed    2^-32                                  below 2^54
 //     unit     2^-30: a component of a unit vector
 //
-// A place stays within its budget because a fast triangle is flat long before a corner has moved so far.
+// A place stays within its budget because a triangle beside a corner is flat long before that has moved so far.
 
 inline constexpr std::int64_t place_one = std::int64_t{1} << 16;
 inline constexpr std::int64_t time_one = std::int64_t{1} << 32;
 inline constexpr std::int64_t unit_one = std::int64_t{1} << 30;
+
+/// Places that rounding keeps apart, or brings together, lie within a sixteenth of a cell: in units of place, and of
+/// place times unit.
+inline constexpr int slip_bits = 12;
+inline constexpr std::int64_t slip = std::int64_t{1} << slip_bits;
+inline constexpr int128 slip_along = static_cast<int128>(unit_one) * slip;
+static_assert(16 * slip == place_one);
 
 /// A vector in one of these units.
 struct fixed_vector {
@@ -67,17 +74,17 @@ struct moving_line {
 }
 
 /// How the common point of two moving lines moves. Where they run so nearly against each other that it would cross the
-/// whole grid at once, it is `fast` and has no speed.
+/// whole grid at once, it is `instant` and has no speed.
 struct crossing_speed {
     fixed_vector of;
-    bool fast = false;
+    bool instant = false;
 };
 
 /// The v with v * inward = 1 for both lines: (n1 + n2) / (1 + n1 n2), or, where they turn by more than a right angle
 /// and these terms cancel, (d2 - d1) / (d1 x d2).
 ///
 /// A corner that is born on the way (`born`) and turns right by nearly half a turn is no needle of the outline, but the
-/// end of an area whose last bit of width was lost to rounding: it is fast as well.
+/// end of an area whose last bit of width was lost to rounding: it is instant as well.
 [[nodiscard]] inline crossing_speed speed_of(const moving_line& before, const moving_line& after, bool born) noexcept
 {
     constexpr std::int64_t one = unit_one * unit_one, least_sine = one >> 20, needle = one - (one >> 10);
@@ -100,7 +107,7 @@ struct moving_point {
     std::int64_t since = 0;  ///< time at which it was there
     crossing_speed speed;
 
-    [[nodiscard]] bool fast() const noexcept { return speed.fast; }
+    [[nodiscard]] bool instant() const noexcept { return speed.instant; }
     [[nodiscard]] fixed_vector place(std::int64_t time) const noexcept
     {
         const std::int64_t passed = time - since;

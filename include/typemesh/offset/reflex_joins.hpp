@@ -100,7 +100,7 @@ private:
         const std::uint32_t before = mesh_.vertices[v].before, after = mesh_.vertices[v].after;
         const auto first_vertex = static_cast<std::uint32_t>(mesh_.vertices.size());
         const auto first_segment = static_cast<std::uint32_t>(mesh_.segments.size());
-        const std::uint32_t part = mesh_.segments[before].part;
+        const std::uint32_t component = mesh_.segments[before].component;
         for (std::uint32_t m = 0; m < steps_; ++m) {
             const auto line = static_cast<std::uint32_t>(mesh_.lines.size());
             const std::uint32_t s = first_segment + m, from = m == 0 ? v : first_vertex + m - 1;
@@ -109,11 +109,11 @@ private:
             corner.after = m + 1 == steps_ ? after : s + 1;
             const std::uint32_t node = of_.node_of[v];
             if (!mesh_.lines.push_back({along_[m]}) || !mesh_.vertices.push_back(corner) ||
-                !mesh_.segments.push_back({line, from, first_vertex + m, 0, part, true}) ||
+                !mesh_.segments.push_back({line, from, first_vertex + m, 0, component, true}) ||
                 !of_.node_of.push_back(node))
                 return false;
         }
-        of_.live[part] += steps_;
+        of_.live[component] += steps_;
         mesh_.vertices[v].after = first_segment;
         mesh_.segments[after].from = first_vertex + steps_ - 1;
         set_speed(v);
@@ -141,9 +141,9 @@ private:
             const std::uint32_t edge = kinetic_triangles::previous(h), across = mesh_.link(edge);
             const auto t = static_cast<std::uint32_t>(mesh_.triangles.size());
             if (!mesh_.triangles.push_back({{lower, upper, mesh_.origin(edge)}})) return false;
-            mesh_.join(3 * t, kinetic_triangles::to_segment(first_segment + m));
-            mesh_.join(3 * t + 1, edge);
-            mesh_.join(3 * t + 2, across);
+            mesh_.connect(3 * t, kinetic_triangles::to_segment(first_segment + m));
+            mesh_.connect(3 * t + 1, edge);
+            mesh_.connect(3 * t + 2, across);
             h = 3 * t;
         }
         for (;; h = mesh_.link(kinetic_triangles::previous(h))) {

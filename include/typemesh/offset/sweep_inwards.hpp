@@ -24,7 +24,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// How sweep_inwards() goes about it. All lengths are in cells.
 struct sweep_options {
-    /// Distances at which faces are cut: from 0 to the width, each at least 4 cells more than the one before.
+    /// Distances at which faces are cut: from 0 to the width, each at least finest_band more than the one before.
     std::span<const double> levels;
     /// A reflex corner that would move farther than this many distances gets joins; 0: only needles do.
     double mitre_limit = 2.0;
@@ -112,11 +112,11 @@ private:
         auto* const links = scratch_.take<std::uint32_t>(2 * std::size_t{n} + 3 * cap.size());
         if (links == nullptr) return error::out_of_memory;
         mesh.link_all(n, links);
-        return find_parts() ? error::none : error::out_of_memory;
+        return find_components() ? error::none : error::out_of_memory;
     }
 
-    /// Numbers the connected parts of the region: triangles that diagonals join.
-    [[nodiscard]] bool find_parts() noexcept
+    /// Numbers the connected components of the region: triangles that diagonals join.
+    [[nodiscard]] bool find_components() noexcept
     {
         kinetic_triangles& mesh = front_.mesh;
         const std::size_t count = mesh.triangles.size();
@@ -126,13 +126,13 @@ private:
         for (std::size_t t = 0; t < count; ++t) seen[t] = false;
         for (std::uint32_t t = 0; t < count; ++t) {
             if (seen[t]) continue;
-            const auto part = static_cast<std::uint32_t>(front_.live.size());
+            const auto component = static_cast<std::uint32_t>(front_.live.size());
             std::uint32_t live = 0, waiting = 0;
             seen[t] = true;
             for (todo[waiting++] = t; waiting != 0;) {
                 for (const std::uint32_t link : mesh.triangles[todo[--waiting]].link) {
                     if (kinetic_triangles::is_segment(link)) {
-                        mesh.segments[kinetic_triangles::segment_in(link)].part = part;
+                        mesh.segments[kinetic_triangles::segment_in(link)].component = component;
                         ++live;
                     } else if (!seen[link / 3]) {
                         seen[link / 3] = true;

@@ -13,6 +13,9 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
+/// The least distance between two levels, in cells: nodes on the grid would leave nothing whole of what is finer.
+inline constexpr double finest_band = 4.0;
+
 /// A point that the moving boundary of a region has passed: where, and after which distance.
 struct swept_node {
     grid_point at;
@@ -62,7 +65,8 @@ struct swept_region {
     buffer<swept_join> joins;
     contours cap;
     buffer<std::uint32_t> cap_nodes;
-    double first_loss = -1.0;   ///< the distance at which the first connected part was swept wholly; -1: none was
+    double first_loss = -1.0;  ///< the distance at which the first connected component was swept wholly; -1: none was
+    /// How much work it was, for tests and benchmarks alone.
     std::size_t events = 0;     ///< how often the boundary's topology changed or the triangulation had to
     std::size_t schedules = 0;  ///< how often it was looked for when a triangle collapses: with events, a sweep's work
 

@@ -43,7 +43,7 @@ public:
     buffer<swept_node> nodes;
     buffer<std::uint32_t> node_of;        ///< of each vertex: the last one on its way
     buffer<cell_outlines::ends> ends_of;  ///< of each segment
-    buffer<std::uint32_t> live;           ///< of each part of the region: how many segments bound it still
+    buffer<std::uint32_t> live;           ///< of each component of the region: how many segments bound it still
 
     explicit wavefront(memory source) noexcept
         : mesh{source},
@@ -93,7 +93,7 @@ public:
     }
 
     [[nodiscard]] bool has_failed() const noexcept { return failed_ || outlines.failed; }
-    /// The time at which a part of the region had been swept wholly for the first time; negative if none has.
+    /// The time at which a component of the region had been swept wholly for the first time; negative if none has.
     [[nodiscard]] std::int64_t first_loss() const noexcept { return first_loss_; }
     [[nodiscard]] std::size_t events() const noexcept { return events_; }
     [[nodiscard]] std::size_t schedules() const noexcept { return schedules_; }
@@ -163,21 +163,21 @@ private:
         lose(s);
         outlines.at_tail(ends_of[before], node);
         outlines.at_head(ends_of[after], node);
-        join(h, before, after, at, node);
+        make_adjacent(h, before, after, at, node);
     }
 
     /// The corners u and v have met: where. Found late, both are beyond it, the faster one farther.
     [[nodiscard]] fixed_vector meeting_place(std::uint32_t u, std::uint32_t v) const noexcept
     {
         const moving_point &a = mesh.vertices[u].moves, &b = mesh.vertices[v].moves;
-        if (a.fast()) return times_.place(v);
-        if (b.fast()) return times_.place(u);
+        if (a.instant()) return times_.place(v);
+        if (b.instant()) return times_.place(u);
         const int128 a_speed = dot(a.speed.of, a.speed.of), b_speed = dot(b.speed.of, b.speed.of);
         if (a_speed > b_speed) return times_.place(v);
         return a_speed < b_speed ? times_.place(u) : middle(times_.place(u), times_.place(v));
     }
 
-    /// The area between the two segments of a fast corner has no width. The shorter one ends, unless another corner
+    /// The area between the two segments of an instant corner has no width. The shorter one ends, unless another corner
     /// lies in between: that one splits it.
     ///
     ///     ────────────w─────────────╮
@@ -185,12 +185,12 @@ private:
     void close_up(std::uint32_t h) noexcept
     {
         const auto& found = mesh.segments[kinetic_triangles::segment_in(mesh.link(h))];
-        const std::uint32_t fast = mesh.vertices[found.to].moves.fast() ? found.to : found.from;
-        const auto &in = mesh.segments[mesh.vertices[fast].before], &out = mesh.segments[mesh.vertices[fast].after];
+        const std::uint32_t tip = mesh.vertices[found.to].moves.instant() ? found.to : found.from;
+        const auto &in = mesh.segments[mesh.vertices[tip].before], &out = mesh.segments[mesh.vertices[tip].after];
         const std::uint32_t at = squared_length(in) <= squared_length(out) ? in.half : out.half;
         const std::uint32_t w = mesh.apex(at);
         const span_along along = measure(at);
-        const bool between = along.from < along.apex && along.apex < along.to && !mesh.vertices[w].moves.fast();
+        const bool between = along.from < along.apex && along.apex < along.to && !mesh.vertices[w].moves.instant();
         if (between && has_diagonals_only(at))
             split(at);
         else
@@ -224,12 +224,11 @@ private:
     /// it is a corner that can; otherwise another corner is in the way, and a flip brings it in.
     void meet(std::uint32_t h) noexcept
     {
-        constexpr int128 slip = static_cast<int128>(1) << 42;  // 1/16 cell
         const span_along along = measure(h);
         const bool splits = can_split(mesh.apex(h), line_beside(h));
-        if (along.apex < along.from - slip || (!splits && along.apex - along.from <= along.to - along.apex))
+        if (along.apex < along.from - slip_along || (!splits && along.apex - along.from <= along.to - along.apex))
             flip(kinetic_triangles::next(h));
-        else if (along.apex > along.to + slip || !splits)
+        else if (along.apex > along.to + slip_along || !splits)
             flip(kinetic_triangles::previous(h));
         else
             split(h);
@@ -280,14 +279,14 @@ private:
         }
         outlines.at_tail(ends_of[a], node);
         outlines.at_head(ends_of[b], node);
-        ++live[copy.part];
+        ++live[copy.component];
         mesh.vertices[v].before = right;
         const std::uint32_t across_left = mesh.link(kinetic_triangles::previous(h)),
                             across_right = mesh.link(kinetic_triangles::next(h));
         mesh.triangles[h / 3].alive = false;
         ++mesh.triangles[h / 3].stamp;
-        mesh.join(across_left, kinetic_triangles::to_segment(s));
-        mesh.join(across_right, kinetic_triangles::to_segment(right));
+        mesh.connect(across_left, kinetic_triangles::to_segment(s));
+        mesh.connect(across_right, kinetic_triangles::to_segment(right));
         add_corner(s, b, at, node);
         add_corner(a, right, at, node);
     }
@@ -309,12 +308,11 @@ private:
             outlines.at_tail(ends_of[one.before], node);
             outlines.at_head(ends_of[one.after], node);
         }
-        join(h, first.before, second.after, at, node);
-        join(g, second.before, first.after, at, node);
+        make_adjacent(h, first.before, second.after, at, node);
+        make_adjacent(g, second.before, first.after, at, node);
     }
     [[nodiscard]] std::uint32_t short_diagonal(std::uint32_t t) const noexcept
     {
-        constexpr std::int64_t slip = place_one / 16;
         for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
             if (kinetic_triangles::is_segment(mesh.link(h))) continue;
             const fixed_vector all = along_edge(h);
@@ -378,12 +376,12 @@ private:
             h = longest;
         }
     }
-    /// Whether a triangle is lower over its half-edge h than a sixteenth of a cell.
+    /// Whether a triangle is lower over its half-edge h than the slip.
     [[nodiscard]] bool is_flat(std::uint32_t h) const noexcept
     {
         const fixed_vector along = along_edge(h), up = times_.place(mesh.apex(h)) - times_.place(mesh.origin(h));
         const int128 area = cross(along, up);
-        return ((area < 0 ? -area : area) >> 12) <=
+        return ((area < 0 ? -area : area) >> slip_bits) <=
                (along.x < 0 ? -along.x : along.x) + (along.y < 0 ? -along.y : along.y);
     }
 
@@ -391,7 +389,8 @@ private:
 
     /// The triangle of half-edge h, which has no length, goes: `before` and `after` become adjacent at a node that both
     /// have got already. If they are all that is left, they end on the line to the triangle's apex.
-    void join(std::uint32_t h, std::uint32_t before, std::uint32_t after, fixed_vector at, std::uint32_t node) noexcept
+    void make_adjacent(std::uint32_t h, std::uint32_t before, std::uint32_t after, fixed_vector at,
+                       std::uint32_t node) noexcept
     {
         const std::uint32_t w = mesh.apex(h);
         if (mesh.close(h)) return add_corner(before, after, at, node);
@@ -425,17 +424,17 @@ private:
     {
         for (std::uint32_t fewer = 1; around > most_around / 2 && fewer != 0; around -= fewer)
             fewer = mesh.thin_out(
-                after, [&](std::uint32_t h) noexcept { return is_bow(h); },
+                after, [&](std::uint32_t h) noexcept { return is_convex(h); },
                 [&](std::uint32_t t) noexcept { schedule(t); });
     }
     /// Whether the triangle of half-edge h and the next one around its origin make a convex quadrilateral.
-    [[nodiscard]] bool is_bow(std::uint32_t h) const noexcept
+    [[nodiscard]] bool is_convex(std::uint32_t h) const noexcept
     {
         const std::uint32_t next = mesh.link(kinetic_triangles::previous(h));
         const std::uint32_t a = mesh.origin(kinetic_triangles::next(h)), b = mesh.apex(h), c = mesh.apex(next);
         const std::uint32_t v = mesh.origin(h);
         for (const std::uint32_t corner : {a, b, c, v})
-            if (mesh.vertices[corner].moves.fast()) return false;
+            if (mesh.vertices[corner].moves.instant()) return false;
         const fixed_vector at = times_.place(a), all = times_.place(c) - at;
         return cross(times_.place(b) - at, all) > 0 && cross(all, times_.place(v) - at) > 0;
     }
@@ -444,7 +443,7 @@ private:
     void pass(std::uint32_t v, fixed_vector at, std::uint32_t node) noexcept
     {
         constexpr std::int64_t most = 2 * place_one;
-        if (node_of[v] == node || mesh.vertices[v].moves.fast()) return;
+        if (node_of[v] == node || mesh.vertices[v].moves.instant()) return;
         const fixed_vector gap = times_.place(v) - at;
         if (gap.x > most || gap.x < -most || gap.y > most || gap.y < -most) return;
         outlines.at_tail(ends_of[mesh.vertices[v].before], node);
@@ -455,7 +454,7 @@ private:
     void lose(std::uint32_t s) noexcept
     {
         mesh.segments[s].alive = false;
-        if (--live[mesh.segments[s].part] == 0 && first_loss_ < 0) first_loss_ = times_.now;
+        if (--live[mesh.segments[s].component] == 0 && first_loss_ < 0) first_loss_ = times_.now;
     }
 
     static constexpr std::uint32_t most_around = 64;
