@@ -66,10 +66,9 @@ public:
     {
         const std::size_t before = glyphs.size();
         if (error e = faces.shape_item(text, item, how, glyphs)) return e;
-        bool lacks = false;
-        for (std::size_t i = before; i < glyphs.size(); ++i)
-            lacks = lacks || has(glyphs[i].flags, glyph_flags::missing);
-        return lacks ? fill_holes(faces, {text, item, how}, before, glyphs) : error{};
+        glyph_flags all = glyph_flags::none;
+        for (const shaped_glyph& g : glyphs.view().subspan(before)) all = all | g.flags;
+        return has(all, glyph_flags::missing) ? fill_holes(faces, {text, item, how}, before, glyphs) : error{};
     }
 
     /// Shapes a line as a shaper does. The first face's own shape() is asked first; where that lacks nothing, the run
@@ -184,7 +183,7 @@ private:
         const std::span<shaped_glyph> made = made_.view().subspan(before);
         if (of.item.to_the_left()) reverse(made);
         // Where a line could not end before it cannot now, for what stands beside the hole has not been shaped again.
-        // Nor can it in a grapheme, behind a space before a mark: a part of it may have another face.
+        // Nor can it in a grapheme, of which a part may have another face.
         std::size_t k = h.first;
         for (shaped_glyph& g : made) {
             while (k + 1 < h.last && clusters_[k + 1].first <= g.cluster) ++k;

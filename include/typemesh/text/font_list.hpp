@@ -8,6 +8,7 @@
 #include <typemesh/layout/shaper.hpp>
 #include <typemesh/text/font_faces.hpp>
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
