@@ -124,3 +124,14 @@ TEST_CASE("a hyphen or an ellipsis is a cluster of the place that it stands for"
     CHECK(p.shaped.glyph(c.glyph + 1).cluster == 1);
     CHECK(p.shaped.cluster_count() == 2);
 }
+
+TEST_CASE("what is shaped later has its own advance, whatever has been shaped before", "[paragraph]")
+{
+    shaped_paragraph p{"abc", direction::automatic, 83.37};
+    for (int times = 0; times < 40; ++times) {
+        const auto at = static_cast<std::uint32_t>(p.shaped.all_clusters());
+        REQUIRE_FALSE(p.shaped.shape_range(p.font, 0, 0, 3));
+        CHECK(p.shaped.advance(at, at + 1) == 583.37);
+        CHECK(p.shaped.advance(at, at + 3) == 583.37 + 583.37 + 583.37);
+    }
+}

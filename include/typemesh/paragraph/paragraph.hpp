@@ -147,6 +147,7 @@ public:
             if (p.width > 0.0 && width > found.widest) found.widest = width;
             pen = last ? 0.0 : pen + p.width + p.space;
         }
+        if (found.narrowest > found.widest) found.narrowest = found.widest;  // only a hyphen is wider
         return found;
     }
 

@@ -205,11 +205,15 @@ public:
         return advance;
     }
 
-    /// The advance of clusters [first, last). Cost: O(1)
+    /// The advance of clusters [first, last). Cost: O(1). Those that are shaped later, which are few, are added one by
+    /// one: what has been shaped before them must not matter, not even for rounding.
     [[nodiscard]] double advance(std::uint32_t first, std::uint32_t last) const noexcept
     {
         if (first == last) return 0.0;
-        return clusters_[last - 1].before + clusters_[last - 1].advance - clusters_[first].before;
+        if (first < own_) return clusters_[last - 1].before + clusters_[last - 1].advance - clusters_[first].before;
+        double sum = 0.0;
+        for (std::uint32_t c = first; c < last; ++c) sum += clusters_[c].advance;
+        return sum;
     }
 
     /// Appends a cluster for text[at] that shows other text, in an item's style: `parts` of `shown`, in drawing order.
