@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
+#include "support/executors.hpp"
 #include "support/mesh_laws.hpp"
 #include "support/toy_covering_font.hpp"
 
@@ -35,14 +36,14 @@ struct large_font : toy_covering_font {
     }
 };
 
-full_mesh mesh_of(const auto& plan)
+full_mesh cascade_mesh(const auto& plan)
 {
     full_mesh m;
     REQUIRE_FALSE(plan.write(into(m.vertices, m.indices)));
     return m;
 }
 
-bool same_bits(const full_mesh& a, const full_mesh& b)
+bool same_cascade_mesh(const full_mesh& a, const full_mesh& b)
 {
     return a.indices == b.indices && a.vertices.size() == b.vertices.size() &&
            std::memcmp(a.vertices.data(), b.vertices.data(), a.vertices.size() * sizeof(full_vertex)) == 0;
@@ -61,7 +62,7 @@ TEST_CASE("a cascade draws what its first font has as that font alone, and shape
     const auto found = mesher.plan("ab ba\na"), expected = plain.plan("ab ba\na");
     REQUIRE(found);
     REQUIRE(expected);
-    CHECK(same_bits(mesh_of(*found), mesh_of(*expected)));
+    CHECK(same_cascade_mesh(cascade_mesh(*found), cascade_mesh(*expected)));
     CHECK(found->run().looks.empty());
     CHECK(first.shaped == alone.shaped);
     CHECK(first.items == 0);
@@ -136,4 +137,32 @@ TEST_CASE("glyphs of one number and two fonts are not taken for each other", "[t
     const auto merged = mesher.plan("ab", {.layout = {.letter_spacing = -0.45}, .merge = true});
     REQUIRE(merged);
     CHECK(merged->glyphs().size() == 1);
+}
+
+TEST_CASE("several workers, each with a cascade of its own, make the same mesh as one alone", "[text][fallback]")
+{
+    toy_covering_font first{U"ab "}, second{U"\u05D0c", 250.0};
+    font_cascade fonts{first, second};
+    text_mesher mesher{fonts};
+    text_mesher other_mesher{fonts};
+    const char* text =
+        "ab c\n\xD7\x90"
+        "b\ncc\n!a\n\xD7\x90\nb";
+    const auto expected = mesher.plan(text);
+    REQUIRE(expected);
+
+    std::vector<toy_covering_font> own(6, first);
+    for (std::size_t i = 1; i < own.size(); i += 2) own[i] = second;
+    test::scrambled_workers several{3};
+    auto team = workers_of(several, [&own](std::size_t worker) noexcept {
+        return result<cascade>{cascade{own[2 * worker], own[2 * worker + 1]}};
+    });
+    REQUIRE(team);
+    for (int round = 0; round < 3; ++round) {
+        const auto plan = other_mesher.plan(text, {}, *team);
+        REQUIRE(plan);
+        CHECK(same_cascade_mesh(cascade_mesh(*plan), cascade_mesh(*expected)));
+        CHECK(plan->report().missing == 1);
+        CHECK(plan->report().first_missing == expected->report().first_missing);
+    }
 }
