@@ -16,6 +16,11 @@ japanese=/usr/share/fonts/truetype/sawarabi-mincho/sawarabi-mincho-medium.ttf
 "$program" "こんにちは、世界！" --font $japanese --picture "$scratch/japanese.png"
 convert "$scratch/arabic.png" "$scratch/japanese.png" -resize x300 -gravity center +append scripts.png
 
+text='Letters of three scripts share a page: in the beginning there was English, then comes עברית שנכתבת מימין לשמאל, 2024 in its midst, '
+text+='and العربية التي تكتب من اليمين إلى اليسار وتتصل حروفها بعضها ببعض, before the line goes on as it began and is as wide as all the others.'
+"$program" "$text" --font ${sans/Sans/Serif} --fallback /usr/share/fonts/truetype/culmus/FrankRuehlCLM-Medium.ttf --fallback $arabic \
+    --width 20 --align justify --justify kashida --picture paragraph.png
+
 for shading in gouraud phong; do
     for normals in shared averaged creased curve; do
         "$program" "Eo" --font $sans --quality normal --normals $normals --shading $shading --picture "$scratch/$shading-$normals.png"
@@ -72,4 +77,4 @@ draw $serif-Bold.ttf --outline 0.03 --outline-place outer --outline-letter --bev
 mogrify -resize 550x320^ -gravity center -extent 550x320 "${bold_and_hollow[@]}"
 montage "${bold_and_hollow[@]}" -tile 3x2 -geometry +0+0 bold_and_hollow.png
 
-pngquant --quality 90-100 --speed 1 --force --ext .png normals.png bevels.png bevelled_scripts.png bold_and_hollow.png
+pngquant --quality 90-100 --speed 1 --force --ext .png paragraph.png normals.png bevels.png bevelled_scripts.png bold_and_hollow.png

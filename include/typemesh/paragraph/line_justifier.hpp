@@ -58,7 +58,7 @@ public:
         return excess <= shrink * spaces * rounding ? 0.0 - line.justify(shaped, 0.0 - excess) : 0.0;
     }
 
-    static constexpr std::uint32_t most_strokes = 8;  ///< in a word
+    static constexpr std::uint32_t most_strokes = 4;  ///< in a word
 
 private:
     /// Where strokes may stand: before a cluster of a slice.
