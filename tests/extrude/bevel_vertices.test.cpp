@@ -133,12 +133,20 @@ TEST_CASE("where very many faces meet in a point they need vertices and time in 
 
 TEST_CASE("at no crease angle is a vertex's normal 90 degrees or more off a face that it stands on", "[bevel_vertices]")
 {
-    // Roofs over regular polygons: all of their faces meet in one point, and with them the normals turn round once.
-    for (const std::uint32_t n : {3u, 4u, 5u, 7u, 12u}) {
+    // Roofs over regular polygons and a narrow triangle, moved so that all faces meet in (0, 0): the normals turn round
+    // once there.
+    for (const std::uint32_t sides : {2u, 3u, 4u, 5u, 7u, 12u}) {
+        const bool narrow = sides == 2;
+        const std::uint32_t n = narrow ? 3 : sides;
+        double width = 20000.0 * std::cos(3.14159265 / n);
         std::vector<point> p;
         for (std::uint32_t i = 0; i < n; ++i) {
             const double a = 6.283185307179586 * i / n;
             p.push_back({20000.0 * std::cos(a), 20000.0 * std::sin(a)});
+        }
+        if (narrow) {  // 20000 wide and 200000 high: its incircle's radius is the width
+            width = 9512.0;
+            p = {{-10000.0, -width}, {10000.0, -width}, {0.0, 200000.0 - width}};
         }
         contours loops;
         bevel_data data;
@@ -150,18 +158,18 @@ TEST_CASE("at no crease angle is a vertex's normal 90 degrees or more off a face
         const std::vector<curve> curves{shapes::line({0, 0}, {1, 0})};
         loops.curves = curves;
         REQUIRE((loops.starts.push_back(0) && loops.starts.push_back(n) &&
-                 data.swept.nodes.push_back({{0, 0}, static_cast<float>(20000.0 * std::cos(3.14159265 / n))})));
+                 data.swept.nodes.push_back({{0, 0}, static_cast<float>(width)})));
         const region r = region::proven(loops, 0, 1);
         for (std::uint32_t i = 0; i < n; ++i)
             REQUIRE((data.swept.cells.push_back({i, 0, i}) && data.swept.triangles.push_back({i, (i + 1) % n, n})));
-        const double width = static_cast<double>(data.swept.nodes[n].distance);
         REQUIRE((data.swept.cells.push_back({0, 0, n}) && data.swept.levels.push_back(0.0) &&
                  data.swept.levels.push_back(width)));
         const profile_scale scale{width, width, 0.0};
         const profile_levels levels{{{0, 0}, {1, 1}}, scale};
         for (const double degrees : {15.0, 60.0, 91.0, 121.0, 145.0, 180.0}) {
             data.clear();
-            REQUIRE(plan_sides(r, curve_normals{}, texture_mapping::em, data.of<side_point>()));
+            REQUIRE(
+                plan_sides(r, curve_normals{static_cast<float>(degrees)}, texture_mapping::em, data.of<side_point>()));
             REQUIRE(add_strips(levels, 30.0f, bevel_shading::by_slope, data.of<bevel_strip>()));
             workspace space;
             workspace::scope scratch{space};
@@ -173,7 +181,7 @@ TEST_CASE("at no crease angle is a vertex's normal 90 degrees or more off a face
             for (std::uint32_t i = 0; i < n; ++i) {
                 const auto& [t] = data.of<bevel_triangle>()[i];
                 const point along = p[(i + 1) % n] - p[i];
-                CAPTURE(n, degrees, i);
+                CAPTURE(sides, degrees, i);
                 for (const std::uint32_t c : {t.a, t.b, t.c})
                     CHECK(dot(point{along.y, -along.x}, point{vertices[c].outward.x, vertices[c].outward.y}) > 0.0);
             }

@@ -71,24 +71,35 @@ struct bevel_data : plan_arrays<side_point, bevel_vertex, bevel_triangle, bevel_
     /// The normals of the corners that share a vertex.
     struct corner_normals {
         point first, sum;
-        point right, left;  ///< the outermost ones, less than 180 degrees apart
+        point right, left;  ///< the outermost of them and of the flat faces', less than 180 degrees apart
 
-        explicit corner_normals(point n) noexcept : first{n}, sum{n}, right{n}, left{n} {}
+        corner_normals(point n, point face) noexcept : first{n}, sum{n}, right{n}, left{n} { widen(face); }
 
-        void add(point n) noexcept
+        void add(point n, point face) noexcept
         {
             sum = sum + n;
-            if (cross(right, n) < 0.0) right = n;
-            if (cross(left, n) > 0.0) left = n;
+            widen(n);
+            widen(face);
         }
         /// Whether all differ by less than 90 degrees from their sum when one more is added.
-        [[nodiscard]] bool stays_near(point n) const noexcept
+        [[nodiscard]] bool stays_near(point n, point face) const noexcept
         {
-            if (cross(right, n) < 0.0 && cross(left, n) > 0.0) return false;  // all round the vertex
             corner_normals more = *this;
-            more.add(n);
+            if (!more.widen(n) || !more.widen(face)) return false;
+            more.sum = sum + n;
             constexpr double least = 0x1p-10;
             return dot(more.sum, more.right) > least && dot(more.sum, more.left) > least;
+        }
+
+    private:
+        /// False where it would go all round the vertex.
+        bool widen(point n) noexcept
+        {
+            const bool to_right = cross(right, n) < 0.0, to_left = cross(left, n) > 0.0;
+            if (to_right && to_left) return false;
+            if (to_right) right = n;
+            if (to_left) left = n;
+            return true;
         }
     };
 

@@ -29,6 +29,7 @@ public:
     struct lit {
         point outward;  ///< unit vector in the plane, out of the edge
         double along;   ///< in cells
+        point face;     ///< the outward unit vector of the flat face that the edge sweeps
     };
 
     /// One face for each edge and then for each join of `swept`, taken from `scratch`; false when memory runs out.
@@ -73,7 +74,8 @@ public:
         double s = length > 0.0 ? (x - from) / length : 0.5;
         if (t <= 0.0 && f.length > 0.0) s = 2.0 * x > f.length ? 1.0 : 0.0;
         s = s > 0.0 ? s < 1.0 ? s : 1.0 : 0.0;
-        return {unit((1.0 - s) * f.start_normal + s * f.end_normal), f.start_along + s * (f.end_along - f.start_along)};
+        return {unit((1.0 - s) * f.start_normal + s * f.end_normal), f.start_along + s * (f.end_along - f.start_along),
+                f.own};
     }
 
 private:
@@ -84,9 +86,11 @@ private:
         double end_speed;
         point start_normal, end_normal;
         double start_along, end_along;
+        point own;  // of the flat face
 
         void turn_round(double whole) noexcept
         {
+            own = -1.0 * own;
             start_normal = -1.0 * start_normal;
             end_normal = -1.0 * end_normal;
             start_along = whole - start_along;
@@ -106,7 +110,8 @@ private:
                      wide(a.after),
                      wide(b.before),
                      a.seam ? 0.0 : as_double(a.along),
-                     as_double(b.along)};
+                     as_double(b.along),
+                     outward(unit(along))};
     }
 
     void add_join(const region& filled, std::span<const side_point> sides, const swept_join& j,
@@ -114,7 +119,8 @@ private:
     {
         const point inward = unit(wide(j.inward)), out = -1.0 * inward;
         const double along = as_double(sides[j.point].along);
-        faces_[to] = {placed(filled.points()[j.point]), {inward.y, -inward.x}, 0.0, 0.0, 0.0, out, out, along, along};
+        faces_[to] = {
+            placed(filled.points()[j.point]), {inward.y, -inward.x}, 0.0, 0.0, 0.0, out, out, along, along, out};
     }
 
     /// Turns every corner from its edge before to its edge after, by way of its joins: those come by their points, in

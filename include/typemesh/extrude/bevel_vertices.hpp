@@ -18,9 +18,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Makes the vertices and triangles of a bevel from a swept region.
 ///
 /// At each node the faces that meet there share a vertex as long as their normals differ by less than the crease angle
-/// from those of the first of them, by less than 90 degrees from the normalised sum, which is the vertex's, and they
-/// agree on `along`. Faces of two bands share one if the strips do. A riser has vertices of its own: pairs, below and
-/// above in the profile's order.
+/// from those of the first of them, by less than 90 degrees, as the flat faces do, from the normalised sum, which is
+/// the vertex's, and they agree on `along`. Faces of two bands share one if the strips do. A riser has vertices of its
+/// own: pairs, below and above in the profile's order.
 class bevel_vertices {
 public:
     struct sharing {
@@ -87,8 +87,9 @@ private:
     /// How many corners at a node are tried: thousands may meet where a round shape closes, each with its own vertex.
     static constexpr std::uint32_t most_tried = 64;
 
-    /// The cosine of 45 degrees, rounded up: normals that differ by less from one are near to the sum of all.
-    static constexpr double always_near = 0.7072;
+    /// The cosine of 30 degrees, rounded up: normals that differ by less from one are near to the sum of all, and so
+    /// are the faces that they stand for.
+    static constexpr double always_near = 0.8661;
 
     /// The corners at a node so far, of strips that share vertices: those of the current age.
     struct node {
@@ -175,7 +176,7 @@ private:
         if (found != none) {
             vertex = data_.corners[found].vertex;
             for (std::uint32_t v = vertex; v < vertex + (band == none ? 2u : 1u); ++v)
-                data_.normals[v].add(lit.outward);
+                data_.normals[v].add(lit.outward, lit.face);
         } else if (!add_vertices(at, band, strip, lit, vertex)) {
             return false;
         }
@@ -192,11 +193,11 @@ private:
         vertex = static_cast<std::uint32_t>(vertices.size());
         bevel_vertex made{swept_.nodes[at].at, {}, static_cast<float>(lit.along), 0.0f, strip};
         if (band != none) made.share = share_of(at, band);
-        if (!vertices.push_back(made) || !data_.normals.push_back(bevel_data::corner_normals{lit.outward}))
+        if (!vertices.push_back(made) || !data_.normals.push_back(bevel_data::corner_normals{lit.outward, lit.face}))
             return false;
         if (band != none) return true;
         made.share = 1.0f;
-        return vertices.push_back(made) && data_.normals.push_back(bevel_data::corner_normals{lit.outward});
+        return vertices.push_back(made) && data_.normals.push_back(bevel_data::corner_normals{lit.outward, lit.face});
     }
 
     /// How far across a band a node lies: 0 on its outer level and 1 on its inner.
@@ -220,7 +221,7 @@ private:
     {
         const bevel_data::corner_normals& normals = data_.normals[vertex];
         if (dot(normals.first, lit.outward) < how_.crease) return false;
-        if (how_.crease < always_near && !normals.stays_near(lit.outward)) return false;
+        if (how_.crease < always_near && !normals.stays_near(lit.outward, lit.face)) return false;
         const double apart = as_double(data_.of<bevel_vertex>()[vertex].along) - lit.along;
         return how_.most_apart < 0.0 || std::fabs(apart) <= how_.most_apart;
     }
