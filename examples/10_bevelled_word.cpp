@@ -2,7 +2,7 @@
 //
 // A word with bevels of a profile of your own, in five parts, and which of its letters got narrower ones.
 //
-//     09_bevelled_word FONT
+//     10_bevelled_word FONT
 
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/extrude/bevelled.hpp>
@@ -40,7 +40,7 @@ struct ogee_profile {
 int main(int argc, char** argv)
 {
     using namespace typemesh;
-    if (argc < 2) return std::puts("usage: 09_bevelled_word FONT"), 2;
+    if (argc < 2) return std::puts("usage: 10_bevelled_word FONT"), 2;
     auto font = harfbuzz_font::open(argv[1]);
     if (!font) return std::puts(font.error().message()), 1;
 
