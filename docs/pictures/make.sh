@@ -77,4 +77,10 @@ draw $serif-Bold.ttf --outline 0.03 --outline-place outer --outline-letter --bev
 mogrify -resize 550x320^ -gravity center -extent 550x320 "${bold_and_hollow[@]}"
 montage "${bold_and_hollow[@]}" -tile 3x2 -geometry +0+0 bold_and_hollow.png
 
-pngquant --quality 90-100 --speed 1 --force --ext .png paragraph.png normals.png bevels.png bevelled_scripts.png bold_and_hollow.png
+# A headline of three styles in three fonts; the styled range of a line of both directions is two stretches.
+"$program" "Type سلام 活字" --font $serif-Bold.ttf --fallback ${arabic/Regular/Bold} --fallback $japanese --bevel 0.015 --profile round \
+    --style 0..4:colour=blue,underline --style 5..9:colour=red,size=1.25 --style 10..12:colour=green,overline --picture "$scratch/headline.png"
+"$program" "one שתיים three" --font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf --style 1..7:colour=blue,underline --picture "$scratch/range.png"
+convert "$scratch"/{headline,range}.png -resize 900x -append styles.png
+
+pngquant --quality 90-100 --speed 1 --force --ext .png paragraph.png normals.png bevels.png bevelled_scripts.png bold_and_hollow.png styles.png
