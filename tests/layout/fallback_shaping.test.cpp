@@ -37,6 +37,9 @@ struct toy_faces {
     {
         return fonts[0].shape(text, first, last, how, run);
     }
+    double units_per_em() const noexcept { return fonts[0].units_per_em(); }
+    double column_middle() const noexcept { return 200.0; }
+    bool has_vertical_form(char32_t) const noexcept { return false; }
     std::size_t calls() const
     {
         std::size_t all = 0;
@@ -299,7 +302,7 @@ TEST_CASE("a line with holes is the line of its items, one without is the first 
     const auto column = shaping.shape(faces, u"a\u05D0c", 0, 3, down, run);
     REQUIRE(column);
     CHECK(*column == point{0.0, -1500.0});
-    CHECK(run.glyphs[2].origin == point{0.0, -1000.0});
+    CHECK(run.glyphs[2].origin == point{-200.0, -1000.0});
     CHECK(run.glyphs[1].cluster == 1);
 }
 
@@ -323,4 +326,28 @@ TEST_CASE("fallback reports a memory that gives nothing, and keeps what it has",
         REQUIRE_FALSE(shaped);
         CHECK(shaped.error() == error::out_of_memory);
     }
+}
+
+TEST_CASE("what another face shapes lies on its side in a column, too", "[layout][columns]")
+{
+    toy_faces faces{{toy_covering_font{U"ab"}, toy_covering_font{U"\u4E00R"}}};
+    fallback_shaping shaping;
+    glyph_run run;
+    shape_options how{.direction = direction::top_to_bottom};
+    const std::u16string text = u"a\u4E00Rb";
+    const auto end = shaping.shape(faces, text, 0, text.size(), how, run);
+    REQUIRE(end);
+    REQUIRE(run.glyphs.size() == 4);
+    point pen;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const bool upright = i == 1;
+        const look drawn = run.looks[run.glyphs[i].look];
+        CHECK(drawn.face == (i == 1 || i == 2 ? 1u : 0u));
+        CHECK(drawn.map == (upright ? affine{} : quarter_turn));
+        CHECK(run.glyphs[i].origin.x == (upright ? 0.0 : -200.0));
+        CHECK(run.glyphs[i].origin.y <= pen.y);
+        pen = run.glyphs[i].origin;
+    }
+    CHECK(end->x == 0.0);
+    CHECK(end->y < pen.y);
 }

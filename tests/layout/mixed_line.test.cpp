@@ -18,7 +18,18 @@ struct cut_line {
     {
         shape_options how;
         how.direction = d;
-        REQUIRE_FALSE(mixed_line{}.cut(text, first, last, how, items));
+        if (d != direction::top_to_bottom) {
+            REQUIRE_FALSE(mixed_line{}.cut(text, first, last, how, items));
+            return;
+        }
+        how.columns.latin = column_latin::upright;
+        cut_column(text, first, last, how);
+    }
+    cut_line(text_view text, const shape_options& how) { cut_column(text, 0, text.size(), how); }
+    void cut_column(text_view text, std::size_t first, std::size_t last, const shape_options& how)
+    {
+        const auto no_form = [](char32_t) noexcept { return false; };
+        REQUIRE_FALSE(mixed_line{}.cut_column(text, first, last, how, no_form, items));
     }
     [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> ranges() const
     {
@@ -68,7 +79,21 @@ TEST_CASE("a column's items stand from top to bottom, upright", "[layout]")
     CHECK(p.ranges() == ranges{{0, 1}, {1, 3}, {3, 4}});
     for (const text_item& i : p.items) {
         CHECK(i.orientation == glyph_orientation::upright);
-        CHECK(i.level == 0);
+        CHECK_FALSE(i.to_the_left());
+    }
+}
+
+TEST_CASE("a column is cut where it turns; what lies on its side keeps its direction", "[layout][columns]")
+{
+    shape_options how{.direction = direction::top_to_bottom};
+    how.columns.combined_digits = 2;
+    const cut_line p{u"\u4E00a \u05D0\u05D1 12\u4E8C", how};
+    CHECK(p.ranges() == ranges{{0, 1}, {1, 3}, {6, 8}, {3, 6}, {8, 9}});
+    constexpr auto up = glyph_orientation::upright, side = glyph_orientation::sideways;
+    const glyph_orientation wanted[] = {up, side, glyph_orientation::combined, side, up};
+    for (std::size_t k = 0; k < 5; ++k) {
+        CHECK(p.items[k].orientation == wanted[k]);
+        CHECK(p.items[k].to_the_left() == (k == 3));
     }
 }
 

@@ -13,13 +13,13 @@ using namespace typemesh;
 
 namespace {
 
-std::vector<text_item> items_of(text_view text, direction flow = direction::automatic,
-                                const std::vector<std::uint32_t>& cuts = {})
+std::vector<text_item> items_of(text_view text, const std::vector<std::uint32_t>& cuts = {},
+                                const std::vector<column_run>& columns = {})
 {
     text_analysis found;
     REQUIRE_FALSE(unicode_analyser{}.analyse(text, {}, found));
     buffer<text_item> items;
-    REQUIRE_FALSE(itemise(text, found, cuts, flow, items));
+    REQUIRE_FALSE(itemise(text, found, cuts, columns, items));
     return {items.begin(), items.end()};
 }
 
@@ -86,18 +86,46 @@ TEST_CASE("items end only where graphemes do", "[paragraph]")
 
 TEST_CASE("text is cut where the caller wants it, behind the grapheme if need be", "[paragraph]")
 {
-    const auto items = items_of(u"ab\u0301c d", direction::automatic, {0, 1, 2, 4, 4, 9});
+    const auto items = items_of(u"ab\u0301c d", {0, 1, 2, 4, 4, 9});
     REQUIRE(items.size() == 4);
     for (const auto& [k, last] : {std::pair<std::size_t, std::uint32_t>{0, 1}, {1, 3}, {2, 4}, {3, 6}})
         CHECK(items[k].last == last);
 }
 
-TEST_CASE("in columns nothing is read to the left", "[paragraph]")
+TEST_CASE("in a column that is read down nothing is read upwards, and letters of both directions are one item",
+          "[paragraph]")
 {
-    for (const text_item& item : items_of(u"a\u05D0b \u4E16", direction::top_to_bottom)) {
-        CHECK(item.level == 0);
+    const auto items = items_of(u"a\u05D0\u05D1 12 \u05D2b", {}, {{0, 9, glyph_orientation::upright, true}});
+    for (const text_item& item : items) {
+        CHECK_FALSE(item.to_the_left());
         CHECK(item.orientation == glyph_orientation::upright);
     }
+    REQUIRE(items.size() == 3);  // the scripts
+    CHECK(items[1].last == 8);
+}
+
+TEST_CASE("items end where a column turns, and keep their levels", "[paragraph]")
+{
+    constexpr auto up = glyph_orientation::upright, side = glyph_orientation::sideways;
+    const auto items = items_of(u"\u4E16a\u05D0b\u4E16", {}, {{0, 1, up}, {1, 4, side}, {4, 5, up}});
+    REQUIRE(items.size() == 5);
+    const glyph_orientation wanted[] = {up, side, side, side, up};
+    for (std::size_t k = 0; k < 5; ++k) {
+        CHECK(items[k].orientation == wanted[k]);
+        CHECK(items[k].to_the_left() == (k == 2));
+    }
+}
+
+TEST_CASE("what is combined is one item, whatever it holds, but for tabs and breaks", "[paragraph]")
+{
+    constexpr auto one = glyph_orientation::combined;
+    const auto items = items_of(u"a\u05D0\u0628b1c\t2", {2}, {{0, 4, one, true}, {4, 8, one, true}});
+    REQUIRE(items.size() == 4);
+    CHECK(items[0].last == 4);
+    CHECK(items[1].last == 6);
+    CHECK(items[2].last == 7);
+    CHECK(items[3].last == 8);
+    for (const text_item& item : items) CHECK(item.orientation == one);
 }
 
 TEST_CASE("itemise reports a memory that gives nothing", "[paragraph]")
@@ -106,5 +134,5 @@ TEST_CASE("itemise reports a memory that gives nothing", "[paragraph]")
     REQUIRE_FALSE(unicode_analyser{}.analyse("ab", {}, found));
     test::counting_memory failing{.fail_at = 1};
     buffer<text_item> items{failing.source()};
-    CHECK(itemise("ab", found, {}, direction::automatic, items) == error::out_of_memory);
+    CHECK(itemise("ab", found, {}, {}, items) == error::out_of_memory);
 }

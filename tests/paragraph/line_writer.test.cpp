@@ -57,12 +57,13 @@ TEST_CASE("letters are spread where they are not joined, a letter's distance sta
 
 TEST_CASE("a line writer counts what is missing, columns run down", "[paragraph]")
 {
-    shaped_paragraph p{u"a\uFFFFb", direction::top_to_bottom};
+    shaped_paragraph p{u"\u4E16\uFFFFb", direction::top_to_bottom};
     glyph_run run;
     line_writer writer{p.shaped, run};
     REQUIRE_FALSE(writer.write({.first = 0, .last = 3}, {7.0, 0.0}, 100.0));
     CHECK(run.missing == 1);
     CHECK(run.first_missing == 1);
     CHECK(run.glyphs[1].missing);
-    CHECK(run.glyphs[2].origin == point{7.0, -1100.0});
+    CHECK(run.glyphs[1].origin.y == -600.0);
+    CHECK(run.glyphs[2].origin == point{7.0 - 250.0, -1100.0});
 }

@@ -386,10 +386,65 @@ TEST_CASE("a text is measured as it is laid out, without writing it", "[paragrap
 
 TEST_CASE("columns run down and are as high as the width", "[paragraph]")
 {
-    const laid p{u"ab \u05D0", {.width = 1.2}, {.direction = direction::top_to_bottom}};
-    REQUIRE(p.run.lines.size() == 2);
-    CHECK(p.run.glyphs[1].origin == point{0.0, -500.0});
-    CHECK(p.run.glyphs[3].origin == point{-1000.0, 0.0});
+    shape_options how{.direction = direction::top_to_bottom};
+    for (const bool upright : {false, true}) {
+        how.columns.latin = upright ? column_latin::upright : column_latin::sideways;
+        const laid p{u"ab \u05D0", {.width = 1.2}, how};
+        REQUIRE(p.run.lines.size() == 2);
+        const double middle = upright ? 0.0 : -250.0;  // half-way between ascender and descender
+        CHECK(p.run.glyphs[1].origin == point{middle, -500.0});
+        CHECK(p.run.glyphs[3].origin == point{middle - 1000.0, 0.0});
+    }
+}
+
+TEST_CASE("in a column letters on their side are read as in a line that is turned", "[paragraph]")
+{
+    const std::u16string text = u"\u4E16ab \u05D0\u05D1\u05D2 c\u754C";
+    const laid column{text, {}, {.direction = direction::top_to_bottom}}, line{text};
+    REQUIRE(column.run.glyphs.size() == line.run.glyphs.size());
+    CHECK(column.run.lines[0].advance == line.run.lines[0].advance);
+    for (std::size_t i = 0; i < line.run.glyphs.size(); ++i) {
+        const placed_glyph &down = column.run.glyphs[i], &along = line.run.glyphs[i];
+        CHECK(down.id == along.id);
+        CHECK(down.cluster == along.cluster);
+        CHECK(down.origin.y == 0.0 - along.origin.x);
+        const bool upright = down.id == 0x4E16 || down.id == 0x754C;
+        CHECK(column.run.looks[down.look].map == (upright ? affine{} : quarter_turn));
+        const text_place here = column.words.laid().caret_from({0.0, down.origin.y / 1000.0 - 0.001});
+        const text_place there = line.words.laid().caret_from({along.origin.x / 1000.0 + 0.001, 0.0});
+        CHECK(here.unit == there.unit);
+        CHECK(here.inside);
+    }
+}
+
+TEST_CASE("a column whose first letter is Hebrew is read upwards, unless all of it is upright", "[paragraph]")
+{
+    shape_options how{.direction = direction::top_to_bottom};
+    CHECK(laid(u"\u05D0\u05D1 ab", {.align = line_alignment::left}, how).line(0) == "ab ??");
+    how.columns.latin = column_latin::upright;
+    const laid upright{u"\u05D0\u05D1 ab", {}, how};
+    CHECK(upright.line(0) == "?? ab");
+    CHECK(upright.run.glyphs[0].id == 0x05D0);
+}
+
+TEST_CASE("a combined number is one grapheme, an em high, and no line ends in it", "[paragraph]")
+{
+    shape_options how{.direction = direction::top_to_bottom};
+    how.columns.combined_digits = 3;
+    laid p{u"\u4E16123\u754C", {}, how};
+    CHECK(p.run.lines[0].advance == 2000.0);
+    const affine squeezed = p.run.looks[p.run.glyphs[1].look].map;
+    CHECK(squeezed == affine{.xx = 1000.0 / 1500.0});
+    CHECK(p.run.glyphs[1].origin.x == -500.0);
+    CHECK(p.run.glyphs[4].look == 0);
+    CHECK(p.words.laid().caret_at(2).at == p.words.laid().caret_at(1).at);
+    CHECK(p.words.laid().caret_from({0.0, -1.4}).unit == 4);
+    p.again({.width = 0.1, .wrap = wrap_mode::grapheme});
+    CHECK(p.run.lines.size() == 3);
+    CHECK(p.words.lines()[1].first == 1);
+    CHECK(p.words.lines()[1].last == 4);
+    p.again({.width = 1.8, .ellipsis = u"\u2026"});
+    CHECK(p.run.lines.size() == 2);
 }
 
 TEST_CASE("a paragraph refuses what makes no sense, and is empty then", "[paragraph]")
@@ -567,4 +622,25 @@ TEST_CASE("where no place is safe, a line's end is still shaped with few neighbo
         a_unit.push_back(static_cast<double>(font.units) / static_cast<double>(text.size()));
     }
     CHECK(a_unit[1] < 1.05 * a_unit[0]);
+}
+
+TEST_CASE("styles say how parts of a column stand", "[paragraph][columns][styles]")
+{
+    toy_item_shaper font;
+    paragraph words{font};
+    glyph_run run;
+    const style_span spans[] = {{0, 1, {.column = column_style::sideways}},
+                                {2, 4, {.column = column_style::upright}},
+                                {4, 8, {.size = 2.0, .column = column_style::combined}}};
+    REQUIRE_FALSE(words.set(u"\u4E16abc2024", {.direction = direction::top_to_bottom}, spans));
+    REQUIRE_FALSE(words.lay_out({}, run));
+    REQUIRE(run.glyphs.size() == 8);
+    const auto map = [&](std::size_t i) { return run.looks[run.glyphs[i].look].map; };
+    CHECK(map(0) == quarter_turn);
+    CHECK(map(1) == quarter_turn);
+    CHECK(map(2) == affine{});
+    CHECK(map(3) == affine{});
+    for (std::size_t i = 4; i < 8; ++i)
+        CHECK(map(i) == affine{.xx = 1.0, .yy = 2.0});  // four halves in one em of size 2
+    CHECK(run.lines[0].advance == 4 * 500.0 + 2000.0);
 }

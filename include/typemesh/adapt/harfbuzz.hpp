@@ -157,7 +157,8 @@ public:
     /// names one.
     ///
     /// Lines are set in Unicode's order (UAX #9): see mixed_line.hpp. direction::automatic takes the direction of the
-    /// line's first letter, else of options.script, else left-to-right. In columns everything runs down.
+    /// line's first letter, else of options.script, else left-to-right. In columns what
+    /// options.columns has upright runs down, and all else is turned: see column_runs.hpp.
     ///
     /// Fails besides  error::bad_option: options.script is not four letters
     ///                error::bad_feature: a tag is not four printable ASCII characters
@@ -177,6 +178,11 @@ public:
                         "a shaper was given a range outside its text");
         return shaping_.shape_item(font_, unit_size(), text, item, options, glyphs);
     }
+
+    /// See item_shaper. Cost: that of shaping the character
+    [[nodiscard]] bool has_vertical_form(char32_t c) noexcept { return shaping_.has_vertical_form(font_, c); }
+    /// See item_shaper: half-way up the font's ideographs, or, if it does not say, between ascender and descender.
+    [[nodiscard]] double column_middle() const noexcept { return shaping_.column_middle(font_, unit_size()); }
 
 private:
     /// HarfBuzz's callbacks for one type of sink; the table's address tells which are in use.

@@ -3,6 +3,8 @@
 
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/result.hpp>
+#include <typemesh/layout/column_glyphs.hpp>
+#include <typemesh/layout/column_runs.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/layout/line_break.hpp>
 #include <typemesh/layout/mixed_line.hpp>
@@ -13,6 +15,7 @@
 #include <typemesh/unicode/script.hpp>
 #include <typemesh/unicode/text_view.hpp>
 
+#include <hb-ot.h>
 #include <hb.h>
 
 #include <cstddef>
@@ -36,6 +39,7 @@ public:
         pieces_.swap(other.pieces_);
         items_.swap(other.items_);
         std::swap(mixed_, other.mixed_);
+        shaped_.swap(other.shaped_);
         return *this;
     }
     ~harfbuzz_shaping() { hb_buffer_destroy(buffer_); }
@@ -56,6 +60,12 @@ public:
         const line_reading found = read_line(text, first, last);
         hb_script_t script = HB_SCRIPT_INVALID;
         if (error e = take_script(options, script)) return e;
+        if (options.direction == direction::top_to_bottom && !stands_upright(text, first, last, options.columns)) {
+            const auto has_form = [&](char32_t c) noexcept { return has_vertical_form(font, c); };
+            if (error e = mixed_.cut_column(text, first, last, options, has_form, items_)) return e;
+            if (found.invalid.count != 0) run.note_invalid_units(found.invalid.first, found.invalid.count);
+            return shape_items(font, unit, text, options, run);
+        }
         const auto direction = direction_of(found, options.direction, script);
         if (!direction || (*direction == HB_DIRECTION_RTL && find_number(text, first, last) != line_reading::nowhere)) {
             shape_options base = options;
@@ -91,10 +101,31 @@ public:
         if (error e = take_features(options)) return e;
 
         fill_buffer(text, {item.first, item.last, script}, !is_valid(text, item), item_flags);
-        const bool down = item.orientation == glyph_orientation::upright;
-        const hb_direction_t way = down ? HB_DIRECTION_TTB : item.to_the_left() ? HB_DIRECTION_RTL : HB_DIRECTION_LTR;
-        if (error e = shape_buffer(font, way, script, language_of(options))) return e;
-        return append_glyphs(unit, down, glyphs);
+        if (error e = shape_buffer(font, way_of(item), script, language_of(options))) return e;
+        return append_glyphs(unit, item.orientation == glyph_orientation::upright, glyphs);
+    }
+
+    /// Whether the font has another glyph of a character for columns.
+    bool has_vertical_form(hb_font_t* font, char32_t c) noexcept
+    {
+        hb_codepoint_t plain = 0;
+        if (!hb_font_get_nominal_glyph(font, c, &plain)) return false;
+        hb_buffer_clear_contents(buffer_);
+        hb_buffer_set_content_type(buffer_, HB_BUFFER_CONTENT_TYPE_UNICODE);
+        hb_buffer_add(buffer_, c, 0);
+        features_.clear();
+        if (shape_buffer(font, HB_DIRECTION_TTB, HB_SCRIPT_COMMON, HB_LANGUAGE_INVALID)) return false;
+        unsigned count = 0;
+        const hb_glyph_info_t* info = hb_buffer_get_glyph_infos(buffer_, &count);
+        return count == 1 && info[0].codepoint != plain;
+    }
+
+    static double column_middle(hb_font_t* font, point unit) noexcept
+    {
+        hb_position_t height = 0;
+        hb_ot_layout_get_baseline_with_fallback(font, HB_OT_LAYOUT_BASELINE_TAG_IDEO_EMBOX_CENTRAL, HB_DIRECTION_LTR,
+                                                HB_TAG('h', 'a', 'n', 'i'), HB_TAG('d', 'f', 'l', 't'), &height);
+        return unit.y * height;
     }
 
 private:
@@ -125,7 +156,27 @@ private:
         return hb_script_get_horizontal_direction(script) == HB_DIRECTION_RTL ? HB_DIRECTION_RTL : HB_DIRECTION_LTR;
     }
 
-    /// Shapes a line's items from left to right.
+    static hb_direction_t way_of(const text_item& item) noexcept
+    {
+        if (item.orientation == glyph_orientation::upright)
+            return item.to_the_left() ? HB_DIRECTION_BTT : HB_DIRECTION_TTB;
+        return item.to_the_left() ? HB_DIRECTION_RTL : HB_DIRECTION_LTR;
+    }
+
+    /// Whether all of text[first, last) stands upright in a column, so that nothing needs to be found out.
+    static bool stands_upright(text_view text, std::size_t first, std::size_t last, const column_options& how) noexcept
+    {
+        if (how.latin == column_latin::upright && how.combined_digits == 0) return true;
+        for (std::size_t i = first; i < last;) {
+            const code_point c = decode(text, i, last);
+            const vertical_orientation o = character_of(c.value).orientation;
+            if (o != vertical_orientation::upright && o != vertical_orientation::transformed_upright) return false;
+            i = c.next;
+        }
+        return true;
+    }
+
+    /// Shapes a line's items from left to right, or a column's from top to bottom.
     result<point> shape_items(hb_font_t* font, point unit, text_view text, const shape_options& options,
                               glyph_run& run) noexcept
     {
@@ -135,11 +186,20 @@ private:
             hb_script_t script = hb_script_from_iso15924_tag(item.script);
             if (error e = take_script(options, script)) return e;
             fill_buffer(text, {item.first, item.last, script}, !is_valid(text, item), HB_BUFFER_FLAG_DEFAULT);
-            const hb_direction_t way = item.to_the_left() ? HB_DIRECTION_RTL : HB_DIRECTION_LTR;
-            if (error e = shape_buffer(font, way, script, language_of(options))) return e;
-            if (error e = take_glyphs(unit, at, run)) return e;
+            if (error e = shape_buffer(font, way_of(item), script, language_of(options))) return e;
+            const bool column = item.orientation != glyph_orientation::horizontal;
+            if (error e = column ? take_column(font, unit, item, at, run) : take_glyphs(unit, at, run)) return e;
         }
         return at;
+    }
+
+    /// Appends an item of a column, from `at` on, which advances.
+    error take_column(hb_font_t* font, point unit, const text_item& item, point& at, glyph_run& run) noexcept
+    {
+        shaped_.clear();
+        if (error e = append_glyphs(unit, item.orientation == glyph_orientation::upright, shaped_)) return e;
+        const double em = hb_face_get_upem(hb_font_get_face(font));
+        return place_item(shaped_.view(), item, {column_middle(font, unit), em}, at, run);
     }
 
     static bool is_valid(text_view text, const text_item& item) noexcept
@@ -325,6 +385,7 @@ private:
     buffer<piece> pieces_;
     buffer<text_item> items_;  // of a line of both directions
     mixed_line mixed_;
+    buffer<shaped_glyph> shaped_;  // of an item of a column
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail

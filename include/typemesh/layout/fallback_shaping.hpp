@@ -4,6 +4,7 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/first_where.hpp>
 #include <typemesh/core/result.hpp>
+#include <typemesh/layout/column_glyphs.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/layout/mixed_line.hpp>
 #include <typemesh/layout/plain_text.hpp>
@@ -37,6 +38,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     f.shape_item(text, item, o, glyphs)    as in item_shaper, by face item.face, in the units of face 0 and with the
 ///                                            number on the glyphs: see font_faces.hpp
 ///     f.shape(text, first, last, o, run)     as in shaper, by face 0
+///     f.units_per_em(), f.column_middle()    as in item_shaper, of face 0
+///     f.has_vertical_form(c)                 as in item_shaper: whether any face has
 ///     f.find(text, range, script, language)  result: the number of another face for a grapheme that no face has;
 ///                                            no_face if there is none. What finds nothing leaves it out.
 ///
@@ -85,12 +88,17 @@ public:
         run.glyphs.truncate(before);
         run.missing = missing;
         run.first_missing = first_missing;
-        if (error e = mixed_.cut(text, first, last, how, items_)) return e;
+        const auto has_form = [&faces](char32_t c) noexcept { return faces.has_vertical_form(c); };
+        const error cut = how.direction == direction::top_to_bottom
+                              ? mixed_.cut_column(text, first, last, how, has_form, items_)
+                              : mixed_.cut(text, first, last, how, items_);
+        if (cut) return cut;
+        const column_place column{faces.column_middle(), faces.units_per_em()};
         point pen;
         for (const text_item& item : items_) {
             line_.clear();
             if (error e = shape_item(faces, text, item, how, line_)) return e;
-            if (error e = place(item, pen, run)) return e;
+            if (error e = place_item(line_.view(), item, column, pen, run)) return e;
         }
         return pen;
     }
@@ -302,27 +310,6 @@ private:
     static void reverse(std::span<shaped_glyph> glyphs) noexcept
     {
         for (std::size_t i = 0, k = glyphs.size(); i + 1 < k; ++i) std::swap(glyphs[i], glyphs[--k]);
-    }
-
-    /// Appends the glyphs of an item to a run, from the pen on, which advances.
-    error place(const text_item& item, point& pen, glyph_run& run) noexcept
-    {
-        const bool down = item.orientation == glyph_orientation::upright;
-        placed_glyph* out = run.glyphs.append(line_.size());
-        if (out == nullptr && !line_.empty()) return error::out_of_memory;
-        for (const shaped_glyph& g : line_) {
-            const bool missing = has(g.flags, glyph_flags::missing);
-            *out = {g.id, g.cluster, pen + g.offset, missing, 0};
-            if (g.face != 0) {
-                const auto look = run.number_of({.face = g.face});
-                if (!look) return look.error();
-                out->look = *look;
-            }
-            if (missing) run.note_missing(g.cluster);
-            pen = pen + (down ? point{0.0, 0.0 - g.advance} : point{g.advance, 0.0});
-            ++out;
-        }
-        return {};
     }
 
     buffer<shaped_glyph> now_;   // of the item, in the order of its text

@@ -3,6 +3,7 @@
 
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/first_where.hpp>
+#include <typemesh/layout/column_runs.hpp>
 #include <typemesh/layout/shape_options.hpp>
 #include <typemesh/layout/text_item.hpp>
 #include <typemesh/unicode/unicode_analyser.hpp>
@@ -19,35 +20,53 @@ namespace typemesh::inline TYPEMESH_ABI {
 [[nodiscard]] inline analysis_options analysis_of(const shape_options& how) noexcept
 {
     analysis_options reading{.language = how.language};
-    if (how.direction == direction::left_to_right) reading.direction = paragraph_direction::left_to_right;
+    const bool downwards = how.direction == direction::top_to_bottom && how.columns.latin == column_latin::upright;
+    if (how.direction == direction::left_to_right || downwards) reading.direction = paragraph_direction::left_to_right;
     if (how.direction == direction::right_to_left) reading.direction = paragraph_direction::right_to_left;
     return reading;
 }
 
-/// Cuts a line into items, which may be of both directions, in the order in which they are drawn: for shapers. Keeps
-/// its memory for the next line.
+/// Cuts a line or a column into items, which may be of both directions, in the order in which they are drawn: for
+/// shapers. Keeps its memory for the next line.
 class mixed_line {
 public:
-    explicit mixed_line(memory source = heap()) noexcept : analyser_{source}, found_{source}, runs_{source} {}
+    explicit mixed_line(memory source = heap()) noexcept
+        : analyser_{source}, found_{source}, runs_{source}, columns_{source}
+    {
+    }
 
     /// Cuts text[first, last), which is read by itself: no text before it decides on its direction.
     ///
-    ///     items   emptied first; then they stand from left to right, or in a column from top to bottom, all upright.
-    ///             Places count from the text's start. Items hold whole graphemes.
+    ///     items   emptied first; then they stand from left to right. Places count from the text's start. Items hold
+    ///             whole graphemes.
     ///
     /// Fails  error::out_of_memory
     /// Cost   O(n) and O(log n) a run
     error cut(text_view text, std::size_t first, std::size_t last, const shape_options& how,
               buffer<text_item>& items) noexcept
     {
-        items.clear();
+        columns_.clear();
         if (error e = analyser_.analyse(part_of(text, first, last), analysis_of(how), found_)) return e;
+        return cut_runs(first, last, items);
+    }
+
+    /// Likewise a column, from top to bottom. has_form(c): whether the font has a vertical form of a character; see
+    /// find_column_runs().
+    template <class HasForm>
+    error cut_column(text_view text, std::size_t first, std::size_t last, const shape_options& how,
+                     const HasForm& has_form, buffer<text_item>& items) noexcept
+    {
+        const text_view part = part_of(text, first, last);
+        if (error e = analyser_.analyse(part, analysis_of(how), found_)) return e;
+        if (error e = find_column_runs(part, found_.marks.view(), how.columns, {}, has_form, columns_)) return e;
+        return cut_runs(first, last, items);
+    }
+
+private:
+    error cut_runs(std::size_t first, std::size_t last, buffer<text_item>& items) noexcept
+    {
+        items.clear();
         const text_range whole{0, static_cast<std::uint32_t>(last - first)};
-        if (how.direction == direction::top_to_bottom) {
-            if (error e = cut_run({whole.first, whole.last, 0}, static_cast<std::uint32_t>(first), items)) return e;
-            for (text_item& item : items) item.orientation = glyph_orientation::upright;
-            return {};
-        }
         join_graphemes();
         if (error e = visual_runs(found_, whole, runs_)) return e;
         for (const visual_run& run : runs_)
@@ -55,7 +74,6 @@ public:
         return {};
     }
 
-private:
     static text_view part_of(text_view text, std::size_t first, std::size_t last) noexcept
     {
         if (text.encoding() == encoding::utf8) return std::string_view{text.utf8() + first, last - first};
@@ -72,22 +90,30 @@ private:
         }
     }
 
-    /// Cuts a run where the script changes, but in no grapheme.
+    /// Cuts a run where the script changes, or how it stands in a column, but in no grapheme.
     error cut_run(const visual_run& run, std::uint32_t offset, buffer<text_item>& items) noexcept
     {
         const std::size_t before = items.size();
         const std::span<const script_run> scripts = found_.scripts.view();
-        const auto ends_behind = [&](std::size_t k) noexcept { return scripts[k].last > run.first; };
-        std::size_t k = first_where(0, scripts.size(), ends_behind);
-        for (std::uint32_t first = run.first; first < run.last && k < scripts.size(); ++k) {
-            const script_run& s = scripts[k];
-            std::uint32_t last = s.last < run.last ? s.last : run.last;
+        const std::span<const column_run> columns = columns_.view();
+        const auto ends_behind = [&run](const auto& runs) noexcept {
+            return first_where(0, runs.size(), [&](std::size_t k) noexcept { return runs[k].last > run.first; });
+        };
+        std::size_t s = ends_behind(scripts), c = ends_behind(columns);
+        for (std::uint32_t first = run.first; first < run.last && s < scripts.size();) {
+            std::uint32_t last = scripts[s].last < run.last ? scripts[s].last : run.last;
+            if (c < columns.size() && columns[c].last < last) last = columns[c].last;
             while (last < run.last && !has(found_.marks[last], text_mark::grapheme)) ++last;
-            if (first >= last) continue;
-            const text_item item{
-                .first = first + offset, .last = last + offset, .script = s.script, .level = run.level};
-            if (!items.push_back(item)) return error::out_of_memory;
+            text_item item{
+                .first = first + offset, .last = last + offset, .script = scripts[s].script, .level = run.level};
+            if (c < columns.size()) {
+                item.level = columns[c].level(run.level);
+                item.orientation = columns[c].orientation;
+            }
+            if (first < last && !items.push_back(item)) return error::out_of_memory;
             first = last;
+            while (s < scripts.size() && scripts[s].last <= last) ++s;
+            while (c < columns.size() && columns[c].last <= last) ++c;
         }
         if (run.level % 2 != 0)
             for (std::size_t i = before, end = items.size(); i + 1 < end; ++i) std::swap(items[i], items[--end]);
@@ -97,6 +123,7 @@ private:
     unicode_analyser analyser_;
     text_analysis found_;
     buffer<visual_run> runs_;
+    buffer<column_run> columns_;  // empty for a line
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

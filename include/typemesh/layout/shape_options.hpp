@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/version.hpp>
+#include <typemesh/layout/column_options.hpp>
 
 #include <cstdint>
 #include <span>
@@ -36,6 +37,7 @@ struct shape_options {
     std::string_view script = {};    ///< ISO 15924, such as "Arab"; empty: found from the text
     std::span<const feature> features = {};  ///< besides those that are on by default for the script
     bool ligatures = true;  ///< the optional ones ("liga", "clig"), unless `features` names them; none in spaced text
+    column_options columns = {};  ///< which characters lie on their side in columns
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

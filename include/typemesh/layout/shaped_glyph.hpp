@@ -16,6 +16,8 @@ enum class glyph_flags : std::uint8_t {
     unsafe_to_concat = 1u << 1,  ///< other text in place of what precedes needs both sides shaped again
     tatweel = 1u << 2,           ///< U+0640 may be inserted here to fill a line
     missing = 1u << 3,           ///< the font has no glyph for this text: the id is its .notdef
+    sideways = 1u << 4,          ///< it has been laid on its side, in a column; see column_glyphs.hpp
+    combined = 1u << 5,          ///< it has been put beside others, in a column
 };
 
 [[nodiscard]] constexpr glyph_flags operator|(glyph_flags a, glyph_flags b) noexcept

@@ -12,6 +12,7 @@ enum class glyph_orientation : std::uint8_t {
     horizontal,  ///< in a line that runs to the right or to the left
     upright,     ///< in a column, one below the other
     sideways,    ///< in a column, but shaped as in a line and turned clockwise: Latin between kanji
+    combined,    ///< in a column, but shaped as in a line and put into the room of one character
 };
 
 /// A range of a text that is shaped at once: of one level, one script, one style, without line breaks and tabs.
@@ -24,6 +25,7 @@ struct text_item {
     std::uint16_t face = 0;    ///< of a shaper of several faces, the one that shapes it first
     std::uint8_t level = 0;    ///< by UAX #9: an odd one is set from right to left
     glyph_orientation orientation = glyph_orientation::horizontal;
+    double squeeze = 1.0;  ///< of combined glyphs: by how much they are drawn narrower, which their shaping shows
 
     [[nodiscard]] constexpr bool to_the_left() const noexcept { return (level & 1u) != 0; }
 };

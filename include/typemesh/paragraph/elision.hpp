@@ -143,13 +143,15 @@ private:
         shaped_text& shaped = from.shaped;
         const std::uint32_t item = shaped.item_at(at);
         shape_options how;
-        how.direction = shaped.upright() ? direction::top_to_bottom
-                        : level % 2 != 0 ? direction::right_to_left
-                                         : direction::left_to_right;
+        how.direction = level % 2 != 0 ? direction::right_to_left : direction::left_to_right;
+        how.columns.latin = shaped.options().columns.latin;
+        const auto has_form = [&from](char32_t c) noexcept { return vertical_form_of(from.shaper, c); };
         const std::size_t clusters = shaped.all_clusters(), glyphs = shaped.all_glyphs();
         for (const text_view wanted : {from.options.ellipsis, text_view{"..."}}) {
             shaped.truncate(clusters, glyphs);
-            if (error e = cutter_.cut(wanted, 0, wanted.size(), how, parts_)) return e;
+            const error e = shaped.upright() ? cutter_.cut_column(wanted, 0, wanted.size(), how, has_form, parts_)
+                                             : cutter_.cut(wanted, 0, wanted.size(), how, parts_);
+            if (e) return e;
             const auto complete = shaped.append_foreign(from.shaper, item, at, wanted, parts_.view());
             if (!complete) return complete.error();
             if (*complete) break;

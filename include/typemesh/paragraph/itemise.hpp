@@ -2,8 +2,8 @@
 #pragma once
 
 #include <typemesh/core/buffer.hpp>
+#include <typemesh/layout/column_runs.hpp>
 #include <typemesh/layout/line_break.hpp>
-#include <typemesh/layout/shape_options.hpp>
 #include <typemesh/layout/text_item.hpp>
 #include <typemesh/unicode/text_analysis.hpp>
 
@@ -26,33 +26,38 @@ namespace typemesh::inline TYPEMESH_ABI {
     return text.unit(i) == 0x09 ? 1 : line_end_at(text, i);
 }
 
-/// Cuts an analysed text into items: where the level changes, where the script does, at places of the caller's, and
-/// round every tab and every line break, which are items of their own and not for a shaper. What would be cut inside a
-/// grapheme is cut behind it; such an item has the level and the script of its beginning.
+/// Cuts an analysed text into items: where the level changes, where the script does, at places of the caller's, where
+/// its orientation in columns does, and round every tab and every line break, which are items of their own and not for
+/// a shaper. What would be cut inside a grapheme is cut behind it; such an item has the level and the script of its
+/// beginning, and so has one that is combined.
 ///
-///     cuts    places in the text, ascending
-///     flow    top_to_bottom: all items are of level 0 and upright
-///     items   emptied first; they cover the text in order
+///     cuts       places in the text, ascending
+///     columns    for columns: see find_column_runs(). Empty: for lines
+///     items      emptied first; they cover the text in order
 ///
 /// Fails  error::out_of_memory
 /// Cost   O(n)
-inline error itemise(text_view text, const text_analysis& found, std::span<const std::uint32_t> cuts, direction flow,
-                     buffer<text_item>& items) noexcept
+inline error itemise(text_view text, const text_analysis& found, std::span<const std::uint32_t> cuts,
+                     std::span<const column_run> columns, buffer<text_item>& items) noexcept
 {
     items.clear();
-    const bool upright = flow == direction::top_to_bottom;
-    const auto orientation = upright ? glyph_orientation::upright : glyph_orientation::horizontal;
-    std::size_t script = 0, cut = 0;
+    constexpr column_run line{.orientation = glyph_orientation::horizontal};
+    std::size_t script = 0, cut = 0, run = 0;
     for (std::size_t i = 0; i < text.size();) {
         while (script + 1 < found.scripts.size() && i >= found.scripts[script].last) ++script;
         while (cut < cuts.size() && i >= cuts[cut]) ++cut;
-        std::size_t end = script < found.scripts.size() ? found.scripts[script].last : text.size();
-        if (cut < cuts.size() && cuts[cut] < end) end = cuts[cut];
+        while (run < columns.size() && i >= columns[run].last) ++run;
+        const column_run& column = run < columns.size() ? columns[run] : line;
+        const bool combined = column.orientation == glyph_orientation::combined;
+        std::size_t end = text.size();
+        if (script < found.scripts.size() && !combined) end = found.scripts[script].last;
+        if (cut < cuts.size() && cuts[cut] < end && !combined) end = cuts[cut];
+        if (run < columns.size() && column.last < end) end = column.last;
         std::size_t last = i + silent_at(text, i);
-        const std::uint8_t level = found.levels[i];
+        const std::uint8_t level = column.level(found.levels[i]);
         const auto goes_on = [&](std::size_t k) noexcept {
             if (!has(found.marks[k], text_mark::grapheme)) return true;
-            return k < end && (upright || found.levels[k] == level) && silent_at(text, k) == 0;
+            return k < end && (combined || column.level(found.levels[k]) == level) && silent_at(text, k) == 0;
         };
         if (last == i) do
                 ++last;
@@ -61,8 +66,8 @@ inline error itemise(text_view text, const text_analysis& found, std::span<const
         if (!items.push_back({.first = static_cast<std::uint32_t>(i),
                               .last = static_cast<std::uint32_t>(last),
                               .script = tag,
-                              .level = upright ? std::uint8_t{0} : level,
-                              .orientation = orientation}))
+                              .level = level,
+                              .orientation = column.orientation}))
             return error::out_of_memory;
         i = last;
     }

@@ -50,6 +50,7 @@ private:
         std::uint32_t item = 0, style = 0, look = 0;
         std::uint16_t face = 0;
         double rise = 0.0;
+        glyph_flags stands = glyph_flags::none;
         bool known = false;
     };
 
@@ -76,11 +77,19 @@ private:
     error find_look(std::uint32_t item, const shaped_glyph& g) noexcept
     {
         const std::uint32_t style = shaped_.styles.number_at(g.cluster);
-        if (now_.known && now_.item == item && now_.style == style && now_.face == g.face) return {};
+        const glyph_flags stands = has(g.flags, glyph_flags::sideways)   ? glyph_flags::sideways
+                                   : has(g.flags, glyph_flags::combined) ? glyph_flags::combined
+                                                                         : glyph_flags::none;
+        if (now_.known && now_.item == item && now_.style == style && now_.face == g.face && now_.stands == stands)
+            return {};
         const item_setting set = shaped_.setting_of(item);
         const text_style& painted = shaped_.styles[style];
-        now_ = {.item = item, .style = style, .face = g.face, .rise = set.lift + painted.rise * shaped_.units_per_em()};
-        const look drawn = look_of(set, painted, g);
+        now_ = {.item = item,
+                .style = style,
+                .face = g.face,
+                .rise = set.lift + painted.rise * shaped_.units_per_em(),
+                .stands = stands};
+        const look drawn = look_of(shaped_.items()[item], set, painted, g);
         if (!run_.looks.empty() || !(drawn == look{})) {
             const auto number = run_.number_of(drawn);
             if (!number) return number.error();

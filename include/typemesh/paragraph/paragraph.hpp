@@ -288,7 +288,7 @@ private:
     /// The level of the paragraph that a unit of the text is in.
     [[nodiscard]] std::uint8_t level_at(std::uint32_t unit) const noexcept
     {
-        if (shaped_.analysis.paragraphs.empty() || shaped_.upright()) return 0;
+        if (shaped_.analysis.paragraphs.empty()) return 0;
         return shaped_.analysis.paragraph_of(unit).level;
     }
 

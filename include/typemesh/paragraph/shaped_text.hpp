@@ -4,12 +4,14 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/first_where.hpp>
 #include <typemesh/core/same.hpp>
+#include <typemesh/layout/column_glyphs.hpp>
 #include <typemesh/layout/item_shaper.hpp>
 #include <typemesh/layout/letter_spacing.hpp>
 #include <typemesh/paragraph/cluster_carets.hpp>
 #include <typemesh/paragraph/item_settings.hpp>
 #include <typemesh/paragraph/itemise.hpp>
 #include <typemesh/paragraph/text_cluster.hpp>
+#include <typemesh/paragraph/text_columns.hpp>
 #include <typemesh/unicode/text_analysis.hpp>
 
 #include <cstddef>
@@ -25,6 +27,7 @@ public:
     explicit shaped_text(memory source = heap()) noexcept
         : analysis{source},
           styles{source},
+          columns_{source},
           items_{source},
           settings_{source},
           first_clusters_{source},
@@ -59,6 +62,14 @@ public:
         const std::size_t k =
             first_where(0, items_.size(), [&](std::size_t i) noexcept { return items_[i].last > unit; });
         return k < items_.size() ? static_cast<std::uint32_t>(k) : 0;
+    }
+
+    /// How Latin stands in this text, as far as nothing else is asked for.
+    [[nodiscard]] glyph_orientation latin() const noexcept
+    {
+        if (!upright()) return glyph_orientation::horizontal;
+        const bool sideways = options_.columns.latin == column_latin::sideways;
+        return sideways ? glyph_orientation::sideways : glyph_orientation::upright;
     }
 
     /// How an item is set, and how it is shaped.
@@ -115,7 +126,8 @@ public:
         clusters_.clear();
         glyphs_.clear();
         carets_.clear();
-        if (error e = itemise(text, analysis, styles.cuts(), options_.direction, items_)) return e;
+        if (error e = columns_.find(shaper, text, options_, styles, analysis)) return e;
+        if (error e = itemise(text, analysis, styles.cuts(), columns_.runs(), items_)) return e;
         const item_settings::base plain{options, letter_spacing};
         if (error e = settings_.read(shaper, text, analysis, styles, plain, items_.view())) return e;
         for (std::uint32_t i = 0; i < items_.size(); ++i) {
@@ -146,6 +158,8 @@ public:
         if (first < last)
             if (error e = shaper.shape_item(text_, part, options_of(item), glyphs_)) return e;
         if (glyphs_.size() > 0xFFFF'FFFFu) return error::too_large;
+        if (part.orientation != glyph_orientation::horizontal)
+            items_[item].squeeze = place_in_column(glyphs_.view().subspan(before), part, columns_.place()).xx;
         scale_glyphs(item, before);
         if (error e = cluster_glyphs(item, part, before)) return e;
         return find_carets(shaper, first_cluster);
@@ -157,6 +171,7 @@ public:
         text_ = {};
         analysis.clear();
         styles.clear();
+        columns_.clear();
         own_ = 0;
         items_.clear();
         settings_.clear();
@@ -197,7 +212,7 @@ public:
     {
         const std::size_t before = glyphs_.size();
         text_item space{.last = 1};
-        if (!items_.empty()) space.orientation = items_[0].orientation;
+        space.orientation = latin();
         if (error e = shaper.shape_item(text_view{" "}, space, options_, glyphs_)) return e;
         double advance = 0.0;
         for (const shaped_glyph& g : glyphs_.view().subspan(before)) advance += g.advance;
@@ -227,9 +242,10 @@ public:
         for (text_item part : parts) {
             part.style = home.style;
             part.face = home.face;
-            part.orientation = home.orientation;
-            if (upright()) part.level = 0;
+            const std::size_t first = glyphs_.size();
             if (error e = shaper.shape_item(shown, part, options_of(item), glyphs_)) return e;
+            if (part.orientation == glyph_orientation::sideways)
+                turn_glyphs(glyphs_.view().subspan(first), columns_.place());
         }
         scale_glyphs(item, before);
         bool complete = true;
@@ -255,6 +271,7 @@ public:
     {
         text_item part = items_.empty() ? text_item{} : items_[item];
         part.first = 0;
+        if (part.orientation == glyph_orientation::combined) part.orientation = glyph_orientation::upright;
         const std::size_t clusters = clusters_.size(), glyphs = glyphs_.size();
         for (const text_view wanted : {shown, instead}) {
             truncate(clusters, glyphs);
@@ -438,9 +455,9 @@ private:
                     inner += has(analysis.marks[u], text_mark::grapheme) ? 1u : 0u;
                 if (inner == 0) continue;
                 const std::span<const shaped_glyph> own = glyphs_.view().subspan(c.glyph, c.glyph_count);
-                if (error e = carets_.find(shaper, own,
-                                           {static_cast<std::uint32_t>(i), inner, setting_of(c.item).scale, upright()}))
-                    return e;
+                const bool down = items_[c.item].orientation == glyph_orientation::upright;
+                const double scale = setting_of(c.item).scale;
+                if (error e = carets_.find(shaper, own, {static_cast<std::uint32_t>(i), inner, scale, down})) return e;
             }
         }
         return {};
@@ -455,6 +472,7 @@ private:
     shape_options options_;
     double em_ = 0.0;
     std::uint32_t own_ = 0;
+    text_columns columns_;
     buffer<text_item> items_;
     item_settings settings_;
     buffer<std::uint32_t> first_clusters_;  // of the items

@@ -65,6 +65,8 @@ public:
     }
 
     [[nodiscard]] bool empty() const noexcept { return spans_.empty(); }
+    /// In the text's order.
+    [[nodiscard]] std::span<const style_span> spans() const noexcept { return spans_.view(); }
 
     /// The number of the style of a unit. Cost: O(log spans)
     [[nodiscard]] std::uint32_t number_at(std::uint32_t unit) const noexcept

@@ -37,8 +37,8 @@ enum class script_position : std::uint8_t { normal, superscript, subscript };
 
 /// How a stretch of a text is set. Lengths are in em of the whole text, whatever the size here.
 ///
-///     shaping    face, size, letter_spacing, features, language, position: the text is shaped apart where they change,
-///                so letters are not kerned across, and no ligature crosses
+///     shaping    face, size, letter_spacing, features, language, position, column: the text is shaped apart where they
+///                change, so letters are not kerned across, and no ligature crosses
 ///     painting   all else: letters stay as they are. A ligature, and whatever else a font keeps together, is painted
 ///                as its first character.
 struct text_style {
@@ -48,6 +48,7 @@ struct text_style {
     std::span<const feature> features = {};  ///< behind those of the whole text
     std::string_view language = {};          ///< empty: the whole text's
     script_position position = script_position::normal;
+    column_style column = column_style::automatic;  ///< how it stands in columns; what is combined takes one em
 
     double word_spacing = 0.0;  ///< added to every space
     double rise = 0.0;          ///< of the baseline
@@ -60,7 +61,8 @@ struct text_style {
 [[nodiscard]] inline bool shaped_alike(const text_style& a, const text_style& b) noexcept
 {
     if (a.face != b.face || !same(a.size, b.size) || !same(a.letter_spacing, b.letter_spacing)) return false;
-    if (a.position != b.position || a.language != b.language || a.features.size() != b.features.size()) return false;
+    if (a.position != b.position || a.column != b.column) return false;
+    if (a.language != b.language || a.features.size() != b.features.size()) return false;
     for (std::size_t i = 0; i < a.features.size(); ++i) {
         const feature &f = a.features[i], &g = b.features[i];
         if (std::string_view{f.tag, 4} != std::string_view{g.tag, 4} || f.value != g.value) return false;

@@ -32,8 +32,10 @@ class font_cascade : private font_faces<Fonts...> {
 public:
     explicit font_cascade(Fonts&... fonts) noexcept : faces{fonts...} {}
 
+    using faces::column_middle;
     using faces::face_count;
     using faces::fill;
+    using faces::has_vertical_form;
     using faces::ligature_carets;
     using faces::metrics;
     using faces::outline;

@@ -134,6 +134,18 @@ public:
         for (double& place : carets.view().subspan(before)) place *= units_per_em() / units_per_em(face);
         return e;
     }
+    /// See item_shaper: whether any of them has one; and of the first one.
+    [[nodiscard]] bool has_vertical_form(char32_t c) const noexcept
+        requires(item_shaper<Sources> && ...)
+    {
+        const auto any = [c](auto*... source) noexcept { return (vertical_form_of(*source, c) || ...); };
+        return std::apply(any, sources_);
+    }
+    [[nodiscard]] double column_middle() const noexcept
+        requires item_shaper<first_type>
+    {
+        return column_middle_of(first());
+    }
 
 private:
     [[nodiscard]] first_type& first() const noexcept { return *std::get<0>(sources_); }

@@ -97,6 +97,8 @@ public:
     {
         return shaping_.shape_item(fonts_, text, item, options, glyphs);
     }
+    [[nodiscard]] bool has_vertical_form(char32_t c) noexcept { return fonts_.has_vertical_form(c); }
+    [[nodiscard]] double column_middle() noexcept { return fonts_.column_middle(); }
 
 private:
     /// What fallback_shaping asks.
@@ -134,6 +136,15 @@ private:
             const double unit = first_->units_per_em() / font(item.face).units_per_em();
             if (item.face != 0) detail::belong_to(glyphs.view().subspan(before), item.face, unit);
             return {};
+        }
+
+        [[nodiscard]] double units_per_em() const noexcept { return first_->units_per_em(); }
+        [[nodiscard]] double column_middle() noexcept { return column_middle_of(*first_); }
+        [[nodiscard]] bool has_vertical_form(char32_t c) noexcept
+        {
+            for (std::uint32_t face = 0; face < face_count(); ++face)
+                if (vertical_form_of(font(face), c)) return true;
+            return false;
         }
 
         result<std::uint32_t> find(text_view text, text_range grapheme, std::uint32_t script,

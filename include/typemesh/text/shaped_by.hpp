@@ -44,6 +44,8 @@ public:
     {
         return shapes_->shape_item(text, item, options, glyphs);
     }
+    [[nodiscard]] bool has_vertical_form(char32_t c) noexcept { return vertical_form_of(*shapes_, c); }
+    [[nodiscard]] double column_middle() noexcept { return column_middle_of(*shapes_); }
     template <outline_sink Sink>
     error outline(glyph_id id, Sink& sink) noexcept
     {

@@ -27,6 +27,12 @@ enum class text_mark : std::uint8_t {
     return static_cast<text_mark>(static_cast<std::uint8_t>(a) | static_cast<std::uint8_t>(b));
 }
 
+/// A set without the marks of another.
+[[nodiscard]] constexpr text_mark without(text_mark set, text_mark others) noexcept
+{
+    return static_cast<text_mark>(static_cast<std::uint8_t>(set) & ~static_cast<unsigned>(others));
+}
+
 /// Whether a set contains a mark; of several, any.
 [[nodiscard]] constexpr bool has(text_mark set, text_mark one) noexcept
 {

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/affine.hpp>
+#include <typemesh/core/error.hpp>
+#include <typemesh/layout/glyph_run.hpp>
+#include <typemesh/layout/shaped_glyph.hpp>
+#include <typemesh/layout/text_item.hpp>
+
+#include <cstddef>
+#include <span>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// How a letter is drawn that lies in a column: turned clockwise about its own (0, 0), exactly.
+inline constexpr affine quarter_turn{.xx = 0.0, .xy = 1.0, .yx = -1.0, .yy = 0.0};
+
+/// What of a shaper decides on where glyphs stand in columns, in font units.
+struct column_place {
+    double middle = 0.0;  ///< column_middle_of(shaper)
+    double em = 0.0;
+};
+
+/// Lays an item's glyphs, shaped as in a line, on their side: the pen moves down, and what is column.middle above the
+/// baseline stands in the column's middle. They are to be drawn with quarter_turn.
+inline void turn_glyphs(std::span<shaped_glyph> glyphs, const column_place& column) noexcept
+{
+    for (shaped_glyph& g : glyphs) {
+        g.offset = {g.offset.y - column.middle, 0.0 - g.offset.x};
+        g.flags = g.flags | glyph_flags::sideways;
+    }
+}
+
+/// Puts an item's glyphs, shaped as in a line, side by side into the room of one character of a column: an em. They
+/// become one cluster, which begins at `first`.
+///
+/// Returns by how much they are to be drawn narrower, along x: 1 unless they are wider than that.
+inline double combine_glyphs(std::span<shaped_glyph> glyphs, const column_place& column, cluster_id first) noexcept
+{
+    double width = 0.0;
+    for (const shaped_glyph& g : glyphs) width += g.advance;
+    const double squeeze = width > column.em ? column.em / width : 1.0;
+    const double baseline = -0.5 * column.em - column.middle;
+    double pen = -0.5 * squeeze * width;
+    for (shaped_glyph& g : glyphs) {
+        g.offset = {pen + squeeze * g.offset.x, baseline + g.offset.y};
+        pen += squeeze * g.advance;
+        g.advance = 0.0;
+        g.cluster = first;
+        g.flags = g.flags | glyph_flags::combined;
+    }
+    if (!glyphs.empty()) glyphs.back().advance = column.em;
+    return squeeze;
+}
+
+/// Puts an item's glyphs where its orientation has them in a column; others stay as they are. Returns the map that
+/// they are to be drawn with.
+[[nodiscard]] inline affine place_in_column(std::span<shaped_glyph> glyphs, const text_item& item,
+                                            const column_place& column) noexcept
+{
+    if (item.orientation == glyph_orientation::combined) return {.xx = combine_glyphs(glyphs, column, item.first)};
+    if (item.orientation != glyph_orientation::sideways) return {};
+    turn_glyphs(glyphs, column);
+    return quarter_turn;
+}
+
+/// Appends an item's glyphs to a run, in a line or in a column, from the pen on, which moves by their advances.
+///
+/// Fails  error::out_of_memory
+inline error place_item(std::span<shaped_glyph> glyphs, const text_item& item, const column_place& column, point& pen,
+                        glyph_run& run) noexcept
+{
+    const affine map = place_in_column(glyphs, item, column);
+    const bool down = item.orientation != glyph_orientation::horizontal;
+    placed_glyph* out = run.glyphs.append(glyphs.size());
+    if (out == nullptr && !glyphs.empty()) return error::out_of_memory;
+    for (const shaped_glyph& g : glyphs) {
+        const bool missing = has(g.flags, glyph_flags::missing);
+        *out++ = {g.id, g.cluster, pen + g.offset, missing, 0};
+        if (missing) run.note_missing(g.cluster);
+        pen = pen + (down ? point{0.0, 0.0 - g.advance} : point{g.advance, 0.0});
+        const auto look = run.number_of({.face = g.face, .map = map});
+        if (!look) return look.error();
+        (out - 1)->look = *look;
+    }
+    return {};
+}
+
+}  // namespace typemesh::inline TYPEMESH_ABI

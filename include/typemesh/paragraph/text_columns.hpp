@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/layout/column_glyphs.hpp>
+#include <typemesh/layout/column_runs.hpp>
+#include <typemesh/layout/item_shaper.hpp>
+#include <typemesh/layout/line_break.hpp>
+#include <typemesh/layout/shape_options.hpp>
+#include <typemesh/paragraph/style_spans.hpp>
+#include <typemesh/unicode/text_analysis.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// How a text of a paragraph stands in columns. Keeps its memory for the next text.
+class text_columns {
+public:
+    explicit text_columns(memory source = heap()) noexcept : spans_{source}, runs_{source} {}
+
+    void clear() noexcept { runs_.clear(); }
+
+    /// Finds out how a text stands that has been analysed; nothing for lines. What is combined becomes one grapheme, in
+    /// which no line ends.
+    ///
+    /// Fails  error::out_of_memory
+    template <item_shaper Shaper>
+    error find(Shaper& shaper, text_view text, const shape_options& how, const style_spans& styles,
+               text_analysis& found) noexcept
+    {
+        runs_.clear();
+        if (how.direction != direction::top_to_bottom) return {};
+        place_ = {column_middle_of(shaper), shaper.units_per_em()};
+        spans_.clear();
+        for (const style_span& s : styles.spans()) {
+            if (s.style.column == column_style::automatic) continue;
+            if (!spans_.push_back({s.first, s.last, s.style.column})) return error::out_of_memory;
+        }
+        const auto has_form = [&shaper](char32_t c) noexcept { return vertical_form_of(shaper, c); };
+        if (error e = find_column_runs(text, found.marks.view(), how.columns, spans_.view(), has_form, runs_)) return e;
+        for (const column_run& run : runs_)
+            if (run.orientation == glyph_orientation::combined) join(text, run, found);
+        return {};
+    }
+
+    /// Empty for lines.
+    [[nodiscard]] std::span<const column_run> runs() const noexcept { return runs_.view(); }
+    [[nodiscard]] const column_place& place() const noexcept { return place_; }
+
+private:
+    /// Makes what stands between tabs and line breaks one grapheme.
+    static void join(text_view text, const column_run& run, text_analysis& found) noexcept
+    {
+        constexpr text_mark within = text_mark::grapheme | text_mark::may_break | text_mark::hyphen;
+        const auto is_silent = [text](std::size_t i) noexcept {
+            return text.unit(i) == 0x09 || line_break_at(text, i) != 0;
+        };
+        bool behind = true;  // a tab or a break, or nothing
+        for (std::uint32_t u = run.first; u < run.last; ++u) {
+            if (!has(found.marks[u], text_mark::grapheme)) continue;
+            const bool silent = is_silent(u);
+            if (!silent && !behind) found.marks[u] = without(found.marks[u], within);
+            behind = silent;
+        }
+    }
+
+    column_place place_;
+    buffer<column_span> spans_;
+    buffer<column_run> runs_;
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI
