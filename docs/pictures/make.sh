@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 #
 # Draws the pictures of this folder anew with text_to_mesh (build/release, or the first argument), but for three.png, which
-# bench/three/run.sh draws. Needs ImageMagick and pngquant.
+# bench/three/run.sh draws. Needs ImageMagick, pngquant and, for selection.png, HarfBuzz.
 set -eu
 cd "$(dirname "${BASH_SOURCE[0]}")"
 program=${1:-../../build/release/examples/text_to_mesh}
@@ -82,5 +82,8 @@ montage "${bold_and_hollow[@]}" -tile 3x2 -geometry +0+0 bold_and_hollow.png
     --style 0..4:colour=blue,underline --style 5..9:colour=red,size=1.25 --style 10..12:colour=green,overline --picture "$scratch/headline.png"
 "$program" "one שתיים three" --font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf --style 1..7:colour=blue,underline --picture "$scratch/range.png"
 convert "$scratch"/{headline,range}.png -resize 900x -append styles.png
+
+g++ -std=c++20 -I../../include selection.cpp -o "$scratch/selection" $(pkg-config --cflags --libs harfbuzz)
+convert -size 910x160 xc:white -draw "$("$scratch/selection" /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf)" selection.png
 
 pngquant --quality 90-100 --speed 1 --force --ext .png paragraph.png normals.png bevels.png bevelled_scripts.png bold_and_hollow.png styles.png
