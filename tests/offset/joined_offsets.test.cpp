@@ -22,11 +22,11 @@ using namespace typemesh;
 namespace joined_offset_shapes {
 
 /// A shape twice as large as an em usually is, if it has no more points than told.
-struct enlarged {
+struct large_shape {
     test::shape shape;
     double size = 0.0;  ///< the larger of its extents, in cells
 
-    explicit enlarged(test::shape given) : shape{std::move(given)}
+    explicit large_shape(test::shape given) : shape{std::move(given)}
     {
         box around;
         for (const auto& l : shape.loops)
@@ -45,11 +45,11 @@ struct enlarged {
 };
 
 /// What was found of all shapes together.
-struct total {
+struct joins_found {
     std::size_t corners = 0, compared = 0, refused = 0;
 };
 
-void check(const test::shape& s, double width, total& sum)
+void check_joins(const test::shape& s, double width, joins_found& sum)
 {
     contours loops = test::contours_of(s);
     workspace space;
@@ -73,13 +73,13 @@ TEST_CASE("joins change a swept region within 4 widths of their corners only: ge
     std::vector<test::shape> shapes = test::delaunay_shapes();
     for (std::uint64_t seed = 10; seed < 16; ++seed)
         shapes.push_back({"star of seed " + std::to_string(seed), {test::star(10 + 2 * int(seed), 1e6, seed)}});
-    total sum;
+    joins_found sum;
     for (const test::shape& given : shapes) {
-        const enlarged large{given};
+        const large_shape large{given};
         if (large.points() > 130 || large.size > 0x1p26) continue;
         for (const double share : {0.0005, 0.005, 0.02})
             for (const test::shape& s : {large.shape, test::mirrored(large.shape), test::turned(large.shape, 30.0)})
-                check(s, std::floor(share * large.size), sum);
+                check_joins(s, std::floor(share * large.size), sum);
     }
     CHECK(sum.corners > 100);
     CHECK(sum.compared > 10'000);
@@ -89,14 +89,14 @@ TEST_CASE("joins change a swept region within 4 widths of their corners only: ge
 TEST_CASE("joins change a swept region within 4 widths of their corners only: random polygons", "[offset][joins]")
 {
     using namespace joined_offset_shapes;
-    total sum;
+    joins_found sum;
     for (int i = 0; i < 60; ++i) {
         test::dice d{static_cast<std::uint64_t>(1000 + i)};
-        const enlarged large{{"random polygon " + std::to_string(i), {test::random_polygon(8 + i / 2, 40, d)}}};
+        const large_shape large{{"random polygon " + std::to_string(i), {test::random_polygon(8 + i / 2, 40, d)}}};
         const test::shape s = i % 3 == 0   ? large.shape
                               : i % 3 == 1 ? test::mirrored(large.shape)
                                            : test::turned(large.shape, 30.0);
-        for (const double share : {0.0005, 0.005, 0.02}) check(s, std::floor(share * large.size), sum);
+        for (const double share : {0.0005, 0.005, 0.02}) check_joins(s, std::floor(share * large.size), sum);
     }
     CHECK(sum.corners > 500);
     CHECK(sum.compared > 10'000);
