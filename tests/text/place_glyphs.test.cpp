@@ -87,7 +87,7 @@ TEST_CASE("what stands too far away is refused, each glyph for itself", "[text]"
 
 TEST_CASE("what an extruder narrows is counted glyph by glyph, whichever way the glyph comes", "[text]")
 {
-    constexpr const char* text = "i Eio~E";
+    constexpr const char* narrow = "i Eio~E";
     const auto check = [](const auto& plan) {
         REQUIRE(plan);
         CHECK(plan->report().narrowed == 3);
@@ -98,23 +98,23 @@ TEST_CASE("what an extruder narrows is counted glyph by glyph, whichever way the
     };
     test::toy_font font;
     auto mesher = text_mesher{font}.with(narrowing{});
-    check(mesher.plan(text));
-    check(mesher.plan(text, {.reuse = false}));
-    check(mesher.plan(text, {.merge = true}));  // none meet
+    check(mesher.plan(narrow));
+    check(mesher.plan(narrow, {.reuse = false}));
+    check(mesher.plan(narrow, {.merge = true}));  // none meet
 
     glyph_cache<> cache;
     auto cached = text_mesher{font}.with(narrowing{}).with(cached_in{cache, 1});
-    for (int i = 0; i < 2; ++i) check(cached.plan(text));
+    for (int i = 0; i < 2; ++i) check(cached.plan(narrow));
     CHECK(cache.statistics().hits == 5);
 
     test::scrambled_workers pool;
     auto team = workers_of(pool, [](std::size_t) noexcept { return result<test::toy_font>{test::toy_font{}}; });
     REQUIRE(team);
     const text_options options;
-    check(mesher.plan(text, options, *team));
+    check(mesher.plan(narrow, options, *team));
 
     auto plain = text_mesher{font}.with(flat{});
-    const auto whole = plain.plan(text);
+    const auto whole = plain.plan(narrow);
     REQUIRE(whole);
     CHECK(whole->report().narrowed == 0);
     CHECK(whole->report().first_narrowed == no_cluster);
