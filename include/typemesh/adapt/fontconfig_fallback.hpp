@@ -184,7 +184,7 @@ private:
         if (language.substr(0, 7) == "zh-Hant") language = "zh-tw";
         if (language.substr(0, 7) == "zh-Hans") language = "zh-cn";
         if (language.size() >= sizeof out) language = {};
-        std::memcpy(out, language.data(), language.size());
+        language.copy(out, language.size());
         out[language.size()] = '\0';
     }
 
