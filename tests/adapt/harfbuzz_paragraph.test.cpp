@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -254,4 +255,110 @@ TEST_CASE("words with strokes are drawn as their text with U+0640, shaped afresh
         }
     }
     CHECK(strokes > 100);
+}
+
+namespace {
+
+/// Words of several scripts, marks, breaks and tabs between explicit directions, nested as deep as there are levels.
+/// Without U+202D: HarfBuzz takes the context of Arabic that is read to the right for that of its other side.
+std::u16string random_text(std::mt19937& random)
+{
+    static const std::u16string_view sorts[] = {u"abcAVTfiyo",
+                                                u"\u05D0\u05D1\u05D2\u05DC",
+                                                u"\u0628\u0644\u0627\u0645\u0651\u064E",
+                                                u"  \t\u00A0\u3000",
+                                                u"\u0915\u094D\u0937\u093F\u0930",
+                                                u"0129%-,.",
+                                                u"()[]\u201C",
+                                                u"\u0301\u0308a",
+                                                u"\u202A\u202B\u202E\u2066\u2067\u2068",
+                                                u"\u202C\u2069",
+                                                u"\n\r\u2028\u2029\u0085\u000B\u001D"};
+    std::u16string text;
+    const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random()) % n; };
+    if (below(4) == 0)
+        for (int k = 0; k < 130; ++k) text += sorts[8][below(6)];
+    for (std::size_t words = below(14); words > 0; --words) {
+        const std::u16string_view sort = sorts[below(below(3) == 0 ? 11 : 7)];
+        for (std::size_t k = 1 + below(5); k > 0; --k) text += sort[below(sort.size())];
+    }
+    return text;
+}
+
+paragraph_options random_options(std::mt19937& random)
+{
+    return {.width = 0.3 + static_cast<double>(random() % 900) / 60.0,
+            .wrap = static_cast<wrap_mode>(random() % 4),
+            .align = static_cast<line_alignment>(random() % 6),
+            .anchor = static_cast<vertical_anchor>(random() % 5),
+            .indent = static_cast<double>(random() % 5) / 2.0 - 1.0};
+}
+
+/// A caret's own point leads back to where it stands, and to its place and side where no other has that caret.
+void check_carets(const paragraph<harfbuzz_font>& words)
+{
+    struct place {
+        std::uint32_t unit;
+        affinity side;
+        caret at;
+    };
+    const laid_text laid = words.laid();
+    const auto size = static_cast<std::uint32_t>(words.shaped().text().size());
+    std::vector<place> all;
+    for (std::uint32_t unit = 0; unit <= size; ++unit)
+        if (unit == size || has(words.shaped().analysis.marks[unit], text_mark::grapheme))
+            for (const affinity side : {affinity::downstream, affinity::upstream})
+                all.push_back({unit, side, laid.caret_at(unit, side)});
+    const auto same_caret = [](const caret& a, const caret& b) {
+        return a.line == b.line && std::fabs(a.at.x - b.at.x) < 1e-9;
+    };
+    for (const place& one : all) {
+        const text_place found = laid.caret_from(one.at.at);
+        CHECK(same_caret(laid.caret_at(found.unit, found.side), one.at));
+        const auto others = std::count_if(all.begin(), all.end(), [&](const place& p) {
+            return same_caret(p.at, one.at) && (p.unit != one.unit || p.side != one.side);
+        });
+        if (others == 0) CHECK((found.unit == one.unit && found.side == one.side));
+    }
+}
+
+}  // namespace
+
+TEST_CASE("whatever text is laid out in whatever way, all of it is drawn once, as it is shaped, and carets lead back",
+          "[adapt][harfbuzz][paragraph]")
+{
+    std::vector<harfbuzz_font> fonts;
+    for (const char* name : {"truetype/dejavu/DejaVuSans.ttf", "opentype/fonts-hosny-amiri/Amiri-Regular.ttf",
+                             "truetype/lohit-devanagari/Lohit-Devanagari.ttf"}) {
+        auto font = harfbuzz_font::open(font_file(name).c_str());
+        REQUIRE(font);
+        fonts.push_back(std::move(*font));
+    }
+    std::mt19937 random{14};
+    std::uint8_t deepest = 0;
+    for (int times = 0; times < 50; ++times) {
+        INFO("text " << times);
+        harfbuzz_font& font = fonts[random() % fonts.size()];
+        const std::u16string text = random_text(random);
+        paragraph words{font};
+        glyph_run run;
+        shape_options how;
+        how.direction = static_cast<direction>(random() % 3);
+        REQUIRE_FALSE(words.set(text, how));
+        for (const std::uint8_t level : words.shaped().analysis.levels) deepest = std::max(deepest, level);
+        for (int layouts = 0; layouts < 2; ++layouts) {
+            REQUIRE_FALSE(words.lay_out(random_options(random), run));
+            std::uint32_t at = 0;
+            for (std::size_t k = 0; k < run.lines.size(); ++k) {
+                const laid_line& line = words.lines()[k];
+                CHECK(line.first == at);
+                at = line.last;
+                const auto glyphs = run.glyphs.view().subspan(run.lines[k].first_glyph, run.lines[k].glyph_count);
+                CHECK(glyphs_of(glyphs) == fresh(font, text, words.shaped().items(), line.first, line.last).first);
+            }
+            CHECK(at == text.size());
+            check_carets(words);
+        }
+    }
+    CHECK(deepest >= 124);
 }
