@@ -21,10 +21,10 @@ using namespace typemesh;
 
 namespace {
 
-const std::u16string office = u"AVATAR, To office flows. Wave ffi";
+const std::u16string coloured_office = u"AVATAR, To office flows. Wave ffi";
 const std::u16string bismi = u"\u0628\u0633\u0645 \u0627\u0644\u0644\u0647 \u0633\u0644\u0627\u0645 ab\u064B";
 
-harfbuzz_font opened(const char* name)
+harfbuzz_font styled_font(const char* name)
 {
     auto font = harfbuzz_font::open(font_file(name).c_str());
     REQUIRE(font);
@@ -50,10 +50,10 @@ TEST_CASE("kerning, ligatures and joined letters survive a change of colour", "[
         const char* font;
         const std::u16string& text;
     };
-    for (const sample& s : {sample{"truetype/dejavu/DejaVuSans.ttf", office},
+    for (const sample& s : {sample{"truetype/dejavu/DejaVuSans.ttf", coloured_office},
                             sample{"opentype/fonts-hosny-amiri/Amiri-Regular.ttf", bismi},
                             sample{"truetype/awami/AwamiNastaliq-Regular.ttf", bismi}}) {
-        harfbuzz_font font = opened(s.font);
+        harfbuzz_font font = styled_font(s.font);
         paragraph words{font};
         glyph_run plain, coloured;
         REQUIRE_FALSE(words.set(s.text));
@@ -75,7 +75,7 @@ TEST_CASE("kerning, ligatures and joined letters survive a change of colour", "[
 
 TEST_CASE("a recoloured letter is built once, and styles part the mesh", "[adapt][harfbuzz][styles]")
 {
-    harfbuzz_font font = opened("truetype/dejavu/DejaVuSans.ttf");
+    harfbuzz_font font = styled_font("truetype/dejavu/DejaVuSans.ttf");
     paragraph words{font};
     text_mesher mesher{font};
     const decoration both = decoration::underline | decoration::overline;
@@ -110,7 +110,7 @@ TEST_CASE("a recoloured letter is built once, and styles part the mesh", "[adapt
 
 TEST_CASE("decorated text is closed, and its bars are as wide as its letters' advances", "[adapt][harfbuzz][styles]")
 {
-    harfbuzz_font font = opened("truetype/liberation/LiberationSans-Regular.ttf");
+    harfbuzz_font font = styled_font("truetype/liberation/LiberationSans-Regular.ttf");
     paragraph words{font};
     text_mesher mesher{font};
     const style_span spans[] = {{2, 8, {.slant = 0.2, .decorations = decoration::underline}}};
@@ -154,7 +154,7 @@ TEST_CASE("decorated text is closed, and its bars are as wide as its letters' ad
 TEST_CASE("carets stand within ligatures where the font says, and lead back to their places",
           "[adapt][harfbuzz][styles][carets]")
 {
-    harfbuzz_font font = opened("opentype/fonts-hosny-amiri/Amiri-Regular.ttf");
+    harfbuzz_font font = styled_font("opentype/fonts-hosny-amiri/Amiri-Regular.ttf");
     paragraph words{font};
     glyph_run run;
     REQUIRE_FALSE(words.set("ffi"));
@@ -184,8 +184,8 @@ TEST_CASE("carets stand within ligatures where the font says, and lead back to t
 
 TEST_CASE("a span names its face, with that face's metrics and carets", "[adapt][harfbuzz][styles]")
 {
-    harfbuzz_font sans = opened("truetype/liberation/LiberationSans-Regular.ttf");
-    harfbuzz_font naskh = opened("opentype/fonts-hosny-amiri/Amiri-Regular.ttf");
+    harfbuzz_font sans = styled_font("truetype/liberation/LiberationSans-Regular.ttf");
+    harfbuzz_font naskh = styled_font("opentype/fonts-hosny-amiri/Amiri-Regular.ttf");
     font_cascade fonts{sans, naskh};
     paragraph words{fonts};
     const style_span spans[] = {{2, 5, {.face = 1, .decorations = decoration::underline}}};
@@ -207,7 +207,7 @@ TEST_CASE("a span names its face, with that face's metrics and carets", "[adapt]
 
 TEST_CASE("superscripts are of the size and at the height that the font names", "[adapt][harfbuzz][styles]")
 {
-    harfbuzz_font font = opened("truetype/liberation/LiberationSans-Regular.ttf");
+    harfbuzz_font font = styled_font("truetype/liberation/LiberationSans-Regular.ttf");
     paragraph words{font};
     const style_span spans[] = {{4, 5, {.position = script_position::superscript}}};
     REQUIRE_FALSE(words.set("E=mc2", {}, spans));

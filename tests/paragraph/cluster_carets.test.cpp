@@ -21,7 +21,7 @@ struct caret_font {
     }
 };
 
-std::vector<double> found(const cluster_carets& all, std::uint32_t cluster)
+std::vector<double> places_in(const cluster_carets& all, std::uint32_t cluster)
 {
     const auto places = all.of(cluster);
     return {places.begin(), places.end()};
@@ -36,15 +36,15 @@ TEST_CASE("a cluster's carets are its font's, scaled, from where its pen begins"
     const shaped_glyph two[] = {{.id = 0, .advance = 50.0}, {.id = 1, .advance = 300.0}};
     REQUIRE_FALSE(all.find(caret_font{}, one, {.cluster = 3, .count = 2}));
     REQUIRE_FALSE(all.find(caret_font{}, two, {.cluster = 7, .count = 1, .scale = 2.0}));
-    CHECK(found(all, 3) == std::vector<double>{110.0, 210.0});
-    CHECK(found(all, 7) == std::vector<double>{250.0});
-    for (const std::uint32_t other : {0u, 4u, 8u}) CHECK(found(all, other).empty());
+    CHECK(places_in(all, 3) == std::vector<double>{110.0, 210.0});
+    CHECK(places_in(all, 7) == std::vector<double>{250.0});
+    for (const std::uint32_t other : {0u, 4u, 8u}) CHECK(places_in(all, other).empty());
 
     all.truncate(7);
-    CHECK(found(all, 7).empty());
-    CHECK(found(all, 3).size() == 2);
+    CHECK(places_in(all, 7).empty());
+    CHECK(places_in(all, 3).size() == 2);
     all.clear();
-    CHECK(found(all, 3).empty());
+    CHECK(places_in(all, 3).empty());
 }
 
 TEST_CASE("carets that are too few, too many, out of order or outside are none", "[paragraph][carets]")
@@ -54,7 +54,7 @@ TEST_CASE("carets that are too few, too many, out of order or outside are none",
     const auto kept = [&](shaped_glyph g, std::uint32_t count, bool down = false) {
         const shaped_glyph glyphs[] = {g};
         REQUIRE_FALSE(all.find(caret_font{}, glyphs, {.cluster = ++cluster, .count = count, .down = down}));
-        return !found(all, cluster).empty();
+        return !places_in(all, cluster).empty();
     };
     CHECK(kept({.id = 2, .advance = 600.0}, 2));
     CHECK_FALSE(kept({.id = 2, .advance = 600.0}, 1));
@@ -73,6 +73,6 @@ TEST_CASE("carets without memory say so", "[paragraph][carets]")
         test::counting_memory failing{.fail_at = at};
         cluster_carets all{failing.source()};
         CHECK(all.find(caret_font{}, glyphs, {.cluster = 1, .count = 2}) == error::out_of_memory);
-        CHECK(found(all, 1).empty());
+        CHECK(places_in(all, 1).empty());
     }
 }

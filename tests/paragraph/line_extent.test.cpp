@@ -31,8 +31,8 @@ struct two_heights : test::toy_item_shaper {
 };
 
 template <class Font>
-std::vector<line_metrics> heights(Font& font, text_view text, const std::vector<style_span>& spans,
-                                  const paragraph_options& options = {})
+std::vector<line_metrics> line_heights(Font& font, text_view text, const std::vector<style_span>& spans,
+                                       const paragraph_options& options = {})
 {
     paragraph<Font> words{font};
     REQUIRE_FALSE(words.set(text, {}, spans));
@@ -54,28 +54,28 @@ TEST_CASE("a line is as high as its largest letters, or as the font says", "[par
 {
     test::toy_item_shaper font;
     const std::vector<style_span> large{{1, 2, {.size = 2.0}}, {6, 7, {.size = 0.5, .rise = 0.8}}};
-    const auto lines = heights(font, "abc\ndefg\nh", large);
+    const auto lines = line_heights(font, "abc\ndefg\nh", large);
     REQUIRE(lines.size() == 3);
     CHECK(reaches(lines[0], 1400.0, -400.0));
     CHECK(reaches(lines[1], 800.0 + 350.0, -200.0));
     CHECK(reaches(lines[2], 700.0, -200.0));
-    for (const line_metrics& m : heights(font, "abc\ndefg\nh", large, {.boxes = line_box::uniform}))
+    for (const line_metrics& m : line_heights(font, "abc\ndefg\nh", large, {.boxes = line_box::uniform}))
         CHECK(reaches(m, 700.0, -200.0));
-    const auto empty = heights(font, "a\n\nb", {{2, 3, {.size = 3.0}}});  // a line with nothing but its large end
+    const auto empty = line_heights(font, "a\n\nb", {{2, 3, {.size = 3.0}}});  // a line with nothing but its large end
     REQUIRE(empty.size() == 3);
     CHECK(reaches(empty[1], 2100.0, -600.0));
-    CHECK(reaches(heights(font, "", {})[0], 700.0, -200.0));
+    CHECK(reaches(line_heights(font, "", {})[0], 700.0, -200.0));
 }
 
 TEST_CASE("a line is as high as its faces", "[paragraph][styles]")
 {
     two_heights font;
-    const auto lines = heights(font, "ab\nAb\nA", {});
+    const auto lines = line_heights(font, "ab\nAb\nA", {});
     REQUIRE(lines.size() == 3);
     CHECK(reaches(lines[0], 700.0, -200.0));
     CHECK(reaches(lines[1], 900.0, -400.0));
     CHECK(reaches(lines[2], 900.0, -400.0));
-    CHECK(reaches(heights(font, "Ab", {}, {.boxes = line_box::uniform})[0], 700.0, -200.0));
+    CHECK(reaches(line_heights(font, "Ab", {}, {.boxes = line_box::uniform})[0], 700.0, -200.0));
 }
 
 TEST_CASE("baselines are as far apart as their lines ask for", "[paragraph][styles]")

@@ -17,7 +17,7 @@ using namespace typemesh;
 
 namespace {
 
-const std::u16string letters = u"AV fix, \u05D0\u05D1 12 \u05D2 and\n\ta\u0301b fi AVAV \u05D3\u05D4 of fi";
+const std::u16string styled_letters = u"AV fix, \u05D0\u05D1 12 \u05D2 and\n\ta\u0301b fi AVAV \u05D3\u05D4 of fi";
 
 /// Spans one behind the other, with gaps, some of which begin inside graphemes.
 std::vector<style_span> random_spans(std::mt19937& random, std::uint32_t size)
@@ -32,7 +32,7 @@ std::vector<style_span> random_spans(std::mt19937& random, std::uint32_t size)
     }
 }
 
-bool same_glyphs(const glyph_run& a, const glyph_run& b)
+bool same_styled_glyphs(const glyph_run& a, const glyph_run& b)
 {
     if (a.glyphs.size() != b.glyphs.size() || a.lines.size() != b.lines.size()) return false;
     for (std::size_t i = 0; i < a.glyphs.size(); ++i) {
@@ -44,7 +44,7 @@ bool same_glyphs(const glyph_run& a, const glyph_run& b)
     return true;
 }
 
-style_id style_of(const glyph_run& run, std::size_t glyph)
+style_id style_drawn(const glyph_run& run, std::size_t glyph)
 {
     return run.looks.empty() ? style_id{} : run.looks[run.glyphs[glyph].look].style;
 }
@@ -57,22 +57,22 @@ TEST_CASE("colours move nothing: glyphs and places are the same to the bit", "[p
     paragraph<test::toy_item_shaper> plain{font}, coloured{font};
     std::mt19937 random{3};
     for (int round = 0; round < 60; ++round) {
-        const auto spans = random_spans(random, static_cast<std::uint32_t>(letters.size()));
-        REQUIRE_FALSE(plain.set(letters));
+        const auto spans = random_spans(random, static_cast<std::uint32_t>(styled_letters.size()));
+        REQUIRE_FALSE(plain.set(styled_letters));
         const std::size_t calls = font.calls;
-        REQUIRE_FALSE(plain.set(letters));
+        REQUIRE_FALSE(plain.set(styled_letters));
         const std::size_t once = font.calls - calls;
-        REQUIRE_FALSE(coloured.set(letters, {}, spans));
+        REQUIRE_FALSE(coloured.set(styled_letters, {}, spans));
         CHECK(font.calls - calls == 2 * once);
         for (const double width : {2.0, 4.0, 1e3}) {
             glyph_run without, with;
             const paragraph_options options{.width = width, .align = line_alignment::justify};
             REQUIRE_FALSE(plain.lay_out(options, without));
             REQUIRE_FALSE(coloured.lay_out(options, with));
-            CHECK(same_glyphs(without, with));
+            CHECK(same_styled_glyphs(without, with));
             for (std::size_t i = 0; i < with.glyphs.size(); ++i) {  // by its first character's span
                 const style_spans& styles = coloured.shaped().styles;
-                CHECK(style_of(with, i) == styles[styles.number_at(with.glyphs[i].cluster)].style);
+                CHECK(style_drawn(with, i) == styles[styles.number_at(with.glyphs[i].cluster)].style);
             }
         }
     }
@@ -88,8 +88,8 @@ TEST_CASE("a ligature over two styles has its first character's", "[paragraph][s
     REQUIRE_FALSE(words.lay_out({}, run));
     REQUIRE(run.glyphs.size() == 2);
     CHECK(run.glyphs[1].id == 0xFB01);
-    CHECK(style_of(run, 0) == style_id{});
-    CHECK(style_of(run, 1) == style_id{7});
+    CHECK(style_drawn(run, 0) == style_id{});
+    CHECK(style_drawn(run, 1) == style_id{7});
 
     const style_span sizes[] = {{1, 2, {.size = 2.0}}};  // which shape it apart
     REQUIRE_FALSE(words.set("xfi", {}, sizes));
@@ -144,7 +144,7 @@ TEST_CASE("a styled text laid out again needs no memory", "[paragraph][styles]")
                                 {5, 20, {.letter_spacing = 0.1, .style = style_id{2}}}};
     for (int round = 0; round < 2; ++round) {
         if (round == 1) memory.requests = 0;
-        REQUIRE_FALSE(words.set(letters, {}, spans));
+        REQUIRE_FALSE(words.set(styled_letters, {}, spans));
         for (const double width : {2.0, 3.0, 7.0}) REQUIRE_FALSE(words.lay_out({.width = width}, run));
     }
     CHECK(memory.requests == 0);
@@ -157,19 +157,19 @@ TEST_CASE("a styled text whose memory fails is laid out as before once there is 
                                 {5, 9, {.position = script_position::superscript, .style = style_id{2}}}};
     paragraph<test::toy_item_shaper> fresh{font};
     glyph_run wanted;
-    REQUIRE_FALSE(fresh.set(letters, {}, spans));
+    REQUIRE_FALSE(fresh.set(styled_letters, {}, spans));
     REQUIRE_FALSE(fresh.lay_out({.width = 3.0}, wanted));
     bool failed = true;
     for (std::size_t at = 1; failed; ++at) {
         test::counting_memory failing{.fail_at = at, .fail_once = true};
         paragraph<test::toy_item_shaper> words{font, failing.source()};
         glyph_run run{failing.source()};
-        error e = words.set(letters, {}, spans);
+        error e = words.set(styled_letters, {}, spans);
         if (!e) e = words.lay_out({.width = 3.0}, run);
         failed = static_cast<bool>(e);
         if (failed) CHECK(e == error::out_of_memory);
-        REQUIRE_FALSE(words.set(letters, {}, spans));
+        REQUIRE_FALSE(words.set(styled_letters, {}, spans));
         REQUIRE_FALSE(words.lay_out({.width = 3.0}, run));
-        CHECK(same_glyphs(run, wanted));
+        CHECK(same_styled_glyphs(run, wanted));
     }
 }
