@@ -23,6 +23,35 @@ TEST_CASE("glyphs of a slice stand one behind the other, whichever way it is rea
     CHECK(run.glyphs[2].cluster == 3);
 }
 
+TEST_CASE("glyphs that follow each other are written as cluster by cluster", "[paragraph]")
+{
+    shaped_paragraph p{u"AV fi \u05D0\u05D1a\u0301 12 \u05D2\tb\x7F "};
+    const auto& words = p.pieces.words();
+    for (const double stretch : {0.0, 50.0})
+        for (const std::uint8_t level : {std::uint8_t{0}, std::uint8_t{1}}) {
+            line_slices line;
+            REQUIRE_FALSE(line.add(p.pieces, words, 0, words.pieces.size(), p.shaped, p.font));
+            REQUIRE(line.finish(p.shaped, level, 0.0, {}));
+            line.slices()[0].stretch = stretch;
+            line.find_glyphs(p.shaped);
+            CHECK(line.slices()[0].together == is_zero(stretch));
+            std::size_t together = 0;
+            for (line_slice s : line.slices()) {
+                glyph_run fast, slow;
+                together += s.together ? 1u : 0u;
+                REQUIRE_FALSE(line_writer{p.shaped, fast}.write(s, {3.0, 4.0}, 7.0));
+                s.together = false;
+                REQUIRE_FALSE(line_writer{p.shaped, slow}.write(s, {3.0, 4.0}, 7.0));
+                REQUIRE(fast.glyphs.size() == slow.glyphs.size());
+                for (std::size_t i = 0; i < fast.glyphs.size(); ++i) {
+                    CHECK(fast.glyphs[i].cluster == slow.glyphs[i].cluster);
+                    CHECK(fast.glyphs[i].origin == slow.glyphs[i].origin);
+                }
+            }
+            CHECK(together > 3);
+        }
+}
+
 TEST_CASE("stretched spaces move what follows them", "[paragraph]")
 {
     shaped_paragraph p{"a b c"};

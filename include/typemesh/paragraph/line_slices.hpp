@@ -17,6 +17,10 @@ struct line_slice {
     std::uint32_t first = 0;  ///< clusters of the shaped text
     std::uint32_t last = 0;
     std::uint8_t level = 0;
+    bool together = false;  ///< its glyphs follow each other in drawing order: those below
+    std::uint32_t item = 0;
+    std::uint32_t glyph = 0;
+    std::uint32_t glyph_end = 0;
     double width = 0.0;
     double lead = 0.0;     ///< where its pen starts, from the place of the slice
     double stretch = 0.0;  ///< by which each of its spaces is wider
@@ -144,6 +148,23 @@ public:
             s.width += s.stretch * static_cast<double>(count_spaces(shaped, s));
         }
         return gap;
+    }
+
+    /// Finds the glyphs of slices whose glyphs follow each other, for a writer to find them without the clusters, which
+    /// may have left the processor's cache by then. Stretched slices are written cluster by cluster.
+    void find_glyphs(const shaped_text& shaped) noexcept
+    {
+        for (line_slice& s : slices_) {
+            const bool back = s.level % 2 != 0;
+            const text_cluster& low = shaped.cluster(back ? s.last - 1 : s.first);
+            const text_cluster& high = shaped.cluster(back ? s.first : s.last - 1);
+            const bool reversed = low.glyph > high.glyph;  // a hyphen ends what is read back
+            s.item = low.item;
+            s.together =
+                !reversed && back == shaped.items()[s.item].to_the_left() && is_zero(s.stretch) && is_zero(s.spread);
+            s.glyph = low.glyph;
+            s.glyph_end = high.glyph + high.glyph_count;
+        }
     }
 
     /// Takes over slices that someone has made of these, and how many of them are visible.

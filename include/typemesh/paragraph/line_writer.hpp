@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -25,14 +26,9 @@ public:
     error write(const line_slice& slice, point origin, double pen) noexcept
     {
         pen += slice.lead;
+        if (slice.together) return append(slice.item, slice.glyph, slice.glyph_end, origin, pen);
         const bool back = slice.level % 2 != 0;
         const std::uint32_t item = shaped_.cluster(slice.first).item;
-        const text_cluster& low = shaped_.cluster(back ? slice.last - 1 : slice.first);
-        const text_cluster& high = shaped_.cluster(back ? slice.first : slice.last - 1);
-        const bool whole = back == shaped_.items()[item].to_the_left() &&
-                           low.glyph <= high.glyph;  // else a hyphen ends what is read back
-        if (whole && is_zero(slice.stretch) && is_zero(slice.spread))
-            return append(item, low.glyph, high.glyph + high.glyph_count, origin, pen);
         for (std::uint32_t k = slice.first; k < slice.last; ++k) {
             const text_cluster& c = shaped_.cluster(back ? slice.last - 1 - (k - slice.first) : k);
             const double spread = !is_zero(slice.spread) && shaped_.may_be_spaced(c) ? slice.spread : 0.0;
@@ -45,13 +41,25 @@ public:
     }
 
 private:
-    /// What glyphs are drawn with that stand one after the other.
+    /// What glyphs are drawn with that stand one after the other: those of an item, a face and a range of the text.
     struct drawn_with {
-        std::uint32_t item = 0, style = 0, look = 0;
+        std::uint32_t item = 0, look = 0;
         std::uint16_t face = 0;
+        text_range text = {};  // empty: nothing is known yet
         double rise = 0.0;
         glyph_flags stands = glyph_flags::none;
-        bool known = false;
+
+        [[nodiscard]] bool holds(const shaped_glyph& g) const noexcept
+        {
+            return g.face == face && g.cluster >= text.first && g.cluster < text.last && stand_of(g) == stands;
+        }
+        /// How a glyph stands in a column.
+        [[nodiscard]] static glyph_flags stand_of(const shaped_glyph& g) noexcept
+        {
+            return has(g.flags, glyph_flags::sideways)   ? glyph_flags::sideways
+                   : has(g.flags, glyph_flags::combined) ? glyph_flags::combined
+                                                         : glyph_flags::none;
+        }
     };
 
     error append(std::uint32_t item, std::uint32_t first, std::uint32_t last, point origin, double pen) noexcept
@@ -59,43 +67,48 @@ private:
         if (first == last) return {};
         placed_glyph* out = run_.glyphs.append(last - first);
         if (out == nullptr) return error::out_of_memory;
-        const shaped_glyph* glyphs = shaped_.glyphs();
-        for (std::uint32_t i = first; i < last; ++i, ++out) {
-            const shaped_glyph& g = glyphs[i];
-            const bool missing = has(g.flags, glyph_flags::missing);
-            if (error e = find_look(item, g)) return e;
-            const point at =
-                down_ ? point{origin.x + now_.rise, origin.y - pen} : point{origin.x + pen, origin.y + now_.rise};
-            *out = {g.id, g.cluster, at + g.offset, missing, now_.look};
-            pen += g.advance;
-            if (missing) run_.note_missing(g.cluster);
+        for (std::uint32_t i = first; i < last;) {
+            if (error e = find_look(item, shaped_.glyph(i))) return e;
+            const point base = origin + (down_ ? point{now_.rise, 0.0} : point{0.0, now_.rise});
+            i += write_alike({shaped_.glyphs() + i, last - i}, base, pen, out + (i - first));
         }
         return {};
+    }
+
+    /// Writes glyphs up to the first that is drawn otherwise, and moves the pen. Returns how many.
+    std::uint32_t write_alike(std::span<const shaped_glyph> glyphs, point base, double& pen, placed_glyph* out) noexcept
+    {
+        const drawn_with now = now_;
+        const bool down = down_;
+        double along = pen;
+        std::uint32_t n = 0;
+        for (; n < glyphs.size() && now.holds(glyphs[n]); ++n) {
+            const shaped_glyph& g = glyphs[n];
+            const bool missing = has(g.flags, glyph_flags::missing);
+            const point at = down ? point{base.x, base.y - along} : point{base.x + along, base.y};
+            out[n] = {g.id, g.cluster, at + g.offset, missing, now.look};
+            along += g.advance;
+            if (missing) run_.note_missing(g.cluster);
+        }
+        pen = along;
+        return n;
     }
 
     /// Finds what a glyph is drawn with: mostly the same as the one before.
     error find_look(std::uint32_t item, const shaped_glyph& g) noexcept
     {
-        const std::uint32_t style = shaped_.styles.number_at(g.cluster);
-        const glyph_flags stands = has(g.flags, glyph_flags::sideways)   ? glyph_flags::sideways
-                                   : has(g.flags, glyph_flags::combined) ? glyph_flags::combined
-                                                                         : glyph_flags::none;
-        if (now_.known && now_.item == item && now_.style == style && now_.face == g.face && now_.stands == stands)
-            return {};
+        if (now_.item == item && now_.holds(g)) return {};
         const item_setting set = shaped_.setting_of(item);
-        const text_style& painted = shaped_.styles[style];
-        now_ = {.item = item,
-                .style = style,
-                .face = g.face,
-                .rise = set.lift + painted.rise * shaped_.units_per_em(),
-                .stands = stands};
+        const text_style& painted = shaped_.styles[shaped_.styles.number_at(g.cluster)];
+        const double rise = set.lift + painted.rise * shaped_.units_per_em();
         const look drawn = look_of(shaped_.items()[item], set, painted, g);
+        std::uint32_t number = 0;
         if (!run_.looks.empty() || !(drawn == look{})) {
-            const auto number = run_.number_of(drawn);
-            if (!number) return number.error();
-            now_.look = *number;
+            const auto found = run_.number_of(drawn);
+            if (!found) return found.error();
+            number = *found;
         }
-        now_.known = true;
+        now_ = {item, number, g.face, shaped_.styles.range_at(g.cluster), rise, drawn_with::stand_of(g)};
         return {};
     }
 

@@ -320,6 +320,7 @@ private:
         double at = laid.left;
         if (level % 2 != 0)
             for (const line_slice& s : slices_.slices().subspan(slices_.visible())) at -= s.width;
+        slices_.find_glyphs(shaped_);
         order_visually(slices_.slices());
         for (line_slice& s : slices_.slices()) {
             s.at = at;

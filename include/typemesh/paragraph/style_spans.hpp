@@ -75,6 +75,16 @@ public:
             first_where(0, spans_.size(), [&](std::size_t i) noexcept { return spans_[i].last > unit; });
         return k < spans_.size() && spans_[k].first <= unit ? static_cast<std::uint32_t>(k + 1) : 0;
     }
+    /// The range of units round one that have its style. Cost: O(log spans)
+    [[nodiscard]] text_range range_at(std::uint32_t unit) const noexcept
+    {
+        const std::size_t k =
+            first_where(0, spans_.size(), [&](std::size_t i) noexcept { return spans_[i].last > unit; });
+        const std::uint32_t before = k == 0 ? 0 : spans_[k - 1].last;
+        if (k == spans_.size()) return {before, no_cluster};
+        return spans_[k].first <= unit ? text_range{spans_[k].first, spans_[k].last}
+                                       : text_range{before, spans_[k].first};
+    }
     /// The style of a number.
     [[nodiscard]] const text_style& operator[](std::uint32_t number) const noexcept
     {
