@@ -130,6 +130,13 @@ void add_text_options(CLI::App& app, options& out, raw_values& raw)
     add_named<direction>(
         app, "--direction", out.direction, "found from the text by default",
         {{"ltr", direction::left_to_right}, {"rtl", direction::right_to_left}, {"ttb", direction::top_to_bottom}});
+    add_named<column_latin>(app, "--latin", out.columns.latin, "how Latin stands in columns (default sideways)",
+                            {{"sideways", column_latin::sideways}, {"upright", column_latin::upright}});
+    add_number(
+        app, "--combine-digits", "in columns: numbers of so many digits or fewer take the room of one character",
+        "a whole number from 0 to 255", [](double n) { return n >= 0.0 && n <= 255.0 && n == std::floor(n); },
+        [&out](double n) { out.columns.combined_digits = static_cast<std::uint8_t>(n); })
+        ->type_name("N");
     add_named<line_alignment>(app, "--align", out.lines.align, "lines against each other, or in --width (default left)",
                               {{"left", line_alignment::left},
                                {"center", line_alignment::centre},

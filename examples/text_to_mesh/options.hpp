@@ -52,6 +52,7 @@ struct options {
     std::vector<typemesh::feature> features;
     std::string language, script;
     typemesh::direction direction = typemesh::direction::automatic;
+    typemesh::column_options columns;
     typemesh::alignment align = typemesh::alignment::left;
     double letter_spacing = 0.0;  ///< em; by default as much as letters have become wider
     double line_spacing = 1.0;    ///< times the font's own

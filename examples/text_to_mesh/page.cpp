@@ -14,8 +14,11 @@ std::string lay_out_page(const options& o, font_set& font, typemesh::glyph_run& 
 {
     if (!o.page) return {};
     typemesh::paragraph words{font};
-    const typemesh::shape_options how{
-        .direction = o.direction, .language = o.language, .script = o.script, .features = o.features};
+    const typemesh::shape_options how{.direction = o.direction,
+                                      .language = o.language,
+                                      .script = o.script,
+                                      .features = o.features,
+                                      .columns = o.columns};
     typemesh::paragraph_options lines = o.lines;
     lines.ellipsis = o.ellipsis;
     typemesh::error e = words.set(o.text, how, spans_of(o.styles, o.text), o.letter_spacing);

@@ -44,6 +44,10 @@ bool take_word(std::string_view word, text_style& style)
     if (word == "overline") return style.decorations = style.decorations | decoration::overline, true;
     if (word == "superscript") return style.position = script_position::superscript, true;
     if (word == "subscript") return style.position = script_position::subscript, true;
+    using typemesh::column_style;
+    if (word == "upright") return style.column = column_style::upright, true;
+    if (word == "sideways") return style.column = column_style::sideways, true;
+    if (word == "combined") return style.column = column_style::combined, true;
     return false;
 }
 

@@ -52,7 +52,7 @@ for key in glyphs refused missing contour_points hard_edges vertices triangles s
 done
 for option in "--quality low" "--quality best" "--tolerance 0.01" "--discretiser two_lines" "--discretiser adaptive" \
     "--triangulator monotone" "--triangulator delaunay" "--normals cap" "--normals shared" "--normals averaged" "--normals creased --crease 40" "--normals curve" "--depth 0" \
-    "--depth 1.5" "--fill evenodd" "--fill nonzero" "--uv em" "--uv box" "--strict" "--direction ttb" "--align right"; do
+    "--depth 1.5" "--fill evenodd" "--fill nonzero" "--uv em" "--uv box" "--strict" "--direction ttb" "--direction ttb --latin upright" "--direction ttb --combine-digits 2" "--align right"; do
     # shellcheck disable=SC2086  # words
     expect 0 "" "Ego" --font $sans $option --output option.glb
 done
