@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/adapt/directwrite_analysis.hpp>
 #include <typemesh/adapt/directwrite_clusters.hpp>
 #include <typemesh/adapt/directwrite_com.hpp>
 #include <typemesh/core/buffer.hpp>
@@ -70,82 +71,23 @@ private:
         UINT8 level;
     };
 
-    /// The source that DirectWrite's analyser reads the line from.
-    class analysis_source final : public stack_object<IDWriteTextAnalysisSource> {
-    public:
-        analysis_source(std::span<const wchar_t> text, const wchar_t* language, bool to_the_left) noexcept
-            : text_{text}, language_{language}, to_the_left_{to_the_left}
-        {
-        }
-        HRESULT STDMETHODCALLTYPE GetTextAtPosition(UINT32 at, const WCHAR** text, UINT32* count) noexcept override
-        {
-            const bool inside = at < text_.size();
-            *text = inside ? text_.data() + at : nullptr;
-            *count = inside ? static_cast<UINT32>(text_.size()) - at : 0;
-            return S_OK;
-        }
-        HRESULT STDMETHODCALLTYPE GetTextBeforePosition(UINT32 at, const WCHAR** text, UINT32* count) noexcept override
-        {
-            const bool inside = at > 0 && at <= text_.size();
-            *text = inside ? text_.data() : nullptr;
-            *count = inside ? at : 0;
-            return S_OK;
-        }
-        DWRITE_READING_DIRECTION STDMETHODCALLTYPE GetParagraphReadingDirection() noexcept override
-        {
-            return to_the_left_ ? DWRITE_READING_DIRECTION_RIGHT_TO_LEFT : DWRITE_READING_DIRECTION_LEFT_TO_RIGHT;
-        }
-        HRESULT STDMETHODCALLTYPE GetLocaleName(UINT32 at, UINT32* count, const WCHAR** name) noexcept override
-        {
-            *name = language_;
-            *count = at < text_.size() ? static_cast<UINT32>(text_.size()) - at : 0;
-            return S_OK;
-        }
-        HRESULT STDMETHODCALLTYPE GetNumberSubstitution(UINT32 at, UINT32* count,
-                                                        IDWriteNumberSubstitution** how) noexcept override
-        {
-            *how = nullptr;
-            *count = at < text_.size() ? static_cast<UINT32>(text_.size()) - at : 0;
-            return S_OK;
-        }
-
-    private:
-        std::span<const wchar_t> text_;
-        const wchar_t* language_;
-        bool to_the_left_;
-    };
-
     /// The sink that it writes its results to.
-    class analysis_sink final : public stack_object<IDWriteTextAnalysisSink> {
+    class analysis_sink final : public directwrite_sink {
     public:
         explicit analysis_sink(std::span<unit_analysis> units) noexcept : units_{units} {}
         HRESULT STDMETHODCALLTYPE SetScriptAnalysis(UINT32 at, UINT32 count,
                                                     const DWRITE_SCRIPT_ANALYSIS* script) noexcept override
         {
-            for (unit_analysis& u : clipped(at, count)) u.script = *script;
+            for (unit_analysis& u : clipped(units_, at, count)) u.script = *script;
             return S_OK;
         }
         HRESULT STDMETHODCALLTYPE SetBidiLevel(UINT32 at, UINT32 count, UINT8, UINT8 level) noexcept override
         {
-            for (unit_analysis& u : clipped(at, count)) u.level = level;
-            return S_OK;
-        }
-        HRESULT STDMETHODCALLTYPE SetLineBreakpoints(UINT32, UINT32, const DWRITE_LINE_BREAKPOINT*) noexcept override
-        {
-            return S_OK;
-        }
-        HRESULT STDMETHODCALLTYPE SetNumberSubstitution(UINT32, UINT32, IDWriteNumberSubstitution*) noexcept override
-        {
+            for (unit_analysis& u : clipped(units_, at, count)) u.level = level;
             return S_OK;
         }
 
     private:
-        [[nodiscard]] std::span<unit_analysis> clipped(UINT32 at, UINT32 count) const noexcept
-        {
-            if (at >= units_.size()) return {};
-            const std::size_t left = units_.size() - at;
-            return units_.subspan(at, count < left ? count : left);
-        }
         std::span<unit_analysis> units_;
     };
 
@@ -224,7 +166,7 @@ private:
 
         const bool to_the_left = options.direction == direction::right_to_left ||
                                  (options.direction == direction::automatic && to_the_left_);
-        analysis_source source{text_.view(), language_, to_the_left};
+        directwrite_source source{text_.view(), language_, to_the_left};
         analysis_sink sink{analysis_.view()};
         if (error e = directwrite_error(analyser_->AnalyzeScript(&source, 0, count, &sink))) return e;
         if (options.direction != direction::top_to_bottom)

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/adapt/directwrite_analysis.hpp>
+#include <typemesh/adapt/directwrite_com.hpp>
+#include <typemesh/core/assert.hpp>
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/unicode/script.hpp>
+#include <typemesh/unicode/unicode_analyser.hpp>
+#include <typemesh/unicode/utf.hpp>
+
+#include <dwrite.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// unicode_analyser, with DirectWrite's line breaks within Thai, Lao, Khmer and Burmese: lines may end between their
+/// words, too. Everything else is the same on every machine, whatever Windows is installed.
+///
+/// A script of which this DirectWrite does not know the words stays in text_analysis::unbroken. It is asked in the
+/// script's own language; analysis_options::language is not read. One analyser is used by one thread at a time.
+///
+/// Fails besides  error::font_library_failed (count = the HRESULT), where a text needs DirectWrite; the next call asks
+///                again
+class directwrite_analyser {
+public:
+    /// Creates DirectWrite's analyser when a text first needs it.
+    explicit directwrite_analyser(memory source = heap()) noexcept
+        : unicode_{source}, text_{source}, places_{source}, conditions_{source}
+    {
+    }
+    /// Asks the caller's analyser, and holds a reference to it.
+    explicit directwrite_analyser(IDWriteTextAnalyzer* callers, memory source = heap()) noexcept
+        : directwrite_analyser{source}
+    {
+        TYPEMESH_ASSERT(callers != nullptr, "a directwrite_analyser was made of a null IDWriteTextAnalyzer*");
+        words_ = detail::com_ptr<IDWriteTextAnalyzer>::share(callers);
+    }
+
+    error analyse(text_view text, const analysis_options& how, text_analysis& found) noexcept
+    {
+        if (error e = unicode_.analyse(text, how, found)) return e;
+        if (found.unbroken.empty()) return {};
+        const error e = mark_words(text, found);
+        if (e) found.clear();
+        return e;
+    }
+
+private:
+    /// A script that DirectWrite may know, in a language of its own. Of two common words, the second begins at the unit
+    /// `second`; what is before it belongs to the first, but is a grapheme of its own.
+    struct script {
+        std::uint32_t tag;
+        const wchar_t* language;
+        std::u16string_view words;
+        std::uint32_t second;
+    };
+
+    static constexpr std::size_t count = 4;
+
+    /// The Thai language, the Lao language, there is water, the people of the world.
+    static constexpr script scripts[count] = {
+        {script_tag("Thai"), L"th", u"\u0E20\u0E32\u0E29\u0E32\u0E44\u0E17\u0E22", 4},
+        {script_tag("Laoo"), L"lo", u"\u0E9E\u0EB2\u0EAA\u0EB2\u0EA5\u0EB2\u0EA7", 4},
+        {script_tag("Khmr"), L"km", u"\u1798\u17B6\u1793\u1791\u17B9\u1780", 3},
+        {script_tag("Mymr"), L"my", u"\u1000\u1019\u1039\u1018\u102C\u101C\u1030\u101E\u102C\u1038", 5},
+    };
+
+    /// Keeps what DirectWrite says of each unit: nothing is DWRITE_BREAK_CONDITION_NEUTRAL.
+    class break_sink final : public detail::directwrite_sink {
+    public:
+        explicit break_sink(std::span<DWRITE_LINE_BREAKPOINT> units) noexcept : units_{units} {}
+        HRESULT STDMETHODCALLTYPE SetLineBreakpoints(UINT32 at, UINT32 length,
+                                                     const DWRITE_LINE_BREAKPOINT* said) noexcept override
+        {
+            for (DWRITE_LINE_BREAKPOINT& unit : clipped(units_, at, length)) unit = *said++;
+            return S_OK;
+        }
+
+    private:
+        std::span<DWRITE_LINE_BREAKPOINT> units_;
+    };
+
+    /// Marks where lines may end within what is unbroken, and leaves there what DirectWrite does not know.
+    error mark_words(text_view text, text_analysis& found) noexcept
+    {
+        if (error e = open()) return e;
+        std::size_t left = 0;
+        for (const text_range& range : found.unbroken) {
+            const std::uint32_t tag = script_set::of(decode(text, range.first).value).tag();
+            std::size_t k = 0;
+            while (k < count && scripts[k].tag != tag) ++k;
+            if (k == count || !known_[k]) {
+                found.unbroken[left++] = range;
+                continue;
+            }
+            if (error e = find_breaks(text, range, scripts[k].language)) return e;
+            for (std::size_t i = 1; i < text_.size(); ++i) {
+                text_mark& mark = found.marks[places_[i]];
+                if (breaks_before(i) && has(mark, text_mark::grapheme)) mark = mark | text_mark::may_break;
+            }
+        }
+        found.unbroken.truncate(left);
+        return {};
+    }
+
+    /// Creates the analyser, and finds out of which scripts it knows words: one without dictionaries finds no breaks,
+    /// or, which is no better, one at every grapheme.
+    error open() noexcept
+    {
+        if (opened_ && words_) return {};  // an analyser moved from has none
+        if (!words_) {
+            detail::com_ptr<IDWriteFactory> factory;
+            IUnknown* made = nullptr;
+            if (error e =
+                    directwrite_error(DWriteCreateFactory(DWRITE_FACTORY_TYPE_SHARED, __uuidof(IDWriteFactory), &made)))
+                return e;
+            *factory.put() = static_cast<IDWriteFactory*>(made);
+            if (error e = directwrite_error(factory->CreateTextAnalyzer(words_.put()))) return e;
+        }
+        for (std::size_t k = 0; k < count; ++k) {
+            const script& s = scripts[k];
+            if (error e = find_breaks(s.words, {0, static_cast<std::uint32_t>(s.words.size())}, s.language)) return e;
+            known_[k] = breaks_before(s.second) && !breaks_before(s.second - 1);
+        }
+        opened_ = true;
+        return {};
+    }
+
+    /// Asks DirectWrite about a range, for breaks_before(), whose units count from the range's own begin: one for each
+    /// character, as the four scripts lie below U+10000.
+    error find_breaks(text_view text, text_range range, const wchar_t* language) noexcept
+    {
+        text_.clear();
+        places_.clear();
+        conditions_.clear();
+        for (std::size_t i = range.first; i < range.last;) {
+            const code_point c = decode(text, i, range.last);
+            if (!text_.push_back(static_cast<wchar_t>(c.value)) || !places_.push_back(static_cast<std::uint32_t>(i)))
+                return error::out_of_memory;
+            i = c.next;
+        }
+        DWRITE_LINE_BREAKPOINT* conditions = conditions_.append(text_.size());
+        if (conditions == nullptr) return error::out_of_memory;
+        for (std::size_t i = 0; i < text_.size(); ++i) conditions[i] = {};
+        detail::directwrite_source source{text_.view(), language, false};
+        break_sink sink{conditions_.view()};
+        const auto length = static_cast<UINT32>(text_.size());
+        return directwrite_error(words_->AnalyzeLineBreakpoints(&source, 0, length, &sink));
+    }
+
+    /// Whether a line may end before a unit, not the first: one side says so, and the other does not forbid it.
+    [[nodiscard]] bool breaks_before(std::size_t i) const noexcept
+    {
+        const int after = conditions_[i - 1].breakConditionAfter, before = conditions_[i].breakConditionBefore;
+        const auto allows = [](int c) noexcept {
+            return c == DWRITE_BREAK_CONDITION_CAN_BREAK || c == DWRITE_BREAK_CONDITION_MUST_BREAK;
+        };
+        const auto forbids = [](int c) noexcept { return c == DWRITE_BREAK_CONDITION_MAY_NOT_BREAK; };
+        return (allows(after) && !forbids(before)) || (allows(before) && !forbids(after));
+    }
+
+    unicode_analyser unicode_;
+    detail::com_ptr<IDWriteTextAnalyzer> words_;
+    bool opened_ = false;
+    bool known_[count] = {};
+    buffer<wchar_t> text_;
+    buffer<std::uint32_t> places_;  // of each unit, in the caller's text
+    buffer<DWRITE_LINE_BREAKPOINT> conditions_;
+};
+static_assert(text_analyser<directwrite_analyser>);
+
+}  // namespace typemesh::inline TYPEMESH_ABI
