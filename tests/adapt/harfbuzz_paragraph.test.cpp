@@ -61,9 +61,9 @@ std::vector<drawn> glyphs_of(const Glyphs& glyphs)
     return all;
 }
 
-/// The glyphs of text[first, last), its items shaped afresh, and how far they take the pen.
+/// The glyphs of text[first, last), its items shaped afresh, and how far those before text[visible] take the pen.
 std::pair<std::vector<drawn>, double> fresh(harfbuzz_font& font, text_view text, std::span<const text_item> items,
-                                            std::uint32_t first, std::uint32_t last)
+                                            std::uint32_t first, std::uint32_t last, std::uint32_t visible)
 {
     buffer<shaped_glyph> glyphs;
     for (text_item item : items) {
@@ -73,7 +73,7 @@ std::pair<std::vector<drawn>, double> fresh(harfbuzz_font& font, text_view text,
         REQUIRE_FALSE(font.shape_item(text, item, {}, glyphs));
     }
     double advance = 0.0;
-    for (const shaped_glyph& g : glyphs) advance += g.advance;
+    for (const shaped_glyph& g : glyphs) advance += g.cluster < visible ? g.advance : 0.0;
     return {glyphs_of(glyphs.view()), advance};
 }
 
@@ -102,10 +102,11 @@ TEST_CASE("every line holds the glyphs of its text shaped afresh, at any width a
             REQUIRE((line.last > at || text.empty()));
             at = line.last;
             const auto glyphs = run.glyphs.view().subspan(run.lines[k].first_glyph, run.lines[k].glyph_count);
-            const auto [expected, advance] = fresh(*font, text, words.shaped().items(), line.first, line.last);
+            std::uint32_t visible = line.last;  // without the white space that hangs
+            while (visible > line.first && has(words.shaped().analysis.marks[visible - 1], text_mark::space)) --visible;
+            const auto [expected, advance] = fresh(*font, text, words.shaped().items(), line.first, line.last, visible);
             CHECK(glyphs_of(glyphs) == expected);
-            CHECK(run.lines[k].advance <= advance + 1e-6);
-            if (line.last == text.size()) CHECK(std::fabs(run.lines[k].advance - advance) < 1e-6);
+            CHECK(std::fabs(run.lines[k].advance - advance) < 1e-6);
             if (wrap == wrap_mode::word_or_grapheme && width > 1.5) {
                 // Only one grapheme may be wider than there is room. (In less room lines have no place that is safe.)
                 std::size_t graphemes = 0;
@@ -141,7 +142,7 @@ TEST_CASE("lines of both directions are drawn as UAX #9 orders them", "[adapt][h
     CHECK(clusters(u"\u05D0 12 \u05D1", direction::automatic) == order{5, 4, 2, 3, 1, 0});
     CHECK(clusters(u"\u05D0 ab", direction::left_to_right) == order{0, 1, 2, 3});
     CHECK(clusters(u"ab \u05D0", direction::right_to_left) == order{3, 2, 0, 1});
-    CHECK(clusters(u"\u202E12\u202C", direction::automatic).size() == 4);
+    CHECK(clusters(u"a\u202E12\u202Cb", direction::automatic) == order{0, 1, 4, 3, 2, 5});
     CHECK(clusters(u"\u05D0\t12 3\t\u05D1", direction::automatic) == order{7, 5, 4, 2, 3, 0});
 }
 
@@ -354,7 +355,8 @@ TEST_CASE("whatever text is laid out in whatever way, all of it is drawn once, a
                 CHECK(line.first == at);
                 at = line.last;
                 const auto glyphs = run.glyphs.view().subspan(run.lines[k].first_glyph, run.lines[k].glyph_count);
-                CHECK(glyphs_of(glyphs) == fresh(font, text, words.shaped().items(), line.first, line.last).first);
+                CHECK(glyphs_of(glyphs) ==
+                      fresh(font, text, words.shaped().items(), line.first, line.last, line.last).first);
             }
             CHECK(at == text.size());
             check_carets(words);

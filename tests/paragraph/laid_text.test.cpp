@@ -98,6 +98,7 @@ TEST_CASE("behind a line break a caret stands in the next line", "[paragraph]")
 
 TEST_CASE("a caret's own point leads back to it", "[paragraph]")
 {
+    std::size_t alone = 0;  // places that no other caret has
     for (const double width : {100.0, 5.0, 2.0, 0.6})
         for (const line_alignment align : {line_alignment::start, line_alignment::justify, line_alignment::centre}) {
             const laid_out p{mixed, {.width = width, .align = align}};
@@ -119,12 +120,17 @@ TEST_CASE("a caret's own point leads back to it", "[paragraph]")
             for (const place& one : all) {
                 const text_place found = laid.caret_from(one.at.at);
                 CHECK(same_place(laid.caret_at(found.unit, found.side), one.at));
-                std::size_t units = 0;
-                for (const place& other : all)
+                std::size_t units = 0, places = 0;
+                for (const place& other : all) {
                     units += same_place(other.at, one.at) && other.unit != one.unit ? 1u : 0u;
+                    places += same_place(other.at, one.at) ? 1u : 0u;
+                }
                 if (units == 0) CHECK(found.unit == one.unit);
+                if (places == 1) CHECK((found.unit == one.unit && found.side == one.side));
+                alone += places == 1 ? 1u : 0u;
             }
         }
+    CHECK(alone > 50);
 }
 
 TEST_CASE("a point is nearest to one side of a grapheme, and in a line or not", "[paragraph]")

@@ -94,7 +94,11 @@ TEST_CASE("every cluster is drawn exactly once, at any width and way of wrapping
             CHECK(at == mixed.size());
             CHECK(glyph == p.run.glyphs.size());
             std::map<cluster_id, int> times;
-            for (const placed_glyph& g : p.run.glyphs) times[g.cluster] |= 1;
+            std::map<std::pair<cluster_id, glyph_id>, int> each;  // a letter's marks are of its cluster
+            for (const placed_glyph& g : p.run.glyphs) {
+                ++times[g.cluster];
+                CHECK(++each[{g.cluster, g.id}] == 1);
+            }
             for (const auto& [cluster, unused] : shaped) CHECK(times.count(cluster) == 1);
         }
 }
@@ -294,15 +298,18 @@ TEST_CASE("an elided line is never wider than its room, if the ellipsis fits", "
     laid p{mixed};
     for (const ellipsis_place place : {ellipsis_place::end, ellipsis_place::middle, ellipsis_place::start})
         for (double width = 1.1; width < 20.0; width *= 1.2)
-            for (const wrap_mode wrap : {wrap_mode::none, wrap_mode::word_or_grapheme}) {
-                p.again({.width = width,
-                         .wrap = wrap,
-                         .most_lines = 1,
-                         .ellipsis = "..",
-                         .elide = place,
-                         .tab_width = 0.0});
-                CHECK(p.run.lines[0].advance <= 1000.0 * width + 1e-9);
-            }
+            for (const wrap_mode wrap : {wrap_mode::none, wrap_mode::word, wrap_mode::word_or_grapheme})
+                for (const std::uint32_t most : {1u, 2u, 3u, 100u})
+                    for (const double tab : {0.0, 4.0}) {
+                        p.again({.width = width,
+                                 .wrap = wrap,
+                                 .most_lines = most,
+                                 .ellipsis = "..",
+                                 .elide = place,
+                                 .tab_width = tab});
+                        CHECK(p.run.lines.size() <= most);
+                        for (const text_line& line : p.run.lines) CHECK(line.advance <= 1000.0 * width + 1e-9);
+                    }
 }
 
 TEST_CASE("text without words has lines, too", "[paragraph]")
