@@ -16,7 +16,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 class line_writer {
 public:
     line_writer(const shaped_text& shaped, glyph_run& run) noexcept
-        : shaped_{shaped}, run_{run}, down_{shaped.upright()}
+        : shaped_{shaped}, run_{run}, down_{shaped.upright()}, alike_{!down_ && shaped.styles.empty()}
     {
     }
 
@@ -97,7 +97,7 @@ private:
     /// Finds what a glyph is drawn with: mostly the same as the one before.
     error find_look(std::uint32_t item, const shaped_glyph& g) noexcept
     {
-        if (now_.item == item && now_.holds(g)) return {};
+        if ((now_.item == item || alike_) && now_.holds(g)) return {};
         const item_setting set = shaped_.setting_of(item);
         const text_style& painted = shaped_.styles[shaped_.styles.number_at(g.cluster)];
         const double rise = set.lift + painted.rise * shaped_.units_per_em();
@@ -115,6 +115,7 @@ private:
     const shaped_text& shaped_;
     glyph_run& run_;
     bool down_;
+    bool alike_;  // all items are drawn alike
     drawn_with now_;
 };
 
