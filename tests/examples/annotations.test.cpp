@@ -35,7 +35,7 @@ overlay of(const text_to_mesh::options& o, const model& m)
 
 }  // namespace shown_outline
 
-TEST_CASE("--show draws the outline of letters whose edges have moved where they are now", "[text_to_mesh]")
+TEST_CASE("the outline that --show draws is that of the letters as they are, bold or hollow", "[text_to_mesh]")
 {
     text_to_mesh::options o;
     o.show_contours = o.show_points = true;

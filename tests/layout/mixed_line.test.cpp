@@ -83,7 +83,7 @@ TEST_CASE("a column's items stand from top to bottom, upright", "[layout]")
     }
 }
 
-TEST_CASE("a column is cut where it turns; what lies on its side keeps its direction", "[layout][columns]")
+TEST_CASE("a column is cut where it turns, and what lies on its side keeps its direction", "[layout][columns]")
 {
     shape_options how{.direction = direction::top_to_bottom};
     how.columns.combined_digits = 2;

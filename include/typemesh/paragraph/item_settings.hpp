@@ -109,9 +109,9 @@ private:
                     script_position position, setting& own) noexcept
     {
         const bool raised = position == script_position::superscript;
-        const feature small[] = {raised ? feature{"sups", 1} : feature{"subs", 1}};
+        const feature letters[] = {raised ? feature{"sups", 1} : feature{"subs", 1}};
         setting other = own;
-        if (error e = add_features(options_of(own).features, small, other)) return e;
+        if (error e = add_features(options_of(own).features, letters, other)) return e;
 
         tried_.clear();
         if (error e = shaper.shape_item(text, item, options_of(own), tried_)) return e;
