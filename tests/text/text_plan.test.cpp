@@ -387,3 +387,29 @@ TEST_CASE("each triangle's hit is the glyph and the cluster that it was written 
         }
     }
 }
+
+TEST_CASE("each instance's hit is its glyph and cluster, as in the whole mesh", "[text]")
+{
+    test::toy_font font;
+    for (const bool merge : {false, true}) {
+        text_mesher mesher{font};
+        auto plan = mesher.plan("oEi x~o\noEq oooo", {.merge = merge});
+        REQUIRE(plan);
+        REQUIRE(plan->meshes().size() < plan->glyphs().size());
+        std::size_t instances = 0;
+        plan->write_instances([&](const glyph_instance& i) noexcept {
+            ++instances;
+            for (const part p : plan->parts()) {
+                const std::uint32_t before = (plan->range(i.glyph, p).first_index - plan->range(p).first_index) / 3;
+                for (std::uint32_t t = 0; t < plan->mesh_part(i.mesh, p).index_count / 3; ++t) {
+                    const mesh_hit hit = plan->hit(i, p, t), whole = plan->hit(p, before + t);
+                    CHECK(hit.glyph == i.glyph);
+                    CHECK(hit.of_run == whole.of_run);
+                    CHECK(hit.cluster == whole.cluster);
+                    if (!merge) CHECK(hit.cluster == i.cluster);
+                }
+            }
+        });
+        CHECK(instances == plan->glyphs().size());
+    }
+}

@@ -158,9 +158,18 @@ public:
             return r.first_index + r.index_count > index;
         };
         const std::size_t glyph = first_where(0, fresh().records.size(), ends_behind);
-        const std::uint32_t of_run = owner(glyph, p, (index - range(glyph, p).first_index) / 3);
-        const bool shared = of_run == shared_glyph;
-        return {glyph, of_run, shared ? glyphs()[glyph].cluster : run().glyphs[of_run].cluster};
+        return hit_within(glyph, p, (index - range(glyph, p).first_index) / 3);
+    }
+
+    /// The same for instances, each of which tells its glyph. Cost: O(log contours) for merged glyphs, else O(1)
+    ///
+    ///     drawn       of this plan's write_instances()
+    ///     triangle    its position in mesh_part(drawn.mesh, p), below index_count / 3
+    [[nodiscard]] mesh_hit hit(const glyph_instance& drawn, part p, std::uint32_t triangle) const noexcept
+    {
+        TYPEMESH_ASSERT(triangle < mesh_part(drawn.mesh, p).index_count / 3,
+                        "a triangle was asked for that its mesh's part does not have");
+        return hit_within(drawn.glyph, p, triangle);
     }
 
     /// What is not in the mesh, and why.
@@ -369,6 +378,13 @@ private:
         TYPEMESH_ASSERT(glyphs_->lent.are_there(),
                         "this text_plan is stale: its glyph_workers has built another since");
         return *glyphs_;
+    }
+
+    [[nodiscard]] mesh_hit hit_within(std::size_t glyph, part p, std::uint32_t triangle) const noexcept
+    {
+        const std::uint32_t of_run = owner(glyph, p, triangle);
+        const bool shared = of_run == shared_glyph;
+        return {glyph, of_run, shared ? glyphs()[glyph].cluster : run().glyphs[of_run].cluster};
     }
 
     [[nodiscard]] glyph_span all_glyphs() const noexcept { return {0, fresh().records.size()}; }
