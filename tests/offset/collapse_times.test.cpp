@@ -2,6 +2,8 @@
 
 #include <typemesh/offset/collapse_times.hpp>
 
+#include <typemesh/offset/int128.hpp>
+
 #include "support/catch.hpp"
 #include "support/kinetic.hpp"
 
@@ -20,7 +22,7 @@ using kind = detail::collapse::kind;
 
 namespace {
 
-__extension__ using wide = __int128;
+using wide = detail::int128;
 
 constexpr std::int64_t cell = place_one;
 

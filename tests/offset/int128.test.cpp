@@ -13,9 +13,6 @@ using detail::two_word_integer;
 
 namespace {
 
-__extension__ using wide = __int128;
-__extension__ using unsigned_wide = unsigned __int128;
-
 constexpr std::int64_t least = (std::numeric_limits<std::int64_t>::min)(),
                        most = (std::numeric_limits<std::int64_t>::max)();
 constexpr std::int64_t edges[] = {least,
@@ -47,10 +44,48 @@ two_word_integer words(std::int64_t high, std::int64_t low)
     v.high = high;
     return v;
 }
-wide joined(two_word_integer v) { return static_cast<wide>(static_cast<unsigned_wide>(v.high) << 64 | v.low); }
-wide wrapped(unsigned_wide v) { return static_cast<wide>(v); }
 
 detail::int128 squared(std::int64_t v) { return static_cast<detail::int128>(v) * v; }
+
+}  // namespace
+
+TEST_CASE("integers of two words obey the laws of arithmetic", "[offset][int128]")
+{
+    test::dice d{8};
+    for (int i = 0; i < 100'000; ++i) {
+        const two_word_integer a = words(roll(d), roll(d)), b = words(roll(d), roll(d)), c = words(roll(d), roll(d));
+        const bool holds = a + b - b == a && a * b == b * a && (a + b) * c == a * c + b * c && a - b == -(b - a);
+        if (!holds) CHECK(holds);
+        const bool ordered = (a < b) == (b > a) && (a <= b) == !(b < a) && (a < b || b < a) == !(a == b);
+        if (!ordered) CHECK(ordered);
+        const std::int64_t p = roll(d), q = roll(d);
+        if (q == 0) continue;
+        const bool divided = two_word_integer{p} * q / q == p;
+        if (!divided) CHECK(divided);
+        const int bits = d.roll(64);
+        const bool shifted = ((two_word_integer{p} << bits) >> bits) == p;
+        if (!shifted) CHECK(shifted);
+    }
+}
+
+TEST_CASE("integers of two words are constants, made of any signed integer", "[offset][int128]")
+{
+    constexpr two_word_integer a = -7, b = std::int64_t{1} << 40;
+    STATIC_REQUIRE(a * b * b / (std::int64_t{1} << 40) == a * b);
+    STATIC_REQUIRE((a >> 1) == -4);
+    STATIC_REQUIRE(static_cast<std::int64_t>(a / 2) == -3);
+    STATIC_REQUIRE(two_word_integer{} == 0);
+}
+
+#if defined(__SIZEOF_INT128__)
+
+namespace {
+
+__extension__ using wide = __int128;
+__extension__ using unsigned_wide = unsigned __int128;
+
+wide joined(two_word_integer v) { return static_cast<wide>(static_cast<unsigned_wide>(v.high) << 64 | v.low); }
+wide wrapped(unsigned_wide v) { return static_cast<wide>(v); }
 
 }  // namespace
 
@@ -103,15 +138,6 @@ TEST_CASE("integers of two words are divided by those of 64 bits like those of 1
     CHECK(joined(words(-1, 0) / std::int64_t{1}) == joined(words(-1, 0)));
 }
 
-TEST_CASE("integers of two words are constants, made of any signed integer", "[offset][int128]")
-{
-    constexpr two_word_integer a = -7, b = std::int64_t{1} << 40;
-    STATIC_REQUIRE(a * b * b / (std::int64_t{1} << 40) == a * b);
-    STATIC_REQUIRE((a >> 1) == -4);
-    STATIC_REQUIRE(static_cast<std::int64_t>(a / 2) == -3);
-    STATIC_REQUIRE(two_word_integer{} == 0);
-}
-
 TEST_CASE("integers of two words become the floating-point numbers near them", "[offset][int128]")
 {
     test::dice d{4};
@@ -125,6 +151,8 @@ TEST_CASE("integers of two words become the floating-point numbers near them", "
     CHECK(static_cast<double>(two_word_integer{-5}) == -5.0);
     CHECK(static_cast<double>(words(least, 0)) == -0x1p127);
 }
+
+#endif
 
 TEST_CASE("square_root() is the largest integer whose square is not larger", "[offset][int128]")
 {
@@ -159,8 +187,8 @@ TEST_CASE("shifted_product() rounds down", "[offset][int128]")
     test::dice d{6};
     for (int i = 0; i < 100'000; ++i) {
         const std::int64_t a = static_cast<std::int64_t>(d.bits()) >> 10, b = static_cast<std::int64_t>(d.bits()) >> 8;
-        const wide product = static_cast<wide>(a) * b, q = detail::shifted_product(a, b, 48);
-        const wide one = static_cast<wide>(1) << 48;
+        const detail::int128 product = static_cast<detail::int128>(a) * b, q = detail::shifted_product(a, b, 48);
+        const detail::int128 one = static_cast<detail::int128>(1) << 48;
         const bool holds = q * one <= product && product < (q + 1) * one;
         if (!holds) CHECK(holds);
     }
