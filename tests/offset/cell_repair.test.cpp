@@ -119,3 +119,55 @@ TEST_CASE("cell_repair leaves alone what is two cells apart", "[offset]")
     CHECK_FALSE(repair.mend(ring_of(3), nodes, nowhere));
     CHECK_FALSE(repair.mend(ring_of(3), nodes, [](std::uint32_t, std::uint32_t) { return true; }));
 }
+
+TEST_CASE("cell_repair knows no way once it has made one of 64 pairs of nodes in a band", "[offset]")
+{
+    // Pairs 2 cells apart, far from each other: nothing else can be done about them.
+    std::vector<grid_point> places;
+    for (std::int32_t i = 0; i < 66; ++i) {
+        const std::int32_t x = 1000 * i, y = i * i;
+        places.insert(places.end(), {{x, y}, {x + 2, y}});
+    }
+    auto nodes = nodes_at(places);
+    const auto nothing_near = [](std::uint32_t a, std::uint32_t b) { return a != b; };  // sides stay straight
+    detail::cell_repair repair{heap()};
+    repair.begin(0);
+    for (std::uint32_t pair = 0; pair < 66; ++pair) {
+        buffer<std::uint32_t> ring;
+        for (const std::uint32_t node : {2 * pair, 2 * pair + 1}) REQUIRE(ring.push_back(node));
+        CHECK(repair.mend(ring, nodes, nothing_near) == (pair < 64));
+        CHECK((repair.node(2 * pair) == 2 * pair + 1) == (pair < 64));
+    }
+    repair.begin(0);  // the next band may again
+    buffer<std::uint32_t> ring;
+    for (const std::uint32_t node : {130u, 131u}) REQUIRE(ring.push_back(node));
+    CHECK(repair.mend(ring, nodes, nothing_near));
+}
+
+TEST_CASE("cell_repair makes 1024 detours in a band, then one of two nodes instead, and forgets them", "[offset]")
+{
+    // Triangles with a node that lies beside the longest side, a cell off; those after the first 1024 are close enough
+    // to be made one.
+    constexpr std::uint32_t most = 1024;
+    std::vector<grid_point> places;
+    for (std::uint32_t i = 0; i <= most; ++i) {
+        const auto y = static_cast<std::int32_t>(1000 * i);
+        places.insert(places.end(), {{0, y}, {1000, y}, {2, y - 1}});
+    }
+    auto nodes = nodes_at(places);
+    const auto ring_at = [](std::uint32_t i) {
+        buffer<std::uint32_t> ring;
+        for (std::uint32_t k = 0; k < 3; ++k) REQUIRE(ring.push_back(3 * i + k));
+        return ring;
+    };
+    detail::cell_repair repair{heap()};
+    repair.begin(0);
+    for (std::uint32_t i = 0; i < most; ++i) REQUIRE(repair.mend(ring_at(i), nodes, nowhere));
+    CHECK(way(repair, 0, 1) == std::vector<std::uint32_t>{0, 2});
+    CHECK(repair.node(2) == 2);
+    REQUIRE(repair.mend(ring_at(most), nodes, nowhere));
+    CHECK(repair.node(3 * most + 2) == 3 * most);
+    CHECK(way(repair, 0, 1) == std::vector<std::uint32_t>{0});
+    CHECK(repair.mend(ring_at(0), nodes, nowhere));
+    CHECK(way(repair, 0, 1) == std::vector<std::uint32_t>{0, 2});
+}
