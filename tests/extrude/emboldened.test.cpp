@@ -308,11 +308,12 @@ TEST_CASE("emboldened refuses options out of range by their names, its own and t
     };
     for (const float v : {infinite, -infinite, nowhere}) {
         check("by", emboldened<>{.by = v});
-        check("mitre_limit", emboldened<>{.mitre_limit = v});
+        check("emboldened::mitre_limit", emboldened<>{.mitre_limit = v});
     }
-    for (const float v : {0.5f, -1.0f}) check("mitre_limit", emboldened<>{.mitre_limit = v});
+    for (const float v : {0.5f, -1.0f}) check("emboldened::mitre_limit", emboldened<>{.mitre_limit = v});
     check("depth", emboldened<>{.solid = {.depth = 0.0f}});
     check("width", emboldened<bevelled<>>{.solid = {.width = -1.0f}});
+    check("mitre_limit", emboldened<bevelled<>>{.solid = {.mitre_limit = 0.5f}});
     CHECK_FALSE(refused_options(emboldened<>{.mitre_limit = 0.0f}));
 
     capped_mesh<emboldened<>> far;

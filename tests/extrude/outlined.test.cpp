@@ -192,16 +192,23 @@ TEST_CASE("outlined refuses options out of range by their names, its own and the
             CHECK(std::string{e.option} == name);
         }
     };
-    for (const float v : {infinite, -infinite, nowhere, -0.01f, 0.0f}) check("width", outlined<>{.width = v});
-    for (const float v : {infinite, nowhere, 0.5f, -1.0f}) check("mitre_limit", outlined<>{.mitre_limit = v});
+    for (const float v : {infinite, -infinite, nowhere, -0.01f, 0.0f}) check("outlined::width", outlined<>{.width = v});
+    for (const float v : {infinite, nowhere, 0.5f, -1.0f}) check("outlined::mitre_limit", outlined<>{.mitre_limit = v});
     check("depth", outlined<>{.ring = {.depth = 0.0f}});
     check("depth", filled_outline{.letter = {.depth = -1.0f}});
+    using nested = emboldened<outlined<bevelled<>>>;
+    check("emboldened::mitre_limit", nested{.mitre_limit = 0.5f});
+    check("outlined::mitre_limit", nested{.solid = {.mitre_limit = 0.5f}});
+    check("mitre_limit", nested{.solid = {.ring = {.mitre_limit = 0.5f}}});
+    check("outlined::width", nested{.solid = {.width = -1.0f}});
+    check("width", nested{.solid = {.ring = {.width = -1.0f}}});
 
     capped_mesh<outlined<>> m;
     for (const float width : {5e-6f, 600.0f})
-        CHECK(std::string{build_capped(shapes::rectangle(), outlined<>{.width = width}, m).option} == "width");
+        CHECK(std::string{build_capped(shapes::rectangle(), outlined<>{.width = width}, m).option} ==
+              "outlined::width");
     CHECK(std::string{build_capped(shapes::rectangle(), outlined<>{.width = 12e-6f, .place = outline_place::centre}, m)
-                          .option} == "width");
+                          .option} == "outlined::width");
     CHECK(build_capped(shapes::rectangle(), outlined<>{.width = 500.0f, .place = outline_place::outer}, m) ==
           error::outline_beyond_grid);
     shapes::shape unknown = shapes::rectangle();

@@ -48,8 +48,8 @@ struct emboldened_data : inner_solid<Solid> {
 ///
 /// A distance at which the new edges are not proven is halved for that glyph (solid_plan::narrowed).
 ///
-/// Fails  error::bad_option: `by` is not finite or 2^28 cells or more, the mitre limit is below 1 and not 0, or as the
-///        other extruder does
+/// Fails  error::bad_option: `by` is not finite or 2^28 cells or more, the mitre limit is below 1 and not 0
+///        ("emboldened::mitre_limit"), or as the other extruder does
 ///        error::nothing_left: the glyph is nowhere as thick as what is taken off
 ///        error::outline_beyond_grid, error::out_of_memory
 template <extruder Solid = extruded<>>
@@ -79,7 +79,7 @@ struct emboldened {
     [[nodiscard]] result<solid_plan> plan(const region& filled, plan_data& data, Caps& caps) const noexcept
     {
         if (!is_finite(as_double(by))) return error::bad("by");
-        if (!corner_rule{joins, mitre_limit}.is_valid()) return error::bad("mitre_limit");
+        if (!corner_rule{joins, mitre_limit}.is_valid()) return error::bad("emboldened::mitre_limit");
         if (filled.points().empty()) return data.plan(solid, filled, caps);
         const double em = filled.grid().cells * filled.grid().units_per_em;
         if (!(em > 0.0)) return error::bad("units_per_em");

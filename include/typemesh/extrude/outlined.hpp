@@ -110,7 +110,8 @@ struct outlined_data {
 /// A ring that grows, by outward bevels for example, would grow into a letter within it: error::bad_option "ring".
 ///
 /// Fails  error::bad_option: the width is not positive and finite, or on a glyph less than four cells (centre: eight)
-///        or 2^28 and more, the mitre limit is below 1 and not 0, or as the two extruders do
+///        or 2^28 and more, the mitre limit is below 1 and not 0 ("outlined::width", "outlined::mitre_limit"), or as
+///        the two extruders do
 ///        error::outline_beyond_grid, error::out_of_memory
 template <extruder Ring = extruded<>, extruder Letter = no_letter>
 struct outlined {
@@ -148,14 +149,14 @@ struct outlined {
     template <cap_maker Caps>
     [[nodiscard]] result<solid_plan> plan(const region& filled, plan_data& data, Caps& caps) const noexcept
     {
-        if (!is_finite(as_double(width)) || !(width > 0.0f)) return error::bad("width");
-        if (!corner_rule{joins, mitre_limit}.is_valid()) return error::bad("mitre_limit");
+        if (!is_finite(as_double(width)) || !(width > 0.0f)) return error::bad("outlined::width");
+        if (!corner_rule{joins, mitre_limit}.is_valid()) return error::bad("outlined::mitre_limit");
         if (filled.points().empty()) return plan_both({}, {}, data, caps);
         const double em = filled.grid().cells * filled.grid().units_per_em;
         if (!(em > 0.0)) return error::bad("units_per_em");
         const double least = boundary_mover::finest * (place == outline_place::centre ? 2.0 : 1.0);
         double distance = as_double(width) * em;
-        if (!(distance >= least && distance < grid::reach)) return error::bad("width");
+        if (!(distance >= least && distance < grid::reach)) return error::bad("outlined::width");
         region of_ring, of_letter;
         error e = make_regions(filled, distance, data, caps, {of_ring, of_letter});
         bool narrowed = false;
