@@ -393,9 +393,13 @@ TEST_CASE("each instance's hit is its glyph and cluster, as in the whole mesh", 
     test::toy_font font;
     for (const bool merge : {false, true}) {
         text_mesher mesher{font};
-        auto plan = mesher.plan("oEi x~o\noEq oooo", {.merge = merge});
+        glyph_run run;
+        REQUIRE_FALSE(layout(font, "oEi x~o\noEq oooo", {}, {}, run));
+        run.glyphs[0].origin.x += run.glyphs[1].origin.x * 0.5;  // onto its neighbour
+        auto plan = mesher.plan(run, {.merge = merge});
         REQUIRE(plan);
         REQUIRE(plan->meshes().size() < plan->glyphs().size());
+        REQUIRE((plan->members(0).size() == 2) == merge);
         std::size_t instances = 0;
         plan->write_instances([&](const glyph_instance& i) noexcept {
             ++instances;
