@@ -7,6 +7,7 @@
 #include <typemesh/triangulate/monotone.hpp>
 
 #include "support/catch.hpp"
+#include "support/kinetic.hpp"
 #include "support/regions.hpp"
 
 #include <cstdint>
@@ -113,4 +114,23 @@ TEST_CASE("a reflex corner sharper than the limit is joined, and its cap is with
     CHECK(lowest(joined) >= 1.5);
     CHECK(!joined.out.joins.empty());
     CHECK(joined.twice_swept() > 0.0);
+}
+
+TEST_CASE("a wavefront whose flips reach their limit stops, and says that memory has not run out", "[offset]")
+{
+    const test::shape plate = test::circle_with_holes(24, 5);
+    constexpr std::int64_t end = (std::int64_t{1} << 20) * detail::time_one;
+    for (const bool ends : {false, true}) {
+        detail::wavefront front{heap()};
+        test::set_up(front, plate);
+        for (std::uint32_t s = 0; s < front.mesh.segments.size(); ++s) {
+            const auto& one = front.mesh.segments[s];
+            front.ends_of[s] = front.outlines.open(one.line, front.node_of[one.from], front.node_of[one.to]);
+        }
+        if (!ends) front.flips_a_triangle = 0;
+        REQUIRE(front.start(end));
+        CHECK(front.advance(end, 0) == ends);
+        CHECK_FALSE(front.has_failed());
+        CHECK(test::broken_link(front.mesh).empty());
+    }
 }

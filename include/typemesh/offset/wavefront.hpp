@@ -44,6 +44,7 @@ public:
     buffer<std::uint32_t> node_of;        ///< of each vertex: the last one on its way
     buffer<cell_outlines::ends> ends_of;  ///< of each segment
     buffer<std::uint32_t> live;           ///< of each component of the region: how many segments bound it still
+    std::size_t flips_a_triangle = 64;    ///< with more they are taken not to end
 
     explicit wavefront(memory source) noexcept
         : mesh{source},
@@ -62,7 +63,7 @@ public:
     [[nodiscard]] bool start(std::int64_t limit) noexcept
     {
         times_.limit = limit;
-        most_flips_ = 64 * (mesh.triangles.size() + 16);
+        most_flips_ = flips_a_triangle * (mesh.triangles.size() + 16);
         if (!queue_.reserve(2 * mesh.triangles.size())) return false;
         for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) schedule(t);
         return !has_failed();
