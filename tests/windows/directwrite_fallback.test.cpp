@@ -55,10 +55,9 @@ public:
     }
 };
 
-/// A font, its face and its file in one count of references: those of a real file, or of one that a fake_loader has.
+/// A font with its face and its file, which is a real one or one that a fake_loader has. Each counts its references.
 class fake_font final : public IDWriteFont {
 public:
-    /// Forwards to the font's face, but for the file.
     class its_face final : public test::fake_face_of<IDWriteFontFace> {
     public:
         fake_font* of = nullptr;
