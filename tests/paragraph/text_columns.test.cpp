@@ -33,6 +33,23 @@ TEST_CASE("what is combined is one grapheme between tabs and breaks, and no line
     }
 }
 
+TEST_CASE("whatever ends a line stands alone within what is combined", "[paragraph][columns]")
+{
+    test::toy_item_shaper font;
+    const style_span span[] = {{0, 3, {.column = column_style::combined}}};
+    for (const char16_t mark : {u'\t', u'\n', u'\u0085', u'\u2029', u'\x1C', u'\x1D', u'\x1E'}) {
+        const std::u16string text{u'1', mark, u'2'};
+        text_analysis found;
+        REQUIRE_FALSE(unicode_analyser{}.analyse(text, {}, found));
+        style_spans styles;
+        REQUIRE_FALSE(styles.read(span, found, 1));
+        text_columns columns;
+        REQUIRE_FALSE(columns.find(font, text, {.direction = direction::top_to_bottom}, styles, found));
+        CHECK(has(found.marks[1], text_mark::grapheme));
+        CHECK(has(found.marks[2], text_mark::grapheme));
+    }
+}
+
 TEST_CASE("lines have no columns", "[paragraph][columns]")
 {
     test::toy_item_shaper font;

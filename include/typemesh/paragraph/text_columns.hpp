@@ -5,8 +5,8 @@
 #include <typemesh/layout/column_glyphs.hpp>
 #include <typemesh/layout/column_runs.hpp>
 #include <typemesh/layout/item_shaper.hpp>
-#include <typemesh/layout/line_break.hpp>
 #include <typemesh/layout/shape_options.hpp>
+#include <typemesh/paragraph/itemise.hpp>
 #include <typemesh/paragraph/style_spans.hpp>
 #include <typemesh/unicode/text_analysis.hpp>
 
@@ -55,13 +55,10 @@ private:
     static void join(text_view text, const column_run& run, text_analysis& found) noexcept
     {
         constexpr text_mark within = text_mark::grapheme | text_mark::may_break | text_mark::hyphen;
-        const auto is_silent = [text](std::size_t i) noexcept {
-            return text.unit(i) == 0x09 || line_break_at(text, i) != 0;
-        };
         bool behind = true;  // a tab or a break, or nothing
         for (std::uint32_t u = run.first; u < run.last; ++u) {
             if (!has(found.marks[u], text_mark::grapheme)) continue;
-            const bool silent = is_silent(u);
+            const bool silent = silent_at(text, u) != 0;
             if (!silent && !behind) found.marks[u] = without(found.marks[u], within);
             behind = silent;
         }
