@@ -168,6 +168,20 @@ TEST_CASE("boxes cover what is selected, stretch by stretch", "[paragraph]")
         }
 }
 
+TEST_CASE("boxes have no holes where kashida fills a line", "[paragraph]")
+{
+    const std::u16string text = u"\u0628\u0628\u0628 \u0628\u0628 \u0628 xxxxxxxxxx";
+    const laid_out p{text, {.width = 5.7, .align = line_alignment::justify, .justify = justification::kashida}};
+    const std::vector<box> all = p.boxes(0, 8);
+    REQUIRE(all.size() == 1);
+    CHECK(all[0].low.x == 0.0);
+    CHECK(std::fabs(all[0].high.x - 5.7) < 1e-12);
+    double parts = 0.0;
+    for (std::uint32_t unit = 0; unit < 8; ++unit)
+        for (const box& b : p.boxes(unit, unit + 1)) parts += b.width();
+    CHECK(std::fabs(parts - all[0].width()) < 1e-9);
+}
+
 TEST_CASE("lines tell their boxes, columns too", "[paragraph]")
 {
     const laid_out p{"ab cd", {.width = 2.0, .align = line_alignment::right}};

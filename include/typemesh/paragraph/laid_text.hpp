@@ -103,7 +103,8 @@ public:
     }
 
     /// Calls put(box) for each stretch of text[first, last), line by line, from left to right in each: several a line
-    /// where directions are mixed. Cost: O(clusters of these lines)
+    /// where directions are mixed. With a grapheme goes what the line adds to it, a hyphen or kashida.
+    /// Cost: O(clusters of these lines)
     template <class Put>
     void boxes_of(std::uint32_t first, std::uint32_t last, const Put& put) const noexcept
     {
@@ -140,7 +141,7 @@ private:
     {
         selection found;
         bool begins = false, ends = false, any = false;
-        each_grapheme(s, [&](std::uint32_t unit, const edges& e) noexcept {
+        const auto offer = [&](std::uint32_t unit, const edges& e) noexcept {
             ends = unit >= first && unit < last && !is_break(unit);
             if (!any) begins = ends;
             any = true;
@@ -149,7 +150,8 @@ private:
             found.left = found.empty || left < found.left ? left : found.left;
             found.right = found.empty || right > found.right ? right : found.right;
             found.empty = false;
-        });
+        };
+        each_grapheme(s, offer, offer);
         const bool back = s.level % 2 != 0;
         found.from_left = back ? ends : begins;
         found.to_right = back ? begins : ends;
@@ -222,10 +224,11 @@ private:
     template <class With>
     void each_grapheme(const laid_line& line, const With& with) const noexcept
     {
-        for (const line_slice& s : slices_of(line)) each_grapheme(s, with);
+        for (const line_slice& s : slices_of(line)) each_grapheme(s, with, [](std::uint32_t, const edges&) noexcept {});
     }
-    template <class With>
-    void each_grapheme(const line_slice& s, const With& with) const noexcept
+    /// Calls foreign(unit, edges) for what shows other text in place of a unit.
+    template <class With, class Foreign>
+    void each_grapheme(const line_slice& s, const With& with, const Foreign& foreign) const noexcept
     {
         const bool back = s.level % 2 != 0;
         const double end = back ? s.at : s.at + s.width;
@@ -234,8 +237,12 @@ private:
             const text_cluster& c = shaped_->cluster(k);
             double width = width_of(*shaped_, s, k);
             if (k + 1 == s.last) width = std::fabs(end - pen);  // a tab, or without the distance behind it
-            if (!has(c.flags, cluster_flags::foreign)) each_part(k, pen, width, back, with);
+            const double from = pen;
             pen += back ? -width : width;
+            if (has(c.flags, cluster_flags::foreign))
+                foreign(c.first, edges{from, pen, back});
+            else
+                each_part(k, from, width, back, with);
         }
     }
 
