@@ -182,6 +182,33 @@ TEST_CASE("boxes have no holes where kashida fills a line", "[paragraph]")
     CHECK(std::fabs(parts - all[0].width()) < 1e-9);
 }
 
+TEST_CASE("carets in what an ellipsis has dropped stand at the ellipsis", "[paragraph]")
+{
+    struct {
+        ellipsis_place place;
+        std::uint32_t first, last;  // of what is dropped
+        double at;                  // of the ellipsis
+    } const cases[] = {
+        {ellipsis_place::start, 0, 9, 0.0}, {ellipsis_place::middle, 3, 12, 1.5}, {ellipsis_place::end, 7, 16, 3.5}};
+    for (const auto& c : cases) {
+        const laid_out p{"abcdefghijklmnop",
+                         {.width = 5.0, .wrap = wrap_mode::none, .ellipsis = "...", .elide = c.place}};
+        for (std::uint32_t unit = c.first; unit < c.last; ++unit) {
+            CHECK(is_at(p.laid().caret_at(unit), 0, c.at, 0.0));
+            CHECK(is_at(p.laid().caret_at(unit + 1, affinity::upstream), 0, c.at + 1.5, 0.0));
+        }
+        CHECK(is_at(p.laid().caret_at(16), 0, 5.0, 0.0));
+    }
+    const laid_out filled{
+        u"\u0628\u0628 \u0628\u0628 x y z",
+        {.width = 2.9, .align = line_alignment::justify, .justify = justification::kashida, .most_lines = 1}};
+    bool strokes = false;  // which are no ellipsis
+    for (const placed_glyph& g : filled.run.glyphs) strokes = strokes || g.id == 0x640;
+    CHECK(strokes);
+    for (std::uint32_t unit = 6; unit < 11; ++unit)
+        CHECK(filled.laid().caret_at(unit).at == filled.laid().caret_at(11).at);
+}
+
 TEST_CASE("lines tell their boxes, columns too", "[paragraph]")
 {
     const laid_out p{"ab cd", {.width = 2.0, .align = line_alignment::right}};

@@ -203,15 +203,29 @@ private:
         return unit;
     }
 
+    /// What an ellipsis has dropped begins and ends as that does.
     [[nodiscard]] edges edges_of(const laid_line& line, std::uint32_t grapheme) const noexcept
     {
         edges found{line.level % 2 != 0 ? line.left : line.right(), 0.0, line.level % 2 != 0};  // what is dropped
         if (grapheme == line.first) found.leading = line.level % 2 != 0 ? line.right() : line.left;
         found.trailing = found.leading;
-        each_grapheme(line, [&](std::uint32_t unit, const edges& e) noexcept {
+        edges instead;
+        std::uint32_t behind = 0;  // the last unit up to the grapheme for which the line shows anything
+        bool elided = false;       // and that is other text alone: an ellipsis
+        const auto own = [&](std::uint32_t unit, const edges& e) noexcept {
             if (unit == grapheme) found = e;
-        });
-        return found;
+            if (unit > grapheme || unit + 1 < behind) return;
+            behind = unit + 1;
+            elided = false;
+        };
+        const auto foreign = [&](std::uint32_t unit, const edges& e) noexcept {
+            if (unit > grapheme || unit + 1 <= behind) return;
+            behind = unit + 1;
+            instead = e;
+            elided = true;
+        };
+        for (const line_slice& s : slices_of(line)) each_grapheme(s, own, foreign);
+        return elided ? instead : found;
     }
 
     [[nodiscard]] std::span<const line_slice> slices_of(const laid_line& line) const noexcept
