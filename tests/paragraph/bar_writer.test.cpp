@@ -77,6 +77,14 @@ TEST_CASE("bars stand where the font says, as wide as the text and in its style"
     CHECK(d.run.lines[0].advance == 2000.0);
 }
 
+TEST_CASE("a bar goes on over what has no width", "[paragraph][styles]")
+{
+    const decorated d{u"ab\u00ADcd", {{0, 5, {.decorations = decoration::underline}}}};
+    const auto bars = d.bars();
+    REQUIRE(bars.size() == 1);
+    CHECK(covers(bars[0], 0.0, 2000.0));
+}
+
 TEST_CASE("bars follow size, rise and lines, not small letters", "[paragraph][styles]")
 {
     const text_style lined{.decorations = decoration::underline};

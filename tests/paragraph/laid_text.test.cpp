@@ -228,3 +228,27 @@ TEST_CASE("lines tell their boxes, columns too", "[paragraph]")
     CHECK(words.laid().caret_at(1).at == point{0.0, -0.5});
     CHECK(words.laid().caret_from({0.1, -0.6}).unit == 1);
 }
+
+TEST_CASE("without a layout of its text a paragraph has no lines, carets stand at the beginning, nothing is chosen",
+          "[paragraph]")
+{
+    test::toy_item_shaper font;
+    paragraph<test::toy_item_shaper> words{font};
+    glyph_run run;
+    const auto has_none = [&words] {
+        CHECK(words.lines().empty());
+        CHECK(is_at(words.laid().caret_at(3), 0, 0.0, 0.0));
+        CHECK((words.laid().caret_from({2, 0}).unit == 0 && !words.laid().caret_from({2, 0}).inside));
+        words.laid().boxes_of(0, 9, [](const box&) { FAIL("a box of no line"); });
+    };
+    has_none();
+    REQUIRE_FALSE(words.set("some text"));
+    has_none();
+    REQUIRE_FALSE(words.lay_out({}, run));
+    CHECK(words.laid().caret_at(3).at.x > 0.0);
+    REQUIRE_FALSE(words.set("another"));
+    has_none();
+    REQUIRE_FALSE(words.lay_out({}, run));
+    REQUIRE(words.lay_out({.width = -1.0}, run));
+    has_none();
+}

@@ -30,7 +30,7 @@ public:
     /// Appends the bars of a line with these slices.
     ///
     /// Fails  error::out_of_memory
-    /// Cost   O(clusters of the line); nothing in a text without decorations
+    /// Cost   O(clusters of the line), and O(looks) a bar; nothing in a text without decorations
     error write(const laid_line& line, std::span<const line_slice> slices) noexcept
     {
         for (const decoration kind : {decoration::underline, decoration::strike_through, decoration::overline})
@@ -63,9 +63,9 @@ private:
                 next.from = pen > line.left ? pen : line.left;
                 pen += k + 1 == s.last ? rest : width_of(shaped_, s, k);
                 next.to = pen < line.right() ? pen : line.right();
-                const bool shown = next.high > next.low && next.to > next.from;
-                if (shown && open.to > open.from && open.goes_on(next)) {
-                    open.to = next.to;
+                const bool drawn = next.high > next.low, shown = drawn && next.to > next.from;
+                if (drawn && open.to > open.from && open.goes_on(next)) {  // also over what has no width
+                    open.to = next.to > open.to ? next.to : open.to;
                     continue;
                 }
                 if (error e = append(open, line.origin)) return e;

@@ -61,9 +61,11 @@ public:
     }
 
     /// The caret before text[unit], which is moved to the beginning of its grapheme. Upstream it stands at the end of
-    /// what precedes, unless that is a line break. Needs a line. Cost: O(log lines), and O(clusters of the line)
+    /// what precedes, unless that is a line break. Without lines it stands at (0, 0), in line 0.
+    /// Cost: O(log lines), and O(clusters of the line)
     [[nodiscard]] caret caret_at(std::uint32_t unit, affinity side = affinity::downstream) const noexcept
     {
+        if (lines_.empty()) return {};
         const auto size = static_cast<std::uint32_t>(shaped_->text().size());
         unit = unit < size ? grapheme_at(unit) : size;
         const bool behind_break = unit > 0 && is_break(grapheme_at(unit - 1));
@@ -73,9 +75,10 @@ public:
         return {line, point_of(lines_[line], back ? found.trailing : found.leading), found.to_the_left};
     }
 
-    /// The place nearest to a point. Needs a line. Cost: O(lines), and O(clusters of the line)
+    /// The place nearest to a point; the text's beginning without lines. Cost: O(lines), and O(clusters of the line)
     [[nodiscard]] text_place caret_from(point p) const noexcept
     {
+        if (lines_.empty()) return {};
         const std::size_t k = line_near(p);
         const laid_line& line = lines_[k];
         const bool down = shaped_->upright();

@@ -96,6 +96,7 @@ public:
     error set(text_view text, const shape_options& how, std::span<const style_span> spans,
               double letter_spacing = 0.0) noexcept
     {
+        forget_lines();
         const error e = set_text(text, how, spans, letter_spacing);
         if (e) clear();
         return e;
@@ -151,7 +152,7 @@ public:
         return found;
     }
 
-    /// The lines of the last layout.
+    /// The lines of the last layout; none after set(), or where it failed.
     [[nodiscard]] std::span<const laid_line> lines() const noexcept { return lines_.view(); }
 
     /// The last layout, for carets, selections and mice. It lives until the next call of set() or lay_out().
