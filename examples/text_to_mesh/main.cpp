@@ -197,9 +197,13 @@ std::string draw_picture(const options& o, font_set& font, const typemesh::glyph
 /// its name there.
 std::string refusal_in_words(const options& o, const typemesh::error& e)
 {
-    if (e.code != typemesh::error::bad_option || std::string_view{e.option} != "width") return in_words(e);
+    if (e.code != typemesh::error::bad_option) return in_words(e);
+    const std::string_view option = e.option;
     constexpr float narrow = 1e-4f;  // a ring is refused that is narrower than a few cells
-    if (o.outline.width > 0.0f && o.outline.width < narrow) return "--outline: is too narrow for this font.";
+    if (option == "outlined::width")
+        return o.outline.width < narrow ? "--outline: is too narrow for this font."
+                                        : "--outline: is too wide for this font.";
+    if (option != "width") return in_words(e);
     return "--bevel: is too wide for this font.";
 }
 

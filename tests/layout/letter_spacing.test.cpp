@@ -16,7 +16,7 @@ namespace {
 
 using test::toy_shaper;
 
-glyph_run set(text_view text, const layout_options& options, direction d = direction::automatic)
+glyph_run laid_by(text_view text, const layout_options& options, direction d = direction::automatic)
 {
     toy_shaper font;
     glyph_run run;
@@ -29,7 +29,7 @@ glyph_run set(text_view text, const layout_options& options, direction d = direc
 /// How far each glyph of a line stands from where it would without letter spacing, in em, along the line.
 std::vector<double> shifts(text_view text, double spacing, direction d = direction::automatic)
 {
-    const glyph_run plain = set(text, {}, d), spaced = set(text, {.letter_spacing = spacing}, d);
+    const glyph_run plain = laid_by(text, {}, d), spaced = laid_by(text, {.letter_spacing = spacing}, d);
     REQUIRE(plain.glyphs.size() == spaced.glyphs.size());
     std::vector<double> out;
     for (std::size_t i = 0; i < plain.glyphs.size(); ++i) {
@@ -83,22 +83,22 @@ TEST_CASE("letters that are written joined stay together, their words do not", "
 TEST_CASE("each segment between tabs is spaced by itself, and stops stay where they are", "[layout][letter_spacing]")
 {
     const layout_options narrow{.letter_spacing = 0.1};
-    const glyph_run run = set("abc\tdef", narrow);  // 1500 + 2 x 100 units, then a stop after each 2000
+    const glyph_run run = laid_by("abc\tdef", narrow);  // 1500 + 2 x 100 units, then a stop after each 2000
     CHECK(run.glyphs[2].origin == point{1200.0, 0.0});
     CHECK(run.glyphs[3].origin == point{2000.0, 0.0});
     CHECK(run.glyphs[5].origin == point{3200.0, 0.0});
-    const glyph_run wide = set("abc\tdef", {.letter_spacing = 0.5});  // 2500 units
+    const glyph_run wide = laid_by("abc\tdef", {.letter_spacing = 0.5});  // 2500 units
     CHECK(wide.glyphs[3].origin == point{4000.0, 0.0});
 }
 
 TEST_CASE("spaced lines are aligned by their new length", "[layout][letter_spacing]")
 {
-    const glyph_run run = set("abc\nz", {.align = alignment::right, .letter_spacing = 0.25});
+    const glyph_run run = laid_by("abc\nz", {.align = alignment::right, .letter_spacing = 0.25});
     CHECK(run.lines[0].advance == 2000.0);
     CHECK(run.glyphs[0].origin == point{-2000.0, 0.0});
     CHECK(run.glyphs[2].origin == point{-500.0, 0.0});
     CHECK(run.lines[1].advance == 500.0);
-    CHECK(set("abc", {.letter_spacing = -5.0}).lines[0].advance == 0.0);
+    CHECK(laid_by("abc", {.letter_spacing = -5.0}).lines[0].advance == 0.0);
 }
 
 TEST_CASE("a shaper is told to leave out ligatures where letters are spaced, and nowhere else",
