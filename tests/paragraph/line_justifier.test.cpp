@@ -191,6 +191,19 @@ TEST_CASE("strokes stand between joined letters, each belongs to the letter befo
     CHECK(of == std::map<cluster_id, int>{{1, 2}, {4, 2}});
 }
 
+TEST_CASE("strokes in a column lie on their side as the letters that they join", "[paragraph]")
+{
+    const justified<> p{u"\u0628\u0628\u0628 \u0628\u0628 \u0628 xxxxxxxxxx", 5.7, justification::kashida,
+                        direction::top_to_bottom};
+    REQUIRE(p.strokes() == 4);
+    const glyph_id letter = 0x628;
+    for (const placed_glyph& g : p.run.glyphs) {
+        if (g.id != letter && g.id != stroke) continue;
+        CHECK(p.run.looks[g.look].map == quarter_turn);
+        CHECK(g.origin.x == p.run.glyphs[0].origin.x);
+    }
+}
+
 TEST_CASE("a line without spaces is filled by strokes that overlap, up to so many in a word", "[paragraph]")
 {
     justified<> p{u"\u0628\u0628\u0628 xxxxxxxxxxxxx", 2.3, justification::kashida};

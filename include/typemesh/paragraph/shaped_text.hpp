@@ -242,26 +242,12 @@ public:
         for (text_item part : parts) {
             part.style = home.style;
             part.face = home.face;
-            const std::size_t first = glyphs_.size();
-            if (error e = shaper.shape_item(shown, part, options_of(item), glyphs_)) return e;
-            if (part.orientation == glyph_orientation::sideways)
-                turn_glyphs(glyphs_.view().subspan(first), columns_.place());
+            if (error e = shape_other(shaper, item, shown, part)) return e;
         }
-        scale_glyphs(item, before);
         bool complete = true;
-        text_cluster c{.first = at,
-                       .last = at + 1,
-                       .glyph = static_cast<std::uint32_t>(before),
-                       .glyph_count = static_cast<std::uint32_t>(glyphs_.size() - before),
-                       .item = item,
-                       .flags = cluster_flags::foreign};
-        for (std::size_t g = before; g < glyphs_.size(); ++g) {
-            glyphs_[g].cluster = at;
-            c.advance += glyphs_[g].advance;
-            complete = complete && !has(glyphs_[g].flags, glyph_flags::missing);
-        }
-        if (!clusters_.push_back(c)) return error::out_of_memory;
-        sum_up(clusters_.size() - 1);
+        for (const shaped_glyph& g : glyphs_.view().subspan(before))
+            complete = complete && !has(g.flags, glyph_flags::missing);
+        if (error e = make_foreign(item, at, before)) return e;
         return complete;
     }
     /// The same in the item's script and direction, too: of `shown`, or, where the font lacks that, of `instead`.
@@ -300,25 +286,12 @@ public:
         all.first = 0;
         all.last = static_cast<std::uint32_t>(whole.size());
         const std::size_t before = glyphs_.size();
-        if (error e = shaper.shape_item(whole, all, options_of(item), glyphs_)) return e;
-        scale_glyphs(item, before);
+        if (error e = shape_other(shaper, item, whole, all)) return e;
         std::size_t kept = before;
-        text_cluster c{.first = at,
-                       .last = at + 1,
-                       .glyph = static_cast<std::uint32_t>(before),
-                       .item = item,
-                       .flags = cluster_flags::foreign};
-        for (std::size_t g = before; g < glyphs_.size(); ++g) {
-            if (glyphs_[g].cluster < part.first || glyphs_[g].cluster >= part.last) continue;
-            glyphs_[kept] = glyphs_[g];
-            glyphs_[kept].cluster = at;
-            c.advance += glyphs_[kept++].advance;
-        }
+        for (std::size_t g = before; g < glyphs_.size(); ++g)
+            if (glyphs_[g].cluster >= part.first && glyphs_[g].cluster < part.last) glyphs_[kept++] = glyphs_[g];
         glyphs_.truncate(kept);
-        c.glyph_count = static_cast<std::uint32_t>(kept - before);
-        if (!clusters_.push_back(c)) return error::out_of_memory;
-        sum_up(clusters_.size() - 1);
-        return {};
+        return make_foreign(item, at, before);
     }
     /// Scales the advances of a cluster that shows other text, and of its glyphs.
     void scale_foreign(std::size_t cluster, double scale) noexcept
@@ -329,6 +302,36 @@ public:
     }
 
 private:
+    /// Appends the glyphs of other text as they stand in an item, scaled, on their side where `part` lies there.
+    template <item_shaper Shaper>
+    error shape_other(Shaper& shaper, std::uint32_t item, text_view other, const text_item& part) noexcept
+    {
+        const std::size_t before = glyphs_.size();
+        if (error e = shaper.shape_item(other, part, options_of(item), glyphs_)) return e;
+        if (part.orientation == glyph_orientation::sideways)
+            turn_glyphs(glyphs_.view().subspan(before), columns_.place());
+        scale_glyphs(item, before);
+        return {};
+    }
+
+    /// Makes the glyphs from `before` on a cluster for text[at], which shows other text.
+    error make_foreign(std::uint32_t item, std::uint32_t at, std::size_t before) noexcept
+    {
+        text_cluster c{.first = at,
+                       .last = at + 1,
+                       .glyph = static_cast<std::uint32_t>(before),
+                       .glyph_count = static_cast<std::uint32_t>(glyphs_.size() - before),
+                       .item = item,
+                       .flags = cluster_flags::foreign};
+        for (shaped_glyph& g : glyphs_.view().subspan(before)) {
+            g.cluster = at;
+            c.advance += g.advance;
+        }
+        if (!clusters_.push_back(c)) return error::out_of_memory;
+        sum_up(clusters_.size() - 1);
+        return {};
+    }
+
     /// Sums the advances before clusters from `first` on.
     void sum_up(std::size_t first) noexcept
     {
