@@ -47,6 +47,22 @@ TEST_CASE("a cluster's carets are its font's, scaled, from where its pen begins"
     CHECK(places_in(all, 3).empty());
 }
 
+TEST_CASE("carets of a glyph on its side are those of a line, down from where its pen begins", "[paragraph][carets]")
+{
+    struct line_font {
+        error ligature_carets(std::uint32_t, glyph_id, bool down, buffer<double>& carets) const noexcept
+        {
+            return down || carets.push_back(300.0) ? error{} : error{error::out_of_memory};
+        }
+    };
+    cluster_carets all;
+    const shaped_glyph turned[] = {{.id = 1, .advance = 700.0, .offset = {-400.0, -10.0}}};
+    REQUIRE_FALSE(all.find(line_font{}, turned, {.cluster = 1, .count = 1, .down = true, .turned = true}));
+    CHECK(places_in(all, 1) == std::vector<double>{310.0});
+    REQUIRE_FALSE(all.find(line_font{}, turned, {.cluster = 2, .count = 1, .down = true}));
+    CHECK(places_in(all, 2).empty());
+}
+
 TEST_CASE("carets that are too few, too many, out of order or outside are none", "[paragraph][carets]")
 {
     cluster_carets all;

@@ -2,6 +2,7 @@
 #include "shaped_paragraph.hpp"
 
 #include <string>
+#include <vector>
 
 using namespace typemesh;
 using test::shaped_paragraph;
@@ -134,4 +135,30 @@ TEST_CASE("what is shaped later has its own advance, whatever has been shaped be
         CHECK(p.shaped.advance(at, at + 1) == 583.37);
         CHECK(p.shaped.advance(at, at + 3) == 583.37 + 583.37 + 583.37);
     }
+}
+
+TEST_CASE("carets within a ligature on its side stand as far along the line as in a line", "[paragraph][carets]")
+{
+    struct ligature_font : test::toy_item_shaper {
+        error ligature_carets(std::uint32_t, glyph_id, bool, buffer<double>& carets) const noexcept
+        {
+            return carets.push_back(400.0) ? error{} : error{error::out_of_memory};
+        }
+    } font;
+    font.lines = {1200.0, -100.0, 0.0};  // the column's middle is above the caret
+    const auto carets_in = [&font](text_view text, direction d, column_style column) {
+        shaped_text shaped;
+        const style_span all[] = {{0, static_cast<std::uint32_t>(text.size()), {.column = column}}};
+        REQUIRE_FALSE(unicode_analyser{}.analyse(text, {}, shaped.analysis));
+        REQUIRE_FALSE(shaped.styles.read(all, shaped.analysis, 1));
+        shape_options how;
+        how.direction = d;
+        REQUIRE_FALSE(shaped.shape(font, text, how, 0.0));
+        const auto found = shaped.carets_of(shaped.cluster_count() - 1);
+        return std::vector<double>{found.begin(), found.end()};
+    };
+    const std::vector<double> own{400.0};
+    CHECK(carets_in("xfi", direction::left_to_right, {}) == own);
+    CHECK(carets_in("xfi", direction::top_to_bottom, column_style::sideways) == own);
+    CHECK(carets_in("xfi", direction::top_to_bottom, column_style::upright) == own);
 }

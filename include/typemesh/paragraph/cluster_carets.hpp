@@ -23,7 +23,8 @@ public:
         std::uint32_t cluster = 0;  ///< its number, greater than all before
         std::uint32_t count = 0;    ///< how many carets it needs
         double scale = 1.0;         ///< of its glyphs
-        bool down = false;
+        bool down = false;          ///< the pen moves down
+        bool turned = false;        ///< the glyphs lie on their side: their font is asked as in a line
     };
 
     /// Asks a font for the carets of a cluster, and keeps them if they are as many as needed, ascend, and lie within.
@@ -38,7 +39,7 @@ public:
         for (const shaped_glyph& g : glyphs) all += g.advance;
         const std::size_t before = places_.size();
         for (const shaped_glyph& g : glyphs) {
-            error e = font.ligature_carets(g.face, g.id, which.down, places_);
+            error e = font.ligature_carets(g.face, g.id, which.down && !which.turned, places_);
             const double from = pen + (which.down ? 0.0 - g.offset.y : g.offset.x);
             if (!e && sets(before, from, all, which)) {
                 if (clusters_.push_back({which.cluster, static_cast<std::uint32_t>(before)})) return {};

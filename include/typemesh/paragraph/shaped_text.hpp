@@ -458,9 +458,13 @@ private:
                     inner += has(analysis.marks[u], text_mark::grapheme) ? 1u : 0u;
                 if (inner == 0) continue;
                 const std::span<const shaped_glyph> own = glyphs_.view().subspan(c.glyph, c.glyph_count);
-                const bool down = items_[c.item].orientation == glyph_orientation::upright;
-                const double scale = setting_of(c.item).scale;
-                if (error e = carets_.find(shaper, own, {static_cast<std::uint32_t>(i), inner, scale, down})) return e;
+                const glyph_orientation as = items_[c.item].orientation;
+                const cluster_carets::wanted which{.cluster = static_cast<std::uint32_t>(i),
+                                                   .count = inner,
+                                                   .scale = setting_of(c.item).scale,
+                                                   .down = as != glyph_orientation::horizontal,
+                                                   .turned = as == glyph_orientation::sideways};
+                if (error e = carets_.find(shaper, own, which)) return e;
             }
         }
         return {};
