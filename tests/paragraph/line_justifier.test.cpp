@@ -214,6 +214,35 @@ TEST_CASE("a line without spaces is filled by strokes that overlap, up to so man
     CHECK(p.run.lines[0].advance == Approx(1500.0 + 500.0 * line_justifier::most_strokes));
 }
 
+TEST_CASE("a word is shaped with its strokes whole, also before a hyphen", "[paragraph]")
+{
+    struct reader : test::toy_item_shaper {
+        std::u32string word;  // the last with a stroke in it
+        error shape_item(text_view text, const text_item& item, const shape_options& how,
+                         buffer<shaped_glyph>& glyphs) noexcept
+        {
+            std::u32string read;
+            for (std::size_t i = item.first; i < item.last;) {
+                const code_point c = decode(text, i, item.last);
+                read.push_back(c.value);
+                i = c.next;
+            }
+            if (read.size() > 1 && read.find(char32_t{stroke}) != read.npos) word = read;
+            const std::size_t before = glyphs.size();
+            const error e = test::toy_item_shaper::shape_item(text, item, how, glyphs);
+            for (shaped_glyph& g : glyphs.view().subspan(before)) g.flags = g.flags | glyph_flags::unsafe_to_break;
+            return e;
+        }
+    } font;
+    paragraph words{font};
+    glyph_run run;
+    REQUIRE_FALSE(words.set("\xD8\xA8\xD8\xA8\xC2\xAD\xD8\xA8\xD8\xA8\xD8\xA8"));  // UTF-8, U+00AD in it
+    REQUIRE_FALSE(
+        words.lay_out({.width = 2.3, .align = line_alignment::justify, .justify = justification::kashida}, run));
+    REQUIRE(run.lines.size() == 2);
+    CHECK(font.word == U"\u0628\u0640\u0640\u0628\u00AD");
+}
+
 TEST_CASE("without a stroke in the font spaces fill the line", "[paragraph]")
 {
     struct without_strokes : test::toy_item_shaper {

@@ -228,9 +228,10 @@ private:
         return all;
     }
 
-    /// Appends the text of clusters to the word.
+    /// Appends the text of clusters to the word, without a hyphen at their end, which is not of the text.
     [[nodiscard]] bool append_text(const shaped_text& shaped, std::uint32_t first, std::uint32_t last) noexcept
     {
+        while (last > first && has(shaped.cluster(last - 1).flags, cluster_flags::foreign)) --last;
         if (first == last) return true;
         const std::uint32_t end = shaped.cluster(last - 1).last;
         for (std::size_t u = shaped.cluster(first).first; u < end;) {
