@@ -24,7 +24,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 struct mesh_hit {
     std::size_t glyph = 0;            ///< its index in glyphs()
     std::uint32_t of_run = 0;         ///< in the run, or shared_glyph: see text_plan::owner()
-    cluster_id cluster = no_cluster;  ///< where in the text; where glyphs are shared, that of the first
+    cluster_id cluster = no_cluster;  ///< where in the text; where glyphs are shared, that of the first;
+                                      ///< no_cluster for a decoration's bar
 };
 
 /// Consecutive glyphs of a plan: glyphs [first, last).
