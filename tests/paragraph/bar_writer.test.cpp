@@ -85,7 +85,7 @@ TEST_CASE("a bar goes on over what has no width", "[paragraph][styles]")
     CHECK(covers(bars[0], 0.0, 2000.0));
 }
 
-TEST_CASE("bars follow size, rise and lines, not small letters", "[paragraph][styles]")
+TEST_CASE("bars follow size, rise and lines, and underlines do not follow small letters", "[paragraph][styles]")
 {
     const text_style lined{.decorations = decoration::underline};
     text_style large = lined, risen = lined, small = lined;
@@ -105,6 +105,25 @@ TEST_CASE("bars follow size, rise and lines, not small letters", "[paragraph][st
     REQUIRE(wrapped.bars().size() == 2);
     for (const bar_box& b : wrapped.bars()) CHECK(covers(b, 0.0, 1000.0));  // not below the space, which hangs
     CHECK(wrapped.run.lines[1].first_glyph == wrapped.run.lines[0].glyph_count);
+}
+
+TEST_CASE("through and above small letters bars are as small as these, and stand as they do", "[paragraph][styles]")
+{
+    for (const auto position : {script_position::superscript, script_position::subscript}) {
+        const bool raised = position == script_position::superscript;
+        const script_metrics own = raised ? face_metrics{}.superscript : face_metrics{}.subscript;
+        const text_style struck{
+            .size = 2.0,
+            .position = position,
+            .rise = 0.5,
+            .decorations = decoration::underline | decoration::strike_through | decoration::overline};
+        const auto bars = decorated{"xy", {{1, 2, struck}}}.bars();
+        REQUIRE(bars.size() == 3);
+        const double size = 2.0 * own.size, lift = 500.0 + 2000.0 * own.rise;
+        CHECK(lies(bars[0], 200.0, 300.0));  // at the line's own height
+        CHECK(lies(bars[1], lift + 260.0 * size, lift + 300.0 * size));
+        CHECK(lies(bars[2], lift + 650.0 * size, lift + 700.0 * size));
+    }
 }
 
 TEST_CASE("a range in mixed directions has a bar for each stretch", "[paragraph][styles]")

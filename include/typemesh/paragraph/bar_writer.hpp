@@ -16,10 +16,11 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// height, one thickness and one style. Bars are as wide as the clusters; what hangs at a line's end has none. They
 /// have no place in the text: their cluster is no_cluster.
 ///
-///     underline, strike_through   where the font of the text says (face_metrics.hpp), as large as the text; beside
-///                                 superscripts and subscripts as if those were full letters
+///     underline, strike_through   where the font of the text says (face_metrics.hpp), as large as the text
 ///     overline                    as thick as the underline, its upper edge at the ascender
 ///     in columns                  to the left of the letters, through their middle, and to their right
+///     small letters               made for superscripts and subscripts: underlined as full letters are; the other bars
+///                                 shrink and stand as the letters do
 template <item_shaper Font>
 class bar_writer {
 public:
@@ -83,17 +84,19 @@ private:
         if (!has(painted.decorations, kind)) return {};
         const text_item& item = shaped_.items()[c.item];
         read_metrics(item.face);
-        const double em = shaped_.units_per_em(), size = shaped_.styles[item.style].size;
+        const bool under = kind == decoration::underline;
+        const item_setting set = shaped_.setting_of(c.item);
+        const double em = shaped_.units_per_em(), size = under ? shaped_.styles[item.style].size : set.scale;
         const bar_metrics& own = kind == decoration::strike_through ? metrics_.strike_through : metrics_.underline;
         const double thickness = own.thickness * em * size;
         double top = own.top * em * size;
         if (kind == decoration::overline) top = lines_.ascender * size;
         if (shaped_.upright()) {
-            if (kind == decoration::underline) top = lines_.descender * size;
+            if (under) top = lines_.descender * size;
             if (kind == decoration::strike_through) top = thickness / 2;
             if (kind == decoration::overline) top += thickness;
         }
-        const double rise = painted.rise * em;
+        const double rise = painted.rise * em + (under ? 0.0 : set.lift);
         return {.low = top - thickness + rise, .high = top + rise, .style = painted.style};
     }
 
