@@ -237,6 +237,7 @@ TEST_CASE("without a layout of its text a paragraph has no lines, carets stand a
     glyph_run run;
     const auto has_none = [&words] {
         CHECK(words.lines().empty());
+        CHECK(words.laid().line_box(0).empty());
         CHECK(is_at(words.laid().caret_at(3), 0, 0.0, 0.0));
         CHECK((words.laid().caret_from({2, 0}).unit == 0 && !words.laid().caret_from({2, 0}).inside));
         words.laid().boxes_of(0, 9, [](const box&) { FAIL("a box of no line"); });

@@ -47,9 +47,10 @@ public:
     {
     }
 
-    /// The box of a line: as wide as what is visible, from descender to ascender.
+    /// The box of a line: as wide as what is visible, from descender to ascender. Empty if there is no such line.
     [[nodiscard]] box line_box(std::size_t line) const noexcept
     {
+        if (line >= lines_.size()) return {};
         return box_of(lines_[line], lines_[line].left, lines_[line].right());
     }
 

@@ -155,7 +155,8 @@ public:
     /// The lines of the last layout; none after set(), or where it failed.
     [[nodiscard]] std::span<const laid_line> lines() const noexcept { return lines_.view(); }
 
-    /// The last layout, for carets, selections and mice. It lives until the next call of set() or lay_out().
+    /// The last layout, for carets, selections and mice. It lives until the next call of set(), lay_out()
+    /// or measure().
     [[nodiscard]] laid_text laid() const noexcept { return {shaped_, lines_.view(), placed_.view(), units_per_em_}; }
 
     /// What Unicode says of the text, and its items: for tests and for whoever looks closer.
