@@ -8,6 +8,8 @@
 #include <typemesh/text/font_list.hpp>
 #include <typemesh/typemesh.hpp>
 
+#include <string>
+
 using namespace typemesh;
 
 static_assert(fallback_provider<fontconfig_fallback<harfbuzz_font>, harfbuzz_font>);
@@ -54,6 +56,52 @@ TEST_CASE("the font that is found resembles the one that is named", "[adapt][fon
     REQUIRE((found_bold && *found_bold != nullptr));
     CHECK((*found)->variation_key() == sans->variation_key());
     CHECK((*found_bold)->variation_key() == heavy->variation_key());
+}
+
+namespace {
+
+/// A font that opens when it is asked to.
+struct moody_font {
+    static inline error answer = {};
+    static inline int asked = 0;
+    static inline std::string last = {};
+    static result<moody_font> open(const char* path, const font_options&) noexcept
+    {
+        ++asked;
+        last = path;
+        if (answer) return answer;
+        return moody_font{};
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a font that memory lacked for is opened the next time, one that is broken is not asked again",
+          "[adapt][fontconfig][fallback]")
+{
+    auto fonts = fontconfig_fonts::open();
+    REQUIRE(fonts);
+    fontconfig_fallback<moody_font> poor{*fonts}, broken{*fonts};
+    moody_font::answer = error::out_of_memory;
+    CHECK(poor.font_for("a", {0, 1}, 0, {}).error() == error::out_of_memory);
+    CHECK(moody_font::asked == 1);
+    const std::string first = moody_font::last;
+    moody_font::answer = {};
+    const auto found = poor.font_for("a", {0, 1}, 0, {});
+    REQUIRE(found);
+    CHECK(*found != nullptr);
+    CHECK(moody_font::asked == 2);
+    CHECK(moody_font::last == first);
+
+    moody_font::answer = error::unreadable_file;
+    for (int k = 0; k < 2; ++k) {
+        const auto none = broken.font_for("a", {0, 1}, 0, {});
+        REQUIRE(none);
+        CHECK(*none == nullptr);
+    }
+    const int before = moody_font::asked;
+    CHECK(*broken.font_for("b", {0, 1}, 0, {}) == nullptr);
+    CHECK(moody_font::asked == before);
 }
 
 TEST_CASE("a list of fonts sets any script that is installed", "[adapt][fontconfig][fallback]")

@@ -124,16 +124,23 @@ private:
     {
         for (opened_font* o = opened_; o != nullptr; o = o->next)
             if (o->pattern == p) return o->font ? &*o->font : nullptr;
-        auto* made = new (std::nothrow) opened_font{p, {}, opened_};
-        if (made == nullptr) return error::out_of_memory;
-        opened_ = made;
         installed_font where;
         const detail::fontconfig_pattern match{FcFontRenderPrepare(fonts_->handle(), like_.get(), p)};
         if (match.get() == nullptr) return error::out_of_memory;
-        if (error e = where.take(match.get())) return e;
-        auto font = Font::open(where.path(), where.options());
-        if (!font) return font.error() == error::out_of_memory ? result<Font*>{font.error()} : nullptr;
-        made->font.emplace(std::move(*font));
+        const error e = where.take(match.get());
+        if (e == error::out_of_memory) return e;
+        std::optional<Font> opened;
+        if (!e) {
+            auto font = Font::open(where.path(), where.options());
+            if (font)
+                opened.emplace(std::move(*font));
+            else if (font.error() == error::out_of_memory)
+                return font.error();  // the next time it may be opened
+        }
+        auto* made = new (std::nothrow) opened_font{p, std::move(opened), opened_};
+        if (made == nullptr) return error::out_of_memory;
+        opened_ = made;
+        if (!made->font) return nullptr;
         return &*made->font;
     }
 
