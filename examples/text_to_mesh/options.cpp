@@ -166,7 +166,7 @@ void add_line_options(CLI::App& app, options& out, raw_values& raw)
         [](double n) { return n > 0.0 && n <= 1e6; }, [&out](double n) { out.lines.width = n; })
         ->type_name("EM");
     app.add_option("--fit", raw.fit,
-                   "the largest size at which the text fits into a box, as in 30x10; in the file's unit")
+                   "the largest size at which the text fits into a box, wide x high, in the file's unit: 30x10")
         ->type_name("WxH");
     add_named<wrap_mode>(app, "--wrap", out.lines.wrap,
                          "at words, within them where one is too long (default), at any letter, or nowhere",
@@ -444,6 +444,17 @@ std::string settle_font(options& out, const raw_values& raw)
     return {};
 }
 
+/// Why the styles of ranges are refused, or an empty string. The text has its line breaks already.
+std::string refused_styles(const options& o)
+{
+    const std::size_t fonts = o.fallback.size() + 1;
+    for (const styled_range& r : o.styles)
+        if (r.style.face >= fonts)
+            return "font=" + std::to_string(r.style.face + 1) + ", but there " +
+                   (fonts == 1 ? "is only 1 font" : "are only " + std::to_string(fonts) + " fonts");
+    return refused_ranges(o.styles, o.text);
+}
+
 /// Finishes what the words left open. Gives an empty string, or one sentence of what is wrong.
 std::string settle(options& out, const raw_values& raw)
 {
@@ -498,7 +509,7 @@ std::string settle(options& out, const raw_values& raw)
     out.merge = out.merge || (!raw.no_merge && !out.instances && (holds_solids(out.kind) || edges_move));
     if (out.instances && !out.styles.empty()) return "--style: is not for --instances";
     out.text = with_line_breaks(out.text);
-    const std::string trouble = refused_ranges(out.styles, out.text);
+    const std::string trouble = refused_styles(out);
     return trouble.empty() ? trouble : "--style: " + trouble;
 }
 
@@ -509,6 +520,10 @@ std::optional<int> parse(int argc, char** argv, options& out)
     CLI::App app{"Makes a 3D mesh of a text, and a picture of it.", "text_to_mesh"};
     app.formatter(std::make_shared<plain_help>());
     app.set_help_flag("-h,--help", "print this and exit");
+    app.footer(
+        "Settings of --style: colour=red or #2060c0, underline, strike-through, overline, superscript, subscript,\n"
+        "size=TIMES, rise=EM, slant=EM, letter-spacing=EM, word-spacing=EM, feature=TAG[=N], language=L,\n"
+        "font=N (1: --font, 2: the first --fallback); in columns upright, sideways, combined.");
     app.set_version_flag("--version", version(), "print the version and exit");
     raw_values raw;
     add_text_options(app, out, raw);

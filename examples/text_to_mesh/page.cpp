@@ -23,11 +23,13 @@ std::string lay_out_page(const options& o, font_set& font, typemesh::glyph_run& 
     lines.ellipsis = o.ellipsis;
     typemesh::error e = words.set(o.text, how, spans_of(o.styles, o.text), o.letter_spacing);
     if (!e && o.fit_width > 0.0) {
-        const auto found = typemesh::fit_size(words, o.fit_width, o.fit_height, lines);
+        const bool columns = o.direction == typemesh::direction::top_to_bottom;
+        const double along = columns ? o.fit_height : o.fit_width;
+        const auto found = typemesh::fit_size(words, along, columns ? o.fit_width : o.fit_height, lines);
         if (found.error() == typemesh::error::bad_option) return "--fit: the text demands more lines than --max-lines.";
         if (!found) return in_words(found.error());
         size = *found;
-        lines.width = o.fit_width / size;
+        lines.width = along / size;
     }
     if (!e) e = words.lay_out(lines, page);
     if (e) return in_words(e);

@@ -60,7 +60,7 @@ std::string text_fonts::open(const options& o)
         opened_.push_back(std::move(*font));
         return {};
     };
-    if (std::string trouble = open_one(o.font, &o); !trouble.empty()) return trouble;
+    if (std::string trouble = open_one(o.font, &o); !trouble.empty()) return (o.family ? "--family: " : "") + trouble;
     set_.emplace(opened_.back(), installed_);
     for (const std::string& name : o.fallback) {
         if (std::string trouble = open_one(name, nullptr); !trouble.empty()) return "--fallback: " + trouble;

@@ -113,7 +113,7 @@ if (auto e = words.set("In the beginning the Universe was created.")) return std
 typemesh::glyph_run page;
 if (auto e = words.lay_out({.width = 9.0, .align = typemesh::line_alignment::justify}, page)) return std::puts(e.message()), 1;
 auto column = mesher.plan(page);
-auto em = fit_size(words, 30.0, 10.0);                                          // of a box of 30 by 10 in the mesh
+auto em = fit_size(words, 30.0, 10.0);                                          // of a box in the mesh: 30 along the lines, 10 across
 if (!em) return std::puts(em.error().message()), 1;
 if (auto e = words.lay_out({.width = 30.0 / *em}, page)) return std::puts(e.message()), 1;
 auto sign = mesher.plan(page, {.size = *em});
@@ -127,13 +127,18 @@ const typemesh::style_span spans[] = {
     {11, 12, {.size = 1.5, .style = typemesh::style_id{2}}},
 };
 if (auto e = words.set("Hello world!", {}, spans)) return std::puts(e.message()), 1;
+if (auto e = words.lay_out({.width = 9.0}, page)) return std::puts(e.message()), 1;
+auto styled = mesher.plan(page);
+if (!styled) return std::puts(styled.error().message()), 1;
     const std::uint32_t triangle = 0;
     const auto draw = [](const typemesh::box&) noexcept {};
 typemesh::caret here = words.laid().caret_at(7);                                // line, place on its baseline, direction
 typemesh::text_place there = words.laid().caret_from({3.0, -1.2});              // a place in the text, and on which side of it
 words.laid().boxes_of(3, 16, [&](const typemesh::box& b) { draw(b); });         // several a line where directions are mixed
-typemesh::mesh_hit what = column->hit(typemesh::part::front, triangle);         // glyph and cluster
-    use(column, here, there, what);
+typemesh::mesh_hit what = styled->hit(typemesh::part::front, triangle);         // the triangle's number within range(part::front)
+if (what.cluster != typemesh::no_cluster)                                       // of the letter that was hit:
+    words.laid().boxes_of(what.cluster, what.cluster + 1, [&](const typemesh::box& b) { draw(b); });
+use(column, here, there);
     }
     {
 typemesh::glyph_run run;

@@ -141,7 +141,7 @@ done
 expect 2 "--style: must hold settings such as" abcd --font $sans --stats --style 1..2:wavy
 expect 2 "--style: colour must be" abcd --font $sans --stats --style 1..2:colour=#12345
 expect 2 "--style: size must be a positive number" abcd --font $sans --stats --style 1..2:size=0
-expect 1 "There is no face with that number" abcd --font $sans --stats --style 1..2:font=2
+expect 2 "--style: font=2, but there is only 1 font" abcd --font $sans --stats --style 1..2:font=2
 expect 0 "" abcd --font $sans --fallback $arabic --stats --style 1..2:font=2
 expect 2 "--style: font must be a whole number" abcd --font $sans --stats --style 1..2:font=0
 expect 2 "--style: is not for --instances" abcd --font $sans --output x.glb --instances --style 1..2:underline
@@ -151,6 +151,15 @@ expect 0 "" "one two three" --font $sans --fit 30x10 --stats
 expect 0 "" "one two three" --font $sans --fit 30x1e1 --align justify --output fitted.glb
 expect 0 "" "one two three" --font $sans --fit 60x20 --align justify --output larger.glb
 that "a larger box makes a larger text" differ fitted.glb larger.glb
+within() {  # within X Y FILE.obj: its mesh is at most so wide and high, and reaches nine tenths of one of them
+    awk -v w="$1" -v h="$2" '$1 == "v" { if (!n++) { a = b = $2; c = d = $3 }
+        if ($2 < a) a = $2; if ($2 > b) b = $2; if ($3 < c) c = $3; if ($3 > d) d = $3 }
+        END { exit !(n && b - a <= w && d - c <= h && (b - a >= 0.9 * w || d - c >= 0.9 * h)) }' "$3"
+}
+for box in 10x20 20x10; do
+    expect 0 "" "one two three four" --font $sans --direction ttb --fit $box --output column.obj
+    that "columns fit into $box" within "${box%x*}" "${box#*x}" column.obj
+done
 for box in 30 x 0x1 -1x2 30x 30x10x1 1x1e7 "3 x 4"; do
     expect 2 "--fit: must be two positive numbers" x --font $sans --stats --fit "$box"
 done
@@ -190,6 +199,7 @@ expect 0 "" --help
 that "the help asks for one of the things to do" grep -qF "(--output FILE | --picture FILE.png | --stats)" out
 that "the help names every option" grep -q -- --triangulator out
 that "the help speaks no word of the library's own" sh -c '! grep -E "TEXT TEXT|REQUIRED|Excludes|TEXT:|OPTIONS\]" out'
+that "the help lists what --style takes" grep -q "strike-through.*superscript" out
 that "the help's lines fit" sh -c '! grep -E ".{121}" out'
 expect 0 "" --version
 that "the version is one line" grep -qE '^text_to_mesh [0-9]+\.[0-9]+\.[0-9]+$' out
@@ -419,7 +429,7 @@ if "$program" x --font "Liberation Sans" --output family.glb 2>err; then
     expect 0 "" "$many" --family "Comic Neue" --strict --output installed.glb
     expect 0 "" "$many" --family "Comic Neue" --fallback $arabic --strict --output installed_after.glb
     that "fonts that are named come before those that are found" differ installed.glb installed_after.glb
-    expect 1 "^text_to_mesh: Nobodys Sans is neither a file nor an installed family" x --family "Nobodys Sans" --output x.glb
+    expect 1 "^text_to_mesh: --family: Nobodys Sans is neither a file nor an installed family" x --family "Nobodys Sans" --output x.glb
 else
     expect 1 "--family: this program was built without fontconfig" x --family "Liberation Sans" --output x.glb
     that "why no family is found" grep -q "Liberation Sans is no file, and this program was built without fontconfig" err
