@@ -6,6 +6,7 @@
 #include "support/font_file.hpp"
 
 #include <typemesh/adapt/harfbuzz.hpp>
+#include <typemesh/layout/face_metrics.hpp>
 #include <typemesh/layout/layout.hpp>
 #include <typemesh/paragraph/paragraph.hpp>
 #include <typemesh/text/text_mesher.hpp>
@@ -275,4 +276,21 @@ TEST_CASE("a mesh of a column is that of the line, turned", "[adapt][harfbuzz][c
     CHECK(b.high.x == Approx(a.high.y - middle));
     CHECK(b.low.y == Approx(0.0 - a.high.x));
     CHECK(b.high.y == Approx(0.0 - a.low.x));
+}
+
+TEST_CASE("letters on their side do not reach from one column to the next", "[adapt][harfbuzz][columns]")
+{
+    for (const char* name : {mplus, dejavu, sawarabi}) {
+        harfbuzz_font font = opened(name);
+        text_mesher mesher{font};
+        text_options how{.unit = output_unit::font_units};
+        how.shape.direction = direction::top_to_bottom;
+        const auto plan = mesher.plan("jgpyQ|\xC3\x85", how);
+        REQUIRE(plan);
+        const line_metrics reach = line_reach_of(font, direction::top_to_bottom);
+        CHECK(plan->bounds().low.x >= reach.descender);
+        CHECK(plan->bounds().high.x <= reach.ascender);
+        const glyph_run run = set(font, "j\n\xC3\x85", direction::top_to_bottom);
+        CHECK(run.lines[1].origin.x == Approx(reach.descender - reach.ascender - reach.gap));
+    }
 }

@@ -106,7 +106,7 @@ TEST_CASE("columns run down, the next to the left, aligned to y = 0", "[layout]"
         const glyph_run run = set("abc\nd", {.align = align}, direction::top_to_bottom);
         CHECK(run.lines[0].advance == 1500.0);
         CHECK(equal(run.lines[0].origin, {0.0, 1500.0 * at}));
-        CHECK(equal(run.lines[1].origin, {-1000.0, 500.0 * at}));
+        CHECK(equal(run.lines[1].origin, {-1250.0, 500.0 * at}));  // line_reach_of()
         CHECK(equal(run.glyphs[2].origin, {0.0, 1500.0 * at - 1000.0}));
     }
 }

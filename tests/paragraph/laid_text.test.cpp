@@ -224,7 +224,7 @@ TEST_CASE("lines tell their boxes, columns too", "[paragraph]")
     down.direction = direction::top_to_bottom;
     REQUIRE_FALSE(words.set("abc", down));
     REQUIRE_FALSE(words.lay_out({}, run));
-    CHECK(words.laid().line_box(0).low == point{-0.2, -1.5});
+    CHECK(words.laid().line_box(0).low == point{-0.45, -1.5});
     CHECK(words.laid().caret_at(1).at == point{0.0, -0.5});
     CHECK(words.laid().caret_from({0.1, -0.6}).unit == 1);
 }

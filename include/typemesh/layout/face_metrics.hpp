@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/layout/shaper.hpp>
+#include <typemesh/layout/item_shaper.hpp>
 
 #include <concepts>
 #include <cstdint>
@@ -64,6 +64,22 @@ template <class Shaper>
         return s.metrics(d, face);
     else
         return s.metrics(d);
+}
+
+/// How far a line of one of a shaper's faces reaches to both sides, in units of the first: as its metrics say, but a
+/// column at least as far as letters of the face that lie on their side in it. Vertical metrics are often those of an
+/// ideograph alone: half an em to each side and no gap.
+template <class Shaper>
+[[nodiscard]] line_metrics line_reach_of(Shaper& s, direction d, std::uint32_t face = 0) noexcept
+{
+    line_metrics reach = line_metrics_of(s, d, face);
+    if (d != direction::top_to_bottom) return reach;
+    const line_metrics turned = line_metrics_of(s, direction::left_to_right, face);
+    const double middle = column_middle_of(s);
+    if (turned.ascender - middle > reach.ascender) reach.ascender = turned.ascender - middle;
+    if (turned.descender - middle < reach.descender) reach.descender = turned.descender - middle;
+    if (turned.gap > reach.gap) reach.gap = turned.gap;
+    return reach;
 }
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/layout/face_metrics.hpp>
 #include <typemesh/layout/line_break.hpp>
 #include <typemesh/layout/line_places.hpp>
 #include <typemesh/layout/shape_line.hpp>
@@ -15,10 +16,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///            |                                                                        界  こ
 ///     y = -d |world!                                                                  !  ん
 ///
-/// The distance d is ascender - descender + gap of the shaper's metrics (one em if that is not positive), times
-/// line_spacing. A text has one line more than it has breaks: an empty text is one empty line. Spaces at a line's ends
-/// belong to it, and so do tabs, which lead to the next tab stop and leave no glyph either (see shape_line()).
-/// letter_spacing adds to the shaper's advances, see letter_spacing.hpp.
+/// The distance d is ascender - descender + gap of the shaper's first face by line_reach_of() (one em if that is not
+/// positive), times line_spacing. A text has one line more than it has breaks: an empty text is one empty line. Spaces
+/// at a line's ends belong to it, and so do tabs, which lead to the next tab stop and leave no glyph either (see
+/// shape_line()). letter_spacing adds to the shaper's advances, see letter_spacing.hpp.
 ///
 ///     run   emptied first; then it gets glyphs, lines, units_per_em, and what was missing or invalid
 ///
@@ -39,7 +40,7 @@ error layout(Shaper& shaper, text_view text, const shape_options& how, const lay
         return e;
     };
     run.units_per_em = shaper.units_per_em();
-    const line_places places{shaper.metrics(how.direction), run.units_per_em, how.direction, options};
+    const line_places places{line_reach_of(shaper, how.direction), run.units_per_em, how.direction, options};
 
     std::size_t begin = 0;
     for (bool more = true; more;) {

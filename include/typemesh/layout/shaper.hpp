@@ -15,7 +15,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 ///     ascender  ────────────────   positive            horizontal: the distance between baselines is
 ///     baseline  ──A─g──────────   0                    ascender - descender + gap
-///     descender ────────────────   negative            vertical: columns stand that far apart, x to the right
+///     descender ────────────────   negative            vertical: x to the right; columns stand that far apart, or
+///                                                      further: see line_reach_of()
 struct line_metrics {
     double ascender = 0.0;
     double descender = 0.0;

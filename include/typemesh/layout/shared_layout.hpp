@@ -3,6 +3,7 @@
 
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/executor.hpp>
+#include <typemesh/layout/face_metrics.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/layout/line_break.hpp>
 #include <typemesh/layout/line_places.hpp>
@@ -36,7 +37,7 @@ public:
         if (error e = find_lines(text, 8 * count)) return e;
 
         run.units_per_em = shaper.units_per_em();
-        const line_places places{shaper.metrics(how.direction), run.units_per_em, how.direction, options};
+        const line_places places{line_reach_of(shaper, how.direction), run.units_per_em, how.direction, options};
         for (std::size_t w = 0; w < count; ++w) {
             run_of(w).clear();
             run_of(w).units_per_em = run.units_per_em;

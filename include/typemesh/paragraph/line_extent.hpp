@@ -10,8 +10,8 @@
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// How far a line reaches up and down: the greatest ascender, the lowest descender and the greatest gap of its glyphs'
-/// faces, each at the size and the height of its cluster. One face in one style has its own metrics, an empty line
-/// `plain`, those of the shaper's first face.
+/// faces (line_reach_of()), each at the size and the height of its cluster. One face in one style, and an empty line,
+/// have `plain`, those of the shaper's first face.
 ///
 /// Cost: O(clusters), and O(glyphs) with several faces; constant for a text without styles in one face
 template <item_shaper Font>
@@ -24,7 +24,7 @@ template <item_shaper Font>
     std::uint32_t face = 0;
     bool any = false;
     const auto add = [&](const text_cluster& c, std::uint32_t of) noexcept {
-        if (of != face) own = of == 0 ? plain : line_metrics_of(font, shaped.options().direction, of);
+        if (of != face) own = of == 0 ? plain : line_reach_of(font, shaped.options().direction, of);
         face = of;
         const item_setting set = shaped.setting_of(c.item);
         const double rise = set.lift + shaped.style_of(c).rise * shaped.units_per_em();

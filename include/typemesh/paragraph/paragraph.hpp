@@ -238,7 +238,7 @@ private:
         own_glyphs_ = shaped_.all_glyphs();
         if (!pieces) return pieces.error();
 
-        const line_metrics metrics = font_->metrics(shaped_.options().direction);
+        const line_metrics metrics = line_reach_of(*font_, shaped_.options().direction);
         longest_ = 0.0;
         for (std::size_t k = 0; k < ends_.size(); ++k) {
             if (error e = compose_line(line_of(**pieces, k), options)) return e;
