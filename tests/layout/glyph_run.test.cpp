@@ -59,3 +59,20 @@ TEST_CASE("a look whose memory fails leaves the table as it was", "[layout]")
     CHECK(run.looks.empty());
     CHECK(*run.number_of({}) == 0);
 }
+
+TEST_CASE("of many looks, too, equal ones have one number, whatever else has been done to the table", "[layout]")
+{
+    glyph_run run;
+    const auto many = [](std::uint32_t i) { return look{.map = {.xx = 1.0 + i}, .style = style_id{i % 7}}; };
+    for (int round = 0; round < 2; ++round) {
+        for (std::uint32_t i = 1; i <= 1'000; ++i) CHECK(*run.number_of(many(i)) == i);
+        for (std::uint32_t i = 1; i <= 1'000; ++i) CHECK(*run.number_of(many(i)) == i);
+        CHECK(*run.number_of({}) == 0);
+        run.looks.truncate(500);
+        CHECK(*run.number_of(many(700)) == 500);
+        REQUIRE(run.looks.push_back(many(800)));  // by hand
+        CHECK(*run.number_of(many(800)) == 501);
+        CHECK(*run.number_of({.map = {.xx = 1.0 + 20, .xy = -0.0}, .style = style_id{20 % 7}}) == 20);
+        run.clear();
+    }
+}

@@ -6,6 +6,7 @@
 #include <typemesh/core/point.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/layout/look.hpp>
+#include <typemesh/layout/value_index.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -48,7 +49,9 @@ struct glyph_run {
                                  ///< but only a dictionary tells where, and there was none
     cluster_id first_unbroken = no_cluster;
 
-    explicit glyph_run(memory source = heap()) noexcept : glyphs{source}, lines{source}, looks{source} {}
+    explicit glyph_run(memory source = heap()) noexcept : glyphs{source}, lines{source}, looks{source}, index_{source}
+    {
+    }
 
     /// For shapers: counts another missing glyph, for the text at this cluster (besides setting placed_glyph::missing).
     void note_missing(cluster_id cluster) noexcept
@@ -67,11 +70,17 @@ struct glyph_run {
     /// a table made only by this the plain look has number 0.
     ///
     /// Fails  error::out_of_memory
-    /// Cost   O(looks)
+    /// Cost   O(1) on average
     result<std::uint32_t> number_of(const look& l) noexcept
     {
-        for (std::size_t i = looks.size(); i-- > 0;)
+        constexpr std::size_t few = 8;  // quicker without an index
+        for (std::size_t i = looks.size() < few ? looks.size() : few; i-- > 0;)
             if (looks[i] == l) return static_cast<std::uint32_t>(i);
+        if (looks.size() > few) {
+            if (!index_.read(looks.view())) return error::out_of_memory;
+            const std::size_t found = index_.find(looks.view(), l);
+            if (found < looks.size()) return static_cast<std::uint32_t>(found);
+        }
         const bool plain = l == look{};
         if (looks.empty() && plain) return std::uint32_t{0};
         const std::size_t before = looks.size();
@@ -87,10 +96,14 @@ struct glyph_run {
         glyphs.clear();
         lines.clear();
         looks.clear();
+        index_.clear();
         units_per_em = 0.0;
         missing = invalid_units = unbroken = 0;
         first_missing = first_invalid_unit = first_unbroken = no_cluster;
     }
+
+private:
+    value_index<look> index_;  // of looks, once there are many
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -3,8 +3,10 @@
 
 #include <typemesh/core/affine.hpp>
 #include <typemesh/core/glyph_id.hpp>
+#include <typemesh/core/mixed_key.hpp>
 
 #include <cstdint>
+#include <cstring>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -25,6 +27,19 @@ struct look {
     friend constexpr bool operator==(const look& a, const look& b) noexcept
     {
         return a.face == b.face && a.map == b.map && a.style == b.style;
+    }
+
+    /// Equal for equal looks.
+    friend std::uint64_t hash_of(const look& l) noexcept
+    {
+        std::uint64_t hash = mixed_key(l.face, static_cast<std::uint64_t>(l.style));
+        for (double number : {l.map.xx, l.map.xy, l.map.dx, l.map.yx, l.map.yy, l.map.dy}) {
+            number += 0.0;  // of both zeros one
+            std::uint64_t bits = 0;
+            std::memcpy(&bits, &number, sizeof bits);
+            hash = mixed_key(hash, bits);
+        }
+        return hash;
     }
 };
 

@@ -31,7 +31,7 @@ public:
     /// Appends the bars of a line with these slices.
     ///
     /// Fails  error::out_of_memory
-    /// Cost   O(clusters of the line), and O(looks) a bar; nothing in a text without decorations
+    /// Cost   O(clusters of the line); nothing in a text without decorations
     error write(const laid_line& line, std::span<const line_slice> slices) noexcept
     {
         for (const decoration kind : {decoration::underline, decoration::strike_through, decoration::overline})
