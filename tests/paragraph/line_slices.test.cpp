@@ -134,3 +134,29 @@ TEST_CASE("letter spacing behind a line's last letter does not count", "[paragra
         CHECK(line.slices()[0].lead == (text[0] == u'a' ? 0.0 : -40.0));
     }
 }
+
+TEST_CASE("nor does it before marks of direction, which keep the level of what hangs behind them", "[paragraph]")
+{
+    for (const char16_t* text :
+         {u"abc\u200E", u"abc\u200E  ", u"\u05D0\u05D1\u05D2\u200F", u"a\u05D1\u05D2\u200F", u"\u05D0bc\u200E"}) {
+        shaped_paragraph p{text, direction::automatic, 40.0};
+        line_slices line;
+        REQUIRE_FALSE(line.add(p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
+        const auto width = line.finish(p.shaped, 0, 0.0, {});
+        REQUIRE(width);
+        CHECK(*width == 1580.0);
+        const break_piece& word = p.pieces.words().pieces[0];
+        CHECK(word.width + word.end_change == *width);
+        double sum = 0.0;
+        for (std::size_t k = 0; k < line.visible(); ++k) sum += line.slices()[k].width;
+        CHECK(sum == *width);
+    }
+    shaped_paragraph p{u"\u05D0\u200F ", direction::left_to_right, 40.0};
+    line_slices line;
+    REQUIRE_FALSE(line.add(p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
+    REQUIRE(line.finish(p.shaped, 0, 0.0, {}));
+    REQUIRE(line.slices().size() == 3);  // the letter, its mark, the space: by rule L1 only that has the line's level
+    CHECK(line.slices()[0].level == 1);
+    CHECK(line.slices()[1].level == 1);
+    CHECK(line.slices()[2].level == 0);
+}

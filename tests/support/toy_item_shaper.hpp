@@ -11,7 +11,7 @@
 
 namespace test {
 
-/// Every code point is a glyph of that number, 500 units wide, a space 250, a soft hyphen 0, 1000 units to the em.
+/// Every code point is a glyph of that number, 500 units wide, a space 250, a soft hyphen and marks of direction 0, 1000 units to the em.
 /// Combining marks belong to the letter before and have no width. "AV" is kerned by -100 on the A, "fi" is one glyph of
 /// 700 (of id 0xFB01): both are unsafe to break between. Between two of U+0628 there may be a tatweel. U+007F has no
 /// glyph, U+FFFF is missing, '!' is refused. Counts what it is asked.
@@ -39,9 +39,9 @@ struct toy_item_shaper {
             if (c.value == '!') return error{error::font_library_failed}.at(no_glyph, cluster);
             const bool mark = c.value >= 0x300 && c.value < 0x370 && !made.empty();
             shaped_glyph g{static_cast<glyph_id>(c.value), cluster,
-                           c.value == ' '    ? 250.0
-                           : c.value == 0xAD ? 0.0
-                                             : 500.0};
+                           c.value == ' '                                              ? 250.0
+                           : c.value == 0xAD || c.value == 0x200E || c.value == 0x200F ? 0.0
+                                                                                       : 500.0};
             if (mark) g.cluster = made.back().cluster, g.advance = 0.0, g.flags = made.back().flags;
             if (all_unsafe) g.flags = unsafe;
             if (c.value == 0xFFFF) g = {0, cluster, 500.0, {}, 0, glyph_flags::missing};

@@ -27,11 +27,13 @@ struct line_cut {
 
 namespace detail {
 
-/// The advance of clusters without what hangs at their end.
+/// The advance of clusters without what hangs at their end, and without letter spacing there.
 [[nodiscard]] inline double visible_advance(const shaped_text& shaped, std::uint32_t first, std::uint32_t last) noexcept
 {
     while (last > first && has(shaped.cluster(last - 1).flags, cluster_flags::hangs)) --last;
-    return shaped.advance(first, last) - (last > first ? shaped.spacing_of(shaped.cluster(last - 1)) : 0.0);
+    std::uint32_t drawn = last;
+    while (drawn > first && has(shaped.cluster(drawn - 1).flags, cluster_flags::unseen)) --drawn;
+    return shaped.advance(first, last) - (drawn > first ? shaped.spacing_of(shaped.cluster(drawn - 1)) : 0.0);
 }
 
 /// Appends a hyphen, as a cluster of the grapheme before text[place]: the font's own, else hyphen-minus.

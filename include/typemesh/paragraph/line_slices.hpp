@@ -50,7 +50,7 @@ public:
     }
     [[nodiscard]] std::span<line_slice> slices() noexcept { return slices_.view(); }
     [[nodiscard]] std::span<const line_slice> slices() const noexcept { return slices_.view(); }
-    /// How many of them count for the line's width: those behind hang.
+    /// How many of them count for the line's width: those behind hang, or show nothing.
     [[nodiscard]] std::size_t visible() const noexcept { return visible_; }
 
     /// Appends pieces [first, last) of a list, as a line has them that begins and ends with them.
@@ -83,8 +83,10 @@ public:
     error append(const shaped_text& shaped, std::uint32_t first, std::uint32_t count, int level = -1) noexcept
     {
         if (count == 0) return {};
-        if (has(shaped.cluster(first).flags, cluster_flags::tab))
-            if (const auto parted = part_white_space(shaped, false); !parted) return parted.error();
+        if (has(shaped.cluster(first).flags, cluster_flags::tab)) {
+            const auto parted = part(shaped, slices_.size(), cluster_flags::hangs, false);
+            if (!parted) return parted.error();
+        }
         const std::uint8_t own = shaped.items()[shaped.cluster(first).item].level;
         const line_slice slice{
             .first = first, .last = first + count, .level = level < 0 ? own : static_cast<std::uint8_t>(level)};
@@ -107,13 +109,15 @@ public:
     /// UAX #9), and measures everything, with the pen at `pen` in the beginning. Returns the line's width.
     result<double> finish(const shaped_text& shaped, std::uint8_t level, double pen, const line_room& room) noexcept
     {
-        const auto visible = part_white_space(shaped, true);
+        const auto letters = part(shaped, slices_.size(), cluster_flags::hangs, true);
+        if (!letters) return letters.error();
+        const auto visible = part(shaped, *letters, cluster_flags::unseen, true);
         if (!visible) return visible.error();
         visible_ = *visible;
         bool hangs = true;  // what follows, up to a tab or the end
         for (std::size_t k = slices_.size(); k-- > 0;) {
             line_slice& s = slices_[k];
-            hangs = is_tab(shaped, s) || (hangs && end_of_letters(shaped, s) == s.first);
+            hangs = is_tab(shaped, s) || (hangs && end_before(shaped, s, cluster_flags::hangs) == s.first);
             if (hangs) s.level = level;
         }
         const double start = pen;
@@ -208,25 +212,26 @@ private:
         return n;
     }
 
-    /// Where the white space at the end of a slice begins.
-    static std::uint32_t end_of_letters(const shaped_text& shaped, const line_slice& s) noexcept
+    /// Where those clusters at the end of a slice begin that have a flag.
+    static std::uint32_t end_before(const shaped_text& shaped, const line_slice& s, cluster_flags flag) noexcept
     {
         std::uint32_t last = s.last;
-        while (last > s.first && has(shaped.cluster(last - 1).flags, cluster_flags::hangs)) --last;
+        while (last > s.first && has(shaped.cluster(last - 1).flags, flag)) --last;
         return last;
     }
 
-    /// Parts the white space at the end from what stands before it. Returns how many slices do; behind a tab, all those
-    /// up to it.
-    result<std::size_t> part_white_space(const shaped_text& shaped, bool beyond_tabs) noexcept
+    /// Parts the clusters that have a flag at the end of the first `count` slices from what stands before them. Returns
+    /// how many slices do; behind a tab, unless that is passed over, all those up to it.
+    result<std::size_t> part(const shaped_text& shaped, std::size_t count, cluster_flags flag,
+                             bool beyond_tabs) noexcept
     {
-        std::size_t k = slices_.size();
-        while (k > 0 && end_of_letters(shaped, slices_[k - 1]) == slices_[k - 1].first &&
+        std::size_t k = count;
+        while (k > 0 && end_before(shaped, slices_[k - 1], flag) == slices_[k - 1].first &&
                (beyond_tabs || !is_tab(shaped, slices_[k - 1])))
             --k;
         if (k == 0) return k;
         const line_slice all = slices_[k - 1];
-        const std::uint32_t last = end_of_letters(shaped, all);
+        const std::uint32_t last = end_before(shaped, all, flag);
         if (last == all.last || last == all.first) return k;
         line_slice rest = all;
         rest.first = slices_[k - 1].last = last;

@@ -396,8 +396,10 @@ private:
     [[nodiscard]] cluster_flags flags_of(const shaped_glyph& g) const noexcept
     {
         const text_mark marks = analysis.marks[g.cluster];
-        const bool space = has(marks, text_mark::space), trailing = has(marks, text_mark::trailing);
-        return (space || trailing ? cluster_flags::hangs : cluster_flags::none) |
+        const bool space = has(marks, text_mark::space), hangs = space || has(marks, text_mark::trailing);
+        const bool unseen = !hangs && is_zero(g.advance) && is_default_ignorable(decode(text_, g.cluster).value);
+        return (hangs ? cluster_flags::hangs : cluster_flags::none) |
+               (unseen ? cluster_flags::unseen : cluster_flags::none) |
                (space ? cluster_flags::stretches : cluster_flags::none) |
                (has(g.flags, glyph_flags::unsafe_to_break) ? cluster_flags::unsafe : cluster_flags::none) |
                (has(g.flags, glyph_flags::tatweel) ? cluster_flags::tatweel : cluster_flags::none);

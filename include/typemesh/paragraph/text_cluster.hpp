@@ -8,7 +8,7 @@
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// What is known of a cluster of a shaped text; a set, joined by |.
-enum class cluster_flags : std::uint8_t {
+enum class cluster_flags : std::uint16_t {
     none = 0,
     unsafe = 1u << 0,     ///< a line that ends before it needs both sides shaped again
     hangs = 1u << 1,      ///< at the end of a line it counts for nothing: white space, breaks, what is not drawn
@@ -18,6 +18,7 @@ enum class cluster_flags : std::uint8_t {
     spaced = 1u << 5,   ///< letter spacing has made it wider
     foreign = 1u << 6,  ///< it shows what is not in the text: a hyphen, an ellipsis
     tatweel = 1u << 7,  ///< U+0640 may be inserted before it to fill a line
+    unseen = 1u << 8,   ///< not drawn, though rule L1 of UAX #9 does not have it as trailing: a mark of direction, say
 };
 
 [[nodiscard]] constexpr cluster_flags operator|(cluster_flags a, cluster_flags b) noexcept

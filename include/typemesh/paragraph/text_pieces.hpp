@@ -159,7 +159,7 @@ private:
         std::uint32_t cluster = 0, first = 0;  // where it begins
         double width = 0.0, space = 0.0, stretch = 0.0, begin_change = 0.0;
         bool empty = true;
-        double spacing = 0.0;  // of its last visible cluster
+        double spacing = 0.0;  // of its last cluster that is drawn
         double taken = 0.0;    // the share of the present cluster that earlier pieces have taken
 
         void begin(std::uint32_t c) noexcept
@@ -178,7 +178,7 @@ private:
             }
             width += space + advance;
             space = 0.0;
-            spacing = shaped.spacing_of(c);
+            if (!has(c.flags, cluster_flags::unseen)) spacing = shaped.spacing_of(c);
         }
         void add_rest(const shaped_text& shaped, const text_cluster& c) noexcept
         {
