@@ -4,6 +4,7 @@
 //
 //     d3dx_create_text text OUT RUNS FONT_FILE FAMILY      "Hello world!" at four deviations, RUNS times each
 //     d3dx_create_text letters OUT FIRST FONT_FILE FAMILY  every letter of Latin-1 alone at more deviations, untimed
+//     d3dx_create_text protocol TEXTS FIRST FONT_FILE FAMILY RUNS    the texts of bench_thesis, times only: rows (../README.md)
 //
 // Appends to OUT. The library is loaded by name (d3dx9_43.dll, or $D3DX9_DLL): what answers under Wine is Wine's own
 // implementation, on Windows it is Microsoft's. Direct3DCreate9 wants a display; the device is of the kind NULLREF: it
@@ -21,6 +22,8 @@
 
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
+#include <sstream>
 
 namespace {
 
@@ -90,11 +93,54 @@ LONG WINAPI note_and_end(EXCEPTION_POINTERS*)
     return 0;
 }
 
+/// The texts of a file of lines "script, category, number, text", each at the four deviations of the thesis, from the FIRSTth
+/// mesh on.
+template <class Create>
+void time_protocol(char** argv, Create&& create_mesh)
+{
+    std::ifstream in{argv[2], std::ios::binary};
+    const int first = std::atoi(argv[3]), runs = std::atoi(argv[6]);
+    int at = 0;
+    for (std::string line; std::getline(in, line);) {
+        std::istringstream fields{line};
+        std::string script, category, number, utf8;
+        std::getline(std::getline(std::getline(std::getline(fields, script, '\t'), category, '\t'), number, '\t'),
+                     utf8);
+        const std::wstring text = wide(utf8.c_str());
+        for (const double deviation : bench::deviations) {
+            if (at++ < first) continue;
+            std::snprintf(crash_note, sizeof crash_note, "crash %d\n", at - 1);
+            const auto build = [&] { return create_mesh(reinterpret_cast<const char16_t*>(text.c_str()), deviation); };
+            ID3DXMesh* mesh = build();
+            if (mesh == nullptr) continue;
+            const DWORD vertices = mesh->GetNumVertices(), triangles = mesh->GetNumFaces();
+            mesh->Release();
+            double sum = 0;
+            std::vector<double> each;
+            for (int i = 0; i < runs; ++i) {
+                const auto start = std::chrono::steady_clock::now();
+                build()->Release();
+                const std::chrono::duration<double, std::micro> one = std::chrono::steady_clock::now() - start;
+                each.push_back(one.count());
+                sum += one.count();
+            }
+            std::printf("d3dx\t%s\t%s\t%s\t%s\t%g\t%d\t%.3f\t%.3f\t%lu\t%lu\n", argv[5], script.c_str(),
+                        category.c_str(), number.c_str(), deviation, runs, sum / runs, bench::median(each), vertices,
+                        triangles);
+            std::fflush(stdout);
+        }
+    }
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
 {
-    if (argc != 6) fail("usage: d3dx_create_text text|letters OUT RUNS|FIRST FONT_FILE FAMILY");
+    const bool protocol = argc == 7 && std::strcmp(argv[1], "protocol") == 0;
+    if (argc != 6 && !protocol)
+        fail(
+            "usage: d3dx_create_text text|letters OUT RUNS|FIRST FONT_FILE FAMILY, or protocol TEXTS FIRST FONT_FILE "
+            "FAMILY RUNS");
     const bool letters = std::strcmp(argv[1], "letters") == 0;
     const std::string file = argv[2];
     const int number = std::atoi(argv[3]);
@@ -116,6 +162,17 @@ int main(int argc, char** argv)
     WCHAR face[LF_FACESIZE] = {};
     GetTextFaceW(dc, LF_FACESIZE, face);
     if (wide(argv[5]) != face) fail("the choice of the font: GDI took another one");
+
+    if (protocol) {
+        time_protocol(argv, [&](const char16_t* text, double deviation) {
+            ID3DXMesh* mesh = nullptr;
+            const auto* words = reinterpret_cast<const WCHAR*>(text);
+            const HRESULT made =
+                create(device, dc, words, static_cast<float>(deviation), 0.3f, &mesh, nullptr, nullptr);
+            return SUCCEEDED(made) ? mesh : nullptr;
+        });
+        return 0;
+    }
 
     std::FILE* out = std::fopen(file.c_str(), "ab");
     if (out == nullptr) fail("fopen");

@@ -7,6 +7,7 @@
 #
 #     bench/d3dx/run.sh                times and sizes, 2 minutes
 #     bench/d3dx/run.sh --letters      also every letter of Latin-1 at seven deviations: errors, some minutes more
+#     bench/d3dx/run.sh --protocol N   instead: the texts of the thesis, N runs each, as rows (../README.md)
 #     bench/d3dx/run.sh --rounds N     so many rounds (3) of all programs in turn; the best median of each counts
 #     bench/d3dx/run.sh --runs N       so many runs (1000) in a round
 #
@@ -17,18 +18,21 @@ typemesh_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 . "$typemesh_root/cmake/setup.sh"
 build=$typemesh_root/build/d3dx
 letters=
+protocol=
 rounds=3
 runs=1000
 while [ $# -gt 0 ]; do
     case $1 in
         --letters) letters=yes ;;
+        --protocol) protocol=$2 && shift ;;
         --rounds) rounds=$2 && shift ;;
         --runs) runs=$2 && shift ;;
-        *) sed -n '3,14s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" && exit 2 ;;
+        *) sed -n '3,15s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" && exit 2 ;;
     esac
     shift
 done
 
+[ -z "$protocol" ] || exec 3>&1 1>&2  # rows alone go to the standard output
 install_missing g++ cmake ninja pkg-config harfbuzz mingw wine xvfb
 install_fonts fonts-dejavu-core fonts-liberation fonts-comic-neue
 fonts=${TYPEMESH_FONT_DIR:-/usr/share/fonts}
@@ -47,7 +51,7 @@ build_in() {  # build_in FOLDER TARGET... -- CMAKE_OPTION...
         -DTYPEMESH_BUILD_EXAMPLES=OFF "$@" && cmake --build "$folder" --target $targets; } >"$folder.log" 2>&1 ||
         { cat "$folder.log" >&2 && exit 1; }
 }
-build_in native bench_d3dx_typemesh_text bench_d3dx_examine --
+[ -n "$protocol" ] || build_in native bench_d3dx_typemesh_text bench_d3dx_examine --
 build_in windows bench_d3dx_typemesh_text bench_d3dx_create_text -- \
     -DCMAKE_TOOLCHAIN_FILE="$typemesh_root/cmake/mingw-w64.cmake"
 native=$build/native/bench/d3dx windows=$build/windows/bench/d3dx
@@ -57,7 +61,7 @@ export LIBGL_ALWAYS_SOFTWARE=1
 unset DISPLAY
 rm -f "$build"/*.meshes
 display=$(mktemp)
-Xvfb -displayfd 3 -screen 0 640x480x24 -nolisten tcp 3>"$display" >/dev/null 2>&1 &
+Xvfb -displayfd 4 -screen 0 640x480x24 -nolisten tcp 4>"$display" 3>&- >/dev/null 2>&1 &
 xvfb=$!
 trap 'kill $xvfb; wineserver -k 2>/dev/null || true; rm -f "$display"' EXIT
 for _ in $(seq 50); do [ -s "$display" ] || sleep 0.1; done
@@ -95,6 +99,42 @@ mesh_letters() {
     done
     [ $status = 0 ] || stop "bench_d3dx_create_text has failed ($status)"
 }
+# The texts that a font stands in for, in a file; a crash is told, and the next mesh begins anew.
+time_protocol() {
+    local first=0 crashes=0 crash
+    texts_of "$(script_of "$3")" >"$build/texts.tsv"
+    while :; do
+        under_wine "$windows/bench_d3dx_create_text.exe" protocol "Z:$build/texts.tsv" "$first" "$2" "$3" "$protocol" |
+            tr -d '\r' >"$build/protocol.rows"
+        grep '^d3dx' "$build/protocol.rows" >&3 || true
+        crash=$(sed -n 's/^crash //p' "$build/protocol.rows" | tail -n 1)
+        [ -n "$crash" ] || break
+        first=$((crash + 1)) crashes=$((crashes + 1))
+    done
+    say "d3dx_crashes	$3	$crashes" >&3
+}
+texts_of() {
+    local kind
+    for kind in chars:character phrases:phrase long:long; do
+        [ ! -e "$typemesh_root/tests/workload/${kind%:*}-$1.txt" ] || awk -v script="$1" -v kind="${kind#*:}" -v OFS='\t' \
+            '{ print script, kind, FNR, $0 }' "$typemesh_root/tests/workload/${kind%:*}-$1.txt"
+    done
+}
+script_of() {
+    case $1 in Amiri) say arabic ;; WenQuanYi*) say chinese ;; Sawarabi*) say japanese ;; *) say latin ;; esac
+}
+if [ -n "$protocol" ]; then
+    say "columns	d3dx	font	script	category	text	deviation	runs	mean_us	median_us	vertices	triangles" >&3
+    say "columns	d3dx_crashes	font	crashes" >&3
+    table="$table
+$fonts/truetype/liberation/LiberationSerif-Regular.ttf|Liberation Serif
+$fonts/truetype/liberation/LiberationMono-Regular.ttf|Liberation Mono
+$fonts/opentype/fonts-hosny-amiri/Amiri-Regular.ttf|Amiri
+$fonts/truetype/wqy/wqy-microhei.ttc|WenQuanYi Micro Hei
+$fonts/truetype/sawarabi-mincho/sawarabi-mincho-medium.ttf|Sawarabi Mincho"
+    each_font time_protocol
+    exit
+fi
 for _ in $(seq "$rounds"); do each_font time_all; done
 [ -z "$letters" ] || each_font mesh_letters
 "$native/bench_d3dx_examine" "$fonts" "$build/d3dx.meshes" "$build/native.meshes" "$build/windows.meshes"
