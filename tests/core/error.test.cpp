@@ -48,7 +48,7 @@ TEST_CASE("a description names glyph, cluster, count and option where they are k
     CHECK(std::string{describe(error{error::crossing_contours}.at(37, 4), room)} ==
           "glyph 37, cluster 4: Contours of the outline cross, touch or overlap.");
     CHECK(std::string{describe(error{error::unknown_glyph}.at(37, no_cluster), room)}.rfind("glyph 37: ", 0) == 0);
-    CHECK(std::string{describe(error{error::mixed_direction}.at(no_glyph, 9), room)}.rfind("cluster 9: ", 0) == 0);
+    CHECK(std::string{describe(error{error::needs_shaping}.at(no_glyph, 9), room)}.rfind("cluster 9: ", 0) == 0);
     CHECK(std::string{describe(error{error::no_such_face, 2}, room)} ==
           "There is no face with that number in the font file or among the given fonts. (2)");
     CHECK(std::string{describe(error::bad("depth"), room)} == "An option is outside its range. (depth)");

@@ -148,7 +148,7 @@ TEST_CASE("layout empties the run first, and leaves it empty on failure", "[layo
     CHECK(run.first_missing == no_cluster);
 
     const error refused = layout(font, "ok\nnot!", {}, {}, run);
-    CHECK(refused == error::mixed_direction);
+    CHECK(refused == error::needs_shaping);
     CHECK(refused.cluster == 6);
     CHECK(run.glyphs.empty());
     CHECK(run.lines.empty());

@@ -33,11 +33,11 @@ struct one_way_shaper {
         const bool right = found.to_the_right != line_reading::nowhere;
         const bool left = found.to_the_left != line_reading::nowhere;
         if (!down && right && left)
-            return error{error::mixed_direction}.at(
+            return error{error::needs_shaping}.at(
                 no_glyph, static_cast<cluster_id>((std::max)(found.to_the_right, found.to_the_left)));
         const std::size_t number = find_number(text, first, last);
         if (!down && left && number != line_reading::nowhere)
-            return error{error::mixed_direction}.at(no_glyph, static_cast<cluster_id>(number));
+            return error{error::needs_shaping}.at(no_glyph, static_cast<cluster_id>(number));
         const bool neutral = !left && !right && number == line_reading::nowhere;
         const bool leftward = !down && (left || (neutral && how.direction == direction::right_to_left));
 
@@ -225,7 +225,7 @@ TEST_CASE("between tabs letters are read in their own direction, and in the line
     const std::string mixed = "ab\tc" + hebrew;
     const auto way = shape_line(font, mixed, 0, mixed.size(), {}, {}, run);
     REQUIRE_FALSE(way);
-    CHECK(way.error() == error::mixed_direction);
+    CHECK(way.error() == error::needs_shaping);
     CHECK(way.error().cluster == 4);
 }
 

@@ -29,7 +29,7 @@ struct counting_shaper {
         for (std::size_t i = first; i < last;) {
             const code_point c = decode(text, i, last);
             const auto cluster = static_cast<cluster_id>(i);
-            if (c.value == '!') return error{error::mixed_direction}.at(no_glyph, cluster);
+            if (c.value == '!') return error{error::needs_shaping}.at(no_glyph, cluster);
             const bool missing = c.value == '?';
             if (missing) run.note_missing(cluster);
             if (!c.valid) run.note_invalid_units(cluster);
@@ -154,11 +154,11 @@ TEST_CASE("of several lines that are refused the first is told, and the run is e
         counting_shaper font;
         glyph_run run;
         const error expected = layout(font, text, {}, {}, run);
-        REQUIRE(expected == error::mixed_direction);
+        REQUIRE(expected == error::needs_shaping);
         for (std::uint32_t seed = 1; seed < 10; ++seed) {
             workers_at_hand team{3, seed};
             const error e = team.set(text, {}, {}, run);
-            CHECK(e == error::mixed_direction);
+            CHECK(e == error::needs_shaping);
             CHECK(e.cluster == expected.cluster);
             CHECK(run.glyphs.empty());
             CHECK(run.lines.empty());

@@ -37,7 +37,7 @@ struct toy_shaper {
         bool leftward = false;
         for (std::size_t i = first; i < last;) {
             const code_point c = decode(text, i, last);
-            if (c.value == '!') return error{error::mixed_direction}.at(no_glyph, static_cast<cluster_id>(i));
+            if (c.value == '!') return error{error::needs_shaping}.at(no_glyph, static_cast<cluster_id>(i));
             const bool mark = c.value >= 0x300 && c.value < 0x370 && !letters.empty();
             letters.push_back({c.value, mark ? letters.back().cluster : static_cast<cluster_id>(i)});
             leftward = leftward || (c.value >= 0x590 && c.value < 0x700);

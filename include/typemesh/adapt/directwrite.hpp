@@ -154,9 +154,8 @@ public:
     }
 
     /// See shaper. Scripts and bidirectional levels are DirectWrite's own (UAX #9), so a line may hold text of both
-    /// directions: its pieces come in visual order, and error::mixed_direction does not occur. `direction` is the
-    /// line's base direction, which orders its pieces; letters keep their own direction whatever is requested.
-    /// direction::automatic takes that of the first letter.
+    /// directions: its pieces come in visual order. `direction` is the line's base direction, which orders its pieces;
+    /// letters keep their own direction whatever is requested. direction::automatic takes that of the first letter.
     ///
     /// In columns glyphs stand upright, in the vertical forms that the font has ("vert"), one below the other by their
     /// vertical metrics.

@@ -66,10 +66,11 @@ public:
             if (found.invalid.count != 0) run.note_invalid_units(found.invalid.first, found.invalid.count);
             return shape_items(font, unit, text, options, run);
         }
-        const auto direction = direction_of(found, options.direction, script);
-        if (!direction || (*direction == HB_DIRECTION_RTL && find_number(text, first, last) != line_reading::nowhere)) {
+        const hb_direction_t way = direction_of(found, options.direction, script);
+        const bool back = way == HB_DIRECTION_RTL;
+        if (way == HB_DIRECTION_INVALID || (back && find_number(text, first, last) != line_reading::nowhere)) {
             shape_options base = options;
-            if (direction) base.direction = direction::right_to_left;  // the script's, say, of a line of digits
+            if (back) base.direction = direction::right_to_left;  // the script's, say, of a line of digits
             if (error e = mixed_.cut(text, first, last, base, items_)) return e;
             if (found.invalid.count != 0) run.note_invalid_units(found.invalid.first, found.invalid.count);
             return shape_items(font, unit, text, options, run);
@@ -82,9 +83,9 @@ public:
         const hb_language_t language = language_of(options);
         point at;
         for (std::size_t k = 0; k < pieces_.size(); ++k) {
-            const piece& p = pieces_[*direction == HB_DIRECTION_RTL ? pieces_.size() - 1 - k : k];
+            const piece& p = pieces_[back ? pieces_.size() - 1 - k : k];
             fill_buffer(text, p, found.invalid.count != 0, HB_BUFFER_FLAG_DEFAULT);
-            if (error e = shape_buffer(font, *direction, p.script, language)) return e;
+            if (error e = shape_buffer(font, way, p.script, language)) return e;
             if (error e = take_glyphs(unit, at, run)) return e;
         }
         if (found.invalid.count != 0) run.note_invalid_units(found.invalid.first, found.invalid.count);
@@ -143,14 +144,14 @@ private:
         hb_script_t script;
     };
 
-    /// The direction of a line that has only one; an error for others.
-    static result<hb_direction_t> direction_of(const line_reading& found, direction wanted, hb_script_t script) noexcept
+    /// The direction of a line that has only one; HB_DIRECTION_INVALID of others.
+    static hb_direction_t direction_of(const line_reading& found, direction wanted, hb_script_t script) noexcept
     {
         if (wanted == direction::top_to_bottom) return HB_DIRECTION_TTB;
         const bool right = found.to_the_right != line_reading::nowhere,
                    left = found.to_the_left != line_reading::nowhere;
         if ((right && (left || wanted == direction::right_to_left)) || (left && wanted == direction::left_to_right))
-            return error::mixed_direction;
+            return HB_DIRECTION_INVALID;
         if (left || wanted == direction::right_to_left) return HB_DIRECTION_RTL;
         if (right || wanted == direction::left_to_right || script == HB_SCRIPT_INVALID) return HB_DIRECTION_LTR;
         return hb_script_get_horizontal_direction(script) == HB_DIRECTION_RTL ? HB_DIRECTION_RTL : HB_DIRECTION_LTR;

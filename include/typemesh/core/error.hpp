@@ -40,7 +40,6 @@ struct [[nodiscard]] error {
         bad_tolerance,        ///< a tolerance is not a positive finite number
         bad_option,           ///< an option is outside its range; `option` names it
         overlapping_spans,    ///< two spans of a text's styles hold the same character
-        mixed_direction,      ///< one line holds left-to-right and right-to-left text
         needs_shaping,        ///< the plain shaper cannot set this script correctly
         font_library_failed,  ///< FreeType, HarfBuzz or DirectWrite refused; count = its own error number, if any
         not_written,          ///< a sink could not keep all that it was given: the disk is full, say
@@ -115,8 +114,6 @@ struct [[nodiscard]] error {
         case bad_tolerance: return "The tolerance is not a positive finite number.";
         case bad_option: return "An option is outside its range.";
         case overlapping_spans: return "Two spans of styles hold the same character.";
-        case mixed_direction:
-            return "A line holds both left-to-right and right-to-left text; shape its runs one by one.";
         case needs_shaping:
             return "The text needs a real shaper (HarfBuzz, DirectWrite): a character map and kerning cannot set its "
                    "script.";

@@ -38,9 +38,8 @@ struct line_metrics {
 ///                                         Glyphs that are not simply drawn by the source's first face refer to
 ///                                         a look: run.number_of(look).
 ///
-/// Fails  error::mixed_direction: the line holds text of both directions and the shaper has no
-///                              bidirectional algorithm (never drawn in the wrong order)
-///        error::needs_shaping: the shaper is not made for this script
+/// Fails  error::needs_shaping: the shaper is not made for this script, or for a line of both directions: it draws
+///                              nothing in the wrong order
 ///        error::out_of_memory; the run may then hold some of the line's glyphs
 template <class S>
 concept shaper = requires(S& s, text_view text, std::size_t i, const shape_options& o, glyph_run& run) {
