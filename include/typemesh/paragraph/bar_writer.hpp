@@ -91,7 +91,7 @@ private:
         const double thickness = own.thickness * em * size;
         double top = own.top * em * size;
         if (kind == decoration::overline) top = lines_.ascender * size;
-        if (shaped_.upright()) {
+        if (shaped_.in_columns()) {
             if (under) top = lines_.descender * size;
             if (kind == decoration::strike_through) top = thickness / 2;
             if (kind == decoration::overline) top += thickness;
@@ -113,7 +113,7 @@ private:
     {
         if (!(b.to > b.from)) return {};
         const double length = b.to - b.from, thickness = b.high - b.low;
-        const bool down = shaped_.upright();
+        const bool down = shaped_.in_columns();
         const auto number = run_.number_of({.face = bar_face,
                                             .map = {.xx = down ? thickness : length, .yy = down ? length : thickness},
                                             .style = b.style});

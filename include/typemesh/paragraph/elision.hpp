@@ -149,7 +149,7 @@ private:
         const std::size_t clusters = shaped.all_clusters(), glyphs = shaped.all_glyphs();
         for (const text_view wanted : {from.options.ellipsis, text_view{"..."}}) {
             shaped.truncate(clusters, glyphs);
-            const error e = shaped.upright() ? cutter_.cut_column(wanted, 0, wanted.size(), how, has_form, parts_)
+            const error e = shaped.in_columns() ? cutter_.cut_column(wanted, 0, wanted.size(), how, has_form, parts_)
                                              : cutter_.cut(wanted, 0, wanted.size(), how, parts_);
             if (e) return e;
             const auto complete = shaped.append_foreign(from.shaper, item, at, wanted, parts_.view());

@@ -82,7 +82,7 @@ public:
         if (lines_.empty()) return {};
         const std::size_t k = line_near(p);
         const laid_line& line = lines_[k];
-        const bool down = shaped_->upright();
+        const bool down = shaped_->in_columns();
         const double along = em_ * (down ? 0.0 - p.y : p.x);
         text_place best{line.first, affinity::downstream, false};
         double beside = 0.0, distance = 0.0;  // of the best: to its grapheme, to its edge
@@ -164,7 +164,7 @@ private:
 
     [[nodiscard]] point point_of(const laid_line& line, double along) const noexcept
     {
-        const point at = shaped_->upright() ? point{line.origin.x, line.origin.y - along}
+        const point at = shaped_->in_columns() ? point{line.origin.x, line.origin.y - along}
                                             : point{line.origin.x + along, line.origin.y};
         return (1.0 / em_) * at;
     }
@@ -172,7 +172,7 @@ private:
     {
         const point a = point_of(line, from), b = point_of(line, to);
         const double low = line.metrics.descender / em_, high = line.metrics.ascender / em_;
-        if (shaped_->upright()) return {{a.x + low, b.y}, {a.x + high, a.y}};
+        if (shaped_->in_columns()) return {{a.x + low, b.y}, {a.x + high, a.y}};
         return {{a.x, a.y + low}, {b.x, a.y + high}};
     }
 
@@ -182,7 +182,7 @@ private:
         double least = 0.0;
         for (std::size_t k = 0; k < lines_.size(); ++k) {
             const box b = line_box(k);
-            const double middle = shaped_->upright() ? (b.low.x + b.high.x) / 2 - p.x : (b.low.y + b.high.y) / 2 - p.y;
+            const double middle = shaped_->in_columns() ? (b.low.x + b.high.x) / 2 - p.x : (b.low.y + b.high.y) / 2 - p.y;
             if (k != 0 && std::fabs(middle) >= least) continue;
             best = k;
             least = std::fabs(middle);

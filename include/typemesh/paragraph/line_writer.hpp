@@ -16,7 +16,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 class line_writer {
 public:
     line_writer(const shaped_text& shaped, glyph_run& run) noexcept
-        : shaped_{shaped}, run_{run}, down_{shaped.upright()}, alike_{!down_ && shaped.styles.empty()}
+        : shaped_{shaped}, run_{run}, down_{shaped.in_columns()}, alike_{!down_ && shaped.styles.empty()}
     {
     }
 

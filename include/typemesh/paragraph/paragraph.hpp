@@ -247,7 +247,7 @@ private:
             if (options.boxes == line_box::content)
                 line.metrics = extent_of(*font_, shaped_, placed_.view().subspan(line.first_slice), metrics);
         }
-        height_ = stack_lines(lines_.view(), em, options, shaped_.upright());
+        height_ = stack_lines(lines_.view(), em, options, shaped_.in_columns());
         return {};
     }
 
@@ -368,7 +368,7 @@ private:
                 if (error e = writer.write(s, line.origin, s.at)) return e;
             if (error e = bars.write(line, slices)) return e;
             if (run.glyphs.size() > 0xFFFF'FFFFu) return error::too_large;
-            const point along = shaped_.upright() ? point{0.0, 0.0 - line.left} : point{line.left, 0.0};
+            const point along = shaped_.in_columns() ? point{0.0, 0.0 - line.left} : point{line.left, 0.0};
             const auto count = static_cast<std::uint32_t>(run.glyphs.size()) - first;
             if (!run.lines.push_back({first, count, line.origin + along, line.width})) return error::out_of_memory;
         }

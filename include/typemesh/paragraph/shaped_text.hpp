@@ -43,7 +43,8 @@ public:
     [[nodiscard]] text_view text() const noexcept { return text_; }
     [[nodiscard]] const shape_options& options() const noexcept { return options_; }
     [[nodiscard]] double units_per_em() const noexcept { return em_; }
-    [[nodiscard]] bool upright() const noexcept { return options_.direction == direction::top_to_bottom; }
+    /// Whether its lines are columns: their pen moves down.
+    [[nodiscard]] bool in_columns() const noexcept { return options_.direction == direction::top_to_bottom; }
 
     [[nodiscard]] std::span<const text_item> items() const noexcept { return items_.view(); }
     [[nodiscard]] const text_cluster& cluster(std::size_t i) const noexcept { return clusters_[i]; }
@@ -67,7 +68,7 @@ public:
     /// How Latin stands in this text, as far as nothing else is asked for.
     [[nodiscard]] glyph_orientation latin() const noexcept
     {
-        if (!upright()) return glyph_orientation::horizontal;
+        if (!in_columns()) return glyph_orientation::horizontal;
         const bool sideways = options_.columns.latin == column_latin::sideways;
         return sideways ? glyph_orientation::sideways : glyph_orientation::upright;
     }
@@ -474,7 +475,7 @@ private:
 
     [[nodiscard]] point along(double distance) const noexcept
     {
-        return upright() ? point{0.0, 0.0 - distance} : point{distance, 0.0};
+        return in_columns() ? point{0.0, 0.0 - distance} : point{distance, 0.0};
     }
 
     text_view text_;
