@@ -3,10 +3,10 @@
 #include "support/counting_memory.hpp"
 #include "support/mesh_laws.hpp"
 #include "support/toy_font.hpp"
+#include "support/written_mesh.hpp"
 
 #include <typemesh/typemesh.hpp>
 
-#include <cstring>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,12 +37,6 @@ full_mesh build(Mesher& mesher, const Text& text, const text_options& options = 
     full_mesh m;
     REQUIRE(mesher.build(text, into(m.vertices, m.indices), options));
     return m;
-}
-
-bool same_bits(const full_mesh& a, const full_mesh& b)
-{
-    return a.vertices.size() == b.vertices.size() && a.indices == b.indices &&
-           std::memcmp(a.vertices.data(), b.vertices.data(), a.vertices.size() * sizeof(test::full_vertex)) == 0;
 }
 
 /// Parts of a made-up glyph with `points` points.
@@ -198,17 +192,17 @@ TEST_CASE("meshes are the same to the last bit with and without reuse and cache"
     CHECK(font.drawn == 7);  // o E i x ~ .notdef, and the blank
 
     options.reuse = false;
-    CHECK(same_bits(build(plain, text, options), expected));
+    CHECK(test::same_bits(build(plain, text, options), expected));
     CHECK(font.drawn == 7 + 16);
 
     options.reuse = true;
     glyph_cache cache;
     auto cached = text_mesher{font}.with(cached_in{cache, 1});
-    CHECK(same_bits(build(cached, text, options), expected));
+    CHECK(test::same_bits(build(cached, text, options), expected));
     CHECK(font.drawn == 7 + 16 + 7);
-    CHECK(same_bits(build(cached, text, options), expected));
+    CHECK(test::same_bits(build(cached, text, options), expected));
     auto another = text_mesher{font}.with(cached_in{cache, 1});
-    CHECK(same_bits(build(another, text, options), expected));
+    CHECK(test::same_bits(build(another, text, options), expected));
     CHECK(font.drawn == 7 + 16 + 7);  // refusals and blanks are kept as well
     CHECK(cache.statistics().entries == 7);
     CHECK(cache.statistics().hits == 14);
@@ -244,7 +238,7 @@ TEST_CASE("settings and policies that shape glyphs differently never share them"
         const std::size_t before = font.drawn;
         const auto m = build(with_cache, "ox", options);
         const std::size_t drawn = font.drawn - before;
-        CHECK(same_bits(m, build(without, "ox", options)));
+        CHECK(test::same_bits(m, build(without, "ox", options)));
         return drawn;
     };
     const auto plain = [&] { return text_mesher{font}; };
@@ -317,7 +311,7 @@ TEST_CASE("a plan pins its glyphs until it ends, and only so long", "[text]")
     CHECK(cache.statistics().entries == 2);
     full_mesh m;
     REQUIRE_FALSE(plan->write(into(m.vertices, m.indices)));
-    CHECK(same_bits(m, expected));
+    CHECK(test::same_bits(m, expected));
     plan.reset();
     CHECK(cache.statistics().entries == 0);
 
@@ -387,7 +381,7 @@ TEST_CASE("memory of the cache that fails at any request fails the plan and noth
             const auto made = mesher.build("oEix", into(m.vertices, m.indices));
             if (n <= 5) CHECK(made.error() == error::out_of_memory);
             CHECK(cache.statistics().pinned == 0);
-            CHECK(same_bits(build(mesher, "oEix"), expected));
+            CHECK(test::same_bits(build(mesher, "oEix"), expected));
         }
         CHECK(counted.bytes_held == 0);
     }

@@ -6,6 +6,7 @@
 
 #include "support/catch.hpp"
 #include "support/executors.hpp"
+#include "support/written_mesh.hpp"
 
 #include <typemesh/typemesh.hpp>
 
@@ -68,21 +69,6 @@ inline typemesh::glyph_run styled_at_random(const typemesh::glyph_run& plain, st
     }
     REQUIRE(run.lines.append(plain.lines.view()));
     return run;
-}
-
-inline styled_mesh mesh_of(const auto& plan)
-{
-    styled_mesh m;
-    REQUIRE_FALSE(plan.write(typemesh::into(m.vertices, m.indices)));
-    REQUIRE(m.vertices.size() == plan.size().vertices);
-    return m;
-}
-
-inline bool same_bits(const styled_mesh& a, const styled_mesh& b)
-{
-    return a.indices == b.indices && a.vertices.size() == b.vertices.size() &&
-           (a.vertices.empty() ||
-            std::memcmp(a.vertices.data(), b.vertices.data(), a.vertices.size() * sizeof(styled_vertex)) == 0);
 }
 
 /// Every triangle by the bytes of its vertices but their style, sorted: what is drawn, in whatever order.
@@ -302,13 +288,13 @@ inline void check_merging(auto& mesher, const typemesh::glyph_run& run, typemesh
         }
         const auto plan = mesher.plan(alone, options);
         REQUIRE(plan);
-        add_triangles(mesh_of(*plan), expected);
+        add_triangles(written<styled_mesh>(*plan), expected);
         for (std::size_t g = 0; g < plan->glyphs().size(); ++g)
             for (const std::uint32_t m : plan->members(g)) members[s].push_back(m);
     }
     const auto plan = mesher.plan(run, options);
     REQUIRE(plan);
-    const styled_mesh merged = mesh_of(*plan);
+    const styled_mesh merged = written<styled_mesh>(*plan);
     check_ranges(*plan, run, merged);
     CHECK((triangles_of(merged) == expected));
     std::map<style_id, std::vector<std::uint32_t>> found;
@@ -341,7 +327,7 @@ void check_styles(Mesher& mesher, Mesher& other_mesher, Team& pool, const typeme
     const auto styled = other_mesher.plan(run, options);
     REQUIRE(plain);
     REQUIRE(styled);
-    const styled_mesh of_plain = mesh_of(*plain), m = mesh_of(*styled);
+    const styled_mesh of_plain = written<styled_mesh>(*plain), m = written<styled_mesh>(*styled);
     CHECK(styled->size() == plain->size());
     CHECK(styled->bounds().low == plain->bounds().low);
     CHECK(styled->bounds().high == plain->bounds().high);
@@ -362,7 +348,7 @@ void check_styles(Mesher& mesher, Mesher& other_mesher, Team& pool, const typeme
     CHECK(same_bits(shared, m));
     const auto by_pool = other_mesher.plan(run, options, pool);
     REQUIRE(by_pool);
-    CHECK(same_bits(mesh_of(*by_pool), m));
+    CHECK(same_bits(written<styled_mesh>(*by_pool), m));
 
     check_merging(mesher, run, options);
 }

@@ -3,19 +3,18 @@
 #include "support/executors.hpp"
 #include "support/mesh_laws.hpp"
 #include "support/toy_covering_font.hpp"
+#include "support/written_mesh.hpp"
 
 #include <typemesh/glyph/glyph_cache.hpp>
 #include <typemesh/paragraph/paragraph.hpp>
 #include <typemesh/text/font_cascade.hpp>
 #include <typemesh/typemesh.hpp>
 
-#include <cstring>
 #include <type_traits>
 #include <vector>
 
 using namespace typemesh;
 using test::full_mesh;
-using test::full_vertex;
 using test::toy_covering_font;
 
 namespace font_cascade_test {
@@ -36,19 +35,6 @@ struct large_font : toy_covering_font {
     }
 };
 
-full_mesh cascade_mesh(const auto& plan)
-{
-    full_mesh m;
-    REQUIRE_FALSE(plan.write(into(m.vertices, m.indices)));
-    return m;
-}
-
-bool same_cascade_mesh(const full_mesh& a, const full_mesh& b)
-{
-    return a.indices == b.indices && a.vertices.size() == b.vertices.size() &&
-           std::memcmp(a.vertices.data(), b.vertices.data(), a.vertices.size() * sizeof(full_vertex)) == 0;
-}
-
 }  // namespace font_cascade_test
 
 using namespace font_cascade_test;
@@ -62,7 +48,7 @@ TEST_CASE("a cascade draws what its first font has as that font alone, and shape
     const auto found = mesher.plan("ab ba\na"), expected = plain.plan("ab ba\na");
     REQUIRE(found);
     REQUIRE(expected);
-    CHECK(same_cascade_mesh(cascade_mesh(*found), cascade_mesh(*expected)));
+    CHECK(test::same_bits(test::written<full_mesh>(*found), test::written<full_mesh>(*expected)));
     CHECK(found->run().looks.empty());
     CHECK(first.shaped == alone.shaped);
     CHECK(first.items == 0);
@@ -161,7 +147,7 @@ TEST_CASE("several workers, each with a cascade of its own, make the same mesh a
     for (int round = 0; round < 3; ++round) {
         const auto plan = other_mesher.plan(text, {}, *team);
         REQUIRE(plan);
-        CHECK(same_cascade_mesh(cascade_mesh(*plan), cascade_mesh(*expected)));
+        CHECK(test::same_bits(test::written<full_mesh>(*plan), test::written<full_mesh>(*expected)));
         CHECK(plan->report().missing == 1);
         CHECK(plan->report().first_missing == expected->report().first_missing);
     }

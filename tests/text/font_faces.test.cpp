@@ -3,18 +3,17 @@
 #include "support/executors.hpp"
 #include "support/mesh_laws.hpp"
 #include "support/toy_font.hpp"
+#include "support/written_mesh.hpp"
 
 #include <typemesh/text/font_faces.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <vector>
 
 using namespace typemesh;
 using test::full_mesh;
-using test::full_vertex;
 
 namespace {
 
@@ -28,19 +27,6 @@ recorded_outlines icons(double units = 250.0)
     REQUIRE(drawn.add([&](auto& pen) { box(pen, 0, units); }));
     REQUIRE(drawn.add([&](auto& pen) { box(pen, 0, units), box(pen, units / 5, units / 2); }));
     return drawn;
-}
-
-full_mesh mesh_of(const auto& plan)
-{
-    full_mesh m;
-    REQUIRE_FALSE(plan.write(into(m.vertices, m.indices)));
-    return m;
-}
-
-bool same_bits(const full_mesh& a, const full_mesh& b)
-{
-    return a.indices == b.indices && a.vertices.size() == b.vertices.size() &&
-           std::memcmp(a.vertices.data(), b.vertices.data(), a.vertices.size() * sizeof(full_vertex)) == 0;
 }
 
 glyph_run run_of(std::initializer_list<look> looks, std::initializer_list<placed_glyph> glyphs)
@@ -67,7 +53,7 @@ TEST_CASE("the first of several faces shapes and draws as it does alone, to the 
     const auto expected = alone.plan("oEx\ni o"), found = mesher.plan("oEx\ni o");
     REQUIRE(expected);
     REQUIRE(found);
-    CHECK(same_bits(mesh_of(*found), mesh_of(*expected)));
+    CHECK(test::same_bits(test::written<full_mesh>(*found), test::written<full_mesh>(*expected)));
 }
 
 TEST_CASE("a face is drawn as large as the first one's em, by its own fill rule, beside the others", "[text][looks]")
@@ -84,7 +70,7 @@ TEST_CASE("a face is drawn as large as the first one's em, by its own fill rule,
     REQUIRE(plan);
     REQUIRE(plan->glyphs().size() == 4);
     CHECK(plan->report().complete());
-    const full_mesh m = mesh_of(*plan);
+    const full_mesh m = test::written<full_mesh>(*plan);
     const auto area_of = [&](std::size_t glyph) {
         const mesh_range r = plan->range(glyph, part::front);
         return inspect::measure(
@@ -109,7 +95,7 @@ TEST_CASE("a face of the same units draws what it draws alone, to the bit", "[te
     const auto found = mesher.plan(run), expected = alone.plan(plain);
     REQUIRE(found);
     REQUIRE(expected);
-    CHECK(same_bits(mesh_of(*found), mesh_of(*expected)));
+    CHECK(test::same_bits(test::written<full_mesh>(*found), test::written<full_mesh>(*expected)));
 }
 
 TEST_CASE("a look's map is that of transformed_outlines, to the bit, also when glyphs are merged", "[text][looks]")
@@ -128,8 +114,8 @@ TEST_CASE("a look's map is that of transformed_outlines, to the bit, also when g
     const auto found = mesher.plan(run, {.merge = merge}), expected = alone.plan(plain, {.merge = merge});
     REQUIRE(found);
     REQUIRE(expected);
-    const full_mesh m = mesh_of(*found);
-    CHECK(same_bits(m, mesh_of(*expected)));
+    const full_mesh m = test::written<full_mesh>(*found);
+    CHECK(test::same_bits(m, test::written<full_mesh>(*expected)));
     CHECK(m.vertices.size() != 0);
 }
 
@@ -175,12 +161,12 @@ TEST_CASE("a letter in several styles is built once, in several shapes once a sh
     full_mesh expected, found;
     {
         text_mesher uncached{font};
-        expected = mesh_of(*uncached.plan(run));
+        expected = test::written<full_mesh>(*uncached.plan(run));
     }
     CHECK(mesher.plan(run));
-    found = mesh_of(*mesher.plan(run));
+    found = test::written<full_mesh>(*mesher.plan(run));
     CHECK(cache.statistics().misses == 3);
-    CHECK(same_bits(found, expected));
+    CHECK(test::same_bits(found, expected));
 }
 
 TEST_CASE("faces, maps and the units of the first face are told apart in a cache", "[text][looks]")
@@ -200,7 +186,7 @@ TEST_CASE("faces, maps and the units of the first face are told apart in a cache
     REQUIRE(plan);
     CHECK(cache.statistics().entries == 3);
     text_mesher uncached{other};
-    CHECK(same_bits(mesh_of(*plan), mesh_of(*uncached.plan(icon))));
+    CHECK(test::same_bits(test::written<full_mesh>(*plan), test::written<full_mesh>(*uncached.plan(icon))));
 }
 
 TEST_CASE("workers with faces of their own make the same mesh", "[text][looks]")
@@ -218,10 +204,10 @@ TEST_CASE("workers with faces of their own make the same mesh", "[text][looks]")
     text_mesher mesher{faces};
     glyph_run run = run_of({{}, {.face = 1, .style = style_id{1}}, {.map = {.xy = 0.2}}}, {});
     for (std::uint32_t i = 0; i < 40; ++i) REQUIRE(run.glyphs.push_back({i % 2, i, {600.0 * i, 0}, false, i % 3}));
-    const full_mesh expected = mesh_of(*mesher.plan(run));
+    const full_mesh expected = test::written<full_mesh>(*mesher.plan(run));
     const auto plan = mesher.plan(run, {}, *pool);
     REQUIRE(plan);
-    CHECK(same_bits(mesh_of(*plan), expected));
+    CHECK(test::same_bits(test::written<full_mesh>(*plan), expected));
 }
 
 TEST_CASE("looks, faces and units that there are not are refused, each by name", "[text][looks]")

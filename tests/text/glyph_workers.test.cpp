@@ -5,6 +5,7 @@
 #include "support/executors.hpp"
 #include "support/mesh_laws.hpp"
 #include "support/toy_font.hpp"
+#include "support/written_mesh.hpp"
 
 #include <typemesh/typemesh.hpp>
 
@@ -19,13 +20,6 @@ using test::full_vertex;
 namespace {
 
 result<test::toy_font> another_font(std::size_t) noexcept { return test::toy_font{}; }
-
-bool same(const full_mesh& a, const full_mesh& b)
-{
-    if (a.indices != b.indices || a.vertices.size() != b.vertices.size()) return false;
-    return a.vertices.empty() ||
-           std::memcmp(a.vertices.data(), b.vertices.data(), a.vertices.size() * sizeof(full_vertex)) == 0;
-}
 
 /// Refuses every shape, with the number of its points.
 struct counting_refusal {
@@ -83,12 +77,12 @@ TEMPLATE_TEST_CASE("several workers make and write the same mesh as one alone", 
         CHECK(plan->report().first_refusal.cluster == expected->report().first_refusal.cluster);
         CHECK(plan->report().missing == expected->report().missing);
         REQUIRE_FALSE(plan->write(into(many.vertices, many.indices), several));
-        CHECK(same(one, many));
+        CHECK(test::same_bits(one, many));
     }
     full_mesh built;
     const auto made = other_mesher.build(text, into(built.vertices, built.indices), options, *team);
     REQUIRE(made);
-    CHECK(same(one, built));
+    CHECK(test::same_bits(one, built));
 }
 
 TEST_CASE("shares of a text cover it, each ascending and each element once", "[text][workers]")
@@ -107,7 +101,7 @@ TEST_CASE("shares of a text cover it, each ascending and each element once", "[t
         test::counted_output out;
         REQUIRE_FALSE(plan->write(test::counted_sink{out}, several));
         CHECK(out.each_once());
-        CHECK(same(one, {out.vertices, out.indices}));
+        CHECK(test::same_bits(one, {out.vertices, out.indices}));
     }
 }
 
@@ -208,7 +202,7 @@ TEST_CASE("workers' memory that fails at any request gives a clear error and lea
         }
         counted.fail_at = 0;
         REQUIRE(mesher.build("oEix", into(m.vertices, m.indices), {}, *team));
-        CHECK(same(m, expected));
+        CHECK(test::same_bits(m, expected));
         if (counted.requests < n) break;
     }
     CHECK(failures > 5);
@@ -250,7 +244,7 @@ TEST_CASE("a plan outlives a move of its workers, and a cache holds what they ha
         REQUIRE(plan);
         auto moved = std::move(*team);
         REQUIRE_FALSE(plan->write(into(m.vertices, m.indices), moved.pool()));
-        CHECK(same(m, expected));
+        CHECK(test::same_bits(m, expected));
         *team = std::move(moved);
     }
 
@@ -267,7 +261,7 @@ TEST_CASE("a plan outlives a move of its workers, and a cache holds what they ha
         auto elsewhere = mesher.plan("ooEEx", {}, *team);  // another text by the same workers does not disturb it
         REQUIRE(elsewhere);
         REQUIRE_FALSE(plan->write(into(m.vertices, m.indices), several));
-        CHECK(same(m, expected));
+        CHECK(test::same_bits(m, expected));
         cache.set_bound(1 << 20);
     }
     CHECK(cache.statistics().pinned == 0);
@@ -288,7 +282,7 @@ TEST_CASE("one set of drawings serves all workers where reading changes nothing"
     full_mesh expected, m;
     REQUIRE(mesher.build(run, into(expected.vertices, expected.indices)));
     REQUIRE(mesher.build(run, into(m.vertices, m.indices), {}, *team));
-    CHECK(same(m, expected));
+    CHECK(test::same_bits(m, expected));
 }
 
 TEST_CASE("trim() gives back the workers' scratch memory, plans stay, and the next text is the same", "[text][workers]")
@@ -312,11 +306,11 @@ TEST_CASE("trim() gives back the workers' scratch memory, plans stay, and the ne
         team->trim();
         CHECK(memory.bytes_held == trimmed);
         REQUIRE_FALSE(plan->write(into(kept.vertices, kept.indices)));
-        CHECK(same(kept, first));
+        CHECK(test::same_bits(kept, first));
         auto other = mesher.plan("Eo xi", {}, *team);
         REQUIRE(other);
         REQUIRE_FALSE(other->write(into(again.vertices, again.indices)));
-        CHECK(same(again, first));
+        CHECK(test::same_bits(again, first));
     }
     CHECK(memory.bytes_held == 0);
 }

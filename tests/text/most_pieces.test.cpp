@@ -5,11 +5,11 @@
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
 #include "support/mesh_laws.hpp"
+#include "support/written_mesh.hpp"
 
 #include <typemesh/typemesh.hpp>
 
 #include <cmath>
-#include <cstring>
 #include <string>
 #include <vector>
 
@@ -68,12 +68,6 @@ full_mesh build(Mesher& mesher, const glyph_run& run, const text_options& option
     return m;
 }
 
-bool same_bits(const full_mesh& a, const full_mesh& b)
-{
-    return a.vertices.size() == b.vertices.size() && a.indices == b.indices &&
-           std::memcmp(a.vertices.data(), b.vertices.data(), a.vertices.size() * sizeof(test::full_vertex)) == 0;
-}
-
 }  // namespace
 
 TEST_CASE("a glyph that falls into more pieces than allowed is refused alone, and the rest is built", "[text]")
@@ -90,7 +84,7 @@ TEST_CASE("a glyph that falls into more pieces than allowed is refused alone, an
     char words[160];
     CHECK(std::string(describe(report.first_refusal, words)) ==
           "glyph 1, cluster 8: The contours cross more often than most_pieces allows. (1000)");
-    CHECK(same_bits(rest, build(mesher, run_of(good), limited)));
+    CHECK(test::same_bits(rest, build(mesher, run_of(good), limited)));
 
     const full_mesh all = build(mesher, run_of(with_star), {}, &report);
     CHECK(report.complete());
@@ -112,7 +106,7 @@ TEST_CASE("one cache keeps a glyph refused under one limit and built under anoth
             const full_mesh m =
                 build(mesher, run, limits ? text_options{.most_pieces = few_pieces} : text_options{}, &report);
             CHECK(report.refused == (limits ? 1u : 0u));
-            if (!limits) CHECK(same_bits(m, whole));
+            if (!limits) CHECK(test::same_bits(m, whole));
         }
         CHECK(cache.statistics().entries == 4);  // both glyphs under both limits
     }
@@ -134,7 +128,7 @@ TEST_CASE("a group of merged glyphs that falls into more pieces than allowed is 
     CHECK(report.first_refusal.cluster == 1);
     CHECK(report.first_refusal.count == few_pieces);
     const glyph_run others = run_of({{letter, 0, {0, 0}}, {letter, 3, {2000, 0}}});
-    CHECK(same_bits(rest, build(mesher, others, {.merge = true})));
+    CHECK(test::same_bits(rest, build(mesher, others, {.merge = true})));
     CHECK(build(mesher, run, {.merge = true}, &report).vertices.size() > rest.vertices.size());
     CHECK(report.complete());
 }
@@ -149,7 +143,7 @@ TEST_CASE("trim() gives back what refused glyphs and groups took, and the next t
     test::counting_memory memory, modest_memory;
     text_mesher mesher{font, memory.source()}, modest{font, modest_memory.source()};
     const full_mesh before = build(mesher, simple, limited);
-    CHECK(same_bits(before, build(modest, simple, limited)));
+    CHECK(test::same_bits(before, build(modest, simple, limited)));
     modest.trim();
     for (int round = 0; round < 2; ++round) {
         text_report report;
@@ -159,9 +153,9 @@ TEST_CASE("trim() gives back what refused glyphs and groups took, and the next t
         mesher.trim();
         INFO(memory.bytes_held << " bytes held, " << modest_memory.bytes_held << " where nothing crossed");
         CHECK(memory.bytes_held < modest_memory.bytes_held + 20'000);  // a block more for the plan
-        CHECK(same_bits(before, build(mesher, simple, limited)));
+        CHECK(test::same_bits(before, build(mesher, simple, limited)));
         const std::size_t warm = memory.requests;
-        CHECK(same_bits(before, build(mesher, simple, limited)));
+        CHECK(test::same_bits(before, build(mesher, simple, limited)));
         CHECK(memory.requests == warm);
     }
 }
@@ -177,5 +171,5 @@ TEST_CASE("trim() between planning and writing leaves the plan as it is", "[text
     mesher.trim();
     full_mesh m;
     REQUIRE_FALSE(plan->write(into(m.vertices, m.indices)));
-    CHECK(same_bits(m, expected));
+    CHECK(test::same_bits(m, expected));
 }

@@ -63,7 +63,7 @@ TEST_CASE("a table of looks that are all plain changes nothing, to the bit", "[t
         const auto a = mesher.plan(plain, {.merge = merge}), b = other.plan(tabled, {.merge = merge});
         REQUIRE(a);
         REQUIRE(b);
-        CHECK(test::same_bits(test::mesh_of(*a), test::mesh_of(*b)));
+        CHECK(test::same_bits(test::written<test::styled_mesh>(*a), test::written<test::styled_mesh>(*b)));
         CHECK(a->meshes().size() == b->meshes().size());
         CHECK(b->styles().size() == 1);
     }

@@ -3,6 +3,7 @@
 #include "support/counting_memory.hpp"
 #include "support/mesh_laws.hpp"
 #include "support/toy_font.hpp"
+#include "support/written_mesh.hpp"
 
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/typemesh.hpp>
@@ -10,25 +11,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <vector>
 
 using namespace typemesh;
 using test::full_mesh;
 
 namespace {
-
-bool same_bits(const std::vector<test::full_vertex>& a, const std::vector<test::full_vertex>& b)
-{
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(test::full_vertex)) == 0;
-}
-
-full_mesh written(const auto& plan)
-{
-    full_mesh m;
-    REQUIRE_FALSE(plan.write(into(m.vertices, m.indices)));
-    return m;
-}
 
 /// Memory that can only be assigned to; every assignment is written down.
 struct written_once {
@@ -101,8 +89,8 @@ TEST_CASE("a plan writes the same mesh as often as it is asked", "[text]")
     test::toy_font font;
     text_mesher mesher{font};
     const auto plan = mesher.plan("oEx oo");
-    const auto a = written(*plan), b = written(*plan);
-    CHECK(same_bits(a.vertices, b.vertices));
+    const auto a = test::written<full_mesh>(*plan), b = test::written<full_mesh>(*plan);
+    CHECK(test::same_bits(a.vertices, b.vertices));
     CHECK(a.indices == b.indices);
 }
 
@@ -146,7 +134,7 @@ TEST_CASE("glyphs that changed are written into the old mesh, and nothing else i
     std::array<mesh_range, most_parts> before;
     {
         const auto old = mesher.plan("oEiE", options);
-        m = written(*old);
+        m = test::written<full_mesh>(*old);
         for (const part p : all_parts) before[static_cast<std::size_t>(p)] = old->range(2, p);
     }
     // A square of the same counts as 'i', shaped otherwise: .notdef is not one, so move the pen instead.
@@ -154,9 +142,9 @@ TEST_CASE("glyphs that changed are written into the old mesh, and nothing else i
     for (const auto& [id, x] : {std::pair{1u, 0.0}, {2u, 600.0}, {5u, 1250.0}, {2u, 1800.0}})
         REQUIRE(run.glyphs.push_back({id, 0, {x, 0}}));
     const auto plan = mesher.plan(run, options);
-    const auto whole = written(*plan);
+    const auto whole = test::written<full_mesh>(*plan);
     for (const part p : all_parts) REQUIRE(plan->range(2, p) == before[static_cast<std::size_t>(p)]);
-    REQUIRE_FALSE(same_bits(whole.vertices, m.vertices));
+    REQUIRE_FALSE(test::same_bits(whole.vertices, m.vertices));
 
     if (packed) {
         std::vector<vec3> positions(m.vertices.size()), expected(m.vertices.size());
@@ -170,7 +158,7 @@ TEST_CASE("glyphs that changed are written into the old mesh, and nothing else i
     } else {
         auto copy = m;
         REQUIRE_FALSE(plan->write(glyph_span{2, 3}, into(std::span{copy.vertices}, std::span{copy.indices})));
-        CHECK(same_bits(copy.vertices, whole.vertices));
+        CHECK(test::same_bits(copy.vertices, whole.vertices));
         CHECK(copy.indices == whole.indices);
 
         const test::full_vertex untouched{{9, 9, 9}, {9, 9, 9}, {9, 9}};
@@ -199,7 +187,7 @@ TEST_CASE("instances of meshes are the placed glyphs, up to rounding", "[text]")
     auto mesher = text_mesher{font}.with(extruded<>{.texture = texture_mapping::box});
     const auto plan = mesher.plan("oEx oo\nEiE", {.unit = unit, .texture_over = texture_box::glyph, .frame = frame});
     REQUIRE(plan);
-    const auto placed = written(*plan);
+    const auto placed = test::written<full_mesh>(*plan);
     full_mesh meshes;
     REQUIRE_FALSE(plan->write_meshes(into(meshes.vertices, meshes.indices)));
     CHECK(meshes.vertices.size() == plan->meshes_size().vertices);
@@ -298,7 +286,7 @@ TEST_CASE("triangles higher than two steps are never flipped by rounding, and al
         if (start < 1e3) CHECK(flipped == 0);
 
         std::uint64_t counted = 0;  // from the mesh as it is written
-        const auto m = written(*plan);
+        const auto m = test::written<full_mesh>(*plan);
         const mesh_range front = plan->range(part::front);
         for (std::uint32_t i = front.first_index; i < front.first_index + front.index_count; i += 3) {
             const auto& a = m.vertices[m.indices[i]];
