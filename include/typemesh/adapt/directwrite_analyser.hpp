@@ -5,6 +5,7 @@
 #include <typemesh/adapt/directwrite_com.hpp>
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/buffer.hpp>
+#include <typemesh/unicode/dictionary_script.hpp>
 #include <typemesh/unicode/script.hpp>
 #include <typemesh/unicode/unicode_analyser.hpp>
 #include <typemesh/unicode/utf.hpp>
@@ -14,7 +15,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string_view>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -51,24 +51,7 @@ public:
     }
 
 private:
-    /// A script that DirectWrite may know, in a language of its own. Of two common words, the second begins at the unit
-    /// `second`; what is before it belongs to the first, but is a grapheme of its own.
-    struct script {
-        std::uint32_t tag;
-        const wchar_t* language;
-        std::u16string_view words;
-        std::uint32_t second;
-    };
-
-    static constexpr std::size_t count = 4;
-
-    /// The Thai language, the Lao language, there is water, the people of the world.
-    static constexpr script scripts[count] = {
-        {script_tag("Thai"), L"th", u"\u0E20\u0E32\u0E29\u0E32\u0E44\u0E17\u0E22", 4},
-        {script_tag("Laoo"), L"lo", u"\u0E9E\u0EB2\u0EAA\u0EB2\u0EA5\u0EB2\u0EA7", 4},
-        {script_tag("Khmr"), L"km", u"\u1798\u17B6\u1793\u1791\u17B9\u1780", 3},
-        {script_tag("Mymr"), L"my", u"\u1000\u1019\u1039\u1018\u102C\u101C\u1030\u101E\u102C\u1038", 5},
-    };
+    static constexpr std::size_t count = dictionary_script_count;
 
     /// Keeps what DirectWrite says of each unit: nothing is DWRITE_BREAK_CONDITION_NEUTRAL.
     class break_sink final : public detail::directwrite_sink {
@@ -92,13 +75,12 @@ private:
         std::size_t left = 0;
         for (const text_range& range : found.unbroken) {
             const std::uint32_t tag = script_set::of(decode(text, range.first).value).tag();
-            std::size_t k = 0;
-            while (k < count && scripts[k].tag != tag) ++k;
+            const std::size_t k = dictionary_script_number(tag);
             if (k == count || !known_[k]) {
                 found.unbroken[left++] = range;
                 continue;
             }
-            if (error e = find_breaks(text, range, scripts[k].language)) return e;
+            if (error e = find_breaks(text, range, dictionary_scripts[k])) return e;
             for (std::size_t i = 1; i < text_.size(); ++i) {
                 text_mark& mark = found.marks[places_[i]];
                 if (breaks_before(i) && has(mark, text_mark::grapheme)) mark = mark | text_mark::may_break;
@@ -123,9 +105,9 @@ private:
             if (error e = directwrite_error(factory->CreateTextAnalyzer(words_.put()))) return e;
         }
         for (std::size_t k = 0; k < count; ++k) {
-            const script& s = scripts[k];
-            if (error e = find_breaks(s.words, {0, static_cast<std::uint32_t>(s.words.size())}, s.language)) return e;
-            known_[k] = breaks_before(s.second) && !breaks_before(s.second - 1);
+            const dictionary_script& s = dictionary_scripts[k];
+            if (error e = find_breaks(s.words, {0, static_cast<std::uint32_t>(s.words.size())}, s)) return e;
+            known_[k] = breaks_before(s.second_word) && !breaks_before(s.second_word - 1);
         }
         opened_ = true;
         return {};
@@ -133,7 +115,7 @@ private:
 
     /// Asks DirectWrite about a range, for breaks_before(), whose units count from the range's own begin: one for each
     /// character, as the four scripts lie below U+10000.
-    error find_breaks(text_view text, text_range range, const wchar_t* language) noexcept
+    error find_breaks(text_view text, text_range range, const dictionary_script& script) noexcept
     {
         text_.clear();
         places_.clear();
@@ -147,6 +129,8 @@ private:
         DWRITE_LINE_BREAKPOINT* conditions = conditions_.append(text_.size());
         if (conditions == nullptr) return error::out_of_memory;
         for (std::size_t i = 0; i < text_.size(); ++i) conditions[i] = {};
+        const wchar_t language[] = {static_cast<wchar_t>(script.language[0]), static_cast<wchar_t>(script.language[1]),
+                                    0};
         detail::directwrite_source source{text_.view(), language, false};
         break_sink sink{conditions_.view()};
         const auto length = static_cast<UINT32>(text_.size());
@@ -167,7 +151,7 @@ private:
     unicode_analyser unicode_;
     detail::com_ptr<IDWriteTextAnalyzer> words_;
     bool opened_ = false;
-    bool known_[count] = {};
+    bool known_[count] = {};  // of dictionary_scripts
     buffer<wchar_t> text_;
     buffer<std::uint32_t> places_;  // of each unit, in the caller's text
     buffer<DWRITE_LINE_BREAKPOINT> conditions_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/unicode/dictionary_script.hpp>
 #include <typemesh/unicode/unicode_analyser.hpp>
 
 #include <unicode/ubrk.h>
@@ -9,7 +10,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string_view>
 #include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI {
@@ -53,7 +53,7 @@ public:
         std::size_t left = 0;
         for (const text_range& range : found.unbroken) {
             const std::uint32_t script = script_set::of(decode(text, range.first).value).tag();
-            const std::size_t k = number_of(script);
+            const std::size_t k = dictionary_script_number(script);
             if (k < count && known_[k] && mark_words(text, range, found.marks.view())) continue;
             found.unbroken[left++] = range;
         }
@@ -62,17 +62,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t count = 4;
-
-    /// Of the scripts that ICU may know; `count` for others.
-    [[nodiscard]] static constexpr std::size_t number_of(std::uint32_t script) noexcept
-    {
-        constexpr std::uint32_t scripts[count] = {script_tag("Thai"), script_tag("Laoo"), script_tag("Khmr"),
-                                                  script_tag("Mymr")};
-        std::size_t k = 0;
-        while (k < count && scripts[k] != script) ++k;
-        return k;
-    }
+    static constexpr std::size_t count = dictionary_script_count;
 
     /// Opens ICU when it is first needed, and finds out for which scripts it has a dictionary: an ICU cut down to size
     /// does not fail without one, it finds no words.
@@ -84,16 +74,9 @@ private:
         if (status == U_MEMORY_ALLOCATION_ERROR) return error::out_of_memory;
         opened_ = true;
         if (U_FAILURE(status)) words_ = nullptr;
-        // The Thai language, the Lao language, there is water, the people of the world: two common words each.
-        constexpr std::u16string_view words[count] = {
-            u"\u0E20\u0E32\u0E29\u0E32\u0E44\u0E17\u0E22",
-            u"\u0E9E\u0EB2\u0EAA\u0EB2\u0EA5\u0EB2\u0EA7",
-            u"\u1798\u17B6\u1793\u1791\u17B9\u1780",
-            u"\u1000\u1019\u1039\u1018\u102C\u101C\u1030\u101E\u102C\u1038",
-        };
         for (std::size_t k = 0; k < count && words_ != nullptr; ++k) {
             text_mark marks[16] = {};
-            const text_view text{words[k]};
+            const text_view text{dictionary_scripts[k].words};
             mark_words(text, {0, static_cast<std::uint32_t>(text.size())}, marks);
             for (const text_mark mark : marks) known_[k] = known_[k] || mark != text_mark::none;
         }
@@ -122,7 +105,7 @@ private:
     unicode_analyser unicode_;
     UBreakIterator* words_ = nullptr;
     bool opened_ = false;
-    bool known_[count] = {};
+    bool known_[count] = {};  // of dictionary_scripts
 };
 static_assert(text_analyser<icu_analyser>);
 

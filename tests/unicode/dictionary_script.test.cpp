@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "support/catch.hpp"
+
+#include <typemesh/unicode/dictionary_script.hpp>
+#include <typemesh/unicode/unicode_analyser.hpp>
+
+using namespace typemesh;
+
+TEST_CASE("the words of a dictionary's script are what an analyser without one leaves unbroken", "[unicode]")
+{
+    unicode_analyser analyser;
+    text_analysis found;
+    for (const dictionary_script& s : dictionary_scripts) {
+        INFO(s.language);
+        REQUIRE_FALSE(analyser.analyse(s.words, {}, found));
+        REQUIRE(found.unbroken.size() == 1);
+        CHECK(found.unbroken[0].first == 0);
+        CHECK(found.unbroken[0].last == s.words.size());
+        REQUIRE(found.scripts.size() == 1);
+        CHECK(found.scripts[0].script == s.tag);
+        REQUIRE(s.second_word > 1);
+        REQUIRE(s.second_word < s.words.size());
+        CHECK(has(found.marks[s.second_word], text_mark::grapheme));
+    }
+}
+
+TEST_CASE("a script of no dictionary is behind the list of those", "[unicode]")
+{
+    for (std::size_t k = 0; k < dictionary_script_count; ++k)
+        CHECK(dictionary_script_number(dictionary_scripts[k].tag) == k);
+    CHECK(dictionary_script_number(script_tag("Latn")) == dictionary_script_count);
+    CHECK(dictionary_script_number(0) == dictionary_script_count);
+}
