@@ -130,7 +130,6 @@ TEST_CASE("glyphs say where the text must not simply be cut", "[adapt][harfbuzz]
     harfbuzz_font font = opened(dejavu);
     const items kerned{font, "xAVx", whole("xAVx", tag("Latn"), 0)};
     CHECK(has(kerned.glyphs[2].flags, glyph_flags::unsafe_to_break));
-    CHECK(has(kerned.glyphs[2].flags, glyph_flags::unsafe_to_concat));
     CHECK_FALSE(has(kerned.glyphs[0].flags, glyph_flags::unsafe_to_break));
 
     const items apart{font, "x x", whole("x x", tag("Latn"), 0)};

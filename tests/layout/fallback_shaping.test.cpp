@@ -163,15 +163,12 @@ TEST_CASE("a face that does not shape a script lacks it", "[layout][fallback]")
     CHECK(shaping.shape_item(faces, u"a", own, {}, glyphs) == error::needs_shaping);
 }
 
-TEST_CASE("flags say where text of two faces meets", "[layout][fallback]")
+TEST_CASE("a line may end where text of two faces meets, unless the first face forbids it", "[layout][fallback]")
 {
     toy_faces faces{{toy_covering_font{U"abc"}, toy_covering_font{U"xyz"}}};
     const auto flags = [](const made_item& made, std::size_t i) { return made.glyphs[i].flags; };
     const made_item made{faces, u"abxyab"};
-    for (std::size_t i = 0; i < 6; ++i) {
-        CHECK(has(flags(made, i), glyph_flags::unsafe_to_concat) == (i == 2 || i == 4));
-        CHECK_FALSE(has(flags(made, i), glyph_flags::unsafe_to_break));
-    }
+    for (std::size_t i = 0; i < 6; ++i) CHECK_FALSE(has(flags(made, i), glyph_flags::unsafe_to_break));
     // What the first face found unsafe stays so, for its own glyphs were shaped beside those that it lacked.
     const made_item joined{faces, u"ab\u200Dxya"};
     CHECK(has(flags(joined, 3), glyph_flags::unsafe_to_break));

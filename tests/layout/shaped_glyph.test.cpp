@@ -7,8 +7,8 @@ using namespace typemesh;
 
 TEST_CASE("flags of a glyph join and are found again", "[layout]")
 {
-    constexpr glyph_flags all[] = {glyph_flags::unsafe_to_break, glyph_flags::unsafe_to_concat, glyph_flags::tatweel,
-                                   glyph_flags::missing};
+    constexpr glyph_flags all[] = {glyph_flags::unsafe_to_break, glyph_flags::tatweel, glyph_flags::missing,
+                                   glyph_flags::sideways, glyph_flags::combined};
     for (const glyph_flags a : all)
         for (const glyph_flags b : all) {
             CHECK(has(a | b, a));

@@ -39,7 +39,7 @@ struct read_settings {
     {
         REQUIRE_FALSE(unicode_analyser{}.analyse(text, {}, found));
         REQUIRE_FALSE(styles.read(spans, found, 3));
-        REQUIRE_FALSE(itemise(text, found, styles.cuts(), {}, items));
+        REQUIRE_FALSE(itemise(text, found, styles.borders(), {}, items));
         REQUIRE_FALSE(settings.read(font, text, found, styles, plain, items.view()));
     }
 };

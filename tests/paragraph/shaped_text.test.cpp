@@ -162,3 +162,18 @@ TEST_CASE("carets within a ligature on its side stand as far along the line as i
     CHECK(carets_in("xfi", direction::top_to_bottom, column_style::sideways) == own);
     CHECK(carets_in("xfi", direction::top_to_bottom, column_style::upright) == own);
 }
+
+TEST_CASE("only what is combined in a column is drawn narrower", "[paragraph][columns]")
+{
+    test::toy_item_shaper font;
+    shaped_text shaped;
+    const text_view text{u"\u3042ab1234"};
+    shape_options how{.direction = direction::top_to_bottom};
+    how.columns.combined_digits = 4;
+    REQUIRE_FALSE(unicode_analyser{}.analyse(text, {}, shaped.analysis));
+    REQUIRE_FALSE(shaped.shape(font, text, how, 0.0));
+    REQUIRE(shaped.items().size() == 3);
+    CHECK(shaped.items()[0].squeeze == 1.0);  // upright
+    CHECK(shaped.items()[1].squeeze == 1.0);  // on its side
+    CHECK(shaped.items()[2].squeeze == 0.5);  // four digits of 500 in 1000
+}

@@ -42,7 +42,7 @@ TEST_CASE("a unit has the style of its span, or is plain", "[paragraph][styles]"
     REQUIRE_FALSE(spans.read(given, found, 1));
     for (std::uint32_t unit = 0; unit < 8; ++unit)
         CHECK(colour_at(spans, unit) == (unit == 4 ? 9u : unit == 1 || unit == 2 ? 7u : 0u));
-    CHECK(spans.cuts().empty());
+    CHECK(spans.borders().empty());
     CHECK(spans.moved() == 0);
     CHECK(spans.number_at(0) == 0);
 }
@@ -54,7 +54,7 @@ TEST_CASE("text is shaped apart only where its shaping changes", "[paragraph][st
     const style_span given[] = {{1, 3, large}, {3, 5, red_large}, {5, 7, red}, {8, 10, large}};
     style_spans spans;
     REQUIRE_FALSE(spans.read(given, found, 1));
-    CHECK(std::vector<std::uint32_t>(spans.cuts().begin(), spans.cuts().end()) ==
+    CHECK(std::vector<std::uint32_t>(spans.borders().begin(), spans.borders().end()) ==
           std::vector<std::uint32_t>{1, 5, 8, 10});
 }
 
@@ -83,7 +83,7 @@ TEST_CASE("spans that overlap or are nonsense are refused, and leave none", "[pa
     const auto refusal = [&](const std::vector<style_span>& given, std::uint32_t faces = 1) {
         const error e = spans.read(given, found, faces);
         CHECK(spans.empty());
-        CHECK(spans.cuts().empty());
+        CHECK(spans.borders().empty());
         return e;
     };
     const error nested = refusal({painted(1, 5, 1), painted(2, 3, 2)});
@@ -143,7 +143,7 @@ TEST_CASE("spans in any order mean the same, whatever they are", "[paragraph][st
                                           [&](const style_span& s) { return s.first <= begin && begin < s.last; });
             if (!e && own != given.end()) CHECK(spans[spans.number_at(begin)].style == own->style.style);
         }
-        for (const std::uint32_t cut : spans.cuts()) CHECK((cut == size || has(found.marks[cut], text_mark::grapheme)));
+        for (const std::uint32_t at : spans.borders()) CHECK((at == size || has(found.marks[at], text_mark::grapheme)));
     }
     CHECK(accepted > 500);
 }

@@ -23,8 +23,8 @@ TEST_CASE("what is combined is one grapheme between tabs and breaks, and no line
     text_columns columns;
     REQUIRE_FALSE(columns.find(font, text, {.direction = direction::top_to_bottom}, styles, found));
     REQUIRE(columns.runs().size() == 3);
-    CHECK(columns.place().middle == 250.0);
-    CHECK(columns.place().em == 1000.0);
+    CHECK(columns.metrics().middle == 250.0);
+    CHECK(columns.metrics().em == 1000.0);
     for (std::size_t u = 0; u < text.size(); ++u) {
         const bool inside = u > 1 && u < 13 && u != 7 && u != 8 && u != 9 && u != 11;
         CHECK(has(found.marks[u], text_mark::grapheme) == (has(plain.marks[u], text_mark::grapheme) && !inside));

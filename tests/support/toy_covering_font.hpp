@@ -89,7 +89,7 @@ struct toy_covering_font {
         mixed_line line;
         buffer<text_item> cut;
         buffer<shaped_glyph> glyphs;
-        if (error e = line.cut(text, first, last, how, cut)) return e;
+        if (error e = line.split(text, first, last, how, cut)) return e;
         const std::size_t before = items;
         for (const text_item& item : cut)
             if (error e = shape_item(text, item, how, glyphs)) return e;

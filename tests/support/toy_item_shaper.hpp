@@ -30,7 +30,7 @@ struct toy_item_shaper {
         ++calls;
         units += item.last - item.first;
         std::vector<shaped_glyph> made;
-        constexpr glyph_flags unsafe = glyph_flags::unsafe_to_break | glyph_flags::unsafe_to_concat;
+        constexpr glyph_flags unsafe = glyph_flags::unsafe_to_break;
         for (std::size_t i = item.first; i < item.last;) {
             const code_point c = decode(text, i, item.last);
             const auto cluster = static_cast<cluster_id>(i);

@@ -62,7 +62,7 @@ public:
         if (error e = take_script(options, script)) return e;
         if (options.direction == direction::top_to_bottom && !stands_upright(text, first, last, options.columns)) {
             const auto has_form = [&](char32_t c) noexcept { return has_vertical_form(font, c); };
-            if (error e = mixed_.cut_column(text, first, last, options, has_form, items_)) return e;
+            if (error e = mixed_.split_column(text, first, last, options, has_form, items_)) return e;
             if (found.invalid.count != 0) run.note_invalid_units(found.invalid.first, found.invalid.count);
             return shape_items(font, unit, text, options, run);
         }
@@ -71,7 +71,7 @@ public:
         if (way == HB_DIRECTION_INVALID || (back && find_number(text, first, last) != line_reading::nowhere)) {
             shape_options base = options;
             if (back) base.direction = direction::right_to_left;  // the script's, say, of a line of digits
-            if (error e = mixed_.cut(text, first, last, base, items_)) return e;
+            if (error e = mixed_.split(text, first, last, base, items_)) return e;
             if (found.invalid.count != 0) run.note_invalid_units(found.invalid.first, found.invalid.count);
             return shape_items(font, unit, text, options, run);
         }
@@ -131,10 +131,9 @@ public:
 
 private:
 #if HB_VERSION_ATLEAST(5, 1, 0)
-    static constexpr int item_flags =
-        HB_BUFFER_FLAG_PRODUCE_UNSAFE_TO_CONCAT | HB_BUFFER_FLAG_PRODUCE_SAFE_TO_INSERT_TATWEEL;
+    static constexpr int item_flags = HB_BUFFER_FLAG_PRODUCE_SAFE_TO_INSERT_TATWEEL;
 #else
-    static constexpr int item_flags = HB_BUFFER_FLAG_PRODUCE_UNSAFE_TO_CONCAT;
+    static constexpr int item_flags = HB_BUFFER_FLAG_DEFAULT;
 #endif
 
     /// A run of a line in one script.
@@ -334,7 +333,6 @@ private:
         const unsigned set = hb_glyph_info_get_glyph_flags(&info);
         glyph_flags flags = glyph_flags::none;
         if ((set & HB_GLYPH_FLAG_UNSAFE_TO_BREAK) != 0) flags = flags | glyph_flags::unsafe_to_break;
-        if ((set & HB_GLYPH_FLAG_UNSAFE_TO_CONCAT) != 0) flags = flags | glyph_flags::unsafe_to_concat;
 #if HB_VERSION_ATLEAST(5, 1, 0)
         if ((set & HB_GLYPH_FLAG_SAFE_TO_INSERT_TATWEEL) != 0) flags = flags | glyph_flags::tatweel;
 #endif

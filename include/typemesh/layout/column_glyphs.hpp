@@ -16,14 +16,14 @@ namespace typemesh::inline TYPEMESH_ABI {
 inline constexpr affine quarter_turn{.xx = 0.0, .xy = 1.0, .yx = -1.0, .yy = 0.0};
 
 /// What of a shaper decides on where glyphs stand in columns, in font units.
-struct column_place {
+struct column_metrics {
     double middle = 0.0;  ///< column_middle_of(shaper)
     double em = 0.0;
 };
 
 /// Lays an item's glyphs, shaped as in a line, on their side: the pen moves down, and what is column.middle above the
 /// baseline stands in the column's middle. They are to be drawn with quarter_turn.
-inline void turn_glyphs(std::span<shaped_glyph> glyphs, const column_place& column) noexcept
+inline void turn_glyphs(std::span<shaped_glyph> glyphs, const column_metrics& column) noexcept
 {
     for (shaped_glyph& g : glyphs) {
         g.offset = {g.offset.y - column.middle, 0.0 - g.offset.x};
@@ -35,7 +35,7 @@ inline void turn_glyphs(std::span<shaped_glyph> glyphs, const column_place& colu
 /// become one cluster, which begins at `first`.
 ///
 /// Returns by how much they are to be drawn narrower, along x: 1 unless they are wider than that.
-inline double combine_glyphs(std::span<shaped_glyph> glyphs, const column_place& column, cluster_id first) noexcept
+inline double combine_glyphs(std::span<shaped_glyph> glyphs, const column_metrics& column, cluster_id first) noexcept
 {
     double width = 0.0;
     for (const shaped_glyph& g : glyphs) width += g.advance;
@@ -56,7 +56,7 @@ inline double combine_glyphs(std::span<shaped_glyph> glyphs, const column_place&
 /// Puts an item's glyphs where its orientation has them in a column; others stay as they are. Returns the map that
 /// they are to be drawn with.
 [[nodiscard]] inline affine place_in_column(std::span<shaped_glyph> glyphs, const text_item& item,
-                                            const column_place& column) noexcept
+                                            const column_metrics& column) noexcept
 {
     if (item.orientation == glyph_orientation::combined) return {.xx = combine_glyphs(glyphs, column, item.first)};
     if (item.orientation != glyph_orientation::sideways) return {};
@@ -67,7 +67,7 @@ inline double combine_glyphs(std::span<shaped_glyph> glyphs, const column_place&
 /// Appends an item's glyphs to a run, in a line or in a column, from the pen on, which moves by their advances.
 ///
 /// Fails  error::out_of_memory
-inline error place_item(std::span<shaped_glyph> glyphs, const text_item& item, const column_place& column, point& pen,
+inline error place_item(std::span<shaped_glyph> glyphs, const text_item& item, const column_metrics& column, point& pen,
                         glyph_run& run) noexcept
 {
     const affine map = place_in_column(glyphs, item, column);

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <typemesh/core/result.hpp>
+#include <typemesh/unicode/text_range.hpp>
 #include <typemesh/unicode/text_view.hpp>
-#include <typemesh/unicode/visual_order.hpp>
 
 #include <concepts>
 #include <cstdint>

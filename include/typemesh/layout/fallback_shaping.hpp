@@ -89,11 +89,11 @@ public:
         run.missing = missing;
         run.first_missing = first_missing;
         const auto has_form = [&faces](char32_t c) noexcept { return faces.has_vertical_form(c); };
-        const error cut = how.direction == direction::top_to_bottom
-                              ? mixed_.cut_column(text, first, last, how, has_form, items_)
-                              : mixed_.cut(text, first, last, how, items_);
-        if (cut) return cut;
-        const column_place column{faces.column_middle(), faces.units_per_em()};
+        const error split = how.direction == direction::top_to_bottom
+                                ? mixed_.split_column(text, first, last, how, has_form, items_)
+                                : mixed_.split(text, first, last, how, items_);
+        if (split) return split;
+        const column_metrics column{faces.column_middle(), faces.units_per_em()};
         point pen;
         for (const text_item& item : items_) {
             line_.clear();
@@ -197,10 +197,7 @@ private:
             while (k + 1 < h.last && clusters_[k + 1].first <= g.cluster) ++k;
             if (clusters_[k].unsafe || clusters_[k].first != g.cluster || !begins_grapheme(g.cluster))
                 g.flags = g.flags | glyph_flags::unsafe_to_break;
-            if (g.cluster == made.front().cluster) g.flags = g.flags | glyph_flags::unsafe_to_concat;
         }
-        if (h.last < clusters_.size())
-            for (shaped_glyph& g : glyphs_of(clusters_[h.last])) g.flags = g.flags | glyph_flags::unsafe_to_concat;
         return {};
     }
 

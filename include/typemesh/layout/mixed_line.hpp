@@ -26,7 +26,7 @@ namespace typemesh::inline TYPEMESH_ABI {
     return reading;
 }
 
-/// Cuts a line or a column into items, which may be of both directions, in the order in which they are drawn: for
+/// Splits a line or a column into items, which may be of both directions, in the order in which they are drawn: for
 /// shapers. Keeps its memory for the next line.
 class mixed_line {
 public:
@@ -35,42 +35,42 @@ public:
     {
     }
 
-    /// Cuts text[first, last), which is read by itself: no text before it decides on its direction.
+    /// Splits text[first, last), which is read by itself: no text before it decides on its direction.
     ///
     ///     items   emptied first; then they stand from left to right. Places count from the text's start. Items hold
     ///             whole graphemes.
     ///
     /// Fails  error::out_of_memory
     /// Cost   O(n) and O(log n) a run
-    error cut(text_view text, std::size_t first, std::size_t last, const shape_options& how,
-              buffer<text_item>& items) noexcept
+    error split(text_view text, std::size_t first, std::size_t last, const shape_options& how,
+                buffer<text_item>& items) noexcept
     {
         columns_.clear();
         if (error e = analyser_.analyse(part_of(text, first, last), analysis_of(how), found_)) return e;
-        return cut_runs(first, last, items);
+        return split_runs(first, last, items);
     }
 
     /// Likewise a column, from top to bottom. has_form(c): whether the font has a vertical form of a character; see
     /// find_column_runs().
     template <class HasForm>
-    error cut_column(text_view text, std::size_t first, std::size_t last, const shape_options& how,
-                     const HasForm& has_form, buffer<text_item>& items) noexcept
+    error split_column(text_view text, std::size_t first, std::size_t last, const shape_options& how,
+                       const HasForm& has_form, buffer<text_item>& items) noexcept
     {
         const text_view part = part_of(text, first, last);
         if (error e = analyser_.analyse(part, analysis_of(how), found_)) return e;
         if (error e = find_column_runs(part, found_.marks.view(), how.columns, {}, has_form, columns_)) return e;
-        return cut_runs(first, last, items);
+        return split_runs(first, last, items);
     }
 
 private:
-    error cut_runs(std::size_t first, std::size_t last, buffer<text_item>& items) noexcept
+    error split_runs(std::size_t first, std::size_t last, buffer<text_item>& items) noexcept
     {
         items.clear();
         const text_range whole{0, static_cast<std::uint32_t>(last - first)};
         join_graphemes();
         if (error e = visual_runs(found_, whole, runs_)) return e;
         for (const visual_run& run : runs_)
-            if (error e = cut_run(run, static_cast<std::uint32_t>(first), items)) return e;
+            if (error e = split_run(run, static_cast<std::uint32_t>(first), items)) return e;
         return {};
     }
 
@@ -90,8 +90,8 @@ private:
         }
     }
 
-    /// Cuts a run where the script changes, or how it stands in a column, but in no grapheme.
-    error cut_run(const visual_run& run, std::uint32_t offset, buffer<text_item>& items) noexcept
+    /// Splits a run where the script changes, or how it stands in a column, but in no grapheme.
+    error split_run(const visual_run& run, std::uint32_t offset, buffer<text_item>& items) noexcept
     {
         const std::size_t before = items.size();
         const std::span<const script_run> scripts = found_.scripts.view();

@@ -8,16 +8,15 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What a shaper says of a glyph; a set, joined by |. The first three are the same for all glyphs of a cluster, and
+/// What a shaper says of a glyph; a set, joined by |. The first two are the same for all glyphs of a cluster, and
 /// about the place in the text where the cluster begins.
 enum class glyph_flags : std::uint8_t {
     none = 0,
-    unsafe_to_break = 1u << 0,   ///< a line that ends here needs both sides shaped again
-    unsafe_to_concat = 1u << 1,  ///< other text in place of what precedes needs both sides shaped again
-    tatweel = 1u << 2,           ///< U+0640 may be inserted here to fill a line
-    missing = 1u << 3,           ///< the font has no glyph for this text: the id is its .notdef
-    sideways = 1u << 4,          ///< it has been laid on its side, in a column; see column_glyphs.hpp
-    combined = 1u << 5,          ///< it has been put beside others, in a column
+    unsafe_to_break = 1u << 0,  ///< a line that ends here needs both sides shaped again
+    tatweel = 1u << 1,          ///< U+0640 may be inserted here to fill a line
+    missing = 1u << 2,          ///< the font has no glyph for this text: the id is its .notdef
+    sideways = 1u << 3,         ///< it has been laid on its side, in a column; see column_glyphs.hpp
+    combined = 1u << 4,         ///< it has been put beside others, in a column
 };
 
 [[nodiscard]] constexpr glyph_flags operator|(glyph_flags a, glyph_flags b) noexcept

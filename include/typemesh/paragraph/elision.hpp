@@ -42,7 +42,7 @@ struct broken_line {
 ///     start        ...two three
 class elision {
 public:
-    explicit elision(memory source = heap()) noexcept : cutter_{source}, parts_{source} {}
+    explicit elision(memory source = heap()) noexcept : mixed_{source}, parts_{source} {}
 
     /// Whether a line must be elided: it is wider than there is room, or text behind it is dropped.
     [[nodiscard]] static bool is_needed(const broken_line& line, const line_room& room,
@@ -149,8 +149,8 @@ private:
         const std::size_t clusters = shaped.all_clusters(), glyphs = shaped.all_glyphs();
         for (const text_view wanted : {from.options.ellipsis, text_view{"..."}}) {
             shaped.truncate(clusters, glyphs);
-            const error e = shaped.in_columns() ? cutter_.cut_column(wanted, 0, wanted.size(), how, has_form, parts_)
-                                             : cutter_.cut(wanted, 0, wanted.size(), how, parts_);
+            const error e = shaped.in_columns() ? mixed_.split_column(wanted, 0, wanted.size(), how, has_form, parts_)
+                                                : mixed_.split(wanted, 0, wanted.size(), how, parts_);
             if (e) return e;
             const auto complete = shaped.append_foreign(from.shaper, item, at, wanted, parts_.view());
             if (!complete) return complete.error();
@@ -199,7 +199,7 @@ private:
         }
     }
 
-    mixed_line cutter_;
+    mixed_line mixed_;
     buffer<text_item> parts_;
 };
 

@@ -26,32 +26,32 @@ namespace typemesh::inline TYPEMESH_ABI {
     return text.unit(i) == 0x09 ? 1 : line_end_at(text, i);
 }
 
-/// Cuts an analysed text into items: where the level changes, where the script does, at places of the caller's, where
+/// Splits an analysed text into items: where the level changes, where the script does, at places of the caller's, where
 /// its orientation in columns does, and round every tab and every line break, which are items of their own and not for
-/// a shaper. What would be cut inside a grapheme is cut behind it; such an item has the level and the script of its
+/// a shaper. An item that would end inside a grapheme ends behind it; it has the level and the script of its
 /// beginning, and so has one that is combined.
 ///
-///     cuts       places in the text, ascending
+///     borders    places in the text, ascending
 ///     columns    for columns: see find_column_runs(). Empty: for lines
 ///     items      emptied first; they cover the text in order
 ///
 /// Fails  error::out_of_memory
 /// Cost   O(n)
-inline error itemise(text_view text, const text_analysis& found, std::span<const std::uint32_t> cuts,
+inline error itemise(text_view text, const text_analysis& found, std::span<const std::uint32_t> borders,
                      std::span<const column_run> columns, buffer<text_item>& items) noexcept
 {
     items.clear();
     constexpr column_run line{.orientation = glyph_orientation::horizontal};
-    std::size_t script = 0, cut = 0, run = 0;
+    std::size_t script = 0, border = 0, run = 0;
     for (std::size_t i = 0; i < text.size();) {
         while (script + 1 < found.scripts.size() && i >= found.scripts[script].last) ++script;
-        while (cut < cuts.size() && i >= cuts[cut]) ++cut;
+        while (border < borders.size() && i >= borders[border]) ++border;
         while (run < columns.size() && i >= columns[run].last) ++run;
         const column_run& column = run < columns.size() ? columns[run] : line;
         const bool combined = column.orientation == glyph_orientation::combined;
         std::size_t end = text.size();
         if (script < found.scripts.size() && !combined) end = found.scripts[script].last;
-        if (cut < cuts.size() && cuts[cut] < end && !combined) end = cuts[cut];
+        if (border < borders.size() && borders[border] < end && !combined) end = borders[border];
         if (run < columns.size() && column.last < end) end = column.last;
         std::size_t last = i + silent_at(text, i);
         const std::uint8_t level = column.level(found.levels[i]);

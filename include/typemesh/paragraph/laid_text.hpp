@@ -165,7 +165,7 @@ private:
     [[nodiscard]] point point_of(const laid_line& line, double along) const noexcept
     {
         const point at = shaped_->in_columns() ? point{line.origin.x, line.origin.y - along}
-                                            : point{line.origin.x + along, line.origin.y};
+                                               : point{line.origin.x + along, line.origin.y};
         return (1.0 / em_) * at;
     }
     [[nodiscard]] box box_of(const laid_line& line, double from, double to) const noexcept
@@ -182,7 +182,8 @@ private:
         double least = 0.0;
         for (std::size_t k = 0; k < lines_.size(); ++k) {
             const box b = line_box(k);
-            const double middle = shaped_->in_columns() ? (b.low.x + b.high.x) / 2 - p.x : (b.low.y + b.high.y) / 2 - p.y;
+            const double middle =
+                shaped_->in_columns() ? (b.low.x + b.high.x) / 2 - p.x : (b.low.y + b.high.y) / 2 - p.y;
             if (k != 0 && std::fabs(middle) >= least) continue;
             best = k;
             least = std::fabs(middle);

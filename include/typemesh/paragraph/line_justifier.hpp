@@ -17,7 +17,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Makes finished lines as wide as there is room, behind their last tab: see justification.
 class line_justifier {
 public:
-    explicit line_justifier(memory source = heap()) noexcept : made_{source}, places_{source}, word_{source} {}
+    explicit line_justifier(memory source = heap()) noexcept : made_{source}, elongations_{source}, word_{source} {}
 
     /// For a new layout: forgets what belonged to the one before.
     void clear() noexcept { model_ = no_cluster; }
@@ -35,7 +35,7 @@ public:
         }
         double strokes = 0.0;
         if (by == justification::kashida) {
-            if (error e = find_places(line, shaped, shaper)) return e;
+            if (error e = find_elongations(line, shaped, shaper)) return e;
             count_strokes(line, shaped, gap);
             const auto drawn = shape_strokes(line, shaped, shaper);
             if (!drawn) return drawn.error();
@@ -62,7 +62,7 @@ public:
 
 private:
     /// Where strokes may stand: before a cluster of a slice.
-    struct place {
+    struct elongation {
         std::size_t slice;
         std::uint32_t cluster;
         double stroke;          // the advance of one
@@ -141,11 +141,11 @@ private:
         return n;
     }
 
-    /// The last place of each word.
+    /// One for each word: before the last cluster where its font allows strokes.
     template <item_shaper Shaper>
-    error find_places(const line_slices& line, shaped_text& shaped, Shaper& shaper) noexcept
+    error find_elongations(const line_slices& line, shaped_text& shaped, Shaper& shaper) noexcept
     {
-        places_.clear();
+        elongations_.clear();
         for (std::size_t k = line.behind_tabs(shaped); k < line.visible(); ++k) {
             const line_slice& s = line.slices()[k];
             std::uint32_t found = s.first;  // none
@@ -156,7 +156,7 @@ private:
                 const auto model = model_for(shaped.cluster(found).item, shaped, shaper);
                 if (!model) return model.error();
                 const double stroke = shaped.cluster(*model).advance;
-                if (stroke > 0.0 && !places_.push_back({k, found, stroke, 0, 0})) return error::out_of_memory;
+                if (stroke > 0.0 && !elongations_.push_back({k, found, stroke, 0, 0})) return error::out_of_memory;
                 found = s.first;
             }
         }
@@ -184,17 +184,17 @@ private:
     void count_strokes(const line_slices& line, const shaped_text& shaped, double gap) noexcept
     {
         double round = 0.0;
-        for (const place& p : places_) round += p.stroke;
+        for (const elongation& own : elongations_) round += own.stroke;
         if (!(round > 0.0)) return;
         const double rounds = gap / round;
         const auto whole = rounds < most_strokes ? static_cast<std::uint32_t>(rounds) : most_strokes;
         const bool overlap = !has_spaces(line, shaped);
         double all = whole * round;
-        for (place& p : places_) {
-            p.count = whole;
-            if (whole == most_strokes || !(all + (overlap ? 0.0 : p.stroke) <= gap)) continue;
-            ++p.count;
-            all += p.stroke;
+        for (elongation& own : elongations_) {
+            own.count = whole;
+            if (whole == most_strokes || !(all + (overlap ? 0.0 : own.stroke) <= gap)) continue;
+            ++own.count;
+            all += own.stroke;
         }
     }
 
@@ -203,27 +203,27 @@ private:
     result<double> shape_strokes(const line_slices& line, shaped_text& shaped, Shaper& shaper) noexcept
     {
         double all = 0.0;
-        for (place& p : places_) {
-            if (p.count == 0) continue;
-            const line_slice& s = line.slices()[p.slice];
+        for (elongation& own : elongations_) {
+            if (own.count == 0) continue;
+            const line_slice& s = line.slices()[own.slice];
             const auto is_space = [&shaped](std::uint32_t c) noexcept {
                 return has(shaped.cluster(c).flags, cluster_flags::stretches);
             };
-            std::uint32_t first = p.cluster, last = p.cluster;
+            std::uint32_t first = own.cluster, last = own.cluster;
             while (first > s.first && !is_space(first - 1)) --first;
             while (last < s.last && !is_space(last)) ++last;
             word_.clear();
-            const bool before = append_text(shaped, first, p.cluster);
+            const bool before = append_text(shaped, first, own.cluster);
             text_range strokes{static_cast<std::uint32_t>(word_.size()), 0};
-            for (std::uint32_t n = 0; n < p.count; ++n)
+            for (std::uint32_t n = 0; n < own.count; ++n)
                 if (!word_.push_back(u'\u0640')) return error::out_of_memory;
             strokes.last = static_cast<std::uint32_t>(word_.size());
-            if (!before || !append_text(shaped, p.cluster, last)) return error::out_of_memory;
-            const std::uint32_t item = shaped.cluster(p.cluster).item, at = shaped.cluster(p.cluster - 1).first;
-            p.strokes = static_cast<std::uint32_t>(shaped.all_clusters());
+            if (!before || !append_text(shaped, own.cluster, last)) return error::out_of_memory;
+            const std::uint32_t item = shaped.cluster(own.cluster).item, at = shaped.cluster(own.cluster - 1).first;
+            own.strokes = static_cast<std::uint32_t>(shaped.all_clusters());
             const std::u16string_view word{word_.data(), word_.size()};
             if (error e = shaped.append_part(shaper, item, at, word, strokes)) return e;
-            all += shaped.cluster(p.strokes).advance;
+            all += shaped.cluster(own.strokes).advance;
         }
         return all;
     }
@@ -252,15 +252,15 @@ private:
         std::size_t next = 0, visible = line.visible();
         for (std::size_t k = 0; k < line.slices().size(); ++k) {
             line_slice rest = line.slices()[k];
-            for (; next < places_.size() && places_[next].slice == k; ++next) {
-                const place& p = places_[next];
-                if (p.count == 0) continue;
-                if (scale < 1.0) shaped.scale_foreign(p.strokes, scale);
-                const line_slice strokes{.first = p.strokes,
-                                         .last = p.strokes + 1,
+            for (; next < elongations_.size() && elongations_[next].slice == k; ++next) {
+                const elongation& own = elongations_[next];
+                if (own.count == 0) continue;
+                if (scale < 1.0) shaped.scale_foreign(own.strokes, scale);
+                const line_slice strokes{.first = own.strokes,
+                                         .last = own.strokes + 1,
                                          .level = rest.level,
-                                         .width = shaped.cluster(p.strokes).advance};
-                if (!append_head(shaped, rest, p.cluster) || !made_.push_back(strokes)) return error::out_of_memory;
+                                         .width = shaped.cluster(own.strokes).advance};
+                if (!append_head(shaped, rest, own.cluster) || !made_.push_back(strokes)) return error::out_of_memory;
                 visible += 2;
             }
             if (!made_.push_back(rest)) return error::out_of_memory;
@@ -278,7 +278,7 @@ private:
     }
 
     buffer<line_slice> made_;
-    buffer<place> places_;
+    buffer<elongation> elongations_;
     buffer<char16_t> word_;
     std::uint32_t model_ = no_cluster;
 };

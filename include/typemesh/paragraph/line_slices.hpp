@@ -5,6 +5,7 @@
 #include <typemesh/core/same.hpp>
 #include <typemesh/paragraph/line_room.hpp>
 #include <typemesh/paragraph/text_pieces.hpp>
+#include <typemesh/unicode/visual_order.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -59,11 +60,11 @@ public:
               shaped_text& shaped, Shaper& shaper) noexcept
     {
         if (first >= last) return {};
-        const auto cut_behind = [&list](std::size_t piece) noexcept { return list.places[piece].cut; };
+        const auto cut_behind = [&list](std::size_t piece) noexcept { return list.sources[piece].cut; };
         const std::uint32_t head = first > 0 ? cut_behind(first - 1) : list.begin_cut, tail = cut_behind(last - 1);
-        std::uint32_t from = list.places[first].cluster;
-        std::uint32_t to = last < list.places.size() ? list.places[last].cluster : shaped.cluster_count();
-        if (tail == no_cut && last == list.places.size()) to = end_of(shaped, list.pieces[last - 1].last, from);
+        std::uint32_t from = list.sources[first].cluster;
+        std::uint32_t to = last < list.sources.size() ? list.sources[last].cluster : shaped.cluster_count();
+        if (tail == no_cut && last == list.sources.size()) to = end_of(shaped, list.pieces[last - 1].last, from);
         if (head != no_cut) from = all.cut(head).behind_to;
         if (tail != no_cut) to = all.cut(tail).before_from;
         if (from > to) return add_anew(list, first, last, shaped, shaper);
@@ -114,11 +115,10 @@ public:
         const auto visible = part(shaped, *letters, cluster_flags::unseen, true);
         if (!visible) return visible.error();
         visible_ = *visible;
-        bool hangs = true;  // what follows, up to a tab or the end
+        line_end_rule rule;
         for (std::size_t k = slices_.size(); k-- > 0;) {
             line_slice& s = slices_[k];
-            hangs = is_tab(shaped, s) || (hangs && end_before(shaped, s, cluster_flags::hangs) == s.first);
-            if (hangs) s.level = level;
+            if (rule.takes(is_tab(shaped, s), end_before(shaped, s, cluster_flags::hangs) == s.first)) s.level = level;
         }
         const double start = pen;
         for (std::size_t k = 0; k < slices_.size(); ++k) {
@@ -184,10 +184,10 @@ private:
     error add_anew(const text_pieces::list& list, std::size_t first, std::size_t last, shaped_text& shaped,
                    Shaper& shaper) noexcept
     {
-        const std::uint32_t item = shaped.cluster(list.places[first].cluster).item, end = list.pieces[last - 1].last;
+        const std::uint32_t item = shaped.cluster(list.sources[first].cluster).item, end = list.pieces[last - 1].last;
         const auto before = static_cast<std::uint32_t>(shaped.all_clusters());
         if (error e = shaped.shape_range(shaper, item, list.pieces[first].first, end)) return e;
-        if (list.places[last - 1].cut != no_cut && shaped.hyphenates(end))
+        if (list.sources[last - 1].cut != no_cut && shaped.hyphenates(end))
             if (error e = detail::append_hyphen(shaped, shaper, item, end)) return e;
         return append(shaped, before, static_cast<std::uint32_t>(shaped.all_clusters()) - before);
     }

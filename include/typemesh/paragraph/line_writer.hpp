@@ -51,7 +51,7 @@ private:
 
         [[nodiscard]] bool holds(const shaped_glyph& g) const noexcept
         {
-            return g.face == face && g.cluster >= text.first && g.cluster < text.last && stand_of(g) == stands;
+            return g.face == face && text.holds(g.cluster) && stand_of(g) == stands;
         }
         /// How a glyph stands in a column.
         [[nodiscard]] static glyph_flags stand_of(const shaped_glyph& g) noexcept

@@ -128,7 +128,7 @@ public:
         glyphs_.clear();
         carets_.clear();
         if (error e = columns_.find(shaper, text, options_, styles, analysis)) return e;
-        if (error e = itemise(text, analysis, styles.cuts(), columns_.runs(), items_)) return e;
+        if (error e = itemise(text, analysis, styles.borders(), columns_.runs(), items_)) return e;
         const item_settings::base plain{options, letter_spacing};
         if (error e = settings_.read(shaper, text, analysis, styles, plain, items_.view())) return e;
         for (std::uint32_t i = 0; i < items_.size(); ++i) {
@@ -160,7 +160,9 @@ public:
             if (error e = shaper.shape_item(text_, part, options_of(item), glyphs_)) return e;
         if (glyphs_.size() > 0xFFFF'FFFFu) return error::too_large;
         if (part.orientation != glyph_orientation::horizontal)
-            items_[item].squeeze = place_in_column(glyphs_.view().subspan(before), part, columns_.place()).xx;
+            if (const affine map = place_in_column(glyphs_.view().subspan(before), part, columns_.metrics());
+                part.orientation == glyph_orientation::combined)
+                items_[item].squeeze = map.xx;
         scale_glyphs(item, before);
         if (error e = cluster_glyphs(item, part, before)) return e;
         return find_carets(shaper, first_cluster);
@@ -290,7 +292,7 @@ public:
         if (error e = shape_other(shaper, item, whole, all)) return e;
         std::size_t kept = before;
         for (std::size_t g = before; g < glyphs_.size(); ++g)
-            if (glyphs_[g].cluster >= part.first && glyphs_[g].cluster < part.last) glyphs_[kept++] = glyphs_[g];
+            if (part.holds(glyphs_[g].cluster)) glyphs_[kept++] = glyphs_[g];
         glyphs_.truncate(kept);
         return make_foreign(item, at, before);
     }
@@ -310,7 +312,7 @@ private:
         const std::size_t before = glyphs_.size();
         if (error e = shaper.shape_item(other, part, options_of(item), glyphs_)) return e;
         if (part.orientation == glyph_orientation::sideways)
-            turn_glyphs(glyphs_.view().subspan(before), columns_.place());
+            turn_glyphs(glyphs_.view().subspan(before), columns_.metrics());
         scale_glyphs(item, before);
         return {};
     }

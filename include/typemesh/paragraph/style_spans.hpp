@@ -37,12 +37,12 @@ struct style_span {
 /// The styles of a text, by whole graphemes. What no span covers is plain: of style number 0.
 class style_spans {
 public:
-    explicit style_spans(memory source = heap()) noexcept : spans_{source}, cuts_{source} {}
+    explicit style_spans(memory source = heap()) noexcept : spans_{source}, borders_{source} {}
 
     void clear() noexcept
     {
         spans_.clear();
-        cuts_.clear();
+        borders_.clear();
         decorations_ = decoration::none;
         moved_ = 0;
     }
@@ -92,7 +92,7 @@ public:
     }
 
     /// Where the text is to be shaped apart, ascending.
-    [[nodiscard]] std::span<const std::uint32_t> cuts() const noexcept { return cuts_.view(); }
+    [[nodiscard]] std::span<const std::uint32_t> borders() const noexcept { return borders_.view(); }
 
     /// All decorations that a style has.
     [[nodiscard]] decoration decorations() const noexcept { return decorations_; }
@@ -115,7 +115,7 @@ private:
             if (spans_[i].first < spans_[i - 1].last)
                 return error{error::overlapping_spans}.at(no_glyph, spans_[i].first);
         move_ends(found);
-        return find_cuts();
+        return find_borders();
     }
 
     /// Moves ends out of graphemes, and drops what is empty then.
@@ -139,24 +139,24 @@ private:
         spans_.truncate(kept);
     }
 
-    error find_cuts() noexcept
+    error find_borders() noexcept
     {
-        const auto cut = [this](std::uint32_t unit, const text_style& before, const text_style& behind) noexcept {
-            return shaped_alike(before, behind) || cuts_.push_back(unit);
+        const auto add = [this](std::uint32_t unit, const text_style& before, const text_style& behind) noexcept {
+            return shaped_alike(before, behind) || borders_.push_back(unit);
         };
         for (std::size_t i = 0; i < spans_.size(); ++i) {
             const style_span& s = spans_[i];
             const bool follows = i > 0 && spans_[i - 1].last == s.first;
             const bool followed = i + 1 < spans_.size() && spans_[i + 1].first == s.last;
-            if (!cut(s.first, follows ? spans_[i - 1].style : plain_, s.style)) return error::out_of_memory;
-            if (!followed && !cut(s.last, s.style, plain_)) return error::out_of_memory;
+            if (!add(s.first, follows ? spans_[i - 1].style : plain_, s.style)) return error::out_of_memory;
+            if (!followed && !add(s.last, s.style, plain_)) return error::out_of_memory;
         }
         return {};
     }
 
     text_style plain_;
     buffer<style_span> spans_;
-    buffer<std::uint32_t> cuts_;
+    buffer<std::uint32_t> borders_;
     decoration decorations_ = decoration::none;
     std::uint32_t moved_ = 0;
 };

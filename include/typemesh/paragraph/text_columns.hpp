@@ -33,7 +33,7 @@ public:
     {
         runs_.clear();
         if (how.direction != direction::top_to_bottom) return {};
-        place_ = {column_middle_of(shaper), shaper.units_per_em()};
+        metrics_ = {column_middle_of(shaper), shaper.units_per_em()};
         spans_.clear();
         for (const style_span& s : styles.spans()) {
             if (s.style.column == column_style::automatic) continue;
@@ -48,7 +48,7 @@ public:
 
     /// Empty for lines.
     [[nodiscard]] std::span<const column_run> runs() const noexcept { return runs_.view(); }
-    [[nodiscard]] const column_place& place() const noexcept { return place_; }
+    [[nodiscard]] const column_metrics& metrics() const noexcept { return metrics_; }
 
 private:
     /// Makes what stands between tabs and line breaks one grapheme.
@@ -64,7 +64,7 @@ private:
         }
     }
 
-    column_place place_;
+    column_metrics metrics_;
     buffer<column_span> spans_;
     buffer<column_run> runs_;
 };

@@ -14,8 +14,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What a piece is in its shaped text.
-struct piece_place {
+/// What a piece is made of in its shaped text.
+struct shaped_piece {
     std::uint32_t cluster = 0;   ///< which holds the piece's first unit; behind the last one for an empty piece
     std::uint32_t cut = no_cut;  ///< what changes where a line ends with the piece
 };
@@ -28,27 +28,27 @@ public:
     {
     }
 
-    /// Pieces, and their places in the text.
+    /// Pieces, and what each is made of.
     struct list {
-        explicit list(memory source) noexcept : pieces{source}, places{source} {}
+        explicit list(memory source) noexcept : pieces{source}, sources{source} {}
         buffer<break_piece> pieces;
-        buffer<piece_place> places;
+        buffer<shaped_piece> sources;      ///< of each
         std::uint32_t begin_cut = no_cut;  ///< what changes where a line begins with the first piece
 
         void clear() noexcept
         {
             begin_cut = no_cut;
             pieces.clear();
-            places.clear();
+            sources.clear();
         }
-        [[nodiscard]] bool push_back(const break_piece& piece, piece_place place) noexcept
+        [[nodiscard]] bool push_back(const break_piece& piece, shaped_piece source) noexcept
         {
-            return pieces.push_back(piece) && places.push_back(place);
+            return pieces.push_back(piece) && sources.push_back(source);
         }
         [[nodiscard]] bool append(const list& other, std::size_t first, std::size_t count) noexcept
         {
             return pieces.append(other.pieces.view().subspan(first, count)) &&
-                   places.append(other.places.view().subspan(first, count));
+                   sources.append(other.sources.view().subspan(first, count));
         }
     };
 
@@ -64,7 +64,7 @@ public:
     [[nodiscard]] const list& words() const noexcept { return words_; }
     [[nodiscard]] const line_cut& cut(std::uint32_t number) const noexcept { return cuts_[number]; }
 
-    /// Cuts a shaped text into words: at all places where Unicode allows a line to end, and behind tabs.
+    /// Splits a shaped text into words: at all places where Unicode allows a line to end, and behind tabs.
     template <item_shaper Shaper>
     error find_words(shaped_text& shaped, Shaper& shaper) noexcept
     {
@@ -129,19 +129,16 @@ public:
                  first_where(0, words.size(), [&](std::size_t k) noexcept { return words[k].last > first; });
              i < words.size() && words[i].first < last; ++i) {
             if (error e = expand(i, shaped, shaper)) return e;
-            if (i > 0 && words[i].first == first) elided_.begin_cut = words_.places[i - 1].cut;
+            if (i > 0 && words[i].first == first) elided_.begin_cut = words_.sources[i - 1].cut;
             for (std::uint32_t g = expansions_[i].first; g < expansions_[i].first + expansions_[i].count; ++g) {
                 const break_piece& p = graphemes_.pieces[g];
-                if (p.last == first) elided_.begin_cut = graphemes_.places[g].cut;
+                if (p.last == first) elided_.begin_cut = graphemes_.sources[g].cut;
                 if (p.first >= first && p.last <= last && !elided_.append(graphemes_, g, 1))
                     return error::out_of_memory;
             }
         }
         return &elided_;
     }
-
-    /// The least width into which every word fits.
-    [[nodiscard]] double widest() const noexcept { return widest_; }
 
 private:
     /// UAX #14 lets a line end between a space and a mark upon it, which are one grapheme.
@@ -187,14 +184,14 @@ private:
     };
 
     /// Where a piece ends: in a cluster or behind it.
-    struct place {
+    struct piece_stop {
         std::uint32_t cluster, unit;
         piece_end end;
         bool tab;
     };
 
     template <item_shaper Shaper>
-    error close(shaped_text& shaped, Shaper& shaper, const place& at, open_piece& now, list& out) noexcept
+    error close(shaped_text& shaped, Shaper& shaper, const piece_stop& at, open_piece& now, list& out) noexcept
     {
         const text_cluster cluster = shaped.cluster(at.cluster);
         const double share = at.unit >= cluster.last
@@ -203,7 +200,7 @@ private:
         now.add(shaped, cluster, share - now.taken);
         now.taken = share;
         const bool parts = at.end != piece_end::never && at.unit < shaped.text().size();
-        piece_place where{now.cluster, no_cut};
+        shaped_piece where{now.cluster, no_cut};
         break_piece piece{.first = now.first,
                           .last = at.unit,
                           .width = now.width,
@@ -241,9 +238,9 @@ private:
         if (expansions_[number].count != 0) return {};
         const std::size_t before = graphemes_.pieces.size(), cuts = cuts_.size();
         const std::size_t clusters = shaped.all_clusters(), glyphs = shaped.all_glyphs();
-        if (error e = add_graphemes(words_.pieces[number], words_.places[number], shaped, shaper)) {
+        if (error e = add_graphemes(words_.pieces[number], words_.sources[number], shaped, shaper)) {
             graphemes_.pieces.truncate(before);
-            graphemes_.places.truncate(before);
+            graphemes_.sources.truncate(before);
             cuts_.truncate(cuts);
             shaped.truncate(clusters, glyphs);
             return e;
@@ -253,7 +250,7 @@ private:
         return {};
     }
     template <item_shaper Shaper>
-    error add_graphemes(break_piece word, piece_place home, shaped_text& shaped, Shaper& shaper) noexcept
+    error add_graphemes(break_piece word, shaped_piece home, shaped_text& shaped, Shaper& shaper) noexcept
     {
         open_piece now;
         now.cluster = home.cluster;
@@ -313,7 +310,7 @@ private:
     list words_, graphemes_, gathered_, elided_;
     buffer<expansion> expansions_;  // of the words
     buffer<line_cut> cuts_;
-    double widest_ = 0.0;
+    double widest_ = 0.0;  // the least width into which every word fits
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -6,6 +6,7 @@
 #include <typemesh/core/first_where.hpp>
 #include <typemesh/unicode/script_runs.hpp>
 #include <typemesh/unicode/text_mark.hpp>
+#include <typemesh/unicode/text_range.hpp>
 #include <typemesh/unicode/visual_order.hpp>
 
 #include <cstddef>

@@ -4,6 +4,7 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/unicode/text_mark.hpp>
+#include <typemesh/unicode/text_range.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -11,12 +12,6 @@
 #include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI {
-
-/// A range of a text's units, [first, last).
-struct text_range {
-    std::uint32_t first = 0;
-    std::uint32_t last = 0;
-};
 
 /// A stretch of one line that is read in one direction.
 struct visual_run {
@@ -41,19 +36,30 @@ void order_visually(std::span<Run> line) noexcept
         }
 }
 
+/// Rule L1 of UAX #9: of the parts of a line, from its end to its start, those are set at the level of their paragraph
+/// that are separators (tabs), or white space before one or at the line's end.
+class line_end_rule {
+public:
+    /// Whether the next part towards the start is.
+    constexpr bool takes(bool separator, bool white_space) noexcept
+    {
+        return takes_ = separator || (takes_ && white_space);
+    }
+
+private:
+    bool takes_ = true;
+};
+
 namespace detail {
 
-/// Rule L1: the runs of a line from its end to its start.
+/// The runs of a line from its end to its start.
 inline error line_runs(const std::uint8_t* levels, const text_mark* marks, std::uint8_t paragraph, text_range line,
                        buffer<visual_run>& runs) noexcept
 {
-    bool trailing = true;
+    line_end_rule rule;
     for (std::uint32_t i = line.last; i-- > line.first;) {
-        if (has(marks[i], text_mark::separator))
-            trailing = true;
-        else if (!has(marks[i], text_mark::trailing))
-            trailing = false;
-        const std::uint8_t level = trailing ? paragraph : levels[i];
+        const bool reset = rule.takes(has(marks[i], text_mark::separator), has(marks[i], text_mark::trailing));
+        const std::uint8_t level = reset ? paragraph : levels[i];
         if (!runs.empty() && runs.back().level == level)
             runs.back().first = i;
         else if (!runs.push_back({i, i + 1, level}))
