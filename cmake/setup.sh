@@ -5,13 +5,14 @@
 
 # One line a need: how to see that it is there, and its package in each place. "-" where there is none or none is needed.
 #   command:A,B  one of these programs      header:A,B  one of these headers      font:A  a font with this character
-#   pkg:A,B      one that pkg-config knows
+#   pkg:A,B      one that pkg-config knows                     clang++:A   clang++ links a program with this option
 needs() {
     cat <<'END'
 # need       is there when                                    Debian             Fedora                 Arch        Homebrew          vcpkg
 g++          command:g++                                      g++                gcc-c++                gcc         gcc               -
 c++          command:c++,g++,clang++                          g++                gcc-c++                gcc         llvm              -
 clang++      command:clang++                                  clang              clang                  clang       llvm              -
+asan         clang++:-fsanitize=address                       libclang-rt-dev    compiler-rt            compiler-rt llvm              -
 cmake        command:cmake                                    cmake              cmake                  cmake       cmake             -
 ninja        command:ninja,make                               ninja-build        ninja-build            ninja       ninja             -
 pkg-config   command:pkg-config                               pkg-config         pkgconf-pkg-config     pkgconf     pkgconf           -
@@ -69,6 +70,7 @@ is_there() {  # is_there KIND:NAME,NAME...
 $(header_folders)
 END
                 ;;
+            clang++:*) ! say 'int main() {}' | clang++ "$name" -x c++ - -o /dev/null 2>/dev/null || return 0 ;;
             pkg:*) ! pkg-config --exists "$name" 2>/dev/null || return 0 ;;
             font:*) ! command -v fc-list >/dev/null 2>&1 || [ -z "$(fc-list ":charset=$name" file)" ] || return 0 ;;
         esac

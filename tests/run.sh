@@ -11,7 +11,7 @@ usage: tests/run.sh [--with TIER[,TIER...]] [--only TIER[,TIER...]] [--all]
 Installs what is missing, builds and runs the tests, those of the tier gcc by default. The tiers:
   gcc        all tests of the core and its adapters with g++
   clang      the tests of the core and the adapters with clang++
-  sanitize   the tests of what touches memory most, with g++ under the address and undefined behaviour sanitizers
+  sanitize   the tests of what touches memory most, under the address and undefined behaviour sanitizers of clang++ and g++
   tsan       the tests that use threads with g++ under the thread sanitizer
   windows    the tests of the core and of DirectWrite as Windows programs (mingw-w64), run under Wine
   external   other people's tools (admesh, OpenSCAD, gltf-validator) read what text_to_mesh writes; the benchmarks are built
@@ -115,7 +115,11 @@ tier_clang() {
     install_missing clang++
     test_preset clang
 }
-tier_sanitize() { test_preset sanitize typemesh_tests; }
+tier_sanitize() {
+    install_missing clang++ asan
+    test_preset sanitize typemesh_tests
+    test_preset sanitize-optimised typemesh_tests
+}
 tier_tsan() { test_preset tsan typemesh_tests; }
 
 # Windows programs are built here and run under Wine, with a prefix of their own and without a display. What they draw is
