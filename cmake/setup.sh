@@ -46,6 +46,17 @@ ogre         pkg:OGRE                                         libogre-1.12-dev  
 qt-quick3d   pkg:Qt6Quick3D                                   qt6-quick3d-dev    qt6-qtquick3d-devel    qt6-quick3d qt                -
 qt-qml       pkg:Qt6Quick                                     qt6-declarative-dev qt6-qtdeclarative-devel qt6-declarative -           -
 qt-shaders   pkg:Qt6ShaderTools                               qt6-shadertools-dev qt6-qtshadertools-devel qt6-shadertools -           -
+ftgl         pkg:ftgl                                         libftgl-dev        ftgl-devel             ftgl        -                 -
+glu          pkg:glu                                          libglu1-mesa-dev   mesa-libGLU-devel      glu         -                 -
+qt3d         pkg:Qt53DExtras                                  qt3d5-dev          qt5-qt3d-devel         qt5-3d      -                 -
+vtk          header:vtk-9.1/vtkVectorText.h,vtk-9.2/vtkVectorText.h,vtk-9.3/vtkVectorText.h,vtk-9.5/vtkVectorText.h libvtk9-dev vtk-devel vtk - -
+coin         header:Inventor/nodes/SoText3.h                  libcoin-dev        Coin4-devel            coin        -                 -
+occt         header:opencascade/StdPrs_BRepFont.hxx           libocct-visualization-dev opencascade-devel opencascade -               -
+occt-modeling header:opencascade/BRepMesh_IncrementalMesh.hxx libocct-modeling-algorithms-dev opencascade-devel opencascade -         -
+blender      command:blender                                  blender            blender                blender     -                 -
+cgal         header:CGAL/Constrained_Delaunay_triangulation_2.h libcgal-dev      CGAL-devel             cgal        -                 -
+polyclipping header:polyclipping/clipper.hpp                  libpolyclipping-dev polyclipping-devel    -           -                 -
+python3      command:python3                                  python3            python3                python      -                 -
 END
 }
 

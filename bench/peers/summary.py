@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: MIT
+#
+# From what run.sh has timed and judged: the rows "time", "against", "fewest" and "headline" (see ../README.md).
+#
+#     summary.py FOLDER JUDGED       FOLDER has ROUND.PEER.peer.tsv and ROUND.PEER.typemesh.tsv, run one after the other
+#
+# against    a peer's time in typemesh's, of the same text, solid and state, the median of the rounds with the least and the largest;
+#            a peer that builds every letter anew stands against typemesh's reuse, which builds the same mesh.
+#            At the same error: typemesh with the tolerance at which its 90th percentile of the chord error is the peer's
+# fewest     triangles of all letters judged, and typemesh's at the same error: between the judged tolerances by interpolation
+import collections
+import math
+import pathlib
+import statistics
+import sys
+
+US = 'typemesh'
+MAIN = '1/800 em'
+LATIN = 'LiberationSans-Regular.ttf'
+STATES = {'cold': 'reuse', 'reuse': 'reuse', 'warm': 'warm', 'placed': 'placed'}
+
+
+def rows(file, kind):
+    for line in open(file, encoding='utf-8'):
+        fields = line.rstrip('\n').split('\t')
+        if fields[0] == kind:
+            yield fields[1:]
+
+
+def show(*fields):
+    print(*fields, sep='\t')
+
+
+def brief(x):
+    return '-' if x is None else f'{x:.4g}'
+
+
+class Judged:
+    """The verdicts, and typemesh's at any error between its tolerances."""
+
+    def __init__(self, file):
+        self.all = {}
+        for peer, setting, font, *numbers in rows(file, 'judged'):
+            names = 'characters lost area open flipped wrong p90 largest triangles vertices'.split()
+            self.all[peer, setting, font] = {n: None if x == '-' else float(x) for n, x in zip(names, numbers)}
+        self.ladder = collections.defaultdict(list)
+        for (peer, setting, font), v in self.all.items():
+            if peer == US and v['p90']:
+                self.ladder[font].append((v, setting))
+        for steps in self.ladder.values():
+            steps.sort(key=lambda step: step[0]['p90'])
+
+    def of(self, peer, setting, font=LATIN):
+        return self.all.get((peer, setting, font))
+
+    def between(self, font, measure, error, value):
+        """value(verdict, setting) of typemesh where its measure is this error, linear in logarithms; None outside."""
+        steps = self.ladder[font]
+        for (a, a_setting), (b, b_setting) in zip(steps, steps[1:]):
+            if error and a[measure] <= error <= b[measure]:
+                x, y = value(a, a_setting), value(b, b_setting)
+                if not x or not y:
+                    return None
+                part = math.log(error / a[measure]) / math.log(b[measure] / a[measure]) if b[measure] > a[measure] else 0
+                return x * (y / x) ** part
+        return None
+
+
+def read_times(folder):
+    """Times by peer, setting, solid, state, text; of each a list over rounds, and typemesh's beside it."""
+    own, others, pairs, sizes = (collections.defaultdict(list) for _ in range(4))
+    for file in sorted(pathlib.Path(folder).glob('*.typemesh.tsv')):
+        beside = {}
+        for row in rows(file, 'time'):
+            key = tuple(row[:5])
+            beside[key] = float(row[5])
+            own[key].append(float(row[5]))
+            sizes[key] = row[6:]
+        peer_file = file.with_name(file.name.replace('.typemesh.tsv', '.peer.tsv'))
+        for row in rows(peer_file, 'time') if peer_file.exists() else ():
+            key = peer, setting, solid, state, text = tuple(row[:5])
+            others[key].append(float(row[5]))
+            sizes[key] = row[6:]
+            mine = beside.get((US, MAIN, solid, STATES[state], text))
+            if mine:
+                pairs[key].append(float(row[5]) / mine)
+    return own, others, pairs, sizes
+
+
+def against(own, others, pairs, judged):
+    show('columns', 'against', *'text solid state peer setting clock times least largest times_same_error chord_p90_em '
+         'chord_largest_em'.split())
+    found = []
+    for key, ratios in pairs.items():
+        peer, setting, solid, state, text = key
+        verdict = judged.of(peer, setting) or {'p90': None, 'largest': None}
+        same = None
+        if solid == 'extruded' and STATES[state] == 'reuse':
+            mine = judged.between(LATIN, 'p90', verdict['p90'], lambda v, s: statistics.median(
+                own.get((US, s, 'extruded', 'reuse', text), [0])))
+            same = statistics.median(others[key]) / mine if mine else None
+        found.append((text, solid, state, peer, setting, statistics.median(ratios), min(ratios), max(ratios), same, verdict))
+    order = {text: i for i, text in enumerate(dict.fromkeys(f[0] for f in found))}
+    found.sort(key=lambda f: (f[1] != 'extruded', f[1], order[f[0]], f[2] in ('warm', 'placed'), f[2] == 'placed', f[5]))
+    for text, solid, state, peer, setting, middle, low, high, same, verdict in found:
+        clock = {'three.js TextGeometry': 'node', 'three-text': 'node', 'OpenSCAD': 'process'}.get(peer, 'native')
+        show('against', text, solid, state, peer, setting, clock, *map(brief, (middle, low, high, same, verdict['p90'], verdict['largest'])))
+    return found
+
+
+def fewest(judged):
+    show('columns', 'fewest', *'font peer setting chord_p90_em chord_largest_em triangles typemesh_same_p90 typemesh_same_largest '
+         'of_peer_same_p90 of_peer_same_largest'.split())
+    found = []
+    for (peer, setting, font), v in judged.all.items():
+        if peer == US or not v['p90'] or v['lost'] > v['characters'] / 2:
+            continue
+        whole = [judged.between(font, m, v[m], lambda step, _: step['triangles']) for m in ('p90', 'largest')]
+        parts = [w * (1 - v['lost'] / v['characters']) / v['triangles'] if w else None for w in whole]
+        found.append((font, peer, setting, *parts))
+        show('fewest', font, peer, setting, brief(v['p90']), brief(v['largest']), int(v['triangles']),
+             *('-' if w is None else round(w) for w in whole), *map(brief, parts))
+    return found
+
+
+def fastest(found, judged, text, states, exact):
+    """Of the peers as exact as typemesh: by the 90th percentile, or by the largest error as well."""
+    own = judged.of(US, MAIN)
+    fit = [f for f in found if f[0] == text and f[1] == 'extruded' and f[2] in states and f[9]['p90'] and f[9]['p90'] <= own['p90'] * 1.02
+           and (not exact or f[9]['largest'] <= own['largest'] * 1.02)]
+    return min(fit, key=lambda f: f[5], default=None)
+
+
+def headlines(found, least, judged):
+    show('columns', 'headline', *'claim asked aim found peer setting'.split())
+    for claim, text, states, asked, aim in (('cold "Hello world!", times faster', 'hello', ('cold', 'reuse'), 10, 20),
+                                            ('cold lorem ipsum, times faster', 'lorem', ('cold', 'reuse'), 20, 50),
+                                            ('warm "Hello world!", times faster', 'hello', ('warm',), 15, 15),
+                                            ('warm lorem ipsum, times faster', 'lorem', ('warm',), 15, 15),
+                                            ('placing letters that are kept, "Hello world!", times faster', 'hello', ('placed',), 15, 15)):
+        for exact in (False, True):
+            best = fastest(found, judged, text, states, exact)
+            kind = 'peers as exact in 9 of 10 chords' if not exact else 'and in the largest error'
+            if best:
+                show('headline', f'{claim}; {kind}', asked, aim, brief(best[5]), best[3], best[4])
+    for i, measure in ((3, '9 of 10 chords'), (4, 'the largest error')):
+        worst = max((f for f in least if f[i] is not None), key=lambda f: f[i], default=None)
+        if worst:
+            show('headline', f'triangles of those of the peer with the fewest at the same error, by {measure}; {worst[0]}', 1.05, 1,
+                 brief(worst[i]), worst[1], worst[2])
+    wrong = collections.Counter()
+    for (peer, setting, _), v in judged.all.items():
+        wrong[peer] += 0 if 'bevelled' in setting else int(v['wrong'])
+    show('headline', 'wrong meshes of letters, all settings', 0, 0, wrong[US], US, 'all')
+    right = ', '.join(p for p, n in wrong.items() if n == 0 and p != US) or 'none'
+    show('headline', 'peers without a wrong mesh', 'three-text, Qt 3D', '-', right, '-', '-')
+
+
+def main():
+    own, others, pairs, sizes = read_times(sys.argv[1])
+    judged = Judged(sys.argv[2])
+    show('columns', 'time', *'peer setting solid state text time_us triangles vertices clock'.split())
+    for key, times in [*own.items(), *others.items()]:
+        show('time', *key, f'{statistics.median(times):.3f}', *sizes[key])
+    found = against(own, others, pairs, judged)
+    headlines(found, fewest(judged), judged)
+
+
+main()
