@@ -136,8 +136,7 @@ def headlines(found, least, judged):
     for claim, text, states, asked, aim in (('cold "Hello world!", times faster', 'hello', ('cold', 'reuse'), 10, 20),
                                             ('cold lorem ipsum, times faster', 'lorem', ('cold', 'reuse'), 20, 50),
                                             ('warm "Hello world!", times faster', 'hello', ('warm',), 15, 15),
-                                            ('warm lorem ipsum, times faster', 'lorem', ('warm',), 15, 15),
-                                            ('placing letters that are kept, "Hello world!", times faster', 'hello', ('placed',), 15, 15)):
+                                            ('warm lorem ipsum, times faster', 'lorem', ('warm',), 15, 15)):
         for exact in (False, True):
             best = fastest(found, judged, text, states, exact)
             kind = 'peers as exact in 9 of 10 chords' if not exact else 'and in the largest error'
@@ -156,6 +155,20 @@ def headlines(found, least, judged):
     show('headline', 'peers without a wrong mesh', 'three-text, Qt 3D', '-', right, '-', '-')
 
 
+NOTES = (
+    'Times are of the processor; of node the shorter of that and the wall\'s; of OpenSCAD the whole process\'s, of which an empty model takes '
+    'about half.',
+    'The chord error is the distance of the boundary of a letter\'s front from the font\'s own curves, over ASCII and Latin to U+024F: '
+    'what 9 of 10 chords of curves stay below, and the largest of all letters that are right.',
+    'A peer with a fixed number of steps a curve is exact on small curves and coarse on large ones: it is as exact as typemesh in 9 of 10 '
+    'chords long before it is in the largest error. Both are told; typemesh\'s tolerance bounds the largest.',
+    'FTGL and osgText only place letters that they keep: they do not shape (FTGL, osgText, VTK, Coin, Blender and three.js map characters to '
+    'glyphs, in Arabic, too), and no mesh of the text is written. typemesh\'s time beside it has HarfBuzz\'s shaping in it.',
+    'Coin\'s outlines are hinted, which moves them by up to a fortieth of an em. VTK has a face of its own, and there are no curves to judge.',
+    'OCCT and OpenSCAD hand over no normals; FTGL, Qt 3D, Coin, three.js and typemesh do; typemesh writes texture coordinates, too.',
+)
+
+
 def main():
     own, others, pairs, sizes = read_times(sys.argv[1])
     judged = Judged(sys.argv[2])
@@ -164,6 +177,8 @@ def main():
         show('time', *key, f'{statistics.median(times):.3f}', *sizes[key])
     found = against(own, others, pairs, judged)
     headlines(found, fewest(judged), judged)
+    for words in NOTES:
+        show('note', words)
 
 
 main()
