@@ -7,6 +7,7 @@
 #include <typemesh/extrude/wall_normal.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -65,11 +66,11 @@ private:
     struct contour {
         const grid_point* points;
         const contour_edge* edges;
-        std::uint32_t last;
+        std::size_t last;
 
-        [[nodiscard]] std::uint32_t next(std::uint32_t i) const noexcept { return i == last ? 0 : i + 1; }
-        [[nodiscard]] std::uint32_t previous(std::uint32_t i) const noexcept { return i == 0 ? last : i - 1; }
-        [[nodiscard]] point along(std::uint32_t i) const noexcept { return delta(points[i], points[next(i)]); }
+        [[nodiscard]] std::size_t next(std::size_t i) const noexcept { return i == last ? 0 : i + 1; }
+        [[nodiscard]] std::size_t previous(std::size_t i) const noexcept { return i == 0 ? last : i - 1; }
+        [[nodiscard]] point along(std::size_t i) const noexcept { return delta(points[i], points[next(i)]); }
     };
 
     /// The lighting of a wall where its edge starts or ends.
@@ -102,69 +103,156 @@ private:
 
     class wall_light {
     public:
-        wall_light(const region& filled, double crease) noexcept : curves_{filled.curves().data()}, crease_{crease}
+        wall_light(const region& filled, double crease) noexcept
+            : curves_{filled.curves().data()}, crease_{crease}, slope_{clear_slope(crease)}
         {
             const double longest = 16.0 * filled.tolerance();
             if (longest > 0.0 && crease > 0.0) long_square_ = longest * longest;
+            const double longest_leg = 4.0 * grid::reach / filled.grid().cells;
+            moving_ = 0x1p-40 * longest_leg * longest_leg;
         }
 
-        /// Lights all walls over a contour.
+        /// Lights all walls over a contour: where a curve begins, then within it, and so on.
         void shine_on(const contour& c, side_point* sides) const noexcept
         {
-            const contour_edge* last = &c.edges[c.last];
-            hodograph derivative = along(*last);
-            bool stops = false, forth = is_forth(*last);
-            const auto direction = [&](float t, bool at_end) noexcept {
-                const point d = derivative.derivative(as_double(t));
-                stops = derivative.vanishes(d);
-                if (!stops) [[likely]]
-                    return d;
-                const tangents both = derivative.at(as_double(t));
-                return at_end == forth ? both.before : both.after;
-            };
-            point in = direction(last->t1, true), arriving = c.along(c.last);
-            for (std::uint32_t i = 0; i <= c.last; ++i) {
-                const contour_edge& edge = c.edges[i];
+            point arriving = c.along(c.last);
+            const contour_edge* stopped = &c.edges[c.last];
+            for (std::size_t i = 0;; ++i) {
                 const point leaving = c.along(i);
-                const bool may_break = !goes_on(*last, edge) || stops;
-                point out = in;
-                if (may_break || is_forth(edge) != forth) {
-                    derivative = along(edge);
-                    forth = is_forth(edge);
-                    out = direction(edge.t0, false);
-                }
-                if (in == out && is_near(in, arriving) && is_near(in, leaving)) {
-                    sides[i].before = sides[i].after = rounded(unit(outward(out)));
-                } else {
-                    const wall_end before = leading(*last, in, arriving), after = leading(edge, out, leaving);
-                    if (!meet(before, after, {arriving, leaving}, may_break, sides[i])) {
-                        const corner joint{c.points[c.previous(i)], c.points[i], c.points[c.next(i)]};
-                        meet_askew(before, after, joint, may_break, sides[i]);
-                    }
-                }
+                if (!meet_at_ends(*stopped, c.edges[i], {arriving, leaving}, sides[i])) [[unlikely]]
+                    meet(c, i, sides[i]);
                 arriving = leaving;
-                i = shine_within(derivative, c, i, arriving, sides);
-                last = &c.edges[i];
-                in = derivative.is_constant() ? out : direction(last->t1, true);
+                i = shine_within(c, i, arriving, sides);
+                if (i == c.last) return;
+                stopped = &c.edges[i];
             }
         }
 
     private:
+        /// A direction leads clearly if it is less than 45 degrees less half the crease angle off its edge: the sum of
+        /// two such directions that meet softly is then near both edges. The tangent of this angle, with a margin for
+        /// rounding: tan(45 - crease / 2) = cos / (1 + sin). 0 for 90 degrees and more: none does.
+        [[nodiscard]] static double clear_slope(double crease) noexcept
+        {
+            constexpr double kept = 1.0 - 0x1p-20;
+            return crease > 0.0 ? kept * crease / (1.0 + std::sqrt(1.0 - crease * crease)) : 0.0;
+        }
+
+        /// The derivative where an edge leaves the end of its curve: a leg of the control polygon. 0 where it starts
+        /// within.
+        [[nodiscard]] point leaving_leg(const contour_edge& e) const noexcept
+        {
+            const curve& q = curves_[e.curve];
+            if (e.t0 <= 0.0f) return q.p[1] - q.p[0];
+            return e.t0 >= 1.0f ? q.p[q.degree - 1] - q.p[q.degree] : point{};
+        }
+
+        /// The same where it arrives at one.
+        [[nodiscard]] point arriving_leg(const contour_edge& e) const noexcept
+        {
+            const curve& q = curves_[e.curve];
+            if (e.t1 <= 0.0f) return q.p[0] - q.p[1];
+            return e.t1 >= 1.0f ? q.p[q.degree] - q.p[q.degree - 1] : point{};
+        }
+
+        /// Joins two walls where one curve ends and the next begins, if both lead clearly: nearly all. Else false, with
+        /// nothing done.
+        [[nodiscard]] bool meet_at_ends(const contour_edge& stopped, const contour_edge& edge,
+                                        const edge_directions& edges, side_point& side) const noexcept
+        {
+            const point in = arriving_leg(stopped), out = leaving_leg(edge);
+            const double out_square = dot(out, out);
+            if (!(out_square > moving_) || stopped.curve == edge.curve) return false;
+            if (in == out) {  // as where TrueType implies a point between two controls
+                if (!is_near(out, edges.arriving) || !is_near(out, edges.leaving)) return false;
+                side.before = side.after = rounded(normal_of(out, out_square));
+                return true;
+            }
+            const double in_square = dot(in, in);
+            if (!(in_square > moving_) || !is_clear(in, edges.arriving) || !is_clear(out, edges.leaving)) return false;
+            const point before = normal_of(in, in_square), after = normal_of(out, out_square);
+            side.doubled = dot(before, after) < crease_;
+            if (side.doubled) {
+                side.before = rounded(before);
+                side.after = rounded(after);
+            } else {
+                side.before = side.after = rounded(before == after ? after : unit(before + after));
+            }
+            return true;
+        }
+
+        [[nodiscard]] bool is_clear(point direction, point edge) const noexcept
+        {
+            return slope_ * dot(direction, edge) > std::fabs(cross(direction, edge));
+        }
+
+        /// The unit normal beside a direction, given its squared length.
+        [[nodiscard]] static point normal_of(point direction, double square) noexcept
+        {
+            return (1.0 / std::sqrt(square)) * outward(direction);
+        }
+
         /// Lights the points within edge i's curve, where it goes on evenly: nearly all that lie within one. Returns
         /// the edge behind the last of them, and its direction in `arriving`.
-        static std::uint32_t shine_within(const hodograph& derivative, const contour& c, std::uint32_t i,
-                                          point& arriving, side_point* sides) noexcept
+        std::size_t shine_within(const contour& c, std::size_t i, point& arriving, side_point* sides) const noexcept
         {
-            for (; i != c.last; ++i) {
-                const contour_edge &edge = c.edges[i], &next = c.edges[i + 1];
-                if (!goes_on(edge, next) || is_forth(next) != is_forth(edge)) break;
-                const point direction = derivative.derivative(as_double(edge.t1)), leaving = c.along(i + 1);
-                if (derivative.vanishes(direction) || !is_near(direction, arriving) || !is_near(direction, leaving))
-                    break;
-                sides[i + 1].before = sides[i + 1].after = rounded(unit(outward(direction)));
-                arriving = leaving;
+            const contour_edge& edge = c.edges[i];
+            if (i == c.last || !goes_on(edge, c.edges[i + 1])) return i;
+            const curve& q = curves_[edge.curve];
+            if (q.degree == 2) {  // a hodograph's derivative in fewer instructions
+                const double sign = is_forth(edge) ? 1.0 : -1.0;
+                const point from = sign * (q.p[1] - q.p[0]), to = sign * (q.p[2] - q.p[1]);
+                return shine_along([=](double t) noexcept { return lerp(from, to, t); }, c, i, arriving, sides);
             }
+            const hodograph any = along(edge);
+            return shine_along([=](double t) noexcept { return any.derivative(t); }, c, i, arriving, sides);
+        }
+
+        /// The same, given the curve's derivative along the edge.
+        template <class Derivative>
+        std::size_t shine_along(const Derivative& derivative, const contour& c, std::size_t i, point& arriving,
+                                side_point* sides) const noexcept
+        {
+            do {
+                const contour_edge &edge = c.edges[i], &next = c.edges[i + 1];
+                if (!goes_on(edge, next)) break;
+                const point direction = derivative(as_double(edge.t1)), leaving = c.along(i + 1);
+                const double square = dot(direction, direction);
+                if (!(square > moving_) || !is_near(direction, arriving) || !is_near(direction, leaving)) break;
+                sides[i + 1].before = sides[i + 1].after = rounded(normal_of(direction, square));
+                arriving = leaving;
+            } while (++i != c.last);
             return i;
+        }
+
+        /// A curve's direction, along an edge of it.
+        struct heading {
+            point direction;
+            bool stops;  ///< the curve stops there
+        };
+        [[nodiscard]] heading at(const contour_edge& e, float t, bool at_end) const noexcept
+        {
+            const hodograph derivative = along(e);
+            const point d = derivative.derivative(as_double(t));
+            if (!derivative.vanishes(d)) return {d, false};
+            const tangents both = derivative.at(as_double(t));
+            return {at_end == is_forth(e) ? both.before : both.after, true};
+        }
+
+        /// Joins the walls at point i of a contour, whatever they are: hairpins, spikes, hooks that the polygon leaves
+        /// out, curves that are cut or stop.
+        void meet(const contour& c, std::size_t i, side_point& side) const noexcept
+        {
+            const corner at_i{c.points[c.previous(i)], c.points[i], c.points[c.next(i)]};
+            const edge_directions edges{delta(at_i.a, at_i.b), delta(at_i.b, at_i.c)};
+            const contour_edge &last = c.edges[c.previous(i)], &edge = c.edges[i];
+            const heading in = at(last, last.t1, true);
+            const bool may_break = !goes_on(last, edge) || in.stops;
+            const bool turns = may_break || is_forth(edge) != is_forth(last);
+            const point out = turns ? at(edge, edge.t0, false).direction : in.direction;
+            const wall_end before = leading(last, in.direction, edges.arriving),
+                           after = leading(edge, out, edges.leaving);
+            join(before, after, at_i, may_break, side);
         }
 
         /// The derivative of an edge's curve, along the edge.
@@ -173,27 +261,8 @@ private:
             return hodograph{curves_[e.curve], is_forth(e) ? 1.0 : -1.0};
         }
 
-        /// Joins two walls over edges with these directions. False, with nothing done, if one is not lit by its curve
-        /// alone.
-        [[nodiscard]] bool meet(const wall_end& before, const wall_end& after, const edge_directions& edges,
-                                bool may_break, side_point& side) const noexcept
-        {
-            const point in = before.normal, out = after.normal, sum = in + out;
-            if (may_break && dot(in, out) < crease_) {
-                if (!before.leads || !after.leads) return false;
-                side.before = rounded(in);
-                side.after = rounded(out);
-                side.doubled = true;
-                return true;
-            }
-            if (!is_near(sum, outward(edges.arriving)) || !is_near(sum, outward(edges.leaving))) return false;
-            side.before = side.after = rounded(in == out ? out : unit(sum));
-            return true;
-        }
-
-        /// The same for the rest: hairpins, spikes, hooks that the polygon leaves out.
-        void meet_askew(const wall_end& before, const wall_end& after, const corner& at, bool may_break,
-                        side_point& side) const noexcept
+        void join(const wall_end& before, const wall_end& after, const corner& at, bool may_break,
+                  side_point& side) const noexcept
         {
             const point in = before.normal, out = after.normal;
             if (may_break && dot(in, out) < crease_) {
@@ -244,6 +313,9 @@ private:
 
         const curve* curves_;
         double crease_;
+        double slope_;  // see clear_slope()
+        double
+            moving_;  // squared length from which a derivative surely does not vanish: no leg is longer than the grid
         double long_square_ = 0x1p62;  // squared length from which a wall is long; no edge has 2^31 cells
     };
 };
