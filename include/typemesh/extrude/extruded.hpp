@@ -122,11 +122,11 @@ struct extruded {
     {
         if (p == part::front && front) {
             const std::uint32_t base = first[part::front];
-            for (const triangle t : s.triangles) put(base + t.a, base + t.b, base + t.c);
+            for (const triangle& t : s.triangles) put(base + t.a, base + t.b, base + t.c);
         }
         if (p == part::back && back) {
             const std::uint32_t base = first[part::back];
-            for (const triangle t : s.triangles) put(base + t.a, base + t.c, base + t.b);
+            for (const triangle& t : s.triangles) put(base + t.a, base + t.c, base + t.b);
         }
         if (p == part::side && side) {
             if constexpr (Normals::shares_caps)

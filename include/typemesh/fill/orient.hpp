@@ -22,15 +22,14 @@ inline void reverse_contour(std::span<grid_point> points, std::span<contour_edge
         points[i] = points[j];
         points[j] = p;
     }
-    const auto turned = [](const contour_edge& e) noexcept { return contour_edge{e.curve, e.t1, e.t0}; };
-    const std::size_t closing = edges.size() - 1;  // from the last point to the first: stays in place
-    for (std::size_t i = 0, j = closing; i < j; ++i) {
-        --j;
-        const contour_edge e = turned(edges[i]);
-        edges[i] = turned(edges[j]);
-        edges[j] = e;
-    }
-    edges[closing] = turned(edges[closing]);
+    const auto exchange_turned = [](contour_edge& a, contour_edge& b) noexcept {
+        const contour_edge turned{b.curve, b.t1, b.t0};
+        b = {a.curve, a.t1, a.t0};
+        a = turned;
+    };
+    const std::size_t closing = edges.size() - 1;  // from the last point to the first: stays in place, turned
+    for (std::size_t i = 0, j = closing; i < j--; ++i) exchange_turned(edges[i], edges[j]);
+    exchange_turned(edges[closing], edges[closing]);
 }
 
 /// Reverses all contours together if the signed areas that they enclose add up to less than zero: TrueType winds outer

@@ -89,11 +89,13 @@ private:
         form_.starts = copied(draft.form.starts, free);
         form_.triangles = copied(draft.form.triangles, free);
         if (form_.points.empty()) return;
-        low_ = high_ = form_.points.front();
-        for (const grid_point p : form_.points) {
-            low_ = {p.x < low_.x ? p.x : low_.x, p.y < low_.y ? p.y : low_.y};
-            high_ = {p.x > high_.x ? p.x : high_.x, p.y > high_.y ? p.y : high_.y};
+        grid_point low = form_.points.front(), high = low;
+        for (const grid_point& p : form_.points) {
+            low = {p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y};
+            high = {p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y};
         }
+        low_ = low;
+        high_ = high;
         if (plan_.around.empty()) plan_.around = {placement::exact(low_), placement::exact(high_)};
         ink_ = {font_units_per_cell_ * plan_.around.low, font_units_per_cell_ * plan_.around.high};
     }
