@@ -9,6 +9,8 @@
 #
 # What cannot run in one process is run in turn, typemesh before each peer, in several rounds. Needs a network for the packages
 # that are not there yet: Debian's, and npm's three, three-text, opentype.js, earcut and libtess.
+#
+# shellcheck disable=SC2046  # flags are lists of words
 set -eu
 typemesh_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 . "$typemesh_root/cmake/setup.sh"
@@ -35,14 +37,19 @@ fonts=${TYPEMESH_FONT_DIR:-/usr/share/fonts}
 sans=$fonts/truetype/liberation/LiberationSans-Regular.ttf
 variable=$fonts/truetype/inter-vf/Inter-roman.var.ttf
 
-is_new() { [ -x "$1" ] && [ -z "$(find "$typemesh_root/include" "$typemesh_root/bench" -name '*.[ch]pp' -newer "$1" -print -quit)" ]; }
-compile() {  # compile PROGRAM FLAG...; a program is built anew where a header or a source is newer
-    local program=$1
+newer() { find "$@" -newer "$binary" -print -quit; }
+compile() {  # compile PROGRAM FLAG...; anew where what it is made of is newer
+    local program=$1 binary=$build/programs/$1 sources
     shift
-    is_new "$build/programs/$program" && return 0
+    case $program in
+        typemesh | triangulators) sources="$typemesh_root/include $typemesh_root/bench/*.hpp" ;;
+        *) sources= ;;
+    esac
+    # shellcheck disable=SC2086  # a list of words
+    [ ! -x "$binary" ] || [ -n "$(newer "$here/$program.cpp" "$here"/*.hpp $sources)" ] || return 0
     tell "building $program"
     "${CXX:-g++}" -std=c++20 -O3 -DNDEBUG -w -I"$typemesh_root/include" -I"$typemesh_root/bench" "$here/$program.cpp" \
-        -o "$build/programs/$program" "$@" >"$build/$program.log" 2>&1
+        -o "$binary" "$@" >"$build/$program.log" 2>&1
 }
 flags() { pkg-config --cflags --libs "$@"; }
 
@@ -69,7 +76,7 @@ native 'osgText 3D' osgtext openscenegraph -- flags openscenegraph
 native 'Qt 3D' qt3d qt3d -- 'flags Qt53DExtras && say -fPIC'
 vtk() {
     local folder version
-    folder=$(ls -d /usr/include/vtk-9* | tail -n 1) && version=${folder##*vtk-}
+    folder=$(printf '%s\n' /usr/include/vtk-9* | tail -n 1) && version=${folder##*vtk-}
     say "-isystem $folder"
     printf -- "-lvtk%s-$version " RenderingFreeType FiltersModeling FiltersCore CommonDataModel CommonExecutionModel CommonCore sys
 }
@@ -98,7 +105,9 @@ of_peer() {  # of_peer PEER ARGUMENT...
     shift
     case $peer in
         blender)
-            HOME=$build $start blender --background --factory-startup --python "$here/blender.py" -- "$@" | { grep -a "^time$tab" || true; } ;;
+            HOME=$build $start blender --background --factory-startup --python "$here/blender.py" -- "$@" |
+                { grep -a "^time$tab" || true; }
+            ;;
         openscad) $start python3 "$here/openscad.py" "$@" ;;
         three*) (cd "$build/node" && $start node "$peer.mjs" "$@") ;;
         *) $start "$build/programs/$peer" "$@" ;;
@@ -127,7 +136,10 @@ ladder="0.02 0.01 0.005 0.0025 0.0017 0.0009 0.0006 0.0003 0.00015 0.00008 0.000
 judged="$sans $variable"
 [ -z "$quick" ] || judged=$sans
 for font in $judged; do
-    if [ ! -e "$font" ]; then skip "$font" "no such font" && continue; fi
+    if [ ! -e "$font" ]; then
+        skip "$font" "no such font"
+        continue
+    fi
     tell "meshes of single letters, ${font##*/}"
     # shellcheck disable=SC2086  # a list of words
     of_peer typemesh meshes "$build/meshes" "$font" $ladder
@@ -147,7 +159,8 @@ for round in $(seq "$rounds"); do
         case $peer in three*) each=$node_seconds ;; *) each=$seconds ;; esac
         # shellcheck disable=SC2086  # a list of words
         of_peer typemesh time "$texts" 0.02 >"$build/times/$round.$peer.typemesh.tsv"
-        of_peer "$peer" time "$texts" "$each" >"$build/times/$round.$peer.peer.tsv" ||
+        { of_peer "$peer" time "$texts" "$each" >"$build/times/$round.$peer.peer.tsv" &&
+            [ -s "$build/times/$round.$peer.peer.tsv" ]; } ||
             skip "$peer" "it broke while it was timed, round $round"
     done
     # shellcheck disable=SC2086  # a list of words
