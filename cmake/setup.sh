@@ -6,6 +6,7 @@
 # One line a need: how to see that it is there, and its package in each place. "-" where there is none or none is needed.
 #   command:A,B  one of these programs      header:A,B  one of these headers      font:A  a font with this character
 #   pkg:A,B      one that pkg-config knows                     clang++:A   clang++ links a program with this option
+#   python:A     a module of python3
 needs() {
     cat <<'END'
 # need       is there when                                    Debian             Fedora                 Arch        Homebrew          vcpkg
@@ -34,6 +35,9 @@ fontconfig-dev header:fontconfig/fontconfig.h                 libfontconfig-dev 
 lib3mf       header:lib3mf/Model/COM/NMR_DLLInterfaces.h      lib3mf-dev         -                      -           -                 -
 admesh       command:admesh                                   admesh             admesh                 admesh      admesh            -
 openscad     command:openscad                                 openscad           openscad               openscad    openscad          -
+python3      command:python3                                  python3            python3                python      python            -
+matplotlib   python:matplotlib                                python3-matplotlib python3-matplotlib     python-matplotlib python-matplotlib -
+valgrind     command:valgrind                                 valgrind           valgrind               valgrind    -                 -
 clang-format command:clang-format-19                          clang-format-19    -                      -           -                 -
 node         command:node                                     nodejs             nodejs                 nodejs      node              -
 npm          command:npm                                      npm                nodejs-npm             npm         node              -
@@ -56,7 +60,6 @@ occt-modeling header:opencascade/BRepMesh_IncrementalMesh.hxx libocct-modeling-a
 blender      command:blender                                  blender            blender                blender     -                 -
 cgal         header:CGAL/Constrained_Delaunay_triangulation_2.h libcgal-dev      CGAL-devel             cgal        -                 -
 polyclipping header:polyclipping/clipper.hpp                  libpolyclipping-dev polyclipping-devel    -           -                 -
-python3      command:python3                                  python3            python3                python      -                 -
 END
 }
 
@@ -82,11 +85,17 @@ $(header_folders)
 END
                 ;;
             clang++:*) ! say 'int main() {}' | clang++ "$name" -x c++ - -o /dev/null 2>/dev/null || return 0 ;;
+            python:*) ! "$(python_with "$name")" -c "import $name" 2>/dev/null || return 0 ;;
             pkg:*) ! pkg-config --exists "$name" 2>/dev/null || return 0 ;;
             font:*) ! command -v fc-list >/dev/null 2>&1 || [ -z "$(fc-list ":charset=$name" file)" ] || return 0 ;;
         esac
     done
     return 1
+}
+
+# The python3 that has a module; the system's own may not be the first of the path.
+python_with() {  # python_with MODULE
+    if ! python3 -c "import $1" 2>/dev/null && [ -x /usr/bin/python3 ]; then say /usr/bin/python3; else say python3; fi
 }
 
 header_folders() {

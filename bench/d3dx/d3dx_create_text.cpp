@@ -124,9 +124,9 @@ void time_protocol(char** argv, Create&& create_mesh)
                 each.push_back(one.count());
                 sum += one.count();
             }
-            std::printf("d3dx\t%s\t%s\t%s\t%s\t%g\t%d\t%.3f\t%.3f\t%lu\t%lu\n", argv[5], script.c_str(),
-                        category.c_str(), number.c_str(), deviation, runs, sum / runs, bench::median(each), vertices,
-                        triangles);
+            std::printf("d3dx\t%s\t%s\t%s\t%s\t%g\t%d\t%.3f\t%.3f\t%.3f\t%lu\t%lu\n", argv[5], script.c_str(),
+                        category.c_str(), number.c_str(), deviation, runs, sum / runs, bench::median(each),
+                        *std::min_element(each.begin(), each.end()), vertices, triangles);
             std::fflush(stdout);
         }
     }

@@ -124,7 +124,7 @@ script_of() {
     case $1 in Amiri) say arabic ;; WenQuanYi*) say chinese ;; Sawarabi*) say japanese ;; *) say latin ;; esac
 }
 if [ -n "$protocol" ]; then
-    say "columns	d3dx	font	script	category	text	deviation	runs	mean_us	median_us	vertices	triangles" >&3
+    say "columns	d3dx	font	script	category	text	deviation	runs	mean_us	median_us	shortest_us	vertices	triangles" >&3
     say "columns	d3dx_crashes	font	crashes" >&3
     table="$table
 $fonts/truetype/liberation/LiberationSerif-Regular.ttf|Liberation Serif

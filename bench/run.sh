@@ -1,0 +1,138 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# Installs what the benchmarks need, builds them, runs them all and writes their pages. README.md says what a part is.
+#
+#     bench/run.sh                    everything, into docs/benchmarks/: within an hour on 2 cores
+#     bench/run.sh --quick            fewer runs, into build/bench/pages/: within five minutes
+#     bench/run.sh --only A,B         these parts alone: thesis, d3dx, peers, kernels, pictures. The pages hold what was measured
+#                                     before of the others
+#     bench/run.sh --pages            measures nothing, writes the pages anew
+#
+# A part that fails is named, skipped and leaves the others alone; what it had printed is kept. All rows: build/bench/rows/.
+set -eu
+typemesh_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+. "$typemesh_root/cmake/setup.sh"
+here=$typemesh_root/bench work=$typemesh_root/build/bench
+all_parts="thesis d3dx kernels peers pictures" parts= quick= pages=$typemesh_root/docs/benchmarks
+while [ $# -gt 0 ]; do
+    case $1 in
+        --quick) quick=--quick pages=$work/pages ;;
+        --only) parts=$(say "${2:-}" | tr , ' ') && shift ;;
+        --pages) parts=none ;;
+        *) sed -n '3,14s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" && exit 2 ;;
+    esac
+    shift
+done
+parts=${parts:-$all_parts}
+for part in $parts; do
+    case " $all_parts none " in *" $part "*) ;; *) stop "There is no part $part: $all_parts" ;; esac
+done
+
+# Minutes that a part takes, in tenths, on an idle machine: for the time left. With --quick the second.
+tenths_of() {
+    local whole quickly
+    case $1 in
+        thesis) whole=60 quickly=7 ;;
+        d3dx) whole=20 quickly=6 ;;
+        kernels) whole=100 quickly=4 ;;
+        peers) whole=180 quickly=12 ;;
+        pictures) whole=4 quickly=3 ;;
+        *) whole=1 quickly=1 ;;
+    esac
+    if [ -n "$quick" ]; then say $quickly; else say $whole; fi
+}
+
+kernels="bench_outline bench_discretise bench_triangulate bench_delaunay bench_resolve bench_extrude bench_vertex bench_offset
+    bench_text bench_paragraph bench_threads"
+[ -z "$quick" ] || kernels=bench_text
+
+install_all() {
+    install_missing g++ cmake ninja pkg-config harfbuzz freetype benchmark python3 matplotlib
+    install_fonts fonts-dejavu-core fonts-liberation fonts-comic-neue fonts-hosny-amiri fonts-wqy-microhei \
+        fonts-sawarabi-mincho fonts-inter-variable fonts-mplus
+}
+
+# --- the parts: rows to standard output, "at 35 %" or other words to standard error ------------------------------------------
+
+run_thesis() { if [ -n "$quick" ]; then "$build/bench_thesis" time 3 1; else "$build/bench_thesis" time 100 20; fi; }
+run_d3dx() { bash "$here/d3dx/run.sh" --protocol "$([ -n "$quick" ] && say 3 || say 100)"; }
+run_peers() { bash "$here/peers/run.sh" $quick; }
+run_pictures() {
+    mkdir -p "$pages"
+    "$build/bench_thesis" triangles | "$python" "$here/pages/sheets.py" "$pages"
+}
+run_kernels() {
+    local program number=0
+    printf 'columns\tkernel\tprogram\tname\tcounter\tvalue\n'
+    # shellcheck disable=SC2086  # a list of words
+    for program in $kernels; do
+        say "$program" >&2
+        rm -f "$work/$program.json"
+        # shellcheck disable=SC2046
+        timeout 400 "$build/$program" --benchmark_out="$work/$program.json" --benchmark_out_format=json \
+            --benchmark_min_time=$([ -n "$quick" ] && say 0.02 || say 0.2) \
+            $([ -z "$quick" ] || say "--benchmark_filter=^(text|bevelled)/(hello|lorem)$") >"$work/$program.txt" 2>&1 ||
+            printf 'skipped\t%s\tit ended with an error, or after 400 s\n' "$program"
+        "$python" "$here/pages/kernel_rows.py" "$program" "$work/$program.json"
+        number=$((number + 1))
+    done
+}
+
+run_part() {  # run_part PART
+    local part=$1 rows=$work/rows/$1.tsv status=0 started
+    started=$(date +%s)
+    "run_$part" >"$rows.new" 2>"$work/$part.log" || status=$?
+    if [ $status != 0 ]; then
+        printf 'skipped\t%s\tit ended with %d: %s\n' "$part" $status "$(tail -n 1 "$work/$part.log" | tr '\t' ' ')" >>"$rows.new"
+    fi
+    printf 'ran\t%s\t%s\t%s\t%s\t%d\n' "$part" "$(date -u +%Y-%m-%d)" "$(revision)" "${quick:-whole}" \
+        $(($(date +%s) - started)) >>"$rows.new"
+    mv "$rows.new" "$rows"
+    sed -n 's/^skipped	/  skipped: /p' "$rows"
+}
+revision() { git -C "$typemesh_root" rev-parse --short=10 HEAD 2>/dev/null || say -; }
+
+# What runs, how far it is, and how long the whole still takes: in one line on a terminal, else every 30 s.
+tell_part() {  # tell_part PART TENTHS_AFTERWARDS
+    local every=30 end='\n' started now far expected
+    if [ -t 1 ]; then every=1 end='\033[K\r'; fi
+    started=$(date +%s)
+    expected=$(($(tenths_of "$1") * 6))
+    while sleep $every && kill -0 $$ 2>/dev/null; do
+        now=$(($(date +%s) - started))
+        far=$(tail -n 1 "$work/$1.log" 2>/dev/null | sed -n 's/^at \([0-9]*\) %$/\1/p')
+        # A part that tells how far it is, or that takes longer than thought, says itself how long it takes.
+        if [ "${far:-0}" -gt 3 ]; then expected=$((now * 100 / far)); fi
+        if [ $expected -le $now ]; then expected=$((now + 30)); fi
+        printf "  %s, %d:%02d: %s; about %d min left$end" "$1" $((now / 60)) $((now % 60)) \
+            "$(tail -n 1 "$work/$1.log" 2>/dev/null | cut -c 1-60)" $(((expected - now + 6 * $2 + 59) / 60))
+    done
+}
+
+# --- everything --------------------------------------------------------------------------------------------------------------
+
+mkdir -p "$work/rows" "$pages"
+build=$typemesh_root/build/release/bench
+install_all
+python=$(python_with matplotlib)
+wants() { case " $parts " in *" $1 "*) return 0 ;; esac && return 1; }
+targets=
+if wants thesis || wants pictures; then targets=bench_thesis; fi
+if wants kernels; then targets="$targets $kernels"; fi
+# shellcheck disable=SC2086  # a list of words
+[ -z "$targets" ] || { say "Building" $targets && build_preset release $targets; } || say "Parts that could not be built are skipped."
+left=0
+for part in $parts; do left=$((left + $(tenths_of "$part"))); done
+for part in $parts; do
+    [ "$part" != none ] || continue
+    left=$((left - $(tenths_of "$part")))
+    say "$part"
+    tell_part "$part" $left &
+    teller=$!
+    run_part "$part"
+    kill $teller 2>/dev/null || true
+    wait $teller 2>/dev/null || true
+done
+"$python" "$here/pages/render.py" "$work/rows" "$pages"
+say "Written: $pages/README.md"
