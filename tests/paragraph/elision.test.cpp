@@ -112,6 +112,19 @@ TEST_CASE("an ellipsis stands between what is read before and behind it", "[para
     CHECK(elided(ellipsis_place::start) == u"..\u05D7\u05D6\u05D5\u05D4\u05D3\u05D2\u05D1\u05D0");
 }
 
+TEST_CASE("an ellipsis between letters of one direction is read as they are", "[paragraph]")
+{
+    const auto elided = [](text_view text, ellipsis_place place) {
+        return shown_lines{text, {.width = 5.0, .wrap = wrap_mode::none, .ellipsis = "<.", .elide = place}}.line(0);
+    };
+    const std::u16string english = u"ab \u05D0\u05D1\u05D2\u05D3\u05D4\u05D5\u05D6\u05D7";
+    CHECK(elided(english, ellipsis_place::middle) == u"ab \u05D7\u05D6\u05D5\u05D4.<\u05D0");
+    CHECK(elided(english, ellipsis_place::end) == u"ab \u05D4\u05D3\u05D2\u05D1\u05D0<.");
+    const std::u16string hebrew = u"\u05D0\u05D1 abcdefghij";
+    CHECK(elided(hebrew, ellipsis_place::middle) == u"a<.ghij \u05D1\u05D0");
+    CHECK(elided(hebrew, ellipsis_place::end) == u".<abcde \u05D1\u05D0");
+}
+
 TEST_CASE("an ellipsis of letters is read in their own direction", "[paragraph]")
 {
     const std::u16string text = u"\u05D0\u05D1\u05D2\u05D3\u05D4\u05D5";

@@ -182,6 +182,52 @@ TEST_CASE("boxes have no holes where kashida fills a line", "[paragraph]")
     CHECK(std::fabs(parts - all[0].width()) < 1e-9);
 }
 
+TEST_CASE("what an ellipsis has dropped is selected as the ellipsis, which stands for nothing else", "[paragraph]")
+{
+    struct expected {
+        ellipsis_place place;
+        std::uint32_t first, last;  // of what is dropped
+        double at;                  // of the ellipsis
+    };
+    for (const expected& c : {expected{ellipsis_place::start, 0, 9, 0.0},
+                              {ellipsis_place::middle, 3, 12, 1.5},
+                              {ellipsis_place::end, 7, 16, 3.5}}) {
+        const laid_out p{"abcdefghijklmnop",
+                         {.width = 5.0, .wrap = wrap_mode::none, .ellipsis = "...", .elide = c.place}};
+        for (std::uint32_t unit = 0; unit < 16; ++unit) {
+            INFO(unit);
+            const std::vector<box> boxes = p.boxes(unit, unit + 1);
+            REQUIRE(boxes.size() == 1);
+            const bool dropped = unit >= c.first && unit < c.last;
+            CHECK((boxes[0].high.x - boxes[0].low.x == Approx(dropped ? 1.5 : 0.5)));
+            if (dropped) CHECK(boxes[0].low.x == Approx(c.at));
+        }
+        CHECK(p.boxes(0, 16).size() == 1);
+    }
+    // All that the last line cannot show, line breaks too.
+    const laid_out lines{"one two\nthree", {.width = 3.0, .most_lines = 1, .ellipsis = ".."}};
+    for (std::uint32_t unit = 4; unit < 13; ++unit) {
+        const std::vector<box> boxes = lines.boxes(unit, unit + 1);
+        INFO(unit);
+        REQUIRE(boxes.size() == 1);
+        CHECK(boxes[0].high.x - boxes[0].low.x == Approx(1.0));
+    }
+}
+
+TEST_CASE("white space that an ellipsis replaces is dropped with what follows it", "[paragraph]")
+{
+    const laid_out p{"one two three four",
+                     {.width = 4.3, .wrap = wrap_mode::none, .ellipsis = "..", .elide = ellipsis_place::middle}};
+    REQUIRE(p.run.glyphs.size() == 3 + 2 + 3);  // one..our
+    CHECK(p.run.glyphs[3].cluster == 4);
+    for (const std::uint32_t unit : {3u, 4u, 14u}) CHECK(is_at(p.laid().caret_at(unit), 0, 1.5, 0.0));
+    CHECK(is_at(p.laid().caret_at(15), 0, 2.5, 0.0));
+    const std::vector<box> boxes = p.boxes(3, 4);
+    REQUIRE(boxes.size() == 1);
+    CHECK(boxes[0].low.x == Approx(1.5));
+    CHECK(boxes[0].high.x == Approx(2.5));
+}
+
 TEST_CASE("carets in what an ellipsis has dropped stand at the ellipsis", "[paragraph]")
 {
     struct {

@@ -9,7 +9,9 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace typemesh;
@@ -52,6 +54,40 @@ struct laid {
 using text_lines = std::vector<std::string>;
 
 }  // namespace
+
+namespace {
+
+template <class Text>
+concept can_be_set = requires(paragraph<toy_item_shaper>& p, Text&& text, std::span<const style_span> spans) {
+    p.set(static_cast<Text&&>(text));
+    p.set(static_cast<Text&&>(text), {}, spans);
+};
+
+}  // namespace
+
+static_assert(can_be_set<text_view> && can_be_set<const char (&)[4]> && can_be_set<std::u16string_view>);
+static_assert(can_be_set<std::string&> && can_be_set<const std::u16string&>);
+static_assert(!can_be_set<std::string> && !can_be_set<const std::u8string> && !can_be_set<std::u16string>);
+
+TEST_CASE("a paragraph that has been moved from has no text until it gets one", "[paragraph]")
+{
+    toy_item_shaper font;
+    paragraph<toy_item_shaper> words{font};
+    glyph_run run;
+    REQUIRE_FALSE(words.set("one two"));
+    REQUIRE_FALSE(words.lay_out({.width = 2.0}, run));
+    paragraph<toy_item_shaper> others{std::move(words)};
+    CHECK(others.lines().size() == 2);
+    for (const wrap_mode wrap : {wrap_mode::word, wrap_mode::word_or_grapheme, wrap_mode::grapheme}) {
+        REQUIRE_FALSE(words.lay_out({.width = 1.0, .wrap = wrap, .ellipsis = ".."}, run));
+        CHECK(run.glyphs.empty());
+        CHECK(words.lines().empty());
+        CHECK(words.widths().widest == 0.0);
+    }
+    REQUIRE_FALSE(words.set("one two"));
+    REQUIRE_FALSE(words.lay_out({.width = 2.0}, run));
+    CHECK(words.lines().size() == 2);
+}
 
 TEST_CASE("a paragraph's text fills lines of a width", "[paragraph]")
 {

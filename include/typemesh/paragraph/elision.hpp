@@ -37,9 +37,11 @@ struct broken_line {
 
 /// Makes the lines that cannot show all that they should: as many graphemes as there is room for, and an ellipsis.
 ///
-///     at the end   one two th...     The ellipsis stands for the graphemes that are dropped, and for the first of them
-///     middle       one t...hree      in the text. Where nothing is dropped but the lines behind, it stands at the end.
-///     start        ...two three
+///     at the end   one two th...     The ellipsis stands for the graphemes that are dropped and the white space before
+///     middle       one t...hree      them, its glyphs for the first of these graphemes in the text. Where nothing is
+///     start        ...two three      dropped but the lines behind, it stands at the end.
+///
+/// It is set as the line's first character is, and painted as the first grapheme that is dropped.
 class elision {
 public:
     explicit elision(memory source = heap()) noexcept : mixed_{source}, parts_{source} {}
@@ -81,8 +83,14 @@ public:
         const text_pieces::list& graphemes = **made;
         const std::span<const break_piece> p = graphemes.pieces.view();
         shaped_text& shaped = from.shaped;
+        const auto text_end = static_cast<std::uint32_t>(shaped.text().size());
         const auto dots = static_cast<std::uint32_t>(shaped.all_clusters());
         if (error e = append_ellipsis(from, p.front().first, level)) return e;
+        std::uint32_t turned = dots;  // as it looks within text of the other direction
+        if (from.options.elide == ellipsis_place::middle && is_mixed(shaped, p, level)) {
+            turned = static_cast<std::uint32_t>(shaped.all_clusters());
+            if (error e = append_ellipsis(from, p.front().first, level + 1u)) return e;
+        }
 
         const std::size_t clusters = shaped.all_clusters(), glyphs = shaped.all_glyphs();
         const double most = from.room.width - line.pen;
@@ -94,16 +102,25 @@ public:
             if (error e = slices.add(from.pieces, graphemes, 0, s.head, shaped, from.shaper)) return e;
             slices.trim(shaped);
             const std::size_t at = slices.slices().size();
+            const std::uint32_t shown_to =
+                at == 0 ? p.front().first : shaped.cluster(slices.slices().back().last - 1).last;
+            const std::uint32_t dropped_to = line.drops ? text_end : p.back().last;
+            const std::uint32_t shown_from = s.tail < p.size() ? p[s.tail].first : dropped_to;
+            std::uint32_t used = dots;
             if (error e = slices.append(shaped, dots, 1, level)) return e;
             if (error e = slices.add(from.pieces, graphemes, s.tail, p.size(), shaped, from.shaper)) return e;
             if (at > 0 && at + 1 < slices.slices().size()) {
                 const std::uint8_t before = slices.slices()[at - 1].level, behind = slices.slices()[at + 1].level;
-                slices.slices()[at].level = before < behind ? before : behind;
+                line_slice& between = slices.slices()[at];
+                between.level = before < behind ? before : behind;
+                if (between.level % 2 != level % 2) between.first = used = turned;
+                between.last = between.first + 1;
             }
             const auto width = slices.finish(shaped, level, line.pen, from.room);
             if (!width) return width;
             if (*width <= most || (s.head == 0 && s.tail == p.size())) {
-                shaped.move_foreign(dots, s.head < p.size() ? p[s.head].first : p.back().last);
+                const std::uint32_t dropped = s.head < p.size() ? p[s.head].first : p.back().last;
+                shaped.move_foreign(used, {shown_to, shown_from}, dropped);
                 return width;
             }
             const double less = spare - (*width - most), fewer = std::nextafter(s.width, -1.0);
@@ -136,9 +153,20 @@ private:
         return width;
     }
 
-    /// Shapes the ellipsis by itself, as a cluster of an item's first unit.
+    /// Whether some of the text of pieces is read against the direction of a level.
+    [[nodiscard]] static bool is_mixed(const shaped_text& shaped, std::span<const break_piece> p,
+                                       std::uint8_t level) noexcept
+    {
+        for (std::size_t i = shaped.item_at(p.front().first); i < shaped.items().size(); ++i) {
+            if (shaped.items()[i].first >= p.back().last) return false;
+            if (shaped.items()[i].level % 2 != level % 2) return true;
+        }
+        return false;
+    }
+
+    /// Shapes the ellipsis by itself, in the direction of a level, as a cluster of the unit `at`.
     template <item_shaper Shaper>
-    error append_ellipsis(const line_source<Shaper>& from, std::uint32_t at, std::uint8_t level) noexcept
+    error append_ellipsis(const line_source<Shaper>& from, std::uint32_t at, unsigned level) noexcept
     {
         shaped_text& shaped = from.shaped;
         const std::uint32_t item = shaped.item_at(at);

@@ -107,7 +107,8 @@ public:
     }
 
     /// Calls put(box) for each stretch of text[first, last), line by line, from left to right in each: several a line
-    /// where directions are mixed. With a grapheme goes what the line adds to it, a hyphen or kashida.
+    /// where directions are mixed. With a grapheme goes what the line adds to it, a hyphen or kashida, and with what is
+    /// dropped its ellipsis.
     /// Cost: O(clusters of these lines)
     template <class Put>
     void boxes_of(std::uint32_t first, std::uint32_t last, const Put& put) const noexcept
@@ -145,8 +146,8 @@ private:
     {
         selection found;
         bool begins = false, ends = false, any = false;
-        const auto offer = [&](std::uint32_t unit, const edges& e) noexcept {
-            ends = unit >= first && unit < last && !is_break(unit);
+        const auto offer = [&](bool chosen, const edges& e) noexcept {
+            ends = chosen;
             if (!any) begins = ends;
             any = true;
             if (!ends) return;
@@ -155,7 +156,12 @@ private:
             found.right = found.empty || right > found.right ? right : found.right;
             found.empty = false;
         };
-        each_grapheme(s, offer, offer);
+        const auto own = [&](std::uint32_t unit, const edges& e) noexcept {
+            offer(unit >= first && unit < last && !is_break(unit), e);
+        };
+        each_grapheme(s, own, [&](text_range instead, const edges& e) noexcept {
+            offer(instead.first < last && first < instead.last, e);
+        });
         const bool back = s.level % 2 != 0;
         found.from_left = back ? ends : begins;
         found.to_right = back ? begins : ends;
@@ -214,23 +220,17 @@ private:
         edges found{line.level % 2 != 0 ? line.left : line.right(), 0.0, line.level % 2 != 0};  // what is dropped
         if (grapheme == line.first) found.leading = line.level % 2 != 0 ? line.right() : line.left;
         found.trailing = found.leading;
-        edges instead;
-        std::uint32_t behind = 0;  // the last unit up to the grapheme for which the line shows anything
-        bool elided = false;       // and that is other text alone: an ellipsis
+        bool shown = false;
         const auto own = [&](std::uint32_t unit, const edges& e) noexcept {
-            if (unit == grapheme) found = e;
-            if (unit > grapheme || unit + 1 < behind) return;
-            behind = unit + 1;
-            elided = false;
+            if (unit != grapheme) return;
+            found = e;
+            shown = true;
         };
-        const auto foreign = [&](std::uint32_t unit, const edges& e) noexcept {
-            if (unit > grapheme || unit + 1 <= behind) return;
-            behind = unit + 1;
-            instead = e;
-            elided = true;
+        const auto foreign = [&](text_range instead, const edges& e) noexcept {
+            if (!shown && instead.holds(grapheme)) found = e;
         };
         for (const line_slice& s : slices_of(line)) each_grapheme(s, own, foreign);
-        return elided ? instead : found;
+        return found;
     }
 
     [[nodiscard]] std::span<const line_slice> slices_of(const laid_line& line) const noexcept
@@ -243,9 +243,9 @@ private:
     template <class With>
     void each_grapheme(const laid_line& line, const With& with) const noexcept
     {
-        for (const line_slice& s : slices_of(line)) each_grapheme(s, with, [](std::uint32_t, const edges&) noexcept {});
+        for (const line_slice& s : slices_of(line)) each_grapheme(s, with, [](text_range, const edges&) noexcept {});
     }
-    /// Calls foreign(unit, edges) for what shows other text in place of a unit.
+    /// Calls foreign(text_range, edges) for what shows other text in place of a range.
     template <class With, class Foreign>
     void each_grapheme(const line_slice& s, const With& with, const Foreign& foreign) const noexcept
     {
@@ -259,7 +259,7 @@ private:
             const double from = pen;
             pen += back ? -width : width;
             if (has(c.flags, cluster_flags::foreign))
-                foreign(c.first, edges{from, pen, back});
+                foreign(text_range{c.first, c.last}, edges{from, pen, back});
             else
                 each_part(k, from, width, back, with);
         }

@@ -47,7 +47,7 @@ struct paragraph_size {
 ///
 /// The text, and what the options refer to, must stay as they are until the next set(): where a line's end changes
 /// glyphs they are shaped again, with what stands round them. Memory is kept: after warm-up nothing is allocated here.
-/// Used by one thread at a time.
+/// Used by one thread at a time. A paragraph that has been moved from has no text until its next set().
 template <item_shaper Font, text_analyser Analyser = unicode_analyser, line_breaker Breaker = first_fit>
 class paragraph {
 public:
@@ -87,6 +87,9 @@ public:
         return set(text, how, std::span<const style_span>{}, letter_spacing);
     }
 
+    template <dying_text Text>
+    error set(Text&&, const shape_options& = {}, double = 0.0) = delete;  // it refers to its text
+
     /// The same with styles for parts of the text; how and letter_spacing hold for all of it. What the spans refer to
     /// must stay as it is until the next set(). How many of their ends were moved: shaped().styles.moved().
     ///
@@ -101,6 +104,9 @@ public:
         if (e) clear();
         return e;
     }
+
+    template <dying_text Text>
+    error set(Text&&, const shape_options&, std::span<const style_span>, double = 0.0) = delete;
 
     /// Lays the text out: `run` is emptied and gets its glyphs and lines, as layout() gives them.
     ///

@@ -184,11 +184,11 @@ public:
         carets_.clear();
     }
 
-    /// Forgets what stands behind the clusters and glyphs of these numbers.
+    /// Forgets what stands behind the clusters and glyphs of these numbers, if it has so many: none once moved from.
     void truncate(std::size_t clusters, std::size_t glyphs) noexcept
     {
-        clusters_.truncate(clusters);
-        glyphs_.truncate(glyphs);
+        if (clusters < clusters_.size()) clusters_.truncate(clusters);
+        if (glyphs < glyphs_.size()) glyphs_.truncate(glyphs);
         carets_.truncate(clusters);
     }
     [[nodiscard]] std::size_t all_clusters() const noexcept { return clusters_.size(); }
@@ -271,12 +271,12 @@ public:
         }
         return {};
     }
-    /// Makes a cluster that shows other text stand for text[at].
-    void move_foreign(std::size_t cluster, std::uint32_t at) noexcept
+    /// Makes a cluster that shows other text stand for a range of the text, its glyphs for text[at].
+    void move_foreign(std::size_t cluster, text_range instead, std::uint32_t at) noexcept
     {
         text_cluster& c = clusters_[cluster];
-        c.first = at;
-        c.last = at + 1;
+        c.first = instead.first;
+        c.last = instead.last;
         for (std::uint32_t g = c.glyph; g < c.glyph + c.glyph_count; ++g) glyphs_[g].cluster = at;
     }
 

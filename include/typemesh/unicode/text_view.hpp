@@ -72,6 +72,12 @@ private:
     typemesh::encoding encoding_ = typemesh::encoding::utf8;
 };
 
+/// A text that owns its units and is about to die, a temporary std::string: for overloads that refuse it, because they
+/// keep a view of it.
+template <class Text>
+concept dying_text = !std::is_reference_v<Text> && !std::is_trivially_copyable_v<std::remove_cv_t<Text>> &&
+                     std::is_convertible_v<const Text&, text_view>;
+
 /// Text in an encoding that text_view does not take: UTF-32, or wchar_t, which differs from system to system.
 template <class Text>
 concept foreign_text =
