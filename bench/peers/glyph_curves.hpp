@@ -89,7 +89,7 @@ public:
     {
         nearest best;
         const int x = cell(p.x), y = cell(p.y);
-        for (int reach = 1; reach < 4096 && best.distance > (reach - 1) * cell_size; reach *= 2)
+        for (int reach = 1; reach < 4096 && best.distance > reach / 2 * cell_size; reach *= 2)
             for (int i = -reach; i <= reach; ++i)
                 for (int j = -reach; j <= reach; ++j) {
                     if (reach > 1 && std::max(std::abs(i), std::abs(j)) <= reach / 2) continue;

@@ -136,8 +136,8 @@ def missed(claim, asked, best, judged):
     own, peer = judged.of(US, MAIN), best[9]
     largest, triangles = (brief(peer[n] / own[n]) for n in ('largest', 'triangles'))
     show('note', f'Missed: {claim}: {brief(best[5])} of {asked}, beside {best[3]} ({best[4]}, {best[2]}), whose largest chord error is '
-         f'{largest} times typemesh\'s, with {triangles} times the triangles; '
-         f'typemesh with its 90th percentile of the error would be {brief(best[8])} times as fast.')
+         f'{largest} times typemesh\'s, with {triangles} times the triangles.' +
+         (f' typemesh with the same 90th percentile of the error is {brief(best[8])} times as fast.' if best[8] else ''))
 
 
 def headlines(found, least, judged):
@@ -174,7 +174,7 @@ A peer with a fixed number of steps a curve is exact on small curves and coarse 
 chords long before it is in the largest error. Both are told; typemesh's tolerance bounds the largest.
 FTGL and osgText place letters that they keep: no mesh of the text is written. They do not shape, nor do VTK, Coin, Blender and three.js: \
 these map characters to glyphs, in Arabic, too. typemesh's time beside them has HarfBuzz's shaping in it.
-Coin's outlines are hinted, which moves them by up to a fortieth of an em. VTK has a face of its own, and no curves to judge by.
+Coin crashes on texts beyond ASCII: those letters count as lost. Its outlines are hinted, which moves them by up to 0.03 em. VTK has a face of its own, and no curves to judge by.
 OCCT and OpenSCAD hand over no normals. FTGL, Qt 3D, Coin, three.js, three-text and typemesh do; typemesh writes texture coordinates, too.
 troika, TextMeshPro and the like draw text on rectangles: there is no mesh to compare.
 """.replace('\\\n', '').strip().splitlines()
