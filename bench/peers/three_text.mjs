@@ -16,7 +16,7 @@ run('three-text', async (file) => {
     const font = bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength);
     const unit = (await Text.create({ text: 'H', font, size: 1 })).loadedFont.upem / 2048;
     // What comes next to typemesh's 1/800 em, by the judge.
-    const fidelity = { distanceTolerance: 5.12 * unit, angleTolerance: 0.5 }, simplification = { areaThreshold: 50 * unit * unit };
+    const fidelity = { distanceTolerance: 5.12 * unit, angleTolerance: 0.5 }, simplification = { areaThreshold: 44 * unit * unit };
     const defaults = { distanceTolerance: 0.5, angleTolerance: 0.2 };
     const way = (setting, curveFidelity, geometryOptimization, state, solid, layout) => ({
         setting, solid, state, made,
