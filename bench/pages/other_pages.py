@@ -25,8 +25,8 @@ def write_peers(rows, folder, foot):
 The same texts and fonts, in the same run, each library at the setting nearest to ours in chord error: how far a mesh's edges are from the
 font's curves is measured by one program for all, and stands beside the time, for a coarse mesh is not a fast one. `state`: `cold`, nothing is
 kept; `reuse`, letters are within a text; `warm`, from text to text; `placed`, finished letters are only placed. Times are by the processor's
-clock, as multiples of typemesh's in the same state (median, least and largest over rounds in which they took turns). "At the same error":
-of typemesh's time at the tolerance that gives the peer's chord error (9 of 10 chords).
+clock, as multiples of typemesh's in the same state, or in `reuse` for a peer that is only `cold` (median, least and largest over rounds in
+which they took turns). "At the same error": of typemesh's time at the tolerance that gives the peer's chord error (9 of 10 chords).
 ''']
     if rows.of['headline']:
         parts += ['## Headlines', as_table(rows.of['headline'], ['claim', 'asked', 'aim', 'found', 'peer', 'setting'])]
