@@ -62,6 +62,9 @@ area than the non-zero rule fills; `open`, an edge without its counterpart; `fli
         found = [r for r in rows.of['cut'] if r['clock'] == clock]
         if found:
             parts += [f'## Triangulation alone{"" if clock == "native" else ", in node"}', cut_table(found)]
+    notes = [f'* {words}' for part, words in rows.notes if part == 'peers']
+    if notes:
+        parts += ['## What the figures mean', '', *dict.fromkeys(notes)]
     (folder / 'peers.md').write_text('\n'.join(parts) + '\n' + foot, encoding='utf-8')
 
 
@@ -141,7 +144,8 @@ class Dashes(dict):
 def peers_reading(rows):
     if not rows.of['headline']:
         return 'The peers were not measured.\n'
-    return as_table(rows.of['headline'], ['claim', 'asked', 'aim', 'found', 'peer', 'setting'])
+    missed = [f'* {words}\n' for _, words in rows.notes if words.startswith('Missed')]
+    return as_table(rows.of['headline'], ['claim', 'asked', 'aim', 'found', 'peer', 'setting']) + '\n' + ''.join(missed)
 
 
 def peers_that_win(rows):

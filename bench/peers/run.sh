@@ -168,6 +168,10 @@ for round in $(seq "$rounds"); do
 done
 python3 "$here/summary.py" "$build/times" "$build/judged.tsv"
 
+versions=$(dpkg-query -W -f '${Package} ${Version}, ' libftgl2 libopenscenegraph161 libqt53dextras5 libvtk9.1 libcoin80c \
+    libocct-visualization-7.6 blender openscad libglu1-mesa libcgal-dev libpolyclipping22 2>/dev/null || true)
+printf 'note\tVersions of the peers: %s%s\n' "$versions" "$(say "$node_packages" | tr '@ ' ' ,' | sed 's/,/, /g')"
+
 tell "triangulation alone"
 if has glu cgal polyclipping && compile triangulators $(flags harfbuzz glu) -I/usr/include/polyclipping -lpolyclipping -lmpfr -lgmp; then
     "$build/programs/triangulators" "$build/polygons.jsonl" $quick

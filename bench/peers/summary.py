@@ -156,14 +156,14 @@ def headlines(found, least, judged):
     for i, measure in ((3, '9 of 10 chords'), (4, 'the largest error')):
         worst = max((f for f in least if f[i] is not None), key=lambda f: f[i], default=None)
         if worst:
-            show('headline', f'triangles of those of the peer with the fewest at the same error, by {measure}; {worst[0]}', 1.05, 1,
-                 brief(worst[i]), worst[1], worst[2])
+            show('headline', f'triangles of those of the peer with the fewest at the same error, by {measure}; {worst[0]}', 'at most 1.05', '-',
+                 f'{worst[i]:.3f}', worst[1], worst[2])
     wrong = collections.Counter()
     for (peer, setting, _), v in judged.all.items():
         wrong[peer] += 0 if 'bevelled' in setting else int(v['wrong'])
     show('headline', 'wrong meshes of letters, all settings', 0, 0, wrong[US], US, 'all')
     right = ', '.join(p for p, n in wrong.items() if n == 0 and p != US) or 'none'
-    show('headline', 'peers without a wrong mesh', 'three-text, Qt 3D', '-', right, '-', '-')
+    show('headline', 'peers without a wrong mesh', 'at most three-text and Qt 3D', '-', right, '-', '-')
 
 
 NOTES = """

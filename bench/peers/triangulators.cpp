@@ -53,23 +53,29 @@ double area_of(std::span<const grid_point> points, const triangle_list& triangle
     return twice / 2;
 }
 
-/// The glyphs that are simple, or else those that are not.
-set set_of(const std::string& font, const char* file, double tolerance, unsigned most, bool simple)
+struct font_set {
+    const char *name, *file;
+    double tolerance, units_per_em;  ///< the tolerance in font units
+    unsigned most;                   ///< glyphs
+    bool simple;                     ///< those that are simple, or else those that are not
+};
+
+set set_of(const font_set& f)
 {
-    char units[32];
-    std::snprintf(units, sizeof units, "%g units", tolerance);
-    set s{font, units, {}, 0};
+    char in_em[32];
+    std::snprintf(in_em, sizeof in_em, "%.2g", f.tolerance / f.units_per_em);
+    set s{f.name, in_em, {}, 0};
     workspace space;
     triangle_list out;
     cap_builder caps;
-    for (bench::polygon& p : bench::glyphs_of(file, tolerance, most)) {
+    for (bench::polygon& p : bench::glyphs_of(f.file, f.tolerance, f.most)) {
         glyph g;
         g.polygon = std::move(p);
         g.loops = bench::contours_of(g.polygon);
         orient(g.loops);
         out.clear();
         const auto proven = monotone{}.prove(g.loops, space, out);
-        if (bool(proven) != simple) continue;
+        if (bool(proven) != f.simple) continue;
         g.area = proven ? area_of(proven->points(), out) : 0;
         if (!proven) {
             g.loops = bench::contours_of(g.polygon);
@@ -232,24 +238,19 @@ void dump(std::FILE* to, const set& s, bool simple)
 
 int main(int argc, char** argv)
 {
-    struct {
-        const char *name, *file;
-        double tolerance;  ///< font units
-        unsigned most;     ///< glyphs
-        bool simple;
-    } const sets[] = {
-        {"Liberation Sans", "truetype/liberation/LiberationSans-Regular.ttf", 1.5, 100'000, true},
-        {"Liberation Sans", "truetype/liberation/LiberationSans-Regular.ttf", 0.06, 100'000, true},
-        {"M+ 1", "opentype/mplus/Mplus1-Regular.otf", 0.1, 1000, true},
-        {"Inter variable, contours that cross", "truetype/inter-vf/Inter-roman.var.ttf", 1.5, 100'000, false},
+    const font_set sets[] = {
+        {"Liberation Sans", "truetype/liberation/LiberationSans-Regular.ttf", 1.5, 2048, 100'000, true},
+        {"Liberation Sans", "truetype/liberation/LiberationSans-Regular.ttf", 0.06, 2048, 100'000, true},
+        {"M+ 1", "opentype/mplus/Mplus1-Regular.otf", 0.1, 1000, 1000, true},
+        {"Inter variable, contours that cross", "truetype/inter-vf/Inter-roman.var.ttf", 1.5, 2816, 100'000, false},
     };
     const bool quick = argc > 2;
     if (quick) passes = 2;
     std::FILE* polygons = argc > 1 ? std::fopen(argv[1], "w") : nullptr;
     std::printf("columns\tcut\tpeer\tfont\ttolerance\tpoints_a_glyph\ttime_us_a_glyph\twrong\tclock\n");
-    for (const auto& f : sets) {
+    for (const font_set& f : sets) {
         if (quick && f.tolerance < 1) continue;
-        const set s = set_of(f.name, f.file, f.tolerance, f.most, f.simple);
+        const set s = set_of(f);
         if (s.glyphs.empty()) {
             std::printf("skipped\t%s\tno such font: %s\n", f.name, f.file);
             continue;
