@@ -18,6 +18,10 @@ TEST_CASE("in_circle agrees with the determinant", "[core][in_circle]")
         if (test::oracle::side(a, b, c) <= 0) continue;
         const int side = test::oracle::circle_side(a, b, c, e);
         if (in_circle(a, b, c, e) != side) CHECK(in_circle(a, b, c, e) == side);
+        const auto seen_a = seen_point::of(a, c), seen_b = seen_point::of(b, c), seen_e = seen_point::of(e, c);
+        const int seen_side =
+            circle_side(seen_a, seen_b, seen_e, seen_a.cross(seen_b), seen_a.cross(seen_e), seen_e.cross(seen_b));
+        if (seen_side != side) CHECK(seen_side == side);
         on_circle += side == 0;
     }
     CHECK(on_circle > 1000);
@@ -47,6 +51,24 @@ TEST_CASE("multiplying halves agrees with numbers of 128 bits", "[core][in_circl
         const detail::two_words chosen = detail::sum_of_products(a, b, c, e);
         const bool agrees = words.high == chosen.high && words.low == chosen.low;
         if (!agrees) CHECK(agrees);
+    }
+}
+
+TEST_CASE("three products are added in halves as in numbers of 128 bits", "[core][in_circle]")
+{
+    test::dice d{3};
+    for (int i = 0; i < 100'000; ++i) {
+        const auto roll = [&] { return static_cast<std::int64_t>(d.bits()) >> (3 + d.roll(60)); };
+        const std::int64_t a = roll(), b = roll(), c = roll(), e = roll(), f = i % 4 == 0 ? a : roll(),
+                           g = i % 8 == 0 ? b : roll();
+        const test::oracle::int128 sum =
+            test::oracle::int128{a} * b + test::oracle::int128{c} * e - test::oracle::int128{f} * g;
+        for (const detail::two_words words :
+             {detail::sum_of_products_in_halves(a, b, c, e, f, g), detail::sum_of_products(a, b, c, e, f, g)}) {
+            const bool equal =
+                words.high == static_cast<std::uint64_t>(sum >> 64) && words.low == static_cast<std::uint64_t>(sum);
+            if (!equal) CHECK(equal);
+        }
     }
 }
 

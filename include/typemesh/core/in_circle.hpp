@@ -49,6 +49,28 @@ struct two_words {
 #endif
 }
 
+/// a * b + c * d - e * f in two words, by multiplying halves. Needs |each| < 2^61.
+[[nodiscard]] constexpr two_words sum_of_products_in_halves(std::int64_t a, std::int64_t b, std::int64_t c,
+                                                            std::int64_t d, std::int64_t e, std::int64_t f) noexcept
+{
+    const two_words first = sum_of_products_in_halves(a, b, c, d), second = product_in_halves(-e, f);
+    const std::uint64_t low = first.low + second.low;
+    return {first.high + second.high + (low < first.low ? 1u : 0u), low};
+}
+
+/// a * b + c * d - e * f in two words. Needs |each| < 2^61.
+[[nodiscard]] constexpr two_words sum_of_products(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d,
+                                                  std::int64_t e, std::int64_t f) noexcept
+{
+#if defined(__SIZEOF_INT128__)
+    __extension__ using wide = __int128;
+    const wide sum = static_cast<wide>(a) * b + static_cast<wide>(c) * d - static_cast<wide>(e) * f;
+    return {static_cast<std::uint64_t>(sum >> 64), static_cast<std::uint64_t>(sum)};
+#else
+    return sum_of_products_in_halves(a, b, c, d, e, f);
+#endif
+}
+
 }  // namespace detail
 
 /// Where d lies relative to the circle through a, b, c (counter-clockwise): 1 inside, 0 on it, -1 outside.
@@ -75,6 +97,12 @@ struct two_words {
     return static_cast<std::int64_t>(sum.high) < 0 ? 1 : (sum.high | sum.low) != 0 ? -1 : 0;
 }
 
+/// Of four cocircular points a, d, b, c, whether the diagonal dc is preferred to ab: see prefers_other_diagonal().
+[[nodiscard]] constexpr bool breaks_tie(grid_point a, grid_point b, grid_point c, grid_point d) noexcept
+{
+    return lexicographic_less(lexicographic_less(c, d) ? c : d, lexicographic_less(a, b) ? a : b);
+}
+
 /// Whether the Delaunay diagonal of the quadrilateral a, d, b, c (counter-clockwise, cut by ab into two triangles) is
 /// the other one, dc. Of four cocircular points, the Delaunay diagonal is the one that ends at the lexicographically
 /// smallest.
@@ -93,7 +121,35 @@ struct two_words {
                                                           acx * bcx + acy * bcy, bdx * ady - bdy * adx);
     if ((sum.high | sum.low) != 0) [[likely]]
         return static_cast<std::int64_t>(sum.high) < 0;
-    return lexicographic_less(lexicographic_less(c, d) ? c : d, lexicographic_less(a, b) ? a : b);
+    return breaks_tie(a, b, c, d);
+}
+
+/// A point as seen from another one, for many tests of circles through that one.
+struct seen_point {
+    std::int64_t x, y;
+    std::int64_t square;  ///< of its distance
+
+    [[nodiscard]] static constexpr seen_point of(grid_point p, grid_point from) noexcept
+    {
+        const std::int64_t x = std::int64_t{p.x} - from.x, y = std::int64_t{p.y} - from.y;
+        return {x, y, x * x + y * y};
+    }
+    [[nodiscard]] constexpr std::int64_t cross(const seen_point& other) const noexcept
+    {
+        return x * other.y - y * other.x;
+    }
+};
+
+/// Where d lies relative to the circle through a, b (counter-clockwise) and the point that sees them: 1 inside, 0 on
+/// it, -1 outside; `ab`, `ad` and `db` are the cross products of a and b, a and d, d and b. The textbook determinant:
+/// where its parts serve more than one test, it takes two thirds of the instructions of in_circle().
+///
+/// Exact. Budget: as in_circle(), the sum <= 3 * 2^118.
+[[nodiscard]] constexpr int circle_side(const seen_point& a, const seen_point& b, const seen_point& d, std::int64_t ab,
+                                        std::int64_t ad, std::int64_t db) noexcept
+{
+    const detail::two_words sum = detail::sum_of_products(a.square, db, b.square, ad, d.square, ab);
+    return static_cast<std::int64_t>(sum.high) < 0 ? -1 : (sum.high | sum.low) != 0 ? 1 : 0;
 }
 
 }  // namespace typemesh::inline TYPEMESH_ABI

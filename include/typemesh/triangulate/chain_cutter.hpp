@@ -62,18 +62,18 @@ public:
     {
         v = out_.name(v);
         const std::uint32_t own = c.last[on], other = c.last[1 - on];
-        if (other != 0) {
-            const auto edge = fan<1 - on>(other, v, p);
-            c.last[1 - on] = 0;
-            if (own == 0) {
-                links_[other].before = 0;
-                c.last[on] = add(p, v, other, edge);
-                return;
-            }
-            c.last[on] = push<on>(own, v, p, edge);
+        if (other == 0) {
+            c.last[on] = push<on>(own, v, p, out_.template boundary<on>(links_[own].point, v));
             return;
         }
-        c.last[on] = push<on>(own, v, p, out_.template boundary<on>(links_[own].point, v));
+        const auto edge = fan<1 - on>(other, v, p);
+        c.last[1 - on] = 0;
+        if (own == 0) {
+            links_[other].before = 0;
+            c.last[on] = add(p, v, other, edge);
+        } else {
+            c.last[on] = push<on>(own, v, p, edge);
+        }
     }
 
     /// v splits the span of `below`; what lies above v gets `above`.
@@ -152,14 +152,32 @@ private:
     [[nodiscard]] std::uint32_t push(std::uint32_t at, std::uint32_t v, grid_point p,
                                      typename Output::edge edge) noexcept
     {
-        for (std::uint32_t before = links_[at].before; before != 0; before = links_[at].before) {
-            const std::int64_t turn = orientation(links_[before].place, links_[at].place, p),
-                               doubled_area = on == 0 ? turn : -turn;
-            if (doubled_area <= 0) break;
-            edge = out_.template cut<on>(links_[before], links_[at], v, p, doubled_area, edge);
-            at = before;
+        const std::uint32_t before = links_[at].before;
+        if (before != 0) {
+            const std::int64_t doubled_area = corner<on>(before, at, p);
+            if (doubled_area > 0) at = cut_corners<on>(before, at, v, p, doubled_area, edge);
         }
         return add(p, v, at, edge);
+    }
+    /// The same corners, of which there is at least one, with what it covers. Returns the link that stays the last.
+    template <std::uint32_t on>
+    [[nodiscard]] std::uint32_t cut_corners(std::uint32_t before, std::uint32_t at, std::uint32_t v, grid_point p,
+                                            std::int64_t doubled_area, typename Output::edge& edge) noexcept
+    {
+        do {
+            edge = out_.template cut<on>(links_[before], links_[at], v, p, doubled_area, edge);
+            at = before;
+            before = links_[at].before;
+            if (before == 0) break;
+            doubled_area = corner<on>(before, at, p);
+        } while (doubled_area > 0);
+        return at;
+    }
+    template <std::uint32_t on>
+    [[nodiscard]] std::int64_t corner(std::uint32_t before, std::uint32_t at, grid_point p) const noexcept
+    {
+        const std::int64_t turn = orientation(links_[before].place, links_[at].place, p);
+        return on == 0 ? turn : -turn;
     }
 
     link* links_ = nullptr;

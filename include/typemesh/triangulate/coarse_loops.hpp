@@ -74,6 +74,7 @@ private:
 
     void thin_out(const grid_point* points, std::uint32_t begin, std::uint32_t end, std::int64_t straightness) noexcept
     {
+        if (straightness == keep_all) return keep(points, begin, end);
         const std::uint32_t kept_before = size_;
         std::uint32_t step = 0;
         std::int64_t dx = 0, dy = 0;
@@ -82,8 +83,7 @@ private:
             const grid_point q = points[v + 1 == end ? begin : v + 1];
             const std::int64_t ex = std::int64_t{q.x} - p.x, ey = std::int64_t{q.y} - p.y;
             const std::int64_t cross = dx * ey - dy * ex, dot = dx * ex + dy * ey;
-            const bool keep = (straightness * cross >= dot) | (-straightness * cross >= dot) |
-                              (straightness == keep_all);  // up to 2^62: straightness is at most 8
+            const bool keep = straightness * (cross < 0 ? -cross : cross) >= dot;  // <= 2^62: straightness is at most 8
             names_[size_] = v;
             places_[size_] = p;
             size_ += keep;
@@ -100,6 +100,11 @@ private:
         size_ = kept_before;
         for (std::uint32_t& head : first_of_level_)
             while (head != none && head >= begin) head = left_out_[head].next;
+        keep(points, begin, end);
+    }
+
+    void keep(const grid_point* points, std::uint32_t begin, std::uint32_t end) noexcept
+    {
         for (std::uint32_t v = begin; v < end; ++v) {
             names_[size_] = v;
             places_[size_++] = points[v];

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/option_bits.hpp>
+#include <typemesh/sweep/sweep_order.hpp>
 #include <typemesh/triangulate/chain_cutter.hpp>
 #include <typemesh/triangulate/coarse_loops.hpp>
 #include <typemesh/triangulate/delaunay_flips.hpp>
@@ -55,21 +56,7 @@ struct constrained_delaunay {
     template <class = void>
     [[nodiscard]] error operator()(const region& r, workspace& space, triangle_list& out) const noexcept
     {
-        if (r.points().empty()) return error::none;
-        const std::size_t before = out.size();
-        triangle* const write = out.append(r.triangle_count());
-        if (write == nullptr) return error::out_of_memory;
-        error e = error::crossing_contours;
-        double kept = 0;  // share of the points that the last attempt kept
-        std::uint64_t budget = r.is_touching() ? 0 : std::uint64_t{most_flips} * r.triangle_count();
-        for (const std::int64_t straightness : {2, 8})  // within 27 degrees, within 7
-            if (e == error::crossing_contours && budget != 0 && kept <= worth_it)
-                e = by_flips<true>(r, space, write, straightness, kept, budget);
-        if (e == error::crossing_contours && budget != 0 && r.points().size() < slabs_from)
-            e = by_flips<false>(r, space, write, detail::coarse_loops::keep_all, kept, budget);
-        if (e == error::crossing_contours) e = detail::delaunay_slabs{}.run(r, space, write);
-        if (e) out.truncate(before);
-        return e;
+        return cut(r, r.order(), space, out);
     }
 
     /// The region that `loops` bound, its triangles appended to `out`. Fails as monotone{}.prove() does.
@@ -91,11 +78,45 @@ private:
     template <bool Touching>
     [[nodiscard]] result<region> proven_by(const contours& loops, workspace& space, triangle_list& out) const noexcept
     {
+        const std::size_t n = loops.points.size();
+        workspace::scope scratch{space};
+        std::span<const std::uint32_t> order = loops.order();
+        if (order.empty() && n != 0) {
+            auto* const sorted = scratch.take<std::uint32_t>(n);
+            if (sorted == nullptr || !sweep_order(loops.points.view(), space, sorted)) return error::out_of_memory;
+            order = {sorted, n};
+        }
         detail::monotone_sweep<true, Touching, detail::no_cutter> sweep{loops.points.view(), loops.starts.view(), {}};
-        if (const error e = sweep.run(space, loops.order())) return e;
+        if (const error e = sweep.run(space, order)) return e;
         const region r = region::proven(loops, sweep.holes(), sweep.outers(), sweep.has_equal_points());
-        if (const error e = (*this)(r, space, out)) return e;
+        if (const error e = cut(r, order, space, out)) return e;
         return r;
+    }
+
+    /// What the attempts to triangulate by flips leave for the next one.
+    struct attempts {
+        double kept = 0;       // share of the points that the last one kept
+        std::uint64_t budget;  // flips
+    };
+
+    /// `order` is that of the points, or empty.
+    [[nodiscard]] error cut(const region& r, std::span<const std::uint32_t> order, workspace& space,
+                            triangle_list& out) const noexcept
+    {
+        if (r.points().empty()) return error::none;
+        const std::size_t before = out.size();
+        triangle* const write = out.append(r.triangle_count());
+        if (write == nullptr) return error::out_of_memory;
+        error e = error::crossing_contours;
+        attempts left{0, r.is_touching() ? 0 : std::uint64_t{most_flips} * r.triangle_count()};
+        for (const std::int64_t straightness : {2, 8})  // within 27 degrees, within 7
+            if (e == error::crossing_contours && left.budget != 0 && left.kept <= worth_it)
+                e = by_flips<true>(r, {}, space, write, straightness, left);
+        if (e == error::crossing_contours && left.budget != 0 && r.points().size() < slabs_from)
+            e = by_flips<false>(r, order, space, write, detail::coarse_loops::keep_all, left);
+        if (e == error::crossing_contours) e = detail::delaunay_slabs{}.run(r, space, write);
+        if (e) out.truncate(before);
+        return e;
     }
 
     using cutter = detail::chain_cutter<detail::half_edges::output>;
@@ -106,27 +127,27 @@ private:
     static constexpr double worth_it = 0.875;       ///< keeping a larger share of the points saves nothing
 
     /// Fails with error::crossing_contours where this way does not work; once flips have begun, no budget is left for
-    /// another attempt. When all points are kept nothing needs proof.
+    /// another attempt. When all points are kept nothing needs proof. `order`: of the points that are kept, or empty.
     template <bool Proving>
-    [[nodiscard]] static error by_flips(const region& r, workspace& space, triangle* write, std::int64_t straightness,
-                                        double& kept, std::uint64_t& budget) noexcept
+    [[nodiscard]] static error by_flips(const region& r, std::span<const std::uint32_t> order, workspace& space,
+                                        triangle* write, std::int64_t straightness, attempts& left) noexcept
     {
         const std::size_t n = r.points().size();
         workspace::scope scratch{space};
         detail::coarse_loops coarse;
         if (!coarse.take(scratch, r.points(), r.starts(), straightness, n >= sheared_from)) return error::out_of_memory;
-        kept = static_cast<double>(coarse.points().size()) / static_cast<double>(n);
-        if (Proving && kept > worth_it) return error::crossing_contours;
+        left.kept = static_cast<double>(coarse.points().size()) / static_cast<double>(n);
+        if (Proving && left.kept > worth_it) return error::crossing_contours;
         detail::half_edges mesh{r.points()};
         if (!mesh.open(scratch, n + 2 * std::size_t{r.loop_count()}))
             return error::out_of_memory;  // as many as a sweep can make
         detail::monotone_sweep<Proving, false, cutter> sweep{coarse.points(), coarse.starts(),
                                                              cutter{detail::half_edges::output{mesh, coarse.names()}}};
-        if (const error e = sweep.run(space)) return e;
+        if (const error e = sweep.run(space, order)) return e;
         if (Proving && (sweep.holes() != r.holes() || sweep.outers() != r.outers())) return error::crossing_contours;
         mesh.finish(sweep.cutter().output());
 
-        detail::delaunay_flips flips{mesh, r.points(), std::exchange(budget, 0)};
+        detail::delaunay_flips flips{mesh, r.points(), std::exchange(left.budget, 0)};
         if (!flips.open(scratch, r.triangle_count())) return error::out_of_memory;
         if (!flips.everywhere()) return error::crossing_contours;
         if constexpr (Proving) {

@@ -3,6 +3,7 @@
 
 #include <typemesh/core/in_circle.hpp>
 #include <typemesh/triangulate/half_edges.hpp>
+#include <typemesh/triangulate/point_star.hpp>
 
 #include <cstddef>
 
@@ -25,7 +26,7 @@ public:
     /// Takes memory for a mesh of that many triangles; false when memory runs out.
     [[nodiscard]] bool open(workspace::scope& scratch, std::size_t triangles) noexcept
     {
-        room_ = 4 * triangles + 8;
+        room_ = 4 * triangles + room_of_star;
         stack_ = scratch.take<std::uint32_t>(room_);
         return stack_ != nullptr;
     }
@@ -54,22 +55,37 @@ public:
     [[nodiscard]] bool insert(std::uint32_t before, std::uint32_t p) noexcept
     {
         const std::uint32_t h = mesh_.boundary_from(before), h1 = half_edges::next(h), h2 = half_edges::previous(h);
-        const grid_point a = mesh_.place(h), b = mesh_.place(h1), c = mesh_.place(h2), at = points_[p];
-        bool is_simple = true;
-        if (orientation(a, at, b) > 0) {
-            if (!prefers_other_diagonal(a, b, c, at)) {
+        const grid_point at = points_[p];
+        const point_star star{mesh_, at};
+        const seen_point a = star.origin(h), b = star.origin(h1), c = star.origin(h2);
+        const std::int64_t ab = a.cross(b), bc = b.cross(c), ca = c.cross(a);
+        if (ab < 0) {  // beyond the boundary edge
+            const int side = circle_side(b, a, c, -ab, bc, ca);
+            if (side < 0 || (side == 0 && !breaks_tie(mesh_.place(h), mesh_.place(h1), mesh_.place(h2), at))) {
                 mesh_.add_ear(h, p);
                 return true;
             }  // else an ear and a flip, which is a dent
-        } else {
-            is_simple = orientation(b, c, at) > 0 && orientation(c, a, at) > 0;
         }
-        stack_[0] = mesh_.dent(h, p);
+        const std::uint32_t bc_edge = mesh_.dent(h, p);
+        if (bc > 0 && ca > 0) {
+            point_star::open_edge open[room_of_star];
+            open[0] = {a, ca, h2};
+            open[1] = {c, bc, bc_edge};
+            size_ = star.close(b, open, 2, room_of_star, left_);
+            if (size_ == 0) return left_ > 0;
+            for (std::size_t i = 0; i < size_; ++i) stack_[i] = open[i].edge;
+            overflow_ = false;
+            around();
+            return !overflow_ && left_ > 0;
+        }
+        stack_[0] = bc_edge;
         stack_[1] = h2;
-        return is_simple ? towards_apex(at) : pull_to_apex(p);
+        return pull_to_apex(p);
     }
 
 private:
+    static constexpr std::size_t room_of_star = 32;
+
     void push(std::uint32_t h) noexcept
     {
         if (size_ < room_)
@@ -99,28 +115,6 @@ private:
             push(half_edges::previous(h));
             push(h);
         }
-    }
-
-    /// The same, if the two edges on the stack are seen from a new point: edges that a flip ends at it stay, so the
-    /// stack never holds more than the triangles around that point.
-    [[nodiscard]] bool towards_apex(grid_point apex) noexcept
-    {
-        std::uint32_t* const stack = stack_;
-        half_edges mesh = mesh_;
-        std::size_t size = 2;
-        std::int64_t flipped = 0;
-        do {
-            const std::uint32_t h = stack[--size];
-            if (mesh.is_boundary(h)) continue;
-            const std::uint32_t g = mesh.twin(h), g2 = half_edges::previous(g);
-            if (!prefers_other_diagonal(mesh.place(h), mesh.place(g), apex, mesh.place(g2))) continue;
-            mesh.flip(h);
-            ++flipped;
-            stack[size++] = g2;
-            stack[size++] = h;
-        } while (size != 0);
-        left_ -= flipped;
-        return left_ > 0;
     }
 
     /// The same, if p lies beyond its triangle, so that some triangle at p is clockwise: its edge opposite p has to go

@@ -128,6 +128,7 @@ public:
     [[nodiscard]] std::uint32_t twin(std::uint32_t h) const noexcept { return edges_[h].twin; }
     [[nodiscard]] grid_point place(std::uint32_t h) const noexcept { return edges_[h].place; }
     [[nodiscard]] bool is_boundary(std::uint32_t h) const noexcept { return edges_[h].twin >= rim_; }
+    [[nodiscard]] bool is_rim(std::uint32_t h) const noexcept { return h >= rim_; }
     /// Of the two half-edges of an inner edge, the one with the smaller number.
     [[nodiscard]] bool is_first_half(std::uint32_t h) const noexcept { return edges_[h].twin - h - 1 < rim_ - h - 1; }
     /// The half-edge of the boundary edge that leaves a point.
@@ -146,7 +147,13 @@ public:
     ///          s                      s
     void flip(std::uint32_t h) noexcept
     {
-        const std::uint32_t g = edges_[h].twin, h1 = next(h), g1 = next(g), h2 = previous(h), g2 = previous(g);
+        const std::uint32_t g = edges_[h].twin;
+        flip(h, g, previous(g));
+    }
+    /// The same for callers that know g and previous(g).
+    void flip(std::uint32_t h, std::uint32_t g, std::uint32_t g2) noexcept
+    {
+        const std::uint32_t h1 = next(h), g1 = next(g), h2 = previous(h);
         set_twins(h, edges_[g1].twin);
         set_twins(g, edges_[h1].twin);
         edges_[h1] = {edges_[g2].origin, g1, edges_[g2].place};
@@ -177,14 +184,16 @@ public:
     ///     a---h-----b      a'       'b
     std::uint32_t dent(std::uint32_t h, std::uint32_t p) noexcept
     {
-        const std::uint32_t h1 = next(h), b = edges_[h1].origin, c = edges_[previous(h)].origin, t = count_;
+        const std::uint32_t t = count_;
+        const half_edge b = edges_[next(h)], c = edges_[previous(h)];
+        const grid_point place = points_[p];
         count_ += 4;
-        edges_[t] = {p, rim_ + p, points_[p]};
-        edges_[t + 1] = {b, edges_[h1].twin, edges_[h1].place};
-        edges_[t + 2] = {c, h1, edges_[previous(h)].place};
+        edges_[t] = {p, rim_ + p, place};
+        edges_[t + 1] = b;
+        edges_[t + 2] = {c.origin, next(h), c.place};
         edges_[rim_ + p].twin = t;
-        edges_[edges_[h1].twin].twin = t + 1;
-        edges_[h1] = {p, t + 2, points_[p]};
+        edges_[b.twin].twin = t + 1;
+        edges_[next(h)] = {p, t + 2, place};
         return t + 1;
     }
 

@@ -58,9 +58,20 @@ class monotone_sweep {
         std::uint32_t span[2];   // the span whose lower / upper side ends here; 0: that neighbour comes later
         std::uint32_t right[2];  // where a lower / upper side that starts here leads: to the next / previous point
     };
+    /// A boundary edge in the direction of its loop: the interior is on the left. Widened once, read about twice per
+    /// point: 9 instructions per point less than the two grid points.
     struct side {
-        grid_point from, to;  // in the direction of its loop: the interior is on the left
-        [[nodiscard]] std::int64_t at(grid_point p) const noexcept { return orientation(from, to, p); }
+        std::int64_t x, y;    // of its left end
+        std::int64_t dx, dy;  // a lower side runs from there, an upper one to there
+
+        /// As orientation(from, to, p).
+        [[nodiscard]] std::int64_t at(grid_point p) const noexcept { return dx * (p.y - y) - dy * (p.x - x); }
+        [[nodiscard]] bool begins_at(grid_point p) const noexcept { return p.x == x && p.y == y; }
+        template <std::uint32_t on>
+        [[nodiscard]] bool ends_at(grid_point p) const noexcept
+        {
+            return on == 0 ? p.x - x == dx && p.y - y == dy : x - p.x == dx && y - p.y == dy;
+        }
     };
     struct span_of_interior {
         side sides[2];
@@ -87,12 +98,12 @@ public:
         TYPEMESH_ASSERT(known.empty() || known.size() == n, "an order of other points was given");
         const bool sorted = !Touching && !known.empty();  // visits of one point are sorted further
         auto* const own = sorted ? nullptr : scratch.take<std::uint32_t>(n);
+        if (!sorted && (own == nullptr || (known.empty() && !sweep_order(points_, space, own))))
+            return error::out_of_memory;
         vertices_ = scratch.take<vertex>(n);
         spans_ = scratch.take<span_of_interior>(n / 2 + 2);  // at most every other point opens one
-        if ((!sorted && own == nullptr) || vertices_ == nullptr || spans_ == nullptr || !cut_.open(scratch, n) ||
-            !status_.open(scratch, n / 2 + 1))
+        if (vertices_ == nullptr || spans_ == nullptr || !cut_.open(scratch, n) || !status_.open(scratch, n / 2 + 1))
             return error::out_of_memory;
-        if (known.empty() && !sweep_order(points_, space, own)) return error::out_of_memory;
         link_up();
         if constexpr (Touching) {
             for (std::size_t i = 0; i < known.size(); ++i) own[i] = known[i];
@@ -129,9 +140,8 @@ private:
             vertices_[begin].right[1] = end - 1;
         }
         // Span 0 surrounds everything: its lower side is above all points, its upper side below them.
-        constexpr std::int32_t reach = 1 << 28;
-        spans_[0] = {
-            {{{-reach, reach + 1}, {reach, reach + 1}}, {{reach, -reach - 1}, {-reach, -reach - 1}}}, {0, 0}, {}};
+        constexpr std::int64_t reach = 1 << 28;
+        spans_[0] = {{{-reach, reach + 1, 2 * reach, 0}, {-reach, -reach - 1, -2 * reach, 0}}, {0, 0}, {}};
     }
 
     /// Sorts the visits of each point into the order given above.
@@ -170,12 +180,20 @@ private:
         return true;
     }
 
-    /// Negative when p lies outside a side; if `Touching`, also when p is an end of it.
-    [[nodiscard]] static std::int64_t inside(const side& s, grid_point p) noexcept
+    /// Whether p lies outside a span beyond its side `on`; if `Touching`, also when p is an end of that.
+    template <std::uint32_t on>
+    [[nodiscard]] bool is_outside(std::uint32_t span, grid_point p) const noexcept
     {
+        const side& s = spans_[span].sides[on];
         if constexpr (Touching)
-            if (s.from == p || s.to == p) return -1;
-        return s.at(p);
+            if (s.begins_at(p) || s.template ends_at<on>(p)) return true;
+        return s.at(p) < 0;
+    }
+    /// Whether p lies above the lower or below the upper side of a span.
+    template <std::uint32_t on>
+    [[nodiscard]] bool is_inside(std::uint32_t span, grid_point p) const noexcept
+    {
+        return spans_[span].sides[on].at(p) > 0;
     }
 
     /// 0: an end, 1: a pass, 2: a merge or a split, 3: a start.
@@ -192,25 +210,27 @@ private:
     [[nodiscard]] bool sweep(const std::uint32_t* order) noexcept
     {
         const auto n = static_cast<std::int64_t>(points_.size());
-        grid_point last{-(1 << 28) - 1, 0};  // not on the grid
-        Cutter cut = cut_;                   // a local copy stays in registers
+        std::uint64_t last = grid_point{-(1 << 28) - 1, 0}.word();  // not on the grid
+        Cutter cut = cut_;                                          // a local copy stays in registers
         stop_ = n;
         std::int64_t i = 0;
         for (; i < stop_; ++i) {
             const std::uint32_t v = order[i];
             const grid_point p = points_[v];
             if constexpr (Proving && !Touching) {
-                if (p == last) break;
-                last = p;
+                if (p.word() == last) break;
+                last = p.word();
             }
             const std::uint32_t lower = vertices_[v].span[0], upper = vertices_[v].span[1];
-            if ((lower == 0) != (upper == 0)) {
-                if (lower != 0 ? !pass<0>(cut, lower, v, p) : !pass<1>(cut, upper, v, p)) break;
-                continue;
+            if (lower != 0 && upper == 0) {
+                if (!pass<0>(cut, lower, v, p)) break;
+            } else if (lower == 0 && upper != 0) {
+                if (!pass<1>(cut, upper, v, p)) break;
+            } else {
+                cut_ = cut;
+                if (lower == 0 ? !open(v, p) : !close(lower, upper, v, p)) break;
+                cut = cut_;
             }
-            cut_ = cut;
-            if (lower == 0 ? !open(v, p) : !close(lower, upper, v, p)) break;
-            cut = cut_;
         }
         cut_ = cut;
         if (i == n) return true;
@@ -229,7 +249,7 @@ private:
     {
         if constexpr (Proving) {
             const std::uint32_t outside = status_.neighbour(s, on);
-            if (spans_[s].sides[1 - on].at(p) <= 0 || inside(spans_[outside].sides[1 - on], p) >= 0) return false;
+            if (!is_inside<1 - on>(s, p) || !is_outside<1 - on>(outside, p)) return false;
         }
         cut.template extend<on>(spans_[s].seen, v, p);
         set_side<on>(s, v, p);
@@ -247,15 +267,14 @@ private:
         const std::uint32_t s = status_.last_below([&](std::uint32_t item) noexcept {
             const side& lower = spans_[item].sides[0];
             if constexpr (Touching) {
-                if (lower.from == p) return lower.at(points_[vertices_[v].right[0]]) > 0;
+                if (lower.begins_at(p)) return lower.at(points_[vertices_[v].right[0]]) > 0;
             }
             return lower.at(p) > 0;
         });
         const bool splits = turn < 0;
         if constexpr (Proving) {
             if (turn == 0) return false;  // doubles back
-            if (splits ? spans_[s].sides[1].at(p) <= 0
-                       : inside(spans_[s].sides[1], p) >= 0 || inside(spans_[status_.above(s)].sides[0], p) >= 0)
+            if (splits ? !is_inside<1>(s, p) : !is_outside<1>(s, p) || !is_outside<0>(status_.above(s), p))
                 return false;
         }
         bound_triangles(splits ? 1 : -1);
@@ -286,10 +305,8 @@ private:
     {
         const bool ends = lower == upper;
         if constexpr (Proving) {
-            const bool clear = ends ? inside(spans_[status_.below(lower)].sides[1], p) < 0 &&
-                                          inside(spans_[status_.above(lower)].sides[0], p) < 0
-                                    : status_.above(upper) == lower && spans_[upper].sides[0].at(p) > 0 &&
-                                          spans_[lower].sides[1].at(p) > 0;
+            const bool clear = ends ? is_outside<1>(status_.below(lower), p) && is_outside<0>(status_.above(lower), p)
+                                    : status_.above(upper) == lower && is_inside<0>(upper, p) && is_inside<1>(lower, p);
             if (!clear) return false;
         }
         bound_triangles(ends ? -1 : 1);
@@ -314,10 +331,8 @@ private:
     {
         const std::uint32_t end = vertices_[v].right[on];
         const grid_point q = points_[end];
-        if constexpr (on == 0)
-            spans_[s].sides[0] = {p, q};
-        else
-            spans_[s].sides[1] = {q, p};
+        const std::int64_t dx = std::int64_t{q.x} - p.x, dy = std::int64_t{q.y} - p.y;
+        spans_[s].sides[on] = {p.x, p.y, on == 0 ? dx : -dx, on == 0 ? dy : -dy};
         spans_[s].end[on] = end;
         vertices_[end].span[on] = s;
     }
