@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
@@ -149,24 +150,24 @@ template <class Key>
     return radix_sort(keys, spare, n, index_bits, place_bits);
 }
 
-/// The box of n > 0 points. Two points at a time: compilers make vector instructions of it.
-struct point_bounds {
-    std::int32_t left, bottom, right, top;
-};
-[[nodiscard]] inline point_bounds bounds_of(std::span<const grid_point> points) noexcept
-{
-    const std::size_t n = points.size();
-    const grid_point p = points[0], q = points[n - 1];
-    std::int32_t low[4] = {p.x, p.y, q.x, q.y}, high[4] = {p.x, p.y, q.x, q.y};
-    for (std::size_t i = 0; i + 1 < n; i += 2) {
-        const std::int32_t two[4] = {points[i].x, points[i].y, points[i + 1].x, points[i + 1].y};
-        for (int k = 0; k < 4; ++k) {
-            low[k] = two[k] < low[k] ? two[k] : low[k];
-            high[k] = two[k] > high[k] ? two[k] : high[k];
-        }
+/// How far n > 0 points reach.
+struct coordinate_range {
+    std::int32_t low, high;
+    [[nodiscard]] std::uint32_t bits() const noexcept
+    {
+        return static_cast<std::uint32_t>(
+            std::bit_width(static_cast<std::uint32_t>(high) - static_cast<std::uint32_t>(low)));
     }
-    return {low[0] < low[2] ? low[0] : low[2], low[1] < low[3] ? low[1] : low[3], high[0] > high[2] ? high[0] : high[2],
-            high[1] > high[3] ? high[1] : high[3]};
+};
+template <std::int32_t grid_point::* coordinate>
+[[nodiscard]] coordinate_range range_of(std::span<const grid_point> points) noexcept
+{
+    coordinate_range r{points[0].*coordinate, points[0].*coordinate};
+    for (const grid_point& p : points) {
+        r.low = p.*coordinate < r.low ? p.*coordinate : r.low;
+        r.high = p.*coordinate > r.high ? p.*coordinate : r.high;
+    }
+    return r;
 }
 
 }  // namespace detail
@@ -182,11 +183,15 @@ struct point_bounds {
 {
     const std::size_t n = points.size();
     if (n == 0) return true;
-    const auto [left, bottom, right, top] = detail::bounds_of(points);
-    const auto bits = [](std::uint64_t v) noexcept { return static_cast<std::uint32_t>(std::bit_width(v)); };
-    const std::uint32_t x_bits = bits(static_cast<std::uint32_t>(right) - static_cast<std::uint32_t>(left));
-    const std::uint32_t y_bits = bits(static_cast<std::uint32_t>(top) - static_cast<std::uint32_t>(bottom));
-    const std::uint32_t index_bits = bits(n - 1);
+    const auto index_bits = static_cast<std::uint32_t>(std::bit_width(n - 1));
+    const detail::coordinate_range x_range = detail::range_of<&grid_point::x>(points);
+    const std::uint32_t x_bits = x_range.bits();
+    detail::coordinate_range y_range{(std::numeric_limits<std::int32_t>::min)(),
+                                     (std::numeric_limits<std::int32_t>::max)()};
+    const bool fits = x_bits + y_range.bits() + index_bits <= 64;
+    if (n > detail::most_for_buckets || !fits)  // else a smaller range of y gains nothing
+        y_range = detail::range_of<&grid_point::y>(points);
+    const std::uint32_t y_bits = y_range.bits();
 
     workspace::scope scratch{space};
     const auto sorted_by = [&]<class Key>(Key) noexcept {
@@ -194,8 +199,8 @@ struct point_bounds {
         Key* const spare = scratch.take<Key>(n);
         if (keys == nullptr || spare == nullptr) return false;
         for (std::size_t i = 0; i < n; ++i) {
-            const std::uint64_t x = static_cast<std::uint32_t>(points[i].x) - static_cast<std::uint32_t>(left);
-            const std::uint64_t y = static_cast<std::uint32_t>(points[i].y) - static_cast<std::uint32_t>(bottom);
+            const std::uint64_t x = static_cast<std::uint32_t>(points[i].x) - static_cast<std::uint32_t>(x_range.low);
+            const std::uint64_t y = static_cast<std::uint32_t>(points[i].y) - static_cast<std::uint32_t>(y_range.low);
             if constexpr (sizeof(Key) == sizeof(std::uint64_t))
                 keys[i].word = (x << y_bits | y) << index_bits | i;
             else

@@ -77,15 +77,14 @@ private:
         if (straightness == keep_all) return keep(points, begin, end);
         const std::uint32_t kept_before = size_;
         std::uint32_t step = 0;
-        std::int64_t dx = 0, dy = 0;
-        grid_point p = points[begin];
+        std::int64_t dx = 0, dy = 0, x = points[begin].x, y = points[begin].y;
         for (std::uint32_t v = begin; v < end; ++v) {  // which points are kept is unpredictable: no branches
             const grid_point q = points[v + 1 == end ? begin : v + 1];
-            const std::int64_t ex = std::int64_t{q.x} - p.x, ey = std::int64_t{q.y} - p.y;
+            const std::int64_t ex = q.x - x, ey = q.y - y;
             const std::int64_t cross = dx * ey - dy * ex, dot = dx * ex + dy * ey;
             const bool keep = straightness * (cross < 0 ? -cross : cross) >= dot;  // <= 2^62: straightness is at most 8
             names_[size_] = v;
-            places_[size_] = p;
+            places_[size_] = points[v];
             size_ += keep;
             dx = keep ? ex : dx;
             dy = keep ? ey : dy;
@@ -94,7 +93,8 @@ private:
             const auto level = static_cast<std::uint32_t>(std::countr_zero(step));
             left_out_[v] = {v - (step & (0 - step)), first_of_level_[level]};
             first_of_level_[level] = v;
-            p = q;
+            x = q.x;
+            y = q.y;
         }
         if (size_ - kept_before >= 3) return;
         size_ = kept_before;

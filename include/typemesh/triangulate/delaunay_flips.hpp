@@ -71,12 +71,8 @@ public:
             point_star::open_edge open[room_of_star];
             open[0] = {a, ca, h2};
             open[1] = {c, bc, bc_edge};
-            size_ = star.close(b, open, 2, room_of_star, left_);
-            if (size_ == 0) return left_ > 0;
-            for (std::size_t i = 0; i < size_; ++i) stack_[i] = open[i].edge;
-            overflow_ = false;
-            around();
-            return !overflow_ && left_ > 0;
+            const std::size_t left_open = star.close(b, open, 2, room_of_star, left_);
+            return left_open == 0 ? left_ > 0 : around({open, left_open});
         }
         stack_[0] = bc_edge;
         stack_[1] = h2;
@@ -100,21 +96,42 @@ private:
                                       mesh.place(half_edges::previous(g)));
     }
 
+    /// The same from the edges of a star for which there was no room; false when the budget is spent.
+    [[nodiscard]] bool around(std::span<const point_star::open_edge> star) noexcept
+    {
+        for (std::size_t i = 0; i < star.size(); ++i) stack_[i] = star[i].edge;
+        size_ = star.size();
+        overflow_ = false;
+        around();
+        return !overflow_ && left_ > 0;
+    }
+
     /// Until the stack is empty or the budget is spent; a flip pushes the four edges around it.
     void around() noexcept
     {
-        while (size_ != 0 && left_ > 0) {
-            const std::uint32_t h = stack_[--size_];
-            if (mesh_.is_boundary(h)) continue;
-            const std::uint32_t g = mesh_.twin(h);
-            if (!wants_flip(mesh_, h, g)) continue;
-            mesh_.flip(h);
-            --left_;
-            push(half_edges::previous(g));
-            push(g);
-            push(half_edges::previous(h));
-            push(h);
+        half_edges mesh = mesh_;  // local copies stay in registers
+        std::uint32_t* const stack = stack_;
+        std::size_t size = size_;
+        std::int64_t left = left_;
+        while (size != 0 && left > 0) {
+            const std::uint32_t h = stack[--size], g = mesh.twin(h);
+            if (mesh.is_rim(g)) continue;
+            const std::uint32_t h2 = half_edges::previous(h), g2 = half_edges::previous(g);
+            if (!prefers_other_diagonal(mesh.place(h), mesh.place(g), mesh.place(h2), mesh.place(g2))) continue;
+            mesh.flip(h, g, g2);
+            --left;
+            if (room_ - size < 4) {
+                overflow_ = true;
+                continue;
+            }
+            stack[size] = g2;
+            stack[size + 1] = g;
+            stack[size + 2] = h2;
+            stack[size + 3] = h;
+            size += 4;
         }
+        size_ = size;
+        left_ = left;
     }
 
     /// The same, if p lies beyond its triangle, so that some triangle at p is clockwise: its edge opposite p has to go

@@ -30,8 +30,8 @@ public:
 
     [[nodiscard]] seen_point origin(std::uint32_t h) const noexcept { return seen_point::of(mesh_.place(h), p_); }
 
-    /// Visits the edges open[0] to open[size - 1], the last one first, which begins at `from`; there is room for `room`.
-    /// Returns how many are left in `open` when there is no more: usually none.
+    /// Visits the edges open[0] to open[size - 1], the last one first, which begins at `from`; `open` has room for
+    /// `room`. Returns how many edges are left in it when there is no more: usually none.
     [[nodiscard]] std::size_t close(seen_point from, open_edge* open, std::size_t size, std::size_t room,
                                     std::int64_t& flips_left) const noexcept
     {
