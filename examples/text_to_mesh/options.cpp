@@ -400,7 +400,9 @@ std::string settle_weight(options& out, const raw_values& raw)
     const double around = out.outline.place == outline_place::outer    ? width
                           : out.outline.place == outline_place::centre ? 0.5 * width
                                                                        : 0.0;
-    out.letter_spacing = raw.letter_spacing.value_or(2.0 * (static_cast<double>(out.embolden) + around));
+    const double growth = static_cast<double>(out.embolden) + around;
+    out.letter_spacing = raw.letter_spacing.value_or(2.0 * growth);
+    out.columns.combined_gap = 2.0 * growth;
     return {};
 }
 

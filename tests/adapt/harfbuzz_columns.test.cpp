@@ -9,6 +9,7 @@
 #include <typemesh/layout/face_metrics.hpp>
 #include <typemesh/layout/layout.hpp>
 #include <typemesh/paragraph/paragraph.hpp>
+#include <typemesh/text/font_cascade.hpp>
 #include <typemesh/text/text_mesher.hpp>
 
 #include <algorithm>
@@ -179,6 +180,33 @@ TEST_CASE("a combined number is drawn within its em", "[adapt][harfbuzz][columns
             CHECK(ink.high.y <= 0.0);
             CHECK(std::fabs(ink.low.x + ink.high.x) < 0.2 * em);
         }
+}
+
+TEST_CASE("a gap between combined digits reaches layout(), fallbacks and paragraphs alike",
+          "[adapt][harfbuzz][columns]")
+{
+    harfbuzz_font font = opened(mplus);
+    const double em = font.units_per_em();
+    shape_options how{.direction = direction::top_to_bottom};
+    how.columns = {.combined_digits = 2, .combined_gap = 0.06};
+    const auto distance = [](const glyph_run& run) { return run.glyphs[1].origin.x - run.glyphs[0].origin.x; };
+    const glyph_run run = set(font, "88", how.direction, how.columns);
+    const double squeeze = map_of(run, run.glyphs[0]).xx;
+    buffer<shaped_glyph> digit;
+    REQUIRE_FALSE(font.shape_item("8", {.last = 1}, {}, digit));
+    CHECK(squeeze * 2 * digit[0].advance + 0.06 * em == Approx(em));
+    CHECK(distance(run) == Approx(squeeze * digit[0].advance + 0.06 * em));
+    paragraph words{font};
+    glyph_run laid;
+    REQUIRE_FALSE(words.set("88", how));
+    REQUIRE_FALSE(words.lay_out({}, laid));
+    CHECK(distance(laid) == Approx(distance(run)));
+    harfbuzz_font other = opened(dejavu);
+    font_cascade both{other, font};
+    glyph_run filled;  // U+65E5 is the second font's, so that the first one's own shape() does not do
+    REQUIRE_FALSE(layout(both, u"88\u65E5", how, {}, filled));
+    const glyph_run alone = set(other, "88", how.direction, how.columns);
+    CHECK(distance(filled) == Approx(distance(alone)));
 }
 
 TEST_CASE("a turned letter's outline is the letter's, turned exactly", "[adapt][harfbuzz][columns]")

@@ -3,6 +3,7 @@
 
 #include <typemesh/layout/column_glyphs.hpp>
 
+#include <cmath>
 #include <vector>
 
 using namespace typemesh;
@@ -57,6 +58,22 @@ TEST_CASE("combined glyphs fill an em at most, stand in its middle, and are one 
     }
     CHECK(glyphs[0].offset.x + glyphs[1].offset.x == Approx(squeeze * (10.0 - width)));
     CHECK(same(combine_glyphs({}, {380.0, 1000.0}, 0), 1.0));
+}
+
+TEST_CASE("between combined glyphs is the gap that is asked for, of half their em at most", "[layout][columns]")
+{
+    for (const double gap : {-50.0, 0.0, 60.0, 200.0, 400.0})
+        for (const double width : {100.0, 500.0, 700.0}) {
+            std::vector<shaped_glyph> glyphs(4);
+            for (std::size_t i = 0; i < 4; ++i) glyphs[i].advance = i == 1 ? 0.0 : width;  // that one is a mark
+            const double squeeze = combine_glyphs(glyphs, {380.0, 1000.0, gap}, 0);
+            const double between = std::fmin(std::fmax(gap, 0.0), 250.0);
+            CHECK(glyphs[2].offset.x - glyphs[0].offset.x == Approx(squeeze * width + between));
+            CHECK(glyphs[3].offset.x - glyphs[2].offset.x == Approx(squeeze * width + between));
+            CHECK(glyphs[0].offset.x == Approx(-0.5 * (3 * squeeze * width + 2 * between)));
+            CHECK(glyphs[0].offset.x >= -500.0 - 1e-9);
+            CHECK((squeeze < 1.0) == (3 * width + 2 * between > 1000.0));
+        }
 }
 
 TEST_CASE("glyphs are placed and drawn as their item stands", "[layout][columns]")

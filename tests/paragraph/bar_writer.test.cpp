@@ -166,7 +166,7 @@ TEST_CASE("in columns bars stand beside the letters and in their middle", "[para
     const decorated d{"abc", {{1, 2, {.decorations = both}}}, {}, {.direction = direction::top_to_bottom}};
     REQUIRE(d.bars().size() == 3);
     for (const bar_box& b : d.bars()) CHECK(lies(b, -1000.0, -500.0));
-    CHECK(d.bars()[0].right == -200.0);
+    CHECK(d.bars()[0].right == -200.0 - 50.0);  // apart from the letters by its thickness
     CHECK(d.bars()[1].left == -20.0);
-    CHECK(d.bars()[2].left == 700.0);
+    CHECK(d.bars()[2].left == 700.0 + 50.0);
 }

@@ -188,18 +188,20 @@ private:
             fill_buffer(text, {item.first, item.last, script}, !is_valid(text, item), HB_BUFFER_FLAG_DEFAULT);
             if (error e = shape_buffer(font, way_of(item), script, language_of(options))) return e;
             const bool column = item.orientation != glyph_orientation::horizontal;
-            if (error e = column ? take_column(font, unit, item, at, run) : take_glyphs(unit, at, run)) return e;
+            if (error e = column ? take_column(font, unit, item, options.columns, at, run) : take_glyphs(unit, at, run))
+                return e;
         }
         return at;
     }
 
     /// Appends an item of a column, from `at` on, which advances.
-    error take_column(hb_font_t* font, point unit, const text_item& item, point& at, glyph_run& run) noexcept
+    error take_column(hb_font_t* font, point unit, const text_item& item, const column_options& how, point& at,
+                      glyph_run& run) noexcept
     {
         shaped_.clear();
         if (error e = append_glyphs(unit, item.orientation == glyph_orientation::upright, shaped_)) return e;
         const double em = hb_face_get_upem(hb_font_get_face(font));
-        return place_item(shaped_.view(), item, {column_middle(font, unit), em}, at, run);
+        return place_item(shaped_.view(), item, {column_middle(font, unit), em, how.combined_gap * em}, at, run);
     }
 
     static bool is_valid(text_view text, const text_item& item) noexcept

@@ -19,6 +19,7 @@ inline constexpr affine quarter_turn{.xx = 0.0, .xy = 1.0, .yx = -1.0, .yy = 0.0
 struct column_metrics {
     double middle = 0.0;  ///< column_middle_of(shaper)
     double em = 0.0;
+    double gap = 0.0;  ///< added between combined letters
 };
 
 /// Lays an item's glyphs, shaped as in a line, on their side: the pen moves down, and what is column.middle above the
@@ -31,20 +32,26 @@ inline void turn_glyphs(std::span<shaped_glyph> glyphs, const column_metrics& co
     }
 }
 
-/// Puts an item's glyphs, shaped as in a line, side by side into the room of one character of a column: an em. They
-/// become one cluster, which begins at `first`.
+/// Puts an item's glyphs, shaped as in a line, side by side into the room of one character of a column: an em, of which
+/// the gaps between them take half at most. They become one cluster, which begins at `first`.
 ///
 /// Returns by how much they are to be drawn narrower, along x: 1 unless they are wider than that.
 inline double combine_glyphs(std::span<shaped_glyph> glyphs, const column_metrics& column, cluster_id first) noexcept
 {
-    double width = 0.0;
-    for (const shaped_glyph& g : glyphs) width += g.advance;
-    const double squeeze = width > column.em ? column.em / width : 1.0;
+    double width = 0.0, letters = 0.0;
+    for (const shaped_glyph& g : glyphs) {
+        width += g.advance;
+        if (g.advance > 0.0) letters += 1.0;
+    }
+    double gap = letters > 1.0 && column.gap > 0.0 ? column.gap : 0.0;
+    if (gap * (letters - 1.0) > 0.5 * column.em) gap = 0.5 * column.em / (letters - 1.0);
+    const double gaps = gap > 0.0 ? gap * (letters - 1.0) : 0.0;
+    const double squeeze = width + gaps > column.em ? (column.em - gaps) / width : 1.0;
     const double baseline = -0.5 * column.em - column.middle;
-    double pen = -0.5 * squeeze * width;
+    double pen = -0.5 * (squeeze * width + gaps);
     for (shaped_glyph& g : glyphs) {
         g.offset = {pen + squeeze * g.offset.x, baseline + g.offset.y};
-        pen += squeeze * g.advance;
+        pen += squeeze * g.advance + (g.advance > 0.0 ? gap : 0.0);
         g.advance = 0.0;
         g.cluster = first;
         g.flags = g.flags | glyph_flags::combined;

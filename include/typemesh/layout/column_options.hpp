@@ -25,6 +25,7 @@ enum class column_style : std::uint8_t {
 struct column_options {
     column_latin latin = column_latin::sideways;
     std::uint8_t combined_digits = 0;  ///< numbers of so many ASCII digits or fewer are combined: 2 for dates
+    double combined_gap = 0.0;         ///< em added between combined letters, 0 to 0.5: room to make them bolder
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -93,7 +93,8 @@ public:
                                 ? mixed_.split_column(text, first, last, how, has_form, items_)
                                 : mixed_.split(text, first, last, how, items_);
         if (split) return split;
-        const column_metrics column{faces.column_middle(), faces.units_per_em()};
+        const double em = faces.units_per_em();
+        const column_metrics column{faces.column_middle(), em, how.columns.combined_gap * em};
         point pen;
         for (const text_item& item : items_) {
             line_.clear();

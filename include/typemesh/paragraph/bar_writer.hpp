@@ -18,7 +18,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 ///     underline, strike_through   where the font of the text says (face_metrics.hpp), as large as the text
 ///     overline                    as thick as the underline, its upper edge at the ascender
-///     in columns                  to the left of the letters, through their middle, and to their right
+///     in columns                  to the left of the letters, through their middle, and to their right, as far away
+///                                 as they are thick
 ///     small letters               made for superscripts and subscripts: underlined as full letters are; the other bars
 ///                                 shrink and stand as the letters do
 template <item_shaper Font>
@@ -92,9 +93,9 @@ private:
         double top = own.top * em * size;
         if (kind == decoration::overline) top = lines_.ascender * size;
         if (shaped_.in_columns()) {
-            if (under) top = lines_.descender * size;
+            if (under) top = lines_.descender * size - thickness;
             if (kind == decoration::strike_through) top = thickness / 2;
-            if (kind == decoration::overline) top += thickness;
+            if (kind == decoration::overline) top += 2 * thickness;
         }
         const double rise = painted.rise * em + (under ? 0.0 : set.lift);
         return {.low = top - thickness + rise, .high = top + rise, .style = painted.style};

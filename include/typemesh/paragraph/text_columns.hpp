@@ -33,7 +33,8 @@ public:
     {
         runs_.clear();
         if (how.direction != direction::top_to_bottom) return {};
-        metrics_ = {column_middle_of(shaper), shaper.units_per_em()};
+        const double em = shaper.units_per_em();
+        metrics_ = {column_middle_of(shaper), em, how.columns.combined_gap * em};
         spans_.clear();
         for (const style_span& s : styles.spans()) {
             if (s.style.column == column_style::automatic) continue;
