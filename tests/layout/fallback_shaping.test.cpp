@@ -348,3 +348,24 @@ TEST_CASE("what another face shapes lies on its side in a column, too", "[layout
     CHECK(end->x == 0.0);
     CHECK(end->y < pen.y);
 }
+
+TEST_CASE("a first shaping that is given up leaves no looks", "[layout][fallback]")
+{
+    struct looking_faces : toy_faces {
+        result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& how,
+                            glyph_run& run) noexcept
+        {
+            if (!run.number_of({.style = style_id{77}})) return error::out_of_memory;
+            return toy_faces::shape(text, first, last, how, run);
+        }
+    };
+    looking_faces faces{{{toy_covering_font{U"ab"}, toy_covering_font{U"c"}}}};
+    fallback_shaping shaping;
+    glyph_run run;
+    REQUIRE(shaping.shape(faces, u"acb", 0, 3, {}, run));
+    REQUIRE(run.looks.size() == 2);
+    CHECK(run.looks[1] == look{.face = 1});
+    run.clear();
+    REQUIRE(shaping.shape(faces, u"ab", 0, 2, {}, run));
+    CHECK(run.looks.size() == 2);  // the first face's own, which nothing is taken from
+}

@@ -142,7 +142,8 @@ private:
 ///
 ///     日本 (2024) 語、       upright: what Unicode has upright, with its vertical forms where the font has them
 ///     |  |       |         sideways: all else; and what has no place upright but by a vertical form ( ー 「 ) that the
-///      U  S       U        font lacks
+///      U  S       U        font lacks. By UAX #50 that is so for U+FF1B in fonts that mean it to stand, too: what they
+///                          lack on purpose cannot be told from brackets that they lack
 ///
 ///     marks      of the text's analysis, of which the graphemes are read
 ///     styles     ranges that stand in a way of their own: ascending, none within another; a grapheme belongs to the

@@ -63,6 +63,7 @@ public:
     ///
     /// Fails  as the faces do, but for error::needs_shaping of others than the item's own: they lack that script
     /// Cost   what the item's own face takes, if that has all glyphs; else once more for each hole and face, and O(n)
+    ///        for each face that is tried
     template <class Faces>
     error shape_item(Faces& faces, text_view text, const text_item& item, const shape_options& how,
                      buffer<shaped_glyph>& glyphs) noexcept
@@ -80,12 +81,13 @@ public:
     result<point> shape(Faces& faces, text_view text, std::size_t first, std::size_t last, const shape_options& how,
                         glyph_run& run) noexcept
     {
-        const std::size_t before = run.glyphs.size();
+        const std::size_t before = run.glyphs.size(), looks = run.looks.size();
         const std::uint32_t missing = run.missing;
         const cluster_id first_missing = run.first_missing;
         const result<point> advance = faces.shape(text, first, last, how, run);
         if (!advance || run.missing == missing) return advance;
         run.glyphs.truncate(before);
+        run.looks.truncate(looks);
         run.missing = missing;
         run.first_missing = first_missing;
         const auto has_form = [&faces](char32_t c) noexcept { return faces.has_vertical_form(c); };
