@@ -170,3 +170,26 @@ TEST_CASE("in columns bars stand beside the letters and in their middle", "[para
     CHECK(d.bars()[1].left == -20.0);
     CHECK(d.bars()[2].left == 700.0 + 50.0);
 }
+
+TEST_CASE("columns of Japanese and Korean are underlined on the right, and have their overline on the left",
+          "[paragraph][styles]")
+{
+    const decoration both = decoration::underline | decoration::overline;
+    for (const char* language : {"", "ja", "ja-JP", "JA_jp", "ko", "zh", "zh-Hant", "jav", "j"}) {
+        const std::string name{language};
+        const bool right = name.size() > 1 && name != "jav" && name[0] != 'z';
+        CHECK(underlined_on_the_right(language) == right);
+        const shape_options how{.direction = direction::top_to_bottom, .language = language};
+        for (const bool styled : {false, true}) {
+            text_style style{.decorations = both};
+            if (styled) style.language = language;
+            const auto bars = decorated{"abc", {{1, 2, style}}, {}, styled ? shape_options{how.direction} : how}.bars();
+            REQUIRE(bars.size() == 2);
+            CHECK(lies(bars[right ? 0 : 1], -1000.0, -500.0));
+            CHECK(bars[right ? 0 : 1].left == 700.0 + 50.0);
+            CHECK(bars[right ? 1 : 0].right == -200.0 - 50.0);
+        }
+    }
+    const auto line = decorated{"abc", {{1, 2, {.decorations = both}}}, {}, {.language = "ja"}}.bars();
+    CHECK(line[0].high == -100.0);  // in lines nothing changes
+}

@@ -9,8 +9,17 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 namespace typemesh::inline TYPEMESH_ABI {
+
+/// Whether columns of a language (BCP 47: "ja", "ko-KR") are underlined on the right.
+[[nodiscard]] constexpr bool underlined_on_the_right(std::string_view language) noexcept
+{
+    if (language.size() < 2 || (language.size() > 2 && language[2] != '-' && language[2] != '_')) return false;
+    const char first = static_cast<char>(language[0] | 0x20), second = static_cast<char>(language[1] | 0x20);
+    return (first == 'j' && second == 'a') || (first == 'k' && second == 'o');
+}
 
 /// Writes the decorations of lines into a run: a glyph of the bar face for each stretch of clusters whose bars have one
 /// height, one thickness and one style. Bars are as wide as the clusters; what hangs at a line's end has none. They
@@ -19,7 +28,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     underline, strike_through   where the font of the text says (face_metrics.hpp), as large as the text
 ///     overline                    as thick as the underline, its upper edge at the ascender
 ///     in columns                  to the left of the letters, through their middle, and to their right, as far away
-///                                 as they are thick
+///                                 as they are thick; Japanese and Korean are underlined on the right (as by CSS)
 ///     small letters               made for superscripts and subscripts: underlined as full letters are; the other bars
 ///                                 shrink and stand as the letters do
 template <item_shaper Font>
@@ -93,9 +102,9 @@ private:
         double top = own.top * em * size;
         if (kind == decoration::overline) top = lines_.ascender * size;
         if (shaped_.in_columns()) {
-            if (under) top = lines_.descender * size - thickness;
+            const bool right = under == underlined_on_the_right(shaped_.options_of(c.item).language);
+            top = right ? lines_.ascender * size + 2 * thickness : lines_.descender * size - thickness;
             if (kind == decoration::strike_through) top = thickness / 2;
-            if (kind == decoration::overline) top += 2 * thickness;
         }
         const double rise = painted.rise * em + (under ? 0.0 : set.lift);
         return {.low = top - thickness + rise, .high = top + rise, .style = painted.style};
