@@ -525,7 +525,7 @@ TEST_CASE("letters read as HarfBuzz's own Unicode data say", "[adapt][reading_or
 TEST_CASE("a tab leads to the next tab stop in lines of both directions, and is not missing", "[adapt][harfbuzz]")
 {
     harfbuzz_font font = opened(dejavu);
-    const double stop = 4.0 * shaped(font, " ").lines[0].advance;
+    const double stop = 4.0 * shaped(font, " ").lines[0].advance, digit = shaped(font, "0").lines[0].advance;
     for (const char* text :
          {"one\ttwo", "\xD7\x90\xD7\x91\t\xD7\x92", "\xD8\xB3\xD9\x84\xD8\xA7\xD9\x85\t\xD8\xA8", "12\t34"}) {
         INFO(text);
@@ -533,7 +533,7 @@ TEST_CASE("a tab leads to the next tab stop in lines of both directions, and is 
         const glyph_run run = shaped(font, text), first = shaped(font, before), second = shaped(font, behind);
         CHECK(run.missing == 0);
         CHECK(run.glyphs.size() == first.glyphs.size() + second.glyphs.size());
-        const double tab = stop * (std::floor(first.lines[0].advance / stop) + 1.0);
+        const double tab = tab_stop_behind(first.lines[0].advance, stop, least_tab(digit));
         CHECK(run.lines[0].advance == tab + second.lines[0].advance);
 
         const bool to_the_left = static_cast<unsigned char>(text[0]) >= 0x80;

@@ -249,6 +249,7 @@ TEST_CASE("tabs lead to stops, in the direction of the paragraph", "[paragraph]"
     const laid left{u"\u05D0\tb", {.width = 4.0, .tab_stops = stops}};
     CHECK(left.run.glyphs[1].origin.x == 3500.0);
     CHECK(left.run.glyphs[0].origin.x == 4000.0 - 750.0 - 500.0);
+    CHECK(laid{"AV\tb"}.run.glyphs[2].origin.x == 2000.0);  // 1000 is nearer than half a digit
     const laid none{"a\tb", {.tab_width = 0.0}};
     CHECK(none.run.glyphs[1].origin.x == 500.0);
 }

@@ -7,11 +7,12 @@
 #include <typemesh/layout/letter_spacing.hpp>
 #include <typemesh/layout/reading_order.hpp>
 #include <typemesh/layout/shaper.hpp>
+#include <typemesh/layout/tab_stop.hpp>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI {
@@ -49,14 +50,14 @@ result<point> shape_segment(Shaper& shaper, text_view text, std::size_t first, s
     return advance;
 }
 
-/// The advance of a space along a line. The run stays unchanged.
+/// The advance of a character of ASCII along a line. The run stays unchanged.
 template <shaper Shaper>
-result<double> space_advance(Shaper& shaper, const shape_options& how, glyph_run& run) noexcept
+result<double> advance_of(Shaper& shaper, char character, const shape_options& how, glyph_run& run) noexcept
 {
     const std::size_t glyphs = run.glyphs.size();
     const auto missing = run.missing;
     const auto first_missing = run.first_missing;
-    const result<point> advance = shaper.shape(text_view{" "}, 0, 1, how, run);
+    const result<point> advance = shaper.shape(std::string_view{&character, 1}, 0, 1, how, run);
     run.glyphs.truncate(glyphs);
     run.missing = missing;
     run.first_missing = first_missing;
@@ -100,9 +101,9 @@ result<point> shape_spaced(Shaper& shaper, text_view text, std::size_t first, st
 
 }  // namespace detail
 
-/// Shapes a line, tabs included: each moves the pen to the next tab stop, the first one beyond it, and leaves no glyph.
-/// Stops are `tab_width` spaces apart, counted from the line's start; a right-to-left line starts on the right. Between
-/// tabs letters are spaced as requested.
+/// Shapes a line, tabs included: each moves the pen to the next tab stop (tab_stop_behind()) and leaves no glyph. Stops
+/// are `tab_width` spaces apart, counted from the line's start; a right-to-left line starts on the right. Between tabs
+/// letters are spaced as requested.
 ///
 ///     |       |       |       |            Between tabs the shaper gets segments of the line, each as a line of its
 ///     |name   |weight |price  |            own. A line is read right-to-left if the options or, by default, its first
@@ -115,7 +116,7 @@ result<point> shape_spaced(Shaper& shaper, text_view text, std::size_t first, st
 ///
 /// Returns the pen's offset. Where the font's space has no advance, tabs have none either.
 /// Fails  as the shaper does; the run may then hold some of the line's glyphs
-/// Cost   O(n) besides the shaper's; for a line with tabs it also shapes a space
+/// Cost   O(n) besides the shaper's; for a line with tabs it also shapes a space and a digit
 template <shaper Shaper>
 result<point> shape_line(Shaper& shaper, text_view text, std::size_t first, std::size_t last, const shape_options& how,
                          const layout_options& options, glyph_run& run) noexcept
@@ -127,8 +128,10 @@ result<point> shape_line(Shaper& shaper, text_view text, std::size_t first, std:
     std::size_t end = options.tab_width > 0.0 ? next_tab(first) : last;
     if (end == last) return detail::shape_spaced(shaper, text, first, last, how, options, run);
 
-    const result<double> space = detail::space_advance(shaper, how, run);
+    const result<double> space = detail::advance_of(shaper, ' ', how, run);
     if (!space) return space.error();
+    const result<double> digit = detail::advance_of(shaper, '0', how, run);
+    if (!digit) return digit.error();
     const double apart = options.tab_width * *space;
     const bool down = how.direction == direction::top_to_bottom;
     shape_options own = how;
@@ -150,7 +153,7 @@ result<point> shape_line(Shaper& shaper, text_view text, std::size_t first, std:
             pen += length;
         }
         if (end == last) break;
-        if (apart > 0.0) pen = (std::floor(pen / apart) + 1.0) * apart;
+        if (apart > 0.0) pen = tab_stop_behind(pen, apart, least_tab(*digit));
         begin = end + 1;
         end = next_tab(begin);
     }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/core/version.hpp>
+#include <typemesh/layout/tab_stop.hpp>
 
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -19,6 +18,7 @@ struct line_room {
     double indent = 0.0;                 ///< of a paragraph's first line
     double shrink = 0.0;                 ///< by which part of their width spaces may be narrower, so that more fits
     double tab = 0.0;                    ///< between tab stops; 0: a tab has no width
+    double least_tab = 0.0;              ///< stops that are nearer to the pen are passed over
     std::span<const double> stops = {};  ///< tab stops of their own before those, ascending, times `stop_unit`
     double stop_unit = 1.0;
     std::uint32_t most_lines = 0xFFFF'FFFFu;  ///< breakers need not find more
@@ -30,8 +30,8 @@ struct line_room {
     [[nodiscard]] double after_tab(double pen) const noexcept
     {
         for (const double stop : stops)
-            if (stop * stop_unit > pen) return stop * stop_unit;
-        return tab > 0.0 ? (std::floor(pen / tab) + 1.0) * tab : pen;
+            if (stop * stop_unit > pen && stop * stop_unit - pen >= least_tab) return stop * stop_unit;
+        return tab > 0.0 ? tab_stop_behind(pen, tab, least_tab) : pen;
     }
 };
 

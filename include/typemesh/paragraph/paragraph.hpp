@@ -189,22 +189,23 @@ private:
         if (error e = shaped_.styles.read(spans, shaped_.analysis, face_count())) return e;
         if (error e = shaped_.shape(*font_, text, how, letter_spacing * units_per_em_)) return e;
         if (error e = pieces_.find_words(shaped_, *font_)) return e;
-        if (error e = measure_space()) return e;
+        if (error e = measure_tabs()) return e;
         own_clusters_ = shaped_.all_clusters();
         own_glyphs_ = shaped_.all_glyphs();
         return {};
     }
 
-    /// The advance of a space, which tab stops count in. A text without tabs does without.
-    error measure_space() noexcept
+    /// The advances of a space, which tab stops count in, and a digit. A text without tabs does without.
+    error measure_tabs() noexcept
     {
-        space_ = 0.0;
+        space_ = digit_ = 0.0;
         bool tabs = false;
         for (const break_piece& p : pieces_.words().pieces) tabs = tabs || p.tab;
         if (!tabs) return {};
-        const auto found = shaped_.space_advance(*font_);
-        if (!found) return found.error();
-        space_ = *found;
+        const auto space = shaped_.advance_of(*font_, ' '), digit = shaped_.advance_of(*font_, '0');
+        if (!space || !digit) return space ? digit.error() : space.error();
+        space_ = *space;
+        digit_ = *digit;
         return {};
     }
 
@@ -234,6 +235,7 @@ private:
                  .indent = options.indent * em,
                  .shrink = options.align == line_alignment::justify ? 0.25 : 0.0,
                  .tab = options.tab_width * space_,
+                 .least_tab = least_tab(digit_),
                  .stops = options.tab_stops,
                  .stop_unit = em,
                  .most_lines = options.most_lines};
@@ -404,7 +406,7 @@ private:
     buffer<line_slice> placed_;  // of all lines, from left to right
     line_room room_;
     double units_per_em_ = 0.0;
-    double space_ = 0.0;                             // its advance
+    double space_ = 0.0, digit_ = 0.0;               // their advances
     std::size_t own_clusters_ = 0, own_glyphs_ = 0;  // of the text: what stands behind belongs to one layout
     double longest_ = 0.0, height_ = 0.0;            // of the last layout
 };

@@ -72,7 +72,7 @@ struct paragraph_options {
     line_box boxes = line_box::content;
     double line_spacing = 1.0;               ///< times the distance between lines that their boxes ask for
     double indent = 0.0;                     ///< of a paragraph's first line, at its start; negative ones hang
-    double tab_width = 4.0;                  ///< between tab stops, in spaces; 0: tabs have no width
+    double tab_width = 4.0;                  ///< between tab stops, in spaces; 0: none. See tab_stop.hpp
     std::span<const double> tab_stops = {};  ///< before those: ascending, from a line's start
 };
 

@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -209,14 +210,14 @@ public:
         return true;
     }
 
-    /// The advance of a space of the whole text, whatever its styles.
+    /// The advance of a character of ASCII in the whole text, whatever its styles.
     template <item_shaper Shaper>
-    result<double> space_advance(Shaper& shaper) noexcept
+    result<double> advance_of(Shaper& shaper, char character) noexcept
     {
         const std::size_t before = glyphs_.size();
-        text_item space{.last = 1};
-        space.orientation = latin();
-        if (error e = shaper.shape_item(text_view{" "}, space, options_, glyphs_)) return e;
+        text_item alone{.last = 1};
+        alone.orientation = latin();
+        if (error e = shaper.shape_item(std::string_view{&character, 1}, alone, options_, glyphs_)) return e;
         double advance = 0.0;
         for (const shaped_glyph& g : glyphs_.view().subspan(before)) advance += g.advance;
         glyphs_.truncate(before);
