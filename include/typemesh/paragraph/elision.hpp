@@ -4,6 +4,7 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/layout/mixed_line.hpp>
+#include <typemesh/paragraph/broken_line.hpp>
 #include <typemesh/paragraph/line_room.hpp>
 #include <typemesh/paragraph/line_slices.hpp>
 #include <typemesh/paragraph/paragraph_options.hpp>
@@ -26,15 +27,6 @@ struct line_source {
     const paragraph_options& options;
 };
 
-/// A line as it was broken: pieces [first, last) of a list.
-struct broken_line {
-    const text_pieces::list& all;
-    std::size_t first = 0;
-    std::size_t last = 0;
-    double pen = 0.0;    ///< where it starts
-    bool drops = false;  ///< it is the last line, and text behind it is dropped
-};
-
 /// Makes the lines that cannot show all that they should: as many graphemes as there is room for, and an ellipsis.
 ///
 ///     at the end   one two th...     The ellipsis stands for the graphemes that are dropped and the white space before
@@ -50,7 +42,7 @@ public:
     [[nodiscard]] static bool is_needed(const broken_line& line, const line_room& room,
                                         const paragraph_options& options) noexcept
     {
-        return !options.ellipsis.empty() && (line.drops || width_of(line, room) > widened(room.width));
+        return !options.ellipsis.empty() && (line.drops || line.least_end(room) > widened(room.width));
     }
 
     /// The graphemes of which a line that is elided shows some: its own, or, if text behind it is dropped, those up to
@@ -134,24 +126,6 @@ private:
         std::size_t head = 0, tail = 0;
         double width = 0.0;
     };
-
-    /// The least width of a line, whose spaces may shrink.
-    [[nodiscard]] static double width_of(const broken_line& line, const line_room& room) noexcept
-    {
-        const std::span<const break_piece> p = line.all.pieces.view();
-        double pen = line.pen + p[line.first].begin_change, width = 0.0, stretch = 0.0;
-        for (std::size_t k = line.first; k < line.last; ++k) {
-            const bool last = k + 1 == line.last;
-            if (p[k].width > 0.0 || (last && p[k].is_visible()))
-                width = pen + p[k].width + (last ? p[k].end_change : 0.0) - room.shrink * stretch;
-            pen += p[k].width + p[k].space;
-            stretch += p[k].stretch;
-            if (!p[k].tab) continue;
-            pen = room.after_tab(pen);
-            stretch = 0.0;
-        }
-        return width;
-    }
 
     /// Whether some of the text of pieces is read against the direction of a level.
     [[nodiscard]] static bool is_mixed(const shaped_text& shaped, std::span<const break_piece> p,

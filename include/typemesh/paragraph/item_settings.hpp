@@ -64,6 +64,7 @@ public:
         features_.clear();
     }
 
+    /// How an item is set.
     [[nodiscard]] item_setting operator[](std::uint32_t item) const noexcept
     {
         return settings_.empty() ? item_setting{.letter_spacing = plain_.letter_spacing} : settings_[item].how;

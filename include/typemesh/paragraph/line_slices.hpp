@@ -13,7 +13,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Neighbouring clusters of a line that are set in one direction.
+/// Neighbouring clusters of a line that are set in one direction. Lengths are in font units, along the line.
 struct line_slice {
     std::uint32_t first = 0;  ///< clusters of the shaped text
     std::uint32_t last = 0;
@@ -39,7 +39,8 @@ struct line_slice {
     return width;
 }
 
-/// What one line consists of, in the order of the text: see paragraph.
+/// What one line consists of, in the order of the text: see paragraph. Whatever adds to it fails with
+/// error::out_of_memory, and as the shaper does.
 class line_slices {
 public:
     explicit line_slices(memory source = heap()) noexcept : slices_{source} {}

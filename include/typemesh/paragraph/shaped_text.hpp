@@ -22,7 +22,9 @@
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// A text as it is shaped once, before it has lines: items, their clusters in the order of the text, and glyphs. Behind
-/// them, what parts of items look like where they are shaped anew because a line ends there.
+/// them, what parts of items look like where they are shaped anew because a line ends there. Lengths are in font units.
+///
+/// Whatever shapes fails with error::out_of_memory, and as the shaper does.
 class shaped_text {
 public:
     explicit shaped_text(memory source = heap()) noexcept
@@ -38,7 +40,7 @@ public:
     {
     }
 
-    text_analysis analysis;
+    text_analysis analysis;  ///< both are filled in before shape()
     style_spans styles;
 
     [[nodiscard]] text_view text() const noexcept { return text_; }
@@ -48,6 +50,7 @@ public:
     [[nodiscard]] bool in_columns() const noexcept { return options_.direction == direction::top_to_bottom; }
 
     [[nodiscard]] std::span<const text_item> items() const noexcept { return items_.view(); }
+    /// By their numbers; glyphs are in drawing order within a cluster.
     [[nodiscard]] const text_cluster& cluster(std::size_t i) const noexcept { return clusters_[i]; }
     [[nodiscard]] const shaped_glyph& glyph(std::size_t i) const noexcept { return glyphs_[i]; }
     [[nodiscard]] const shaped_glyph* glyphs() const noexcept { return glyphs_.data(); }
@@ -113,10 +116,9 @@ public:
         return place >= 2 && text_.unit(place - 1) == 0xAD && text_.unit(place - 2) == 0xC2;
     }
 
-    /// Shapes a text that has been analysed: `analysis` and `styles` are its own. Distances between letters are in font
-    /// units.
+    /// Shapes a text that has been analysed: `analysis` and `styles` are its own.
     ///
-    /// Fails  error::out_of_memory, error::too_large, and as the shaper does
+    /// Fails besides  error::too_large
     template <item_shaper Shaper>
     error shape(Shaper& shaper, text_view text, const shape_options& options, double letter_spacing) noexcept
     {
@@ -192,6 +194,7 @@ public:
         if (glyphs < glyphs_.size()) glyphs_.truncate(glyphs);
         carets_.truncate(clusters);
     }
+    /// How many there are, with those that have been shaped later.
     [[nodiscard]] std::size_t all_clusters() const noexcept { return clusters_.size(); }
     [[nodiscard]] std::size_t all_glyphs() const noexcept { return glyphs_.size(); }
 

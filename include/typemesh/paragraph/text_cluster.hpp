@@ -34,7 +34,7 @@ enum class cluster_flags : std::uint16_t {
 
 /// The glyphs that a shaper keeps together, and the text that they stand for.
 struct text_cluster {
-    cluster_id first = 0;  ///< in the text
+    cluster_id first = 0;  ///< in the text; of a foreign one, what it stands for or stands behind
     cluster_id last = 0;
     std::uint32_t glyph = 0;  ///< its first glyph in drawing order
     std::uint32_t glyph_count = 0;

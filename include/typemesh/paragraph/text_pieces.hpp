@@ -20,7 +20,10 @@ struct shaped_piece {
     std::uint32_t cut = no_cut;  ///< what changes where a line ends with the piece
 };
 
-/// A shaped text's words, and, once they are asked for, the graphemes of those that must be broken.
+/// A shaped text's words, and, once they are asked for, the graphemes of those that must be broken. Lengths are in font
+/// units.
+///
+/// Whatever makes pieces fails with error::out_of_memory, and as the shaper does.
 class text_pieces {
 public:
     explicit text_pieces(memory source = heap()) noexcept
@@ -61,7 +64,9 @@ public:
         widest_ = 0.0;
     }
 
+    /// In the text's order; at least one.
     [[nodiscard]] const list& words() const noexcept { return words_; }
+    /// That of a number other than no_cut.
     [[nodiscard]] const line_cut& cut(std::uint32_t number) const noexcept { return cuts_[number]; }
 
     /// Splits a shaped text into words: at all places where Unicode allows a line to end, and behind tabs.
@@ -184,14 +189,14 @@ private:
     };
 
     /// Where a piece ends: in a cluster or behind it.
-    struct piece_stop {
+    struct ending {
         std::uint32_t cluster, unit;
         piece_end end;
         bool tab;
     };
 
     template <item_shaper Shaper>
-    error close(shaped_text& shaped, Shaper& shaper, const piece_stop& at, open_piece& now, list& out) noexcept
+    error close(shaped_text& shaped, Shaper& shaper, const ending& at, open_piece& now, list& out) noexcept
     {
         const text_cluster cluster = shaped.cluster(at.cluster);
         const double share = at.unit >= cluster.last
