@@ -156,8 +156,8 @@ def headlines(found, least, judged):
     for i, measure in ((3, '9 of 10 chords'), (4, 'the largest error')):
         worst = max((f for f in least if f[i] is not None), key=lambda f: f[i], default=None)
         if worst:
-            show('headline', f'triangles of those of the peer with the fewest at the same error, by {measure}; {worst[0]}', 'at most 1.05', '-',
-                 f'{worst[i]:.3f}', worst[1], worst[2])
+            claim = f'triangles of those of the peer with the fewest at the same error, by {measure}; {worst[0]}'
+            show('headline', claim, 'at most 1.05', '-', f'{worst[i]:.3f}', worst[1], worst[2])
     wrong = collections.Counter()
     for (peer, setting, _), v in judged.all.items():
         wrong[peer] += 0 if 'bevelled' in setting else int(v['wrong'])
@@ -174,7 +174,8 @@ A peer with a fixed number of steps a curve is exact on small curves and coarse 
 chords long before it is in the largest error. Both are told; typemesh's tolerance bounds the largest.
 FTGL and osgText place letters that they keep: no mesh of the text is written. They do not shape, nor do VTK, Coin, Blender and three.js: \
 these map characters to glyphs, in Arabic, too. typemesh's time beside them has HarfBuzz's shaping in it.
-Coin crashes on texts beyond ASCII: those letters count as lost. Its outlines are hinted, which moves them by up to 0.03 em. VTK has a face of its own, and no curves to judge by.
+Coin crashes on texts beyond ASCII: those letters count as lost. Its outlines are hinted, which moves them by up to 0.03 em. VTK has a face \
+of its own, and no curves to judge by.
 OCCT and OpenSCAD hand over no normals. FTGL, Qt 3D, Coin, three.js, three-text and typemesh do; typemesh writes texture coordinates, too.
 troika, TextMeshPro and the like draw text on rectangles: there is no mesh to compare.
 """.replace('\\\n', '').strip().splitlines()
