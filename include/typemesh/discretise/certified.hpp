@@ -45,7 +45,7 @@ struct certified {
         TYPEMESH_ASSERT(tolerance > 0.0, "a discretiser's tolerance must be positive");
         const point b = q.p1 - q.p0, e = q.p2 - q.p1;
         if (!(dot(b, e) >= 0.0)) [[unlikely]]
-            return wild(raised(q), tolerance, put);
+            return turning(q, tolerance, put);
 
         tolerance *= kept_share;
         const double tt = tolerance * tolerance;
@@ -57,8 +57,8 @@ struct certified {
             return put(q.p2, 1.0);
         }
         const detail::quadratic_chords chords{q.p0, b, a, k * k, tt};
-        const detail::share_table<8> shares{chords, 0.0, 1.0, tolerance};
-        point_placer{chords, tolerance, bend, put}.place(shares, 0.0, 1.0);
+        if (bend <= pieces(4) * tt && few(chords, bend <= pieces(3) * tt ? 3 : 4, put)) return put(q.p2, 1.0);
+        point_placer{chords, tolerance, bend, put}.between(0.0, 1.0);
         put(q.p2, 1.0);
     }
 
@@ -95,14 +95,15 @@ private:
 
     static constexpr double halves_tried = 40.0;  // = pieces(2.5): up to here two equal pieces often suffice
     static constexpr double four_samples_do = 1024.0, eight_samples_do = 0x1p17;  // = pieces(5.7), pieces(19)
+    static constexpr double at_an_end = 0x1p-20;                                  // no stop is nearer to an end
 
     [[nodiscard]] static double greater(double a, double b) noexcept { return a > b ? a : b; }
 
     /// The inner points where Wang's bound is `most`, 3 or 4, without a table: most curves of text. The errors of the
     /// two halves tell how many points each needs, and a density that slopes from one to the other where these are.
-    /// Gives up where they come out badly, and at inflections.
-    template <class Put>
-    static bool few(const detail::cubic_chords<true>& chords, int most, Put& put) noexcept
+    /// Gives up where they come out badly, and where a cubic bends the other way.
+    template <class Chords, class Put>
+    static bool few(const Chords& chords, int most, Put& put) noexcept
     {
         constexpr float worth_trying = 0.93f;  // pieces below Wang's bound; this and the next are fitted to fonts
         constexpr float two_do = 2.04f;        // pieces, by the estimate
@@ -306,16 +307,36 @@ private:
         Put& put_;
     };
 
-    /// For a curve that turns by more than 90 degrees, or that may stop and turn: splits it where it does.
+    /// For a quadratic that turns by more than 90 degrees. It can only stop where its derivative is at right angles to
+    /// the second one.
+    template <class Put>
+    static void turning(const quadratic& q, double tolerance, Put& put) noexcept
+    {
+        const point b = q.p1 - q.p0, a = (q.p2 - q.p1) - b;
+        const double t = -dot(a, b) / dot(a, a);
+        double stops[4] = {t, 1.0};
+        const bool inside = t > at_an_end && t < 1.0 - at_an_end;
+        const bool stopped = inside && tangents_at(curve::from(q), static_cast<double>(static_cast<float>(t))).stops;
+        between_stops(raised(q), tolerance, stops, stopped ? 1 : 0, put);
+    }
+
+    /// For a cubic that turns by more than 90 degrees, or that may stop and turn.
     template <class Put>
     static void wild(const cubic& q, double tolerance, Put& put) noexcept
+    {
+        double stops[4];
+        const int count = find_stops(q, stops);
+        between_stops(q, tolerance, stops, count, put);
+    }
+
+    /// Splits a curve where it stops and turns.
+    template <class Put>
+    static void between_stops(const cubic& q, double tolerance, double (&stops)[4], int count, Put& put) noexcept
     {
         tolerance *= kept_share;
         const point l0 = q.p1 - q.p0, l1 = q.p2 - q.p1, l2 = q.p3 - q.p2, s0 = l1 - l0, s1 = l2 - l1;
         const detail::cubic_chords<false> chords{q.p0, 3.0 * l0, 3.0 * s0, s1 - s0, tolerance * tolerance};
         const double bend = cubic_bend * greater(dot(s0, s0), dot(s1, s1));
-        double stops[4];
-        const int count = find_stops(q, stops);
         stops[count] = 1.0;
         double from = 0.0;
         for (int i = 0; i <= count; ++i) {
@@ -336,7 +357,6 @@ private:
         constexpr int most_steps = 64, early = 10;
         // Of the longest leg's square: after the early steps B'/3 moves by less than 2^-8 of that leg.
         constexpr double hardly_slow = 0x1p-14;
-        constexpr double at_an_end = 0x1p-20;
         const point d0 = q.p1 - q.p0, l1 = q.p2 - q.p1, l2 = q.p3 - q.p2;
         const point d1 = l1 - d0, d2 = (l2 - l1) - d1;  // B'/3 = d0 + 2 d1 t + d2 t²
         const double g0 = dot(d0, d1), g1 = 2.0 * dot(d1, d1) + dot(d0, d2), g2 = 3.0 * dot(d1, d2), g3 = dot(d2, d2);

@@ -63,6 +63,19 @@ struct quadratic_chords {
         return error <= room ? 1.0 : error / room;
     }
 
+    // What is not as simple for a cubic; see there.
+    [[nodiscard]] bool fits_exactly(double u, double v) const noexcept { return fits(u, v); }
+    [[nodiscard]] static constexpr bool turns_over() noexcept { return false; }
+    [[nodiscard]] static constexpr double inflection(double u, double) noexcept { return u; }
+
+    /// One over the number of pieces that [u, v] needs, approximately.
+    [[nodiscard]] float inverse_share(double u, double v) const noexcept
+    {
+        const double h = v - u, hh = h * h;
+        const point c = b + (0.5 * (u + v)) * a;
+        return inverse_fourth_root(static_cast<float>(hh * hh * kk / (16.0 * tt * dot(c, c) + 1e-300)) + 1e-30f);
+    }
+
     template <int samples>
     void sample(float* density, double from, double step, double tolerance) const noexcept
     {
