@@ -28,8 +28,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Limit    65,536 points per piece between corners. Only tolerances below 2^-31 of the curve's size would need more,
 ///          which discretise() never asks for: its grid is coarser. Beyond the limit points are at equal steps of t,
 ///          and the tolerance is not kept.
-/// Cost     At 1/800 em up to twice that of equal steps of t for quadratics, two to three times that for cubics; no
-///          allocation, no transcendental function.
+/// Cost     At 1/800 em up to one and a half times that of equal steps of t for quadratics, two to three times that for
+///          cubics; no allocation, no transcendental function.
 ///
 /// Curves must be finite and `tolerance` positive.
 ///

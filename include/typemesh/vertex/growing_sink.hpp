@@ -25,6 +25,8 @@ concept sizable_array = requires(C& c, std::size_t n) {
 /// Resizes two containers of the caller's to fit, then writes as array_sink does. Their old elements are replaced. It
 /// refers to them until end(). base_vertex is added to every index.
 ///
+/// resize() of a std::vector sets new elements to zero first: where that is too slow see uninitialised_allocator.hpp.
+///
 /// A container that throws when memory runs out gives error::out_of_memory (where exceptions are on); both are then
 /// unchanged if they have reserve().
 template <sizable_array Vertices, sizable_array Indices, vertex_writer Writer>
