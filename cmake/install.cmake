@@ -22,3 +22,21 @@ install(FILES
     ${CMAKE_CURRENT_BINARY_DIR}/typemesh-config-version.cmake
     cmake/typemesh-adapters.cmake
     DESTINATION ${typemesh_package_folder})
+
+# For pkg-config: typemesh, and typemesh-harfbuzz and so on, which need the adapter's library.
+function(typemesh_install_pc name description needs)
+    set(pc_name ${name})
+    set(pc_description "${description}")
+    set(pc_needs "${needs}")
+    configure_file(cmake/packaging/typemesh.pc.in ${name}.pc @ONLY)
+    install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_DATADIR}/pkgconfig)
+endfunction()
+
+typemesh_install_pc(typemesh "${PROJECT_DESCRIPTION}" "Cflags: -I\${includedir}")
+foreach(adapter IN ITEMS "harfbuzz|Requires: typemesh, harfbuzz >= 4.0" "freetype|Requires: typemesh, freetype2"
+        "fontconfig|Requires: typemesh, fontconfig" "icu|Requires: typemesh, icu-uc" "glm|Requires: typemesh, glm"
+        "threads|Requires: typemesh\nCflags: -pthread\nLibs: -pthread" "directwrite|Requires: typemesh\nLibs: -ldwrite")
+    string(REPLACE "|" ";" adapter "${adapter}")
+    list(POP_FRONT adapter name)
+    typemesh_install_pc(typemesh-${name} "typemesh's adapter ${name}" "${adapter}")
+endforeach()
