@@ -60,6 +60,9 @@ occt-modeling header:opencascade/BRepMesh_IncrementalMesh.hxx libocct-modeling-a
 blender      command:blender                                  blender            blender                blender     -                 -
 cgal         header:CGAL/Constrained_Delaunay_triangulation_2.h libcgal-dev      CGAL-devel             cgal        -                 -
 polyclipping header:polyclipping/clipper.hpp                  libpolyclipping-dev polyclipping-devel    -           -                 -
+debootstrap  command:debootstrap                              debootstrap        debootstrap            debootstrap -                 -
+dpkg-shlibdeps command:dpkg-shlibdeps                         dpkg-dev           dpkg-dev               dpkg        dpkg              -
+pyflakes     command:pyflakes3                                pyflakes3          python3-pyflakes       python-pyflakes -             -
 END
 }
 

@@ -17,11 +17,12 @@ Installs what is missing, builds and runs the tests, those of the tier gcc by de
   external   other people's tools (admesh, OpenSCAD, gltf-validator) read what text_to_mesh writes; the benchmarks are built
   engines    engines themselves take what the recipes write and draw it: OpenGL, OpenSceneGraph, Irrlicht, OGRE, Qt, VTK;
              Godot and three.js read what text_to_mesh writes
+  packages   the Debian packages on a bare system, the source archive, the single headers, the recipes of vcpkg and Conan
 --with adds tiers, --only takes these alone, --all takes every tier.
 END
 }
 
-all_tiers="gcc clang sanitize tsan windows external engines"
+all_tiers="gcc clang sanitize tsan windows external engines packages"
 tiers=gcc
 more=
 everything=
@@ -195,6 +196,20 @@ tier_engines() {
     install_npm engines_run three 0.187.0
     run_scripts engines_run
 }
+
+tier_packages() {
+    (install_missing debootstrap dpkg-shlibdeps pyflakes) || say "Going on without them: the tests that need them are skipped."
+    mkdir -p "$typemesh_root/build/packages"
+    build release text_to_mesh
+    if ! logged "$typemesh_root/build/packages/cpack.log" make_packages; then
+        tail -n 20 "$typemesh_root/build/packages/cpack.log"
+        count 0 1
+    fi
+    run_scripts packages
+}
+make_packages() (
+    cd "$typemesh_root/build/release" && rm -rf packages && cpack -G DEB && cpack -G TGZ && cpack --config CPackSourceConfig.cmake
+)
 
 trap finish EXIT
 need_build_folder gcc

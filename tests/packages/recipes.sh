@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: MIT
+#
+# The recipes of vcpkg and Conan: their versions are the header's, they are well-formed, and where the tools are installed
+# they make the package.
+. "$TYPEMESH_TEST_DATA/packages/common.bash"
+folder=$root/cmake/packaging
+version=$(awk '/^#define TYPEMESH_VERSION_/ { v = v dot $3; dot = "." } END { print v }' "$root/include/typemesh/core/version.hpp")
+grep -q "\"version-semver\": \"$version\"" "$folder/vcpkg/vcpkg.json" || fail "vcpkg.json has another version than $version"
+quietly python3 -m json.tool "$folder/vcpkg/vcpkg.json"
+quietly python3 -m pyflakes "$folder/conan/conanfile.py" "$folder/conan/test_package/conanfile.py"
+tried=
+if command -v conan >/dev/null; then
+    tried=yes
+    quietly conan create "$folder/conan" --build=missing -s compiler.cppstd=20
+fi
+if command -v vcpkg >/dev/null; then
+    tried=yes
+    quietly vcpkg install typemesh --overlay-ports="$folder/vcpkg" --x-install-root="$PWD/vcpkg"
+fi
+[ $failures = 0 ] || exit 1
+[ -n "$tried" ] || skip "the recipes are well-formed; neither conan nor vcpkg is installed to try them"
