@@ -23,7 +23,7 @@ find_package(typemesh 0.1 REQUIRED COMPONENTS harfbuzz)
 add_executable(user main.cpp)
 target_link_libraries(user PRIVATE typemesh::harfbuzz)
 CMAKE
-inside() { quietly chroot "$system" /bin/sh -c "cd /try && export DEBIAN_FRONTEND=noninteractive && $1"; }
+inside() { quietly env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin DEBIAN_FRONTEND=noninteractive chroot "$system" /bin/sh -c "cd /try && $1"; }
 inside "for f in *.deb; do sha256sum -c \$f.sha256; done"
 inside "apt-get install -y --no-install-recommends ./text-to-mesh_*.deb fonts-dejavu-core" &&
     inside "text_to_mesh 'Hello world!' --font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf --output hello.glb && test -s hello.glb"

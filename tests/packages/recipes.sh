@@ -7,7 +7,7 @@ folder=$root/cmake/packaging
 version=$(awk '/^#define TYPEMESH_VERSION_/ { v = v dot $3; dot = "." } END { print v }' "$root/include/typemesh/core/version.hpp")
 grep -q "\"version-semver\": \"$version\"" "$folder/vcpkg/vcpkg.json" || fail "vcpkg.json has another version than $version"
 quietly python3 -m json.tool "$folder/vcpkg/vcpkg.json"
-quietly python3 -m pyflakes "$folder/conan/conanfile.py" "$folder/conan/test_package/conanfile.py"
+! command -v pyflakes3 >/dev/null || quietly pyflakes3 "$folder/conan/conanfile.py" "$folder/conan/test_package/conanfile.py"
 tried=
 if command -v conan >/dev/null; then
     tried=yes
