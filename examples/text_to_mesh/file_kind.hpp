@@ -30,4 +30,7 @@ enum class file_kind { unknown, glb, obj, stl, ply, three_mf, png };
     return kind == file_kind::stl || kind == file_kind::three_mf;
 }
 
+/// True where parts may have colours of their own.
+[[nodiscard]] constexpr bool holds_colours(file_kind kind) { return kind != file_kind::stl && kind != file_kind::ply; }
+
 }  // namespace text_to_mesh

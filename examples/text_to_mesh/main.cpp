@@ -21,10 +21,12 @@
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/typemesh.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 template <>
 struct typemesh::vertex_traits<text_to_mesh::model_vertex> {
@@ -212,7 +214,7 @@ template <class Plan>
 std::string name_warnings(const options& o, const Plan& plan, const font_set& fonts)
 {
     bool warned = name_missing_features(fonts, o.features);
-    warned = name_losses(plan.report()) || warned;
+    warned = name_losses(plan.report(), o.family || !o.fallback.empty()) || warned;
     if (!o.output.empty() && !o.instances) {
         const bool instances_help = o.kind == file_kind::glb && !o.merge;
         warned = name_flipped_triangles(flipped_triangles(plan), instances_help) || warned;
@@ -231,12 +233,14 @@ std::string run(const options& o, progress& tell, font_set& font, const Discreti
     tell.begin("shaping the text and building its letters");
     typemesh::glyph_run page;
     typemesh::text_options how = text_options_of(o);
+    stage_clock clock{.tell = &tell};
+    clock(typemesh::stage::shape);
     if (std::string trouble = lay_out_page(o, font, page, how.size); !trouble.empty()) return trouble;
-    auto mesher = typemesh::text_mesher{font}
-                      .with(discretiser)
-                      .with(triangulator_of(o))
-                      .with(extruder)
-                      .with(stage_clock{.tell = &tell});
+    clock(typemesh::stage::idle);
+    const std::vector<typemesh::look> looks(page.looks.begin(), page.looks.end());
+    if (!holds_colours(o.kind))  // else letters of different colours would not merge
+        for (typemesh::look& l : page.looks) l.style = {};
+    auto mesher = typemesh::text_mesher{font}.with(discretiser).with(triangulator_of(o)).with(extruder).with(clock);
     auto plan = plan_of(mesher, o, page, how);
     if (!plan) return refusal_in_words(o, plan.error());
 
@@ -259,6 +263,7 @@ std::string run(const options& o, progress& tell, font_set& font, const Discreti
     }
     if (!o.picture.empty()) {
         tell.begin("drawing " + o.picture);
+        std::copy(looks.begin(), looks.end(), page.looks.begin());
         if (std::string trouble = draw_picture<Extruder>(o, font, page, discretiser, files); !trouble.empty())
             return trouble;
     }

@@ -96,13 +96,15 @@ struct raw_values {
     bool no_merge = false, tolerance_given = false, shading_given = false, normals_given = false, bevel_given = false,
          align_given = false;
     std::string of_a_bevel, of_an_outline;  // the first option that only a bevel, an outline has
+    std::string of_columns;                 // likewise
     std::vector<std::string> of_a_page;     // options that only a paragraph has; those that are given
 };
 
 void add_text_options(CLI::App& app, options& out, raw_values& raw)
 {
     using namespace typemesh;
-    app.add_option("TEXT", out.text, "UTF-8; \\n starts a new line, a tab leads to the next tab stop")->required();
+    app.add_option("TEXT", out.text, "UTF-8; \\n starts a new line; a tab, but no \\t, leads to the next tab stop")
+        ->required();
     app.add_option("--font", out.font,
                    "a file: TrueType, OpenType, collection, variable; or an installed family: \"DejaVu Sans:bold\"")
         ->type_name("FONT");
@@ -130,7 +132,8 @@ void add_text_options(CLI::App& app, options& out, raw_values& raw)
     add_named<direction>(
         app, "--direction", out.direction, "found from the text by default",
         {{"ltr", direction::left_to_right}, {"rtl", direction::right_to_left}, {"ttb", direction::top_to_bottom}});
-    add_named<column_latin>(app, "--latin", out.columns.latin, "how Latin stands in columns (default sideways)",
+    add_named<column_latin>(app, "--latin", out.columns.latin,
+                            "how Latin stands in columns, --direction ttb (default sideways)",
                             {{"sideways", column_latin::sideways}, {"upright", column_latin::upright}});
     add_number(
         app, "--combine-digits", "in columns: numbers of so many digits or fewer take the room of one character",
@@ -174,6 +177,9 @@ void add_line_options(CLI::App& app, options& out, raw_values& raw)
                           {"break", wrap_mode::word_or_grapheme},
                           {"letter", wrap_mode::grapheme},
                           {"none", wrap_mode::none}});
+    add_named<bool>(app, "--breaker", out.even_lines,
+                    "lines end as late as each can (default), or so that all are as even as possible",
+                    {{"first_fit", false}, {"total_fit", true}});
     add_named<justification>(
         app, "--justify", out.lines.justify,
         "what makes justified lines wider: spaces (default), letters, or Arabic's kashida",
@@ -187,7 +193,9 @@ void add_line_options(CLI::App& app, options& out, raw_values& raw)
         [](double n) { return n >= 1.0 && n < 4294967296.0 && n == std::floor(n); },
         [&out](double n) { out.lines.most_lines = static_cast<std::uint32_t>(n); })
         ->type_name("N");
-    app.add_option("--ellipsis", out.ellipsis, "shown for what is dropped, or does not fit")->type_name("TEXT");
+    app.add_option("--ellipsis", out.ellipsis,
+                   "shown for what is dropped, or does not fit; ... where the font lacks it")
+        ->type_name("TEXT");
     add_named<ellipsis_place>(
         app, "--elide", out.lines.elide, "where in its line (default end)",
         {{"end", ellipsis_place::end}, {"middle", ellipsis_place::middle}, {"start", ellipsis_place::start}});
@@ -200,20 +208,20 @@ void add_line_options(CLI::App& app, options& out, raw_values& raw)
         return true;
     };
     app.add_option("--style", CLI::callback_t{take},
-                   "of characters, counted from 0: \"6..11:colour=red,underline,size=1.5\"; may come again")
+                   "of code points, counted from 0: \"6..11:colour=red,underline,size=1.5\"; may come again")
         ->type_name("A..B:SETTING,...")
         ->check(CLI::Validator{complaint, ""})
         ->take_all()
         ->expected(1);
-    raw.of_a_page = {"--width",     "--fit",      "--wrap",  "--justify", "--indent",
-                     "--max-lines", "--ellipsis", "--elide", "--style"};
+    raw.of_a_page = {"--width",  "--fit",       "--wrap",     "--breaker", "--justify",
+                     "--indent", "--max-lines", "--ellipsis", "--elide",   "--style"};
 }
 
 void add_mesh_options(CLI::App& app, options& out, raw_values& raw)
 {
     add_number(
         app, "--size", "how large an em is in the file (default 1; in .3mf 10 millimetres)",
-        "a positive number up to 1000000", [](double n) { return n > 0.0 && n <= 1e6; },
+        "a number from 1e-30 to 1000000", [](double n) { return n >= 1e-30 && n <= 1e6; },
         [&raw](double n) { raw.size = n; })
         ->type_name("N");
     add_number(
@@ -393,16 +401,18 @@ std::string settle_bevel(options& out, const raw_values& raw)
 std::string settle_weight(options& out, const raw_values& raw)
 {
     using typemesh::outline_place;
-    const auto width = static_cast<double>(out.outline.width);
+    const auto width = static_cast<double>(out.outline.width), bolder = static_cast<double>(out.embolden);
     if (width == 0.0 && !raw.of_an_outline.empty()) return raw.of_an_outline + ": is for --outline";
     if (out.outline.letter && out.bevel.outward && out.bevel.width > 0.0f)
         return "--bevel-out: is not for --outline-letter, into which the ring would grow";
     const double around = out.outline.place == outline_place::outer    ? width
                           : out.outline.place == outline_place::centre ? 0.5 * width
                                                                        : 0.0;
-    const double growth = static_cast<double>(out.embolden) + around;
-    out.letter_spacing = raw.letter_spacing.value_or(2.0 * growth);
-    out.columns.combined_gap = 2.0 * growth;
+    const double wider = 2.0 * (bolder + around);
+    out.letter_spacing = raw.letter_spacing.value_or(wider);
+    out.columns.combined_gap = wider;
+    const double bevel = out.bevel.outward ? static_cast<double>(out.bevel.width) : 0.0;
+    out.growth = std::max(0.0, bolder + around + bevel);
     return {};
 }
 
@@ -422,9 +432,12 @@ std::string settle_lines(options& out, const raw_values& raw)
     const bool boxed = given("--width") || given("--fit");
     if (!boxed && align == line_alignment::justify) return "--align: justify is for --width or --fit";
     if (align != line_alignment::justify && given("--justify")) return "--justify: is for --align justify";
-    if (!boxed && given("--wrap")) return "--wrap: is for --width or --fit";
+    for (const char* option : {"--wrap", "--breaker"})
+        if (!boxed && given(option)) return std::string{option} + ": is for --width or --fit";
     if (!given("--width") && !given("--max-lines") && given("--ellipsis"))
         return "--ellipsis: is for --width or --max-lines";
+    out.ellipsis = with_line_breaks(out.ellipsis);
+    if (out.ellipsis.find('\n') != std::string::npos) return "--ellipsis: must be one line";
     if (!given("--ellipsis") && given("--elide")) return "--elide: is for --ellipsis";
     const bool plain =
         align == line_alignment::left || align == line_alignment::centre || align == line_alignment::right;
@@ -436,6 +449,17 @@ std::string settle_lines(options& out, const raw_values& raw)
     return {};
 }
 
+/// Why what is for columns only is refused, or an empty string.
+std::string refused_columns(const options& o, const raw_values& raw)
+{
+    if (o.direction == typemesh::direction::top_to_bottom) return {};
+    if (!raw.of_columns.empty()) return raw.of_columns + ": is for --direction ttb";
+    for (const styled_range& r : o.styles)
+        if (r.style.column != typemesh::column_style::automatic)
+            return "--style: upright, sideways and combined are for --direction ttb";
+    return {};
+}
+
 /// Chooses between --font and --family. Gives an empty string, or what is wrong.
 std::string settle_font(options& out, const raw_values& raw)
 {
@@ -443,6 +467,8 @@ std::string settle_font(options& out, const raw_values& raw)
     if (!raw.family.empty() && !out.font.empty()) return "--family: is not for --font, which names the font already";
     out.family = !raw.family.empty();
     if (out.family) out.font = raw.family;
+    for (const std::string& name : out.fallback)
+        if (name.empty()) return "--fallback: must be a font, not an empty name";
     return {};
 }
 
@@ -487,6 +513,7 @@ std::string settle(options& out, const raw_values& raw)
 
     if (std::string trouble = settle_font(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_lines(out, raw); !trouble.empty()) return trouble;
+    if (std::string trouble = refused_columns(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_bevel(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_weight(out, raw); !trouble.empty()) return trouble;
 
@@ -558,6 +585,8 @@ std::optional<int> parse(int argc, char** argv, options& out)
         if (app.count(option) > 0) raw.of_a_bevel = option;
     for (const char* option : {"--outline-letter", "--outline-place"})
         if (app.count(option) > 0) raw.of_an_outline = option;
+    for (const char* option : {"--latin", "--combine-digits"})
+        if (app.count(option) > 0) raw.of_columns = option;
     raw.shading_given = app.count("--shading") > 0;
     out.quality_given = raw.tolerance_given || app.count("--quality") > 0;
     if (!raw.tolerance_given) {

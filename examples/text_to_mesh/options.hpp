@@ -54,12 +54,14 @@ struct options {
     typemesh::direction direction = typemesh::direction::automatic;
     typemesh::column_options columns;
     typemesh::alignment align = typemesh::alignment::left;
+    double growth = 0.0;          ///< em; how far letters reach beyond their own edges, not negative
     double letter_spacing = 0.0;  ///< em; by default as much as letters have become wider
     double line_spacing = 1.0;    ///< times the font's own
     bool page = false;            ///< the text is laid out as a paragraph, by `lines` and `ellipsis`
     typemesh::paragraph_options lines;
     std::string ellipsis;
     std::vector<styled_range> styles;
+    bool even_lines = false;                   ///< by total_fit, else by first_fit
     double fit_width = 0.0, fit_height = 0.0;  ///< of the box that gives the size; 0: none
 
     double size = 1.0;   ///< of an em in the file

@@ -21,7 +21,8 @@ inline constexpr unsigned char letter_face_rgb[3] = {250, 232, 208}, letter_side
     return part == "side" ? side_rgb : part == "front_bevel" || part == "back_bevel" ? bevel_rgb : face_rgb;
 }
 
-/// The colour of a part. Of a style's own the front has it, sides are darker and bevels lighter.
+/// The colour of a part. Of a style's own the front has it, sides are darker and bevels lighter, and a letter within a
+/// ring is much lighter, or darker if the ring is light.
 [[nodiscard]] inline rgb_colour colour_of(const model::part& part)
 {
     if (!part.colour) {
@@ -30,7 +31,9 @@ inline constexpr unsigned char letter_face_rgb[3] = {250, 232, 208}, letter_side
     }
     rgb_colour made = *part.colour;
     const bool side = part.name.find("side") != std::string::npos, bevel = part.name.find("bevel") != std::string::npos;
+    const bool letter = part.name.find("letter_") == 0, light = made.rgb[0] + made.rgb[1] + made.rgb[2] > 3 * 190;
     for (unsigned char& c : made.rgb) {
+        if (letter) c = static_cast<unsigned char>(light ? c / 2 : c + (255 - c) * 2 / 3);
         if (side) c = static_cast<unsigned char>(c * 8 / 10);
         if (bevel) c = static_cast<unsigned char>(c + (255 - c) / 5);
     }

@@ -45,7 +45,7 @@ std::string in_words(const typemesh::error& e)
            typemesh::describe(e.at(typemesh::no_glyph, typemesh::no_cluster), sentence);
 }
 
-std::string in_words(const typemesh::text_report& report)
+std::string in_words(const typemesh::text_report& report, bool several_fonts)
 {
     std::string all;
     const auto number = [](std::uint32_t n) { return std::to_string(n); };
@@ -57,7 +57,8 @@ std::string in_words(const typemesh::text_report& report)
     if (report.refused > 0)
         say(number(report.refused) + of_all + " glyphs left out; the first: " + in_words(report.first_refusal));
     if (report.missing > 0)
-        say("the font has no glyph for " + number(report.missing) + of_all + " characters" + at(report.first_missing));
+        say((several_fonts ? "no font has a glyph for " : "the font has no glyph for ") + number(report.missing) +
+            of_all + " characters" + at(report.first_missing));
     if (report.invalid_units > 0)
         say("the text is not valid UTF-8 at " + number(report.invalid_units) +
             (report.invalid_units == 1 ? " place" : " places") + at(report.first_invalid_unit));
@@ -72,9 +73,9 @@ std::string in_words(const typemesh::text_report& report)
     return all;
 }
 
-bool name_losses(const typemesh::text_report& report)
+bool name_losses(const typemesh::text_report& report, bool several_fonts)
 {
-    const std::string losses = in_words(report);
+    const std::string losses = in_words(report, several_fonts);
     std::fputs(losses.c_str(), stderr);
     return !losses.empty();
 }
@@ -87,7 +88,8 @@ bool name_missing_features(const font_set& fonts, std::span<const typemesh::feat
         for (std::uint32_t face = 0; face < fonts.face_count(); ++face)
             found = found || has_feature(hb_font_get_face(fonts.font(face).handle()), hb_tag_from_string(f.tag, 4));
         if (found) continue;
-        std::fprintf(stderr, "text_to_mesh: the font has no feature %s.\n", f.tag);
+        std::fprintf(stderr, "text_to_mesh: %s feature %s.\n",
+                     fonts.face_count() > 1 ? "no font has" : "the font has no", f.tag);
         missing = true;
     }
     return missing;

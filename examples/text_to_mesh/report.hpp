@@ -15,12 +15,12 @@ namespace text_to_mesh {
 [[nodiscard]] std::string in_words(const typemesh::error& e);
 
 /// What is not in the mesh, and what is not as it was asked for, a line each; empty if there is nothing of the kind.
-[[nodiscard]] std::string in_words(const typemesh::text_report& report);
+[[nodiscard]] std::string in_words(const typemesh::text_report& report, bool several_fonts = false);
 
 // What a user should know about a text that is drawn nevertheless, one line each on standard error.
 
 /// What in_words() says of the report; true when it says something.
-bool name_losses(const typemesh::text_report& report);
+bool name_losses(const typemesh::text_report& report, bool several_fonts = false);
 
 /// Features that are to be on and that no font has: neither among its substitutions nor its positions. True where
 /// there is one.

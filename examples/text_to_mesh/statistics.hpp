@@ -19,7 +19,7 @@ namespace text_to_mesh {
     for (const model_vertex& v : mesh.vertices) points.push_back({double{v.position[0]}, double{v.position[1]}});
     std::vector<typemesh::triangle> triangles;
     for (const auto& part : mesh.parts)
-        if (std::string_view{part.name} == "front")
+        if (part.name == "front" || (part.colour && part.name.starts_with("front_") && part.name[6] <= '9'))
             for (std::size_t i = part.first_index; i < part.first_index + part.index_count; i += 3)
                 triangles.push_back({mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]});
     typemesh::triangle_quality q;

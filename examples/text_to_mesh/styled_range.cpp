@@ -65,10 +65,10 @@ std::optional<std::string> take_number(std::string_view name, std::string_view v
     for (const auto& [known, number] : numbers) {
         if (name != known) continue;
         const auto read = decimal(value);
-        const bool positive = known == "size";
-        if (!read || std::fabs(*read) > 1000.0 || (positive && !(*read > 0.0)))
-            return std::string{known} + " must be a " + (positive ? "positive number up to" : "number from -1000 to") +
-                   " 1000, not " + std::string{value};
+        const double least = known == "size" ? 0.001 : -1000.0;
+        if (!read || *read < least || *read > 1000.0)
+            return std::string{known} + " must be a number from " + (known == "size" ? "0.001" : "-1000") +
+                   " to 1000, not " + std::string{value};
         number = *read;
         return std::string{};
     }
@@ -82,6 +82,9 @@ std::string take_setting(std::string_view setting, styled_range& out)
     const auto equals = setting.find('=');
     const std::string_view name = setting.substr(0, equals);
     const std::string_view value = equals == std::string_view::npos ? std::string_view{} : setting.substr(equals + 1);
+    for (const std::string_view known :
+         {"colour", "color", "font", "language", "feature", "size", "rise", "slant", "letter-spacing", "word-spacing"})
+        if (name == known && value.empty()) return std::string{name} + " must have a value, as in size=1.5";
     if (const auto number = take_number(name, value, out.style)) return *number;
     if (name == "colour" || name == "color") {
         out.colour = read_colour(value);
@@ -98,13 +101,25 @@ std::string take_setting(std::string_view setting, styled_range& out)
         out.style.face = static_cast<std::uint16_t>(*number - 1.0);
         return {};
     }
-    if (name == "language" && !value.empty()) return out.language = value, std::string{};
+    if (name == "language") return out.language = value, std::string{};
     if (name == "feature") {
         const auto read = read_feature(value);
         if (!read) return "feature must be of the form liga, -liga or liga=0, not " + std::string{value};
         return out.features.push_back(*read), std::string{};
     }
     return "must hold settings such as colour=red, underline or size=1.5, not " + std::string{setting};
+}
+
+/// What a setting sets, of which a range has one; empty where it may have several.
+std::string what_is_set(std::string_view setting)
+{
+    const std::string_view name = setting.substr(0, setting.find('='));
+    if (name == "feature") return {};
+    if (name == "color") return "colour";
+    for (const auto& group : {std::vector<std::string>{"superscript", "subscript"},
+                              std::vector<std::string>{"upright", "sideways", "combined"}})
+        if (std::find(group.begin(), group.end(), name) != group.end()) return joined(group);
+    return std::string{name};
 }
 
 std::optional<std::size_t> read_place(std::string_view written)
@@ -140,9 +155,15 @@ std::string read_styled_range(std::string_view written, styled_range& out)
     if (*first > *last) return "must end behind its beginning, not " + std::string{range};
     out.first = *first;
     out.last = *last;
+    std::vector<std::string> set;
     for (std::string_view rest = written.substr(colon + 1);;) {
         const auto comma = rest.find(',');
-        if (std::string trouble = take_setting(rest.substr(0, comma), out); !trouble.empty()) return trouble;
+        const std::string_view setting = rest.substr(0, comma);
+        if (std::string trouble = take_setting(setting, out); !trouble.empty()) return trouble;
+        if (std::string what = what_is_set(setting); !what.empty()) {
+            if (std::find(set.begin(), set.end(), what) != set.end()) return "may set " + what + " once only";
+            set.push_back(std::move(what));
+        }
         if (comma == std::string_view::npos) return {};
         rest.remove_prefix(comma + 1);
     }
@@ -153,7 +174,7 @@ std::string refused_ranges(const std::vector<styled_range>& ranges, std::string_
     const std::size_t size = characters_of(text).size() - 1;
     for (const styled_range& a : ranges) {
         if (a.last > size)
-            return in_words(a) + " ends behind the text, which has " + std::to_string(size) + " characters";
+            return in_words(a) + " ends behind the text, which has " + std::to_string(size) + " code points";
         for (const styled_range* b = &a + 1; b != ranges.data() + ranges.size(); ++b)
             if (a.first < b->last && b->first < a.last && a.first != a.last && b->first != b->last)
                 return in_words(a) + " and " + in_words(*b) + " overlap";

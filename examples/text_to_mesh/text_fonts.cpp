@@ -56,6 +56,9 @@ std::string text_fonts::open(const options& o)
         }
         auto font =
             typemesh::harfbuzz_font::open(found.path.c_str(), {.face = found.face, .variations = found.variations});
+        if (!font && first != nullptr && first->face && font.error() == typemesh::error::no_such_face)
+            return "--face " + std::to_string(*first->face) + ": " + found.path + " has only " +
+                   std::to_string(font.error().count) + ", counted from 0.";
         if (!font) return found.path + ": " + in_words(font.error());
         opened_.push_back(std::move(*font));
         return {};

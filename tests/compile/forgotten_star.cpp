@@ -2,10 +2,13 @@
 
 // Must not compile, each line in the same words: results where their values are wanted.
 
+#include "../support/toy_covering_font.hpp"
 #include "../support/toy_font.hpp"
 
 #include <typemesh/compat/d3dx_text.hpp>
+#include <typemesh/paragraph/paragraph.hpp>
 #include <typemesh/text/flipped_triangles.hpp>
+#include <typemesh/text/font_cascade.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <cstdint>
@@ -20,6 +23,17 @@ void fonts(result<toy_font>& font, result<other_font>& other)
 {
     text_mesher mesher{font};
     d3dx_text maker{other};
+}
+
+struct covering_font : test::toy_covering_font {};
+struct foreign_font : test::toy_covering_font {};
+
+void paragraphs(result<test::toy_covering_font>& font, result<covering_font>& other, foreign_font& third,
+                result<foreign_font>& fourth)
+{
+    paragraph words{font};
+    font_cascade fonts{other, other};
+    font_cascade more{third, fourth};
 }
 
 void plans(text_mesher<toy_font>& mesher, std::span<d3dx_vertex> vertices, std::span<std::uint32_t> indices)

@@ -133,14 +133,43 @@ done
 expect 0 "1 end stands inside a character" "$(printf 'e\xCC\x81x')" --font $sans --style 0..1:colour=red --output moved.glb
 expect 1 "--strict: nothing is written" "$(printf 'e\xCC\x81x')" --font $sans --style 0..1:colour=red --output x.glb --strict
 expect 2 "--style: 0..3 and 2..4 overlap" abcd --font $sans --stats --style 0..3:underline --style 2..4:underline
-expect 2 "--style: 2..9 ends behind the text, which has 4 characters" abcd --font $sans --stats --style 2..9:underline
+expect 2 "--style: 2..9 ends behind the text, which has 4 code points" abcd --font $sans --stats --style 2..9:underline
 expect 2 "--style: must end behind its beginning, not 3..2" abcd --font $sans --stats --style 3..2:underline
 for range in 1 1..2 x..2:underline 1..:underline -1..2:underline; do
     expect 2 "--style: must be of the form" abcd --font $sans --stats "--style=$range"
 done
 expect 2 "--style: must hold settings such as" abcd --font $sans --stats --style 1..2:wavy
 expect 2 "--style: colour must be" abcd --font $sans --stats --style 1..2:colour=#12345
-expect 2 "--style: size must be a positive number" abcd --font $sans --stats --style 1..2:size=0
+for size in 0 1e-300 1001; do
+    expect 2 "--style: size must be a number from 0.001 to 1000, not $size" abcd --font $sans --stats --style 1..2:size=$size
+done
+for setting in colour language feature font rise; do
+    expect 2 "--style: $setting must have a value" abcd --font $sans --stats --style 1..2:$setting=
+done
+for twice in "colour=red,color=blue/colour" "underline,underline/underline" "superscript,subscript/superscript or subscript" \
+    "combined,upright/upright, sideways or combined" "size=2,size=3/size"; do
+    expect 2 "--style: may set ${twice#*/} once only" abcd --font $sans --stats --style "1..2:${twice%/*}"
+done
+expect 0 "" abcd --font $sans --stats --style 1..2:feature=-liga,feature=-kern
+for digit in 1..2 2..3; do
+    expect 0 "--style: 1 end stands inside a character or a combined number" a12b --font $sans --direction ttb --combine-digits 2 --style $digit:colour=red --output digit.obj
+    that "a combined number has one style" [ "$(grep -c usemtl.front_1 digit.obj)" = 1 ]
+    expect 1 "--strict: nothing" a12b --font $sans --direction ttb --combine-digits 2 --style $digit:colour=red --output digit.obj --strict
+done
+expect 0 "" a12b --font $sans --direction ttb --combine-digits 2 --style 1..3:colour=red --output digit.obj --strict
+for option in "--latin upright" "--combine-digits 2"; do
+    # shellcheck disable=SC2086  # words
+    expect 2 "${option% *}: is for --direction ttb" ab --font $sans --stats $option
+done
+for word in upright sideways combined; do
+    expect 2 "--style: upright, sideways and combined are for --direction ttb" ab --font $sans --stats --style 0..1:$word
+    expect 0 "" ab --font $sans --stats --style 0..1:$word --direction ttb
+done
+expect 0 "" سلام --font $arabic --quality normal --style 1..2:size=1 --output plain.stl
+expect 0 "" سلام --font $arabic --quality normal --style 1..2:colour=red --output red.stl --picture red.png
+expect 0 "" سلام --font $arabic --quality normal --picture plain.png
+that "what holds no colours is merged without them" cmp -s plain.stl red.stl
+that "the picture is coloured" differ plain.png red.png
 expect 2 "--style: font=2, but there is only 1 font" abcd --font $sans --stats --style 1..2:font=2
 expect 0 "" abcd --font $sans --fallback $arabic --stats --style 1..2:font=2
 expect 2 "--style: font must be a whole number" abcd --font $sans --stats --style 1..2:font=0
@@ -163,6 +192,15 @@ done
 for box in 30 x 0x1 -1x2 30x 30x10x1 1x1e7 "3 x 4"; do
     expect 2 "--fit: must be two positive numbers" x --font $sans --stats --fit "$box"
 done
+grown() {  # grown WIDTH OPTION...
+    expect 0 "" "nnnnnnnn" --font $sans --fit "$1x90" --output grown.obj "${@:2}"
+    that "a box of $1 is filled with ${*:2}" within "$1" 90 grown.obj
+}
+grown 10
+grown 10 --outline 0.2 --outline-place outer
+grown 10 --outline 0.2 --outline-place centre --embolden 0.02
+grown 10 --bevel 0.1 --bevel-out
+grown 0.1 --outline 0.9 --outline-place outer
 expect 2 "--size: is not for --fit" x --font $sans --stats --fit 3x1 --size 2
 expect 2 "--width: is not for --fit" x --font $sans --stats --fit 3x1 --width 2
 expect 1 "--fit: the text demands more lines" "$(printf 'a\nb')" --font $sans --stats --fit 3x1 --max-lines 1
@@ -171,6 +209,20 @@ expect 2 "--justify: is for --align justify" x --font $sans --stats --width 9 --
 expect 2 "--justify: must be spaces, letters or kashida, not words" x --font $sans --stats --width 9 --align justify --justify words
 expect 2 "--wrap: is for --width or --fit" x --font $sans --stats --wrap word
 expect 2 "--ellipsis: is for" x --font $sans --stats --ellipsis x
+expect 2 "--ellipsis: must be one line" x --font $sans --stats --width 3 --ellipsis 'a\nb'
+for wrong in 茶/"the font has no glyph for it; three full stops" $'\xFF/is not valid UTF-8'; do
+    expect 0 "--ellipsis: ${wrong#*/}" "one two" --font $sans --width 2 --max-lines 1 --ellipsis "${wrong%%/*}" --output elided.glb
+    expect 1 "--strict: nothing" "one two" --font $sans --width 2 --max-lines 1 --ellipsis "${wrong%%/*}" --output x.glb --strict
+done
+expect 0 "" "aaa bb cc ddddd" --font $sans --width 3.2 --breaker first_fit --output first.obj
+expect 0 "" "aaa bb cc ddddd" --font $sans --width 3.2 --output default.obj
+expect 0 "" "aaa bb cc ddddd" --font $sans --width 3.2 --breaker total_fit --output total.obj
+that "the first fit is the default" cmp -s <(grep -v ^mtllib first.obj) <(grep -v ^mtllib default.obj)
+that "lines are more even" differ <(grep -v ^mtllib first.obj) <(grep -v ^mtllib total.obj)
+expect 0 "" "aaa bb cc ddddd" --font $sans --fit 4x3 --breaker total_fit --stats
+that "the time to shape a paragraph is counted" grep -q '"shape":[1-9]' out
+expect 2 "--breaker: is for --width or --fit" x --font $sans --stats --breaker total_fit
+expect 2 "breaker: must be first_fit or total_fit, not even" x --font $sans --stats --width 3 --breaker even
 expect 2 "--elide: is for --ellipsis" x --font $sans --stats --width 3 --elide start
 
 # Many fonts: what one lacks the next one has, and the text of the first is as without them.
@@ -178,7 +230,7 @@ many="Tea شاي 茶!"
 comic=/usr/share/fonts/opentype/comic-neue/ComicNeue-Regular.otf
 cjk=/usr/share/fonts/truetype/wqy/wqy-microhei.ttc
 expect 0 "no glyph for 4 of 10 characters" "$many" --font $comic --output lacking.glb
-expect 0 "no glyph for 1 of 10 characters" "$many" --font $comic --fallback $arabic --output lacking.glb
+expect 0 "no font has a glyph for 1 of 10 characters" "$many" --font $comic --fallback $arabic --output lacking.glb
 expect 0 "" "$many" --font $comic --fallback $arabic --fallback $cjk --strict --output many.glb --picture many.png --show contours
 expect 0 "" "$many" --font $comic --fallback $arabic --fallback $cjk --strict --instances --width 3 --output many_letters.glb
 expect 0 "" "Tea" --font $comic --output first.glb
@@ -479,7 +531,9 @@ expect 1 "cannot be opened or read" x --font /nowhere/font.ttf --output x.glb
 that "one line is enough" lines 1
 head -c 2000 /dev/urandom >noise.ttf
 expect 1 "not a font" x --font noise.ttf --output x.glb
-expect 1 "no face with that number" x --font $sans --face 7 --output x.glb
+expect 1 "--face 7: .* has only 1, counted from 0" x --font $sans --face 7 --output x.glb
+expect 2 "--fallback: must be a font, not an empty name" x --font $sans --fallback "" --output x.glb
+expect 2 "size: must be a number from 1e-30 to 1000000, not 1e-40" x --font $sans --output x.glb --size 1e-40
 expect 1 "no such variation axis" x --font $sans --variation wght=700 --output x.glb
 expect 1 "cannot be written" x --font $sans --output /nowhere/x.glb
 that "nothing was half-written" [ ! -e x.glb ]
@@ -520,7 +574,7 @@ expect 2 "depth: must be a number from 0 to 1000, not \+1" x --font $sans --outp
 expect 2 "depth: must be a number from 0 to 1000, not 1 $" x --font $sans --output x.glb --depth "1 "
 expect 2 "depth: must be a number from 0 to 1000, not 1e999" x --font $sans --output x.glb --depth 1e999
 expect 2 "tolerance: must be a positive number, not inf" x --font $sans --output x.glb --tolerance inf
-expect 2 "size: must be a positive number up to 1000000, not 0" x --font $sans --output x.glb --size 0
+expect 2 "size: must be a number from 1e-30 to 1000000, not 0" x --font $sans --output x.glb --size 0
 expect 2 "letter-spacing: must be a number from -1000 to 1000, not wide" x --font $sans --output x.glb --letter-spacing wide
 expect 2 "line-spacing: must be a number from -1000 to 1000, not nan" x --font $sans --output x.glb --line-spacing nan
 expect 2 "face: must be a whole number, not 0x0" x --font $sans --output x.glb --face 0x0
@@ -575,6 +629,8 @@ for by in -1.5 2 nan bold; do
 done
 expect 2 "outline-place: must be inner, center or outer, not top" x --font $sans --output x.glb --outline 0.02 --outline-place top
 expect 2 "^text_to_mesh: --bevel-out: is not for --outline-letter, into which the ring would grow$" x --font $sans --output x.glb --outline 0.02 --outline-letter --bevel 0.01 --bevel-out
+expect 0 "" "ab" --font $sans --output ring.obj --outline 0.02 --outline-letter --style 0..1:colour=red --style 1..2:colour=white
+that "a letter within a coloured ring has another colour" [ "$(grep '^Kd' ring.mtl | sort -u | wc -l)" = 8 ]
 for option in "--outline-place outer" --outline-letter; do
     # shellcheck disable=SC2086  # an option and its value
     expect 2 "^text_to_mesh: ${option% *}: is for --outline$" x --font $sans --output x.glb $option

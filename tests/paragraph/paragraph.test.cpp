@@ -491,6 +491,23 @@ TEST_CASE("a combined number is one grapheme, an em high, and no line ends in it
     CHECK(p.run.lines.size() == 2);
 }
 
+TEST_CASE("a style that ends within a combined number is that of all of it, and is counted", "[paragraph][styles]")
+{
+    toy_item_shaper font;
+    shape_options how{.direction = direction::top_to_bottom};
+    how.columns.combined_digits = 2;
+    for (const std::uint32_t digit : {1u, 2u}) {
+        paragraph words{font};
+        const style_span span[] = {{digit, digit + 1, {.style = style_id{5}}}};
+        glyph_run run;
+        REQUIRE_FALSE(words.set(u"\u4E1612\u754C", how, span));
+        REQUIRE_FALSE(words.lay_out({}, run));
+        CHECK(words.shaped().styles.moved() == 1);
+        for (std::size_t i = 0; i < 4; ++i)
+            CHECK(run.looks[run.glyphs[i].look].style == style_id{i == 1 || i == 2 ? 5u : 0u});
+    }
+}
+
 TEST_CASE("a paragraph refuses what makes no sense, and is empty then", "[paragraph]")
 {
     toy_item_shaper font;

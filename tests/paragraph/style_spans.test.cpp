@@ -34,6 +34,23 @@ std::uint32_t colour_at(const style_spans& spans, std::uint32_t unit)
 
 }  // namespace
 
+TEST_CASE("ends are moved out of graphemes that are joined later, and are counted", "[paragraph][styles]")
+{
+    text_analysis found = analysed("a12b");
+    const style_span given[] = {{0, 2, {.size = 2.0, .style = style_id{7}}}, {2, 3, {.style = style_id{8}}}};
+    style_spans spans;
+    REQUIRE_FALSE(spans.read(given, found, 1));
+    CHECK(spans.moved() == 0);
+    CHECK(spans.borders().size() == 2);
+    found.marks[2] = text_mark::none;
+    REQUIRE_FALSE(spans.move_out_of(found));
+    CHECK(spans.moved() == 2);
+    CHECK(colour_at(spans, 2) == 7);
+    CHECK(spans.spans().size() == 1);
+    REQUIRE(spans.borders().size() == 2);
+    CHECK(spans.borders()[1] == 3);
+}
+
 TEST_CASE("a unit has the style of its span, or is plain", "[paragraph][styles]")
 {
     const text_analysis found = analysed("abcdef");

@@ -54,4 +54,22 @@ constexpr error refuse_result() noexcept
     return error::bad_option;
 }
 
+/// Likewise for functions that take several values: the value itself, or that sentence for a result.
+template <class T>
+T& refuse_result(T& value) noexcept
+{
+    return value;
+}
+template <class T>
+T& refuse_result(result<T>& made) noexcept
+{
+    (void)refuse_result<T>();
+    return *made;
+}
+
+template <class T>
+inline constexpr bool is_result = false;
+template <class T>
+inline constexpr bool is_result<result<T>> = true;
+
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -70,7 +70,12 @@ public:
           placed_{source}
     {
     }
-    explicit paragraph(const Font&&, memory = heap()) = delete;  // it refers to its font
+    // It refers to its font: neither a temporary nor a result without its `*` will do.
+    explicit paragraph(const Font&&, memory = heap()) = delete;
+    template <std::same_as<Font> Made>
+    explicit paragraph(result<Made>& font, memory source = heap()) noexcept : paragraph{refuse_result(font), source}
+    {
+    }
 
     /// The policies, to change their options between texts.
     [[nodiscard]] Analyser& analyser() noexcept { return analyser_; }
@@ -415,5 +420,7 @@ template <class Font>
 paragraph(Font&) -> paragraph<Font>;
 template <class Font>
 paragraph(Font&, memory) -> paragraph<Font>;
+template <class Font>
+paragraph(result<Font>&, memory = heap()) -> paragraph<Font>;
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -67,7 +67,7 @@ struct paragraph_options {
     vertical_anchor anchor = vertical_anchor::first_baseline;
     double height = 0.0;                      ///< of the box that top, middle and bottom refer to
     std::uint32_t most_lines = 0xFFFF'FFFFu;  ///< further ones are dropped, 0 is refused
-    text_view ellipsis = {};                  ///< for what is dropped, or is wider than the width; empty: none
+    text_view ellipsis = {};  ///< for what is dropped or too wide, "..." where a glyph is missing; empty: none
     ellipsis_place elide = ellipsis_place::end;
     line_box boxes = line_box::content;
     double line_spacing = 1.0;               ///< times the distance between lines that their boxes ask for

@@ -131,6 +131,8 @@ public:
         glyphs_.clear();
         carets_.clear();
         if (error e = columns_.find(shaper, text, options_, styles, analysis)) return e;
+        if (!columns_.runs().empty())  // what is combined has become one grapheme
+            if (error e = styles.move_out_of(analysis)) return e;
         if (error e = itemise(text, analysis, styles.borders(), columns_.runs(), items_)) return e;
         const item_settings::base plain{options, letter_spacing};
         if (error e = settings_.read(shaper, text, analysis, styles, plain, items_.view())) return e;

@@ -64,6 +64,17 @@ public:
         return e;
     }
 
+    /// Moves ends out of graphemes that have been joined since.
+    ///
+    /// Fails  error::out_of_memory
+    /// Cost   O(n) for n spans
+    error move_out_of(const text_analysis& joined) noexcept
+    {
+        borders_.clear();
+        move_ends(joined);
+        return find_borders();
+    }
+
     [[nodiscard]] bool empty() const noexcept { return spans_.empty(); }
     /// In the text's order.
     [[nodiscard]] std::span<const style_span> spans() const noexcept { return spans_.view(); }

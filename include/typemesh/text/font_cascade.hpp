@@ -8,6 +8,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
+#include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -31,6 +33,11 @@ class font_cascade : private font_faces<Fonts...> {
 
 public:
     explicit font_cascade(Fonts&... fonts) noexcept : faces{fonts...} {}
+    template <class... Given>
+        requires(is_result<Given> || ...)  // one without its `*` will not do
+    explicit font_cascade(Given&... given) noexcept : font_cascade{refuse_result(given)...}
+    {
+    }
 
     using faces::column_middle;
     using faces::face_count;
@@ -60,5 +67,9 @@ public:
 private:
     fallback_shaping shaping_;
 };
+
+template <class... Given>
+    requires(is_result<Given> || ...)
+font_cascade(Given&...) -> font_cascade<std::remove_reference_t<decltype(refuse_result(std::declval<Given&>()))>...>;
 
 }  // namespace typemesh::inline TYPEMESH_ABI
