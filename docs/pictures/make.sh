@@ -23,7 +23,7 @@ text+='and العربية التي تكتب من اليمين إلى اليسا�
 
 # shellcheck disable=SC1112
 "$program" "2024年12月、東京の\n「Typemesh」はコード\nだけで立体の文字を作る。\nVR・AR（第3版）" \
-    --font /usr/share/fonts/opentype/mplus/Mplus1-Regular.otf --direction ttb --combine-digits 2 --line-spacing 0.9 --picture columns.png
+    --font /usr/share/fonts/opentype/mplus/Mplus1-Regular.otf --direction ttb --combine-digits 2 --line-spacing 0.75 --picture columns.png
 
 for shading in gouraud phong; do
     for normals in shared averaged creased curve; do

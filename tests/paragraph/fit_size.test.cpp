@@ -114,4 +114,7 @@ TEST_CASE("fit_size refuses boxes of no size, and what can never fit", "[paragra
     fitted<> lines{u"a\nb\nc"};
     CHECK(fit_size(lines.words, 1.0, 1.0, {.most_lines = 2}).error() == error::bad_option);
     CHECK(fit_size(p.words, 1.0, 1.0, {.indent = infinite}).error() == error::bad_option);
+    test::toy_item_shaper font;
+    paragraph<test::toy_item_shaper> none{font};
+    CHECK(fit_size(none, 1.0, 1.0).error() == error::bad_option);
 }

@@ -47,7 +47,8 @@ struct size_trial {
 ///
 /// Breakers that may make more lines of a wider room, as total_fit may, can leave a larger size that would fit.
 ///
-/// Fails  error::bad_option: width or height are not positive and finite, or the text demands more than most_lines; and
+/// Fails  error::bad_option: width or height are not positive and finite, the text demands more than most_lines, or
+///        there is none, as before set(); and
 ///        as paragraph::measure() does
 /// Cost   some 30 calls of measure()
 template <class Paragraph>
