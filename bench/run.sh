@@ -56,7 +56,7 @@ install_all() {
 # --- the parts: rows to standard output, "at 35 %" or other words to standard error ------------------------------------------
 
 run_thesis() { if [ -n "$quick" ]; then "$build/bench_thesis" time 3 1; else "$build/bench_thesis" time 100 20; fi; }
-run_d3dx() { bash "$here/d3dx/run.sh" --protocol "$([ -n "$quick" ] && say 5 || say 50)"; }
+run_d3dx() { bash "$here/d3dx/run.sh" $([ -n "$quick" ] && say --protocol 5 --rounds 1 || say --protocol 20); }
 run_peers() { bash "$here/peers/run.sh" $quick; }
 run_pictures() {
     mkdir -p "$pages"

@@ -7,7 +7,7 @@
 #
 #     bench/d3dx/run.sh                times and sizes, 2 minutes
 #     bench/d3dx/run.sh --letters      also every letter of Latin-1 at seven deviations: errors, some minutes more
-#     bench/d3dx/run.sh --protocol N   instead: the texts of the thesis, N runs each, as rows (../README.md)
+#     bench/d3dx/run.sh --protocol N   instead: the texts of the thesis, N runs each a round, as rows (../README.md)
 #     bench/d3dx/run.sh --rounds N     so many rounds (3) of all programs in turn; the best median of each counts
 #     bench/d3dx/run.sh --runs N       so many runs (1000) in a round
 #
@@ -132,7 +132,7 @@ $fonts/truetype/liberation/LiberationMono-Regular.ttf|Liberation Mono
 $fonts/opentype/fonts-hosny-amiri/Amiri-Regular.ttf|Amiri
 $fonts/truetype/wqy/wqy-microhei.ttc|WenQuanYi Micro Hei
 $fonts/truetype/sawarabi-mincho/sawarabi-mincho-medium.ttf|Sawarabi Mincho"
-    each_font time_protocol
+    for _ in $(seq "$rounds"); do each_font time_protocol; done
     exit
 fi
 for _ in $(seq "$rounds"); do each_font time_all; done
