@@ -104,8 +104,10 @@ time_protocol() {
     local first=0 crashes=0 crash
     texts_of "$(script_of "$3")" >"$build/texts.tsv"
     while :; do
-        under_wine "$windows/bench_d3dx_create_text.exe" protocol "Z:$build/texts.tsv" "$first" "$2" "$3" "$protocol" |
-            tr -d '\r' >"$build/protocol.rows"
+        # Into a file: processes that Wine starts in the background would keep a pipe open.
+        under_wine "$windows/bench_d3dx_create_text.exe" protocol "Z:$build/texts.tsv" "$first" "$2" "$3" "$protocol" \
+            >"$build/protocol.out" 3>&- || true
+        tr -d '\r' <"$build/protocol.out" >"$build/protocol.rows"
         grep '^d3dx' "$build/protocol.rows" >&3 || true
         crash=$(sed -n 's/^crash //p' "$build/protocol.rows" | tail -n 1)
         [ -n "$crash" ] || break

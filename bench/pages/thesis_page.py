@@ -15,6 +15,7 @@ MAKERS = [('monotone', 'thesis'), ('constrained Delaunay', 'thesis'), ('monotone
 NAMES = {m: f'{m[0]}, {"curves as in the thesis" if m[1] == "thesis" else "certified"}' for m in MAKERS}
 SHORT = {m: ('monotone' if m[0] == 'monotone' else 'Delaunay') + '\n' + ("thesis' curves" if m[1] == 'thesis' else 'certified')
          for m in MAKERS}
+LINE = {m: SHORT[m].replace('\n', ', ') for m in MAKERS}
 COLOURS = dict(zip(MAKERS, ('#7fb3d5', '#a9cce3', '#1a5276', '#5499c7')))
 D3DX, THESIS = '#b9770e', '#c0c0c0'
 
@@ -59,6 +60,13 @@ class Protocol:
     def mean_d3dx(self, wants=lambda row: True):
         return mean(t for cell, t in self.d3dx.items() if cell in self.of_cell and wants(self.of_cell[cell]))
 
+    def drawn(self, maker, wants=lambda row: True):
+        """What the figures show, extruded: of D3DXCreateText, or, where that was not measured, of shaping and outlines."""
+        if self.d3dx:
+            return self.against_d3dx('extruded', maker, wants)
+        own, floor = self.group_mean('extruded', maker, wants), self.floor('outline_us', wants)
+        return own / floor if own and floor else None
+
     def against_d3dx(self, solid, maker, wants=lambda row: True):
         own, other = self.mean(solid, maker, wants), self.mean_d3dx(wants)
         return own / other if own and other else None
@@ -94,9 +102,9 @@ def save(figure, folder, name):
     plt.close(figure)
 
 
-def bars(folder, name, title, groups, values, thesis, label='time, D3DXCreateText (Wine) = 1'):
-    """Grouped bars; values[maker] is a list over the groups; a dashed line is D3DX, grey bars what the thesis says of both of its
-    algorithms (a list over groups, or None)."""
+def bars(folder, name, title, groups, values, thesis, beside):
+    """Grouped bars; values[maker] is a list over the groups; a dashed line is what they are set beside, grey bars what the thesis
+    says of both of its algorithms (a list over groups, or None)."""
     figure, axes = plt.subplots(figsize=(7.2, 2.9))
     series = [(NAMES[m], COLOURS[m], values[m]) for m in MAKERS]
     if thesis:
@@ -107,9 +115,9 @@ def bars(folder, name, title, groups, values, thesis, label='time, D3DXCreateTex
         drawn = axes.bar(at, [h or 0 for h in heights], width, color=colour, label=words)
         if len(groups) <= 6:
             axes.bar_label(drawn, [f'{h:.2g}' if h else '' for h in heights], fontsize=6)
-    axes.axhline(1, color=D3DX, linestyle='--', linewidth=1, label='D3DXCreateText (Wine), extruded')
+    axes.axhline(1, color=D3DX, linestyle='--', linewidth=1, label=f'{beside} = 1')
     axes.set_xticks(range(len(groups)), groups)
-    axes.set_ylabel(label)
+    axes.set_ylabel(f'time by that of\n{beside}')
     axes.set_title(title, loc='left', fontsize=10)
     axes.legend(fontsize=7, frameon=False, loc='upper left', bbox_to_anchor=(1.0, 1.0))
     save(figure, folder, name)
@@ -150,10 +158,13 @@ def figure_45(folder, p):
     save(figure, folder, 'figure-45')
 
 
+def beside(p):
+    return 'D3DXCreateText (Wine)' if p.d3dx else "HarfBuzz's shaping and outlines"
+
+
 def by(p, folder, number, what, groups, wants, thesis=None):
-    values = {m: [p.against_d3dx('extruded', m, wants(g)) for g, _ in groups] for m in MAKERS}
-    if any(v for m in MAKERS for v in values[m]):
-        bars(folder, f'figure-{number}', f'Figure {number}: {what}, extruded', [name for _, name in groups], values, thesis)
+    values = {m: [p.drawn(m, wants(g)) for g, _ in groups] for m in MAKERS}
+    bars(folder, f'figure-{number}', f'Figure {number}: {what}, extruded', [name for _, name in groups], values, thesis, beside(p))
     body = []
     for g, name in groups:
         w = wants(g)
@@ -162,8 +173,8 @@ def by(p, folder, number, what, groups, wants, thesis=None):
         ratio = means[3] / means[2] if means[2] and means[3] else None
         body.append([name.replace('\n', ' ')] + [times(p.against_d3dx('extruded', m, w)) for m in MAKERS] + [times(ratio)] +
                     [times(t / floor if t and floor else None) for t in means[2:]])
-    return table([what] + [f'{NAMES[m]}: of D3DX' for m in MAKERS] + ['Delaunay by monotone'] +
-                 ['monotone, certified: of shaping and outlines', 'Delaunay: the same'], body)
+    return table([what] + [f'{LINE[m]}: of D3DX' for m in MAKERS] + ['Delaunay by monotone, certified'] +
+                 ['monotone, certified: of shaping and outlines', 'Delaunay, certified: the same'], body)
 
 
 def solids(p):
@@ -204,10 +215,6 @@ def write(rows, folder, foot):
     if not p.cells:
         return p, None
     fonts = list(dict.fromkeys(r['font'] for r in p.of_cell.values()))
-    everything = p.mean_d3dx()
-    if everything:
-        bars(folder, 'figure-43', 'Figure 43: all texts, fonts and qualities, extruded', ['all cells'],
-             {m: [p.against_d3dx('extruded', m)] for m in MAKERS}, [2.0])
     figure_44(folder, p)
     figure_45(folder, p)
     tables = {
@@ -216,8 +223,8 @@ def write(rows, folder, foot):
         47: by(p, folder, 47, 'by quality', [(q, q) for q in QUALITIES], lambda q: lambda r: r['quality'] == q),
         48: by(p, folder, 48, 'by font', [(f, f.replace(' ', '\n', 1)) for f in fonts], lambda f: lambda r: r['font'] == f),
     }
-    all_means = by(p, folder, 43, 'all cells', [(0, 'all cells')], lambda _: lambda r: True) if not everything else \
-        table([''] + [NAMES[m] for m in MAKERS], [['of D3DX'] + [times(p.against_d3dx('extruded', m)) for m in MAKERS]])
+    all_means = by(p, folder, 43, 'all cells', [(0, 'all texts, fonts and qualities')], lambda _: lambda r: True,
+                   [2.0] if p.d3dx else None)
     stages = table(['not extruded', 'extraction', 'discretisation', 'triangulation', 'writing'],
                    [['the thesis', '~5 %', '<= 0.1 %', '~95 %', '-']] +
                    [[NAMES[m]] + [share(v) for v in p.stages('flat', m) or []] for m in MAKERS if p.stages('flat', m)])
