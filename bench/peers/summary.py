@@ -18,6 +18,7 @@ US = 'typemesh'
 MAIN = '1/800 em'
 LATIN = 'LiberationSans-Regular.ttf'
 JUDGED_IN = {'hello, overlaps': 'Inter-roman.var.ttf'}  # other texts: in LATIN
+OTHER_CLOCKS = {'three.js TextGeometry': 'node', 'three-text': 'node', 'OpenSCAD': 'process'}
 STATES = {'cold': 'reuse', 'reuse': 'reuse', 'warm': 'warm', 'placed': 'placed'}
 
 
@@ -105,7 +106,7 @@ def against(own, others, pairs, judged):
     order = {text: i for i, text in enumerate(dict.fromkeys(f[0] for f in found))}
     found.sort(key=lambda f: (f[1] != 'extruded', f[1], order[f[0]], f[2] in ('warm', 'placed'), f[2] == 'placed', f[5]))
     for text, solid, state, peer, setting, middle, low, high, same, verdict in found:
-        clock = {'three.js TextGeometry': 'node', 'three-text': 'node', 'OpenSCAD': 'process'}.get(peer, 'native')
+        clock = OTHER_CLOCKS.get(peer, 'native')
         numbers = middle, low, high, same, verdict['p90'], verdict['largest']
         show('against', text, solid, state, peer, setting, clock, *map(brief, numbers))
     return found
@@ -126,35 +127,42 @@ def fewest(judged):
     return found
 
 
-def fastest(found, judged, text, states, exact):
-    """Of the peers as exact as typemesh: by the 90th percentile, or by the largest error as well."""
+def fastest(found, judged, text, states, exact, native):
+    """Of the peers as exact as typemesh: by the 90th percentile, or by the largest error as well; all, or the native ones."""
     own = judged.of(US, MAIN)
     fit = [f for f in found if f[0] == text and f[1] == 'extruded' and f[2] in states and f[9]['p90']
+           and not (native and f[3] in OTHER_CLOCKS)
            and f[9]['p90'] <= own['p90'] * 1.02 and (not exact or f[9]['largest'] <= own['largest'] * 1.02)]
     return min(fit, key=lambda f: f[5], default=None)
 
 
-def missed(claim, asked, best, judged):
+def missed(claim, asked, best, judged, own_times):
+    mine = {state: statistics.median(own_times[US, MAIN, 'extruded', state, best[0]]) for state in ('reuse', 'warm')}
+    whole = mine[STATES[best[2]]]
+    floor = statistics.median(own_times['floor', 'shaping and outlines', '-', 'cold', best[0]])
+    work = 'typemesh\'s time is HarfBuzz\'s shaping and the writing of every vertex and index'
+    if best[2] != 'warm':
+        work = f'of typemesh\'s time {floor / whole:.2f} is HarfBuzz alone, shaping and writing letters that are there {mine["warm"] / whole:.2f}: the rest builds letters'
     own, peer = judged.of(US, MAIN), best[9]
     largest, triangles = (brief(peer[n] / own[n]) for n in ('largest', 'triangles'))
     show('note', f'Missed: {claim}: {brief(best[5])} of {asked}, beside {best[3]} ({best[4]}, {best[2]}), whose largest chord error is '
-         f'{largest} times typemesh\'s, with {triangles} times the triangles.' +
+         f'{largest} times typemesh\'s, with {triangles} times the triangles; {work}.' +
          (f' typemesh with the same 90th percentile of the error is {brief(best[8])} times as fast.' if best[8] else ''))
 
 
-def headlines(found, least, judged):
+def headlines(found, least, judged, own):
     show('columns', 'headline', *'claim asked aim found peer setting'.split())
     for claim, text, states, asked, aim in (('cold "Hello world!", times faster', 'hello', ('cold', 'reuse'), 10, 20),
                                             ('cold lorem ipsum, times faster', 'lorem', ('cold', 'reuse'), 20, 50),
                                             ('warm "Hello world!", times faster', 'hello', ('warm',), 15, 15),
                                             ('warm lorem ipsum, times faster', 'lorem', ('warm',), 15, 15)):
-        for exact in (False, True):
-            best = fastest(found, judged, text, states, exact)
-            kind = 'peers as exact in 9 of 10 chords' if not exact else 'and in the largest error'
+        for exact, native, kind in ((False, False, 'peers as exact in 9 of 10 chords'), (True, False, 'and in the largest error'),
+                                    (True, True, 'and native')):
+            best = fastest(found, judged, text, states, exact, native)
             if best:
                 show('headline', f'{claim}; {kind}', asked, aim, brief(best[5]), best[3], best[4])
             if best and best[5] < asked:
-                missed(claim, asked, best, judged)
+                missed(claim, asked, best, judged, own)
     for i, measure in ((3, '9 of 10 chords'), (4, 'the largest error')):
         worst = max((f for f in least if f[i] is not None), key=lambda f: f[i], default=None)
         if worst:
@@ -191,7 +199,7 @@ def main():
     for key, times in [*own.items(), *others.items()]:
         show('time', *key, f'{statistics.median(times):.3f}', *sizes[key])
     found = against(own, others, pairs, judged)
-    headlines(found, fewest(judged), judged)
+    headlines(found, fewest(judged), judged, own)
     for words in NOTES:
         show('note', words)
 
