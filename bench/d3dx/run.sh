@@ -99,17 +99,33 @@ mesh_letters() {
     done
     [ $status = 0 ] || stop "bench_d3dx_create_text has failed ($status)"
 }
+# Into a file: processes that Wine starts in the background would keep a pipe open. A program that crashes may leave threads that
+# never end, and a text may never come to an end: both are ended here.
+one_protocol() {
+    local pid size=0 last=0 still=0
+    : >"$build/protocol.out"
+    wine "$windows/bench_d3dx_create_text.exe" protocol "Z:$build/texts.tsv" "$1" "$2" "$3" "$protocol" \
+        >"$build/protocol.out" 2>/dev/null 3>&- &
+    pid=$!
+    while sleep 1 && [ $still -lt 70 ]; do
+        case $(ps -o stat= -p $pid) in Z* | '') break ;; esac
+        size=$(wc -c <"$build/protocol.out")
+        if [ "$size" = "$last" ]; then still=$((still + 1)); else still=0; fi
+        last=$size
+    done
+    kill -9 $pid 2>/dev/null || true
+    wait $pid 2>/dev/null || true
+}
 # The texts that a font stands in for, in a file; a crash is told, and the next mesh begins anew.
 time_protocol() {
     local first=0 crashes=0 crash
     texts_of "$(script_of "$3")" >"$build/texts.tsv"
     while :; do
-        # Into a file: processes that Wine starts in the background would keep a pipe open.
-        under_wine "$windows/bench_d3dx_create_text.exe" protocol "Z:$build/texts.tsv" "$first" "$2" "$3" "$protocol" \
-            >"$build/protocol.out" 3>&- || true
+        one_protocol "$first" "$2" "$3"
         tr -d '\r' <"$build/protocol.out" >"$build/protocol.rows"
         grep '^d3dx' "$build/protocol.rows" >&3 || true
-        crash=$(sed -n 's/^crash //p' "$build/protocol.rows" | tail -n 1)
+        if tail -n 1 "$build/protocol.rows" | grep -qx end; then break; fi
+        crash=$(sed -n 's/^try //p' "$build/protocol.rows" | tail -n 1)
         [ -n "$crash" ] || break
         first=$((crash + 1)) crashes=$((crashes + 1))
     done

@@ -29,7 +29,7 @@ clock, as multiples of typemesh's in the same state, or in `reuse` for a peer th
 which they took turns). "At the same error": of typemesh's time at the tolerance that gives the peer's chord error (9 of 10 chords).
 ''']
     if rows.of['headline']:
-        parts += ['## Headlines', as_table(rows.of['headline'], ['claim', 'asked', 'aim', 'found', 'peer', 'setting'])]
+        parts += ['## Headlines', as_table(rows.of['headline'], ['claim', 'asked', 'aim', 'found', 'peer', 'setting'], {'asked': 'goal', 'aim': 'hoped for'})]
     columns = ['text', 'state', 'peer', 'setting', 'times', 'least', 'largest', 'times_same_error', 'chord_p90_em', 'chord_largest_em']
     names = {'times': '× typemesh\'s time', 'times_same_error': '× at the same error', 'chord_p90_em': 'chord error, 9 of 10 (em)',
              'chord_largest_em': 'the largest'}
@@ -145,7 +145,11 @@ def peers_reading(rows):
     if not rows.of['headline']:
         return 'The peers were not measured.\n'
     missed = [f'* {words}\n' for _, words in rows.notes if words.startswith('Missed')]
-    return as_table(rows.of['headline'], ['claim', 'asked', 'aim', 'found', 'peer', 'setting']) + '\n' + ''.join(missed)
+    return as_table(rows.of['headline'], ['claim', 'asked', 'aim', 'found', 'peer', 'setting'], {'asked': 'goal', 'aim': 'hoped for'}) + '\n' + ''.join(missed)
+
+
+STATES = {'placed': 'where finished letters of a cache are only placed and not written as one mesh', 'warm': 'with a warm cache',
+          'reuse': 'cold', 'cold': 'cold'}
 
 
 def peers_that_win(rows):
@@ -154,9 +158,13 @@ def peers_that_win(rows):
               (r['times_same_error'] is not None and r['times_same_error'] < 1)]
     fewer = [r for r in rows.of['fewest'] if r['of_peer_same_p90'] is not None and r['of_peer_same_p90'] > 1.0]
     words = []
-    for r in faster[:12]:
-        words.append(f'* {r["peer"]} ({r["setting"]}), "{r["text"]}", {r["solid"]}, {r["state"]}: {times(r["times"])} our time, '
-                     f'{times(r["times_same_error"])} at the same error; its chord error is {brief(r["chord_p90_em"])} em.')
+    groups = collections.OrderedDict()
+    for r in faster:
+        groups.setdefault((r['peer'], r['setting'], r['solid'], r['state']), []).append(r)
+    for (peer, setting, solid, state), found in groups.items():
+        ratios = [min(v for v in (r['times'], r['times_same_error']) if v is not None) for r in found]
+        words.append(f'* {peer} ({setting}), {solid}, {STATES.get(state, state)}: {times(min(ratios))} to {times(max(ratios))} our time on '
+                     f'{len(found)} text{"s" if len(found) > 1 else ""}; its chord error is {brief(found[0]["chord_p90_em"])} em.')
     by_peer = collections.defaultdict(list)
     for r in fewer:
         by_peer[r['peer']].append(r['of_peer_same_p90'])
