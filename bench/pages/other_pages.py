@@ -119,6 +119,7 @@ def figures_of(rows, p):
                 ratio = p.against_d3dx(solid, m)
                 found[f'{solid}_{key}_of_d3dx'] = times(ratio)
                 found[f'{solid}_{key}_faster_than_d3dx'] = times(1 / ratio if ratio else None)
+            found[f'best_{key}_of_d3dx'] = times(p.against_d3dx('extruded', m, lambda r: r['quality'] == 'best'))
             t = {s: p.group_mean(s, m) for s in ('flat', 'extruded', 'bevelled')}
             if all(t.values()):
                 floor = p.floor('outline_us')
