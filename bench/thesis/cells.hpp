@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <concepts>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -147,7 +148,8 @@ private:
     double seconds_ = 0;
 };
 
-template <class Make>
+/// Stages are timed of flat texts only: they are what the thesis tells the shares of.
+template <bool Staged, class Make>
 class cell_row_of final : public cell_row {
 public:
     cell_row_of(const protocol_font& font, const text_group& group, cell_name name, Make make)
@@ -161,8 +163,13 @@ private:
         if (!mesher_.build(text, into(vertices_, indices_), options())) std::abort();
     }
 
-    /// Each stage's median over some runs, text by text; their means over the texts.
     void print_more() override
+    {
+        if constexpr (Staged) print_stages();
+    }
+
+    /// Each stage's median over some runs, text by text; their means over the texts.
+    void print_stages()
     {
         constexpr int runs = 7, stages = 6;
         auto staged = make_().with(stage_clock{});
@@ -204,7 +211,7 @@ void add_rows(cell_rows& rows, protocol_font& f, const char* solid_name, const S
     for (const text_group* group : f.groups)
         for (const quality_preset& q : qualities) {
             const auto add = [&](const char* triangulator, const char* discretiser, auto make) {
-                rows.push_back(std::make_unique<cell_row_of<decltype(make)>>(
+                rows.push_back(std::make_unique<cell_row_of<std::same_as<Solid, flat>, decltype(make)>>(
                     f, *group, cell_name{solid_name, triangulator, discretiser, &q}, make));
             };
             const auto add_both = [&](const char* discretiser, auto flatten) {
