@@ -434,6 +434,7 @@ std::string settle_lines(options& out, const raw_values& raw)
     if (align != line_alignment::justify && given("--justify")) return "--justify: is for --align justify";
     for (const char* option : {"--wrap", "--breaker"})
         if (!boxed && given(option)) return std::string{option} + ": is for --width or --fit";
+    if (out.lines.wrap == typemesh::wrap_mode::none && given("--breaker")) return "--breaker: is not for --wrap none";
     if (!given("--width") && !given("--max-lines") && given("--ellipsis"))
         return "--ellipsis: is for --width or --max-lines";
     out.ellipsis = with_line_breaks(out.ellipsis);

@@ -107,7 +107,8 @@ std::string take_setting(std::string_view setting, styled_range& out)
         if (!read) return "feature must be of the form liga, -liga or liga=0, not " + std::string{value};
         return out.features.push_back(*read), std::string{};
     }
-    return "must hold settings such as colour=red, underline or size=1.5, not " + std::string{setting};
+    return "must hold settings such as colour=red, underline or size=1.5, not " +
+           (setting.empty() ? "nothing" : std::string{setting});
 }
 
 /// What a setting sets, of which a range has one; empty where it may have several.
@@ -152,7 +153,7 @@ std::string read_styled_range(std::string_view written, styled_range& out)
     const auto last = dots == std::string_view::npos ? std::nullopt : read_place(range.substr(dots + 2));
     if (colon == std::string_view::npos || !first || !last)
         return "must be of the form 6..11:colour=red,underline, not " + std::string{written};
-    if (*first > *last) return "must end behind its beginning, not " + std::string{range};
+    if (*first >= *last) return "must end after its beginning, not " + std::string{range};
     out.first = *first;
     out.last = *last;
     std::vector<std::string> set;
@@ -174,10 +175,9 @@ std::string refused_ranges(const std::vector<styled_range>& ranges, std::string_
     const std::size_t size = characters_of(text).size() - 1;
     for (const styled_range& a : ranges) {
         if (a.last > size)
-            return in_words(a) + " ends behind the text, which has " + std::to_string(size) + " code points";
+            return in_words(a) + " ends after the text, which has " + std::to_string(size) + " code points";
         for (const styled_range* b = &a + 1; b != ranges.data() + ranges.size(); ++b)
-            if (a.first < b->last && b->first < a.last && a.first != a.last && b->first != b->last)
-                return in_words(a) + " and " + in_words(*b) + " overlap";
+            if (a.first < b->last && b->first < a.last) return in_words(a) + " and " + in_words(*b) + " overlap";
     }
     return {};
 }

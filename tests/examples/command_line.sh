@@ -133,8 +133,10 @@ done
 expect 0 "1 end stands inside a character" "$(printf 'e\xCC\x81x')" --font $sans --style 0..1:colour=red --output moved.glb
 expect 1 "--strict: nothing is written" "$(printf 'e\xCC\x81x')" --font $sans --style 0..1:colour=red --output x.glb --strict
 expect 2 "--style: 0..3 and 2..4 overlap" abcd --font $sans --stats --style 0..3:underline --style 2..4:underline
-expect 2 "--style: 2..9 ends behind the text, which has 4 code points" abcd --font $sans --stats --style 2..9:underline
-expect 2 "--style: must end behind its beginning, not 3..2" abcd --font $sans --stats --style 3..2:underline
+expect 2 "--style: 2..9 ends after the text, which has 4 code points" abcd --font $sans --stats --style 2..9:underline
+expect 2 "--style: must end after its beginning, not 3..2" abcd --font $sans --stats --style 3..2:underline
+expect 2 "--style: must end after its beginning, not 3..3" abcd --font $sans --stats --style 3..3:underline
+expect 2 "underline or size=1.5, not nothing" abcd --font $sans --stats --style 0..3:
 for range in 1 1..2 x..2:underline 1..:underline -1..2:underline; do
     expect 2 "--style: must be of the form" abcd --font $sans --stats "--style=$range"
 done
@@ -222,6 +224,7 @@ that "lines are more even" differ <(grep -v ^mtllib first.obj) <(grep -v ^mtllib
 expect 0 "" "aaa bb cc ddddd" --font $sans --fit 4x3 --breaker total_fit --stats
 that "the time to shape a paragraph is counted" grep -q '"shape":[1-9]' out
 expect 2 "--breaker: is for --width or --fit" x --font $sans --stats --breaker total_fit
+expect 2 "--breaker: is not for --wrap none" x --font $sans --stats --width 3 --wrap none --breaker total_fit
 expect 2 "breaker: must be first_fit or total_fit, not even" x --font $sans --stats --width 3 --breaker even
 expect 2 "--elide: is for --ellipsis" x --font $sans --stats --width 3 --elide start
 
