@@ -73,8 +73,8 @@ public:
     [[nodiscard]] glyph_orientation latin() const noexcept
     {
         if (!in_columns()) return glyph_orientation::horizontal;
-        const bool sideways = options_.columns.latin == column_latin::sideways;
-        return sideways ? glyph_orientation::sideways : glyph_orientation::upright;
+        return options_.columns.latin == column_latin::sideways ? glyph_orientation::sideways
+                                                                : glyph_orientation::upright;
     }
 
     /// How an item is set, and how it is shaped.

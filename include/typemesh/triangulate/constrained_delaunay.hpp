@@ -99,7 +99,8 @@ private:
         std::uint64_t budget;  // flips
     };
 
-    /// `order` is that of the points, or empty.
+    /// `order` is that of the points, or empty. A template, so that it is compiled only where it is called.
+    template <class = void>
     [[nodiscard]] error cut(const region& r, std::span<const std::uint32_t> order, workspace& space,
                             triangle_list& out) const noexcept
     {
