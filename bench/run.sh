@@ -70,10 +70,10 @@ run_kernels() {
         say "$program" >&2
         rm -f "$work/$program.json"
         # shellcheck disable=SC2046
-        timeout 400 "$build/$program" --benchmark_out="$work/$program.json" --benchmark_out_format=json \
+        timeout 600 "$build/$program" --benchmark_out="$work/$program.json" --benchmark_out_format=json \
             --benchmark_min_time=$([ -n "$quick" ] && say 0.02 || say 0.2) \
             $([ -z "$quick" ] || say "--benchmark_filter=^(text|bevelled)/(hello|lorem)$") >"$work/$program.txt" 2>&1 ||
-            printf 'skipped\t%s\tit ended with an error, or after 400 s\n' "$program"
+            printf 'skipped\t%s\tit ended with an error, or after 600 s\n' "$program"
         "$python" "$here/pages/kernel_rows.py" "$program" "$work/$program.json"
         number=$((number + 1))
     done
