@@ -64,17 +64,16 @@ public:
     /// The item that holds a unit of the text; 0 behind its end.
     [[nodiscard]] std::uint32_t item_at(std::uint32_t unit) const noexcept
     {
-        const std::size_t k =
-            first_where(0, items_.size(), [&](std::size_t i) noexcept { return items_[i].last > unit; });
+        const auto k = first_where(0, items_.size(), [&](std::size_t i) noexcept { return items_[i].last > unit; });
         return k < items_.size() ? static_cast<std::uint32_t>(k) : 0;
     }
 
     /// How Latin stands in this text, as far as nothing else is asked for.
     [[nodiscard]] glyph_orientation latin() const noexcept
     {
-        if (!in_columns()) return glyph_orientation::horizontal;
-        return options_.columns.latin == column_latin::sideways ? glyph_orientation::sideways
-                                                                : glyph_orientation::upright;
+        using enum glyph_orientation;
+        if (!in_columns()) return horizontal;
+        return options_.columns.latin == column_latin::sideways ? sideways : upright;
     }
 
     /// How an item is set, and how it is shaped.
@@ -253,11 +252,10 @@ public:
             part.face = home.face;
             if (error e = shape_other(shaper, item, shown, part)) return e;
         }
-        bool complete = true;
-        for (const shaped_glyph& g : glyphs_.view().subspan(before))
-            complete = complete && !has(g.flags, glyph_flags::missing);
         if (error e = make_foreign(item, at, before)) return e;
-        return complete;
+        for (const shaped_glyph& g : glyphs_.view().subspan(before))
+            if (has(g.flags, glyph_flags::missing)) return false;
+        return true;
     }
     /// The same in the item's script and direction, too: of `shown`, or, where the font lacks that, of `instead`.
     template <item_shaper Shaper>
