@@ -15,7 +15,7 @@ using namespace typemesh;
 namespace fit_size_tests {
 namespace {
 
-const std::u16string text =
+const std::u16string sample =
     u"AVATAR of the fifth office, \u05D0\u05D1 12 \u05D2\u05D3 and fi\u00ADfi.\nThe next a\u0301\u0302b\tline  ends "
     u"here";
 
@@ -67,7 +67,7 @@ TEST_CASE("the fitted size fits, and a size greater by a thousandth does not", "
         for (const line_alignment align : {line_alignment::start, line_alignment::justify})
             for (double width = 0.5; width < 100.0; width *= 1.9)
                 for (double height = 0.7; height < 60.0; height *= 2.3) {
-                    fitted<> p{text, {.wrap = wrap, .align = align}};
+                    fitted<> p{sample, {.wrap = wrap, .align = align}};
                     const double size = p.size(width, height);
                     INFO(static_cast<int>(wrap) << ": " << width << " x " << height << ": " << size);
                     CHECK(p.fits(size, width, height, wrap));
@@ -91,7 +91,7 @@ TEST_CASE("the box decides: its height for a short text, its width for a long li
 TEST_CASE("a size is found with total_fit, and the text fits at it", "[paragraph]")
 {
     for (double width = 2.0; width < 60.0; width *= 1.7) {
-        fitted<total_fit> p{text, {.align = line_alignment::justify}};
+        fitted<total_fit> p{sample, {.align = line_alignment::justify}};
         const double size = p.size(width, 10.0);
         CHECK(p.fits(size, width, 10.0, wrap_mode::word_or_grapheme));
     }
