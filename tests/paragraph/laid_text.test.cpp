@@ -133,6 +133,19 @@ TEST_CASE("a caret's own point leads back to it", "[paragraph]")
     CHECK(alone > 50);
 }
 
+TEST_CASE("a point in a line's box is in that line, however low the next one is", "[paragraph]")
+{
+    test::toy_item_shaper font;
+    paragraph<test::toy_item_shaper> words{font};
+    glyph_run run;
+    const style_span large[] = {{0, 1, {.size = 3.0}}};
+    REQUIRE_FALSE(words.set("A\nb", {}, large));
+    REQUIRE_FALSE(words.lay_out({}, run));
+    CHECK(words.laid().caret_from(words.laid().caret_at(0).at).unit == 0);  // the middle of the next line is nearer
+    CHECK(words.laid().caret_from({0.1, -0.5}).unit == 0);
+    CHECK(words.laid().caret_from({0.1, -1.0}).unit == 2);
+}
+
 TEST_CASE("a point is nearest to one side of a grapheme, and in a line or not", "[paragraph]")
 {
     const laid_out p{u"ab \u05D0\u05D1"};

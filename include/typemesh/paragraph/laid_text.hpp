@@ -182,17 +182,20 @@ private:
         return {{a.x, a.y + low}, {b.x, a.y + high}};
     }
 
+    /// The line whose box is nearest; of several that hold the point, the one whose middle is.
     [[nodiscard]] std::size_t line_near(point p) const noexcept
     {
         std::size_t best = 0;
-        double least = 0.0;
+        double least = 0.0, beside = 0.0;  // from the best: to its middle, to its box
         for (std::size_t k = 0; k < lines_.size(); ++k) {
             const box b = line_box(k);
-            const double middle =
-                shaped_->in_columns() ? (b.low.x + b.high.x) / 2 - p.x : (b.low.y + b.high.y) / 2 - p.y;
-            if (k != 0 && std::fabs(middle) >= least) continue;
+            const bool down = shaped_->in_columns();
+            const double low = down ? b.low.x - p.x : b.low.y - p.y, high = down ? b.high.x - p.x : b.high.y - p.y;
+            const double gap = low > 0.0 ? low : high < 0.0 ? 0.0 - high : 0.0, middle = std::fabs(low + high);
+            if (k != 0 && (gap > beside || (gap >= beside && middle >= least))) continue;
             best = k;
-            least = std::fabs(middle);
+            beside = gap;
+            least = middle;
         }
         return best;
     }
