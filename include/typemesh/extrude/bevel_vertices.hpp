@@ -101,13 +101,15 @@ private:
     /// Nodes of an edge at a level lie on that, and nodes of two bands on the level between them.
     void find_levels() noexcept
     {
-        for (const swept_cell* c = swept_.cells.begin(); c + 1 < swept_.cells.end(); ++c)
+        for (std::size_t i = 0; i + 1 < swept_.cells.size(); ++i) {
+            const swept_cell* c = &swept_.cells[i];
             for (std::uint32_t t = c[0].first_triangle; t < c[1].first_triangle; ++t)
                 for (const std::uint32_t at : {swept_.triangles[t].a, swept_.triangles[t].b, swept_.triangles[t].c}) {
                     std::uint32_t& last = nodes_[at].corners;  // the last band that it was seen in
                     if (last != none && last != c->band) nodes_[at].level = c->band;
                     last = c->band;
                 }
+        }
         for (std::uint32_t k = 0; k + 1 < swept_.at_level.size(); ++k)
             for (std::uint32_t i = swept_.at_level[k]; i < swept_.at_level[k + 1]; ++i)
                 nodes_[swept_.edges_at[i].a].level = nodes_[swept_.edges_at[i].b].level = k;
