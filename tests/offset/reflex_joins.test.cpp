@@ -115,6 +115,20 @@ test::shape slit(std::int32_t width)
 
 }  // namespace
 
+TEST_CASE("the tip of a needle so long that its sides are opposite once rounded is no reflex corner", "[offset]")
+{
+    constexpr std::int32_t end = 1 << 28;
+    for (const test::polyline& l : {test::polyline{{0, -end}, {1, 0}, {1, 1}}, {{0, end / 3}, {1, 0}, {1, 1}},
+                                    {{1, 1}, {end - 1, -end + 1}, {end, -end}}}) {
+        const test::polyline needle = test::oracle::doubled_area(l) > 0 ? l : test::reversed(l);
+        for (const double limit : {0.0, 1.5, 100.0}) {
+            const joined made{{"needle", {needle}}, {limit, 0.0, 1e6}};
+            CHECK_FALSE(made.failed);
+            CHECK(made.emitted.empty());
+        }
+    }
+}
+
 TEST_CASE("joins turn a corner in equal steps, each within the limit, and no more than it needs",
           "[offset][reflex_joins]")
 {

@@ -57,12 +57,22 @@ private:
         return mesh_.lines[mesh_.segments[s].line];
     }
 
+    /// By its points: the directions along the sides of a needle may be opposite once they are rounded.
+    [[nodiscard]] bool is_convex(std::uint32_t v) const noexcept
+    {
+        const auto& corner = mesh_.vertices[v];
+        const fixed_vector at = corner.moves.start;
+        const fixed_vector from = mesh_.vertices[mesh_.segments[corner.before].from].moves.start,
+                           to = mesh_.vertices[mesh_.segments[corner.after].to].moves.start;
+        return cross(at - from, to - at) > 0;
+    }
+
     /// How often a corner's turn is to be halved, so that each step is within the rule.
     [[nodiscard]] int halvings(const join_rule& rule, std::uint32_t v) const noexcept
     {
         const moving_line &before = line_of(mesh_.vertices[v].before), &after = line_of(mesh_.vertices[v].after);
         const auto cosine = static_cast<double>(dot(before.along, after.along)) * 0x1p-60;
-        if (turns_left(before, after) || cosine > 0.999) return 0;
+        if (turns_left(before, after) || cosine > 0.999 || is_convex(v)) return 0;
         const auto of_half = [](double c) noexcept { return std::sqrt(c > -1.0 ? (1.0 + c) / 2.0 : 0.0); };
         constexpr double enough = 1.0 - 0x1p-20;  // corners right at the limit are within it with every compiler
         const double limit = rule.mitre_limit > 0.0 ? rule.mitre_limit : 0x1p18;  // beyond that, speeds overflow
