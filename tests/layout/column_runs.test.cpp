@@ -17,6 +17,7 @@ namespace columns_of_text {
 
 bool no_form(char32_t) noexcept { return false; }
 bool any_form(char32_t) noexcept { return true; }
+bool bracket_form(char32_t c) noexcept { return c == U'\u300C'; }
 
 struct found {
     buffer<column_run> runs;
@@ -73,6 +74,14 @@ TEST_CASE("what is to be transformed is upright where the font has a vertical fo
     CHECK(columns(text).letters() == "ussu");
     CHECK(columns(text, {}, {}, columns_of_text::any_form).letters() == "uuuu");
     CHECK(columns(u"ab(", {}, {}, columns_of_text::any_form).letters() == "sss");
+}
+
+TEST_CASE("a full-width colon or semicolon without a vertical form is upright in a font that has those of brackets",
+          "[layout][columns]")
+{
+    const char16_t* const text = u"\u300C\uFF1A\uFF1B\u30FC\u3008";
+    CHECK(columns(text, {}, {}, columns_of_text::bracket_form).letters() == "uuuss");
+    CHECK(columns(text).letters() == "sssss");
 }
 
 TEST_CASE("a grapheme stands as its base does, unless a mark encloses it", "[layout][columns]")

@@ -109,11 +109,17 @@ private:
         case vertical_orientation::upright:
         case vertical_orientation::transformed_upright: return glyph_orientation::upright;
         case vertical_orientation::transformed_rotated:
-            return has_form_(decode(text_, first, last).value) ? glyph_orientation::upright
-                                                               : glyph_orientation::sideways;
+            return stands_transformed(decode(text_, first, last).value) ? glyph_orientation::upright
+                                                                        : glyph_orientation::sideways;
         case vertical_orientation::rotated: break;
         }
         return glyph_orientation::sideways;
+    }
+
+    /// Whether a character that is Tr is upright: by a vertical form or, a colon or semicolon, where brackets have one.
+    [[nodiscard]] bool stands_transformed(char32_t c) const noexcept
+    {
+        return has_form_(c) || ((c == U'\uFF1A' || c == U'\uFF1B') && has_form_(U'\u300C'));
     }
 
     error append(std::size_t first, std::size_t last, glyph_orientation orientation, bool downwards) noexcept
@@ -142,8 +148,8 @@ private:
 ///
 ///     日本 (2024) 語、       upright: what Unicode has upright, with its vertical forms where the font has them
 ///     |  |       |         sideways: all else; and what has no place upright but by a vertical form ( ー 「 ) that the
-///      U  S       U        font lacks. By UAX #50 that is so for U+FF1B in fonts that mean it to stand, too: what they
-///                          lack on purpose cannot be told from brackets that they lack
+///      U  S       U        font lacks. But full-width colons and semicolons ( ： ； ), which stand in Chinese, and the
+///                          latter in Japanese, too, have no such form on purpose in a font that has one of 「
 ///
 ///     marks      of the text's analysis, of which the graphemes are read
 ///     styles     ranges that stand in a way of their own: ascending, none within another; a grapheme belongs to the
