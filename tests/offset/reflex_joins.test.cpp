@@ -118,7 +118,8 @@ test::shape slit(std::int32_t width)
 TEST_CASE("the tip of a needle so long that its sides are opposite once rounded is no reflex corner", "[offset]")
 {
     constexpr std::int32_t end = 1 << 28;
-    for (const test::polyline& l : {test::polyline{{0, -end}, {1, 0}, {1, 1}}, {{0, end / 3}, {1, 0}, {1, 1}},
+    for (const test::polyline& l : {test::polyline{{0, -end}, {1, 0}, {1, 1}},
+                                    {{0, end / 3}, {1, 0}, {1, 1}},
                                     {{1, 1}, {end - 1, -end + 1}, {end, -end}}}) {
         const test::polyline needle = test::oracle::doubled_area(l) > 0 ? l : test::reversed(l);
         for (const double limit : {0.0, 1.5, 100.0}) {
