@@ -67,7 +67,7 @@ run_kernels() {
     printf 'columns\tkernel\tprogram\tname\tcounter\tvalue\n'
     # shellcheck disable=SC2086  # a list of words
     for program in $kernels; do
-        say "$program" >&2
+        say "at $((100 * number / $(say $kernels | wc -w))) %: $program" >&2
         rm -f "$work/$program.json"
         # shellcheck disable=SC2046
         timeout 600 "$build/$program" --benchmark_out="$work/$program.json" --benchmark_out_format=json \
@@ -94,19 +94,19 @@ run_part() {  # run_part PART
 revision() { git -C "$typemesh_root" rev-parse --short=10 HEAD 2>/dev/null || say -; }
 
 # What runs, how far it is, and how long the whole still takes: in one line on a terminal, else every 30 s.
-tell_part() {  # tell_part PART TENTHS_AFTERWARDS
-    local every=30 end='\n' started now far expected
+tell_part() {  # tell_part PART SECONDS_THOUGHT SECONDS_AFTERWARDS
+    local every=30 end='\n' started now far expected=$2
     if [ -t 1 ]; then every=1 end='\033[K\r'; fi
     started=$(date +%s)
-    expected=$(($(tenths_of "$1") * 6))
     while sleep $every && kill -0 $$ 2>/dev/null; do
         now=$(($(date +%s) - started))
-        far=$(tail -n 1 "$work/$1.log" 2>/dev/null | sed -n 's/^at \([0-9]*\) %$/\1/p')
-        # A part that tells how far it is, or that takes longer than thought, says itself how long it takes.
+        far=$(tail -n 1 "$work/$1.log" 2>/dev/null | sed -n 's/^at \([0-9]*\) %.*/\1/p')
+        # A part that tells how far it is says itself how long it takes. One that does not, and takes longer than thought, may be
+        # anywhere: a tenth of its time is left.
         if [ "${far:-0}" -gt 3 ]; then expected=$((now * 100 / far)); fi
-        if [ $expected -le $now ]; then expected=$((now + 30)); fi
+        if [ "$expected" -le $now ]; then expected=$((now * 11 / 10)); fi
         printf "  %s, %d:%02d: %s; about %d min left$end" "$1" $((now / 60)) $((now % 60)) \
-            "$(tail -n 1 "$work/$1.log" 2>/dev/null | cut -c 1-60)" $(((expected - now + 6 * $2 + 59) / 60))
+            "$(tail -n 1 "$work/$1.log" 2>/dev/null | cut -c 1-60)" $(((expected - now + $3 + 59) / 60))
     done
 }
 
@@ -122,15 +122,19 @@ if wants thesis || wants pictures; then targets=bench_thesis; fi
 if wants kernels; then targets="$targets $kernels"; fi
 # shellcheck disable=SC2086  # a list of words
 [ -z "$targets" ] || { say "Building" $targets && build_preset release $targets; } || say "Parts that could not be built are skipped."
-left=0
-for part in $parts; do left=$((left + $(tenths_of "$part"))); done
+left=0 thought=0 taken=0 # seconds: of parts to come, on an idle machine; of those that have run, thought and taken
+for part in $parts; do left=$((left + 6 * $(tenths_of "$part"))); done
 for part in $parts; do
     [ "$part" != none ] || continue
-    left=$((left - $(tenths_of "$part")))
+    own=$((6 * $(tenths_of "$part")))
+    left=$((left - own))
+    slower=$((thought > 0 && taken > thought ? 100 * taken / thought : 100)) # percent: other work on the machine
     say "$part"
-    tell_part "$part" $left &
+    tell_part "$part" $((own * slower / 100)) $((left * slower / 100)) &
     teller=$!
+    started=$(date +%s)
     run_part "$part"
+    taken=$((taken + $(date +%s) - started)) thought=$((thought + own))
     kill $teller 2>/dev/null || true
     wait $teller 2>/dev/null || true
 done

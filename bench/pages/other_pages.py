@@ -5,8 +5,8 @@ import collections
 import pathlib
 import statistics
 
+from protocol import MAKERS
 from rows import brief, mean, share, table, times
-from thesis_page import MAKERS
 
 SHOWN = {  # of each program of Google Benchmark: what is not shown
     'real_time_ns', 'cpu_time_ns', 'real_time_us', 'cpu_time_us', 'real_time_ms', 'cpu_time_ms', 'items_per_second',
@@ -41,15 +41,13 @@ which they took turns). "At the same error": of typemesh's time at the tolerance
             if found:
                 parts += [f'## {title}: {solid}', as_table(found, columns, names)]
     if rows.of['judged']:
+        for r in rows.of['judged']:
+            r['font'] = pathlib.Path(str(r['font'])).name
         parts += ['## Faults of meshes', '''Of the characters of ASCII and Latin up to U+024F that the font has, a mesh each: `lost`, none was made; `area`, its cap covers another
 area than the non-zero rule fills; `open`, an edge without its counterpart; `flipped`, a triangle of a cap looks to the other side;
 `wrong`, any of these. Of bevelled meshes only open edges are counted.
 ''', as_table(rows.of['judged'], ['font', 'peer', 'setting', 'characters', 'lost', 'area', 'open', 'flipped', 'wrong',
                                   'chord_p90_em', 'chord_largest_em', 'triangles', 'vertices'], names)]
-        for r in rows.of['judged']:
-            r['font'] = pathlib.Path(str(r['font'])).name
-        parts[-1] = as_table(rows.of['judged'], ['font', 'peer', 'setting', 'characters', 'lost', 'area', 'open', 'flipped', 'wrong',
-                                                 'chord_p90_em', 'chord_largest_em', 'triangles', 'vertices'], names)
     if rows.of['fewest']:
         for r in rows.of['fewest']:
             r['font'] = pathlib.Path(str(r['font'])).name

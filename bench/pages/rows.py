@@ -74,5 +74,5 @@ def table(head, body):
     if not body:
         return 'Not measured.\n'
     lines = ['| ' + ' | '.join(head) + ' |', '|' + '---|' * len(head)]
-    lines += ['| ' + ' | '.join(v if isinstance(v, str) else brief(v) for v in row) + ' |' for row in body]
+    lines += ['| ' + ' | '.join(brief(v) for v in row) + ' |' for row in body]
     return '\n'.join(lines) + '\n'
