@@ -157,7 +157,14 @@ private:
     void* take_bytes(std::size_t wanted) noexcept
     {
         wanted = rounded(wanted);
-        while (current_ == nullptr || wanted > current_->bytes - current_->used) {
+        if (current_ != nullptr && wanted <= current_->bytes - current_->used) return take_here(wanted);
+        return take_from_next(wanted);
+    }
+
+    /// From the next block that is large enough, or a new one.
+    void* take_from_next(std::size_t wanted) noexcept
+    {
+        do {
             block*& next = current_ == nullptr ? first_ : current_->next;
             while (next != nullptr && next->bytes < wanted) {  // empty, left over from a scope that has ended
                 block* too_small = next;
@@ -170,7 +177,7 @@ private:
                 if (next == nullptr) return nullptr;
             }
             current_ = next;
-        }
+        } while (wanted > current_->bytes - current_->used);
         return take_here(wanted);
     }
 

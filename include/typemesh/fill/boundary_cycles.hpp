@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
@@ -105,7 +106,7 @@ private:
     void sort(const arrangement& a, std::uint32_t* order, std::uint32_t* behind) const noexcept
     {
         auto* const first = a.first;
-        for (std::uint32_t place = 0; place < a.point_count; ++place) first[place] = no_number;
+        std::memset(first, 0xFF, a.point_count * sizeof *first);  // no_number
         for (std::uint32_t i = starts_[loop_count_]; i-- != 0;) {
             behind[i] = first[places_[i]];
             first[places_[i]] = i;
