@@ -3,6 +3,8 @@
 
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/fill/arrangement.hpp>
+#include <typemesh/fill/crossing.hpp>
+#include <typemesh/fill/swept_edge.hpp>
 
 #include <cstdint>
 
@@ -29,6 +31,18 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
     const std::uint32_t e = all[ends[0]].origin, f = all[ends[1]].origin, g = all[starts[0]].origin,
                         h = all[starts[1]].origin;
     return !((e == g && f == h) || (e == h && f == g));
+}
+
+/// Bent edges cross in x, a little beside where the contours do: x becomes the contours' crossing. False where there is
+/// none, or the edges cannot be cut there: they have left the course of snap rounding.
+[[nodiscard]] inline bool lead_home(const arrangement& a, const swept_edge& low, const swept_edge& high,
+                                    grid_point& x) noexcept
+{
+    const auto l = a.home(a.segments[low.segment]), h = a.home(a.segments[high.segment]);
+    grid_point better;
+    if (!crossing_of(l.from, l.to, h.from, h.to, better) || !low.holds(better) || !high.holds(better)) return false;
+    x = better;
+    return true;
 }
 
 /// For two points of one column: an edge that ends or starts in the upper one may come within a cell of the lower one,

@@ -11,8 +11,8 @@
 #include <typemesh/fill/net_edges.hpp>
 #include <typemesh/fill/sector_links.hpp>
 #include <typemesh/fill/start_order.hpp>
+#include <typemesh/fill/sweep_line.hpp>
 #include <typemesh/fill/swept_edge.hpp>
-#include <typemesh/sweep/sweep_status.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -110,19 +110,15 @@ public:
 private:
     [[nodiscard]] bool open(workspace::scope& scratch) noexcept
     {
-        most_slots_ = a_.count < a_.most_active ? a_.count : a_.most_active;
-        const std::uint32_t starts = a_.is_rounded ? most_slots_ : most_slots_ / 4 + 32;
-        const std::size_t edges = std::size_t{most_slots_} + 1, cuts = a_.capacity - a_.count;
-        edges_ = scratch.take<swept_edge>(edges);
+        const std::uint32_t most = a_.count < a_.most_active ? a_.count : a_.most_active;
+        const std::uint32_t starts = a_.is_rounded ? most : most / 4 + 32;
+        const std::size_t edges = std::size_t{most} + 1, cuts = a_.capacity - a_.count;
         ends_ = scratch.take<std::uint32_t>(edges);
         dirty_ = scratch.take<std::uint32_t>(cuts);
         hints_ = scratch.take<std::uint32_t>(std::size_t{a_.point_count} + 1);
-        if (edges_ == nullptr || ends_ == nullptr || dirty_ == nullptr || hints_ == nullptr ||
-            !starts_.open(scratch, starts) || !status_.open(scratch, most_slots_) ||
-            !queue_.open(scratch, 2 * cuts + edges / 8))
+        if (ends_ == nullptr || dirty_ == nullptr || hints_ == nullptr || !starts_.open(scratch, starts) ||
+            !line_.open(scratch, most) || !queue_.open(scratch, 2 * cuts + edges / 8))
             return false;
-        edges_[0] = {};
-        edges_[0].from = edges_[0].to = beyond;
         std::memset(hints_, 0, a_.point_count * sizeof *hints_);
         passed_ = 0;
         return true;
@@ -134,19 +130,19 @@ private:
         const grid_point* const points = a_.points;
         std::uint32_t next = 0;
         constexpr std::int64_t column = std::int64_t{1} << 31;  // points of one x are closer, all others are not
-        std::int64_t last = sweep_place({-beyond.x, -beyond.y});
+        std::int64_t last = sweep_place({-sweep_line::beyond.x, -sweep_line::beyond.y});
         while (!full) {
-            grid_point p = next < count ? points[next] : beyond;
+            grid_point p = next < count ? points[next] : sweep_line::beyond;
             std::int64_t place = sweep_place(p);
             std::uint32_t starting = no_number, slot = 0;
             if (place <= queue_.first_place()) {
                 if (next == count) {
-                    unfinished_ = status_.above(0) != 0;
+                    unfinished_ = !line_.empty();
                     return;
                 }
                 starting = a_.first[next];
                 slot = hints_[next++];
-                if (!(edges_[slot].to == p)) slot = 0;
+                if (!(line_[slot].to == p)) slot = 0;
             } else {
                 place = queue_.first_place();
                 p = point_at(place);
@@ -157,7 +153,7 @@ private:
                     a_.segments[e.segment].next = starting;
                     starting = e.segment;
                 }
-                if (edges_[e.slot].to == p) slot = e.slot;
+                if (line_[e.slot].to == p) slot = e.slot;
             }
             const bool repeated = place == last;
             if (!repeated) {
@@ -172,15 +168,15 @@ private:
                 last = place;
             }
             const bool passes = slot != 0 && starting != no_number;
-            const bool alone = (edges_[status_.below(slot)].to == p) + (edges_[status_.above(slot)].to == p) == 0;
+            const bool alone = (line_[line_.below(slot)].to == p) + (line_[line_.above(slot)].to == p) == 0;
             if (passes && alone && a_.segments[starting].next == no_number && !repeated)
                 pass(slot, starting, p);
             else
                 meet(slot, starting, p, repeated);
             while (dirty_count_ != 0) {
                 const std::uint32_t changed = dirty_[--dirty_count_], cut_slot = changed / 2;
-                const std::uint32_t low = changed % 2 != 0 ? cut_slot : status_.below(cut_slot);
-                const std::uint32_t high = status_.above(low);
+                const std::uint32_t low = changed % 2 != 0 ? cut_slot : line_.below(cut_slot);
+                const std::uint32_t high = line_.above(low);
                 if (!is_clear(low, high)) separate(low, high);
             }
         }
@@ -189,7 +185,7 @@ private:
     /// One edge ends, one starts: the usual case.
     void pass(std::uint32_t slot, std::uint32_t starting, grid_point p) noexcept
     {
-        const std::uint32_t ending = edges_[slot].segment, under = status_.below(slot), over = status_.above(slot);
+        const std::uint32_t ending = line_[slot].segment, under = line_.below(slot), over = line_.above(slot);
         segment& before = a_.segments[ending];
         segment& s = a_.segments[starting];
         if (s.winding_delta != before.winding_delta) unsure_ |= differ(s.winding_delta, before.winding_delta);
@@ -210,21 +206,21 @@ private:
             unsure_ |= side <= 0;
             close_ |= side <= e.reach();
         };
-        if (under != 0) hold(edges_[under], orientation(edges_[under].from, edges_[under].to, p));
-        if (over != 0) hold(edges_[over], -orientation(edges_[over].from, edges_[over].to, p));
+        if (under != 0) hold(line_[under], orientation(line_[under].from, line_[under].to, p));
+        if (over != 0) hold(line_[over], -orientation(line_[over].from, line_[over].to, p));
     }
 
     /// Whether an edge ends in p; if p is met again, also whether it starts there.
     [[nodiscard]] bool is_here(std::uint32_t slot, grid_point p, bool repeated) const noexcept
     {
-        return slot != 0 && (edges_[slot].to == p || (repeated && edges_[slot].from == p));
+        return slot != 0 && (line_[slot].to == p || (repeated && line_[slot].from == p));
     }
 
     /// The edge right below all that end in p, one of which is in `slot`.
     [[nodiscard]] std::uint32_t below_ending(std::uint32_t slot, grid_point p, bool repeated) const noexcept
     {
-        std::uint32_t under = status_.below(slot);
-        while (is_here(under, p, repeated)) under = status_.below(under);
+        std::uint32_t under = line_.below(slot);
+        while (is_here(under, p, repeated)) under = line_.below(under);
         return under;
     }
 
@@ -237,15 +233,69 @@ private:
         std::uint32_t place_count = 0;      // in the status between `under` and `over`
     };
 
+    /// Two edges start and none ends: a contour begins. False, with nothing done, if there is more to it.
+    [[nodiscard]] bool opens(std::uint32_t starting, grid_point p) noexcept
+    {
+        const segment& one = a_.segments[starting];
+        const std::uint32_t second = one.next;
+        if (second == no_number || line_.room() < 2) return false;
+        const segment& other = a_.segments[second];
+        const std::int64_t turn = orientation(p, one.to, other.to);
+        if (turn == 0 || other.next != no_number || (one.bent | other.bent) != 0) return false;
+        const std::uint32_t under = line_.find(p), over = line_.above(under);
+        if (over != 0 && orientation(line_[over].from, line_[over].to, p) == 0) return false;
+        pass_by(under, over, p);
+        const std::uint32_t lower = turn > 0 ? starting : second, upper = turn > 0 ? second : starting;
+        const std::uint32_t low = line_.insert_above(under), high = line_.insert_above(low);
+        begin(low, lower, p, line_[under].above);
+        begin(high, upper, p, line_[low].above);
+        touching |= link_two(a_.segments, lower, upper, true);
+        last_ended_ = no_number;
+        check_winding(line_[high].above, over);
+        if (!is_clear(low, high)) separate(low, high);
+        if (!is_clear(under, low)) separate(under, low);
+        if (!is_clear(high, over)) separate(high, over);
+        return true;
+    }
+
+    /// Two edges end and none starts: a contour ends. False, with nothing done, if there is more to it.
+    [[nodiscard]] bool closes(std::uint32_t slot, grid_point p) noexcept
+    {
+        const std::uint32_t low = line_[line_.above(slot)].to == p ? slot : line_.below(slot);
+        const std::uint32_t high = line_.above(low), under = line_.below(low), over = line_.above(high);
+        if (!(line_[low].to == p) || !(line_[high].to == p) || line_[under].to == p || line_[over].to == p ||
+            line_[low].from == line_[high].from)
+            return false;
+        pass_by(under, over, p);
+        const std::uint32_t lower = line_[low].segment, upper = line_[high].segment;
+        finish(lower);
+        finish(upper);
+        touching |= link_two(a_.segments, upper, lower, false);
+        last_ended_ = upper;
+        check_winding(line_[under].above, over);
+        line_.erase(low);
+        line_.erase(high);
+        if (!is_clear(under, over)) separate(under, over);
+        return true;
+    }
+
+    /// What the edges below add up to must be the winding number right below `over`.
+    void check_winding(std::int32_t winding, std::uint32_t over) noexcept
+    {
+        const std::int32_t expected = over != 0 ? a_.segments[line_[over].segment].below : 0;
+        if (winding != expected) unsure_ |= differ(winding, expected);
+    }
+
     /// Any number of edges ends, any number starts.
     void meet(std::uint32_t slot, std::uint32_t starting, grid_point p, bool repeated) noexcept
     {
+        if (!repeated && (starting == no_number ? closes(slot, p) : slot == 0 && opens(starting, p))) return;
         point_event here{p, starting};
         if (!end_edges(here, slot, repeated)) return;
         last_ended_ = here.ending_count != 0 ? ends_[here.ending_count - 1] : no_number;
         const std::uint32_t starting_count = starts_.put_in_order(here.starting, p);
         full |= starts_.full;
-        if (full || starting_count > here.place_count + (most_slots_ - status_.size())) {
+        if (full || starting_count > here.place_count + line_.room()) {
             full = true;
             return;
         }
@@ -259,10 +309,10 @@ private:
         const grid_point p = here.at;
         unsure_ |= repeated;
         grid_point began = p;  // where the edge that ended last began
-        here.under = slot == 0 ? find(p) : below_ending(slot, p, repeated);
-        std::uint32_t over = status_.above(here.under);
-        for (; over != 0; over = status_.above(over), ++here.place_count) {
-            const swept_edge& e = edges_[over];
+        here.under = slot == 0 ? line_.find(p) : below_ending(slot, p, repeated);
+        std::uint32_t over = line_.above(here.under);
+        for (; over != 0; over = line_.above(over), ++here.place_count) {
+            const swept_edge& e = line_[over];
             if (is_here(over, p, repeated)) {
                 if (!(e.to == p)) {
                     a_.segments[e.segment].next = here.starting;
@@ -293,70 +343,34 @@ private:
         std::uint32_t under = here.under, over = here.over;
         pass_by(under, over, p);
         const bool enough = !unsure_ && starting_count <= here.place_count;
-        for (std::uint32_t i = enough ? starting_count : 0; i < here.place_count; ++i) give_back(status_.above(under));
+        for (std::uint32_t i = enough ? starting_count : 0; i < here.place_count; ++i) line_.erase(line_.above(under));
         if (!enough && slot != 0 && starting_count != 0) {
-            under = find(p);
-            over = status_.above(under);
+            under = line_.find(p);
+            over = line_.above(under);
             pass_by(under, over, p);
         }
         sector_links links{a_.segments};
-        std::int32_t winding = edges_[under].above;
+        std::int32_t winding = line_[under].above;
         std::uint32_t last = under, bends = 0;
         for (std::uint32_t i = 0; i < starting_count; ++i) {
-            const std::uint32_t place = enough ? status_.above(last) : take_slot(), k = starts_.all()[i];
+            const std::uint32_t place = enough ? line_.above(last) : line_.insert_above(last), k = starts_.all()[i];
             begin(place, k, p, winding);
             bends |= a_.segments[k].bent;
-            winding = edges_[place].above;
-            if (!enough) status_.insert_above(last, place);
+            winding = line_[place].above;
             if (i != 0 && !is_clear(last, place)) separate(last, place);  // one may end near the other
             links.take(k, true);
             last = place;
         }
         if (bends) rough_ |= is_rough(a_, ends_, here.ending_count, starts_.all(), starting_count, p);
-        const std::int32_t expected = over != 0 ? a_.segments[edges_[over].segment].below : 0;
-        if (winding != expected) unsure_ |= differ(winding, expected);
+        check_winding(winding, over);
         for (std::uint32_t i = here.ending_count; i-- != 0;) links.take(ends_[i], false);
         touching |= links.close();
-        if (const std::uint32_t low = status_.above(under); !is_clear(under, low)) separate(under, low);
+        if (const std::uint32_t low = line_.above(under); !is_clear(under, low)) separate(under, low);
         if (last != under && !is_clear(last, over)) separate(last, over);
-    }
-
-    [[nodiscard]] std::uint32_t take_slot() noexcept
-    {
-        if (free_slot_ == 0) return ++slot_count_;
-        const std::uint32_t slot = free_slot_;
-        free_slot_ = static_cast<std::uint32_t>(edges_[slot].from.y);
-        return slot;
-    }
-    void give_back(std::uint32_t slot) noexcept
-    {
-        edges_[slot].to = beyond;
-        edges_[slot].from = {0, static_cast<std::int32_t>(free_slot_)};
-        free_slot_ = slot;
-        status_.erase(slot);
-    }
-
-    /// Bent edges cross a little beside where the contours do: takes the contours' crossing. Where there is none, or
-    /// the edges cannot be cut there, they have left the course of snap rounding.
-    void lead_home(std::uint32_t low, std::uint32_t high, grid_point& x) noexcept
-    {
-        const auto l = a_.home(a_.segments[edges_[low].segment]), h = a_.home(a_.segments[edges_[high].segment]);
-        grid_point better;
-        if (crossing_of(l.from, l.to, h.from, h.to, better) && edges_[low].holds(better) && edges_[high].holds(better))
-            x = better;
-        else
-            rough_ = true;
     }
 
     /// Whether two winding numbers differ for the fill rule.
     [[nodiscard]] bool differ(std::int32_t a, std::int32_t b) const noexcept { return ((a - b) & mask_) != 0; }
-
-    /// The last edge below p.
-    [[nodiscard]] std::uint32_t find(grid_point p) noexcept
-    {
-        return status_.last_below(
-            [&](std::uint32_t s) noexcept { return s != 0 && orientation(edges_[s].from, edges_[s].to, p) > 0; });
-    }
 
     void begin(std::uint32_t slot, std::uint32_t starting, grid_point p, std::int32_t winding) noexcept
     {
@@ -365,7 +379,7 @@ private:
         s.start = passed_ - 1;
         s.below = winding;
         s.interior = int{is_filled(rule_, above)} - int{is_filled(rule_, winding)};
-        edges_[slot].begin(p, s.to, starting, above);
+        line_[slot].begin(p, s.to, starting, above);
         if (s.end != no_number) hints_[s.end] = slot;
     }
 
@@ -384,13 +398,8 @@ private:
     [[nodiscard]] bool is_clear(std::uint32_t low, std::uint32_t high) noexcept
     {
         if (low == 0 || high == 0) return true;
-        const bool low_first = sweep_place(edges_[low].to) < sweep_place(edges_[high].to);
-        const std::uint32_t change = (low ^ high) & (low_first - 1u);  // a branch would often be mispredicted
-        const swept_edge& shorter = edges_[low ^ change];
-        const swept_edge& longer = edges_[high ^ change];
-        const std::int64_t turn = orientation(longer.from, longer.to, shorter.to);
-        const std::int64_t side = (turn ^ -std::int64_t{low_first}) + low_first;  // low_first ? -turn : turn
-        if (side > longer.reach()) return true;
+        const auto [side, reach] = clearance_of(line_[low], line_[high]);
+        if (side > reach) return true;
         if (side <= 0) return false;
         return close_ = true;
     }
@@ -398,10 +407,10 @@ private:
     /// Two neighbours that are not clear of each other: cuts them where they meet, unless both end there.
     void separate(std::uint32_t low, std::uint32_t high) noexcept
     {
-        const swept_edge &l = edges_[low], &h = edges_[high];
+        const swept_edge &l = line_[low], &h = line_[high];
         if (l.to == h.to) return;
         if (grid_point x; crossing_of(l.from, l.to, h.from, h.to, x)) {
-            if (a_.segments[l.segment].bent || a_.segments[h.segment].bent) lead_home(low, high, x);
+            if (a_.segments[l.segment].bent || a_.segments[h.segment].bent) rough_ |= !lead_home(a_, l, h, x);
             if (cut(low, x, 0)) (void)cut(high, x, 1);
             return;
         }
@@ -421,8 +430,8 @@ private:
     /// where the edge ended; the left half is reversed when the sweep finishes it, which it does at once.
     [[nodiscard]] bool cut(std::uint32_t slot, grid_point x, std::uint32_t side) noexcept
     {
-        if (edges_[slot].to == x || edges_[slot].from == x) {
-            unsure_ |= edges_[slot].from == x;
+        if (line_[slot].to == x || line_[slot].from == x) {
+            unsure_ |= line_[slot].from == x;
             if (queue_.room() == 0)
                 full = true;
             else
@@ -451,7 +460,7 @@ private:
             full = true;
             return false;
         }
-        swept_edge& e = edges_[slot];
+        swept_edge& e = line_[slot];
         segment& s = a_.segments[e.segment];
         if (const std::int64_t side = orientation(e.from, e.to, x); side != 0) {
             unsure_ |= e.is_bent || (side < 0 ? -side : side) > e.reach();
@@ -469,26 +478,18 @@ private:
         return true;
     }
 
-    static constexpr grid_point beyond{1 << 29, 1 << 29};  // after all points of the grid
-
     arrangement& a_;
     fill_rule rule_;
     std::int32_t mask_;  // of winding numbers
-    swept_edge* edges_ = nullptr;
+    sweep_line line_;
     std::uint32_t* ends_ = nullptr;
     std::uint32_t* dirty_ = nullptr;  // edges that were cut: slots times 2, plus 1 to be tested against the edge above
     std::uint32_t* hints_ = nullptr;  // for every point: a slot whose edge may end there
-    sweep_status status_;
     event_queue queue_;
     start_order starts_{a_, queue_, mask_};
-    std::uint32_t passed_ = 0;
-    std::uint32_t dirty_count_ = 0;
-    std::uint32_t slot_count_ = 0;
-    std::uint32_t free_slot_ = 0;
-    std::uint32_t most_slots_ = 0;
+    std::uint32_t passed_ = 0, dirty_count_ = 0;
     std::uint32_t last_ended_ = no_number;  // the uppermost one in the last point that had any
-    bool unsure_ = false;
-    bool late_ = false;
+    bool unsure_ = false, late_ = false;
     bool unfinished_ = false;  // edges that were never removed
     bool close_ = false;       // a point lies within a cell of an edge that is not its own
     bool rough_ = false;       // see rough, if anything is bent

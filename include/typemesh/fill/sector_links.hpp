@@ -45,4 +45,13 @@ private:
     bool first_goes_out_ = false, last_goes_out_ = false;
 };
 
+/// The links through a point where two segments, in this order, both start or both end, and no other. True as close().
+[[nodiscard]] inline bool link_two(segment* segments, std::uint32_t first, std::uint32_t second, bool start) noexcept
+{
+    sector_links links{segments};
+    links.take(first, start);
+    links.take(second, start);
+    return links.close();
+}
+
 }  // namespace typemesh::inline TYPEMESH_ABI::detail

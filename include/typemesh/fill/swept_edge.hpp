@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/orientation.hpp>
 #include <typemesh/core/point.hpp>
 #include <typemesh/fill/arrangement.hpp>
 
@@ -39,5 +40,19 @@ struct alignas(32) swept_edge {
         return from.y < to.y ? p.y >= from.y && p.y <= to.y : p.y <= from.y && p.y >= to.y;
     }
 };
+
+/// How far the one of two neighbours that ends first does so from the other one.
+struct clearance {
+    std::int64_t side;   ///< orientation(): above 0 on its own side
+    std::int64_t reach;  ///< of the other one
+};
+[[nodiscard]] inline clearance clearance_of(const swept_edge& low, const swept_edge& high) noexcept
+{
+    const bool low_first = sweep_place(low.to) < sweep_place(high.to);
+    const swept_edge* const both[2] = {&high, &low};  // a branch would often be mispredicted
+    const swept_edge &shorter = *both[low_first], &longer = *both[!low_first];
+    const std::int64_t turn = orientation(longer.from, longer.to, shorter.to);
+    return {(turn ^ -std::int64_t{low_first}) + low_first, longer.reach()};  // low_first ? -turn : turn
+}
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail
