@@ -291,7 +291,10 @@ private:
         data.around = std::move(caps.loops());  // which exchanges their storage: `around` refers to it still
         const auto doubled = plan_sides(*around, curve_normals{crease_degrees}, texture, data.of<side_point>());
         if (!doubled) return doubled.error();
+        const double way = reach / scale.width;
         const auto make = [&](const swept_region&) noexcept {
+            constexpr double slack = 4.0;  // of rounding
+            if (!is_in_reach(data.swept.cap, filled, way * scale.width + slack)) return error{error::crossing_contours};
             leave_frame(data.swept.cap);
             return sides == bevel_sides::both ? keep_outline(data) : make_cap(data, caps);
         };

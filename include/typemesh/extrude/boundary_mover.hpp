@@ -38,7 +38,7 @@ public:
     ///
     ///     curves      the region's, to which those of joins are appended; `out` is to refer to them at the end
     ///
-    /// Fails  as sweep_inwards() and caps.fill() do
+    /// Fails  as sweep_inwards() and caps.fill() do; error::crossing_contours: corners have met that grew a spike
     template <cap_maker Caps>
     [[nodiscard]] error operator()(const region& r, double distance, const corner_rule& how, Caps& caps,
                                    buffer<curve>& curves, contours& out) noexcept
@@ -59,6 +59,8 @@ public:
             if (!around) return around.error();
             around_ = std::move(caps.loops());  // which exchanges their storage: `around` refers to it still
             if (error e = sweep({*around, triangles_.view(), distance}, how, caps.space(), curves)) return e;
+            constexpr double slack = 4.0;  // of rounding
+            if (!is_in_reach(swept_.cap, r, reach + slack)) return error::crossing_contours;
             leave_frame(swept_.cap);
         }
         out = std::move(swept_.cap);

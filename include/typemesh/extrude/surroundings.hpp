@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/box.hpp>
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/region.hpp>
@@ -135,6 +136,21 @@ inline void turn_loop(contours& loops, std::uint32_t k) noexcept
     for (std::uint32_t k = 0; k < around.loop_count(); ++k)
         if (lowest >= around.starts()[k] && lowest < around.starts()[k + 1]) return around.starts()[k];
     return 0;
+}
+
+/// Whether a sweep outwards has left a frame of four corners, and no other point farther from the region's box than
+/// `reach`. If not, corners have met that grew a spike.
+[[nodiscard]] inline bool is_in_reach(const contours& left, const region& filled, double reach) noexcept
+{
+    box around;
+    for (const grid_point p : filled.points()) around.add({static_cast<double>(p.x), static_cast<double>(p.y)});
+    std::size_t beyond = 0;
+    for (const grid_point p : left.points)
+        beyond += p.x < around.low.x - reach || p.x > around.high.x + reach || p.y < around.low.y - reach ||
+                          p.y > around.high.y + reach
+                      ? 1u
+                      : 0u;
+    return left.starts.empty() || beyond == 4;
 }
 
 /// Makes what is left around a region the larger region: takes the frame away and reverses all other loops.
