@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "read_text.hpp"
+
+#include <typemesh/unicode/unicode_analyser.hpp>
+#include <typemesh/unicode/utf.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// UTF-8 and UTF-16 bytes -> analyser.
+namespace fuzz {
+
+namespace analysis_laws {
+
+using namespace typemesh;
+
+/// Where each character of a text begins, and all of them in the other encoding, with their places there.
+struct other_encoding {
+    std::string utf8;
+    std::u16string utf16;
+    std::vector<std::size_t> here, there;
+    std::uint32_t invalid = 0;
+
+    explicit other_encoding(text_view text)
+    {
+        const bool widens = text.encoding() == encoding::utf8;
+        for (std::size_t i = 0; i < text.size();) {
+            const code_point c = decode(text, i);
+            here.push_back(i);
+            there.push_back(widens ? utf16.size() : utf8.size());
+            invalid += c.valid ? 0u : 1u;
+            widens ? append_utf16(utf16, c.value) : append_utf8(utf8, c.value);
+            i = c.next;
+        }
+    }
+    [[nodiscard]] text_view view() const { return utf8.empty() ? text_view{utf16} : text_view{utf8}; }
+};
+
+/// Every unit has a level and marks, paragraphs and runs of scripts lie in order.
+inline broken_law of_places(text_view text, const text_analysis& found)
+{
+    const auto size = static_cast<std::uint32_t>(text.size());
+    if (found.levels.size() != size || found.marks.size() != size) return "not a level and marks a unit";
+    std::uint32_t at = 0;
+    for (const text_paragraph& p : found.paragraphs) {
+        if (p.first != at || p.last < p.first) return "paragraphs leave a gap";
+        at = p.last;
+    }
+    if (found.paragraphs.empty() || at != size) return "paragraphs do not cover the text";
+    at = 0;
+    for (const script_run& r : found.scripts) {
+        if (r.first != at || r.last <= r.first) return "runs of scripts leave a gap";
+        at = r.last;
+        if (found.paragraph_of(r.first).last < r.last) return "a run of a script goes beyond its paragraph";
+    }
+    if (at != size) return "runs of scripts do not cover the text";
+    for (const std::uint8_t level : found.levels)
+        if (level > 126) return "a level beyond 126";
+    return {};
+}
+
+/// Lines may end, and graphemes begin, only where characters begin; a unit has its character's level.
+inline broken_law of_marks(const text_analysis& found, const other_encoding& other)
+{
+    std::vector<bool> begins(found.marks.size(), false);
+    for (const std::size_t i : other.here) begins[i] = true;
+    constexpr text_mark of_first =
+        text_mark::character | text_mark::grapheme | text_mark::may_break | text_mark::must_break;
+    for (std::size_t i = 0; i < begins.size(); ++i) {
+        if (has(found.marks[i], text_mark::character) != begins[i]) return "a character begins elsewhere";
+        if (!begins[i] && has(found.marks[i], of_first)) return "a mark within a character";
+        if (!begins[i] && found.levels[i] != found.levels[i - 1]) return "two levels in a character";
+        if (has(found.marks[i], text_mark::must_break) && has(found.marks[i], text_mark::may_break))
+            return "a line both must and may end";
+    }
+    if (!begins.empty() && !has(found.marks[0], text_mark::grapheme)) return "the text begins within a grapheme";
+    if (found.invalid_units != other.invalid) return "places that are not valid UTF are miscounted";
+    return {};
+}
+
+/// Both encodings say the same of each character.
+inline broken_law of_encodings(const text_analysis& a, const text_analysis& b, const other_encoding& places)
+{
+    for (std::size_t k = 0; k < places.here.size(); ++k) {
+        const std::size_t i = places.here[k], j = places.there[k];
+        if (a.levels[i] != b.levels[j]) return "levels depend on the encoding";
+        if (a.marks[i] != b.marks[j]) return "marks depend on the encoding";
+    }
+    return a.paragraphs.size() == b.paragraphs.size() ? "" : "paragraphs depend on the encoding";
+}
+
+/// Each line's runs hold every unit once.
+inline broken_law of_order(const text_analysis& found)
+{
+    buffer<visual_run> runs;
+    for (const text_paragraph& p : found.paragraphs) {
+        if (p.first == p.last) continue;
+        if (visual_runs(found, {p.first, p.last}, runs)) return "visual_runs() failed";
+        std::vector<std::uint32_t> times(p.last - p.first, 0);
+        for (const visual_run& r : runs)
+            for (std::uint32_t i = r.first; i < r.last; ++i) ++times.at(i - p.first);
+        for (const std::uint32_t n : times)
+            if (n != 1) return "a unit does not stand once in its line";
+    }
+    return {};
+}
+
+}  // namespace analysis_laws
+
+inline broken_law analysis(values in)
+{
+    using namespace analysis_laws;
+    analysis_options how;
+    how.direction = in.one_of(
+        {paragraph_direction::automatic, paragraph_direction::left_to_right, paragraph_direction::right_to_left});
+    const read_text text{in, 400};
+    const other_encoding other{text.view()};
+    unicode_analyser analyser;
+    text_analysis found, found_there;
+    if (const error e = analyser.analyse(text.view(), how, found)) return e.message();
+    if (const error e = analyser.analyse(other.view(), how, found_there)) return e.message();
+    if (broken_law broken = of_places(text.view(), found); !broken.empty()) return broken;
+    if (broken_law broken = of_marks(found, other); !broken.empty()) return broken;
+    if (broken_law broken = of_encodings(found, found_there, other); !broken.empty()) return broken;
+    return of_order(found);
+}
+
+}  // namespace fuzz

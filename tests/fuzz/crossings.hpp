@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "values.hpp"
+
+#include "support/oracle.hpp"
+
+#include <typemesh/discretise/certified.hpp>
+#include <typemesh/extrude/flat.hpp>
+#include <typemesh/glyph/cap_builder.hpp>
+#include <typemesh/inspect/curve_distance.hpp>
+#include <typemesh/triangulate/constrained_delaunay.hpp>
+#include <typemesh/triangulate/monotone.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// Contours of curves that nearly touch -> the guard against chords that cross where curves do not.
+namespace fuzz {
+
+namespace crossing_laws {
+
+using namespace typemesh;
+using path = std::vector<curve>;
+
+/// A closed path of up to 6 curves, between points with 8 bits a coordinate.
+inline path read_path(values& in)
+{
+    const auto read_point = [&] {
+        const double x = 4.0 * in.byte();
+        return point{x, 4.0 * in.byte()};
+    };
+    path all;
+    const point first = read_point();
+    point at = first;
+    const std::uint32_t count = 1 + in.below(6);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t degree = 1 + in.below(3);
+        const point a = degree > 1 ? read_point() : at, b = degree > 2 ? read_point() : a;
+        const point end = i + 1 == count ? first : read_point();
+        if (degree == 1) all.push_back(curve::from(at, end));
+        if (degree == 2) all.push_back(curve::from(quadratic{at, a, end}));
+        if (degree == 3) all.push_back(curve::from(cubic{at, a, b, end}));
+        at = end;
+    }
+    return all;
+}
+
+/// The same once more, a little moved, or a little smaller, or with one point elsewhere: curves that nearly touch.
+inline path read_shadow(values& in, path all)
+{
+    const std::uint32_t how = in.byte();
+    const double near = (how & 1) != 0 ? 1.0 / 64 : (how & 2) != 0 ? 1.0 / 8 : 1.0;  // font units
+    const auto step = [&] { return near * (double(in.byte()) - 128.0) / 8.0; };
+    const double dx = step(), dy = step(), scale = (how & 4) != 0 ? 1.0 + step() / 512.0 : 1.0;
+    for (curve& c : all)
+        for (point& p : c.p) p = scale * p + point{dx, dy};
+    if ((how & 8) != 0) {
+        curve& c = all[in.below(static_cast<std::uint32_t>(all.size()))];
+        if (c.degree > 1) c.p[1] = c.p[1] + point{step(), step()};
+    }
+    if ((how & 16) != 0) {
+        std::reverse(all.begin(), all.end());
+        for (curve& c : all) std::reverse(c.p, c.p + c.degree + 1);
+    }
+    return all;
+}
+
+inline outline read_outline(values& in)
+{
+    outline o;
+    bool fits = o.starts.push_back(0);
+    path all;
+    for (std::uint32_t left = 1 + in.below(3); left > 0; --left) {
+        all = !all.empty() && in.flag() ? read_shadow(in, all) : read_path(in);
+        for (const curve& c : all) {
+            fits = fits && o.curves.push_back(c);
+            for (std::uint32_t i = 0; i <= c.degree; ++i) o.bounds.add(c.p[i]);
+        }
+        fits = fits && o.starts.push_back(static_cast<std::uint32_t>(o.curves.size()));
+    }
+    if (!fits) o.clear();
+    return o;
+}
+
+template <triangulator Triangulator>
+broken_law of_caps(const outline& o, double tolerance, fill_rule rule, const Triangulator& cut)
+{
+    const auto cells = grid::fitting(1000.0, o.bounds);
+    if (!cells) return cells.error().message();
+    const certified flatten;
+    const flat raise;
+    no_observer nobody;
+    cap_builder caps;
+    const auto made = caps.build(o, tolerance, *cells, {rule}, policies{flatten, cut, raise, nobody});
+    if (!made) return made.error().message();
+    const auto kept = inspect::loops_of(*made);
+    if (broken_law broken = test::oracle::broken_cycle(kept); !broken.empty()) return broken;
+    if (broken_law broken = test::oracle::broken_law(*made, caps.triangles().view()); !broken.empty()) return broken;
+
+    const double wanted = (std::max)(tolerance * cells->cells, 2.0 * cells->cells * cells->snap_error());
+    const double allowed = 1.01 * wanted + 1.5;
+    const inspect::curve_chords curves{o, cells->cells, 0.01 * wanted};
+    if (curves.all().size() > 20'000) return {};  // too slow to compare
+    if (inspect::check_distance(*made, curves, allowed).strays != 0) return "a point is far from all curves";
+    if (inspect::check_fill(curves, rule, kept, allowed, 60).wrong != 0) return "a place is filled wrongly";
+    return {};
+}
+
+}  // namespace crossing_laws
+
+inline broken_law crossings(values in)
+{
+    using namespace typemesh;
+    using namespace crossing_laws;
+    const fill_rule rule = in.flag() ? fill_rule::even_odd : fill_rule::non_zero;
+    const double tolerance = in.one_of({10.0, 6.25, 1.25, 0.5});
+    const bool delaunay = in.flag();
+    const outline o = read_outline(in);
+    if (o.curves.empty()) return {};
+    return delaunay ? of_caps(o, tolerance, rule, constrained_delaunay{}) : of_caps(o, tolerance, rule, monotone{});
+}
+
+}  // namespace fuzz

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "read_text.hpp"
+
+#include "support/toy_item_shaper.hpp"
+
+#include <typemesh/outline/bar_face.hpp>
+#include <typemesh/paragraph/paragraph.hpp>
+#include <typemesh/paragraph/total_fit.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// A text -> paragraph: lines, glyphs, carets, styles.
+namespace fuzz {
+
+namespace paragraph_laws {
+
+using namespace typemesh;
+
+struct settings {
+    shape_options how;
+    std::vector<style_span> spans;
+    double letter_spacing = 0.0;
+
+    settings(values& in, std::size_t size)
+    {
+        constexpr direction directions[] = {direction::automatic, direction::left_to_right, direction::right_to_left,
+                                            direction::top_to_bottom};
+        const std::uint32_t bits = in.byte();
+        how.direction = directions[bits & 3];
+        how.ligatures = (bits & 4) == 0;
+        if ((bits & 8) != 0) letter_spacing = in.between(0.0, 1.5);
+        const std::uint32_t most = (bits & 16) != 0 ? in.below(6) : 0;
+        for (std::uint32_t k = 0, at = 0; k < most && at < size; ++k) {
+            style_span s;
+            s.first = (std::min)(static_cast<std::uint32_t>(size), at + in.below(8));
+            s.last = (std::min)(static_cast<std::uint32_t>(size), s.first + in.below(12));
+            at = s.last - ((bits & 32) != 0 && s.last > s.first && in.byte() == 1 ? 1 : 0);  // may overlap the next
+            read(in, s.style);
+            spans.push_back(s);
+        }
+    }
+
+private:
+    static void read(values& in, text_style& s)
+    {
+        const std::uint32_t what = in.byte();
+        s.style = style_id{in.below(4)};
+        if ((what & 1) != 0) s.size = in.between(0.25, 4.0);
+        if ((what & 2) != 0) s.letter_spacing = in.between(0.0, 2.0);
+        if ((what & 4) != 0) s.word_spacing = in.between(0.0, 2.0);
+        if ((what & 8) != 0) s.rise = in.between(-1.0, 1.0);
+        if ((what & 16) != 0) s.position = in.one_of({script_position::superscript, script_position::subscript});
+        if ((what & 32) != 0) s.decorations = static_cast<decoration>(in.below(8));
+        if ((what & 64) != 0) s.language = "tr";
+    }
+};
+
+struct layout_settings {
+    paragraph_options options;
+    std::vector<double> stops;
+
+    explicit layout_settings(values& in)
+    {
+        const std::uint32_t what = in.byte(), more = in.byte();
+        if ((what & 1) != 0) options.width = in.flag() ? in.between(0.01, 4.0) : in.between(1.0, 40.0);
+        options.wrap = static_cast<wrap_mode>(more & 3);
+        options.align = static_cast<line_alignment>((more >> 2) % 6);
+        options.anchor = static_cast<vertical_anchor>((more >> 5) % 5);
+        options.boxes = static_cast<line_box>(more >> 7);
+        if ((what & 2) != 0) options.height = in.between(0.0, 20.0);
+        if ((what & 4) != 0) options.most_lines = 1 + in.below(4);
+        if ((what & 8) != 0)
+            options.ellipsis = text_view{in.one_of({"...", "\xE2\x80\xA6", "a", " ", "\n", "\xD7\x90"})};
+        options.elide = static_cast<ellipsis_place>((what >> 4) % 3);
+        if ((what & 64) != 0) options.indent = in.between(-2.0, 3.0);
+        if ((what & 128) == 0) return;
+        options.justify = static_cast<justification>(in.below(3));
+        options.line_spacing = in.between(1.0, 3.0);
+        options.tab_width = in.between(0.0, 8.0);
+        for (double at = 0.0; stops.size() < 3 && in.flag();) stops.push_back(at += in.between(0.1, 3.0));
+        options.tab_stops = stops;
+    }
+
+    /// All that the text has is drawn, and nothing else but hyphens.
+    [[nodiscard]] bool shows_all() const
+    {
+        const bool strokes = options.align == line_alignment::justify && options.justify == justification::kashida;
+        return options.most_lines > 1'000'000 && options.ellipsis.empty() && !strokes;
+    }
+};
+
+inline bool equal(const glyph_run& a, const glyph_run& b)
+{
+    const auto same_glyph = [](const placed_glyph& g, const placed_glyph& h) {
+        return g.id == h.id && g.cluster == h.cluster && g.origin == h.origin && g.look == h.look &&
+               g.missing == h.missing;
+    };
+    const auto same_line = [](const text_line& k, const text_line& l) {
+        return k.first_glyph == l.first_glyph && k.glyph_count == l.glyph_count && k.origin == l.origin &&
+               same(k.advance, l.advance);
+    };
+    return std::equal(a.glyphs.begin(), a.glyphs.end(), b.glyphs.begin(), b.glyphs.end(), same_glyph) &&
+           std::equal(a.lines.begin(), a.lines.end(), b.lines.begin(), b.lines.end(), same_line) &&
+           a.looks.size() == b.looks.size();
+}
+
+/// Lines cover the text without a gap, and everything is finite.
+template <class Words>
+broken_law of_lines(const Words& words, const layout_settings& how, const glyph_run& run)
+{
+    const auto lines = words.lines();
+    const auto size = static_cast<std::uint32_t>(words.shaped().text().size());
+    if (lines.empty() || lines.size() != run.lines.size()) return "lines are miscounted";
+    if (lines.size() > how.options.most_lines) return "more lines than asked for";
+    std::uint32_t at = 0;
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+        if (lines[k].first != at || lines[k].last < at) return "lines leave a gap";
+        at = lines[k].last;
+        if (lines[k].first == at && k + 1 < lines.size()) return "an empty line within the text";
+        if (!is_finite(lines[k].left) || !is_finite(lines[k].width) || !(lines[k].width >= 0.0))
+            return "a line's width is no width";
+    }
+    if (at > size || (at < size && how.options.most_lines > lines.size())) return "lines do not cover the text";
+    for (const placed_glyph& g : run.glyphs) {
+        if (!is_finite(g.origin.x) || !is_finite(g.origin.y)) return "a glyph stands nowhere";
+        if (g.look >= run.looks.size() && g.look != 0) return "a glyph has no look";
+    }
+    return {};
+}
+
+using glyph_places = std::vector<std::pair<std::uint32_t, std::uint32_t>>;  // cluster, id
+
+/// What a line's text gives when it is shaped alone, but for what is drawn beside it: sorted.
+template <class Words>
+error shape_alone(const Words& words, test::toy_item_shaper& font, const laid_line& line, glyph_places& alone)
+{
+    buffer<shaped_glyph> glyphs;
+    const shaped_text& shaped = words.shaped();
+    for (std::uint32_t k = 0; k < shaped.items().size(); ++k) {
+        text_item item = shaped.items()[k];
+        item.first = (std::max)(item.first, line.first);
+        item.last = (std::min)(item.last, line.last);
+        if (item.first >= item.last || silent_at(shaped.text(), item.first) != 0) continue;
+        if (error e = font.shape_item(shaped.text(), item, shaped.options_of(k), glyphs)) return e;
+    }
+    for (const shaped_glyph& g : glyphs) alone.emplace_back(g.cluster, g.id);
+    std::sort(alone.begin(), alone.end());
+    return {};
+}
+
+/// Every cluster is drawn once, in its own line, with the glyphs that the line's text has alone.
+template <class Words>
+broken_law of_glyphs(const Words& words, test::toy_item_shaper& font, const glyph_run& run)
+{
+    for (std::size_t k = 0; k < words.lines().size(); ++k) {
+        const laid_line& line = words.lines()[k];
+        glyph_places drawn, alone;
+        for (std::uint32_t i = 0; i < run.lines[k].glyph_count; ++i) {
+            const placed_glyph& g = run.glyphs[run.lines[k].first_glyph + i];
+            if (!run.looks.empty() && run.looks[g.look].face == bar_face) continue;
+            if (g.cluster < line.first || g.cluster >= line.last) return "a glyph stands in another line";
+            drawn.emplace_back(g.cluster, g.id);
+        }
+        std::sort(drawn.begin(), drawn.end());
+        if (shape_alone(words, font, line, alone)) return "what could be shaped no longer can";
+        if (drawn != alone && !words.shaped().hyphenates(line.last)) return "a line is not its text, shaped alone";
+    }
+    return {};
+}
+
+struct caret_place {
+    std::uint32_t unit;
+    affinity side;
+    caret at;
+
+    [[nodiscard]] bool is_at(const caret& b) const
+    {
+        return at.line == b.line && std::fabs(at.at.x - b.at.x) < 1e-6 && std::fabs(at.at.y - b.at.y) < 1e-6;
+    }
+};
+
+/// Whether a caret stands in the box of its own line, and of no other.
+template <class Words>
+bool stands_in_its_line(const Words& words, const caret& c)
+{
+    const bool down = words.shaped().in_columns();
+    for (std::size_t k = 0; k < words.lines().size(); ++k) {
+        const box b = words.laid().line_box(k);
+        const bool inside = down ? c.at.x >= b.low.x && c.at.x <= b.high.x : c.at.y >= b.low.y && c.at.y <= b.high.y;
+        if (inside != (k == c.line)) return false;
+    }
+    return true;
+}
+
+/// A caret's own point leads back to it.
+template <class Words>
+broken_law of_carets(const Words& words)
+{
+    const laid_text laid = words.laid();
+    const auto& marks = words.shaped().analysis.marks;
+    std::vector<caret_place> all;
+    for (std::uint32_t unit = 0; unit <= marks.size(); ++unit) {
+        if (unit < marks.size() && !has(marks[unit], text_mark::grapheme)) continue;
+        for (const affinity side : {affinity::downstream, affinity::upstream})
+            all.push_back({unit, side, laid.caret_at(unit, side)});
+    }
+    for (const caret_place& one : all) {
+        if (one.at.line >= words.lines().size() || !is_finite(one.at.at.x) || !is_finite(one.at.at.y))
+            return "a caret stands nowhere";
+        if (!stands_in_its_line(words, one.at)) continue;
+        const text_place found = laid.caret_from(one.at.at);
+        if (found.unit > marks.size()) return "a place behind the text";
+        if (!one.is_at(laid.caret_at(found.unit, found.side))) return "a caret's point leads elsewhere";
+        std::size_t others = 0, here = 0;
+        for (const caret_place& other : all) {
+            if (!other.is_at(one.at)) continue;
+            others += other.unit != one.unit ? 1u : 0u;
+            ++here;
+        }
+        if (others == 0 && found.unit != one.unit) return "the point of one caret alone leads to another unit";
+        if (here == 1 && found.side != one.side) return "the point of one caret alone leads to its other side";
+    }
+    return {};
+}
+
+/// No stretch of the text has a box that is none.
+template <class Words>
+broken_law of_boxes(const Words& words, values& in)
+{
+    broken_law broken;
+    const auto size = static_cast<std::uint32_t>(words.shaped().text().size());
+    const std::uint32_t a = in.below(size + 2), b = in.below(size + 2);
+    words.laid().boxes_of(a, b, [&](const box& found) {
+        const bool good = is_finite(found.low.x) && is_finite(found.high.x) && found.low.x <= found.high.x + 1e-9 &&
+                          found.low.y <= found.high.y + 1e-9;
+        if (!good) broken = "a box that is none";
+    });
+    return broken;
+}
+
+/// Lays a text out as told, by two paragraphs: one of which has had other layouts, and its spans in another order.
+template <class Words>
+broken_law of_layout(Words& words, Words& fresh, test::toy_item_shaper& font, const layout_settings& how, values& in)
+{
+    glyph_run run, again;
+    if (const error e = words.lay_out(how.options, run)) return e.message();
+    if (broken_law broken = of_lines(words, how, run); !broken.empty()) return broken;
+    if (how.shows_all())
+        if (broken_law broken = of_glyphs(words, font, run); !broken.empty()) return broken;
+    if (how.shows_all() && words.shaped().text().size() < 80)
+        if (broken_law broken = of_carets(words); !broken.empty()) return broken;
+    if (broken_law broken = of_boxes(words, in); !broken.empty()) return broken;
+    if (fresh.lay_out(how.options, again)) return "what can be laid out cannot be laid out afresh";
+    if (!equal(run, again)) return "a layout depends on those before, or on the order of the spans";
+    const paragraph_widths widths = words.widths();
+    if (!(widths.narrowest <= widths.widest)) return "the narrowest width is wider than the widest";
+    const auto measured = words.measure(how.options);
+    if (!measured || !(measured->width <= widths.widest * 1e9 + 1e9)) return "what is laid out cannot be measured";
+    return words.lines().size() == run.lines.size() ? "" : "measured in other lines than laid out";
+}
+
+template <class Breaker>
+broken_law of_paragraph(values& in, const Breaker& breaker)
+{
+    const std::uint32_t bits = in.byte();
+    test::toy_item_shaper font;
+    font.all_unsafe = (bits & 1) != 0;
+    const read_text text{in, 300};
+    settings how{in, text.view().size()};
+    using words_type = paragraph<test::toy_item_shaper, unicode_analyser, Breaker>;
+    words_type words{font, heap(), unicode_analyser{}, breaker};
+    const error e = words.set(text.view(), how.how, how.spans, how.letter_spacing);
+    std::reverse(how.spans.begin(), how.spans.end());
+    for (int k = 0; k < 3; ++k) {
+        const layout_settings layout{in};
+        words_type fresh{font, heap(), unicode_analyser{}, breaker};
+        if (fresh.set(text.view(), how.how, how.spans, how.letter_spacing).code != e.code)
+            return "an error depends on the order of the spans";
+        if (e) return e == error::overlapping_spans || e == error::font_library_failed ? "" : e.message();
+        if (broken_law broken = of_layout(words, fresh, font, layout, in); !broken.empty()) return broken;
+    }
+    return {};
+}
+
+}  // namespace paragraph_laws
+
+inline broken_law paragraphs(values in)
+{
+    using namespace typemesh;
+    if (in.byte() % 4 != 0) return paragraph_laws::of_paragraph(in, first_fit{});
+    total_fit breaker;
+    breaker.tolerance = in.between(0.1, 3.0);
+    breaker.emergency_stretch = in.between(0.0, 2.0);
+    return paragraph_laws::of_paragraph(in, breaker);
+}
+
+}  // namespace fuzz
