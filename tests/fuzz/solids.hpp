@@ -215,7 +215,6 @@ inline broken_law of_bevelled(const bevelled<drawn_profile>& how, drawn_region& 
     const double rounded = (2.0 * length + 16.0) * depth;  // nodes are rounded to cells
     if (!(volume <= area * depth + rounded && volume >= -rounded))
         return "a bevel takes more away than there is, or adds";
-    if (how.mode == bevel_mode::clip && plan->narrowed) return "a bevel is narrower than asked for";
     return {};
 }
 
