@@ -5,5 +5,5 @@
 
 TEST_CASE("sequences of calls that are kept, and random ones, make what a fresh mesher makes", "[fuzz]")
 {
-    fuzz::replay("calls", fuzz::calls, 400, 120);
+    fuzz::replay("calls", fuzz::calls, 60, 120);
 }

@@ -5,5 +5,5 @@
 
 TEST_CASE("outlines that are kept, and random ones whose curves nearly touch, are filled as the curves say", "[fuzz]")
 {
-    fuzz::replay("crossings", fuzz::crossings, 1500, 80);
+    fuzz::replay("crossings", fuzz::crossings, 300, 80);
 }

@@ -5,5 +5,5 @@
 
 TEST_CASE("polylines that are kept, and random ones, are filled and triangulated", "[fuzz]")
 {
-    fuzz::replay("polylines", fuzz::polylines, 3000, 96);
+    fuzz::replay("polylines", fuzz::polylines, 800, 96);
 }

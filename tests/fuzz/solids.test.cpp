@@ -5,5 +5,5 @@
 
 TEST_CASE("solids of polylines that are kept, and of random ones, are closed and as large as they should be", "[fuzz]")
 {
-    fuzz::replay("solids", fuzz::solids, 2000, 120);
+    fuzz::replay("solids", fuzz::solids, 700, 120);
 }
