@@ -5,6 +5,8 @@
 #include <typemesh/core/buffer.hpp>
 
 #include <cstdint>
+#include <cstring>
+#include <new>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -63,6 +65,31 @@ TEST_CASE("a subrange of the buffer itself can be appended while it grows", "[co
         REQUIRE(b.append(b.view().subspan(from, count)));
     }
     CHECK(values(b) == expected);
+}
+
+TEST_CASE("values are appended from the buffer itself and from elsewhere while memory is overwritten as it is freed",
+          "[core][buffer]")
+{
+    const memory overwriting{
+        nullptr,
+        [](void*, std::size_t bytes, std::size_t) noexcept -> void* { return ::operator new(bytes, std::nothrow); },
+        [](void*, void* block, std::size_t bytes, std::size_t) noexcept {
+            std::memset(block, 0x5A, bytes);
+            ::operator delete(block);
+        }};
+    buffer<int> b{overwriting};
+    std::vector<int> expected;
+    for (int round = 0; round < 6; ++round) {
+        std::vector<int> more(b.capacity() - b.size() + 1);  // so that it grows
+        std::iota(more.begin(), more.end(), round);
+        REQUIRE(b.append(std::span<const int>{more}));
+        expected.insert(expected.end(), more.begin(), more.end());
+        const std::vector<int> twice = expected;
+        REQUIRE(b.append(b.view()));
+        REQUIRE(b.append(b.view()));
+        for (int i = 0; i < 3; ++i) expected.insert(expected.end(), twice.begin(), twice.end());
+        CHECK(values(b) == expected);
+    }
 }
 
 TEST_CASE("clear and truncate keep the storage", "[core][buffer]")

@@ -38,6 +38,9 @@ TEST_CASE("contours keep the order of their points until they are cleared or ano
     fill_and_sort(again);
     again.clear();
     CHECK(again.order().empty());
+    for (const grid_point p : {grid_point{5, 0}, grid_point{3, 0}}) REQUIRE(again.points.push_back(p));
+    CHECK(again.order().empty());  // as many as before, but not sorted
+    again.clear();
     fill_and_sort(again);
     again.forget_order();
     CHECK(again.order().empty());

@@ -69,6 +69,19 @@ TEST_CASE("sweep_order() sorts crowds in one column among points far away", "[co
     }
 }
 
+TEST_CASE("sweep_order() keeps the order of equal points among points that are far away both ways",
+          "[core][sweep_order]")
+{
+    workspace space;
+    for (const int crowd : {5, 15, 16, 17, 40, 255, 256, 600}) {
+        std::vector<grid_point> points{{-(1 << 28), -(1 << 28)}};
+        for (int i = 0; i < crowd; ++i) points.push_back({i % 2, 0});
+        points.push_back({1 << 28, 1 << 28});
+        INFO("a crowd of " << crowd);
+        CHECK(is_right(points, space));
+    }
+}
+
 TEST_CASE("sweep_order() without memory says so", "[core][sweep_order]")
 {
     test::counting_memory memory;
