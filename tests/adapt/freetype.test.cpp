@@ -122,6 +122,31 @@ TEST_CASE("plain text is set by character map, advances and kerning", "[adapt][f
     CHECK(shaped(font, "AV", how).lines[0].advance == kerned.lines[0].advance);
 }
 
+TEST_CASE("a FreeType face kerns pairs in their order, across what is not drawn", "[adapt][freetype]")
+{
+    freetype_font font = opened(liberation);
+    const auto length = [&font](text_view text) { return shaped(font, text).lines[0].advance; };
+    CHECK(length("To") < length("T") + length("o"));
+    CHECK(length("oT") == length("o") + length("T"));
+    CHECK(length(u8"T\u00ADo") == length("To"));
+}
+
+TEST_CASE("each contour of a FreeType face is begun and closed once", "[adapt][freetype]")
+{
+    struct counter : ignore_outline {
+        int moves = 0, closes = 0;
+        void move(point) noexcept { CHECK(moves++ == closes); }
+        void close() noexcept { ++closes; }
+    };
+    for (const char* name : {dejavu, comic, type1}) {
+        freetype_font font = opened(name);
+        counter count;
+        REQUIRE_FALSE(font.outline(shaped(font, "i").glyphs[0].id, count));
+        CHECK(count.moves == 2);
+        CHECK(count.closes == 2);
+    }
+}
+
 TEST_CASE("letters of a FreeType face are spaced beside their kerning", "[adapt][freetype]")
 {
     freetype_font font = opened(liberation);
