@@ -3,6 +3,7 @@
 #include <typemesh/extrude/extruded.hpp>
 #include <typemesh/inspect/normal_check.hpp>
 
+#include <iterator>
 #include <limits>
 
 #include "mesh.hpp"
@@ -247,4 +248,22 @@ TEST_CASE("fewer attributes give the same positions", "[extrude]")
     for (std::size_t i = 0; i < bare.vertices.size(); ++i)
         CHECK(bare.vertices[i].position == full.vertices[i].position);
     CHECK(bare.triangles == full.triangles);
+}
+
+TEST_CASE("the key of extruded{} tells apart what is planned apart, and nothing else", "[extrude]")
+{
+    const extruded<> plain;
+    const extruded<> others[] = {{.depth = 0.0f},
+                                 {.front = false},
+                                 {.back = false},
+                                 {.side = false},
+                                 {.texture = texture_mapping::box},
+                                 {.normals = {.crease_degrees = 20.0f}}};
+    for (std::size_t i = 0; i < std::size(others); ++i) {
+        INFO(i);
+        CHECK_FALSE(others[i].cache_key() == plain.cache_key());
+        for (std::size_t k = 0; k < i; ++k) CHECK_FALSE(others[i].cache_key() == others[k].cache_key());
+    }
+    CHECK(extruded<>{.depth = 0.7f}.cache_key() == plain.cache_key());
+    CHECK(extruded<>{.centred = true}.cache_key() == plain.cache_key());
 }

@@ -62,6 +62,17 @@ TEST_CASE("a flat place is rounded once, to the nearest float", "[extrude][place
     }
 }
 
+TEST_CASE("a flat place half-way between two floats is rounded to the even one", "[extrude][placement]")
+{
+    placement at;
+    for (std::int32_t i = -200; i < 200; ++i) {
+        const grid_point p{(1 << 24) + i, -(1 << 25) - 2 * i};
+        const vec3 made = at.position(p, 0.0f);
+        CHECK(made.x == static_cast<float>(p.x));
+        CHECK(made.y == static_cast<float>(p.y));
+    }
+}
+
 TEST_CASE("heights follow the unit of depths, and a wall's normal the frame", "[extrude][placement]")
 {
     placement at;

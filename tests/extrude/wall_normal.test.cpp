@@ -41,6 +41,20 @@ TEST_CASE("the tip of the sharpest needle on the grid has a unit normal along it
     CHECK(in.x == Approx(-1.0));
 }
 
+TEST_CASE("the tip of a slanted needle has a unit normal along it, however close its walls are", "[extrude]")
+{
+    for (const std::int32_t n : {3, 1000, 1 << 20, 1 << 28}) {  // an angle of n^-2 / 2: normals cancel from 2^27 on
+        const grid_point a{-n, 1 - n}, tip{0, 0}, c{1 - n, 2 - n};
+        INFO(n);
+        const point out = joint_normal(a, tip, c, wall_normal(a, tip), wall_normal(tip, c));
+        CHECK(out.x == Approx(std::sqrt(0.5)).epsilon(2.0 / n));
+        CHECK(out.y == Approx(std::sqrt(0.5)).epsilon(2.0 / n));
+        const point in = joint_normal(c, tip, a, wall_normal(c, tip), wall_normal(tip, a));
+        CHECK(in.x == -out.x);
+        CHECK(in.y == -out.y);
+    }
+}
+
 TEST_CASE("crease angles lie between 0 and 180 degrees", "[extrude]")
 {
     CHECK(is_crease_angle(0.0f));

@@ -85,6 +85,23 @@ TEST_CASE("what is kept is found under its own key and no other", "[text]")
     CHECK(cache.statistics().pinned == 0);
 }
 
+TEST_CASE("contexts whose hashes are equal are told apart", "[text]")
+{
+    glyph_cache cache;
+    glyph_context here, there;
+    there.tolerance = 1;
+    const std::vector<grid_point> points{{1, 2}, {3, 4}};
+    const built_glyph* kept = cache.keep(here, 42, 7, draft_of(points));
+    REQUIRE(kept != nullptr);
+    CHECK(cache.find(there, 42, 7) == nullptr);
+    const built_glyph* other = cache.keep(there, 42, 7, draft_of(points));
+    CHECK(other != kept);
+    const built_glyph* found = cache.find(there, 42, 7);
+    CHECK(found == other);
+    const built_glyph* pinned[] = {kept, other, found};
+    cache.release(pinned);
+}
+
 TEST_CASE("the bound holds for what is not pinned, and what was released longest ago goes first", "[text]")
 {
     const std::size_t each = bytes_of(10);
