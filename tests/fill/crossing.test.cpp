@@ -115,3 +115,17 @@ TEST_CASE("crossing_of() says no to segments that miss, only touch with an end, 
     REQUIRE(crossing_of({-reach, -reach}, {reach, reach}, {-reach, reach}, {reach, -reach}, x));
     CHECK(x == grid_point{0, 0});
 }
+
+TEST_CASE("an edge that ends on another one does not cross it", "[fill][crossing]")
+{
+    for (const std::int32_t to : {4, -4}) {
+        const grid_point foot{2, 0}, top{2, to}, left{0, 0}, right{4, 0};
+        grid_point at;
+        for (const auto& [c, d] : {std::pair{left, right}, {right, left}}) {
+            CHECK_FALSE(crossing_of(foot, top, c, d, at));
+            CHECK_FALSE(crossing_of(top, foot, c, d, at));
+            CHECK_FALSE(crossing_of(c, d, foot, top, at));
+            CHECK_FALSE(crossing_of(c, d, top, foot, at));
+        }
+    }
+}

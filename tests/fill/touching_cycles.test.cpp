@@ -67,6 +67,8 @@ TEST_CASE("Walking anew keeps every directed edge, is done after one time, and c
         REQUIRE(std::equal(first.begin(), first.end(), loops.points.begin(), loops.points.end()));
         cycles.undo(loops);
         REQUIRE(equal(loops, given));
+        cycles.undo(loops);  // nothing
+        REQUIRE(equal(loops, given));
     }
     CHECK(linked > 1000);
     CHECK(changed > 100);

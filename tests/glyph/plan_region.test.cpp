@@ -49,11 +49,10 @@ TEST_CASE("a cap of a region beyond the grid is refused", "[glyph]")
     const stranger::flared raise;  // asks for the cap of the region at twice its size
     const policies with{certified{}, monotone{}, raise, nobody};
     cap_builder caps, further;
-    const auto planned = [&](std::int32_t half) {
+    const auto planned = [&](grid_point low, grid_point high) {
         contours& loops = caps.loops();
         loops.clear();
-        for (const grid_point p : {grid_point{-half, -half}, {half, -half}, {half, half}, {-half, half}})
-            REQUIRE(loops.points.push_back(p));
+        for (const grid_point p : {low, {high.x, low.y}, high, {low.x, high.y}}) REQUIRE(loops.points.push_back(p));
         for (const std::uint32_t start : {0u, 4u}) REQUIRE(loops.starts.push_back(start));
         REQUIRE(loops.edges.append(4) != nullptr);
         const auto filled = caps.fill({}, monotone{});
@@ -61,8 +60,12 @@ TEST_CASE("a cap of a region beyond the grid is refused", "[glyph]")
         plan_scratch data;
         return plan_region(*filled, with, caps, further, data).error();
     };
-    CHECK_FALSE(planned(1 << 27));
-    CHECK(planned((1 << 27) + 1) == error::outline_beyond_grid);
+    constexpr std::int32_t half = 1 << 27;
+    CHECK_FALSE(planned({-half, -half}, {half, half}));
+    CHECK(planned({-half - 1, -half}, {half, half}) == error::outline_beyond_grid);
+    CHECK(planned({-half, -half - 1}, {half, half}) == error::outline_beyond_grid);
+    CHECK(planned({-half, -half}, {half + 1, half}) == error::outline_beyond_grid);
+    CHECK(planned({-half, -half}, {half, half + 1}) == error::outline_beyond_grid);
 }
 
 TEST_CASE("where memory gives no plan data, planning a region tells so", "[glyph]")
