@@ -40,3 +40,14 @@ TEST_CASE("segments meet where they have a point in common", "[inspect]")
     CHECK_FALSE(lies_on({10, 5}, a, b));
     CHECK(side({-(1 << 28), -(1 << 28)}, {1 << 28, 1 << 28}, {0, 1}) == 1);
 }
+
+TEST_CASE("a place at the height of corners is wound round once", "[inspect]")
+{
+    const test::polyline diamond{{5, 0}, {10, 5}, {5, 10}, {0, 5}}, turned = test::reversed(diamond);
+    for (std::int32_t x = -3; x < 14; ++x) {
+        if (x == 0 || x == 10) continue;
+        const std::int32_t expected = x > 0 && x < 10 ? 1 : 0;
+        CHECK(winding(diamond, {x, 5}) == expected);
+        CHECK(winding(turned, {x, 5}) == -expected);
+    }
+}

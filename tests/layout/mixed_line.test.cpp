@@ -134,3 +134,17 @@ TEST_CASE("a mixed line reports a memory that gives nothing, and keeps what it h
         CHECK(poor.split(text, 0, text.size(), {}, none) == error::out_of_memory);
     }
 }
+
+TEST_CASE("a line that is split after a column knows nothing of it", "[layout][mixed_line]")
+{
+    const std::u16string_view column = u"日本語 12 word", text = u"only one item";
+    shape_options down;
+    down.direction = direction::top_to_bottom;
+    mixed_line reused;
+    buffer<text_item> items;
+    REQUIRE_FALSE(reused.split_column(column, 0, column.size(), down, [](char32_t) noexcept { return false; }, items));
+    CHECK(items.size() > 1);
+    REQUIRE_FALSE(reused.split(text, 0, text.size(), {}, items));
+    REQUIRE(items.size() == 1);
+    CHECK(items[0].orientation == glyph_orientation::horizontal);
+}

@@ -67,3 +67,14 @@ TEST_CASE("flipped triangles are counted as the written floats have them, near t
     }
     CHECK(most > 100);
 }
+
+TEST_CASE("no triangle is flipped because depths run the other way", "[text][flipped_triangles]")
+{
+    test::toy_font font;
+    text_mesher mesher = text_mesher{font}.with(flat{});
+    text_options options;
+    options.frame.toward = {0.0f, 0.0f, -1.0f};
+    const auto plan = mesher.plan("oE", options);
+    REQUIRE(plan);
+    CHECK(flipped_triangles(*plan) == 0);
+}

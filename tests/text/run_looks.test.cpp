@@ -3,6 +3,7 @@
 #include "support/counting_memory.hpp"
 #include "support/toy_font.hpp"
 
+#include <typemesh/outline/recorded_outlines.hpp>
 #include <typemesh/text/run_looks.hpp>
 
 #include <algorithm>
@@ -105,4 +106,17 @@ TEST_CASE("looks whose memory fails say so", "[text][looks]")
         ++fails;
     }
     CHECK(fails == 5);  // looks, keys, starts, order, contexts
+}
+
+TEST_CASE("a look has other glyphs where its units are others", "[text][looks]")
+{
+    recorded_outlines small{1000.0}, large{2000.0};
+    glyph_run run;
+    REQUIRE(run.looks.push_back({.map = {.xy = 0.25}}));
+    run_looks of_small{heap()}, of_large{heap()};
+    REQUIRE_FALSE(of_small.read(run, small));
+    REQUIRE_FALSE(of_large.read(run, large));
+    REQUIRE_FALSE(of_small.find_contexts({}, small));
+    REQUIRE_FALSE(of_large.find_contexts({}, large));
+    CHECK_FALSE(of_small.contexts()[0].context == of_large.contexts()[0].context);
 }

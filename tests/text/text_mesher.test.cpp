@@ -491,3 +491,26 @@ TEST_CASE("a glyph beyond all reach is refused, and no vertex is infinite", "[te
     for (const auto& v : m.vertices)
         for (const float f : {v.position.x, v.position.y, v.position.z, v.uv.x, v.uv.y}) REQUIRE(is_finite(double(f)));
 }
+
+TEST_CASE("texture coordinates in em do not depend on the unit, not even where that centres the text", "[text]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    const full_mesh plain = build(mesher, "oE"), boxed = build(mesher, "oE", {.unit = output_unit::unit_box});
+    REQUIRE(plain.vertices.size() == boxed.vertices.size());
+    for (std::size_t i = 0; i < plain.vertices.size(); ++i) CHECK(plain.vertices[i].uv == boxed.vertices[i].uv);
+}
+
+TEST_CASE("texture coordinates of walls are em deep, whatever the unit of depths", "[text]")
+{
+    test::toy_font font;
+    text_mesher mesher = text_mesher{font}.with(extruded{.depth = 0.25f});
+    const full_mesh plain = build(mesher, "oE", {.size = 2.0});
+    text_mesher other = text_mesher{font}.with(extruded{.depth = 0.5f});
+    const full_mesh deep = build(other, "oE", {.size = 2.0, .depth_in = depth_unit::output});
+    REQUIRE(plain.vertices.size() == deep.vertices.size());
+    for (std::size_t i = 0; i < plain.vertices.size(); ++i) {
+        CHECK(plain.vertices[i].position == deep.vertices[i].position);
+        CHECK(plain.vertices[i].uv == deep.vertices[i].uv);
+    }
+}
