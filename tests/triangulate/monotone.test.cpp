@@ -206,3 +206,22 @@ TEST_CASE("monotone takes at most 130 bytes of scratch memory a point, twice tha
         CHECK(memory.bytes_held - before < static_cast<std::size_t>(131.0 * n));
     }
 }
+
+TEST_CASE("a region proven to touch itself says so, and what is refused leaves the triangles alone",
+          "[triangulate][monotone]")
+{
+    workspace space;
+    triangle_list out;
+    REQUIRE(out.push_back({7, 8, 9}));
+    contours corner = test::contours_of({"two squares", {test::square(0, 0, 4), test::square(4, 4, 4)}});
+    REQUIRE(sort_points(corner, space));
+    const auto proven = monotone{}.prove_touching(corner, space, out);
+    REQUIRE(proven);
+    CHECK(proven->is_touching());
+    CHECK(out.size() == 5);
+
+    contours crossing = test::contours_of({"two squares", {test::square(0, 0, 4), test::square(2, 2, 4)}});
+    REQUIRE(sort_points(crossing, space));
+    CHECK_FALSE(monotone{}.prove(crossing, space, out));
+    CHECK(out.size() == 5);
+}

@@ -250,3 +250,19 @@ TEST_CASE("streams of packed formats are told like all others", "[vertex]")
     CHECK(normals[2].decoded() == vec3{0, 0, 1});
     CHECK(ten[0].decoded() == vec4{0, 0, 1, 0});
 }
+
+TEST_CASE("a subrange of streams begins at its own vertex and its own index", "[vertex]")
+{
+    std::vector<typemesh::vec3> places(6);
+    std::vector<std::uint32_t> indices(9);
+    typemesh::stream_sink sink{std::span{indices},
+                               typemesh::stream<typemesh::attribute::position, typemesh::vec3>{std::span{places}}};
+    REQUIRE_FALSE(sink.begin({6, 3}));
+    auto sub = sink.subrange({2, 3, 6, 3});
+    typemesh::surface_point<typemesh::attribute::position> p;
+    p.position = {1.0f, 2.0f, 3.0f};
+    sub.vertex(p);
+    sub.triangle(3, 4, 5);
+    for (std::size_t i = 0; i < 6; ++i) CHECK(places[i] == (i == 2 ? p.position : typemesh::vec3{}));
+    for (std::size_t i = 0; i < 9; ++i) CHECK(indices[i] == (i < 6 ? 0u : static_cast<std::uint32_t>(i - 3)));
+}
