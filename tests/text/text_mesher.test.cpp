@@ -504,9 +504,9 @@ TEST_CASE("texture coordinates in em do not depend on the unit, not even where t
 TEST_CASE("texture coordinates of walls are em deep, whatever the unit of depths", "[text]")
 {
     test::toy_font font;
-    text_mesher mesher = text_mesher{font}.with(extruded{.depth = 0.25f});
+    text_mesher mesher = text_mesher{font}.with(extruded<>{.depth = 0.25f});
     const full_mesh plain = build(mesher, "oE", {.size = 2.0});
-    text_mesher other = text_mesher{font}.with(extruded{.depth = 0.5f});
+    text_mesher other = text_mesher{font}.with(extruded<>{.depth = 0.5f});
     const full_mesh deep = build(other, "oE", {.size = 2.0, .depth_in = depth_unit::output});
     REQUIRE(plain.vertices.size() == deep.vertices.size());
     for (std::size_t i = 0; i < plain.vertices.size(); ++i) {
