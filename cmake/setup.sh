@@ -62,6 +62,8 @@ cgal         header:CGAL/Constrained_Delaunay_triangulation_2.h libcgal-dev     
 polyclipping header:polyclipping/clipper.hpp                  libpolyclipping-dev polyclipping-devel    -           -                 -
 debootstrap  command:debootstrap                              debootstrap        debootstrap            debootstrap -                 -
 dpkg-shlibdeps command:dpkg-shlibdeps                         dpkg-dev           dpkg-dev               dpkg        dpkg              -
+emcc         command:em++                                     emscripten         emscripten             emscripten  emscripten        -
+dpkg-source  command:dpkg-source                              dpkg-dev           -                      -           -                 -
 pyflakes     command:pyflakes3                                pyflakes3          python3-pyflakes       python-pyflakes -             -
 END
 }

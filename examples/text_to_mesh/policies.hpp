@@ -4,6 +4,7 @@
 #include "options.hpp"
 #include "progress.hpp"
 
+#include <typemesh/core/option_hash.hpp>
 #include <typemesh/extrude/emboldened.hpp>
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/extrude/polyline_profile.hpp>
@@ -17,10 +18,22 @@ namespace text_to_mesh {
 // stage chooses for itself, so the stages add up: 3 + 2 + 6 instantiations instead of 3 x 2 x 6. But what a policy says
 // of itself at compile time must hold for all it may choose; where it cannot, a variant of policies is visited.
 
+/// The key of a choice and its options, for caches.
+template <class... Policies>
+[[nodiscard]] typemesh::option_bits key_of_choice(const std::variant<Policies...>& choice) noexcept
+{
+    typemesh::option_hash all;
+    all.add(choice.index());
+    std::visit([&](const auto& p) { all.add_key_of(p); }, choice);
+    return {all.first, all.second};
+}
+
 /// One of the discretisers that keep no tolerance, chosen at run time.
 struct unbounded_discretiser {
     static constexpr bool keeps_no_tolerance = true;
     std::variant<typemesh::two_lines, typemesh::thesis_quality> choice;
+
+    [[nodiscard]] typemesh::option_bits cache_key() const noexcept { return key_of_choice(choice); }
 
     template <class Curve, class Put>
     void operator()(const Curve& curve, double tolerance, Put&& put) const noexcept
@@ -36,6 +49,8 @@ using chosen_discretiser = std::variant<typemesh::certified, unbounded_discretis
 struct chosen_triangulator {
     static constexpr bool has_final_diagonals = true;
     std::variant<typemesh::monotone, typemesh::constrained_delaunay> choice;
+
+    [[nodiscard]] typemesh::option_bits cache_key() const noexcept { return key_of_choice(choice); }
 
     [[nodiscard]] typemesh::error operator()(const typemesh::region& r, typemesh::workspace& space,
                                              typemesh::triangle_list& out) const noexcept
@@ -57,6 +72,8 @@ struct unbevelled_extruder {
         choice;
 
     using plan_data = typemesh::extruded<>::plan_data;  // that of all but flat, which has none
+
+    [[nodiscard]] typemesh::option_bits cache_key() const noexcept { return key_of_choice(choice); }
 
     [[nodiscard]] typemesh::result<typemesh::part_sizes> plan(const typemesh::region& r, plan_data& data) const noexcept
     {
@@ -101,6 +118,8 @@ struct chosen_profile {
     std::variant<typemesh::chamfer_profile, typemesh::round_profile, typemesh::concave_profile,
                  typemesh::stepped_profile, typemesh::engraved_profile, typemesh::polyline_profile>
         choice;
+
+    [[nodiscard]] typemesh::option_bits cache_key() const noexcept { return key_of_choice(choice); }
 
     void operator()(const typemesh::profile_scale& scale, typemesh::profile_points& out) const noexcept
     {

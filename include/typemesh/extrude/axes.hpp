@@ -3,8 +3,8 @@
 
 #include <typemesh/extrude/placement.hpp>
 
-#include <bit>
 #include <cstdint>
+#include <cstring>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -33,10 +33,13 @@ public:
     }
 
     /// Compares bits, because this runs for each part of each glyph; a frame with a -0 goes the slower way.
-    [[nodiscard]] static constexpr bool fit(const frame& f) noexcept
+    [[nodiscard]] static bool fit(const frame& f) noexcept
     {
         const auto differ = [](float a, float b) noexcept {
-            return std::bit_cast<std::uint32_t>(a) ^ std::bit_cast<std::uint32_t>(b);
+            std::uint32_t of_a = 0, of_b = 0;
+            std::memcpy(&of_a, &a, sizeof a);
+            std::memcpy(&of_b, &b, sizeof b);
+            return of_a ^ of_b;
         };
         const vec3 r = f.right, u = f.up, t = f.toward;
         const std::uint32_t other_z = differ(t.z, 1.0f) & 0x7FFF'FFFFu;  // either sign

@@ -23,7 +23,7 @@ export default function load(source?: string | URL | ArrayBuffer | Uint8Array | 
 export { load };
 
 export interface Typemesh {
-    /** The version of the library, "1.0.0". */
+    /** The version of the library, "0.1.0". */
     readonly version: string;
 
     /**
@@ -87,7 +87,7 @@ export interface Font {
 export interface MeshOptions {
     /** How large an em is in your world; 1. */
     size?: number;
-    /** Of the solid; 0.2. 0 makes a flat mesh: the front alone. */
+    /** Of the solid; 0.2. 0 makes a flat mesh: the front alone, without bevels. */
     depth?: number;
     /** A preset of the tolerance: 1/100, 1/160, 1/800 (default), 1/16000 em. */
     quality?: "low" | "normal" | "high" | "best";
@@ -121,7 +121,7 @@ export interface MeshOptions {
         /** Put on instead of carved in. */
         outward?: boolean;
     };
-    /** How far edges are moved outwards; negative makes letters thinner. Letters do not move apart: see letterSpacing. */
+    /** How far edges are moved outwards; negative makes letters thinner. */
     embolden?: number;
     outline?: {
         /** Of a ring along the edges; 0, the default: none. */
@@ -130,7 +130,7 @@ export interface MeshOptions {
         /** Whether the letter within the ring is made as well, in the parts "letter_front" and so on. */
         letter?: boolean;
     };
-    /** Letters that meet become one solid. false. */
+    /** Letters that meet become one solid. By default only if they have bevels, rings or moved edges. */
     merge?: boolean;
 
     /** Where lines end; no width by default: only where the text demands it. Columns: their height. */
@@ -145,6 +145,7 @@ export interface MeshOptions {
     /** What stands at y = 0. */
     anchor?: "first_baseline" | "last_baseline" | "top" | "middle" | "bottom";
     direction?: "automatic" | "ltr" | "rtl" | "ttb";
+    /** Between letters, besides their advances; by default as much as letters have become wider by `embolden` and `outline`. */
     letterSpacing?: number;
     /** Times the font's own. */
     lineSpacing?: number;
@@ -168,8 +169,8 @@ export interface OptionDescription {
     readonly kind: "number" | "boolean" | "choice" | "string" | "numbers" | "features";
     /** Of a choice; the first one is the default. */
     readonly choices?: readonly string[];
-    /** Of a number. */
-    readonly default?: number;
+    /** Of a number or a boolean; none where it follows from other options. */
+    readonly default?: number | boolean;
 }
 
 /** Turns texts into meshes; keeps fonts, options, built letters and all memory. */
@@ -244,7 +245,7 @@ export interface Statistics {
     readonly vertices: number;
     readonly triangles: number;
     readonly glyphs: number;
-    /** Lines of the text, where it was laid out as a paragraph; else 0. */
+    /** Lines of the text. */
     readonly lines: number;
     /** Characters that no font has. */
     readonly missing: number;

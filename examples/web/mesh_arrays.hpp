@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/error.hpp>
+#include <typemesh/text/text_report.hpp>
+#include <typemesh/vertex/bounds3.hpp>
+#include <typemesh/vertex/mesh_range.hpp>
+
+#include <cstdint>
+
+namespace typemesh_web {
+
+/// The names of parts, as web_part::name counts them.
+inline constexpr const char* part_names[] = {"front",      "back",         "side",        "front_bevel",
+                                             "back_bevel", "letter_front", "letter_back", "letter_side"};
+
+/// As JavaScript reads it: five numbers of 32 bits.
+struct web_part {
+    std::uint32_t name, first_index, index_count, first_vertex, vertex_count;
+};
+
+/// A letter of an instanced text: its glyph, and its parts among all.
+struct web_letter {
+    std::uint32_t glyph, first_part, part_count;
+};
+
+/// A mesh in arrays that keep their memory from text to text.
+struct mesh_arrays {
+    typemesh::buffer<float> position, normal, uv;
+    typemesh::buffer<std::uint32_t> index;
+    typemesh::buffer<web_part> parts;
+    typemesh::buffer<web_letter> letters;
+    typemesh::buffer<std::uint32_t> instances;  ///< which letter each is
+    typemesh::buffer<float> translations;       ///< three each
+    typemesh::bounds3 bounds{};
+    typemesh::text_report report;
+    std::uint64_t contour_points = 0;
+    std::uint32_t lines = 0;
+    double plan_microseconds = 0.0;  ///< shaping, building, placing: all but writing
+
+    [[nodiscard]] std::size_t vertices() const noexcept { return position.size() / 3; }
+    [[nodiscard]] std::size_t triangles() const noexcept { return index.size() / 3; }
+
+    void clear() noexcept
+    {
+        position.clear(), normal.clear(), uv.clear(), index.clear();
+        parts.clear(), letters.clear(), instances.clear(), translations.clear();
+        bounds = {}, report = {}, contour_points = 0, lines = 0, plan_microseconds = 0.0;
+    }
+
+    /// Room for exactly so many, not set; false when memory runs out.
+    [[nodiscard]] bool make_room(std::size_t vertex_count, std::size_t index_count) noexcept
+    {
+        return position.reserve(3 * vertex_count) && normal.reserve(3 * vertex_count) && uv.reserve(2 * vertex_count) &&
+               index.reserve(index_count) && (vertex_count == 0 || append_all(vertex_count, index_count));
+    }
+
+private:
+    bool append_all(std::size_t vertex_count, std::size_t index_count) noexcept
+    {
+        return position.append(3 * vertex_count) != nullptr && normal.append(3 * vertex_count) != nullptr &&
+               uv.append(2 * vertex_count) != nullptr && index.append(index_count) != nullptr;
+    }
+};
+
+}  // namespace typemesh_web

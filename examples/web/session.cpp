@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "session.hpp"
+
+#include <chrono>
+#include <utility>
+
+namespace typemesh_web {
+
+session::session(std::vector<shared_font> fonts) : fonts_{std::move(fonts)}, set_{fonts_.front()->font}
+{
+    for (std::size_t i = 1; i < fonts_.size(); ++i) (void)set_.add(fonts_[i]->font);
+    set(settings{});
+}
+
+void session::set(const settings& how)
+{
+    how_ = how;
+    options_ = how_.settled();
+    if (maker_ != nullptr && maker_->take(options_)) return;
+    maker_ = nullptr;
+    maker_ = maker_for(options_, set_, cache_);
+}
+
+template <class Words>
+typemesh::error session::lay_out(Words& words, std::u16string_view text)
+{
+    const text_to_mesh::options& o = options_;
+    const typemesh::shape_options how{.direction = o.direction,
+                                      .language = o.language,
+                                      .script = o.script,
+                                      .features = o.features,
+                                      .columns = o.columns};
+    typemesh::paragraph_options lines = o.lines;
+    lines.ellipsis = how_.ellipsis;
+    if (const typemesh::error e = words.set(text, how, o.letter_spacing)) return e;
+    return words.lay_out(lines, page_);
+}
+
+typemesh::error session::make(std::u16string_view text, bool instances)
+{
+    const auto begun = std::chrono::steady_clock::now();
+    arrays_.clear();
+    if (!how_.cached) cache_.clear();
+    text_job job{.text = text, .page = nullptr, .instances = instances, .begun = begun};
+    if (options_.page) {
+        using namespace typemesh;
+        error e;
+        if (options_.even_lines) {
+            if (even_words_ == nullptr)
+                even_words_ = std::make_unique<total_fit_words>(set_, heap(), unicode_analyser{},
+                                                                total_fit{.emergency_stretch = 0.5});
+            e = lay_out(*even_words_, text);
+        } else {
+            if (words_ == nullptr) words_ = std::make_unique<first_fit_words>(set_);
+            e = lay_out(*words_, text);
+        }
+        if (e) return e;
+        job.page = &page_;
+    }
+    const typemesh::error e = maker_->make(job, arrays_);
+    if (e) arrays_.clear();
+    return e;
+}
+
+}  // namespace typemesh_web

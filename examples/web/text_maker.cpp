@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "text_maker.hpp"
+
+#include "text_to_mesh/policies.hpp"
+
+#include <utility>
+#include <variant>
+
+namespace typemesh_web {
+namespace {
+
+using namespace typemesh;
+
+struct float2 {
+    float x, y;
+};
+struct float3 {
+    float x, y, z;
+};
+
+/// Into the arrays, whose room was made.
+auto sink_into(mesh_arrays& out)
+{
+    const auto bytes = [](buffer<float>& b) { return std::as_writable_bytes(b.view()); };
+    return stream_sink{out.index.view(), stream<attribute::position, float3>::in(bytes(out.position), 0),
+                       stream<attribute::normal, float3>::in(bytes(out.normal), 0),
+                       stream<attribute::uv, float2>::in(bytes(out.uv), 0)};
+}
+
+text_options text_options_of(const text_to_mesh::options& o)
+{
+    text_options how;
+    how.shape = {.direction = o.direction, .language = o.language, .script = o.script, .features = o.features};
+    how.shape.columns = o.columns;
+    how.layout = {.align = o.align, .line_spacing = o.line_spacing, .letter_spacing = o.letter_spacing};
+    how.tolerance = o.tolerance;
+    how.fill = o.fill;
+    how.size = o.size;
+    how.merge = o.merge;
+    how.frame.uv = uv_origin::bottom_left;
+    return how;
+}
+
+template <discretiser Discretiser, extruder Extruder>
+class maker_of final : public text_maker {
+public:
+    maker_of(const text_to_mesh::options& o, font_set& fonts, glyph_cache<>& cache)
+        : fonts_{&fonts}, mesher_{mesher_with(o, fonts, cache)}
+    {
+        (void)take(o);
+    }
+
+    bool take(const text_to_mesh::options& o) override
+    {
+        const auto flatten = text_to_mesh::discretiser_of(o, fonts_->units_per_em());
+        const auto raise = text_to_mesh::extruder_of(o);
+        const auto* mine = std::get_if<Discretiser>(&flatten);
+        const auto* own = std::get_if<Extruder>(&raise);
+        if (mine == nullptr || own == nullptr) return false;
+        mesher_.discretiser_policy() = *mine;
+        mesher_.extruder_policy() = *own;
+        mesher_.triangulator_policy() = text_to_mesh::triangulator_of(o);
+        options_ = o;
+        // Parts of a ring come before those of the letter within it: see part_names.
+        ring_parts_ = o.bevel.width > 0.0f ? 5 : o.outline.width > 0.0f ? 3 : 5;
+        return true;
+    }
+
+    error make(const text_job& job, mesh_arrays& out) override
+    {
+        text_options how = text_options_of(options_);
+        if (job.instances) how.merge = false;
+        auto plan = job.page != nullptr ? mesher_.plan(*job.page, how) : mesher_.plan(job.text, how);
+        if (!plan) return plan.error();
+        const auto taken = std::chrono::steady_clock::now() - job.begun;
+        out.plan_microseconds = std::chrono::duration<double, std::micro>(taken).count();
+        out.report = plan->report();
+        out.bounds = plan->bounds();
+        out.contour_points = plan->contour_points();
+        out.lines = static_cast<std::uint32_t>(plan->run().lines.size());
+        return job.instances ? write_letters(*plan, out) : write_whole(*plan, out);
+    }
+
+private:
+    static auto mesher_with(const text_to_mesh::options& o, font_set& fonts, glyph_cache<>& cache)
+    {
+        return text_mesher{fonts}
+            .with(std::get<Discretiser>(text_to_mesh::discretiser_of(o, fonts.units_per_em())))
+            .with(text_to_mesh::triangulator_of(o))
+            .with(std::get<Extruder>(text_to_mesh::extruder_of(o)))
+            .with(cached_in{cache, 1});
+    }
+    using mesher = decltype(mesher_with(std::declval<const text_to_mesh::options&>(), std::declval<font_set&>(),
+                                        std::declval<glyph_cache<>&>()));
+    using plan_type = typename mesher::plan_type;
+
+    [[nodiscard]] bool add_part(part p, const mesh_range& r, mesh_arrays& out) const noexcept
+    {
+        if (r.index_count == 0) return true;
+        const auto number = static_cast<std::uint32_t>(p);
+        const std::uint32_t name = number < ring_parts_ ? number : 5 + number - ring_parts_;
+        return out.parts.push_back({name, r.first_index, r.index_count, r.first_vertex, r.vertex_count});
+    }
+
+    error write_whole(const plan_type& plan, mesh_arrays& out) const noexcept
+    {
+        const mesh_size size = plan.size();
+        if (!out.make_room(size.vertices, size.indices())) return error::out_of_memory;
+        for (const part p : plan.parts())
+            if (!add_part(p, plan.range(p), out)) return error::out_of_memory;
+        return plan.write(sink_into(out));
+    }
+
+    error write_letters(const plan_type& plan, mesh_arrays& out) const noexcept
+    {
+        const mesh_size size = plan.meshes_size();
+        if (!out.make_room(size.vertices, size.indices())) return error::out_of_memory;
+        for (std::size_t m = 0; m < plan.meshes().size(); ++m) {
+            const auto first = static_cast<std::uint32_t>(out.parts.size());
+            for (const part p : plan.parts())
+                if (!add_part(p, plan.mesh_part(m, p), out)) return error::out_of_memory;
+            const auto count = static_cast<std::uint32_t>(out.parts.size()) - first;
+            if (!out.letters.push_back({plan.meshes()[m].id, first, count})) return error::out_of_memory;
+        }
+        const std::size_t count = plan.glyphs().size();
+        if (!out.instances.reserve(count) || !out.translations.reserve(3 * count)) return error::out_of_memory;
+        plan.write_instances([&out](const glyph_instance& i) noexcept {
+            out.instances.push_back_unchecked(i.mesh);
+            for (const float v : {i.translation.x, i.translation.y, i.translation.z})
+                out.translations.push_back_unchecked(v);
+        });
+        return plan.write_meshes(sink_into(out));
+    }
+
+    font_set* fonts_;
+    text_to_mesh::options options_;  // the texts in them are read while a plan is made
+    std::uint32_t ring_parts_ = 5;
+    mesher mesher_;
+};
+
+}  // namespace
+
+std::unique_ptr<text_maker> maker_for(const text_to_mesh::options& o, font_set& fonts, glyph_cache<>& cache)
+{
+    return std::visit(
+        [&](const auto& d, const auto& e) -> std::unique_ptr<text_maker> {
+            using chosen = maker_of<std::remove_cvref_t<decltype(d)>, std::remove_cvref_t<decltype(e)>>;
+            return std::make_unique<chosen>(o, fonts, cache);
+        },
+        text_to_mesh::discretiser_of(o, fonts.units_per_em()), text_to_mesh::extruder_of(o));
+}
+
+}  // namespace typemesh_web
