@@ -346,6 +346,33 @@ TEST_CASE("a failed request leaves empty contours that can be used again", "[dis
     CHECK(requests > 4);  // it did grow on the way
 }
 
+TEST_CASE("contours get as many points as they may, and no more", "[discretise]")
+{
+    const outline o =
+        outline_of({{curve::from(quadratic{{0, 0}, {500, 1000}, {1000, 0}}), curve::from({1000, 0}, {0, 0})},
+                    {curve::from(cubic{{0, -9}, {0, -900}, {900, -900}, {900, -9}}), curve::from({900, -9}, {0, -9})}});
+    contours all;
+    REQUIRE_FALSE(discretise(o, certified{}, 0.01, grid{}, all));
+    const auto points = static_cast<std::uint32_t>(all.points.size());
+    REQUIRE(points > 20);
+    counting_memory counted;
+    contours out{counted.source()};
+    for (std::uint32_t most = 0; most <= points + 2; ++most) {
+        INFO(most << " of " << points << " points allowed");
+        out.most_points = most;
+        const error e = discretise(o, certified{}, 0.01, grid{}, out);
+        REQUIRE(bool(e) == (most < points));
+        if (e) REQUIRE((e == error::too_many_points && e.count == most && out.points.empty() && out.edges.empty()));
+        if (!e) REQUIRE(broken_law(out) == "");
+    }
+    // What a curve could ask for does not count, only what is allowed.
+    counting_memory little;
+    contours few{little.source()};
+    few.most_points = 4;
+    REQUIRE(discretise(o, certified{}, 1e-9, grid{0x1p16}, few) == error::too_many_points);
+    CHECK(little.peak < 1024);
+}
+
 TEST_CASE("nothing is allocated once contours have grown", "[discretise]")
 {
     counting_memory counted;

@@ -47,10 +47,11 @@ std::vector<glyph_context> all_different()
     const varied_font font;
     no_observer nobody;
     const glyph_settings usual = tolerant(0.01);
-    glyph_settings even_odd = usual, non_zero = usual, fewer = usual;
+    glyph_settings even_odd = usual, non_zero = usual, fewer = usual, shorter = usual;
     even_odd.fill = fill_rule::even_odd;
     non_zero.fill = fill_rule::non_zero;
     fewer.most_pieces = usual.most_pieces - 1;
+    shorter.most_points = usual.most_points - 1;
     return {
         context_of(1, font, usual, policies{certified{}, monotone{}, flat{}, nobody}),
         context_of(2, font, usual, policies{certified{}, monotone{}, flat{}, nobody}),
@@ -59,6 +60,7 @@ std::vector<glyph_context> all_different()
         context_of(1, font, even_odd, policies{certified{}, monotone{}, flat{}, nobody}),
         context_of(1, font, non_zero, policies{certified{}, monotone{}, flat{}, nobody}),
         context_of(1, font, fewer, policies{certified{}, monotone{}, flat{}, nobody}),
+        context_of(1, font, shorter, policies{certified{}, monotone{}, flat{}, nobody}),
         context_of(1, font, usual, policies{two_lines{}, monotone{}, flat{}, nobody}),
         context_of(1, font, usual, policies{certified{}, constrained_delaunay{}, flat{}, nobody}),
         context_of(1, font, usual, policies{certified{}, monotone{}, extruded<>{}, nobody}),

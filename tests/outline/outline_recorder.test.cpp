@@ -208,6 +208,25 @@ TEST_CASE("a coordinate that is no number is told, wherever it stands", "[outlin
     }
 }
 
+TEST_CASE("a recorder takes as many curves as it may, and no more", "[outline][outline_recorder]")
+{
+    for (std::uint32_t most = 0; most <= 8; ++most) {
+        outline o;
+        outline_recorder pen{o, most};
+        for (double x = 0.0; x < 2.0; ++x) {
+            pen.move({x, 0});
+            pen.line({x + 1, 0});
+            pen.line({x, 1});
+            pen.close();
+        }
+        const error e = pen.finish();
+        INFO(most << " of 6 curves allowed");
+        CHECK(bool(e) == (most < 6));
+        CHECK(o.curves.size() == (most < 6 ? most : 6));
+        if (e) CHECK((e == error::too_many_points && e.count == most));
+    }
+}
+
 TEST_CASE("a recorder reports a memory that gives nothing", "[outline][outline_recorder]")
 {
     for (std::size_t at = 1; at <= 3; ++at) {

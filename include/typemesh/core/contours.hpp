@@ -13,6 +13,9 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
+/// How many points a glyph's contours may have, unless the caller says otherwise: see text_options::most_points.
+inline constexpr std::uint32_t default_most_points = 1'000'000;
+
 /// Where a straight edge comes from: its first point lies at t0 of `curve`, its second at t1. t0 > t1 where the contour
 /// has been reversed and runs against its curve. The two differ, however short the edge, as long as floats can tell
 /// them apart.
@@ -37,7 +40,8 @@ struct contours {
     buffer<std::uint32_t> starts;
     std::span<const curve> curves;  ///< not owned: the outline's
     typemesh::grid grid;
-    double tolerance = 0.0;  ///< in cells: how far the edges may be from their curves; 0: unknown
+    double tolerance = 0.0;                    ///< in cells: how far the edges may be from their curves; 0: unknown
+    std::uint32_t most_points = 0xFFFF'FFFFu;  ///< discretise() refuses to put in more; clear() leaves this alone
 
     explicit contours(memory source = heap()) noexcept : points{source}, edges{source}, starts{source}, order_{source}
     {

@@ -35,6 +35,7 @@ struct [[nodiscard]] error {
         outline_not_finite,   ///< an outline contains NaN or infinity
         outline_beyond_grid,  ///< an outline is too large for the integer grid
         too_many_pieces,      ///< contours cross more often than the caller allows; count = that limit
+        too_many_points,      ///< an outline has more curves or points than the caller allows; count = that limit
         crossing_contours,    ///< contours cross, touch or overlap where they must not; count: see triangulator.hpp
         nothing_left,         ///< a glyph made thinner is nowhere as thick as what is taken off
         bad_tolerance,        ///< a tolerance is not a positive finite number
@@ -109,6 +110,7 @@ struct [[nodiscard]] error {
         case outline_not_finite: return "The outline holds a coordinate that is not a finite number.";
         case outline_beyond_grid: return "The outline is too large for the integer grid.";
         case too_many_pieces: return "The contours cross more often than most_pieces allows.";
+        case too_many_points: return "The outline has more points than most_points allows.";
         case crossing_contours: return "Contours of the outline cross, touch or overlap.";
         case nothing_left: return "Nothing is left of the glyph: it is thinner than what is taken off.";
         case bad_tolerance: return "The tolerance is not a positive finite number.";

@@ -21,7 +21,10 @@ namespace detail {
 /// Appends points and their edges to contours; consecutive points at one grid point become one.
 class contour_writer {
 public:
-    explicit contour_writer(contours& out) noexcept : out_{out} {}
+    explicit contour_writer(contours& out) noexcept
+        : out_{out}, most_{out.most_points < most ? std::size_t{out.most_points} + 1 : most}
+    {
+    }
 
     /// Reserves what the last call of this kind used, and at least `wanted` points.
     void begin(std::size_t wanted) noexcept
@@ -102,9 +105,9 @@ private:
     void claim(std::size_t more) noexcept
     {
         if (failed_) return;
-        more = more < most - room_ ? more : most - room_;
+        more = more < most_ - room_ ? more : most_ - room_;
         if (more == 0) {
-            failed_ = error::too_large;
+            failed_ = out_.most_points < most ? error{error::too_many_points, out_.most_points} : error::too_large;
             return;
         }
         if (out_.points.append(more) == nullptr || out_.edges.append(more) == nullptr) {
@@ -117,6 +120,7 @@ private:
     }
 
     contours& out_;
+    std::size_t most_;  // one more than allowed: a contour's last point is its first until it ends
     grid_point* points_ = nullptr;
     contour_edge* edges_ = nullptr;
     std::size_t size_ = 0, room_ = 0, first_ = 0;
@@ -231,7 +235,7 @@ private:
     [[nodiscard]] bool flatten(std::uint32_t first, std::uint32_t end, std::uint32_t finer) noexcept
     {
         writer_.begin_contour(curve_emitter::snapped(curves_.curves[first].start(), cells_));
-        for (std::uint32_t i = first; i < end; ++i) {
+        for (std::uint32_t i = first; i < end && !writer_.failed(); ++i) {
             const curve& q = curves_.curves[i];
             writer_.begin_curve(i);
             emitted_points emitted;
@@ -290,7 +294,8 @@ private:
 /// that error can be kept, and more points would follow the grid's steps instead of the curve.
 ///
 /// Fails  error::bad_tolerance: not positive and finite
-///        error::out_of_memory, error::too_large (2^32 - 1 points or curves and more); `out` is then empty
+///        error::too_many_points (out.most_points), error::out_of_memory, error::too_large (2^32 - 1 points or curves
+///        and more); `out` is then empty
 /// Cost   the discretiser's, and a few nanoseconds per point; nothing is allocated once `out` has grown
 template <discretiser D>
 error discretise(const outline& curves, const D& how, double tolerance, const grid& g, contours& out,

@@ -25,10 +25,11 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// By which rule a cap_builder fills, and its limit.
+/// By which rule a cap_builder fills, and its limits.
 struct cap_settings {
     fill_rule rule = fill_rule::non_zero;
     std::uint32_t most_pieces = default_most_pieces;  ///< that contours which cross may be cut into; see resolve()
+    std::uint32_t most_points = default_most_points;  ///< that curves may be flattened into
 };
 
 /// Makes caps: the region that curves or contours fill, with its triangles. Owns the contours, the order of their
@@ -65,6 +66,7 @@ public:
     {
         effort_ = {};
         triangles_.clear();
+        loops_.most_points = how.most_points;
         with.observe(stage::discretise);
         if (error e = flatten(curves, with.flatten, tolerance, cells)) return e;
         if (loops_.points.empty()) return region{};
@@ -96,7 +98,7 @@ public:
         return fill(how, cut, nobody);
     }
 
-    /// Flattens the outline's curves into loops(): see discretise().
+    /// Flattens the outline's curves into loops(), into no more than loops().most_points: see discretise().
     template <discretiser Discretiser>
     [[nodiscard]] error flatten(const outline& curves, const Discretiser& how, double tolerance, const grid& cells,
                                 std::span<const std::uint8_t> halvings = {}) noexcept

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/contours.hpp>
 #include <typemesh/core/grid.hpp>
 #include <typemesh/core/most_pieces.hpp>
 #include <typemesh/core/outline.hpp>
@@ -23,6 +24,7 @@ struct glyph_settings {
     double tolerance = 0.0;                           ///< the largest distance between curve and mesh, in em
     std::optional<fill_rule> fill = {};               ///< instead of the outline source's own
     std::uint32_t most_pieces = default_most_pieces;  ///< that contours which cross may be cut into; see resolve()
+    std::uint32_t most_points = default_most_points;  ///< that curves may be flattened into; and how many curves
 };
 
 /// Builds one glyph from its outline: record, discretise, fill, triangulate, and the extruder's plan. Owns the scratch
@@ -62,12 +64,12 @@ public:
                                               const policies<Policy...>& with) noexcept
     {
         with.observe(stage::outline);
-        if (error e = record(font, id, outline_)) return e;
+        if (error e = record(font, id, outline_, how.most_points)) return e;
         if (outline_.curves.empty()) return region{};
         const double units_per_em = font.units_per_em();
         const auto fitting = grid::fitting(units_per_em, outline_.bounds);
         if (!fitting) return fitting.error();
-        const cap_settings filled{how.fill.value_or(outline_.rule), how.most_pieces};
+        const cap_settings filled{how.fill.value_or(outline_.rule), how.most_pieces, how.most_points};
         return caps_.build(outline_, how.tolerance * units_per_em, *fitting, filled, with);
     }
 
@@ -83,9 +85,10 @@ public:
     /// Whether a text may continue without the glyph that has this error.
     [[nodiscard]] static constexpr bool concerns_the_glyph_alone(const error& e) noexcept
     {
-        for (const error::kind k : {error::unknown_glyph, error::bad_outline, error::outline_not_finite,
-                                    error::outline_beyond_grid, error::too_many_pieces, error::crossing_contours,
-                                    error::nothing_left, error::font_library_failed, error::refused_by_user})
+        for (const error::kind k :
+             {error::unknown_glyph, error::bad_outline, error::outline_not_finite, error::outline_beyond_grid,
+              error::too_many_pieces, error::too_many_points, error::crossing_contours, error::nothing_left,
+              error::font_library_failed, error::refused_by_user})
             if (e == k) return true;
         return false;
     }

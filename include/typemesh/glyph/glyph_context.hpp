@@ -48,6 +48,7 @@ struct glyph_context {
     std::uint64_t tolerance = 0;  ///< the bits of the double
     std::uint64_t fill = 0;       ///< 0: the outline source's own rule; else one more than the rule
     std::uint64_t most_pieces = 0;
+    std::uint64_t most_points = 0;
     policy_key discretiser, triangulator, extruder;
 
     friend bool operator==(const glyph_context&, const glyph_context&) noexcept = default;
@@ -62,6 +63,7 @@ struct glyph_context {
         mix(tolerance);
         mix(fill);
         mix(most_pieces);
+        mix(most_points);
         for (const policy_key* p : {&discretiser, &triangulator, &extruder}) {
             mix(reinterpret_cast<std::uintptr_t>(p->type));
             for (const std::uint64_t word : p->options.words) mix(word);
@@ -81,6 +83,7 @@ template <class Font, class... Policy>
     c.tolerance = option_bits{how.tolerance}.words[0];
     c.fill = how.fill ? 1 + static_cast<std::uint64_t>(*how.fill) : 0;
     c.most_pieces = how.most_pieces;
+    c.most_points = how.most_points;
     c.discretiser = key_of(with.flatten);
     c.triangulator = key_of(with.cut);
     c.extruder = key_of(with.raise);

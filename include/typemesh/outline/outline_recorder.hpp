@@ -15,8 +15,12 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// closed with a line. After the first error all further calls are ignored; finish() returns it.
 class outline_recorder {
 public:
-    /// Starts recording into `out`, which is emptied first and must outlive the recorder.
-    explicit outline_recorder(outline& out) noexcept : out_{out} { out_.clear(); }
+    /// Starts recording into `out`, which is emptied first and must outlive the recorder. It gets `most` curves at
+    /// most.
+    explicit outline_recorder(outline& out, std::uint32_t most = 0xFFFF'FFFFu) noexcept : out_{out}, most_{most}
+    {
+        out_.clear();
+    }
 
     void move(point p) noexcept
     {
@@ -64,7 +68,7 @@ public:
     }
 
     /// Closes the last contour and returns how it went: error::outline_not_finite, error::bad_outline (a contour that
-    /// does not begin with move), error::out_of_memory, error::too_large, or none.
+    /// does not begin with move), error::too_many_points, error::out_of_memory, error::too_large, or none.
     error finish() noexcept
     {
         close();
@@ -83,13 +87,14 @@ private:
     }
     void keep(const curve& c) noexcept
     {
-        if (out_.curves.size() == 0xFFFF'FFFFu)
-            error_ = error::too_large;
+        if (out_.curves.size() == most_)
+            error_ = most_ < 0xFFFF'FFFFu ? error{error::too_many_points, most_} : error::too_large;
         else if (!out_.curves.push_back(c))
             error_ = error::out_of_memory;
     }
 
     outline& out_;
+    std::uint32_t most_;
     point start_;
     point current_;
     box bounds_before_;  // of the contours before the current one
@@ -101,12 +106,14 @@ static_assert(outline_sink<outline_recorder>);
 
 /// Reads one glyph of a source into `out`, with its fill rule: the whole stage in one call.
 ///
+///     most    how many curves the glyph may have
+///
 /// Fails with the source's own error (error::unknown_glyph, ...), else as finish() does; `out` then holds nothing
 /// meaningful.
 template <outline_source Source>
-error record(Source& source, glyph_id id, outline& out) noexcept
+error record(Source& source, glyph_id id, outline& out, std::uint32_t most = 0xFFFF'FFFFu) noexcept
 {
-    outline_recorder recorder{out};
+    outline_recorder recorder{out, most};
     if (error e = source.outline(id, recorder)) return e;
     out.rule = source.fill();
     return recorder.finish();

@@ -275,7 +275,10 @@ private:
 
     static glyph_settings settings_of(const text_options& options) noexcept
     {
-        return {.tolerance = options.tolerance, .fill = options.fill, .most_pieces = options.most_pieces};
+        return {.tolerance = options.tolerance,
+                .fill = options.fill,
+                .most_pieces = options.most_pieces,
+                .most_points = options.most_points};
     }
 
     /// Finds or builds each different glyph.
