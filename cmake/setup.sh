@@ -63,6 +63,13 @@ polyclipping header:polyclipping/clipper.hpp                  libpolyclipping-de
 debootstrap  command:debootstrap                              debootstrap        debootstrap            debootstrap -                 -
 dpkg-shlibdeps command:dpkg-shlibdeps                         dpkg-dev           dpkg-dev               dpkg        dpkg              -
 emcc         command:em++                                     emscripten         emscripten             emscripten  emscripten        -
+libc++       clang++:-stdlib=libc++                          libc++-dev         libcxx-devel           libc++      llvm              -
+i686         command:i686-linux-gnu-g++                      g++-i686-linux-gnu -                      -           -                 -
+aarch64      command:aarch64-linux-gnu-g++                   g++-aarch64-linux-gnu -                   -           -                 -
+armhf        command:arm-linux-gnueabihf-g++                 g++-arm-linux-gnueabihf -                 -           -                 -
+riscv64      command:riscv64-linux-gnu-g++                   g++-riscv64-linux-gnu -                   -           -                 -
+s390x        command:s390x-linux-gnu-g++                     g++-s390x-linux-gnu -                     -           -                 -
+qemu         command:qemu-s390x                              qemu-user          qemu-user              qemu-user   qemu              -
 dpkg-source  command:dpkg-source                              dpkg-dev           -                      -           -                 -
 pyflakes     command:pyflakes3                                pyflakes3          python3-pyflakes       python-pyflakes -             -
 END
