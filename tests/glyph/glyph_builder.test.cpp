@@ -6,6 +6,7 @@
 #include <typemesh/typemesh.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 using namespace typemesh;
@@ -50,5 +51,26 @@ TEST_CASE("a trimmed builder holds nothing, and builds the same glyph again", "[
         const std::size_t warm = memory.requests;
         CHECK(built(id) == before);
         CHECK(memory.requests == warm);
+    }
+}
+
+TEST_CASE("the tolerance of a glyph is a share of the em", "[glyph]")
+{
+    test::toy_font font;
+    no_observer nobody;
+    glyph_builder builder;
+    const auto points_at = [&](double tolerance) {
+        const auto filled = builder.build_region(font, test::toy_font::glyph_of(U'o'), {.tolerance = tolerance},
+                                                 policies{certified{}, monotone{}, flat{}, nobody});
+        REQUIRE(filled);
+        return filled->points().size();
+    };
+    // Circles of 1/4 and 3/20 em. Of a quarter, n chords of equal length are off by up to pi^2 / 32 * radius / n^2.
+    for (const double tolerance : {0.1, 0.01, 0.001, 0.0001}) {
+        double expected = 0.0;
+        for (const double radius : {0.25, 0.15}) expected += 4 * std::ceil(std::sqrt(0.3084 * radius / tolerance));
+        INFO(tolerance << " em");
+        CHECK(static_cast<double>(points_at(tolerance)) >= expected);
+        CHECK(static_cast<double>(points_at(tolerance)) <= 1.25 * expected);
     }
 }

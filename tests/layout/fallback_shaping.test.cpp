@@ -175,6 +175,29 @@ TEST_CASE("a line may end where text of two faces meets, unless the first face f
     CHECK_FALSE(has(flags(joined, 4), glyph_flags::unsafe_to_break));
 }
 
+TEST_CASE("a line may not end inside a cluster of the first face, whatever another makes of it", "[layout][fallback]")
+{
+    struct parting_faces : toy_faces {  // the second makes a cluster of every glyph
+        error shape_item(text_view text, const text_item& item, const shape_options& how,
+                         buffer<shaped_glyph>& glyphs) noexcept
+        {
+            const std::size_t before = glyphs.size();
+            const error e = toy_faces::shape_item(text, item, how, glyphs);
+            if (item.face == 1)
+                for (std::size_t i = before; i < glyphs.size(); ++i)
+                    glyphs[i].cluster = item.first + static_cast<cluster_id>(i - before);
+            return e;
+        }
+    } faces;
+    faces.fonts = {toy_covering_font{U"abf"}, toy_covering_font{U"fi"}};
+    const made_item made{faces, u"afib"};
+    CHECK(made.faces() == "0110");
+    for (std::size_t i = 0; i < 4; ++i) {
+        CHECK(made.glyphs[i].cluster == i);
+        CHECK(has(made.glyphs[i].flags, glyph_flags::unsafe_to_break) == (i == 2));
+    }
+}
+
 TEST_CASE("what no face has is found once, and kept for the next text", "[layout][fallback]")
 {
     finding_faces faces;

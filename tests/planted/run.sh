@@ -1,167 +1,309 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# Do the tests notice? Plants one bug at a time in a copy of the tree and runs the tests of its room.
-#
-#     run.sh [--quick] [--sound] [--list | --check] [NAME...]      all of them without a name
-#
-#     --quick   only the test files that are run first, not the rest of the room
-#     --sound   what catches a bug must pass without it
-#     --list    names, rooms and reasons
-#     --check   only whether each patch still applies, to text that stands once in its file
-#
-# A bug is NAME.patch beside this script:
-#     Reason: what a programmer might think.
+# Do the tests notice? Plants one bug at a time in a copy of the tree and runs the tests of its room. A bug is NAME.patch
+# beside this script:
+#     Reason: what a programmer might think
 #     Room: the folder of tests/ that must catch it; several are tried in turn
 #     Tests: room/name ...      which files of it are run first; the changed header's own if this line is missing
-# and a unified diff for patch -p1, whose line numbers do not matter. Each test file is compiled and linked alone.
-# A failed test, a crash, a timeout and a static_assert catch a bug. The table is build/planted/table.tsv too. The exit
-# code is 0 if all were caught. CXX and SECONDS_A_TEST (120) may be set. What a timeout catches must pass without it.
+# and a unified diff of one hunk, found by its text alone, which stands once in its file: line numbers do not matter.
+# Each test file is compiled and linked alone. A failed test, a crash, a timeout and a static_assert catch a bug.
 set -u
-here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-source_tree=$(cd "$here/../.." && pwd)
-work=$source_tree/build/planted
-tree=$work/tree
-quick=no sound=no mode=run
-names=()
-for argument in "$@"; do
-    case $argument in
-        --quick) quick=yes ;;
-        --sound) sound=yes ;;
-        --list | --check) mode=${argument#--} ;;
-        -*) echo "run.sh: there is no option $argument" >&2 && exit 2 ;;
-        *) names+=("$argument") ;;
-    esac
-done
-if [ ${#names[@]} -eq 0 ]; then
-    for file in "$here"/*.patch; do names+=("$(basename "$file" .patch)"); done
-fi
-field() { sed -n "s/^$2: //p;/^--- /q" "$here/$1.patch"; }
-changed() { sed -n 's,^+++ b/,,p' "$here/$1.patch"; }
+typemesh_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+. "$typemesh_root/cmake/setup.sh"
 
-applies() {  # applies NAME TREE: there is such a bug, it is described, and its hunks are found, each in one place
-    local why
-    [ -f "$here/$1.patch" ] || { echo "$1: there is no such patch" && return 1; }
-    for why in Reason Room; do
-        [ -n "$(field "$1" $why)" ] || { echo "$1: has no line '$why:'" && return 1; }
-    done
-    [ "$(grep -c '^@@ ' "$here/$1.patch")" -eq 1 ] || { echo "$1: one hunk, please" && return 1; }
-    why=$(patch -d "$2" -p1 -F0 -f --dry-run <"$here/$1.patch" 2>&1) || { echo "$1: applies no more: $why" && return 1; }
-    [ "$(sed -n '1,/^@@ /d;s/^[- ]//p' "$here/$1.patch" | awk '
-        FNR == NR { old[n++] = $0; next }
-        { seen[m++] = $0 }
-        END {
-            for (i = 0; i + n <= m; ++i) { for (k = 0; k < n && seen[i + k] == old[k]; ++k); found += k == n }
-            print found
-        }' - "$2/$(changed "$1")")" -eq 1 ] || { echo "$1: its text stands more than once in $(changed "$1")" && return 1; }
+usage() {
+    cat <<'END'
+usage: tests/planted/run.sh [OPTION...] [NAME...]      all bugs without a name
+
+  --list        names, rooms and reasons
+  --check       only whether each patch finds its place, and has its row in docs/planted_bugs.md
+  --jobs N      so many bugs at a time; one for each processor by default
+  --resume      goes on where a run was broken off: what was caught then is not tried again
+  --quick       only the test files that are run first, not the rest of the room
+  --sound       what catches a bug must pass without it
+  --record      writes what has caught each bug into docs/planted_bugs.md
+  --work DIR    for what is built; build/planted by default
+
+Installs what is missing. Prints name, room, the test that caught the bug, seconds; the exit code is 0 if all were caught.
+CXX: another g++. SECONDS_A_TEST: 120; then a test is broken off, which catches a bug if the test passes without it.
+END
 }
 
+here=$typemesh_root/tests/planted
+page=$typemesh_root/docs/planted_bugs.md
+work=$typemesh_root/build/planted
+jobs=$(processors)
+quick=no sound=no record=no resume=no mode=run
+names=
+while [ $# -gt 0 ]; do
+    case $1 in
+        --quick) quick=yes ;;
+        --sound) sound=yes ;;
+        --record) record=yes ;;
+        --resume) resume=yes ;;
+        --list | --check) mode=${1#--} ;;
+        --jobs | --work)
+            [ -n "${2:-}" ] || stop "$1 wants a value." "$(usage)"
+            if [ "$1" = --jobs ]; then jobs=$2; else work=$2; fi
+            shift
+            ;;
+        -h | --help) usage && exit ;;
+        -*) stop "$1 is not an option." "$(usage)" ;;
+        *) names="$names $1" ;;
+    esac
+    shift
+done
+[ -n "$names" ] || names=$(cd "$here" && for file in *.patch; do printf ' %s' "${file%.patch}"; done)
+
+describe() {  # describe NAME: sets its reason, room, tests, and the file that it changes
+    local line
+    reason='' room='' tests='' changed=''
+    [ -f "$here/$1.patch" ] || { say "$1: there is no such patch" && return 1; }
+    while IFS= read -r line; do
+        case $line in
+            'Reason: '*) reason=${line#*: } ;;
+            'Room: '*) room=${line#*: } ;;
+            'Tests: '*) tests=${line#*: } ;;
+            '+++ b/'*) changed=${line#+++ b/} && break ;;
+        esac
+    done <"$here/$1.patch"
+    [ -n "$reason" ] && [ -n "$room" ] || { say "$1: wants the lines 'Reason:' and 'Room:'" && return 1; }
+    [ -f "$typemesh_root/$changed" ] || { say "$1: there is no file '$changed'" && return 1; }
+    [ -n "$tests" ] || { tests=${changed#include/typemesh/} && tests=${tests%.hpp}; }
+}
+
+plant() {  # plant NAME FILE: the file with the bug; a sentence and failure if it has no place
+    awk -v name="$1" '
+        FNR == 1 { ++file }
+        file == 1 && /^@@ / { ++hunks; next }
+        file == 1 && hunks {
+            if (!/^\+/) old[n++] = substr($0, 2)
+            if (!/^-/) new[m++] = substr($0, 2)
+        }
+        file == 2 { text[l++] = $0 }
+        END {
+            for (i = 0; i + n <= l; ++i) {
+                for (k = 0; k < n && text[i + k] == old[k]; ++k) {}
+                if (k == n) { at = i; ++found }
+            }
+            if (hunks != 1) { print name ": has " hunks + 0 " hunks, and not one"; exit 1 }
+            if (found != 1) { print name ": its text stands " found + 0 " times in its file, and not once"; exit 1 }
+            for (i = 0; i < at; ++i) print text[i]
+            for (i = 0; i < m; ++i) print new[i]
+            for (i = at + n; i < l; ++i) print text[i]
+        }' "$here/$1.patch" "$2"
+}
+
+# The row of a bug in the page, up to what caught it.
+row_begins() { printf '| [%s](../tests/planted/%s.patch) | %s | ' "$1" "$1" "$2"; }
+
 if [ $mode = list ]; then
-    for name in "${names[@]}"; do printf '%-34s %-12s %s\n' "$name" "$(field "$name" Room)" "$(field "$name" Reason)"; done
+    for name in $names; do describe "$name" && printf '%-34s %-12s %s\n' "$name" "$room" "$reason"; done
     exit
 fi
 if [ $mode = check ]; then
     status=0
-    for name in "${names[@]}"; do applies "$name" "$source_tree" || status=1; done
+    rows=$(grep '^| \[' "$page")
+    for name in $names; do
+        if ! describe "$name"; then
+            status=1
+        elif ! planted=$(plant "$name" "$typemesh_root/$changed"); then
+            say "$planted" && status=1
+        fi
+        case $rows in
+            *"$(row_begins "$name" "$reason")"*) ;;
+            *) say "$name: docs/planted_bugs.md has no row of it with this reason: run.sh --record $name" && status=1 ;;
+        esac
+    done
+    while IFS= read -r row; do
+        row=${row#*[} && row=${row%%]*}
+        [ -f "$here/$row.patch" ] || { say "docs/planted_bugs.md: there is no patch $row" && status=1; }
+    done <<END
+$rows
+END
     exit $status
 fi
 
-# The tools, and what all tests share: Catch2's header read once, and a main().
-compiler=(${CXX:-g++} -std=c++20 -w -pthread)
-command -v ccache >/dev/null && compiler=(ccache "${compiler[@]}") && export CCACHE_SLOPPINESS=pch_defines,time_macros
-way_of() {  # way_of ROOM: as the preset gcc has it
-    case $1 in unicode | discretise | fill | triangulate | glyph) echo -O2 ;; *) echo -O0 ;; esac
-}
 libraries_of() {  # libraries_of ROOM: what tests/CMakeLists.txt gives it
     case $1 in
-        adapt) pkg-config --cflags --libs harfbuzz freetype2 fontconfig icu-uc ;;
-        threads | conformance | workload) pkg-config --cflags --libs harfbuzz freetype2 ;;
+        adapt) say harfbuzz freetype2 fontconfig icu-uc ;;
+        threads | conformance | workload) say harfbuzz freetype2 ;;
     esac
 }
-rm -rf "$tree" && mkdir -p "$tree" || exit 2
-cp -R "$source_tree/include" "$source_tree/tests" "$tree"
-includes=("-I$tree/include" "-I$tree/tests" "-DTYPEMESH_TEST_DATA=\"$tree/tests\"")
-for way in -O0 -O2; do
-    read=$work/read$way/read_catch.hpp
-    mkdir -p "$work/read$way" && printf '#include "support/catch.hpp"\n' >"$read"
-    [ "$read.gch" -nt "$tree/tests/support/catch.hpp" ] ||
-        "${compiler[@]}" $way "${includes[@]}" -x c++-header "$read" -o "$read.gch" || exit 2
+way_of() {  # way_of ROOM: as the preset gcc has it
+    case $1 in unicode | discretise | fill | triangulate | glyph | conformance | workload) say -O2 ;; *) say -O0 ;; esac
+}
+
+# The tools and the data, and what all tests share: Catch2's header read once, and a main().
+tried=
+for name in $names; do
+    describe "$name" || exit 2
+    for file in $tests $room; do tried="$tried ${file%%/*}"; done
+done
+[ -n "${CXX:-}" ] || install_missing g++
+install_missing catch2
+case $tried in *adapt* | *threads* | *conformance* | *workload*) install_missing pkg-config harfbuzz freetype fontconfig-dev icu fontconfig font ;; esac
+case $tried in
+    *adapt* | *threads* | *conformance* | *workload* | *unicode*)
+        fonts=$(awk -F '\t' 'NR > 1 && $2 < 20000000 { print $1 }' "$typemesh_root/tests/workload/smoke-fonts.tsv")
+        # shellcheck disable=SC2086  # a list of words
+        install_fonts unicode-data $fonts
+        ;;
+esac
+compiler=(${CXX:-g++} -std=c++20 -w -pthread)
+if command -v ccache >/dev/null; then
+    compiler=(ccache "${compiler[@]}")
+    export CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_NOHASHDIR=1
+fi
+includes=(-Iinclude -Itests '-DTYPEMESH_TEST_DATA="tests"')  # in a tree, so that all trees share what ccache keeps
+mkdir -p "$work" && work=$(cd "$work" && pwd) || exit 2
+
+make_tree() {  # make_tree TREE
+    rm -rf "$1" && mkdir -p "$1" && cp -R "$typemesh_root/include" "$typemesh_root/tests" "$1"
+}
+make_tree "$work/tree-1" || exit 2
+cd "$work/tree-1" || exit 2
+for room in $tried; do
+    read=$work/read$(way_of "$room")
+    [ ! "$read/read_catch.hpp.gch" -nt tests/support/catch.hpp ] || continue
+    mkdir -p "$read" && printf '#include "support/catch.hpp"\n' >"$read/read_catch.hpp"
+    # shellcheck disable=SC2046  # several words
+    "${compiler[@]}" "$(way_of "$room")" "${includes[@]}" -x c++-header "$read/read_catch.hpp" -o "$read/read_catch.hpp.gch" || exit 2
 done
 main=("$work/main.o")
 if printf '#include <catch2/catch_all.hpp>\n' | "${compiler[@]}" -E -x c++ - >/dev/null 2>&1; then
     main=(-lCatch2Main -lCatch2)
-elif ! [ -e "$work/main.o" ]; then
-    "${compiler[@]}" -c "$tree/tests/support/main.cpp" -o "$work/main.o" || exit 2
+elif ! [ "$work/main.o" -nt tests/support/main.cpp ]; then
+    "${compiler[@]}" "${includes[@]}" -c tests/support/main.cpp -o "$work/main.o" || exit 2
 fi
-
-try() {  # try ROOM/FILE: 0 and a sentence in $caught_by, if something fails; 2 if it does not compile
-    local libraries test status way
-    way=$(way_of "${1%%/*}")
-    read -ra libraries <<<"$(libraries_of "${1%%/*}" | tr '\n' ' ')"
-    if ! "${compiler[@]}" "$way" "-I$work/read$way" "${includes[@]}" -include read_catch.hpp "${libraries[@]}" \
-        -c "$tree/tests/$1.test.cpp" -o "$work/test.o" 2>"$work/compiler" ||
-        ! "${compiler[@]}" "$work/test.o" "${main[@]}" "${libraries[@]}" -o "$work/test" 2>>"$work/compiler"; then
-        caught_by="$1: static_assert: $(grep -m1 'static assertion failed' "$work/compiler" | sed 's/.*static assertion failed: *//')"
-        grep -q 'static assertion failed' "$work/compiler" && return 0
-        return 2
-    fi
-    timeout -k 5 "${SECONDS_A_TEST:-120}" "$work/test" -a >"$work/output" 2>&1
-    status=$?
-    [ $status -eq 0 ] && return 1
-    test=$(sed -n '/^-\{70,\}$/{n;p;q}' "$work/output")
-    case $status in
-        124 | 137) caught_by="$1: ${test:+$test: }timeout" && return ;;
-        *) caught_by="$1: ${test:-exit code $status}" ;;
-    esac
-    if grep -q 'due to a fatal error condition' "$work/output"; then
-        caught_by="$caught_by ($(grep -m1 -oE 'SIG[A-Z]+' "$work/output"))"
-    elif [ $status -ge 128 ]; then
-        caught_by="$caught_by (signal $((status - 128)))"
-    fi
-}
-
-files_of() {  # files_of NAME: room/file, in the order in which they are tried
-    local first room
-    first=$(field "$1" Tests)
-    [ -n "$first" ] || first=$(changed "$1" | sed -n 's,^include/typemesh/\(.*\)\.hpp$,\1,p')
-    for file in $first; do [ -e "$tree/tests/$file.test.cpp" ] && echo "$file"; done
-    [ $quick = yes ] && return
-    for room in $(field "$1" Room); do
-        (cd "$tree/tests" && ls "$room"/*.test.cpp) | sed 's/\.test\.cpp$//' | grep -vxF "$(tr ' ' '\n' <<<"$first")"
-    done
-}
-
-caught=0 done=0 started=$(date +%s)
-: >"$work/table.tsv"
-row() { printf '%s\t%s\t%s\n' "$name" "$room" "$1" >>"$work/table.tsv" && printf '%-34s %-10s %s\n' "$name" "$room" "$1"; }
-for name in "${names[@]}"; do
-    if [ $done -gt 0 ]; then
-        left=$(((($(date +%s) - started) * (${#names[@]} - done) / done + 59) / 60))
-        printf '[%s of %s, about %s min left]\n' $done ${#names[@]} $left >&2
-    fi
-    done=$((done + 1))
-    room=$(field "$name" Room 2>/dev/null)
-    why=$(applies "$name" "$tree") || { row "ERROR: $why" && continue; }
-    patch -d "$tree" -p1 -F0 -f -s --no-backup-if-mismatch <"$here/$name.patch"
-    answer="NOT CAUGHT"
-    for file in $(files_of "$name"); do
-        caught_by=
-        try "$file"
-        case $? in
-            0) answer=$caught_by ;;
-            1) continue ;;
-            2) answer="ERROR: $file does not compile: $(grep -m1 error "$work/compiler")" ;;
-        esac
-        break
-    done
-    cp "$source_tree/$(changed "$name")" "$tree/$(changed "$name")"
-    if [[ $sound = yes || $caught_by = *timeout ]] && [ -n "$caught_by" ] && ! [ -e "$work/sound-$$-${file//\//-}" ]; then
-        try "$file"
-        [ $? -eq 1 ] && touch "$work/sound-$$-${file//\//-}" || { answer="ERROR: $file fails without the bug" && caught_by=; }
-    fi
-    [ -n "$caught_by" ] && caught=$((caught + 1))
-    row "$answer"
+limit=
+for name in timeout gtimeout; do
+    [ -n "$limit" ] || ! command -v $name >/dev/null || limit="$name -k 5 ${SECONDS_A_TEST:-120}"
 done
-rm -f "$work/sound-$$-"*
-echo "$caught of ${#names[@]} caught"
-[ $caught -eq ${#names[@]} ]
+
+compile() {  # compile ROOM/FILE OBJECTS: $objects/test, in the current folder's tree
+    local libraries='' way object=$2/test.o
+    way=$(way_of "${1%%/*}")
+    # shellcheck disable=SC2046  # several words
+    libraries=$(libraries_of "${1%%/*}") && libraries=${libraries:+$(pkg-config --cflags --libs $libraries)}
+    # shellcheck disable=SC2086  # lists of words
+    "${compiler[@]}" "$way" "-I$work/read$way" "${includes[@]}" -include read_catch.hpp $libraries \
+        -c "tests/$1.test.cpp" -o "$object" && "${compiler[@]}" "$object" "${main[@]}" $libraries -o "$2/test"
+}
+
+# The name of the last test case in Catch2's XML.
+last_test() {
+    sed -n 's/.*<TestCase name="\([^"]*\)".*/\1/p' "$1" | tail -n 1 |
+        sed 's/&lt;/</g;s/&gt;/>/g;s/&quot;/"/g;s/&apos;/'\''/g;s/&amp;/\&/g'
+}
+
+try() {  # try ROOM/FILE OBJECTS: 0 and what $caught_by, if something fails; 1 if all passes; 2 if it does not compile
+    local status test failed_at
+    if ! compile "$1" "$2" 2>"$2/compiler"; then
+        failed_at=$(grep -m1 'static assertion failed' "$2/compiler") || return 2
+        caught_by="$1: static_assert in $(say "$failed_at" | sed -E 's,:.*,,;s,^(tests|include/typemesh)/,,')"
+        return 0
+    fi
+    # shellcheck disable=SC2086  # a list of words
+    { $limit "$2/test" -a -r xml; } >"$2/output" 2>&1
+    status=$?
+    [ $status -ne 0 ] || return 1
+    test=$(last_test "$2/output")
+    caught_by="$1: ${test:-ends with $status}"
+    case $status in
+        124 | 137) caught_by="$caught_by (timeout)" ;;
+        *) if grep -q '<FatalErrorCondition' "$2/output" || [ $status -gt 128 ]; then caught_by="$caught_by (crash)"; fi ;;
+    esac
+}
+
+files_of() {  # files_of: room/file of the bug described, in the order in which they are tried
+    local name
+    for name in $tests; do [ ! -e "tests/$name.test.cpp" ] || say "$name"; done
+    [ $quick = no ] || return
+    for name in $room; do
+        (cd tests && ls "$name"/*.test.cpp) | sed 's/\.test\.cpp$//' | grep -vxF "$(say "$tests" | tr ' ' '\n')"
+    done
+}
+
+passes_without() {  # passes_without ROOM/FILE OBJECTS; remembered
+    [ ! -e "$rows/sound-${1//\//-}" ] || return 0
+    try "$1" "$2"
+    [ $? -eq 1 ] && touch "$rows/sound-${1//\//-}"
+}
+
+plant_and_try() {  # plant_and_try NAME OBJECTS: writes its row, "caught TAB name TAB room TAB by TAB seconds TAB reason"
+    local file begun=$SECONDS verdict=no caught_by='' answer='NOT CAUGHT'
+    describe "$1"
+    if ! plant "$1" "$typemesh_root/$changed" >"$2/changed"; then
+        answer="ERROR: $(cat "$2/changed")"
+    else
+        cp "$2/changed" "$changed"
+        for file in $(files_of); do
+            try "$file" "$2"
+            case $? in
+                0) verdict=caught answer=$caught_by ;;
+                1) continue ;;
+                2) answer="ERROR: $file does not compile: $(grep -m1 error "$2/compiler")" ;;
+            esac
+            break
+        done
+        cp "$typemesh_root/$changed" "$changed"
+        case $verdict$sound$answer in
+            caughtyes* | caught*'(timeout)')
+                passes_without "$file" "$2" || { verdict=no answer="ERROR: $file fails without the bug, too"; }
+                ;;
+        esac
+    fi
+    printf '%s\t%s\t%s\t%s\t%s\t%s\n' $verdict "$1" "$room" "$answer" $((SECONDS - begun)) "$reason" >"$2/row"
+    mv "$2/row" "$rows/$1.row"
+    printf '%-34s %-12s %4d s  %s\n' "$1" "$room" $((SECONDS - begun)) "$answer"
+}
+
+worker() {  # worker NUMBER: takes one bug after the other
+    local name done
+    [ "$1" = 1 ] || make_tree "$work/tree-$1" || return 2
+    cd "$work/tree-$1" && mkdir -p "$work/objects-$1" || return 2
+    for name in $names; do
+        mkdir "$rows/$name.taken" 2>/dev/null || continue
+        plant_and_try "$name" "$work/objects-$1"
+        done=$(ls "$rows" | grep -c '\.row$')
+        [ $((done % 10)) -ne 0 ] || say "  [$done of $total]"
+    done
+}
+
+# A row of what has been caught stays for --resume; everything else of former runs goes.
+rows=$work/rows
+mkdir -p "$rows" && rm -rf "$rows"/*.taken "$rows"/sound-* || exit 2
+[ $resume = yes ] || rm -f "$rows"/*.row
+total=0
+for name in $names; do
+    total=$((total + 1))
+    if grep -q '^caught' "$rows/$name.row" 2>/dev/null; then mkdir "$rows/$name.taken"; else rm -f "$rows/$name.row"; fi
+done
+trap 'kill $(jobs -p); exit 130' INT TERM
+for ((i = 1; i <= jobs; ++i)); do worker $i & done
+wait
+all=$(for name in $names; do cat "$rows/$name.row"; done)
+caught=$(say "$all" | grep -c '^caught')
+
+# The rows of the page are ordered by name; those of other bugs stay, unless their patch has gone.
+record_rows() {
+    local name why by rest
+    sed '/^| \[/d' "$page"
+    {
+        say "$all" | while IFS=$'\t' read -r rest name rest by rest why; do
+            [ -z "$by" ] || say "$(row_begins "$name" "$why")${by//|/\\|} |"
+        done
+        grep '^| \[' "$page" | while IFS= read -r rest; do
+            name=${rest#*[} && name=${name%%]*}
+            say "$all" | cut -f 2 | grep -qx -- "$name" || [ ! -f "$here/$name.patch" ] || say "$rest"
+        done
+    } | LC_ALL=C sort
+}
+if [ $record = yes ]; then
+    [ "$caught" -eq $total ] || stop "$caught of $total caught: nothing is recorded."
+    record_rows >"$work/page" && cp "$work/page" "$page"
+fi
+say "$caught of $total caught"
+[ "$caught" -eq $total ]

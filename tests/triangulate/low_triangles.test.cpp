@@ -173,6 +173,26 @@ TEST_CASE("a long fan of low triangles is mended, with a table of neighbours", "
     }
 }
 
+TEST_CASE("what one pass leaves low is raised by the next", "[triangulate][low]")
+{
+    // Triangles of this strip that stay low at first have neighbours that are raised after them.
+    const test::polyline strip{{2, 1},   {7, 4},   {14, 0},  {22, 2},  {30, 3},  {33, 4},  {39, 4},  {44, 3},  {51, 0},
+                               {58, 4},  {62, 0},  {68, 4},  {73, 1},  {80, 0},  {86, 2},  {89, 2},  {91, 3},  {90, 16},
+                               {84, 18}, {82, 15}, {74, 16}, {69, 17}, {61, 16}, {55, 14}, {52, 17}, {46, 17}, {43, 15},
+                               {41, 16}, {40, 17}, {36, 16}, {30, 15}, {27, 14}, {25, 17}, {18, 15}};
+    contours loops = test::contours_of({"strip", {strip}});
+    loops.grid = grid_of(3.0);
+    workspace space;
+    const auto filled = fill(loops, fill_rule::non_zero, space);
+    REQUIRE(filled);
+    triangle_list out;
+    REQUIRE_FALSE(monotone{}(*filled, space, out));
+    const std::size_t low = low_of(filled->points(), out.view(), 3.0);
+    CHECK(low > 0);
+    REQUIRE_FALSE(raise_low_triangles(*filled, out.view(), space));
+    CHECK(low_of(filled->points(), out.view(), 3.0) == low);  // so nothing was left to another pass
+}
+
 TEST_CASE("low triangles are mended without memory as far as a table is not needed, and say so where it is",
           "[triangulate][low]")
 {
