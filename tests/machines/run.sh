@@ -121,7 +121,7 @@ while IFS='|' read -r name need compiler flags runner may words; do
         verdict=BAD failed=$((failed + 1))
     fi
     if [ "$all" -eq 0 ]; then said="did not run"; elif [ "$count" -eq 0 ]; then said="all $all"; else
-        said="$((all - count)) of $all, not $(sed 's/:.*//' <<<"$others" | sort | uniq -c | awk '{ printf "%s%s of \"%s\"", NR > 1 ? ", " : "", $1, $2 }')"
+        said="$((all - count)) of $all, not $(sed 's/:.*//' <<<"$others" | sort | uniq -c | awk '{ printf "%s%s of \"%s\"", (NR > 1 ? ", " : ""), $1, $2 }')"
     fi
     told=-
     if [ -n "$tests" ] && [ "${may%+}" != "$may" ]; then
