@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "values.hpp"
+#include "contour_laws.hpp"
 
 #include "support/oracle.hpp"
 
@@ -9,6 +9,7 @@
 #include <typemesh/extrude/flat.hpp>
 #include <typemesh/glyph/cap_builder.hpp>
 #include <typemesh/inspect/curve_distance.hpp>
+#include <typemesh/outline/outline_recorder.hpp>
 #include <typemesh/triangulate/constrained_delaunay.hpp>
 #include <typemesh/triangulate/monotone.hpp>
 
@@ -19,7 +20,7 @@
 #include <string>
 #include <vector>
 
-/// Contours of curves that nearly touch -> the guard against chords that cross where curves do not.
+/// Contours of curves that nearly touch, as a font draws them -> the guard against chords that cross where curves do not.
 namespace fuzz {
 
 namespace crossing_laws {
@@ -70,33 +71,44 @@ inline path read_shadow(values& in, path all)
     return all;
 }
 
-inline outline read_outline(values& in)
-{
-    outline o;
-    bool fits = o.starts.push_back(0);
-    path all;
-    for (std::uint32_t left = 1 + in.below(3); left > 0; --left) {
-        all = !all.empty() && in.flag() ? read_shadow(in, all) : read_path(in);
-        for (const curve& c : all) {
-            fits = fits && o.curves.push_back(c);
-            for (std::uint32_t i = 0; i <= c.degree; ++i) o.bounds.add(c.p[i]);
+/// Paths as they are read, and as the recorder keeps what a font would say of them: without the last line.
+struct drawn_outline {
+    outline given, recorded;
+    error failure;
+
+    explicit drawn_outline(values& in)
+    {
+        bool fits = given.starts.push_back(0);
+        path all;
+        outline_recorder recorder{recorded};
+        for (std::uint32_t left = 1 + in.below(3); left > 0; --left) {
+            all = !all.empty() && in.flag() ? read_shadow(in, all) : read_path(in);
+            recorder.move(all.front().start());
+            for (std::size_t i = 0; i < all.size(); ++i) {
+                const curve& c = all[i];
+                fits = fits && given.curves.push_back(c);
+                for (std::uint32_t k = 0; k <= c.degree; ++k) given.bounds.add(c.p[k]);
+                if (c.degree == 1 && i + 1 < all.size()) recorder.line(c.end());
+                if (c.degree == 2) recorder.quadratic(c.p[1], c.end());
+                if (c.degree == 3) recorder.cubic(c.p[1], c.p[2], c.end());
+            }
+            fits = fits && given.starts.push_back(static_cast<std::uint32_t>(given.curves.size()));
         }
-        fits = fits && o.starts.push_back(static_cast<std::uint32_t>(o.curves.size()));
+        failure = recorder.finish();
+        if (!fits && !failure) failure = error::out_of_memory;
     }
-    if (!fits) o.clear();
-    return o;
-}
+};
 
 template <triangulator Triangulator>
-broken_law of_caps(const outline& o, double tolerance, fill_rule rule, const Triangulator& cut)
+broken_law of_caps(const drawn_outline& o, double tolerance, fill_rule rule, const Triangulator& cut)
 {
-    const auto cells = grid::fitting(1000.0, o.bounds);
+    const auto cells = grid::fitting(1000.0, o.given.bounds);
     if (!cells) return cells.error().message();
     const certified flatten;
     const flat raise;
     no_observer nobody;
     cap_builder caps;
-    const auto made = caps.build(o, tolerance, *cells, {rule}, policies{flatten, cut, raise, nobody});
+    const auto made = caps.build(o.recorded, tolerance, *cells, {rule}, policies{flatten, cut, raise, nobody});
     if (!made) return made.error().message();
     const auto kept = inspect::loops_of(*made);
     if (broken_law broken = test::oracle::broken_cycle(kept); !broken.empty()) return broken;
@@ -104,7 +116,7 @@ broken_law of_caps(const outline& o, double tolerance, fill_rule rule, const Tri
 
     const double wanted = (std::max)(tolerance * cells->cells, 2.0 * cells->cells * cells->snap_error());
     const double allowed = 1.01 * wanted + 1.5;
-    const inspect::curve_chords curves{o, cells->cells, 0.01 * wanted};
+    const inspect::curve_chords curves{o.given, cells->cells, 0.01 * wanted};
     if (curves.all().size() > 20'000) return {};  // too slow to compare
     if (inspect::check_distance(*made, curves, allowed).strays != 0) return "a point is far from all curves";
     if (inspect::check_fill(curves, rule, kept, allowed, 60).wrong != 0) return "a place is filled wrongly";
@@ -120,8 +132,9 @@ inline broken_law crossings(values in)
     const fill_rule rule = in.flag() ? fill_rule::even_odd : fill_rule::non_zero;
     const double tolerance = in.one_of({10.0, 6.25, 1.25, 0.5});
     const bool delaunay = in.flag();
-    const outline o = read_outline(in);
-    if (o.curves.empty()) return {};
+    const drawn_outline o{in};
+    if (o.failure) return o.failure.message();
+    if (broken_law broken = of_contours(o.recorded); !broken.empty()) return broken;
     return delaunay ? of_caps(o, tolerance, rule, constrained_delaunay{}) : of_caps(o, tolerance, rule, monotone{});
 }
 

@@ -5,5 +5,5 @@
 
 TEST_CASE("damaged fonts that are kept, and random ones, give closed meshes or clear errors", "[fuzz]")
 {
-    fuzz::replay("fonts", fuzz::fonts, 2000, 96);
+    fuzz::replay("fonts", fuzz::fonts, 1200, 96);
 }

@@ -1,79 +1,113 @@
-#!/bin/sh
+#!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-#     tests/fuzz/run.sh [TARGET] [MINUTES]      one target, or all one after the other: "all"; 5 minutes each
+# Looks for input that breaks a law, with libFuzzer, address and undefined-behaviour sanitizers:
 #
-# Builds tests/fuzz/TARGET.hpp with clang++ and libFuzzer, address and undefined-behaviour sanitizers, and runs it. What it
-# finds is made small and written to tests/corpus/fuzz/TARGET, which the ordinary tests replay: commit it with its mending.
-# The inputs that reach new code are kept in build/fuzz. Prints executions, coverage and findings of each target; fails if
-# there are findings. CXX: another clang++. TYPEMESH_FUZZ_FLAGS: further flags of libFuzzer, such as -max_len=4096.
+#     tests/fuzz/run.sh [TARGET] [MINUTES]      TARGET: tests/fuzz/TARGET.hpp, or all of them in turn; 5 minutes each
+#
+# Installs what is missing, and needs clang++. A finding is tried again, made small and written to tests/corpus/fuzz/TARGET,
+# which the ordinary tests replay: commit it with its mending. Each target's row of docs/fuzzing.md is written anew. Fails if
+# there are findings. Inputs that reach new code are kept in build/fuzz, or TYPEMESH_FUZZ_BUILD, and are where the next run
+# begins. CXX: another clang++. TYPEMESH_FUZZ_FLAGS: further flags of libFuzzer, such as -max_len=4096.
 set -eu
-root=$(cd "$(dirname "$0")/../.." && pwd)
+typemesh_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+. "$typemesh_root/cmake/setup.sh"
 target=${1:-all}
 minutes=${2:-5}
-build=${TYPEMESH_FUZZ_BUILD:-$root/build/fuzz}
+build=${TYPEMESH_FUZZ_BUILD:-$typemesh_root/build/fuzz}
 compiler=${CXX:-clang++}
-mkdir -p "$build"
+page=$typemesh_root/docs/fuzzing.md
+slow_seconds=20  # of processor time, for one input
 status=0
 
 targets() {
-    for test in "$root"/tests/fuzz/*.test.cpp; do basename "$test" .test.cpp; done
+    local test
+    for test in "$typemesh_root"/tests/fuzz/*.test.cpp; do basename "$test" .test.cpp; done
 }
 
-compile() {
-    libraries=
-    if grep -q 'typemesh/adapt/' "$root/tests/fuzz/$1.hpp"; then libraries=$(pkg-config --cflags --libs harfbuzz freetype2); fi
+compile() {  # compile TARGET
+    local libraries=
+    if grep -q 'typemesh/adapt/' "$typemesh_root/tests/fuzz/$1.hpp"; then
+        libraries=$(pkg-config --cflags --libs harfbuzz freetype2)
+    fi
     # shellcheck disable=SC2086  # several words
     "$compiler" -std=c++20 -O1 -g1 -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined \
-        -I"$root/include" -I"$root/tests" "-DTYPEMESH_FUZZ_TARGET=$1" -include "$root/tests/fuzz/$1.hpp" \
-        "$root/tests/fuzz/fuzzer.cpp" -o "$build/$1" $libraries
+        -I"$typemesh_root/include" -I"$typemesh_root/tests" "-DTYPEMESH_FUZZ_TARGET=$1" \
+        -include "$typemesh_root/tests/fuzz/$1.hpp" "$typemesh_root/tests/fuzz/fuzzer.cpp" -o "$build/$1" $libraries
 }
 
 # from_hex FILE, to_hex FILE: as replay.hpp reads them
-from_hex() {
-    sed 's/#.*//' "$1" | tr -d ' \t\r\n' | tr a-f A-F | basenc --base16 -d
-}
-to_hex() {
-    basenc --base16 -w 100 "$1" | tr A-F a-f
+from_hex() { sed 's/#.*//' "$1" | tr -d ' \t\r\n' | tr a-f A-F | basenc --base16 -d; }
+to_hex() { basenc --base16 -w 100 "$1" | tr A-F a-f; }
+
+fails() {  # fails TARGET INPUT: again, alone; what was slow only because the machine was busy does not
+    ! (ulimit -t $slow_seconds && exec "$build/$1" -rss_limit_mb=3000 -timeout=0 "$2") >"$build/$1.again" 2>&1
 }
 
-# The smallest input found that breaks the law of $2, in the corpus, under a name of its content.
-keep() {
-    small=$build/$1.small
-    "$build/$1" -minimize_crash=1 -runs=20000 -timeout=20 "-exact_artifact_path=$small" "$2" >"$build/$1.minimised" 2>&1 || true
-    [ -s "$small" ] || cp "$2" "$small"
-    law=$("$build/$1" -timeout=20 "$small" 2>&1 | grep -m 1 -E '^BROKEN LAW|ERROR: |runtime error' || true)
-    name=$(sha1sum "$small" | cut -c 1-12).hex
-    mkdir -p "$root/tests/corpus/fuzz/$1"
-    { echo "# $law" | cut -c 1-110 && to_hex "$small"; } >"$root/tests/corpus/fuzz/$1/$name"
+# The smallest input found that breaks the same law, in the corpus, under a name of its content.
+keep() {  # keep TARGET INPUT
+    local small=$build/$1.small law name
+    law=$(grep -m 1 -E '^BROKEN LAW|ERROR: |runtime error' "$build/$1.again" || echo "more than $slow_seconds s")
     rm -f "$small"
-    echo "    $name  $law"
+    case $law in
+        more*) ;;
+        *) "$build/$1" -minimize_crash=1 -max_total_time=60 -timeout=60 "-exact_artifact_path=$small" "$2" >"$build/$1.minimised" 2>&1 || true ;;
+    esac
+    if [ ! -s "$small" ] || ! fails "$1" "$small"; then cp "$2" "$small"; fi
+    name=$(sha1sum "$small" | cut -c 1-12).hex
+    mkdir -p "$typemesh_root/tests/corpus/fuzz/$1"
+    { echo "# $law" | cut -c 1-110 && to_hex "$small"; } >"$typemesh_root/tests/corpus/fuzz/$1/$name"
+    rm -f "$small"
+    echo "    tests/corpus/fuzz/$1/$name  $law"
 }
 
-run() {
+# The row of a target in the page's last table: where the names' order has it, in place of the one before.
+write_row() {  # write_row TARGET ROW
+    awk -v name="| \`$1\` |" -v row="$2" '
+        /^\| target \| minutes / { in_table = 1 }
+        in_table && index($0, name) == 1 { next }
+        in_table && !written && (!/^\|/ || /^\| `/ && $0 > row) { print row; written = 1 }
+        { print }
+        END { if (!written) print row }' "$page" >"$build/page.md"
+    cp "$build/page.md" "$page"
+}
+
+run() {  # run TARGET
+    local corpus=$build/corpus/$1 found=$build/found/$1 kept seconds last executions coverage input number=0
+    echo "$1: compiling"
     compile "$1"
-    corpus=$build/corpus/$1
-    found=$build/found/$1
     rm -rf "$found"
     mkdir -p "$corpus" "$found"
-    for kept in "$root/tests/corpus/fuzz/$1"/*.hex; do
+    for kept in "$typemesh_root/tests/corpus/fuzz/$1"/*.hex; do
         [ ! -e "$kept" ] || from_hex "$kept" >"$corpus/$(basename "$kept" .hex)"
     done
     # shellcheck disable=SC2086  # several words
-    (cd "$build" && "$build/$1" "$corpus" "-max_total_time=$((60 * minutes))" "-artifact_prefix=$found/" -max_len=256 -timeout=20 \
-        -rss_limit_mb=3000 -fork=1 -ignore_crashes=1 -ignore_timeouts=1 -ignore_ooms=1 ${TYPEMESH_FUZZ_FLAGS:-} >"$build/$1.log" 2>&1) || true
+    seconds=$( (cd "$build" && "./$1" "$corpus" "-max_total_time=$((60 * minutes))" "-artifact_prefix=$found/" -max_len=256 \
+        -timeout=$((10 * slow_seconds)) -rss_limit_mb=3000 -fork=1 -ignore_crashes=1 -ignore_timeouts=1 -ignore_ooms=1 \
+        ${TYPEMESH_FUZZ_FLAGS:-} >"$1.log" 2>&1 || true; times) | tail -n 1 | tr ms '  ' |
+        awk '{ printf "%d", 60 * $1 + $2 + 60 * $3 + $4 }')
     last=$(grep -E '^#[0-9]+: cov:' "$build/$1.log" | tail -n 1)
     executions=$(echo "$last" | sed -n 's/^#\([0-9]*\):.*/\1/p')
     coverage=$(echo "$last" | sed -n 's/.* cov: \([0-9]*\) .*/\1/p')
-    number=$(find "$found" -type f | wc -l)
-    printf '%-12s %3d minutes  %11s executions  %7s edges covered  %5s inputs kept  %3d findings\n' \
-        "$1" "$minutes" "${executions:-0}" "${coverage:-0}" "$(find "$corpus" -type f | wc -l)" "$number"
-    [ "$number" -eq 0 ] || status=1
-    find "$found" -type f | LC_ALL=C sort | head -n 5 | while read -r input; do keep "$1" "$input"; done  # often the same one
+    for input in "$found"/*; do
+        if [ -e "$input" ] && fails "$1" "$input"; then
+            number=$((number + 1))
+            [ $number -gt 5 ] || keep "$1" "$input"  # often the same one
+        fi
+    done
+    [ $number -eq 0 ] || status=1
+    write_row "$1" "$(printf '| `%s` | %d | %d | %d | %d | %d | %s |' "$1" $(((seconds + 30) / 60)) "${executions:-0}" \
+        "${coverage:-0}" "$(find "$corpus" -type f | wc -l)" $number \
+        "$(git -C "$typemesh_root" rev-parse --short=7 HEAD 2>/dev/null || echo unknown)")"
+    grep -F "| \`$1\` |" "$page" | tail -n 1
 }
 
+[ "$target" = all ] || [ -e "$typemesh_root/tests/fuzz/$target.hpp" ] ||
+    stop "tests/fuzz/$target.hpp: no such target; there are: $(targets | tr '\n' ' ')"
+install_missing clang++ asan pkg-config harfbuzz freetype
+mkdir -p "$build"
+grep -E '^\| target \| minutes ' "$page"
 for name in $(targets); do
     case $target in all | "$name") run "$name" ;; esac
 done
-[ "$target" = all ] || [ -e "$root/tests/fuzz/$target.hpp" ] || { echo "tests/fuzz/$target.hpp: no such target" && exit 2; }
 exit $status
