@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+// Draws a mesh with three.js.
+
+import * as THREE from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { RoomEnvironment } from "three/addons/environments/RoomEnvironment.js";
+
+export const views = ["solid", "wireframe", "normals", "texture", "contours"];
+const colours = { front: 0xd9683a, back: 0xd9683a, side: 0x8f3f22, front_bevel: 0xf2b48c, back_bevel: 0xf2b48c,
+                  letter_front: 0xf5efe6, letter_back: 0xf5efe6, letter_side: 0xc9bfae };
+const ink = () => matchMedia("(prefers-color-scheme: dark)").matches ? 0xeceae5 : 0x1d1f23;
+
+export class Stage {
+    constructor(canvas) {
+        this.canvas = canvas;
+        this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
+        this.renderer.toneMapping = THREE.ACESFilmicToneMapping;
+        this.scene = new THREE.Scene();
+        const room = new THREE.PMREMGenerator(this.renderer);
+        this.scene.environment = room.fromScene(new RoomEnvironment(), 0.04).texture;
+        this.scene.environmentIntensity = 0.55;
+        room.dispose();
+        const sun = new THREE.DirectionalLight(0xffffff, 1.8);
+        sun.position.set(-0.6, 1, 1.4);
+        this.scene.add(sun);
+        this.camera = new THREE.PerspectiveCamera(30, 1, 0.01, 1000);
+        this.orbit = new OrbitControls(this.camera, canvas);
+        this.orbit.addEventListener("change", () => this.draw());
+        this.orbit.addEventListener("start", () => { this.moved = true; });
+        this.moved = false;
+        this.view = "solid";
+        this.group = new THREE.Group();
+        this.scene.add(this.group);
+        this.materials = this.#materials();
+        canvas.addEventListener("keydown", event => this.#key(event));
+        new ResizeObserver(() => this.#resize()).observe(canvas);
+        matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+            this.materials.line.color.set(ink());
+            this.draw();
+        });
+        this.#resize();
+    }
+
+    #materials() {
+        const board = document.createElement("canvas");
+        board.width = board.height = 64;
+        const pen = board.getContext("2d");
+        for (let i = 0; i < 4; ++i) {
+            pen.fillStyle = i % 3 === 0 ? "#f5efe6" : "#3c6e71";
+            pen.fillRect(32 * (i & 1), 32 * (i >> 1), 32, 32);
+        }
+        const checker = new THREE.CanvasTexture(board);
+        checker.wrapS = checker.wrapT = THREE.RepeatWrapping;
+        checker.repeat.set(4, 4);
+        checker.colorSpace = THREE.SRGBColorSpace;
+        checker.anisotropy = 8;
+        const faint = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
+        const solid = name => new THREE.MeshStandardMaterial({ color: colours[name], roughness: 0.42, metalness: 0.05, ...faint });
+        return {
+            solid: Object.fromEntries(Object.keys(colours).map(name => [name, solid(name)])),
+            normals: new THREE.MeshNormalMaterial(),
+            texture: new THREE.MeshStandardMaterial({ map: checker, roughness: 0.6 }),
+            line: new THREE.LineBasicMaterial({ color: ink(), transparent: true, opacity: 0.75 }),
+            contour: new THREE.LineBasicMaterial({ color: 0x1a6fd0, depthTest: false }),
+        };
+    }
+
+    /** Shows a mesh of typemesh. Its arrays go to the graphics card from where they are, and are not kept. */
+    show(mesh) {
+        for (const child of this.group.children) child.geometry.dispose();
+        this.group.clear();
+        const { low, high } = mesh.bounds;
+        this.box = new THREE.Box3(new THREE.Vector3(...low), new THREE.Vector3(...high));
+        if (mesh.index.length > 0) {
+            const geometry = this.#geometry();
+            geometry.setAttribute("position", this.#array(mesh.position, 3));
+            geometry.setAttribute("normal", this.#array(mesh.normal, 3));
+            geometry.setAttribute("uv", this.#array(mesh.uv, 2));
+            geometry.setIndex(this.#array(mesh.index, 1));
+            for (const part of mesh.parts) geometry.addGroup(part.start, part.count, geometry.groups.length);
+            const lone = this.view === "normals" ? this.materials.normals : this.view === "texture" ? this.materials.texture : null;
+            this.group.add(this.#placed(new THREE.Mesh(geometry, mesh.parts.map(p => lone ?? this.materials.solid[p.name]))));
+            if (this.view === "wireframe") this.#lines(mesh.position, edges(mesh.index), this.materials.line);
+            if (this.view === "contours") this.#lines(mesh.contours(), null, this.materials.contour);
+        }
+        if (!this.moved) this.fit();
+        else this.draw();
+    }
+
+    #lines(points, index, material) {
+        const geometry = this.#geometry();
+        geometry.setAttribute("position", this.#array(points, 3));
+        if (index) geometry.setIndex(new THREE.BufferAttribute(index, 1));
+        this.group.add(this.#placed(new THREE.LineSegments(geometry, material)));
+    }
+    #geometry() {
+        const geometry = new THREE.BufferGeometry();
+        geometry.boundingSphere = this.box.getBoundingSphere(new THREE.Sphere());
+        return geometry;
+    }
+    #array(view, size) {
+        const attribute = new THREE.BufferAttribute(view, size);
+        attribute.onUpload(function () { this.array = null; });  // the module's memory may have moved by the next frame
+        return attribute;
+    }
+    #placed(object) {
+        object.frustumCulled = false;
+        return object;
+    }
+
+    /** Turns to the front and shows all of the mesh. */
+    fit() {
+        this.moved = false;
+        if (!this.box) return;
+        const size = this.box.getSize(new THREE.Vector3()), middle = this.box.getCenter(new THREE.Vector3());
+        const half = Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2));
+        const distance = Math.max(size.y / half, size.x / (half * this.camera.aspect), 0.1) * 0.62 + size.z;
+        this.orbit.target.copy(middle);
+        this.camera.position.copy(middle).add(new THREE.Vector3(-0.32, 0.22, 1).normalize().multiplyScalar(distance));
+        this.camera.near = distance / 100;
+        this.camera.far = distance * 100;
+        this.camera.updateProjectionMatrix();
+        this.orbit.update();
+        this.draw();
+    }
+
+    /** Draws before the next frame, once. */
+    draw() {
+        this.waiting ??= requestAnimationFrame(() => this.drawNow());
+    }
+    drawNow() {
+        if (this.waiting !== undefined) cancelAnimationFrame(this.waiting);
+        this.waiting = undefined;
+        this.renderer.render(this.scene, this.camera);
+    }
+
+    #resize() {
+        const { clientWidth: width, clientHeight: height } = this.canvas;
+        if (width === 0 || height === 0) return;
+        this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+        this.renderer.setSize(width, height, false);
+        this.camera.aspect = width / height;
+        this.camera.updateProjectionMatrix();
+        if (this.moved) this.draw();
+        else this.fit();
+    }
+
+    #key(event) {
+        const turns = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
+        const zoom = { "+": 0.9, "=": 0.9, "-": 1 / 0.9 }[event.key];
+        if (event.key === "Home") this.fit();
+        else if (turns) {
+            const way = new THREE.Spherical().setFromVector3(this.camera.position.clone().sub(this.orbit.target));
+            way.theta += 0.12 * turns[0];
+            way.phi += 0.12 * turns[1];
+            this.#look(way.makeSafe());
+        } else if (zoom) {
+            const way = new THREE.Spherical().setFromVector3(this.camera.position.clone().sub(this.orbit.target));
+            way.radius *= zoom;
+            this.#look(way);
+        } else return;
+        event.preventDefault();
+    }
+    #look(way) {
+        this.moved = true;
+        this.camera.position.setFromSpherical(way).add(this.orbit.target);
+        this.orbit.update();
+        this.draw();
+    }
+}
+
+/** Each triangle's edges; those of two triangles once. */
+function edges(index) {
+    const lines = new Uint32Array(2 * index.length);
+    let size = 0;
+    for (let t = 0; t < index.length; t += 3)
+        for (let k = 0; k < 3; ++k) {
+            const from = index[t + k], to = index[t + (k + 1) % 3];
+            lines[size++] = from;
+            lines[size++] = to;
+        }
+    return lines;
+}
