@@ -124,8 +124,8 @@ private:
     std::span<const std::byte> font_;
 };
 
-/// A copy of a font of which up to 15 places are changed, a byte, or two to an extreme number; sometimes cut short. And the
-/// glyphs whose outlines have been changed, if any have.
+/// A copy of a font of which up to 15 places are changed: two bytes to an extreme number, or up to 64 to the same; sometimes
+/// cut short. And the glyphs whose outlines have been changed, if any have.
 struct damaged_font {
     std::vector<std::byte> bytes;
     std::vector<typemesh::glyph_id> glyphs;
@@ -148,15 +148,22 @@ struct damaged_font {
     }
 
 private:
+    /// The first bytes, which count and point, are changed more often than the rest.
     void damage(values& in, font_places::place where, unsigned offset_bytes)
     {
         constexpr std::uint32_t extremes[] = {0x0000, 0xFFFF, 0x7FFF, 0x8000};
-        const std::uint32_t way = in.byte();
-        const std::size_t i = where.at + in.bits(offset_bytes) % (std::max)(std::size_t{1}, where.size);
-        if (i + 1 >= bytes.size()) return;
-        const std::uint32_t number = extremes[way & 3];
-        bytes[i] = static_cast<std::byte>((way & 4) != 0 ? number >> 8 : in.byte());
-        if ((way & 4) != 0) bytes[i + 1] = static_cast<std::byte>(number & 0xFF);
+        const std::uint32_t way = in.byte(), number = extremes[way & 3];
+        const std::size_t size =
+            (std::max)(std::size_t{1}, (way & 16) != 0 ? (std::min)(where.size, std::size_t{32}) : where.size);
+        const std::size_t i = where.at + in.bits((way & 16) != 0 ? 1 : offset_bytes) % size;
+        const std::size_t count = (way & 8) != 0 ? std::size_t{1} + in.below(64) : 1;
+        if (i + count >= bytes.size()) return;
+        if ((way & 4) != 0) {
+            bytes[i] = static_cast<std::byte>(number >> 8);
+            bytes[i + 1] = static_cast<std::byte>(number & 0xFF);
+        } else {
+            std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(i), count, static_cast<std::byte>(in.byte()));
+        }
     }
 };
 
