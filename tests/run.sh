@@ -18,11 +18,13 @@ Installs what is missing, builds and runs the tests, those of the tier gcc by de
   engines    engines themselves take what the recipes write and draw it: OpenGL, OpenSceneGraph, Irrlicht, OGRE, Qt, VTK;
              Godot and three.js read what text_to_mesh writes
   packages   the Debian packages on a bare system, the source archive, the single headers, the recipes of vcpkg and Conan
+  machines   the same meshes on every machine: hashes of all stages, and tests of some rooms, by other compilers and on other
+             processors, under qemu, Wine and node
 --with adds tiers, --only takes these alone, --all takes every tier.
 END
 }
 
-all_tiers="gcc clang sanitize tsan windows external engines packages"
+all_tiers="gcc clang sanitize tsan windows external engines packages machines"
 tiers=gcc
 more=
 everything=
@@ -210,6 +212,17 @@ tier_packages() {
 make_packages() (
     cd "$typemesh_root/build/release" && rm -rf packages && cpack -G DEB && cpack -G TGZ && cpack --config CPackSourceConfig.cmake
 )
+
+# Each machine counts as one test. What is missing there installs or names the script itself.
+tier_machines() {
+    local log=$typemesh_root/build/machines.log words
+    bash "$typemesh_root/tests/machines/run.sh" 2>&1 | tee "$log" || true
+    count "$(grep -cE '^[^ ]+ +good: ' "$log")" "$(grep -cE '^[^ ]+ +(BAD|NOT COMPILED): ' "$log")"
+    grep -q '^The table: ' "$log" || count 0 1  # it has not come to its end
+    words=$(sed -nE 's,^([^ ]+) +(skipped: )(.*),\2machines/\1: \3,p' "$log")
+    [ -z "$words" ] || skipped="$skipped$words
+"
+}
 
 trap finish EXIT
 need_build_folder gcc

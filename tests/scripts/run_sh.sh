@@ -282,6 +282,26 @@ run tests/run.sh --all
 check "--all runs them" says '^passed: engines_run/a'
 rm -r "$tree/tests/engines_run"
 
+# --- machines, each of which counts as a test
+mkdir -p "$tree/tests/machines"
+machines() { cat >"$tree/tests/machines/run.sh" && anew && run tests/run.sh --only machines; }
+machines <<'END'
+echo "s390x            good: all 22; tests: 6 rooms passed"
+echo "x87              BAD: 3 of 22, not 19 of \"grid\"; tests: -"
+echo "wasm             NOT COMPILED: no such header"
+echo "riscv64          skipped: riscv64 qemu is missing and cannot be installed"
+echo "The table: table.md"
+END
+check "machines that differ and that do not compile are failures" says '^1 passed, 2 failed$'
+check "a machine that is missing is named at the end" says '^skipped: machines/riscv64: riscv64 qemu is missing'
+check "the run has failed then" fails
+machines <<<'echo "s390x            good: all 22; tests: 6 rooms passed"; exit 1'
+check "machines whose run breaks off are a failure" says '^1 passed, 1 failed$'
+machines <<<'echo "s390x            good: all 22; tests: -"; echo "The table: table.md"'
+check "machines that are the same are none" says '^1 passed, 0 failed$'
+check "nothing is skipped then" says_not 'skipped'
+rm -r "$tree/tests/machines"
+
 # --- continuous integration
 check "continuous integration names its tiers" grep -qE 'run\.sh --with [a-z,]+$' "$source_tree/.ci/run"
 check "engines are not among them" [ "$(grep -c engines "$source_tree/.ci/run")" = 0 ]
