@@ -160,6 +160,21 @@ TEST_CASE("shapes of all kinds obey the laws where most triangles are low", "[tr
     }
 }
 
+TEST_CASE("around a hole no triangle is exchanged twice", "[triangulate][low]")
+{
+    test::dice d{8};
+    for (int i = 0; i < 300; ++i) {
+        test::polyline hole = test::random_polygon(3 + d.roll(10), 12, d);
+        for (grid_point& p : hole) p = {p.x + 2, p.y + 2};
+        const test::shape s{"hole " + std::to_string(i), {test::square(0, 0, 16), test::reversed(hole)}};
+        for (const double cells : {1.5, 5.0, 20.0}) {  // low are some, many, all
+            std::size_t low = 0;
+            INFO(s << "below " << cells);
+            CHECK(broken_law(s, cells, low) == "");
+        }
+    }
+}
+
 TEST_CASE("a long fan of low triangles is mended, with a table of neighbours", "[triangulate][low]")
 {
     for (const int n : {40, 200, 3000}) {

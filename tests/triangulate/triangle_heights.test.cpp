@@ -44,7 +44,6 @@ TEST_CASE("levels are exact for triangles of all sizes", "[triangulate][triangle
     test::dice d{11};
     for (int i = 0; i < 20'000; ++i) {
         const double em = std::ldexp(1.0 + d.fraction(), 14 + d.roll(11));
-        const triangle_heights heights{grid{.cells = 1.0, .units_per_em = em}};
         const std::int32_t reach = 1 << (3 + d.roll(25));
         const grid_point a{d.roll(reach) - reach / 2, d.roll(reach) - reach / 2},
             b{d.roll(reach) - reach / 2, d.roll(reach) - reach / 2};
@@ -53,8 +52,10 @@ TEST_CASE("levels are exact for triangles of all sizes", "[triangulate][triangle
                            static_cast<std::int32_t>(a.y + along * (b.y - a.y)) + d.roll(5) - 2};
         if (orientation(a, b, c) <= 0) continue;
         const auto side = [](grid_point p, grid_point q) { return std::hypot(double(p.x) - q.x, double(p.y) - q.y); };
-        const double height =
-            static_cast<double>(orientation(a, b, c)) / (std::max)({side(a, b), side(b, c), side(c, a)});
+        const double longest = (std::max)({side(a, b), side(b, c), side(c, a)});
+        const double height = static_cast<double>(orientation(a, b, c)) / longest;
+        const double span = i % 2 == 0 ? 0.0 : longest;  // of the grid: unknown, or no larger than the triangle
+        const triangle_heights heights{grid{.cells = 1.0, .units_per_em = em, .span = span}};
         const std::uint32_t level = heights.level(a, b, c);
         const double whole = std::floor(em);
         if (level > 0) CHECK(height * std::ldexp(1.0, 15 + static_cast<int>(level)) < whole * (1.0 + 1e-12));

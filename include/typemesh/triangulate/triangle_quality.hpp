@@ -16,7 +16,6 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// The angle of a triangle is its smallest, in degrees: 60 at best, near 0 for a needle. Its aspect is its longest edge
 /// divided by the height on it: 2 / sqrt(3) at best. Triangles without area count with angle 0 and leave the aspect
 /// unchanged.
-/// the aspect as it is.
 struct triangle_quality {
     std::uint64_t triangles = 0;
     double smallest_angle = 60.0;  ///< of all; 60 where there are none
