@@ -238,7 +238,7 @@ TYPEMESH_WEB_EXPORT const web_mesh* web_result(web_mesher* m)
     const mesh_arrays& a = m->made.arrays();
     const typemesh::text_report& r = a.report;
     const auto number = [](auto n) { return static_cast<std::uint32_t>(n); };
-    typemesh::describe(r.first_refusal.at(typemesh::no_glyph, typemesh::no_cluster), m->words);
+    if (r.refused > 0) typemesh::describe(r.first_refusal.at(typemesh::no_glyph, typemesh::no_cluster), m->words);
     m->result = {a.position.data(),
                  a.normal.data(),
                  a.uv.data(),

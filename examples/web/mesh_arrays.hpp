@@ -11,7 +11,7 @@
 
 namespace typemesh_web {
 
-/// The names of parts, as web_part::name counts them.
+/// The names of parts, as typemesh::part counts them; those of a ring come before those of the letter within it.
 inline constexpr const char* part_names[] = {"front",      "back",         "side",        "front_bevel",
                                              "back_bevel", "letter_front", "letter_back", "letter_side"};
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "text_maker.hpp"
 
+#include "any_solid.hpp"
 #include "text_to_mesh/policies.hpp"
 
 #include <utility>
@@ -27,6 +28,23 @@ auto sink_into(mesh_arrays& out)
                        stream<attribute::uv, float2>::in(bytes(out.uv), 0)};
 }
 
+/// Any of the discretisers, so that there is one mesher for all. Where contours cross, curves are halved, as `certified`
+/// asks for, which the others by themselves never do.
+struct any_discretiser {
+    text_to_mesh::chosen_discretiser choice;
+
+    [[nodiscard]] option_bits cache_key() const noexcept { return text_to_mesh::key_of_choice(choice); }
+
+    template <class Curve, class Put>
+    void operator()(const Curve& curve, double tolerance, Put&& put) const noexcept
+    {
+        if (const auto* kept = std::get_if<certified>(&choice))
+            (*kept)(curve, tolerance, put);
+        else
+            std::get<text_to_mesh::unbounded_discretiser>(choice)(curve, tolerance, put);
+    }
+};
+
 text_options text_options_of(const text_to_mesh::options& o)
 {
     text_options how;
@@ -41,7 +59,7 @@ text_options text_options_of(const text_to_mesh::options& o)
     return how;
 }
 
-template <discretiser Discretiser, extruder Extruder>
+template <extruder Extruder>
 class maker_of final : public text_maker {
 public:
     maker_of(const text_to_mesh::options& o, font_set& fonts, glyph_cache<>& cache)
@@ -52,17 +70,13 @@ public:
 
     bool take(const text_to_mesh::options& o) override
     {
-        const auto flatten = text_to_mesh::discretiser_of(o, fonts_->units_per_em());
-        const auto raise = text_to_mesh::extruder_of(o);
-        const auto* mine = std::get_if<Discretiser>(&flatten);
+        const auto raise = typemesh_web::extruder_of(o);
         const auto* own = std::get_if<Extruder>(&raise);
-        if (mine == nullptr || own == nullptr) return false;
-        mesher_.discretiser_policy() = *mine;
+        if (own == nullptr) return false;
+        mesher_.discretiser_policy() = {text_to_mesh::discretiser_of(o, fonts_->units_per_em())};
         mesher_.extruder_policy() = *own;
         mesher_.triangulator_policy() = text_to_mesh::triangulator_of(o);
         options_ = o;
-        // Parts of a ring come before those of the letter within it: see part_names.
-        ring_parts_ = o.bevel.width > 0.0f ? 5 : o.outline.width > 0.0f ? 3 : 5;
         return true;
     }
 
@@ -85,21 +99,20 @@ private:
     static auto mesher_with(const text_to_mesh::options& o, font_set& fonts, glyph_cache<>& cache)
     {
         return text_mesher{fonts}
-            .with(std::get<Discretiser>(text_to_mesh::discretiser_of(o, fonts.units_per_em())))
+            .with(any_discretiser{text_to_mesh::discretiser_of(o, fonts.units_per_em())})
             .with(text_to_mesh::triangulator_of(o))
-            .with(std::get<Extruder>(text_to_mesh::extruder_of(o)))
+            .with(std::get<Extruder>(typemesh_web::extruder_of(o)))
             .with(cached_in{cache, 1});
     }
     using mesher = decltype(mesher_with(std::declval<const text_to_mesh::options&>(), std::declval<font_set&>(),
                                         std::declval<glyph_cache<>&>()));
     using plan_type = typename mesher::plan_type;
 
-    [[nodiscard]] bool add_part(part p, const mesh_range& r, mesh_arrays& out) const noexcept
+    [[nodiscard]] static bool add_part(part p, const mesh_range& r, mesh_arrays& out) noexcept
     {
         if (r.index_count == 0) return true;
-        const auto number = static_cast<std::uint32_t>(p);
-        const std::uint32_t name = number < ring_parts_ ? number : 5 + number - ring_parts_;
-        return out.parts.push_back({name, r.first_index, r.index_count, r.first_vertex, r.vertex_count});
+        return out.parts.push_back(
+            {static_cast<std::uint32_t>(p), r.first_index, r.index_count, r.first_vertex, r.vertex_count});
     }
 
     error write_whole(const plan_type& plan, mesh_arrays& out) const noexcept
@@ -134,7 +147,6 @@ private:
 
     font_set* fonts_;
     text_to_mesh::options options_;  // the texts in them are read while a plan is made
-    std::uint32_t ring_parts_ = 5;
     mesher mesher_;
 };
 
@@ -142,12 +154,10 @@ private:
 
 std::unique_ptr<text_maker> maker_for(const text_to_mesh::options& o, font_set& fonts, glyph_cache<>& cache)
 {
-    return std::visit(
-        [&](const auto& d, const auto& e) -> std::unique_ptr<text_maker> {
-            using chosen = maker_of<std::remove_cvref_t<decltype(d)>, std::remove_cvref_t<decltype(e)>>;
-            return std::make_unique<chosen>(o, fonts, cache);
-        },
-        text_to_mesh::discretiser_of(o, fonts.units_per_em()), text_to_mesh::extruder_of(o));
+    const auto make = [&](const auto& e) -> std::unique_ptr<text_maker> {
+        return std::make_unique<maker_of<std::remove_cvref_t<decltype(e)>>>(o, fonts, cache);
+    };
+    return std::visit(make, typemesh_web::extruder_of(o));
 }
 
 }  // namespace typemesh_web

@@ -237,6 +237,7 @@ export interface Part {
     /** Into `index`: a multiple of 3. */
     readonly start: number;
     readonly count: number;
+    /** The vertices that the part has of its own; bevels, and walls with the normals "cap", also use those of their neighbours. */
     readonly firstVertex: number;
     readonly vertexCount: number;
 }

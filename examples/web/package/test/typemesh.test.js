@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+
+// With TYPEMESH_TEST_FONT, or fc-match, which finds a font that is installed.
+
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+
+import load, { TypemeshError } from '../typemesh.js';
+
+const fontFile = process.env.TYPEMESH_TEST_FONT ?? execFileSync('fc-match', ['-f', '%{file}', 'DejaVu Sans'], { encoding: 'utf8' });
+const bytes = readFileSync(fontFile);
+const typemesh = await load();
+const font = typemesh.font(bytes);
+
+/** What holds for every mesh. */
+function check(mesh) {
+    const { position, normal, uv, index, parts, statistics, bounds } = mesh;
+    assert.equal(position.length, 3 * statistics.vertices);
+    assert.equal(normal.length, position.length);
+    assert.equal(uv.length, 2 * statistics.vertices);
+    assert.equal(index.length, 3 * statistics.triangles);
+    assert.ok(index.every((i) => i < statistics.vertices));
+    let next = 0;
+    for (const part of parts) {
+        assert.equal(part.start, next, 'parts follow each other');
+        next += part.count;
+    }
+    assert.equal(next, index.length, 'parts hold all triangles');
+    for (let i = 0; i < position.length; i += 3) {
+        const length = Math.hypot(normal[i], normal[i + 1], normal[i + 2]);
+        assert.ok(Math.abs(length - 1) < 1e-5, `a normal of length ${length}`);
+        for (let k = 0; k < 3; ++k) assert.ok(position[i + k] >= bounds.low[k] && position[i + k] <= bounds.high[k], `${position[i + k]} is beyond the bounds ${JSON.stringify(bounds)}`);
+    }
+}
+
+test('a text is a closed mesh', () => {
+    const mesh = typemesh.mesh('Hello world!', font);
+    check(mesh);
+    assert.ok(mesh.statistics.triangles > 500);
+    assert.deepEqual(mesh.parts.map((p) => p.name), ['front', 'back', 'side']);
+    assert.equal(mesh.openEdges(), 0);
+    assert.deepEqual(mesh.warnings, []);
+    assert.equal(mesh.contours().length, 6 * mesh.statistics.contourPoints);
+});
+
+test('every value of every option makes a mesh', () => {
+    const values = {
+        size: [0.5, 20], depth: [0, 0.5], tolerance: [0.01], crease: [120], 'bevel.width': [0.01], 'bevel.depth': [0.05],
+        'bevel.points': [[0, 0, 0.2, 0.8, 1, 1]], 'bevel.steps': [3], embolden: [0.01, -0.005], 'outline.width': [0.01],
+        width: [4], letterSpacing: [0.1], lineSpacing: [1.5], indent: [1], mostLines: [1], ellipsis: ['…'],
+        features: [{ liga: 0 }, { smcp: true }], language: ['tr'], script: ['Latn'],
+    };
+    const plain = typemesh.hash('Grün affix\ntwo', font);
+    for (const option of typemesh.options) {
+        const all = values[option.name] ?? option.choices ?? [true, false];
+        const set = (value) => {
+            const [group, inner] = option.name.split('.');
+            if (inner === undefined) return { [group]: value };
+            const needed = group === 'bevel' ? { width: 0.01, profile: option.name === 'bevel.points' ? 'points' : 'round', points: [0, 0, 0.5, 0.9, 1, 1] } : { width: 0.01 };
+            return { [group]: { ...needed, [inner]: value } };
+        };
+        const hashes = new Set();
+        for (const value of all) {
+            const mesh = typemesh.mesh('Grün affix\ntwo', font, set(value));
+            check(mesh);
+            if (option.name !== 'depth' || value > 0) assert.equal(mesh.openEdges(), 0, `${option.name} = ${value}`);
+            hashes.add(mesh.hash());
+        }
+        const indifferent = ['fill', 'direction', 'cached', 'features', 'language', 'script', 'justify', 'wrap', 'breaker', 'ellipsis', 'bevel.mode', 'merge', 'discretiser'];
+        if (!indifferent.includes(option.name)) assert.ok(hashes.size > 1 || !hashes.has(plain), `${option.name} changes the mesh`);
+    }
+    assert.equal(typemesh.hash('Grün affix\ntwo', font), plain, 'options of one text are gone with the next');
+});
+
+test('options stay where they are set, and undefined is their default', () => {
+    const mesher = typemesh.mesher(font, { depth: 0.5 });
+    assert.equal(mesher.mesh('a').bounds.low[2], -0.5);
+    assert.equal(mesher.mesh('a', { depth: 0.25 }).bounds.low[2], -0.25);
+    assert.equal(mesher.mesh('a').bounds.low[2], -0.5);
+    assert.equal(mesher.set({ depth: undefined, size: 2 }).mesh('a').bounds.low[2], Math.fround(-0.4));
+    mesher.free();
+});
+
+test('a cold mesh is that of a warm cache', () => {
+    const cold = typemesh.hash('Rag', font, { cached: false, bevel: { width: 0.03 } });
+    assert.equal(typemesh.hash('Rag', font, { bevel: { width: 0.03 } }), cold);
+    assert.equal(typemesh.hash('Rag', font, { bevel: { width: 0.03 } }), cold);
+});
+
+test('arrays are views of one memory, which end and outlive its growth', () => {
+    const [one, other] = [typemesh.mesher(font), typemesh.mesher(font, { quality: 'best' })];
+    const mesh = one.mesh('first');
+    const kept = mesh.position;
+    assert.equal(kept.buffer, mesh.index.buffer, 'no copy');
+    assert.equal(mesh.position, kept, 'the same view as long as the memory stays');
+    const before = [...kept.slice(0, 9)];
+    const bytesBefore = typemesh.memoryBytes;
+    other.mesh('The memory grows for this. '.repeat(400));
+    assert.ok(typemesh.memoryBytes > bytesBefore);
+    assert.equal(kept.length, 0, 'the browser has detached the old view');
+    assert.deepEqual([...mesh.position.slice(0, 9)], before, 'the mesh has a new one');
+    const copied = mesh.copy();
+    one.mesh('second');
+    assert.throws(() => mesh.position, TypeError);
+    assert.equal(copied.position.length, copied.normal.length);
+    one.free();
+    assert.throws(() => one.mesh('third'), TypeError);
+    other.free();
+});
+
+test('1,000 characters are rewritten without allocation', () => {
+    const mesher = typemesh.mesher(font, { quality: 'low', features: { liga: 0 } });
+    const letters = 'abcdefghijklmnopqrstuvwxyz0123456789 ';
+    const line = (k) => Array.from({ length: 1000 }, (_, i) => letters[(i * 7 + k * (1 + (i % 5))) % letters.length]).join('');
+    for (let k = 0; k < 40; ++k) mesher.mesh(line(k));
+    const warm = typemesh.memoryBytes;
+    for (let k = 0; k < 100; ++k) assert.equal(mesher.mesh(line(k)).statistics.glyphs, 1000);
+    assert.equal(typemesh.memoryBytes, warm);
+    mesher.free();
+});
+
+test('letters are meshes with places', () => {
+    const mesher = typemesh.mesher(font);
+    const whole = mesher.mesh('banana').copy();
+    const letters = mesher.letters('banana');
+    assert.equal(letters.meshes.length, 3);
+    assert.equal(letters.mesh.length, 6);
+    const places = (position, of, at) => of.map((v) => [0, 1, 2].map((k) => (position[3 * v + k] + at[k]).toFixed(4)).join());
+    const placed = [];
+    letters.mesh.forEach((m, i) => {
+        const at = letters.translation.slice(3 * i, 3 * i + 3);
+        for (const part of letters.meshes[m].parts)
+            placed.push(...places(letters.position, [...letters.index.slice(part.start, part.start + part.count)], at));
+    });
+    const expected = places(whole.position, [...whole.index], [0, 0, 0]);
+    assert.deepEqual(placed.sort(), expected.sort());
+    mesher.free();
+});
+
+test('paragraphs are as wide as asked for', () => {
+    const text = 'In the beginning the Universe was created. This has made a lot of people very angry.';
+    const mesh = typemesh.mesh(text, font, { width: 10, align: 'justify' });
+    assert.ok(mesh.statistics.lines > 3);
+    assert.ok(mesh.bounds.high[0] <= 10.2 && mesh.bounds.high[0] > 9.5);
+});
+
+test('fonts tell of themselves, stand in for each other, and may be bytes', () => {
+    assert.ok(font.unitsPerEm > 0 && font.glyphCount > 100 && font.faceCount === 1 && font.family !== '');
+    assert.ok(font.has('abc') && !font.has('a\u{10FFFF}'));
+    assert.equal(typemesh.hash('ab', [font, typemesh.font(bytes)]), typemesh.hash('ab', font));
+    assert.equal(typemesh.hash('ab', bytes), typemesh.hash('ab', font));
+    const mesh = typemesh.mesh('a\u{10FFFF}', font);
+    assert.equal(mesh.statistics.missing, 1);
+    assert.match(mesh.warnings[0], /^No font has a glyph for 1 of 2 characters; the first is "\u{10FFFF}", at 1\.$/u);
+    assert.match(typemesh.mesh('a\uD800', font).warnings.join(), /half of a character/);
+});
+
+test('what is refused is said in a sentence', () => {
+    const refuses = (run, type, words) => assert.throws(run, (e) => e instanceof type && words.test(e.message));
+    refuses(() => typemesh.font(new Uint8Array(100)), TypemeshError, /^The data is not a font/);
+    refuses(() => typemesh.font(bytes, { index: 5 }), TypemeshError, /^There is no face with that number/);
+    refuses(() => typemesh.font(bytes, { variations: { wght: 700 } }), TypemeshError, /no such variation axis/);
+    refuses(() => typemesh.mesh('a', font, { size: -1 }), TypemeshError, /outside its range. \(size\)/);
+    refuses(() => typemesh.mesh('a', font, { tolerance: 0 }), TypemeshError, /tolerance is not a positive/);
+    refuses(() => typemesh.mesh('a', font, { bevel: { widht: 1 } }), TypeError, /^There is no option bevel.widht\.$/);
+    refuses(() => typemesh.mesh('a', font, { align: 'middle' }), TypeError, /^align must be one of start, end, left/);
+    refuses(() => typemesh.mesh('a', font, { depth: '1' }), TypeError, /^depth must be a number, not "1"\.$/);
+    refuses(() => typemesh.mesh('a', font, { features: { toolong: 1 } }), TypeError, /is no tag/);
+    refuses(() => typemesh.mesh('a', []), TypeError, /at least one font/);
+    refuses(() => typemesh.mesh(5, font), TypeError, /^A text is a string\.$/);
+    assert.ok(typemesh.mesh('a', font).statistics.triangles > 0, 'all is well afterwards');
+});
+
+test('a font may be freed before its meshers', () => {
+    const own = typemesh.font(bytes);
+    const mesher = typemesh.mesher(own);
+    const hash = mesher.mesh('abc').hash();
+    own.free();
+    assert.throws(() => typemesh.mesher(own), TypeError);
+    assert.equal(mesher.mesh('abc', { cached: false }).hash(), hash);
+    mesher.free();
+});
+
+test('empty texts are empty meshes', () => {
+    for (const text of ['', ' ', '\n']) {
+        const mesh = typemesh.mesh(text, font);
+        check(mesh);
+        assert.equal(mesh.index.length, 0);
+        assert.equal(mesh.openEdges(), 0);
+        assert.equal(mesh.contours().length, 0);
+    }
+});
+
+test('instances of the module are apart', async () => {
+    const another = await load(readFileSync(new URL('../typemesh.wasm', import.meta.url)));
+    assert.throws(() => another.mesh('a', font), TypeError);
+    assert.equal(another.hash('a', another.font(bytes)), typemesh.hash('a', font));
+});
