@@ -17,6 +17,7 @@ Installs what is missing, builds and runs the tests, those of the tier gcc by de
   external   other people's tools (admesh, OpenSCAD, gltf-validator) read what text_to_mesh writes; the benchmarks are built
   engines    engines themselves take what the recipes write and draw it: OpenGL, OpenSceneGraph, Irrlicht, OGRE, Qt, VTK;
              Godot and three.js read what text_to_mesh writes
+  web        examples/web: the library as WebAssembly in node, its meshes those of a native program
   packages   the Debian packages on a bare system, the source archive, the single headers, the recipes of vcpkg and Conan
   machines   the same meshes on every machine: hashes of all stages, and tests of some rooms, by other compilers and on other
              processors, under qemu, Wine and node
@@ -24,7 +25,7 @@ Installs what is missing, builds and runs the tests, those of the tier gcc by de
 END
 }
 
-all_tiers="gcc clang sanitize tsan windows external engines packages machines"
+all_tiers="gcc clang sanitize tsan windows external engines web packages machines"
 tiers=gcc
 more=
 everything=
@@ -197,6 +198,22 @@ tier_engines() {
     build release text_to_mesh
     install_npm engines_run three 0.187.0
     run_scripts engines_run
+}
+
+# Scripts find the native program in TYPEMESH_MESH_HASH.
+tier_web() {
+    install_missing emcc dpkg-source node npm
+    install_fonts fonts-dejavu-core
+    mkdir -p "$typemesh_root/build/web"
+    build release mesh_hash
+    export TYPEMESH_MESH_HASH=$typemesh_root/build/release/examples/mesh_hash
+    say "Building the module; all its words: $typemesh_root/build/web/build.log"
+    if ! with_progress "$typemesh_root/build/web/build.log" logged "$typemesh_root/build/web/build.log" \
+        "$typemesh_root/examples/web/build.sh"; then
+        tail -n 20 "$typemesh_root/build/web/build.log"
+        count 0 1
+    fi
+    run_scripts web
 }
 
 tier_packages() {

@@ -63,4 +63,5 @@ em++ "$@" --no-entry -fno-exceptions -fno-rtti "$objects"/*.o -o "$work/typemesh
     -s "EXPORTED_FUNCTIONS=${exports}_malloc,_free" -s ALLOW_MEMORY_GROWTH=1 -s MAXIMUM_MEMORY=4GB -s INITIAL_MEMORY=16MB \
     -s TOTAL_STACK=1MB -s ABORTING_MALLOC=0 -s FILESYSTEM=0 -s ERROR_ON_UNDEFINED_SYMBOLS=1
 mv "$work/typemesh.part.wasm" "$output"
+cp "$typemesh_root/LICENSE" "$web/package/"  # for npm pack
 say "$output: $(wc -c <"$output") bytes, $(gzip -9c "$output" | wc -c) compressed by gzip"
