@@ -9,8 +9,9 @@ usage() {
 usage: examples/web/build.sh [FLAG...]
 
 Compiles typemesh and HarfBuzz to WebAssembly, as examples/web/package/typemesh.wasm, with Debian's emscripten; HarfBuzz is
-compiled from its source package. FLAG...: of the compiler, instead of -O3. TYPEMESH_WEB_BUILD: the folder to work in, build/web
-by default. TYPEMESH_WEB_OUTPUT: another file than the package's.
+compiled from its source package. FLAG...: of the compiler, for all sources alike, instead of those that make a small module without
+losing speed where it counts. TYPEMESH_WEB_BUILD: the folder to work in, build/web
+by default. TYPEMESH_WEB_OUTPUT: another file than the package's. TYPEMESH_WEB_NAMES: any word, to keep the functions' names.
 EOF
 }
 case ${1:-} in -h | --help) usage && exit 0 ;; esac
@@ -18,32 +19,44 @@ case ${1:-} in -h | --help) usage && exit 0 ;; esac
 web=$typemesh_root/examples/web
 work=${TYPEMESH_WEB_BUILD:-$typemesh_root/build/web}
 output=${TYPEMESH_WEB_OUTPUT:-$web/package/typemesh.wasm}
-[ $# -gt 0 ] || set -- -O3
 install_missing emcc dpkg-source
 mkdir -p "$work"
 "$web/harfbuzz.sh" "$work" || stop "HarfBuzz's source package could not be fetched; what apt-get said: $work/harfbuzz.log"
 
 # Objects of other flags stay for the next time.
-objects=$work/$(say "$*" | tr -c 'A-Za-z0-9\n' _)
+objects=$work/objects$(say "$*" | tr -c 'A-Za-z0-9\n' _)
 mkdir -p "$objects" "$(dirname "$output")"
-compiler=("$@" -std=c++20 -fno-exceptions -fno-rtti -DNDEBUG -DHB_CONFIG_OVERRIDE_H='"harfbuzz_config.h"')
+compiler=(-std=c++20 -fno-exceptions -fno-rtti -DNDEBUG -DHB_CONFIG_OVERRIDE_H='"harfbuzz_config.h"')
 folders=(-I"$typemesh_root/include" -I"$typemesh_root/examples" -I"$typemesh_root/examples/text_to_mesh" -I"$web"
     -isystem "$work/harfbuzz/src")
 sources=("$work/harfbuzz/src/harfbuzz.cc" "$typemesh_root/examples/text_to_mesh/policies.cpp" "$web"/{settings,text_maker,session,mesh_checks,exports}.cpp)
 
+# emscripten forbids inlining where size counts, and the library's loops are then ten times as slow.
+flags_for() {  # flags_for SOURCE FLAG...
+    local source=$1
+    shift
+    case $#$source in
+        0*text_maker.cpp) say "-Os -finline-functions" ;;
+        0*) say "-Oz -finline-functions" ;;
+        *) say "$*" ;;
+    esac
+}
+
 # Compiles what has changed, as many at a time as there are processors.
-compile() {  # compile SOURCE
-    local object=$objects/$(basename "$1").o words
-    if [ -e "$object" ] && [ -z "$(find "$1" "$typemesh_root/include" "$web" "$typemesh_root/examples/text_to_mesh" \
+compile() {  # compile SOURCE FLAG...
+    local object=$objects/$(basename "$1").o source=$1 words
+    shift
+    if [ -e "$object" ] && [ -z "$(find "$source" "$typemesh_root/include" "$web" "$typemesh_root/examples/text_to_mesh" \
         "${BASH_SOURCE[0]}" -name '*.[hcs]*' -newer "$object" -print -quit)" ]; then return 0; fi
-    say "  $(basename "$1")"
-    words=$(${TYPEMESH_WEB_COMPILER:-em++} "${compiler[@]}" "${folders[@]}" -c "$1" -o "$object.part" 2>&1) || {
+    say "  $(basename "$source")"
+    # shellcheck disable=SC2046  # a list of words
+    words=$(em++ $(flags_for "$source" "$@") "${compiler[@]}" "${folders[@]}" -c "$source" -o "$object.part" 2>&1) || {
         say "$words" >&2
         return 1
     }
     mv "$object.part" "$object"
 }
-say "Compiling to WebAssembly with ${*}, which takes some minutes"
+say "Compiling to WebAssembly${*:+ with $*}, which takes some minutes"
 running=()
 failed=
 wait_for_first() {
@@ -52,13 +65,15 @@ wait_for_first() {
 }
 for source in "${sources[@]}"; do
     [ ${#running[@]} -lt "${TYPEMESH_WEB_JOBS:-$(processors)}" ] || wait_for_first
-    compile "$source" &
+    compile "$source" "$@" &
     running+=($!)
 done
 while [ ${#running[@]} -gt 0 ]; do wait_for_first; done
 [ -z "$failed" ] || stop "The build has failed."
 
 exports=$(sed -nE 's/^TYPEMESH_WEB_EXPORT [^(]*[ *](web_[a-z_]+)\(.*/_\1/p' "$web/exports.cpp" | tr '\n' ,)
+[ $# -gt 0 ] || set -- -Os
+[ -z "${TYPEMESH_WEB_NAMES:-}" ] || set -- "$@" --profiling-funcs
 em++ "$@" --no-entry -fno-exceptions -fno-rtti "$objects"/*.o -o "$work/typemesh.part.wasm" -s STANDALONE_WASM=1 \
     -s "EXPORTED_FUNCTIONS=${exports}_malloc,_free" -s ALLOW_MEMORY_GROWTH=1 -s MAXIMUM_MEMORY=4GB -s INITIAL_MEMORY=16MB \
     -s TOTAL_STACK=1MB -s ABORTING_MALLOC=0 -s FILESYSTEM=0 -s ERROR_ON_UNDEFINED_SYMBOLS=1

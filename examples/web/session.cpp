@@ -21,8 +21,7 @@ void session::set(const settings& how)
     maker_ = maker_for(options_, set_, cache_);
 }
 
-template <class Words>
-typemesh::error session::lay_out(Words& words, std::u16string_view text)
+typemesh::error session::lay_out(std::u16string_view text)
 {
     const text_to_mesh::options& o = options_;
     const typemesh::shape_options how{.direction = o.direction,
@@ -32,8 +31,9 @@ typemesh::error session::lay_out(Words& words, std::u16string_view text)
                                       .columns = o.columns};
     typemesh::paragraph_options lines = o.lines;
     lines.ellipsis = how_.ellipsis;
-    if (const typemesh::error e = words.set(text, how, o.letter_spacing)) return e;
-    return words.lay_out(lines, page_);
+    words_.breaker().is_even = o.even_lines;
+    if (const typemesh::error e = words_.set(text, how, o.letter_spacing)) return e;
+    return words_.lay_out(lines, page_);
 }
 
 typemesh::error session::make(std::u16string_view text, bool instances)
@@ -43,18 +43,7 @@ typemesh::error session::make(std::u16string_view text, bool instances)
     if (!how_.cached) cache_.clear();
     text_job job{.text = text, .page = nullptr, .instances = instances, .begun = begun};
     if (options_.page) {
-        using namespace typemesh;
-        error e;
-        if (options_.even_lines) {
-            if (even_words_ == nullptr)
-                even_words_ = std::make_unique<total_fit_words>(set_, heap(), unicode_analyser{},
-                                                                total_fit{.emergency_stretch = 0.5});
-            e = lay_out(*even_words_, text);
-        } else {
-            if (words_ == nullptr) words_ = std::make_unique<first_fit_words>(set_);
-            e = lay_out(*words_, text);
-        }
-        if (e) return e;
+        if (const typemesh::error e = lay_out(text)) return e;
         job.page = &page_;
     }
     const typemesh::error e = maker_->make(job, arrays_);

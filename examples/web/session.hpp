@@ -11,10 +11,24 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string_view>
 #include <vector>
 
 namespace typemesh_web {
+
+/// One of the ways to break lines, chosen at run time.
+struct chosen_breaker {
+    typemesh::first_fit first;
+    typemesh::total_fit even{.emergency_stretch = 0.5};  // lines of few words have few spaces to stretch
+    bool is_even = false;
+
+    typemesh::error break_lines(std::span<const typemesh::break_piece> pieces, const typemesh::line_room& room,
+                                typemesh::buffer<std::uint32_t>& ends) noexcept
+    {
+        return is_even ? even.break_lines(pieces, room, ends) : first.break_lines(pieces, room, ends);
+    }
+};
 
 /// Fonts, options, built letters and the last mesh: what JavaScript calls a mesher.
 class session {
@@ -32,21 +46,16 @@ public:
     void clear_cache() noexcept { cache_.clear(); }
 
 private:
-    template <class Breaker>
-    using words_of = typemesh::paragraph<font_set, typemesh::unicode_analyser, Breaker>;
-    using first_fit_words = words_of<typemesh::first_fit>;
-    using total_fit_words = words_of<typemesh::total_fit>;
+    using page_words = typemesh::paragraph<font_set, typemesh::unicode_analyser, chosen_breaker>;
 
-    template <class Words>
-    [[nodiscard]] typemesh::error lay_out(Words& words, std::u16string_view text);
+    [[nodiscard]] typemesh::error lay_out(std::u16string_view text);
 
     std::vector<shared_font> fonts_;
     font_set set_;
     settings how_;
     text_to_mesh::options options_;
     typemesh::glyph_cache<> cache_;
-    std::unique_ptr<first_fit_words> words_;
-    std::unique_ptr<total_fit_words> even_words_;
+    page_words words_{set_};
     typemesh::glyph_run page_;
     std::unique_ptr<text_maker> maker_;
     mesh_arrays arrays_;
