@@ -14,3 +14,9 @@ if(PROJECT_IS_TOP_LEVEL)
         set(CMAKE_CXX_COMPILER_LAUNCHER ${TYPEMESH_CCACHE})
     endif()
 endif()
+
+# The API reference, by Doxygen: reference/html/index.html in the build folder.
+if(NOT CMAKE_HOST_WIN32)
+    add_custom_target(typemesh_reference
+        COMMAND sh ${PROJECT_SOURCE_DIR}/docs/reference/make.sh ${PROJECT_BINARY_DIR}/reference VERBATIM)
+endif()

@@ -62,6 +62,7 @@ cgal         header:CGAL/Constrained_Delaunay_triangulation_2.h libcgal-dev     
 polyclipping header:polyclipping/clipper.hpp                  libpolyclipping-dev polyclipping-devel    -           -                 -
 debootstrap  command:debootstrap                              debootstrap        debootstrap            debootstrap -                 -
 dpkg-shlibdeps command:dpkg-shlibdeps                         dpkg-dev           dpkg-dev               dpkg        dpkg              -
+doxygen      command:doxygen                                  doxygen            doxygen                doxygen     doxygen           -
 emcc         command:em++                                     emscripten         emscripten             emscripten  emscripten        -
 libc++       clang++:-stdlib=libc++                          libc++-dev         libcxx-devel           libc++      llvm              -
 i686         command:i686-linux-gnu-g++                      g++-i686-linux-gnu -                      -           -                 -

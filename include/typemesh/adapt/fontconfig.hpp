@@ -132,6 +132,7 @@ public:
         if (config_ != nullptr) FcConfigDestroy(config_);
     }
 
+    /// The configuration itself, for calls of your own; it stays this object's.
     [[nodiscard]] FcConfig* handle() const noexcept { return config_; }
 
     /// Finds a font by its family and style, as fontconfig writes them: "Noto Sans", "Noto Sans:bold:italic",

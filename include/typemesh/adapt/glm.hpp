@@ -20,6 +20,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// And back, for drawing outlines from GLM's.
 [[nodiscard]] inline vec2 from_glm(const glm::vec2& v) noexcept { return {v.x, v.y}; }
+/// The same values as the library's own types.
 [[nodiscard]] inline vec3 from_glm(const glm::vec3& v) noexcept { return {v.x, v.y, v.z}; }
 [[nodiscard]] inline vec4 from_glm(const glm::vec4& v) noexcept { return {v.x, v.y, v.z, v.w}; }
 [[nodiscard]] inline point from_glm(const glm::dvec2& v) noexcept { return {v.x, v.y}; }

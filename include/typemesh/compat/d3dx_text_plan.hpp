@@ -51,6 +51,7 @@ public:
     [[nodiscard]] mesh_range front() const noexcept { return plan_.range(part::back); }
     /// The range of the cap at z = 0.
     [[nodiscard]] mesh_range back() const noexcept { return plan_.range(part::front); }
+    /// The walls' range.
     [[nodiscard]] mesh_range sides() const noexcept { return plan_.range(part::side); }
     /// The bevels round the two, of an extruder that makes bevels.
     [[nodiscard]] mesh_range front_bevel() const noexcept

@@ -36,6 +36,7 @@ struct curve {
     std::uint32_t degree = 1;
     point p[4] = {};
 
+    /// A line, a quadratic or a cubic as a piece of an outline.
     [[nodiscard]] static constexpr curve from(point a, point b) noexcept { return {1, {a, b}}; }
     [[nodiscard]] static constexpr curve from(const quadratic& q) noexcept { return {2, {q.p0, q.p1, q.p2}}; }
     [[nodiscard]] static constexpr curve from(const cubic& c) noexcept { return {3, {c.p0, c.p1, c.p2, c.p3}}; }

@@ -14,6 +14,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 /// `return error::out_of_memory;` makes one; `if (error e = ...)` tests for one; `message()` is a plain sentence.
 struct [[nodiscard]] error {
+    /// What went wrong.
     enum kind : std::uint8_t {
         none,
         out_of_memory,        ///< the memory source returned null
@@ -47,7 +48,7 @@ struct [[nodiscard]] error {
         refused_by_user,      ///< for policies of the caller's own
     };
 
-    kind code = none;
+    kind code = none;                 ///< what went wrong
     glyph_id glyph = no_glyph;        ///< the glyph concerned, or no_glyph
     cluster_id cluster = no_cluster;  ///< its position in the caller's text, or no_cluster
     std::uint64_t count = 0;          ///< its meaning stands beside each code

@@ -14,6 +14,7 @@ enum class fill_rule : std::uint8_t {
     even_odd,  ///< filled where w is odd
 };
 
+/// Whether a place with this winding number is filled.
 [[nodiscard]] constexpr bool is_filled(fill_rule rule, std::int32_t winding) noexcept
 {
     return (winding & (rule == fill_rule::non_zero ? -1 : 1)) != 0;

@@ -18,8 +18,8 @@ using cluster_id = std::uint32_t;
 /// no more.
 enum class style_id : std::uint32_t {};
 
-inline constexpr glyph_id no_glyph = 0xFFFF'FFFFu;
-inline constexpr cluster_id no_cluster = 0xFFFF'FFFFu;
-inline constexpr style_id no_style{0xFFFF'FFFFu};
+inline constexpr glyph_id no_glyph = 0xFFFF'FFFFu;      ///< no glyph has this number
+inline constexpr cluster_id no_cluster = 0xFFFF'FFFFu;  ///< no place in a text
+inline constexpr style_id no_style{0xFFFF'FFFFu};       ///< no style
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -14,7 +14,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// them then fails with error::out_of_memory and leaves everything usable. `deallocate` gets the same size and
 /// alignment. One memory is used by one thread at a time unless its author allows more.
 struct memory {
-    void* user = nullptr;
+    void* user = nullptr;  ///< passed to both
     void* (*allocate)(void* user, std::size_t bytes, std::size_t alignment) noexcept = nullptr;
     void (*deallocate)(void* user, void* block, std::size_t bytes, std::size_t alignment) noexcept = nullptr;
 };

@@ -20,8 +20,11 @@ struct point {
     friend constexpr bool operator==(point a, point b) noexcept { return same(a.x, b.x) && same(a.y, b.y); }
 };
 
+/// The dot product.
 [[nodiscard]] constexpr double dot(point a, point b) noexcept { return a.x * b.x + a.y * b.y; }
+/// The z of the cross product: positive if b lies to the left of a.
 [[nodiscard]] constexpr double cross(point a, point b) noexcept { return a.x * b.y - a.y * b.x; }
+/// The Euclidean length.
 [[nodiscard]] inline double length(point a) noexcept { return std::sqrt(dot(a, a)); }
 
 /// a at s = 0, b at s = 1.
@@ -53,6 +56,7 @@ struct vec2 {
     friend constexpr bool operator==(vec2 a, vec2 b) noexcept { return same(a.x, b.x) && same(a.y, b.y); }
 };
 
+/// A position, direction or colour in space: x, y, z.
 struct vec3 {
     float x = 0.0f;
     float y = 0.0f;
@@ -64,6 +68,7 @@ struct vec3 {
     }
 };
 
+/// Four floats: a tangent with its sign, a colour with its opacity.
 struct vec4 {
     float x = 0.0f;
     float y = 0.0f;

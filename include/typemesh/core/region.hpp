@@ -50,12 +50,14 @@ public:
     /// The order of the points, as contours::order() has it; empty unless they have been sorted.
     [[nodiscard]] std::span<const std::uint32_t> order() const noexcept { return order_; }
     [[nodiscard]] std::span<const curve> curves() const noexcept { return curves_; }
+    /// The grid that its points lie on.
     [[nodiscard]] typemesh::grid grid() const noexcept { return grid_; }
 
     /// In cells: how far the edges may be from their curves, except at crossings; 0: unknown (loops made by hand,
     /// discretisers that keep no tolerance).
     [[nodiscard]] double tolerance() const noexcept { return tolerance_; }
     [[nodiscard]] std::uint32_t holes() const noexcept { return holes_; }
+    /// Loops that bound area from outside; the others are holes.
     [[nodiscard]] std::uint32_t outers() const noexcept { return outers_; }
     [[nodiscard]] std::uint32_t loop_count() const noexcept
     {

@@ -60,6 +60,7 @@ T& refuse_result(T& value) noexcept
 {
     return value;
 }
+/// The refusal: it does not compile.
 template <class T>
 T& refuse_result(result<T>& made) noexcept
 {
@@ -67,6 +68,7 @@ T& refuse_result(result<T>& made) noexcept
     return *made;
 }
 
+/// Whether T is a result.
 template <class T>
 inline constexpr bool is_result = false;
 template <class T>

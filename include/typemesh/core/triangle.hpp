@@ -16,6 +16,6 @@ struct triangle {
     friend constexpr bool operator==(const triangle&, const triangle&) noexcept = default;
 };
 
-using triangle_list = buffer<triangle>;
+using triangle_list = buffer<triangle>;  ///< triangles in an array, in any order
 
 }  // namespace typemesh::inline TYPEMESH_ABI

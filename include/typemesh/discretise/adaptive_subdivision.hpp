@@ -43,6 +43,7 @@ struct adaptive_subdivision {
     double angle = 0.01;       ///< in radians
 
     // The presets of the thesis, which uses 64 units per em. Its "low" is two_lines; thesis_quality has all four.
+    /// The presets of the thesis, for curves in font units.
     [[nodiscard]] static adaptive_subdivision normal(double units_per_em) noexcept
     {
         return {5, 0.5 / 64.0 * units_per_em, 0.01};

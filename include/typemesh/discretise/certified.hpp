@@ -37,7 +37,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// than sqrt(8 tolerance / (d(d-1) max|second difference|)) needs measuring; R. Levien, "Flattening quadratic Béziers"
 /// (2019), for the density.
 struct certified {
-    static constexpr double shortest_step = 0x1p-16;
+    static constexpr double shortest_step = 0x1p-16;  ///< of t
 
     template <class Put>
     void operator()(const quadratic& q, double tolerance, Put&& put) const noexcept

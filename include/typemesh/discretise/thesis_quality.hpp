@@ -25,6 +25,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// 4.4.3.
 class thesis_quality {
 public:
+    /// The four qualities of the thesis, coarse to fine.
     enum preset : std::uint8_t { low, normal, high, best };
     static constexpr bool keeps_no_tolerance = true;
 

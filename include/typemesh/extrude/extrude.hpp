@@ -55,6 +55,7 @@ void write_vertices(part p, const planned_solid_of<Extruder>& s, const Extruder&
     write_vertices(p, s.form, how, at, to);
     TYPEMESH_ASSERT(to.emitted >= to.planned, "an extruder emitted fewer vertices of a part than its plan() said");
 }
+/// The same for the triangles of a part.
 template <extruder Extruder, mesh_sink Sink>
 void write_triangles(part p, const planned_solid_of<Extruder>& s, const Extruder& how, const first_vertices& first,
                      bool turned, Sink& sink) noexcept

@@ -63,6 +63,7 @@ using plan_data_of = typename detail::plan_data<E>::type;
 /// What an extruder writes from: a solid, with its plan data if it has any.
 template <class E>
 using solid_of = solid_with<plan_data_of<E>>;
+/// The same with its plan.
 template <class E>
 using planned_solid_of = planned_solid<plan_data_of<E>>;
 

@@ -42,6 +42,7 @@ static_assert(extruder<no_letter>);
 template <class Ring, class Letter>
 struct outlined_data {
     using outline_arrays = plan_arrays<grid_point, std::uint32_t>;  ///< points, starts
+    /// The three as their extruders read them.
     struct view {
         typename outline_arrays::view outline;
         solid_of<Ring> ring;

@@ -12,7 +12,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// One number for each part.
 struct part_counts {
-    std::uint32_t of[most_parts] = {};
+    std::uint32_t of[most_parts] = {};  ///< by the part as a number
 
     [[nodiscard]] constexpr std::uint32_t operator[](part p) const noexcept { return of[static_cast<std::size_t>(p)]; }
     [[nodiscard]] constexpr std::uint32_t& operator[](part p) noexcept { return of[static_cast<std::size_t>(p)]; }

@@ -29,6 +29,7 @@ static_assert(bevel_profile<chamfer_profile>);
 /// longer radius at most.
 class quarter_ellipse {
 public:
+    /// How many steps the tolerance asks for.
     [[nodiscard]] static std::uint32_t steps_for(const profile_scale& scale) noexcept
     {
         if (!(scale.tolerance > 0.0)) return 8;

@@ -29,7 +29,8 @@ struct solid_with : solid {
 /// What an extruder's plan() says about a solid: its exact sizes, how far it extends in the plane, and what a
 /// text_report should count.
 ///
-/// The box bounds everything that will be written, in cells. An empty box means: the box of the region's points.
+/// The box `around` bounds everything that will be written, in cells. An empty one means: the box of the region's
+/// points.
 struct solid_plan {
     part_sizes sizes;
     box around = {};

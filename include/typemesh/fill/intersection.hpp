@@ -17,9 +17,11 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///                '-----x-------- b.to      on the curves of both.
 ///                        '---.__ a.to
 struct intersection {
+    /// One of the two edges that meet.
     struct edge {
         grid_point from, to;
-        contour_edge source;
+        contour_edge source;  ///< the curve that the edge is a chord of
+        /// Whether p is an end of the edge.
         [[nodiscard]] bool ends_in(grid_point p) const noexcept { return from == p || to == p; }
     };
     edge a, b;

@@ -61,11 +61,13 @@ public:
     /// Whether its bevel is narrower than asked for: see solid_plan.
     [[nodiscard]] bool is_narrowed() const noexcept { return plan_.narrowed; }
     [[nodiscard]] double cells() const noexcept { return cells_; }
+    /// The size of the grid's cells, in font units.
     [[nodiscard]] double font_units_per_cell() const noexcept { return font_units_per_cell_; }
 
     /// The bounding box in the plane of all that is written of it, in cells and in font units. Meaningless without
     /// points.
     [[nodiscard]] const box& around() const noexcept { return plan_.around; }
+    /// The same in font units.
     [[nodiscard]] const box& ink() const noexcept { return ink_; }
     /// The bounding box of its region's points, in cells.
     [[nodiscard]] grid_point low() const noexcept { return low_; }

@@ -26,14 +26,15 @@ struct no_lock {
     constexpr void unlock() noexcept {}
 };
 
+/// What a glyph_cache holds and has been asked for.
 struct cache_statistics {
-    std::uint64_t hits = 0;       ///< how often find() succeeded
-    std::uint64_t misses = 0;     ///< how often it did not
-    std::uint64_t evictions = 0;  ///< glyphs removed to keep the bound
-    std::size_t entries = 0;      ///< glyphs held, blank and refused ones included
-    std::size_t bytes = 0;        ///< of their blocks, in total
-    std::size_t pinned = 0;       ///< entries that are pinned
-    std::size_t pinned_bytes = 0;
+    std::uint64_t hits = 0;        ///< how often find() succeeded
+    std::uint64_t misses = 0;      ///< how often it did not
+    std::uint64_t evictions = 0;   ///< glyphs removed to keep the bound
+    std::size_t entries = 0;       ///< glyphs held, blank and refused ones included
+    std::size_t bytes = 0;         ///< of their blocks, in total
+    std::size_t pinned = 0;        ///< entries that are pinned
+    std::size_t pinned_bytes = 0;  ///< of those that plans hold at the moment
 };
 
 /// Keeps built glyphs for the next text that needs them.
@@ -173,6 +174,7 @@ public:
         if (numbers_.entries == 0) buckets_ = buffer<entry*>{source_};
     }
 
+    /// What it holds now, and what it has been asked for. Cost: O(1), under the lock
     [[nodiscard]] cache_statistics statistics() const noexcept
     {
         const locked until_end{lock_};

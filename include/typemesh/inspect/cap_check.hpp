@@ -23,7 +23,7 @@ struct cap_check {
     std::size_t bad_corners = 0;      ///< triangles with a corner that is not a point; ignored by the counts below
     std::size_t turned = 0;           ///< triangles that are flat or clockwise
     std::int64_t doubled_excess = 0;  ///< twice the triangles' area minus the region's, in square cells
-    std::size_t unused_points = 0;
+    std::size_t unused_points = 0;    ///< of the region, that no triangle has
     std::size_t repeated_edges = 0;   ///< directed edges of more than one triangle
     std::size_t uncovered_edges = 0;  ///< edges of the region in no triangle
     std::size_t overrun_edges = 0;    ///< edges of the region with a triangle on the outside

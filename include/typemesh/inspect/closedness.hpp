@@ -18,7 +18,7 @@ namespace typemesh::inline TYPEMESH_ABI::inspect {
 ///        /  |  \         inside.
 ///       c---a---d
 struct closedness {
-    std::size_t triangles = 0;
+    std::size_t triangles = 0;        ///< examined
     std::size_t unmatched_edges = 0;  ///< directed edges that do not occur as often as their reverse
     std::size_t crowded_edges = 0;    ///< undirected edges with more than two faces
     std::size_t crowded_slanted = 0;  ///< those among them that are not parallel to the depth axis

@@ -66,6 +66,7 @@ struct long_number {
     return determinant.sign();
 }
 
+/// The order by which ties are decided: by x, then by y.
 [[nodiscard]] constexpr bool comes_first(grid_point a, grid_point b) noexcept
 {
     return a.x != b.x ? a.x < b.x : a.y < b.y;
@@ -73,7 +74,7 @@ struct long_number {
 
 /// Which inner edges do not belong to the constrained Delaunay triangulation.
 struct delaunay_check {
-    std::size_t inner_edges = 0;
+    std::size_t inner_edges = 0;   ///< examined: those with a triangle on both sides
     std::size_t not_delaunay = 0;  ///< edges whose far corner lies inside the circumcircle of the near triangle
     std::size_t wrong_ties = 0;    ///< of four cocircular corners, the diagonal must end at the smallest, by x, then y
 

@@ -21,6 +21,7 @@ struct euler_count {
     std::size_t triangles = 0;
     std::size_t solids = 0;  ///< components connected by edges
 
+    /// Places - edges + triangles: 2 for each solid without holes through it.
     [[nodiscard]] constexpr std::int64_t characteristic() const noexcept
     {
         return static_cast<std::int64_t>(places) - static_cast<std::int64_t>(edges) +

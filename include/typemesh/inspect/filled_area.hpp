@@ -94,11 +94,12 @@ struct slab_edge {
 /// Loops with every edge rerouted through the grid points nearest to where others cross it: what resolving them fills,
 /// unless that makes new crossings.
 struct rerouted_loops {
-    std::vector<std::vector<grid_point>> all;
+    std::vector<std::vector<grid_point>> all;  ///< the loops, rerouted
     double bent_length = 0.0;  ///< of the edges that are crossed elsewhere than in a grid point, in cells
 
     [[nodiscard]] std::vector<loop> loops() const { return {all.begin(), all.end()}; }
 };
+/// The loops with a point wherever one of their edges is crossed, rounded to the grid.
 [[nodiscard]] inline rerouted_loops reroute_through_crossings(const std::vector<loop>& loops)
 {
     const std::vector<boxed_edge> edges = boxed_edges(loops);

@@ -19,6 +19,7 @@ namespace typemesh::inline TYPEMESH_ABI::inspect {
 /// A closed polyline: its last point is joined to its first. |coordinate| <= 2^28.
 using loop = std::span<const grid_point>;
 
+/// The contours of an array of points, one by one.
 [[nodiscard]] inline std::vector<loop> loops_of(std::span<const grid_point> points,
                                                 std::span<const std::uint32_t> starts)
 {
@@ -66,6 +67,7 @@ using loop = std::span<const grid_point>;
     }
     return static_cast<std::int64_t>(sum);
 }
+/// Twice the area, counter-clockwise positive; exact.
 [[nodiscard]] inline std::int64_t doubled_area(const std::vector<loop>& loops) noexcept
 {
     std::uint64_t sum = 0;
@@ -84,6 +86,7 @@ using loop = std::span<const grid_point>;
     }
     return w;
 }
+/// How often the loops wind around p, by brute force. p lies on no edge.
 [[nodiscard]] inline std::int32_t winding(const std::vector<loop>& loops, grid_point p) noexcept
 {
     std::int32_t w = 0;

@@ -37,6 +37,7 @@ struct separated {
     std::int32_t outside = 0;
     std::int32_t inside = 0;
 };
+/// Of loop `of`, which is not empty.
 [[nodiscard]] inline separated separated_by(const std::vector<loop>& loops, std::size_t of) noexcept
 {
     std::int32_t outside = 0;

@@ -11,7 +11,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// A bar that a font suggests: its upper edge lies `top` above the baseline.
 struct bar_metrics {
     double top = 0.0;
-    double thickness = 0.0;
+    double thickness = 0.0;  ///< from top to bottom, in em
 };
 
 /// Small letters that a font suggests.

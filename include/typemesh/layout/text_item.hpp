@@ -27,6 +27,7 @@ struct text_item {
     glyph_orientation orientation = glyph_orientation::horizontal;
     double squeeze = 1.0;  ///< of combined glyphs: by how much they are drawn narrower, which their shaping shows
 
+    /// Whether it is read from right to left.
     [[nodiscard]] constexpr bool to_the_left() const noexcept { return (level & 1u) != 0; }
 };
 

@@ -52,7 +52,7 @@ template <outline_source Source>
         return source.units_per_em();
 }
 
-/// The fill rule of one face, and one of its outlines.
+/// The fill rule of one face.
 template <outline_source Source>
 [[nodiscard]] fill_rule fill_of(Source& source, std::uint32_t face) noexcept
 {
@@ -62,6 +62,7 @@ template <outline_source Source>
     else
         return source.fill();
 }
+/// One of its outlines: fails as the source does.
 template <outline_source Source, outline_sink Sink>
 error outline_of(Source& source, std::uint32_t face, glyph_id id, Sink& sink) noexcept
 {

@@ -11,7 +11,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// A line as it was broken: pieces [first, last) of a list, at least one. Lengths are in font units.
 struct broken_line {
-    const text_pieces::list& all;
+    const text_pieces::list& all;  ///< the pieces of the text
     std::size_t first = 0;
     std::size_t last = 0;
     double pen = 0.0;    ///< where it starts

@@ -20,6 +20,7 @@ struct laid_line {
     line_metrics metrics = {};
     point origin = {};  ///< the pen where all lines begin
 
+    /// Where what is visible ends.
     [[nodiscard]] constexpr double right() const noexcept { return left + width; }
 };
 

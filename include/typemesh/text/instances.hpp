@@ -12,7 +12,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// One of a text's different glyphs, drawn glyph_count times: for instanced drawing.
 struct glyph_mesh {
-    const built_glyph* built = nullptr;
+    const built_glyph* built = nullptr;  ///< valid as long as the plan
     glyph_id id = no_glyph;
     std::uint32_t first_vertex = 0;  ///< where it begins in the output of write_meshes()
     std::uint32_t first_index = 0;

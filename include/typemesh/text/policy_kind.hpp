@@ -15,6 +15,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Which of the concepts of text_mesher::with() a type models.
 enum class policy_kind : std::uint8_t { none, discretiser, triangulator, extruder, observer, cache, several };
 
+/// Of which kind a policy is.
 template <class P>
 [[nodiscard]] constexpr policy_kind kind_of() noexcept
 {

@@ -23,7 +23,7 @@ struct text_chunk {
     std::uint32_t glyph_count = 0;
     std::uint32_t piece = whole_glyphs;  ///< which piece of its only glyph, if that had to be split
 
-    static constexpr std::uint32_t whole_glyphs = 0xFFFF'FFFFu;
+    static constexpr std::uint32_t whole_glyphs = 0xFFFF'FFFFu;  ///< of a chunk that cuts no glyph
 
     [[nodiscard]] mesh_size size() const noexcept { return sizes.total(); }
 

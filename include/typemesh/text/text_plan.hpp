@@ -221,6 +221,7 @@ public:
         for (const drawn_glyph& s : fresh().records) points += s.built->form().points.size();
         return points;
     }
+    /// H: see contour_points().
     [[nodiscard]] std::uint64_t hard_edges() const noexcept
         requires tells_hard_edges<Extruder>
     {
@@ -263,7 +264,7 @@ public:
     ///     else                        write the whole
     ///
     /// The vertices of the others must be unchanged, too: their pen positions (the advance of what changed), and with
-    /// texture_box::text or ::line or output_unit::unit_box the box that they are relative to.
+    /// texture_box::text or texture_box::line or output_unit::unit_box the box that they are relative to.
     ///
     /// Fails as write() does. For sinks over memory that holds the whole mesh, not for a container of another size.
     template <class Sink>

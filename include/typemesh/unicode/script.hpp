@@ -52,6 +52,7 @@ public:
         char32_t last;
         std::size_t number;
     };
+    /// The range that c lies in.
     [[nodiscard]] static range range_of(char32_t c) noexcept
     {
         using detail::script_ranges;
@@ -68,6 +69,7 @@ public:
                 number < 3 ? 0 : number};
     }
 
+    /// The set of that number.
     [[nodiscard]] static script_set numbered(std::size_t number) noexcept
     {
         using namespace detail;

@@ -11,6 +11,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
+/// How the units of a text are to be read.
 enum class encoding : std::uint8_t { utf8, utf16 };
 
 /// The caller's text in place: UTF-8 (char, char8_t) or UTF-16 (char16_t). Nothing is copied, nothing owned.
@@ -54,6 +55,7 @@ public:
         TYPEMESH_ASSERT(encoding_ == typemesh::encoding::utf8, "a text in UTF-16 was read as UTF-8");
         return static_cast<const char*>(units_);
     }
+    /// The units of a text in UTF-16.
     [[nodiscard]] const char16_t* utf16() const noexcept
     {
         TYPEMESH_ASSERT(encoding_ == typemesh::encoding::utf16, "a text in UTF-8 was read as UTF-16");

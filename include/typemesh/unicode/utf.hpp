@@ -57,6 +57,7 @@ struct code_point {
     return {value, i + length, true};
 }
 
+/// The same up to the end of the text.
 [[nodiscard]] inline code_point decode(text_view text, std::size_t i) noexcept { return decode(text, i, text.size()); }
 
 }  // namespace typemesh::inline TYPEMESH_ABI

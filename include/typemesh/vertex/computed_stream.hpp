@@ -23,11 +23,12 @@ template <attribute Wants, class T, class Make>
 struct computed_elements {
     static constexpr attribute wants = Wants;
 
-    void* data = nullptr;      ///< the first element; aligned for T
-    std::size_t capacity = 0;  ///< elements
-    std::size_t stride = sizeof(T);
+    void* data = nullptr;            ///< the first element; aligned for T
+    std::size_t capacity = 0;        ///< elements
+    std::size_t stride = sizeof(T);  ///< bytes from one element to the next
     Make make;
 
+    /// Writes element i.
     void put(std::size_t i, const surface_point<wants>& s) const noexcept
     {
         *reinterpret_cast<T*>(static_cast<std::byte*>(data) + i * stride) = make(s);

@@ -56,9 +56,9 @@ private:
 };
 
 using snorm8 = normalised<std::int8_t>;
-using snorm16 = normalised<std::int16_t>;
-using unorm8 = normalised<std::uint8_t>;
-using unorm16 = normalised<std::uint16_t>;
+using snorm16 = normalised<std::int16_t>;   ///< [-1, 1] in 16 bits
+using unorm8 = normalised<std::uint8_t>;    ///< [0, 1] in 8 bits
+using unorm16 = normalised<std::uint16_t>;  ///< [0, 1] in 16 bits
 static_assert(sizeof(snorm8) == 1 && sizeof(unorm16) == 2);
 
 }  // namespace typemesh::inline TYPEMESH_ABI

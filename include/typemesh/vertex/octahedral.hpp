@@ -47,6 +47,7 @@ struct octahedral {
     }
 
 protected:
+    /// A step.
     template <int Apart>
     using every = std::integral_constant<int, Apart>;
 
@@ -97,8 +98,8 @@ private:
     }
 };
 
-using octahedral16 = octahedral<snorm8>;
-using octahedral32 = octahedral<snorm16>;
+using octahedral16 = octahedral<snorm8>;   ///< a direction in 16 bits
+using octahedral32 = octahedral<snorm16>;  ///< a direction in 32 bits
 static_assert(sizeof(octahedral16) == 2 && sizeof(octahedral32) == 4);
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -35,8 +35,8 @@ struct octahedral_tangent : private octahedral<Step> {
     }
 };
 
-using octahedral_tangent16 = octahedral_tangent<snorm8>;
-using octahedral_tangent32 = octahedral_tangent<snorm16>;
+using octahedral_tangent16 = octahedral_tangent<snorm8>;   ///< a tangent in 16 bits
+using octahedral_tangent32 = octahedral_tangent<snorm16>;  ///< a tangent in 32 bits
 static_assert(sizeof(octahedral_tangent32) == 4);
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -54,6 +54,7 @@ struct stream {
         return {bytes.data() + offset, elements_in(bytes.size() - offset, sizeof(T), bytes_apart), bytes_apart};
     }
 
+    /// Writes element i.
     void put(std::size_t i, const surface_point<wants>& s) const noexcept
     {
         T* place = reinterpret_cast<T*>(static_cast<std::byte*>(data) + i * stride);
