@@ -7,7 +7,10 @@
 #     tests/machines/run.sh [--hashes] [--jobs N] [--table FILE] [NAME...]      all machines without a name; NAME: aarch64, say
 #
 #     --hashes   hashes only, no tests: some minutes
-#     --table    where the table goes; build/machines/table.md by default. docs/machines.md has one of a whole run
+#     --table    where the table goes; build/machines/table.md by default. It has the last run of each machine, whatever was
+#                named; docs/machines.md is such a table
+#
+# All of it, with the tests, takes an hour or two.
 #
 # A hash that is another fails, unless `other` below says that this machine may: where a compiler may fuse multiplication and
 # addition, or takes floats as numbers (-ffast-math), or computes in 80 bits (x87). Hashes of the grid and of texts are integers
@@ -23,7 +26,7 @@ while [ $# -gt 0 ]; do
         --hashes) tests= ;;
         --jobs) export CMAKE_BUILD_PARALLEL_LEVEL=$2 && shift ;;
         --table) table=$2 && shift ;;
-        -h | --help) sed -n '3,15s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" && exit 0 ;;
+        -h | --help) sed -n '3,18s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" && exit 0 ;;
         *) names="$names $1" ;;
     esac
     shift
@@ -87,9 +90,12 @@ test_rooms() {  # test_rooms NAME COMPILER FLAGS RUNNER
     return $status
 }
 
+row() {  # row HASHES TESTS: of the table
+    mkdir -p "$work/$name" && printf '| %s | %s | %s |\n' "$words" "$1" "$2" >"$work/$name/row.md"
+}
+
 mkdir -p "$work" "$(dirname "$table")"
 failed=0
-{ printf '| machine | hashes as on x86-64, g++ -O2 | tests of the core |\n|---|---|---|\n'; } >"$table.new"
 while IFS='|' read -r name need compiler flags runner may words; do
     name=$(trimmed "$name") need=$(trimmed "$need") compiler=$(trimmed "$compiler") flags=$(trimmed "$flags")
     runner=$(trimmed "$runner") may=$(trimmed "$may") words=$(trimmed "$words")
@@ -97,7 +103,7 @@ while IFS='|' read -r name need compiler flags runner may words; do
     # shellcheck disable=SC2086  # a list of words
     if ! (install_missing $need) >"$work/install.log" 2>&1 || ! command -v "$compiler" >/dev/null; then
         printf '%-16s skipped: %s is missing and cannot be installed\n' "$name" "$need"
-        printf '| %s | skipped: %s was not there | |\n' "$words" "$compiler" >>"$table.new"
+        row "skipped: $need was not there" -
         continue
     fi
     mkdir -p "$work/$name"
@@ -107,7 +113,7 @@ while IFS='|' read -r name need compiler flags runner may words; do
     if ! "$compiler" -std=c++20 $flags -DNDEBUG -I"$typemesh_root/include" -I"$typemesh_root/tests" "$here/hashes.cpp" -o "$program" \
         >"$work/$name/compiler.log" 2>&1; then
         printf '%-16s NOT COMPILED: %s\n' "$name" "$(grep -m1 error "$work/$name/compiler.log")"
-        printf '| %s | not compiled | |\n' "$words" >>"$table.new"
+        row "not compiled" -
         failed=$((failed + 1))
         continue
     fi
@@ -128,8 +134,14 @@ while IFS='|' read -r name need compiler flags runner may words; do
         test_rooms "$name" "$compiler" "$flags" "$runner" || { verdict=BAD failed=$((failed + 1)); }
     fi
     printf '%-16s %s: %s; tests: %s\n' "$name" "$verdict" "$said" "$told"
-    printf '| %s | %s | %s |\n' "$words" "$said" "$told" >>"$table.new"
+    row "$said" "$told"
 done < <(machines)
-mv "$table.new" "$table"
+{
+    printf '| machine | stages with the hash of x86-64, g++ -O2 | tests of the core |\n|---|---|---|\n'
+    while IFS='|' read -r name _; do
+        name=$(trimmed "$name")
+        [ ! -e "$work/$name/row.md" ] || cat "$work/$name/row.md"
+    done < <(machines)
+} >"$table"
 say "The table: $table"
 [ $failed = 0 ] || stop "$failed machines failed"
