@@ -40,11 +40,24 @@ cut -d/ -f1 "$folder/shown" | grep -v hpp | sort -u | while read -r room; do mkd
 # shellcheck disable=SC2046  # names without blanks
 awk -v to="$folder/headers/" -f "$here/filter.awk" "$here/contracts.txt" $(cat "$folder/shown")
 
+for page in "$root"/docs/stages/*.md; do
+    room=$(basename "$page" .md)
+    [ "$room" != README ] || room=main
+    awk -v room="$room" -f "$here/pages.awk" "$page" >"$folder/headers/$room.dox"
+done
+
+# A group begins with its page, not with its list of names.
+doxygen -l "$folder/layout.xml" >/dev/null
+awk '/<group>/ { group = 1 } /<\/group>/ { group = 0 } !(group && /<detaileddescription/)
+    group && /<briefdescription/ { print "    <detaileddescription title=\"In short\"/>" }' "$folder/layout.xml" >"$folder/groups_first.xml"
+
 {
     cat "$here/Doxyfile"
     echo "INPUT = $folder/headers"
     echo "STRIP_FROM_PATH = $folder/headers"
     echo "STRIP_FROM_INC_PATH = $folder/headers"
+    echo "LAYOUT_FILE = $folder/groups_first.xml"
+    echo "HTML_EXTRA_STYLESHEET = $here/style.css"
     echo "OUTPUT_DIRECTORY = $folder"
     echo "WARN_LOGFILE = $folder/warnings"
 } >"$folder/Doxyfile"
