@@ -29,13 +29,14 @@ mkdir -p "$objects" "$(dirname "$output")"
 compiler=(-std=c++20 -fno-exceptions -fno-rtti -DNDEBUG -DHB_CONFIG_OVERRIDE_H='"harfbuzz_config.h"')
 folders=(-I"$typemesh_root/include" -I"$typemesh_root/examples" -I"$typemesh_root/examples/text_to_mesh" -I"$web"
     -isystem "$work/harfbuzz/src")
-sources=("$work/harfbuzz/src/harfbuzz.cc" "$typemesh_root/examples/text_to_mesh/policies.cpp" "$web"/{settings,text_maker,session,mesh_checks,exports}.cpp)
+sources=("$work/harfbuzz/src/harfbuzz.cc" "$typemesh_root/examples/text_to_mesh/policies.cpp" "$web"/{settings,text_maker,text_writer,session,mesh_checks,exports}.cpp)
 
 # emscripten forbids inlining where size counts, and the library's loops are then ten times as slow.
 flags_for() {  # flags_for SOURCE FLAG...
     local source=$1
     shift
     case $#$source in
+        0*text_writer.cpp) say -O2 ;;
         0*text_maker.cpp) say "-Os -finline-functions" ;;
         0*) say "-Oz -finline-functions" ;;
         *) say "$*" ;;
@@ -72,7 +73,7 @@ while [ ${#running[@]} -gt 0 ]; do wait_for_first; done
 [ -z "$failed" ] || stop "The build has failed."
 
 exports=$(sed -nE 's/^TYPEMESH_WEB_EXPORT [^(]*[ *](web_[a-z_]+)\(.*/_\1/p' "$web/exports.cpp" | tr '\n' ,)
-[ $# -gt 0 ] || set -- -Os
+[ $# -gt 0 ] || set -- -Oz
 [ -z "${TYPEMESH_WEB_NAMES:-}" ] || set -- "$@" --profiling-funcs
 em++ "$@" --no-entry -fno-exceptions -fno-rtti "$objects"/*.o -o "$work/typemesh.part.wasm" -s STANDALONE_WASM=1 \
     -s "EXPORTED_FUNCTIONS=${exports}_malloc,_free" -s ALLOW_MEMORY_GROWTH=1 -s MAXIMUM_MEMORY=4GB -s INITIAL_MEMORY=16MB \

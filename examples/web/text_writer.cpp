@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "text_writer.hpp"
+
+#include "any_solid.hpp"
+
+#include <typemesh/typemesh.hpp>
+
+namespace typemesh_web {
+
+using namespace typemesh;
+
+namespace {
+
+struct float2 {
+    float x, y;
+};
+struct float3 {
+    float x, y, z;
+};
+
+/// Into the arrays, whose room was made.
+auto sink_into(mesh_arrays& out)
+{
+    const auto bytes = [](buffer<float>& b) { return std::as_writable_bytes(b.view()); };
+    return stream_sink{out.index.view(), stream<attribute::position, float3>::in(bytes(out.position), 0),
+                       stream<attribute::normal, float3>::in(bytes(out.normal), 0),
+                       stream<attribute::uv, float2>::in(bytes(out.uv), 0)};
+}
+
+[[nodiscard]] bool add_part(part p, const mesh_range& r, mesh_arrays& out) noexcept
+{
+    if (r.index_count == 0) return true;
+    return out.parts.push_back(
+        {static_cast<std::uint32_t>(p), r.first_index, r.index_count, r.first_vertex, r.vertex_count});
+}
+
+}  // namespace
+
+template <extruder Extruder>
+error write_whole(const text_plan<Extruder>& plan, mesh_arrays& out) noexcept
+{
+    const mesh_size size = plan.size();
+    if (!out.make_room(size.vertices, size.indices())) return error::out_of_memory;
+    for (const part p : plan.parts())
+        if (!add_part(p, plan.range(p), out)) return error::out_of_memory;
+    return plan.write(sink_into(out));
+}
+
+template <extruder Extruder>
+error write_letters(const text_plan<Extruder>& plan, mesh_arrays& out) noexcept
+{
+    const mesh_size size = plan.meshes_size();
+    if (!out.make_room(size.vertices, size.indices())) return error::out_of_memory;
+    for (std::size_t m = 0; m < plan.meshes().size(); ++m) {
+        const auto first = static_cast<std::uint32_t>(out.parts.size());
+        for (const part p : plan.parts())
+            if (!add_part(p, plan.mesh_part(m, p), out)) return error::out_of_memory;
+        const auto count = static_cast<std::uint32_t>(out.parts.size()) - first;
+        if (!out.letters.push_back({plan.meshes()[m].id, first, count})) return error::out_of_memory;
+    }
+    const std::size_t count = plan.glyphs().size();
+    if (!out.instances.reserve(count) || !out.translations.reserve(3 * count)) return error::out_of_memory;
+    plan.write_instances([&out](const glyph_instance& i) noexcept {
+        out.instances.push_back_unchecked(i.mesh);
+        for (const float v : {i.translation.x, i.translation.y, i.translation.z})
+            out.translations.push_back_unchecked(v);
+    });
+    return plan.write_meshes(sink_into(out));
+}
+
+template error write_whole(const text_plan<any_solid>&, mesh_arrays&) noexcept;
+template error write_whole(const text_plan<bold_solid>&, mesh_arrays&) noexcept;
+template error write_whole(const text_plan<hollow_solid>&, mesh_arrays&) noexcept;
+template error write_letters(const text_plan<any_solid>&, mesh_arrays&) noexcept;
+template error write_letters(const text_plan<bold_solid>&, mesh_arrays&) noexcept;
+template error write_letters(const text_plan<hollow_solid>&, mesh_arrays&) noexcept;
+
+}  // namespace typemesh_web
