@@ -39,7 +39,7 @@ fi
 rm -rf "$site" && mkdir -p "$site/three/addons" "$site/fonts"
 cp "$web/page/"* "$web/package/typemesh.js" "$web/package/typemesh.wasm" "$site/"
 cp "$npm/node_modules/three/build/"three.*.js "$site/three/"
-for folder in controls environments exporters utils; do cp -R "$npm/node_modules/three/examples/jsm/$folder" "$site/three/addons/"; done
+for folder in controls exporters utils; do cp -R "$npm/node_modules/three/examples/jsm/$folder" "$site/three/addons/"; done
 
 # The fonts that are there, the first one being what the page begins with.
 names=

@@ -168,6 +168,9 @@ function look(name) {
     if (mesh) update();
 }
 
+// For the browser's console, and for tests.
+globalThis.page = { get mesh() { return mesh; }, get options() { return controls.options(); } };
+
 // --- begin -------------------------------------------------------------------------------------------------------------------
 
 for (const name of views) {

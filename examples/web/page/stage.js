@@ -3,10 +3,9 @@
 
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { RoomEnvironment } from "three/addons/environments/RoomEnvironment.js";
 
 export const views = ["solid", "wireframe", "normals", "texture", "contours"];
-const colours = { front: 0xd9683a, back: 0xd9683a, side: 0x8f3f22, front_bevel: 0xf2b48c, back_bevel: 0xf2b48c,
+const colours = { front: 0xcf5a2e, back: 0xcf5a2e, side: 0x8a4326, front_bevel: 0xe9a27c, back_bevel: 0xe9a27c,
                   letter_front: 0xf5efe6, letter_back: 0xf5efe6, letter_side: 0xc9bfae };
 const ink = () => matchMedia("(prefers-color-scheme: dark)").matches ? 0xeceae5 : 0x1d1f23;
 
@@ -14,15 +13,13 @@ export class Stage {
     constructor(canvas) {
         this.canvas = canvas;
         this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
-        this.renderer.toneMapping = THREE.ACESFilmicToneMapping;
         this.scene = new THREE.Scene();
-        const room = new THREE.PMREMGenerator(this.renderer);
-        this.scene.environment = room.fromScene(new RoomEnvironment(), 0.04).texture;
-        this.scene.environmentIntensity = 0.55;
-        room.dispose();
-        const sun = new THREE.DirectionalLight(0xffffff, 1.8);
-        sun.position.set(-0.6, 1, 1.4);
-        this.scene.add(sun);
+        this.scene.add(new THREE.HemisphereLight(0xffffff, 0x8d7f70, 1.5));
+        for (const [x, y, z, light] of [[-0.7, 1.1, 1.2, 2.2], [1.4, 0.1, 0.5, 0.7]]) {
+            const lamp = new THREE.DirectionalLight(0xffffff, light);
+            lamp.position.set(x, y, z);
+            this.scene.add(lamp);
+        }
         this.camera = new THREE.PerspectiveCamera(30, 1, 0.01, 1000);
         this.orbit = new OrbitControls(this.camera, canvas);
         this.orbit.addEventListener("change", () => this.draw());
@@ -55,7 +52,7 @@ export class Stage {
         checker.colorSpace = THREE.SRGBColorSpace;
         checker.anisotropy = 8;
         const faint = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
-        const solid = name => new THREE.MeshStandardMaterial({ color: colours[name], roughness: 0.42, metalness: 0.05, ...faint });
+        const solid = name => new THREE.MeshStandardMaterial({ color: colours[name], roughness: 0.5, ...faint });
         return {
             solid: Object.fromEntries(Object.keys(colours).map(name => [name, solid(name)])),
             normals: new THREE.MeshNormalMaterial(),
@@ -116,7 +113,7 @@ export class Stage {
         const half = Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2));
         const distance = Math.max(size.y / half, size.x / (half * this.camera.aspect), 0.1) * 0.62 + size.z;
         this.orbit.target.copy(middle);
-        this.camera.position.copy(middle).add(new THREE.Vector3(-0.32, 0.22, 1).normalize().multiplyScalar(distance));
+        this.camera.position.copy(middle).add(new THREE.Vector3(-0.22, 0.16, 1).normalize().multiplyScalar(distance));
         this.camera.near = distance / 100;
         this.camera.far = distance * 100;
         this.camera.updateProjectionMatrix();

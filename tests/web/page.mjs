@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+// page.mjs SITE BROWSER PICTURES RENEW: does to the page what a user would, and fails on whatever is not as it should be.
+
+import { execFileSync } from "node:child_process";
+import fs from "node:fs";
+import http from "node:http";
+import { createRequire } from "node:module";
+import path from "node:path";
+
+const [, , site, executablePath, pictures, renew] = process.argv;
+const puppeteer = createRequire(import.meta.url)(path.join(process.env.NODE_PATH, "puppeteer-core"));
+const types = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm", ".json": "application/json" };
+const server = http.createServer((request, response) => {
+    const file = path.join(site, new URL(request.url, "http://x").pathname.replace(/\/$/, "/index.html"));
+    if (!file.startsWith(site) || !fs.existsSync(file)) return response.writeHead(404).end();
+    response.writeHead(200, { "content-type": types[path.extname(file)] ?? "application/octet-stream" });
+    fs.createReadStream(file).pipe(response);
+});
+await new Promise(done => server.listen(0, "127.0.0.1", done));
+const home = `http://127.0.0.1:${server.address().port}/`;
+
+const browser = await (puppeteer.default ?? puppeteer).launch({
+    executablePath, protocolTimeout: 300000,
+    args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist",
+           "--font-render-hinting=none", "--force-color-profile=srgb"],
+});
+const page = await browser.newPage();
+page.setDefaultTimeout(120000);
+let failures = 0, passes = 0;
+const check = (good, words) => {
+    if (good) ++passes;
+    else console.log(`FAILED: ${words}`), ++failures;
+};
+page.on("console", m => { if (["error", "warn"].includes(m.type())) check(false, `the console says: ${m.text()}`); });
+page.on("pageerror", e => check(false, `the page throws: ${e.message}`));
+page.on("requestfailed", r => check(false, `not loaded: ${r.url()}`));
+page.on("response", r => check(r.status() < 400, `${r.status()}: ${r.url()}`));
+page.on("request", r => check(/^(data|blob):/.test(r.url()) || r.url().startsWith(home), `the network is used: ${r.url()}`));
+
+// --- what a user sees --------------------------------------------------------------------------------------------------------
+
+const value = id => page.$eval("#" + id, e => e.value ?? e.textContent);
+const message = () => page.$eval("#message", e => e.hidden ? "" : e.textContent);
+const measured = () => page.evaluate(() => Number(document.documentElement.dataset.measured ?? 0));
+async function settled(before) {
+    await page.waitForFunction(n => Number(document.documentElement.dataset.measured ?? 0) > n || !document.getElementById("message").hidden, {}, before);
+}
+async function open(hash = "", { width = 1000, height = 640, dark = false } = {}) {
+    await page.setViewport({ width, height });
+    await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: dark ? "dark" : "light" }]);
+    await page.goto("about:blank");
+    await page.goto(home + hash, { waitUntil: "domcontentloaded", timeout: 120000 });
+    await settled(0);
+}
+/** Does something that changes the mesh, and waits until it has been made and measured. */
+async function change(doing) {
+    const before = await measured();
+    await doing();
+    await settled(before);
+}
+const set = (selector, to) => change(() => page.$eval(selector, (e, v) => {
+    if (e.type === "checkbox") e.checked = v;
+    else e.value = v;
+    e.dispatchEvent(new Event("input", { bubbles: true }));
+    e.dispatchEvent(new Event("change", { bubbles: true }));
+}, to));
+
+/** The share of pixels that differ visibly from the stored picture. */
+async function compare(name) {
+    const seen = await page.screenshot({ encoding: "base64" });
+    const file = path.join(pictures, name + ".png");
+    if (renew === "yes") {
+        fs.mkdirSync(pictures, { recursive: true });
+        fs.writeFileSync(file, Buffer.from(seen, "base64"));
+    }
+    if (!fs.existsSync(file)) return check(false, `there is no picture ${name}.png`);
+    const share = await page.evaluate(async (a, b) => {
+        const read = async data => {
+            const image = await createImageBitmap(await (await fetch("data:image/png;base64," + data)).blob());
+            const pen = new OffscreenCanvas(image.width, image.height).getContext("2d");
+            pen.drawImage(image, 0, 0);
+            return pen.getImageData(0, 0, image.width, image.height);
+        };
+        const [one, two] = [await read(a), await read(b)];
+        if (one.width !== two.width || one.height !== two.height) return 1;
+        let others = 0;
+        for (let i = 0; i < one.data.length; i += 4)
+            if ([0, 1, 2].some(k => Math.abs(one.data[i + k] - two.data[i + k]) > 40)) ++others;
+        return 4 * others / one.data.length;
+    }, seen, fs.readFileSync(file).toString("base64"));
+    check(share < 0.02, `${name}.png: ${(100 * share).toFixed(1)} % of the pixels are others`);
+}
+const drop = (name, bytes) => page.evaluate((name, text) => {
+    const files = new DataTransfer();
+    files.items.add(new File([Uint8Array.from(atob(text), c => c.charCodeAt(0))], name));
+    document.body.dispatchEvent(new DragEvent("drop", { dataTransfer: files, bubbles: true, cancelable: true }));
+}, name, bytes.toString("base64"));
+
+// --- what is to be seen ------------------------------------------------------------------------------------------------------
+
+const figures = [];
+await open();
+const ready = Number(await page.evaluate(() => document.documentElement.dataset.ready));
+figures.push(`first mesh on screen: ${ready} ms after the page was asked for`);
+check(await message() === "" && await value("open-edges") === "0", "the first mesh is closed");
+await compare("solid");
+
+// The same mesh as the native program's, if that is there.
+const hash = () => page.evaluate(() => globalThis.page.mesh.hash());
+if (process.env.TYPEMESH_MESH_HASH) {
+    const fonts = JSON.parse(fs.readFileSync(path.join(site, "fonts.json"), "utf8"));
+    const font = path.join(site, Object.values(fonts)[0]);
+    const options = await page.evaluate(() => globalThis.page.options);
+    const named = Object.entries(options).flatMap(([k, v]) => typeof v === "object" ? Object.entries(v).map(([s, w]) => `${k}.${s}=${w}`) : [`${k}=${v}`]);
+    const native = execFileSync(process.env.TYPEMESH_MESH_HASH, ["Hello world!", "--font", font, ...named], { encoding: "utf8" }).trim();
+    check(native.includes(await hash()), `the native program's mesh has the hash ${native}, the page's ${await hash()}`);
+}
+
+// Typing: the time of a change with 200 characters whose letters are there.
+await change(() => page.$eval("#text", e => {
+    e.value = "Typing stays quick with two hundred characters. ".repeat(5).slice(0, 200);
+    e.dispatchEvent(new Event("input", { bubbles: true }));
+}));
+const changes = [];
+for (let i = 0; i < 20; ++i) {
+    await page.$eval("#text", (e, i) => { e.value = e.value.slice(0, 199) + "aeiou"[i % 5]; e.dispatchEvent(new Event("input", { bubbles: true })); }, i);
+    changes.push(Number(await value("change")));
+}
+changes.sort((a, b) => a - b);
+figures.push(`a change of 200 characters: ${changes[10].toFixed(1)} ms (median of 20), ${changes[19].toFixed(1)} ms at most`);
+await page.focus("#text");
+await change(() => page.keyboard.type("!"));
+check((await value("text")).endsWith("!") || (await value("text")).includes("!"), "what is typed comes into the text");
+
+// Every option, and each of its values.
+await open("#text=Aé&bevel.width=0.02");
+const ids = await page.$$eval("#groups input, #groups select", all => all.map(e => e.id));
+check(ids.length >= 20, "the panel has its controls");
+for (const id of ids) {
+    const [kind, was, values] = await page.$eval("#" + id, e => [e.type, e.type === "checkbox" ? e.checked : e.value,
+        e.type === "select-one" ? [...e.options].map(o => o.value) : e.type === "checkbox" ? [!e.checked] :
+        e.type === "range" ? [e.min, e.max] : e.id.endsWith("features") ? ["kern=0, liga"] : ["tr"]]);
+    for (const v of values) {
+        if (String(v) === String(was)) continue;
+        await set("#" + id, v);
+        check(await message() === "", `${id} = ${v}: ${await message()}`);
+        const flat = id === "option-depth" && Number(v) === 0;
+        if (!flat) check(await value("open-edges") === "0", `${id} = ${v}: open edges ${await value("open-edges")}`);
+    }
+    await set("#" + id, was);
+    check(kind !== "text" || await message() === "", `${id} is set back`);
+}
+await set("#option-features", "toolong");
+check(/tag/.test(await message()), "a tag of seven letters is refused in words");
+check(Number((await value("triangles")).replace(/,/g, "")) > 0, "and the mesh stays");
+await set("#option-features", "");
+
+// Views.
+for (const view of ["wireframe", "normals", "texture", "contours"]) {
+    await open(`#view=${view}&text=Ra8`);
+    await compare(view);
+}
+await open("#text=" + encodeURIComponent("Dark and narrow"), { width: 360, height: 700, dark: true });
+await compare("phone-dark");
+check(await page.evaluate(() => document.scrollingElement.scrollWidth <= 360), "nothing is wider than a phone");
+
+// Fonts.
+await open();
+const before = await hash();
+await change(() => drop("Dropped.ttf", fs.readFileSync(path.join(site, Object.values(JSON.parse(fs.readFileSync(path.join(site, "fonts.json"))))[1]))));
+check(await value("font") === "Dropped.ttf" && await hash() !== before, "a dropped font is used");
+const kept = await hash();
+await change(() => drop("junk.ttf", Buffer.from("no font at all")));
+check(/^junk\.ttf: .+\.$/.test(await message()), `a file that is no font is refused in words: ${await message()}`);
+check(await hash() === kept && await value("font") === "Dropped.ttf", "and nothing else changes");
+
+// Link.
+await open("#text=Link&bevel.profile=round&depth=0.3&view=normals");
+await page.click("#link");
+const address = await page.evaluate(() => location.hash), linked = await hash();
+await open(address);
+check(await hash() === linked && await value("option-bevel-profile") === "round", "the link brings the mesh back");
+await change(() => page.click("#reset"));
+check(await value("text") === "Hello world!" && await value("option-bevel-profile") === "chamfer", "Reset sets everything back");
+
+// Keys.
+const canvas = async () => (await (await page.$("#canvas")).screenshot({ encoding: "base64" }));
+const upright = await canvas();
+await page.focus("#canvas");
+for (let i = 0; i < 6; ++i) await page.keyboard.press("ArrowRight");
+const turned = await canvas();
+check(turned !== upright, "arrow keys turn the mesh");
+await page.keyboard.press("+");
+check(await canvas() !== turned, "plus zooms");
+const reached = new Set();
+await page.evaluate(() => document.activeElement.blur());
+for (let i = 0; i < 60; ++i) {
+    await page.keyboard.press("Tab");
+    reached.add(await page.evaluate(() => document.activeElement.id));
+}
+for (const id of ["canvas", "text", "font", "file", "option-depth", "ticker", "glb", "reset"]) check(reached.has(id), `the Tab key reaches ${id}`);
+
+// Files.
+await page.evaluate(() => {
+    globalThis.saved = [];
+    URL.createObjectURL = blob => (saved.push(blob), "data:,");
+    HTMLAnchorElement.prototype.click = () => {};
+});
+for (const [id, begins] of [["glb", "glTF"], ["stl", null], ["png", "\x89PNG"]]) {
+    const count = await page.evaluate(() => saved.length);
+    await page.click("#" + id);
+    await page.waitForFunction(n => saved.length > n, {}, count);
+    const [size, head] = await page.evaluate(async () => [saved.at(-1).size, String.fromCharCode(...new Uint8Array(await saved.at(-1).slice(0, 4).arrayBuffer()))]);
+    if (begins) check(head === begins && size > 1000, `${id}: ${size} bytes, ${JSON.stringify(head)}`);
+    else check(size === 84 + 50 * Number((await value("triangles")).replace(/,/g, "")), `${id}: ${size} bytes for ${await value("triangles")} triangles`);
+}
+
+// A thousand characters a frame.
+await page.click("#ticker");
+await page.waitForFunction(() => Number(document.getElementById("rate").value) > 0);
+figures.push(`1,000 new characters a frame: ${await value("rate")} frames a second, drawn in software`);
+await change(() => page.click("#ticker"));
+check(await message() === "", "the ticker has nothing to say");
+
+await browser.close();
+server.close();
+fs.writeFileSync(path.join(site, "..", "figures.txt"), figures.join("\n") + "\n");
+console.log(figures.join("\n"));
+console.log(`${passes} passed, ${failures} failed`);
+process.exit(failures === 0 && passes > 0 ? 0 : 1);
