@@ -17,7 +17,7 @@ Installs what is missing, builds and runs the tests, those of the tier gcc by de
   external   other people's tools (admesh, OpenSCAD, gltf-validator) read what text_to_mesh writes; the benchmarks are built
   engines    engines themselves take what the recipes write and draw it: OpenGL, OpenSceneGraph, Irrlicht, OGRE, Qt, VTK;
              Godot and three.js read what text_to_mesh writes
-  web        examples/web: the library as WebAssembly in node, its meshes those of a native program
+  web        examples/web: the library as WebAssembly in node, its meshes those of a native program; the page in Chromium
   packages   the Debian packages on a bare system, the source archive, the single headers, the recipes of vcpkg and Conan
   machines   the same meshes on every machine: hashes of all stages, and tests of some rooms, by other compilers and on other
              processors, under qemu, Wine and node
@@ -203,7 +203,8 @@ tier_engines() {
 # Scripts find the native program in TYPEMESH_MESH_HASH.
 tier_web() {
     install_missing emcc dpkg-source node npm
-    install_fonts fonts-dejavu-core
+    (install_missing chromium) || say "Going on without it: the page is not tried."
+    install_fonts fonts-dejavu-core fonts-liberation
     mkdir -p "$typemesh_root/build/web"
     build release mesh_hash
     export TYPEMESH_MESH_HASH=$typemesh_root/build/release/examples/mesh_hash
@@ -213,6 +214,7 @@ tier_web() {
         tail -n 20 "$typemesh_root/build/web/build.log"
         count 0 1
     fi
+    install_npm web puppeteer-core 24.43.1
     run_scripts web
 }
 
