@@ -67,7 +67,8 @@ const set = (selector, to) => change(() => page.$eval(selector, (e, v) => {
 
 /** The share of pixels that differ visibly from the stored picture. */
 async function compare(name) {
-    const seen = await page.screenshot({ encoding: "base64" });
+    const of = name.startsWith("phone") ? page : await page.$("#canvas");
+    const seen = await of.screenshot({ encoding: "base64" });
     const file = path.join(pictures, name + ".png");
     if (renew === "yes") {
         fs.mkdirSync(pictures, { recursive: true });

@@ -112,6 +112,7 @@ export class Controls {
             if (second) (made[first] ??= {})[second] = stored;
             else made[first] = stored;
         }
+        made.bevel.depth = Math.min(made.bevel.width, made.depth / 2);  // two of them are no deeper than the solid
         return made;
     }
 

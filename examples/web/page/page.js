@@ -40,6 +40,7 @@ async function choose(name) {
     at("font").value = used;
 }
 async function take(files) {
+    let taken = false;
     for (const file of files) {
         try {
             const entry = { name: file.name, bytes: await file.arrayBuffer() };
@@ -47,12 +48,12 @@ async function take(files) {
             if (!fonts.some(f => f.name === entry.name)) offer(entry);
             else fonts.find(f => f.name === entry.name).font = entry.font;
             await choose(entry.name);
-            say("");
+            taken = true;
         } catch (e) {
             say(`${file.name}: ${e.message}`);
         }
     }
-    update();
+    if (taken) update();
 }
 
 // --- the mesh ----------------------------------------------------------------------------------------------------------------
