@@ -8,7 +8,7 @@
 cmake_minimum_required(VERSION 3.20)
 
 get_filename_component(root ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)
-file(GLOB pages ${root}/*.md ${root}/docs/*.md)
+file(GLOB pages ${root}/*.md ${root}/docs/*.md ${root}/docs/stages/*.md)
 file(GLOB_RECURSE headers RELATIVE ${root} ${root}/include/*.hpp ${root}/examples/*.hpp)
 list(TRANSFORM headers PREPEND "/")
 
