@@ -5,21 +5,8 @@
 #     the inline namespace   left out; what stands in it belongs to the group of its room
 #     namespace detail       left out
 #     what has no words      gets a reference where a concept asks for it: see contracts.txt
-function contract_of(line,  i, before) {
-    if (line ~ /operator\(\)\((const (quadratic|cubic|Curve)&)/) return "discretiser"
-    if (line ~ /operator\(\)\(const region/) return "side_normals"
-    if (line ~ /operator\(\)\(const profile_scale/) return "bevel_profile"
-    if (line ~ /operator\(\)\(const surface_point/) return "vertex_traits"
-    if (line ~ /static constexpr bool keeps_no_tolerance/) return "discretiser"
-    if (line ~ /static constexpr bool (shares_caps|leaves_caps_alone)/) return "side_normals"
-    if (line ~ /static constexpr (auto|attribute) wants/) return "vertex_traits"
-    if (line ~ /using plan_data|static constexpr std::size_t part_count/) return "extruder"
-    if (line !~ /\(/) return ""
-    before = line
-    sub(/\(.*/, "", before)
-    for (i = 1; i <= contracts; ++i)
-        if (before ~ ("[ &*](" names[i] ")$") && (concepts[i] != "mesh_sink" || line ~ /mesh_size|surface_point|uint32_t a,|error end/))
-            return concepts[i]
+function contract_of(line,  i) {
+    for (i = 1; i <= contracts; ++i) if (line ~ ("[ &*]" names[i])) return concepts[i]
     return ""
 }
 # Puts `words` before the lines that are held back.

@@ -25,7 +25,7 @@ fi
 # Doxygen reads copies: in these, the inline namespace, which is not parted from the rest, is left out, and what
 # stands in a header belongs to the group of its room.
 rm -rf "$folder/headers"
-mkdir -p "$folder/headers"
+mkdir -p "$folder/headers/typemesh"
 cd "$root/include/typemesh"
 inner=$(sed '/^#/d' "$here/inner.txt")
 for header in *.hpp */*.hpp; do
@@ -36,9 +36,9 @@ for header in *.hpp */*.hpp; do
     done
     [ $shown = no ] || echo "$header"
 done >"$folder/shown"
-cut -d/ -f1 "$folder/shown" | grep -v hpp | sort -u | while read -r room; do mkdir -p "$folder/headers/$room"; done
+cut -d/ -f1 "$folder/shown" | grep -v hpp | sort -u | while read -r room; do mkdir -p "$folder/headers/typemesh/$room"; done
 # shellcheck disable=SC2046  # names without blanks
-awk -v to="$folder/headers/" -f "$here/filter.awk" "$here/contracts.txt" $(cat "$folder/shown")
+awk -v to="$folder/headers/typemesh/" -f "$here/filter.awk" "$here/contracts.txt" $(cat "$folder/shown")
 
 for page in "$root"/docs/stages/*.md; do
     room=$(basename "$page" .md)
@@ -64,5 +64,5 @@ awk '/<group>/ { group = 1 } /<\/group>/ { group = 0 } !(group && /<detaileddesc
 doxygen "$folder/Doxyfile"
 status=0
 awk -f "$here/undescribed.awk" "$here/plain.txt" "$folder/warnings" >"$folder/errors" || status=1
-sed "s,^$folder/headers/,include/typemesh/," "$folder/errors" >&2
+sed "s,^$folder/headers/,include/," "$folder/errors" >&2
 exit $status
