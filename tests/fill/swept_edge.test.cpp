@@ -66,3 +66,26 @@ TEST_CASE("Rays are sorted from below to above, equal ones by number", "[fill][r
         }
     }
 }
+
+TEST_CASE("An edge is far from its neighbour if all within a cell of where one ends lies on that one's side",
+          "[fill][swept_edge]")
+{
+    test::dice d{53};
+    int far_off = 0, near_by = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const detail::swept_edge low{{0, d.roll(9)}, {10 + d.roll(20), d.roll(60) - 30}, 0, 0};
+        const detail::swept_edge high{{d.roll(9), 5 + d.roll(9)}, {10 + d.roll(20), d.roll(60) - 30}, 0, 0};
+        const bool low_first = lexicographic_less(low.to, high.to);
+        const detail::swept_edge& longer = low_first ? high : low;
+        const grid_point end = low_first ? low.to : high.to;
+        bool apart = true;
+        for (const int x : {-1, 1})
+            for (const int y : {-1, 1}) {
+                const std::int64_t side = orientation(longer.from, longer.to, {end.x + x, end.y + y});
+                apart = apart && (low_first ? side < 0 : side > 0);
+            }
+        CHECK(detail::is_far(low, high) == apart);
+        ++(apart ? far_off : near_by);
+    }
+    CHECK((far_off > 4000 && near_by > 4000));
+}

@@ -188,15 +188,23 @@ private:
         const std::uint32_t ending = line_[slot].segment, under = line_.below(slot), over = line_.above(slot);
         segment& before = a_.segments[ending];
         segment& s = a_.segments[starting];
-        if (s.winding_delta != before.winding_delta) unsure_ |= differ(s.winding_delta, before.winding_delta);
         if (s.bent != 0) rough_ |= goes_through(a_, s, p);
         last_ended_ = ending;
         finish(ending);
-        begin(slot, starting, p, before.below);
+        if (s.winding_delta == before.winding_delta) {  // it separates the same
+            s.start = passed_ - 1;
+            s.below = before.below;
+            s.interior = before.interior;
+            line_[slot].begin(p, s.to, starting, line_[slot].above);
+            if (s.end != no_number) hints_[s.end] = slot;
+        } else {
+            unsure_ |= differ(s.winding_delta, before.winding_delta);
+            begin(slot, starting, p, before.below);
+        }
         if (s.interior >= 0) before.next = starting;
         s.next = ending;  // where the boundary runs from right to left, else irrelevant
-        if (!is_clear(under, slot)) separate(under, slot);
-        if (!is_clear(slot, over)) separate(slot, over);
+        if (under != 0 && !is_far(line_[under], line_[slot]) && !is_clear(under, slot)) separate(under, slot);
+        if (over != 0 && !is_far(line_[slot], line_[over]) && !is_clear(slot, over)) separate(slot, over);
     }
 
     /// Tests p against the edges right below and right above it.
@@ -223,15 +231,6 @@ private:
         while (is_here(under, p, repeated)) under = line_.below(under);
         return under;
     }
-
-    /// What ends and starts in one point.
-    struct point_event {
-        grid_point at;
-        std::uint32_t starting;             // the first segment of those that start; the others follow by `next`
-        std::uint32_t under = 0, over = 0;  // the edges right below and right above all that end
-        std::uint32_t ending_count = 0;     // of those in ends_
-        std::uint32_t place_count = 0;      // in the status between `under` and `over`
-    };
 
     /// Two edges start and none ends: a contour begins. False, with nothing done, if there is more to it.
     [[nodiscard]] bool opens(std::uint32_t starting, grid_point p) noexcept

@@ -73,4 +73,13 @@ private:
     std::uint32_t free_slot_ = 0;
 };
 
+/// What ends and starts in one point of a sweep.
+struct point_event {
+    grid_point at;
+    std::uint32_t starting;             // the first segment of those that start; the others follow by `next`
+    std::uint32_t under = 0, over = 0;  // the edges right below and right above all that end
+    std::uint32_t ending_count = 0;     // of edges that end
+    std::uint32_t place_count = 0;      // in the status between `under` and `over`
+};
+
 }  // namespace typemesh::inline TYPEMESH_ABI::detail

@@ -54,5 +54,11 @@ struct clearance {
     const std::int64_t turn = orientation(longer.from, longer.to, shorter.to);
     return {(turn ^ -std::int64_t{low_first}) + low_first, longer.reach()};  // low_first ? -turn : turn
 }
+/// Whether that is farther than a cell.
+[[nodiscard]] inline bool is_far(const swept_edge& low, const swept_edge& high) noexcept
+{
+    const auto [side, reach] = clearance_of(low, high);
+    return side > reach;
+}
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail
