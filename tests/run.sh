@@ -112,6 +112,7 @@ run_ctest() {  # run_ctest FOLDER LOG
 
 tier_gcc() {
     (install_missing clang-format) || say "Going on without it: the format of the sources is not checked."
+    (install_missing doxygen) || say "Going on without it: the reference is not built."
     test_preset gcc
     test_preset fast-math typemesh_tests
 }
