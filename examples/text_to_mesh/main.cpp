@@ -172,6 +172,7 @@ std::string draw_picture(const options& o, font_set& font, const typemesh::glyph
 {
     picture_options look;
     look.shading = o.shading;
+    look.yaw = o.turn;
     look.wireframe = o.show_triangles;
     look.texture = o.checker ? texture::checker : texture::none;
 

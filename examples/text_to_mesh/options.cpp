@@ -331,6 +331,11 @@ void add_output_options(CLI::App& app, options& out, raw_values& raw)
         ->type_name("FILE.png");
     add_named<shading>(app, "--shading", out.shading, "of the picture (default phong)",
                        {{"flat", shading::flat}, {"gouraud", shading::gouraud}, {"phong", shading::phong}});
+    add_number(
+        app, "--turn", "the picture's eye goes round to the right (default -26, less for a long line; 0 if flat)",
+        "a number from -180 to 180", [](double n) { return n >= -180.0 && n <= 180.0; },
+        [&out](double n) { out.turn = static_cast<float>(n); })
+        ->type_name("DEGREES");
     app.add_option("--show", raw.show,
                    "on the picture, joined by commas; all but control and checker draw the mesh of --output")
         ->delimiter(',')
@@ -529,6 +534,7 @@ std::string settle(options& out, const raw_values& raw)
         return "--depth: must be more than 0 in a .3mf file, which holds solids";
     if (out.picture.empty() && !raw.show.empty()) return "--show: is for --picture";
     if (out.picture.empty() && raw.shading_given) return "--shading: is for --picture";
+    if (out.picture.empty() && out.turn) return "--turn: is for --picture";
     if (out.discretiser != discretiser_name::certified && raw.tolerance_given)
         return "--tolerance: is for --discretiser certified; adaptive goes by --quality, two_lines by neither";
     if (out.discretiser == discretiser_name::two_lines && out.quality_given)

@@ -86,6 +86,7 @@ struct options {
     file_kind kind = file_kind::unknown;  ///< of the output
     std::string picture;
     text_to_mesh::shading shading = text_to_mesh::shading::phong;
+    std::optional<float> turn;  ///< degrees that the picture's eye is moved to the right
     bool show_triangles = false, show_points = false, show_contours = false, show_control = false, show_normals = false;
     bool checker = false;
     bool stats = false;

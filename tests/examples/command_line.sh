@@ -42,6 +42,8 @@ for kind in glb obj stl ply; do
     that "a $kind is written" test -s mesh.$kind
 done
 expect 0 "" "Two\\nlines" --font $sans --picture p.png --align center --shading gouraud --show triangles,points,contours,control,normals
+for turn in -30 30; do expect 0 "" "One" --font $sans --picture turned$turn.png --turn $turn; done
+that "a turned picture is another" [ "$(cmp -s turned-30.png turned30.png && echo same)" = "" ]
 expect 0 "" "One\\ntwo" --font $sans --align center --output center.glb
 expect 0 "" "One\\ntwo" --font $sans --align centre --output centre.glb
 that "center and centre are the same" cmp -s center.glb centre.glb
@@ -557,6 +559,8 @@ expect 2 "--tolerance: is for --discretiser certified" x --font $sans --output x
 expect 2 "--quality: is not for --discretiser two_lines" x --font $sans --output x.glb --discretiser two_lines --quality low
 expect 2 "--show: is for --picture" x --font $sans --output x.glb --show points
 expect 2 "--shading: is for --picture" x --font $sans --output x.glb --shading flat
+expect 2 "--turn: is for --picture" x --font $sans --output x.glb --turn 10
+expect 2 "turn: must be a number from -180 to 180, not 181" x --font $sans --picture x.png --turn 181
 expect 2 "feature: must be .*, not ligatures" x --font $sans --output x.glb --feature ligatures
 expect 2 "variation: must be .*, not bold" x --font $sans --output x.glb --variation bold
 expect 2 "nonsense is not an option$" x --font $sans --output x.glb --nonsense
