@@ -10,6 +10,18 @@ scratch=$(mktemp -d) && trap 'rm -rf "$scratch"' EXIT
 sans=/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf
 arabic=/usr/share/fonts/opentype/fonts-hosny-amiri/Amiri-Regular.ttf
 japanese=/usr/share/fonts/truetype/sawarabi-mincho/sawarabi-mincho-medium.ttf
+serif=/usr/share/fonts/truetype/liberation/LiberationSerif
+
+# The README's picture: there solid, back as wires. Each view has the height that suits it; its edges go on above and below.
+views=24
+for ((i = 0; i < 2 * views; ++i)); do
+    turn=$(awk "BEGIN { print -29 * cos(3.14159265 * $i / $views) }")
+    wires=() && ((i < views)) || wires=(--quality low --show triangles)
+    view=$(printf '%s/turning-%02d.png' "$scratch" $i)
+    "$program" "typemesh" --font $serif-Bold.ttf --bevel 0.03 --profile round --turn "$turn" "${wires[@]}" --picture "$view"
+    mogrify -resize 640x -virtual-pixel edge -set option:distort:viewport "640x296+0+%[fx:(h-296)/2]" -distort SRT 0 +repage "$view"
+done
+convert -delay 8 -loop 0 "$scratch"/turning-*.png +dither -layers optimize turning.gif
 
 "$program" "Hello world!" --font $sans --picture hello.png
 "$program" "مرحبا بالعالم!" --font $arabic --picture "$scratch/arabic.png"
@@ -51,7 +63,6 @@ for triangulator in monotone delaunay; do
 done
 convert "$scratch"/{monotone,delaunay}.png -resize 50% +append triangulators.png
 
-serif=/usr/share/fonts/truetype/liberation/LiberationSerif
 bevelled=()
 for profile in chamfer round concave stepped engraved; do
     "$program" "Rag" --font $serif-Bold.ttf --bevel 0.03 --profile $profile --picture "$scratch/$profile.png"
