@@ -11,7 +11,8 @@
 // worker's time that is not shared out. "memory" is the most that the mesher ever held, and mesher and workers, by the
 // size of the output; "each" is one worker's processor time for one character.
 //
-//     bench_threads [WORKERS]          fonts are looked for under $TYPEMESH_FONT_DIR (default /usr/share/fonts)
+//     bench_threads [WORKERS | --rows]     fonts are looked for under $TYPEMESH_FONT_DIR (default /usr/share/fonts); rows as
+//                                          README.md has them, of two workers
 
 #include "full_vertex.hpp"
 
@@ -24,6 +25,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <ctime>
 #include <fstream>
 #include <string>
@@ -94,6 +96,8 @@ std::string path_of(const char* font)
     return std::string{folder != nullptr ? folder : "/usr/share/fonts"} + "/" + font;
 }
 
+bool rows = false;
+
 void measure(const std::string& name, harfbuzz_font& font, const auto& text, std::size_t characters, double tolerance,
              std::size_t workers, int rounds)
 {
@@ -127,6 +131,16 @@ void measure(const std::string& name, harfbuzz_font& font, const auto& text, std
     all = time_of([&] { (void)alone.build(text, into(vertices, indices), options, *watched_team); }).cpu;
 
     const double output = static_cast<double>(vertices.size() * sizeof(vertex) + indices.size() * 4);
+    if (rows) {
+        const auto row = [&name](const char* counter, double value) {
+            std::printf("kernel\tbench_threads\t%s\t%s\t%.3g\n", name.c_str(), counter, value);
+        };
+        row("speedup", one.wall / many.wall);
+        row("speedup_cpu", one.cpu / many.cpu);
+        row("in_order", 1.0 - watched.seconds / all);
+        row("memory_of_one", static_cast<double>(memory_of_one.most) / output);
+        return row("memory_of_all", static_cast<double>(memory_of_many.most) / output);
+    }
     std::printf(
         "%-18s %2zu workers  one %8.1f ms wall %8.1f cpu   all %8.1f wall %8.1f cpu   speedup %.2f  cpu %.2f  "
         "in_order %.3f  each %7.0f ns  %8.1f MB  memory %.2f, %.2f\n",
@@ -141,7 +155,8 @@ void measure(const std::string& name, harfbuzz_font& font, const auto& text, std
 
 int main(int argc, char** argv)
 {
-    const std::size_t workers = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 2;
+    rows = argc > 1 && std::strcmp(argv[1], "--rows") == 0;
+    const std::size_t workers = argc > 1 && !rows ? std::strtoul(argv[1], nullptr, 10) : 2;
     if (auto font = harfbuzz_font::open(path_of("truetype/wqy/wqy-microhei.ttc").c_str())) {
         std::u16string text;
         for (char16_t i = 0; i < 10'000; ++i) {
