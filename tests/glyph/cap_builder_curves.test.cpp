@@ -208,7 +208,7 @@ std::vector<point> changes(const capped& c, const outline& o)
     return all;
 }
 
-constexpr double tolerance = 2.5;  // of an em of 1000 units
+constexpr double usual_tolerance = 2.5;  // of an em of 1000 units
 constexpr double angles[] = {0.0, 0.3, 1.1, 2.0, pi / 2};
 
 }  // namespace
@@ -218,10 +218,10 @@ TEST_CASE("a circle just inside another never crosses it, from 1/10 tolerance of
     for (const double room : {0.1, 0.2, 0.35, 0.5, 0.8, 1.0, 1.4, 2.0, 3.0}) {
         for (const double angle : angles) {
             for (const int pieces : {3, 4, 7}) {
-                const path inner = circle({0, 0}, 400 - room * tolerance, pieces, angle);
+                const path inner = circle({0, 0}, 400 - room * usual_tolerance, pieces, angle);
                 const outline o = outline_of({circle({0, 0}, 400), inner});
                 capped c;
-                build(c, o, tolerance, fill_rule::even_odd);
+                build(c, o, usual_tolerance, fill_rule::even_odd);
                 INFO(room << " tolerances, turned by " << angle << ", " << pieces << " pieces");
                 // Cubics are off a circle by up to 400 * 0.0014 units (3 pieces) or 400 * 0.00028 (4): not all pairs
                 // are nested.
@@ -230,7 +230,7 @@ TEST_CASE("a circle just inside another never crosses it, from 1/10 tolerance of
                     CHECK(c.made.holes() == 1);
                     CHECK(changes(c, o).empty());
                 }
-                CHECK(broken_law(c, o, tolerance, fill_rule::even_odd) == "");
+                CHECK(broken_law(c, o, usual_tolerance, fill_rule::even_odd) == "");
                 CHECK(c.effort().rounds <= 6);
             }
         }
@@ -246,17 +246,17 @@ TEST_CASE("arcs that pass each other at less than the tolerance stay apart, and 
             for (const double shift : {0.0, 13.0, 90.0}) {
                 for (const double angle : angles) {
                     const quadratic below{{500, 0}, {250, 2 * height}, {0, 0}};
-                    const double top = height + gap * tolerance;
+                    const double top = height + gap * usual_tolerance;
                     const quadratic above{
                         {shift, top + height}, {250 + shift, top - height}, {500 + shift, top + height}};
                     const outline o = outline_of({turned(bow(below, -100), angle, false),
                                                   turned(bow(above, top + 2 * height + 100), angle, false)});
                     capped c;
-                    build(c, o, tolerance, fill_rule::non_zero);
+                    build(c, o, usual_tolerance, fill_rule::non_zero);
                     INFO("gap " << gap << ", height " << height << ", shift " << shift << ", angle " << angle);
                     CHECK(c.made.outers() == 2);
                     CHECK(c.made.holes() == 0);
-                    CHECK(broken_law(c, o, tolerance, fill_rule::non_zero) == "");
+                    CHECK(broken_law(c, o, usual_tolerance, fill_rule::non_zero) == "");
                 }
             }
         }
@@ -276,9 +276,9 @@ TEST_CASE("a shallow crossing is found within four tolerances of where the curve
                     for (point& p : q.p) p.x = -p.x;  // mirrored
                 const outline o = outline_of({right, left});
                 capped c;
-                build(c, o, tolerance, fill_rule::non_zero);
+                build(c, o, usual_tolerance, fill_rule::non_zero);
                 INFO(degrees << " degrees, " << pieces << " pieces from " << start);
-                CHECK(broken_law(c, o, tolerance, fill_rule::non_zero) == "");
+                CHECK(broken_law(c, o, usual_tolerance, fill_rule::non_zero) == "");
                 std::vector<double> crossings;  // y where the right circle comes through x = 0
                 for (const curve& q : right)
                     for (int i = 0; i < 4096; ++i) {
@@ -289,7 +289,7 @@ TEST_CASE("a shallow crossing is found within four tolerances of where the curve
                 // only for curves that are functions of x there. The others are circles to 0.15 %.
                 if (pieces < 4 && degrees < 10) continue;
                 const auto found = changes(c, o);
-                const double allowed = 4 * tolerance + 3 / c.cells;
+                const double allowed = 4 * usual_tolerance + 3 / c.cells;
                 for (const point p : found) {  // near a crossing chords may cross three times
                     double nearest = 1e300;
                     for (const double y : crossings) nearest = (std::min)(nearest, length(p - point{0, y}));
@@ -308,7 +308,7 @@ TEST_CASE("a shallow crossing is found within four tolerances of where the curve
 TEST_CASE("tangent circles, kissing quadratics and a line on a circle obey the laws at every distance", "[cap_builder]")
 {
     for (const double d : {-3.0, -1.0, -0.3, -0.1, 0.0, 0.1, 0.3, 1.0, 3.0}) {
-        const double gap = d * tolerance;
+        const double gap = d * usual_tolerance;
         const std::vector<std::vector<path>> shapes = {
             {circle({0, 0}, 250), circle({500 + gap, 0}, 250)},          // outside each other
             {circle({0, 0}, 250), circle({100 + gap, 0}, 150)},          // inside
@@ -325,9 +325,9 @@ TEST_CASE("tangent circles, kissing quadratics and a line on a circle obey the l
                     const outline o = outline_of(paths);
                     for (const fill_rule rule : {fill_rule::non_zero, fill_rule::even_odd}) {
                         capped c;
-                        build(c, o, tolerance, rule);
+                        build(c, o, usual_tolerance, rule);
                         INFO("shape " << k << " at " << d << " tolerances, " << angle << ", mirrored " << mirrored);
-                        CHECK(broken_law(c, o, tolerance, rule) == "");
+                        CHECK(broken_law(c, o, usual_tolerance, rule) == "");
                         if (d >= 0.1 && k != 1 && k != 5) CHECK(c.made.outers() == 2);
                     }
                 }
@@ -339,7 +339,7 @@ TEST_CASE("tangent circles, kissing quadratics and a line on a circle obey the l
 TEST_CASE("random pairs of curves that run close to each other obey the laws", "[cap_builder]")
 {
     std::mt19937 random{11};
-    std::uniform_real_distribution<double> any{-500, 500}, little{-3 * tolerance, 3 * tolerance};
+    std::uniform_real_distribution<double> any{-500, 500}, little{-3 * usual_tolerance, 3 * usual_tolerance};
     std::uint32_t refined = 0;
     for (int i = 0; i < 300; ++i) {
         const auto place = [&] { return point{std::round(any(random)), std::round(any(random))}; };
@@ -359,11 +359,11 @@ TEST_CASE("random pairs of curves that run close to each other obey the laws", "
         const outline o = outline_of({a, i % 2 == 0 ? b : reversed(b)});
         for (const fill_rule rule : {fill_rule::non_zero, fill_rule::even_odd}) {
             capped c;
-            build(c, o, tolerance, rule);
+            build(c, o, usual_tolerance, rule);
             refined += c.effort().rounds != 0;
             CHECK(c.effort().rounds <= 12);
             INFO("pair " << i);
-            CHECK(broken_law(c, o, tolerance, rule) == "");
+            CHECK(broken_law(c, o, usual_tolerance, rule) == "");
         }
     }
     CHECK(refined > 20);
@@ -375,9 +375,9 @@ TEST_CASE("curves that truly coincide are not made finer", "[cap_builder]")
     for (const auto& shape : {std::vector<path>{a, a, shifted}, std::vector<path>{a, reversed(a), shifted}}) {
         const outline o = outline_of(shape);
         capped c;
-        build(c, o, tolerance, fill_rule::non_zero);
+        build(c, o, usual_tolerance, fill_rule::non_zero);
         CHECK(c.effort().rounds == 0);
-        CHECK(broken_law(c, o, tolerance, fill_rule::non_zero) == "");
+        CHECK(broken_law(c, o, usual_tolerance, fill_rule::non_zero) == "");
     }
 }
 
@@ -396,12 +396,12 @@ TEST_CASE("ninety-six copies of a contour, each moved a little, are made finer i
         cap_builder caps;
         no_observer nobody;
         resolve_effort once;
-        REQUIRE_FALSE(discretise(o, certified{}, tolerance, *fitting, loops));
+        REQUIRE_FALSE(discretise(o, certified{}, usual_tolerance, *fitting, loops));
         REQUIRE(resolve(loops, fill_rule::non_zero, space, {.effort = &once}));
 
         const refinement_effort& effort = caps.effort();
         const auto built = [&](std::uint32_t most_pieces) {
-            return caps.build(o, tolerance, *fitting, {.most_pieces = most_pieces},
+            return caps.build(o, usual_tolerance, *fitting, {.most_pieces = most_pieces},
                               policies{certified{}, monotone{}, flat{}, nobody});
         };
         REQUIRE(built(default_most_pieces));
@@ -441,7 +441,7 @@ TEST_CASE("steep crossings and crossing lines cost no finer curve, wherever on t
         const outline o =
             outline_of({circle({0, 0}, 300, 4, 0.01 * i), circle({x, 40}, 300), box_path(-350, -20, 700, 20)});
         capped c;
-        build(c, o, tolerance, fill_rule::non_zero);
+        build(c, o, usual_tolerance, fill_rule::non_zero);
         CHECK(c.effort().rounds == 0);
     }
 }
@@ -477,12 +477,12 @@ TEST_CASE("what keeps no tolerance is not asked twice, and triangulators that pr
 {
     const outline o = outline_of({circle({0, 0}, 400), circle({0, 0}, 399, 5, 0.3)});
     capped lines, halves, proving, plain;
-    build(lines, o, tolerance, fill_rule::even_odd, two_lines{});
-    build(halves, o, tolerance, fill_rule::even_odd, adaptive_subdivision{.distance = 0.5});
+    build(lines, o, usual_tolerance, fill_rule::even_odd, two_lines{});
+    build(halves, o, usual_tolerance, fill_rule::even_odd, adaptive_subdivision{.distance = 0.5});
     CHECK(lines.effort().rounds == 0);
     CHECK(halves.effort().rounds == 0);
-    build(proving, o, tolerance, fill_rule::even_odd);
-    build(plain, o, tolerance, fill_rule::even_odd, certified{}, test::unproving{});
+    build(proving, o, usual_tolerance, fill_rule::even_odd);
+    build(plain, o, usual_tolerance, fill_rule::even_odd, certified{}, test::unproving{});
     CHECK(proving.effort().rounds > 0);
     CHECK(test::oracle::doubled_area(test::oracle::loops_of(proving.made)) ==
           test::oracle::doubled_area(test::oracle::loops_of(plain.made)));
@@ -497,8 +497,8 @@ TEST_CASE("memory that fails while curves are made finer gives an error and no t
         heap.fail_at = allowed;
         cap_builder caps{heap.source()};
         no_observer nobody;
-        const auto made =
-            caps.build(o, tolerance, grid{}, {fill_rule::even_odd}, policies{certified{}, monotone{}, flat{}, nobody});
+        const auto made = caps.build(o, usual_tolerance, grid{}, {fill_rule::even_odd},
+                                     policies{certified{}, monotone{}, flat{}, nobody});
         if (made) break;
         ++failures;
         CHECK(made.error().code == error::out_of_memory);

@@ -13,7 +13,7 @@
 # All of it, with the tests, takes an hour or two.
 #
 # A hash that is another fails, unless `other` below says that this machine may: where a compiler may fuse multiplication and
-# addition, or takes floats as numbers (-ffast-math), or computes in 80 bits (x87). Hashes of the grid and of texts are integers
+# addition, or takes floats as numbers (-ffast-math), or computes in 80 bits (x87). Hashes of the grid and of levels are integers
 # all the way, and must be the same everywhere. What is missing is installed if it may be, or its machines are named and skipped.
 set -eu
 typemesh_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -59,7 +59,7 @@ riscv64-unfused     | riscv64 qemu | riscv64-linux-gnu-g++      | -O2 -ffp-contr
 s390x               | s390x qemu | s390x-linux-gnu-g++        | -O2                                        | qemu-s390x -L /usr/s390x-linux-gnu  | other  | s390x, which counts bytes the other way, g++ -O2
 s390x-unfused       | s390x qemu | s390x-linux-gnu-g++        | -O2 -ffp-contract=off                      | qemu-s390x -L /usr/s390x-linux-gnu  | same+  | the same, -ffp-contract=off
 windows             | mingw wine | x86_64-w64-mingw32-g++     | -O2 -static                                | wine                                | same   | Windows, x86-64, mingw-w64 g++ -O2
-wasm                | emcc node  | em++                       | -O2 -sNODERAWFS=1 -sALLOW_MEMORY_GROWTH=1  | node                                | same   | WebAssembly, em++ -O2
+wasm                | emcc node  | em++                       | -O1 -sNODERAWFS=1 -sALLOW_MEMORY_GROWTH=1  | node --no-experimental-fetch        | same   | WebAssembly, em++ -O1
 END
 }
 

@@ -17,7 +17,8 @@ using namespace typemesh;
 
 namespace {
 
-constexpr float largest = (std::numeric_limits<float>::max)(), least = std::numeric_limits<float>::denorm_min();
+constexpr float largest_float = (std::numeric_limits<float>::max)(),
+                least_float = std::numeric_limits<float>::denorm_min();
 
 /// A user's extruder: the front cap alone, at a height that its heights() tells.
 struct lifted : flat {
@@ -104,7 +105,7 @@ TEST_CASE("whatever size and depth, a mesh is finite and whole, or the option is
                 const text_options options{.unit = unit, .size = size, .pixels_per_em = 1.0, .frame = f};
                 INFO("unit " << int(unit) << ", size " << size);
                 is_whole_or_refused(text_mesher{font}.with(flat{}), options, false, "");
-                for (const float depth : {least, 1e-38f, 1e-20f, 1.0f, 1e20f, 1e30f, 3e38f, largest})
+                for (const float depth : {least_float, 1e-38f, 1e-20f, 1.0f, 1e20f, 1e30f, 3e38f, largest_float})
                     for (const bool centred : {false, true}) {
                         INFO("depth " << depth);
                         const extruded<> raised{.depth = depth, .centred = centred};

@@ -3,6 +3,7 @@
 
 #include <typemesh/core/version.hpp>
 
+#include <bit>
 #include <cstdint>
 #include <cstring>
 
@@ -41,7 +42,9 @@ private:
     static void put(std::uint64_t& word, Number n) noexcept
     {
         static_assert(sizeof(Number) <= sizeof word, "an option of more than 64 bits");
-        std::memcpy(&word, &n, sizeof n);
+        constexpr bool highest_first = std::endian::native == std::endian::big;  // numbers lie in the lowest bits
+        std::memcpy(reinterpret_cast<unsigned char*>(&word) + (highest_first ? sizeof word - sizeof n : 0), &n,
+                    sizeof n);
     }
 };
 
