@@ -6,6 +6,9 @@
 #
 #     compile_times.sh [RUNS]      3 without it; CXX names the compiler, CXXFLAGS adds to its flags (-DNDEBUG)
 set -eu
+case ${1:-} in
+    -h | --help) sed -n '3,7s/^# \{0,1\}//p' "$0" && exit 0 ;;
+esac
 runs=${1:-3}
 compiler=${CXX:-g++}
 root=$(cd "$(dirname "$0")/.." && pwd)

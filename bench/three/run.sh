@@ -7,6 +7,9 @@
 #
 #     bench/three/run.sh [FONT]         LiberationSerif-Regular.ttf by default
 set -eu
+case ${1:-} in
+    -h | --help) sed -n '3,8s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" && exit 0 ;;
+esac
 typemesh_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 here=$typemesh_root/bench/three build=$typemesh_root/build/three
 tool=$typemesh_root/build/release/examples/text_to_mesh

@@ -2,7 +2,7 @@
 #
 # What cpack makes in a build folder: libtypemesh-dev and text-to-mesh as Debian packages (cpack -G DEB), both as archives
 # (cpack -G TGZ), and the sources (cpack --config CPackSourceConfig.cmake), each with its SHA-256 beside it.
-# cmake/packaging/run.sh makes them all and tries them.
+# tests/run.sh --only packages makes them all and tries them.
 
 set(CPACK_PACKAGE_NAME typemesh)
 set(CPACK_PACKAGE_VENDOR typemesh)

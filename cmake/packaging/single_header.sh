@@ -6,6 +6,9 @@
 # Writes typemesh_single.hpp, all of the library but its adapters in one file, and typemesh_single_ADAPTER.hpp for each
 # adapter, which includes the first. Each header stands where it was first included, once.
 set -eu
+case ${1:-} in
+    -h | --help) sed -n '3,7s/^# \{0,1\}//p' "$0" && exit 0 ;;
+esac
 folder=${1:?usage: cmake/packaging/single_header.sh FOLDER}
 include=$(cd "$(dirname "$0")/../../include" && pwd)
 mkdir -p "$folder"

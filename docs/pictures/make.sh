@@ -4,6 +4,9 @@
 # Draws the pictures of this folder anew with text_to_mesh (build/release, or the first argument), but for three.png, which
 # bench/three/run.sh draws. Needs ImageMagick, pngquant and, for selection.png, HarfBuzz.
 set -eu
+case ${1:-} in
+    -h | --help) sed -n '3,5s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" && exit 0 ;;
+esac
 cd "$(dirname "${BASH_SOURCE[0]}")"
 program=${1:-../../build/release/examples/text_to_mesh}
 scratch=$(mktemp -d) && trap 'rm -rf "$scratch"' EXIT

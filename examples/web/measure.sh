@@ -6,6 +6,9 @@
 # Writes docs/benchmarks/web.md: how large the module is, built in several ways and by feature, and how long it takes for texts
 # beside the native program, both in turns. MILLISECONDS: for each text and each module, 1500 by default.
 set -eu
+case ${1:-} in
+    -h | --help) sed -n '3,7s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" && exit 0 ;;
+esac
 typemesh_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 . "$typemesh_root/cmake/setup.sh"
 web=$typemesh_root/examples/web

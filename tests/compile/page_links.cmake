@@ -2,19 +2,25 @@
 #
 # cmake -P page_links.cmake
 #
-# Fails unless every relative link of README.md, CONTRIBUTING.md, CHANGELOG.md and docs/ leads to a file, every #anchor
-# to a heading of the page it names, and every `name.hpp` stands for a header, with the room that it is named with.
+# Fails unless every relative link of the pages of this tree leads to a file, every #anchor to a heading of the page it
+# names, and every `name.hpp` stands for a header, with the room that it is named with; and unless the list at the head of
+# docs/decisions.md names every decision.
 
 cmake_minimum_required(VERSION 3.20)
 
 get_filename_component(root ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)
-file(GLOB pages ${root}/*.md ${root}/docs/*.md ${root}/docs/stages/*.md)
+file(GLOB pages ${root}/*.md ${root}/docs/*.md ${root}/docs/*/*.md ${root}/bench/*.md ${root}/tests/*/*.md ${root}/examples/*/*.md
+    ${root}/examples/web/package/*.md)
 file(GLOB_RECURSE headers RELATIVE ${root} ${root}/include/*.hpp ${root}/examples/*.hpp)
 list(TRANSFORM headers PREPEND "/")
 
 # As GitHub makes anchors: small letters and digits stay, blanks become hyphens, other characters go.
 function(anchors_of page result)
-    file(STRINGS ${page} headings REGEX "^#+ ")
+    set(which "^#+ ")
+    if(ARGC GREATER 2)
+        set(which ${ARGV2})
+    endif()
+    file(STRINGS ${page} headings REGEX "${which}")
     set(anchors)
     foreach(heading IN LISTS headings)
         string(REGEX REPLACE "^#+ " "" anchor "${heading}")
@@ -66,6 +72,15 @@ foreach(page IN LISTS pages)
             string(APPEND broken "\n    ${name}: ${header}")
         endif()
     endforeach()
+endforeach()
+file(READ ${root}/docs/decisions.md text)
+string(REGEX REPLACE "[;[]" " " text "${text}")
+anchors_of(${root}/docs/decisions.md anchors "^### ")
+foreach(anchor IN LISTS anchors)
+    string(FIND "${text}" "(#${anchor})" place)
+    if(place EQUAL -1)
+        string(APPEND broken "\n    docs/decisions.md: its list lacks #${anchor}")
+    endif()
 endforeach()
 if(count LESS 50)
     message(FATAL_ERROR "Only ${count} links were found: are the pages read correctly?")

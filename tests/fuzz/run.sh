@@ -12,6 +12,9 @@
 set -eu
 typemesh_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 . "$typemesh_root/cmake/setup.sh"
+case ${1:-} in
+    -h | --help) sed -n '3,14s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" && exit 0 ;;
+esac
 target=${1:-all}
 minutes=${2:-5}
 build=${TYPEMESH_FUZZ_BUILD:-$typemesh_root/build/fuzz}
@@ -104,6 +107,9 @@ run() {  # run TARGET
 
 [ "$target" = all ] || [ -e "$typemesh_root/tests/fuzz/$target.hpp" ] ||
     stop "tests/fuzz/$target.hpp: no such target; there are: $(targets | tr '\n' ' ')"
+case $minutes in
+    '' | *[!0-9]* | 0*) stop "$minutes is no number of minutes." ;;
+esac
 install_missing clang++ asan pkg-config harfbuzz freetype
 mkdir -p "$build"
 grep -E '^\| target \| minutes ' "$page"

@@ -6,6 +6,9 @@
 # Builds every_font.cpp with clang++ and the address and undefined-behaviour sanitizers and runs it over the folder's
 # files: all glyphs, or at most GLYPHS of each. CXX: another compiler.
 set -eu
+case ${1:-} in
+    -h | --help) sed -n '3,7s/^# \{0,1\}//p' "$0" && exit 0 ;;
+esac
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 folder=${1:-${TYPEMESH_HOSTILE_FONTS:-}}

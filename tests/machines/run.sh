@@ -7,13 +7,14 @@
 #     tests/machines/run.sh [--hashes] [--jobs N] [--table FILE] [NAME...]      all machines without a name; NAME: aarch64, say
 #
 #     --hashes   hashes only, no tests: some minutes
+#     --jobs     of the compiler, where tests are built
 #     --table    where the table goes; build/machines/table.md by default. It has the last run of each machine, whatever was
 #                named; docs/machines.md is such a table
 #
 # All of it, with the tests, takes an hour or two.
 #
-# A hash that is another fails, unless `other` below says that this machine may: where a compiler may fuse multiplication and
-# addition, or takes floats as numbers (-ffast-math), or computes in 80 bits (x87). Hashes of the grid and of levels are integers
+# A hash that is another fails, unless `other` in the list of this script says that the machine may: where a compiler may fuse
+# multiplication and addition, or takes floats as numbers (-ffast-math), or computes in 80 bits (x87). Hashes of the grid and of levels are integers
 # all the way, and must be the same everywhere. What is missing is installed if it may be, or its machines are named and skipped.
 set -eu
 typemesh_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -26,7 +27,8 @@ while [ $# -gt 0 ]; do
         --hashes) tests= ;;
         --jobs) export CMAKE_BUILD_PARALLEL_LEVEL=$2 && shift ;;
         --table) table=$2 && shift ;;
-        -h | --help) sed -n '3,18s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" && exit 0 ;;
+        -h | --help) sed -n '3,19s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" && exit 0 ;;
+        -*) stop "$1 is not an option: see --help" ;;
         *) names="$names $1" ;;
     esac
     shift
@@ -62,6 +64,11 @@ windows             | mingw wine | x86_64-w64-mingw32-g++     | -O2 -static     
 wasm                | emcc node  | em++                       | -O1 -sNODERAWFS=1 -sALLOW_MEMORY_GROWTH=1  | node --no-experimental-fetch        | same   | WebAssembly, em++ -O1
 END
 }
+
+known=" $(machines | sed 's/ .*//' | tr '\n' ' ')"
+for name in $names; do
+    case $known in *" $name "*) ;; *) stop "There is no machine $name; there are:$known" ;; esac
+done
 
 trimmed() { sed 's/^ *//;s/ *$//' <<<"$1"; }
 run_with() {  # run_with RUNNER PROGRAM ARGUMENT...
@@ -137,7 +144,7 @@ while IFS='|' read -r name need compiler flags runner may words; do
     row "$said" "$told"
 done < <(machines)
 {
-    printf '| machine | stages with the hash of x86-64, g++ -O2 | tests of the core |\n|---|---|---|\n'
+    printf '| machine | results with the hash of x86-64, g++ -O2 | tests of the core |\n|---|---|---|\n'
     while IFS='|' read -r name _; do
         name=$(trimmed "$name")
         [ ! -e "$work/$name/row.md" ] || cat "$work/$name/row.md"
