@@ -7,6 +7,7 @@
 
 #include <typemesh/typemesh.hpp>
 
+#include <cmath>
 #include <cstdio>
 #include <vector>
 

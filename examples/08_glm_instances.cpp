@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-
+//
 // GLM: a sign that leans back, each of its letters written once, and a matrix for every place where one is drawn.
 //
 //     08_glm_instances FONT TEXT

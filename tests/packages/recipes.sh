@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: MIT
 #
-# The recipes of vcpkg and Conan: their versions are the header's, they are well-formed, and where the tools are installed
+# The recipes of vcpkg, Conan and npm: their versions are the header's, they are well-formed, and where the tools are installed
 # they make the package.
 . "$TYPEMESH_TEST_DATA/packages/common.bash"
 folder=$root/cmake/packaging
 version=$(awk '/^#define TYPEMESH_VERSION_/ { v = v dot $3; dot = "." } END { print v }' "$root/include/typemesh/core/version.hpp")
 grep -q "\"version-semver\": \"$version\"" "$folder/vcpkg/vcpkg.json" || fail "vcpkg.json has another version than $version"
+grep -q "\"version\": \"$version\"" "$root/examples/web/package/package.json" || fail "npm's package.json has another version than $version"
 quietly python3 -m json.tool "$folder/vcpkg/vcpkg.json"
 ! command -v pyflakes3 >/dev/null || quietly pyflakes3 "$folder/conan/conanfile.py" "$folder/conan/test_package/conanfile.py"
 tried=
