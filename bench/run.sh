@@ -33,11 +33,11 @@ done
 tenths_of() {
     local whole quickly
     case $1 in
-        thesis) whole=60 quickly=7 ;;
+        thesis) whole=22 quickly=7 ;;
         d3dx) whole=20 quickly=6 ;;
-        kernels) whole=100 quickly=4 ;;
-        peers) whole=180 quickly=12 ;;
-        pictures) whole=4 quickly=3 ;;
+        kernels) whole=55 quickly=4 ;;
+        peers) whole=115 quickly=12 ;;
+        pictures) whole=2 quickly=3 ;;
         *) whole=1 quickly=1 ;;
     esac
     if [ -n "$quick" ]; then say $quickly; else say $whole; fi
