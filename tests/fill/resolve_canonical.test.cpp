@@ -96,6 +96,23 @@ TEST_CASE("The region is bounded by what snap rounding is defined to make of the
     CHECK(rounded > 1000);
 }
 
+TEST_CASE("What crosses the rest of a cut edge is sought, though whole edges upon that rest cancel it",
+          "[fill][resolve]")
+{
+    // From (2, 9) to (3, 18): the rest of one edge that is cut in (2, 9), and three whole edges; all four cancel.
+    const test::shape s{
+        "a rest among whole edges",
+        {{{2, 9}, {3, 18}, {2, 9}, {4, 18}, {0, 6}}, {{1, 0}, {3, 18}, {2, 9}, {1, 4}, {1, 0}, {2, 9}}}};
+    contours loops = test::contours_of(s);
+    workspace space;
+    const auto made = resolve(loops, fill_rule::non_zero, space);
+    REQUIRE(made);
+    bool twice = false;
+    const auto edges = test::oracle::edges_of(test::oracle::loops_of(*made), twice);
+    CHECK(edges == test::oracle::boundary_of(test::oracle::snapped(test::loops_of(s), fill_rule::non_zero),
+                                             fill_rule::non_zero));
+}
+
 TEST_CASE("The region does not depend on where contours begin, on their direction, or on their order",
           "[fill][resolve]")
 {

@@ -59,11 +59,14 @@ public:
         sort_rays(rays_, count);
         std::uint32_t kept = 0;
         cancelled_ = uneven_ = false;
+        whole_ = true;
         for (std::uint32_t i = 1; i < count && !full; ++i) {
-            if (rays_[kept].cross(rays_[i]) != 0)
+            if (rays_[kept].cross(rays_[i]) != 0) {
                 rays_[++kept] = rays_[i];
-            else
+                whole_ = true;
+            } else {
                 rays_[kept].segment = joined(rays_[kept].segment, rays_[i].segment);
+            }
         }
         partial |= cancelled_ && uneven_;
         count = 0;
@@ -93,6 +96,7 @@ private:
         const bool equal = shorter.to == longer.to;
         rough |= (shorter.bent | longer.bent) != 0;
         uneven_ |= !equal;
+        whole_ = whole_ && is_whole(shorter) && is_whole(longer);  // before one takes the other's origin
         const std::int32_t winding_delta = shorter.winding_delta;
         const float t = equal ? longer.source.t1 : longer.t_at(shorter.to);
         if (longer.source.curve < shorter.source.curve) {
@@ -103,7 +107,7 @@ private:
         }
         shorter.winding_delta += longer.winding_delta;
         if ((shorter.winding_delta & mask_) == 0) {
-            partial |= shorter.winding_delta != 0 || !is_whole(shorter) || !is_whole(longer);
+            partial |= shorter.winding_delta != 0 || !whole_;
             cancelled_ = true;
         }
         shorter.interior = longer.interior = 0;  // from an earlier sweep: one of them may not count from now on
@@ -127,6 +131,7 @@ private:
     std::uint32_t* starts_ = nullptr;
     std::uint32_t most_starts_ = 0;
     bool cancelled_ = false, uneven_ = false;  // in this point
+    bool whole_ = true;                        // all joined so far in this direction are edges of the contours
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail
