@@ -10,7 +10,8 @@
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// How a corner is filled that edges move away from and that is sharper than the mitre limit: by an arc within the
-/// region's tolerance (where that is unknown as by `bevelled`), or by as few edges as keep the limit.
+/// region's tolerance, but of 32 steps at most (where the tolerance is unknown as by `bevelled`), or by as few edges as
+/// keep the limit.
 enum class bevel_joins : std::uint8_t { round, bevelled };
 
 /// What becomes of the corners that edges move away from.

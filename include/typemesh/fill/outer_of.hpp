@@ -78,7 +78,8 @@ struct loop_extent {
 /// loops around that place it belongs to the smallest.
 ///
 /// Fails  error::out_of_memory
-/// Cost   O(n), and for each hole the points of the outer loops whose boxes contain it: none if there is one outer loop
+/// Cost   O(n), and for each hole a look at all boxes and the points of the outer loops whose boxes contain it: none if
+///        there is one outer loop
 /// Space  32 bytes per loop from `space`
 /// Exact  in 64 bits
 [[nodiscard]] inline error outer_of(const region& r, workspace& space, std::span<std::uint32_t> out) noexcept

@@ -28,7 +28,7 @@ struct sweep_options {
     std::span<const double> levels;
     /// A reflex corner that would move farther than this many distances gets joins; 0: only needles do.
     double mitre_limit = 2.0;
-    /// Joins are rounded to this at the width; 0: they have as few edges as the limit needs.
+    /// Joins are rounded to this at the width, with 31 a corner at most; 0: they have as few edges as the limit needs.
     double tolerance = 0.0;
 };
 
