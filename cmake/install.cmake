@@ -6,6 +6,7 @@ set(typemesh_package_folder ${CMAKE_INSTALL_DATADIR}/cmake/typemesh)
 
 install(DIRECTORY include/typemesh DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
     COMPONENT headers FILES_MATCHING PATTERN "*.hpp" PATTERN "compiled/*.cpp")
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/typemesh COMPONENT headers)
 install(TARGETS typemesh typemesh_unfused EXPORT typemesh-targets INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT typemesh-targets NAMESPACE typemesh:: DESTINATION ${typemesh_package_folder} COMPONENT headers)
 

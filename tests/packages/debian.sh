@@ -26,8 +26,10 @@ CMAKE
 inside() { quietly env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin DEBIAN_FRONTEND=noninteractive chroot "$system" /bin/sh -c "cd /try && $1"; }
 inside "for f in *.deb; do sha256sum -c \$f.sha256; done"
 inside "apt-get install -y --no-install-recommends ./text-to-mesh_*.deb fonts-dejavu-core" &&
-    inside "text_to_mesh 'Hello world!' --font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf --output hello.glb && test -s hello.glb"
+    inside "text_to_mesh 'Hello world!' --font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf --output hello.glb && test -s hello.glb" &&
+    inside "test -s /usr/share/doc/text-to-mesh/copyright"
 inside "apt-get install -y --no-install-recommends ./libtypemesh-dev_*.deb g++ cmake make pkg-config libharfbuzz-dev" &&
     inside "g++ -std=c++20 main.cpp \$(pkg-config --cflags --libs typemesh-harfbuzz) -o main && ./main" &&
-    inside "cmake -S . -B build && cmake --build build && build/user"
+    inside "cmake -S . -B build && cmake --build build && build/user" &&
+    inside "test -s /usr/share/doc/libtypemesh-dev/copyright"
 [ $failures = 0 ]

@@ -13,4 +13,5 @@ fi
 quietly cmake -S sources -B sources/build -DTYPEMESH_BUILD_TESTS=OFF -DTYPEMESH_BUILD_BENCH=OFF -DTYPEMESH_BUILD_EXAMPLES=OFF
 quietly cmake --install sources/build --prefix "$PWD/prefix"
 quietly diff -r "$root/include/typemesh" prefix/include/typemesh
+quietly cmp "$root/LICENSE" prefix/share/doc/typemesh/LICENSE
 [ $failures = 0 ]
