@@ -3,12 +3,15 @@
 
 #include "read_text.hpp"
 
+#include <typemesh/unicode/hyphenating.hpp>
 #include <typemesh/unicode/unicode_analyser.hpp>
 #include <typemesh/unicode/utf.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// UTF-8 and UTF-16 bytes -> analyser.
@@ -93,7 +96,72 @@ inline broken_law of_encodings(const text_analysis& a, const text_analysis& b, c
     return a.paragraphs.size() == b.paragraphs.size() ? "" : "paragraphs depend on the encoding";
 }
 
-/// Each line's runs hold every unit once.
+/// Rule L2 by the letter, unit by unit: from the highest level to the lowest odd one, what is of it or higher is turned.
+inline std::vector<std::uint32_t> order_by_units(const std::vector<std::uint8_t>& levels, std::uint32_t first)
+{
+    std::vector<std::uint32_t> order(levels.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = first + static_cast<std::uint32_t>(i);
+    for (unsigned level = 127; level > 0; --level)
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            std::size_t end = i;
+            while (end < order.size() && levels[order[end] - first] >= level) ++end;
+            std::reverse(order.begin() + static_cast<std::ptrdiff_t>(i),
+                         order.begin() + static_cast<std::ptrdiff_t>(end));
+            i = end > i ? end : i;
+        }
+    return order;
+}
+
+/// Each paragraph by itself has the levels and the marks that it has in the text, but for where it begins.
+inline broken_law of_parts(unicode_analyser& analyser, text_view text, const analysis_options& how,
+                           const text_analysis& found)
+{
+    text_analysis alone;
+    for (const text_paragraph& p : found.paragraphs) {
+        const std::size_t size = p.last - p.first;
+        const text_view part = text.encoding() == encoding::utf8
+                                   ? text_view{std::string_view{text.utf8() + p.first, size}}
+                                   : text_view{std::u16string_view{text.utf16() + p.first, size}};
+        if (analyser.analyse(part, how, alone)) return "what can be analysed cannot be analysed in part";
+        for (std::size_t i = 0; i < size; ++i) {
+            if (alone.levels[i] != found.levels[p.first + i]) return "levels depend on other paragraphs";
+            if (i != 0 && alone.marks[i] != found.marks[p.first + i]) return "marks depend on other paragraphs";
+        }
+    }
+    return {};
+}
+
+/// Parts words at every so many units: also where there is no place, and beyond the word.
+struct any_hyphens {
+    std::uint32_t step = 1;
+
+    template <class Put>
+    void hyphenate(text_view, text_range word, std::string_view, const Put& put) noexcept
+    {
+        for (std::size_t i = word.first; i <= word.last + std::size_t{step}; i += step) put(i);
+    }
+};
+
+/// Hyphens add places where lines may end, all of them where graphemes begin, and change nothing else.
+inline broken_law of_hyphens(text_view text, const analysis_options& how, const text_analysis& found,
+                             std::uint32_t step)
+{
+    hyphenating analyser{unicode_analyser{}, any_hyphens{step}};
+    text_analysis parted;
+    if (analyser.analyse(text, how, parted)) return "what can be analysed cannot be parted";
+    constexpr text_mark added = text_mark::may_break | text_mark::hyphen;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const text_mark was = found.marks[i], is = parted.marks[i];
+        if (parted.levels[i] != found.levels[i]) return "hyphens change a level";
+        if (was == is) continue;
+        if (!has(is, text_mark::hyphen) || !has(is, text_mark::may_break) || is != (was | added))
+            return "hyphens change another mark";
+        if (!has(is, text_mark::grapheme) || has(was, text_mark::may_break)) return "a hyphen where there is no place";
+    }
+    return {};
+}
+
+/// Each line's runs hold every unit once, in the order of rule L2.
 inline broken_law of_order(const text_analysis& found)
 {
     buffer<visual_run> runs;
@@ -105,6 +173,14 @@ inline broken_law of_order(const text_analysis& found)
             for (std::uint32_t i = r.first; i < r.last; ++i) ++times.at(i - p.first);
         for (const std::uint32_t n : times)
             if (n != 1) return "a unit does not stand once in its line";
+        std::vector<std::uint8_t> levels(times.size());
+        std::vector<std::uint32_t> order;
+        for (const visual_run& r : runs) {
+            for (std::uint32_t i = 0; i < r.last - r.first; ++i)
+                order.push_back(r.level % 2 == 0 ? r.first + i : r.last - 1 - i);
+            std::fill(levels.begin() + (r.first - p.first), levels.begin() + (r.last - p.first), r.level);
+        }
+        if (order != order_by_units(levels, p.first)) return "a line stands in another order than rule L2 has it";
     }
     return {};
 }
@@ -126,6 +202,8 @@ inline broken_law analysis(values in)
     if (broken_law broken = of_places(text.view(), found); !broken.empty()) return broken;
     if (broken_law broken = of_marks(found, other); !broken.empty()) return broken;
     if (broken_law broken = of_encodings(found, found_there, other); !broken.empty()) return broken;
+    if (broken_law broken = of_parts(analyser, text.view(), how, found); !broken.empty()) return broken;
+    if (broken_law broken = of_hyphens(text.view(), how, found, 1 + in.below(4)); !broken.empty()) return broken;
     return of_order(found);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "plan_laws.hpp"
 #include "toy_texts.hpp"
 
 #include "support/counting_memory.hpp"
@@ -8,19 +9,17 @@
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/ready_profiles.hpp>
 #include <typemesh/glyph/glyph_cache.hpp>
-#include <typemesh/text/text_chunks.hpp>
+#include <typemesh/text/glyph_workers.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <optional>
 #include <string>
 #include <vector>
 
-/// Sequences of calls: meshers that share a small cache, plans, writing, chunks, memory that fails. All meshes are those
-/// that a fresh mesher without a cache makes.
+/// Sequences of calls: meshers that share a small cache, plans, writing in all ways, updates of a text that has changed,
+/// workers, memory that fails. All meshes are those that a fresh mesher without a cache makes.
 namespace fuzz {
 
 namespace call_laws {
@@ -41,7 +40,7 @@ public:
     broken_law run()
     {
         for (int step = 0; step < 24 && !in_.empty(); ++step)
-            if (broken_law broken = call(in_.below(8)); !broken.empty()) return broken;
+            if (broken_law broken = call(in_.below(13)); !broken.empty()) return broken;
         held_.reset();
         const cache_statistics seen = cache_.statistics();
         return seen.pinned == 0 ? "" : "glyphs stay pinned without a plan";
@@ -58,6 +57,12 @@ private:
         case 4: return hold();
         case 5: return fail();
         case 6: return compare(bevels_);
+        case 7: read_bevels(bevels_.extruder_policy()); return {};
+        case 8: return update(walls_);
+        case 9:  // bevels that fit the text may change all letters when one does
+            return bevels_.extruder_policy().mode == bevel_mode::fit_text ? broken_law{} : update(bevels_);
+        case 10: return divide(walls_);
+        case 11: return divide(bevels_);
         default: return compare(walls_);
         }
     }
@@ -87,40 +92,97 @@ private:
             if (plan->range(p).first_vertex != next) return "parts leave a gap";
             next += plan->range(p).vertex_count;
         }
-        return in_.flag() ? of_chunks(*plan, m) : "";
+        return plan_laws::of_writing(*plan, in_);
     }
 
-    /// Chunks are no larger than asked for, and hold the mesh's triangles, glyph by glyph.
-    template <class Plan>
-    broken_law of_chunks(const Plan& plan, const test::full_mesh& whole)
+    void read_bevels(bevelled<round_profile>& how)
     {
-        text_chunks chunks;
-        const std::uint32_t most = 3 + in_.below(600);
-        if (chunks.cut(plan, most)) return "a plan cannot be cut";
-        std::vector<std::array<float, 24>> of_whole, of_all;
-        add_triangles(whole, of_whole);
-        for (std::size_t k = 0; k < chunks.view().size(); ++k) {
-            test::full_mesh m;
-            if (chunks.write(plan, k, into(m.vertices, m.indices))) return "a chunk cannot be written";
-            if (m.vertices.size() > most) return "a chunk is too large";
-            if (!(mesh_size{m.vertices.size(), m.indices.size() / 3} == chunks.view()[k].size()))
-                return "a chunk of another size than said";
-            for (const std::uint32_t i : m.indices)
-                if (i >= m.vertices.size()) return "an index beyond its chunk";
-            add_triangles(m, of_all);
-        }
-        std::sort(of_whole.begin(), of_whole.end());
-        std::sort(of_all.begin(), of_all.end());
-        return of_whole == of_all ? "" : "chunks hold other triangles than the mesh";
+        const std::uint32_t bits = in_.byte();
+        how.sides = static_cast<bevel_sides>((bits & 3) % 3);
+        how.mode = static_cast<bevel_mode>((bits >> 2 & 3) % 3);
+        how.outward = (bits & 16) != 0;
+        how.joins = (bits & 32) != 0 ? bevel_joins::bevelled : bevel_joins::round;
+        how.shading = (bits & 64) != 0 ? bevel_shading::rounded : bevel_shading::by_slope;
+        how.front = (bits & 128) == 0;
+        how.profile.steps = in_.below(9);
     }
-    static void add_triangles(const test::full_mesh& m, std::vector<std::array<float, 24>>& all)
-    {
-        for (std::size_t t = 0; t + 2 < m.indices.size(); t += 3) {
-            std::array<float, 24> corners;
-            for (std::size_t k = 0; k < 3; ++k)
-                std::memcpy(corners.data() + 8 * k, &m.vertices[m.indices[t + k]], sizeof(test::full_vertex));
-            all.push_back(corners);
+
+    /// What a glyph of a plan draws, and where: what must be written again where this has changed.
+    struct drawn {
+        std::vector<std::uint32_t> ids;
+        std::vector<double> places;
+        std::vector<mesh_range> ranges;
+
+        template <class Plan>
+        drawn(const Plan& plan, std::size_t glyph)
+        {
+            for (const std::uint32_t m : plan.members(glyph)) {
+                const placed_glyph& g = plan.run().glyphs[m];
+                ids.insert(ids.end(), {m, g.id});
+                places.insert(places.end(), {g.origin.x, g.origin.y});
+            }
+            for (const part p : plan.parts()) ranges.push_back(plan.range(glyph, p));
         }
+        [[nodiscard]] bool draws_the_same(const drawn& d) const { return ids == d.ids && places == d.places; }
+    };
+
+    /// A text of which some glyphs are moved or exchanged: if nothing else moves in memory, writing these is enough.
+    template <class Mesher>
+    broken_law update(Mesher& mesher)
+    {
+        const std::string text = read_letters(in_, 12);
+        text_options how = read_options(in_);
+        how.texture_over = texture_box::glyph;
+        if (how.unit == output_unit::unit_box) how.unit = output_unit::em;
+        glyph_run before, after;
+        for (glyph_run* run : {&before, &after})
+            if (layout(font_, text, how.shape, how.layout, *run)) return "a text of toy letters has no layout";
+        for (std::uint32_t left = in_.below(4); left > 0 && !after.glyphs.empty(); --left) {
+            placed_glyph& g = after.glyphs[in_.below(static_cast<std::uint32_t>(after.glyphs.size()))];
+            if (in_.flag()) g.origin = g.origin + point{in_.between(-2000.0, 2000.0), in_.between(-1000.0, 1000.0)};
+            if (in_.flag()) g.id = after.glyphs[in_.below(static_cast<std::uint32_t>(after.glyphs.size()))].id;
+        }
+        test::full_mesh shown, wanted;
+        std::vector<drawn> were;
+        {
+            const auto plan = mesher.plan(before, how);
+            if (!plan) return plan.error() == error::bad_option ? "" : plan.error().message();
+            if (plan->write(into(shown.vertices, shown.indices))) return "write failed";
+            for (std::size_t g = 0; g < plan->glyphs().size(); ++g) were.emplace_back(*plan, g);
+        }
+        const auto plan = mesher.plan(after, how);
+        if (!plan) return plan.error() == error::bad_option ? "" : plan.error().message();
+        if (plan->write(into(wanted.vertices, wanted.indices))) return "write failed";
+        if (plan->glyphs().size() != were.size() || wanted.vertices.size() != shown.vertices.size()) return {};
+        const auto sink = [&shown] { return into(std::span{shown.vertices}, std::span{shown.indices}); };
+        for (std::size_t g = 0; g < were.size(); ++g) {
+            const drawn now{*plan, g};
+            if (now.ranges != were[g].ranges) return {};
+            if (now.draws_the_same(were[g])) continue;
+            if (plan->write(glyph_span{g, g + 1}, sink())) return "a glyph cannot be written anew";
+        }
+        return same_bits(shown, wanted) ? "" : "a text that is updated is not the text";
+    }
+
+    /// Several workers plan what one does.
+    template <class Mesher>
+    broken_law divide(Mesher& mesher)
+    {
+        const std::string text = read_letters(in_, 12);
+        const text_options how = read_options(in_);
+        auto one = text_mesher{font_}.with(mesher.extruder_policy()),
+             many = text_mesher{font_}.with(mesher.extruder_policy());
+        test::scrambled_workers several{1 + in_.below(4), in_.byte()};
+        auto pool =
+            workers_of(several, [](std::size_t) noexcept -> result<test::toy_font> { return test::toy_font{}; });
+        if (!pool) return pool.error().message();
+        const auto plan = many.plan(text, how, *pool);
+        const auto wanted = one.plan(text, how);
+        if (!plan || !wanted) return plan.error().code == wanted.error().code ? "" : "another error than of one worker";
+        test::full_mesh m, n;
+        if (plan->write(into(m.vertices, m.indices)) || wanted->write(into(n.vertices, n.indices)))
+            return "write failed";
+        return same_bits(m, n) ? "" : "several workers plan another mesh";
     }
 
     /// A plan that stays while others evict what they can: it writes what it wrote.

@@ -5,7 +5,10 @@
 
 #include "support/oracle.hpp"
 
+#include <typemesh/discretise/adaptive_subdivision.hpp>
 #include <typemesh/discretise/certified.hpp>
+#include <typemesh/discretise/thesis_quality.hpp>
+#include <typemesh/discretise/two_lines.hpp>
 #include <typemesh/extrude/flat.hpp>
 #include <typemesh/glyph/cap_builder.hpp>
 #include <typemesh/inspect/curve_distance.hpp>
@@ -15,12 +18,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
-/// Contours of curves that nearly touch, as a font draws them -> the guard against chords that cross where curves do not.
+/// Contours of curves that nearly touch, as a font draws them -> each discretiser -> the guard against chords that cross
+/// where curves do not.
 namespace fuzz {
 
 namespace crossing_laws {
@@ -99,12 +104,13 @@ struct drawn_outline {
     }
 };
 
-template <triangulator Triangulator>
-broken_law of_caps(const drawn_outline& o, double tolerance, fill_rule rule, const Triangulator& cut)
+/// A region with exact triangles, whatever flattens the curves; of a discretiser that keeps a tolerance near them, too.
+template <discretiser Discretiser, triangulator Triangulator>
+broken_law of_caps(const drawn_outline& o, double tolerance, fill_rule rule, const Discretiser& flatten,
+                   const Triangulator& cut)
 {
     const auto cells = grid::fitting(1000.0, o.given.bounds);
     if (!cells) return cells.error().message();
-    const certified flatten;
     const flat raise;
     no_observer nobody;
     cap_builder caps;
@@ -113,6 +119,7 @@ broken_law of_caps(const drawn_outline& o, double tolerance, fill_rule rule, con
     const auto kept = inspect::loops_of(*made);
     if (broken_law broken = test::oracle::broken_cycle(kept); !broken.empty()) return broken;
     if (broken_law broken = test::oracle::broken_law(*made, caps.triangles().view()); !broken.empty()) return broken;
+    if constexpr (!std::same_as<Discretiser, certified>) return {};
 
     const double wanted = (std::max)(tolerance * cells->cells, 2.0 * cells->cells * cells->snap_error());
     const double allowed = 1.01 * wanted + 1.5;
@@ -131,11 +138,20 @@ inline broken_law crossings(values in)
     using namespace crossing_laws;
     const fill_rule rule = in.flag() ? fill_rule::even_odd : fill_rule::non_zero;
     const double tolerance = in.one_of({10.0, 6.25, 1.25, 0.5});
-    const bool delaunay = in.flag();
+    const std::uint32_t bits = in.byte();
     const drawn_outline o{in};
     if (o.failure) return o.failure.message();
     if (broken_law broken = of_contours(o.recorded); !broken.empty()) return broken;
-    return delaunay ? of_caps(o, tolerance, rule, constrained_delaunay{}) : of_caps(o, tolerance, rule, monotone{});
+    const auto of = [&](const auto& flatten) {
+        return (bits & 1) != 0 ? of_caps(o, tolerance, rule, flatten, constrained_delaunay{})
+                               : of_caps(o, tolerance, rule, flatten, monotone{});
+    };
+    switch (bits >> 4) {
+    case 15: return of(two_lines{});
+    case 14: return of(adaptive_subdivision{1 + (bits >> 1 & 7), 4.0 * tolerance, 0.02});
+    case 13: return of(thesis_quality{static_cast<thesis_quality::preset>(bits >> 1 & 3), 1000.0});
+    default: return of(certified{});
+    }
 }
 
 }  // namespace fuzz

@@ -3,12 +3,15 @@
 
 #include "contour_laws.hpp"
 #include "damaged_fonts.hpp"
+#include "drawn_chords.hpp"
+#include "front_cap.hpp"
 #include "read_text.hpp"
 
 #include "support/mesh_laws.hpp"
 
 #include <typemesh/adapt/freetype.hpp>
 #include <typemesh/adapt/harfbuzz.hpp>
+#include <typemesh/extrude/flat.hpp>
 #include <typemesh/paragraph/paragraph.hpp>
 #include <typemesh/text/text_mesher.hpp>
 #include <typemesh/vertex/growing_sink.hpp>
@@ -30,7 +33,8 @@ using namespace typemesh;
 inline bool is_an_answer(error e)
 {
     return e == error::not_a_font || e == error::no_such_face || e == error::no_outlines ||
-           e == error::font_library_failed || e == error::outline_not_finite || e == error::needs_shaping;
+           e == error::font_library_failed || e == error::outline_not_finite || e == error::needs_shaping ||
+           e == error::unknown_variation;
 }
 
 /// A plan's mesh is closed, and its normals are finite.
@@ -49,6 +53,37 @@ broken_law of_text(Mesher& mesher, const Text& text, const text_options& how)
     return {};
 }
 
+/// The front of a glyph is where the font library itself draws it, farther than the tolerance from its curves.
+template <class Font>
+broken_law of_front(Font& font, glyph_id id)
+{
+    const drawn_chords wanted{font, id};
+    const double em = font.units_per_em(), tolerance = quality::normal * em;
+    if (wanted.empty() || !wanted.is_whole() || !(wanted.reach() < 0x1p17)) return {};
+    glyph_run run;
+    run.units_per_em = em;
+    if (!run.glyphs.push_back({id, 0, {}})) return "no memory";
+    auto mesher = text_mesher{font}.with(flat{});
+    const auto plan = mesher.plan(run, {.tolerance = quality::normal, .unit = output_unit::font_units});
+    if (!plan) return plan.error().message();
+    if (plan->report().refused != 0) return {};
+    test::full_mesh m;
+    if (plan->write(into(m.vertices, m.indices))) return "write failed";
+    const front_cap front{m, plan->range(part::front)};
+    constexpr int rows = 9;
+    const double slack = 1.05 * tolerance + 1.0;  // their chords are no curves, either
+    for (int i = 0; i < rows; ++i)
+        for (int k = 0; k < rows; ++k) {
+            const double x = wanted.left + (wanted.right - wanted.left) * (i + 0.37) / rows;
+            const double y = wanted.bottom + (wanted.top - wanted.bottom) * (k + 0.61) / rows;
+            const auto place = wanted.at(x, y);
+            const int count = place.away > slack ? front.count_at(x, y, 0.05) : -1;
+            if (count >= 0 && count != (place.winding != 0 ? 1 : 0))
+                return "a place is filled that the font does not fill, or the reverse";
+        }
+    return {};
+}
+
 /// The glyphs that have been changed, alone and in a row.
 template <class Font, class Mesher>
 broken_law of_glyphs(Font& font, Mesher& mesher, const std::vector<glyph_id>& glyphs, const text_options& how)
@@ -59,31 +94,54 @@ broken_law of_glyphs(Font& font, Mesher& mesher, const std::vector<glyph_id>& gl
         outline o;
         if (const error e = record(font, id, o)) return is_an_answer(e) || e == error::unknown_glyph ? "" : e.message();
         if (broken_law broken = of_contours(o); !broken.empty()) return broken;
+        if (broken_law broken = of_front(font, id); !broken.empty()) return broken;
         const double pen = 500.0 * static_cast<double>(run.glyphs.size());
         if (!run.glyphs.push_back({id, static_cast<cluster_id>(run.glyphs.size()), {pen, 0.0}})) return "no memory";
     }
     return run.glyphs.empty() ? "" : of_text(mesher, run, how);
 }
 
+/// What is asked of a font.
+struct request {
+    text_options how;
+    double width = 0.0;
+    std::uint32_t bits = 0;
+
+    explicit request(values& in) : width{in.between(0.5, 20.0)}, bits{in.byte()}
+    {
+        constexpr direction directions[] = {direction::automatic, direction::left_to_right, direction::right_to_left,
+                                            direction::top_to_bottom};
+        how.tolerance = quality::normal;
+        how.unit = output_unit::font_units;
+        how.most_pieces = 20'000;
+        how.merge = (bits & 1) != 0;
+        how.draw_missing = (bits & 2) != 0;
+        how.shape.direction = directions[bits >> 2 & 3];
+        how.shape.ligatures = (bits & 16) == 0;
+    }
+    [[nodiscard]] bool is_varied() const { return (bits & 0xE0) == 0xE0; }
+};
+
 template <class Font>
-broken_law of_font(const damaged_font& given, text_view text, const text_options& how, double width)
+broken_law of_font(const damaged_font& given, text_view text, const request& asked)
 {
-    auto font = Font::open(std::span{given.bytes}, {});
+    const variation weight[] = {{"wght", static_cast<float>(50.0 * asked.width)}};
+    const auto variations = asked.is_varied() ? std::span<const variation>{weight} : std::span<const variation>{};
+    auto font = Font::open(std::span{given.bytes}, {.variations = variations});
     if (!font) return is_an_answer(font.error()) ? "" : font.error().message();
     auto mesher = text_mesher{*font}.with(extruded<>{.depth = 0.25f});
-    if (broken_law broken = of_glyphs(*font, mesher, given.glyphs, how); !broken.empty()) return broken;
+    if (broken_law broken = of_glyphs(*font, mesher, given.glyphs, asked.how); !broken.empty()) return broken;
     if constexpr (item_shaper<Font>) {
         paragraph<Font> words{*font};
         glyph_run run;
-        error e = words.set(text, how.shape);
-        if (!e) e = words.lay_out({.width = width, .align = line_alignment::justify}, run);
+        error e = words.set(text, asked.how.shape);
+        if (!e) e = words.lay_out({.width = asked.width, .align = line_alignment::justify}, run);
         if (e) return is_an_answer(e) ? "" : e.message();
         for (const placed_glyph& g : run.glyphs)
             if (g.cluster >= text.size() && !text.empty()) return "a cluster beyond the text";
-        return of_text(mesher, run, how);
-    } else {
-        return of_text(mesher, text, how);
+        if (broken_law broken = of_text(mesher, run, asked.how); !broken.empty()) return broken;
     }
+    return of_text(mesher, text, asked.how);
 }
 
 }  // namespace font_laws
@@ -96,16 +154,10 @@ inline broken_law fonts(values in)
     if (whole.empty()) return "no font is installed: see TYPEMESH_FONT_DIR";
     const std::uint32_t bits = in.byte();
     const damaged_font damaged{in, whole[bits % whole.size()]};
-    const double width = in.between(0.5, 20.0);
-    text_options how;
-    how.tolerance = quality::normal;
-    how.unit = output_unit::font_units;
-    how.most_pieces = 20'000;
-    how.merge = in.flag();
-    how.draw_missing = in.flag();
+    const request asked{in};
     const read_text text{in, 24};
-    if (bits >= 128) return of_font<freetype_font>(damaged, text.view(), how, width);
-    return of_font<harfbuzz_font>(damaged, text.view(), how, width);
+    return bits >= 128 ? of_font<freetype_font>(damaged, text.view(), asked)
+                       : of_font<harfbuzz_font>(damaged, text.view(), asked);
 }
 
 }  // namespace fuzz

@@ -3,21 +3,26 @@
 
 #include "read_text.hpp"
 
+#include "support/toy_covering_font.hpp"
 #include "support/toy_item_shaper.hpp"
 
 #include <typemesh/outline/bar_face.hpp>
+#include <typemesh/paragraph/fit_size.hpp>
 #include <typemesh/paragraph/paragraph.hpp>
 #include <typemesh/paragraph/total_fit.hpp>
+#include <typemesh/text/font_cascade.hpp>
+#include <typemesh/unicode/hyphenating.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
-/// A text -> paragraph: lines, glyphs, carets, styles.
+/// A text -> paragraph: lines, glyphs, carets, styles, hyphens, columns, fonts that stand in for others.
 namespace fuzz {
 
 namespace paragraph_laws {
@@ -36,6 +41,12 @@ struct settings {
         const std::uint32_t bits = in.byte();
         how.direction = directions[bits & 3];
         how.ligatures = (bits & 4) == 0;
+        if (how.direction == direction::top_to_bottom) {
+            const std::uint32_t upright = in.byte();
+            how.columns.latin = (upright & 1) != 0 ? column_latin::upright : column_latin::sideways;
+            how.columns.combined_digits = upright >> 1 & 7;
+            how.columns.combined_gap = (upright >> 4) / 30.0;
+        }
         if ((bits & 8) != 0) letter_spacing = in.between(0.0, 1.5);
         const std::uint32_t most = (bits & 16) != 0 ? in.below(6) : 0;
         for (std::uint32_t k = 0, at = 0; k < most && at < size; ++k) {
@@ -59,7 +70,8 @@ private:
         if ((what & 8) != 0) s.rise = in.between(-1.0, 1.0);
         if ((what & 16) != 0) s.position = in.one_of({script_position::superscript, script_position::subscript});
         if ((what & 32) != 0) s.decorations = static_cast<decoration>(in.below(8));
-        if ((what & 64) != 0) s.language = "tr";
+        if ((what & 64) != 0) s.column = static_cast<column_style>(in.below(4));
+        if ((what & 128) != 0) s.slant = in.between(-0.5, 0.5);
     }
 };
 
@@ -139,8 +151,8 @@ broken_law of_lines(const Words& words, const layout_settings& how, const glyph_
 using glyph_places = std::vector<std::pair<std::uint32_t, std::uint32_t>>;  // cluster, id
 
 /// What a line's text gives when it is shaped alone, but for what is drawn beside it: sorted.
-template <class Words>
-error shape_alone(const Words& words, test::toy_item_shaper& font, const laid_line& line, glyph_places& alone)
+template <class Words, class Font>
+error shape_alone(const Words& words, Font& font, const laid_line& line, glyph_places& alone)
 {
     buffer<shaped_glyph> glyphs;
     const shaped_text& shaped = words.shaped();
@@ -157,8 +169,8 @@ error shape_alone(const Words& words, test::toy_item_shaper& font, const laid_li
 }
 
 /// Every cluster is drawn once, in its own line, with the glyphs that the line's text has alone.
-template <class Words>
-broken_law of_glyphs(const Words& words, test::toy_item_shaper& font, const glyph_run& run)
+template <class Words, class Font>
+broken_law of_glyphs(const Words& words, Font& font, const glyph_run& run)
 {
     for (std::size_t k = 0; k < words.lines().size(); ++k) {
         const laid_line& line = words.lines()[k];
@@ -247,8 +259,8 @@ broken_law of_boxes(const Words& words, values& in)
 }
 
 /// Lays a text out as told, by two paragraphs: one of which has had other layouts, and its spans in another order.
-template <class Words>
-broken_law of_layout(Words& words, Words& fresh, test::toy_item_shaper& font, const layout_settings& how, values& in)
+template <class Words, class Font>
+broken_law of_layout(Words& words, Words& fresh, Font& font, const layout_settings& how, values& in)
 {
     glyph_run run, again;
     if (const error e = words.lay_out(how.options, run)) return e.message();
@@ -267,27 +279,94 @@ broken_law of_layout(Words& words, Words& fresh, test::toy_item_shaper& font, co
     return words.lines().size() == run.lines.size() ? "" : "measured in other lines than laid out";
 }
 
-template <class Breaker>
-broken_law of_paragraph(values& in, const Breaker& breaker)
+/// At the size that fits the text fits.
+template <class Words>
+broken_law of_size(Words& words, const layout_settings& how, values& in)
 {
-    const std::uint32_t bits = in.byte();
-    test::toy_item_shaper font;
-    font.all_unsafe = (bits & 1) != 0;
+    const double width = in.between(0.1, 40.0), height = in.between(0.1, 20.0);
+    const auto size = fit_size(words, width, height, how.options);
+    if (!size) return size.error() == error::bad_option ? "" : size.error().message();
+    if (!(*size > 0.0) || !is_finite(*size)) return "a size that is none";
+    paragraph_options options = how.options;
+    options.width = width / *size;
+    options.ellipsis = {};
+    const auto measured = words.measure(options);
+    if (!measured) return measured.error().message();
+    const bool fits =
+        measured->width * *size <= width * (1.0 + 1e-6) && measured->height * *size <= height * (1.0 + 1e-6);
+    return fits ? "" : "at the size that was found the text does not fit";
+}
+
+/// Parts words at every so many units: also where there is no place, and beyond the word.
+struct any_hyphens {
+    std::uint32_t step = 0;
+
+    template <class Put>
+    void hyphenate(text_view, text_range word, std::string_view, const Put& put) noexcept
+    {
+        for (std::size_t i = word.first; step != 0 && i <= word.last + std::size_t{step}; i += step) put(i);
+    }
+};
+using analyser = hyphenating<unicode_analyser, any_hyphens>;
+
+template <class Font, class Breaker>
+broken_law of_paragraph(values& in, Font& font, const Breaker& breaker)
+{
+    const any_hyphens hyphens{in.below(5)};
     const read_text text{in, 300};
     settings how{in, text.view().size()};
-    using words_type = paragraph<test::toy_item_shaper, unicode_analyser, Breaker>;
-    words_type words{font, heap(), unicode_analyser{}, breaker};
+    using words_type = paragraph<Font, analyser, Breaker>;
+    const auto make = [&] { return words_type{font, heap(), analyser{unicode_analyser{}, hyphens}, breaker}; };
+    words_type words = make();
     const error e = words.set(text.view(), how.how, how.spans, how.letter_spacing);
     std::reverse(how.spans.begin(), how.spans.end());
     for (int k = 0; k < 3; ++k) {
         const layout_settings layout{in};
-        words_type fresh{font, heap(), unicode_analyser{}, breaker};
+        words_type fresh = make();
         if (fresh.set(text.view(), how.how, how.spans, how.letter_spacing).code != e.code)
             return "an error depends on the order of the spans";
         if (e) return e == error::overlapping_spans || e == error::font_library_failed ? "" : e.message();
         if (broken_law broken = of_layout(words, fresh, font, layout, in); !broken.empty()) return broken;
+        if (in.byte() == 1)
+            if (broken_law broken = of_size(fresh, layout, in); !broken.empty()) return broken;
     }
     return {};
+}
+
+/// Of three fonts each draws what it has, and nothing is missing that one of them has alone in its grapheme.
+template <class Breaker>
+broken_law of_cascade(values& in, const Breaker& breaker)
+{
+    test::toy_covering_font latin{U"abcdefghijklmnop .-\u2026\u0300\u0301\u0640", 1000.0},
+        hebrew{U"\u05D0\u05D1\u05BF\u0628\u0627\u0640ab ", 2048.0}, rest{U"\u4E00\u3042\u30FC\u0301\u0E01x", 64.0};
+    font_cascade fonts{latin, hebrew, rest};
+    values copy = in;
+    {
+        (void)copy.below(5);
+        const read_text text{copy, 300};
+        paragraph words{fonts};
+        glyph_run run;
+        if (words.set(text.view()) || words.lay_out({}, run)) return "toy fonts cannot be laid out";
+        const test::toy_covering_font* const all[] = {&latin, &hebrew, &rest};
+        for (const placed_glyph& g : run.glyphs) {
+            const std::uint32_t face = run.looks.empty() ? 0 : run.looks[g.look].face;
+            if (g.missing || g.id == 0 || face == bar_face) continue;
+            if (is_default_ignorable(g.id)) continue;
+            if (face > 2) return "a glyph is of a font that there is not";
+            if (!all[face]->covers(g.id)) return "a font draws what it does not have";
+        }
+    }
+    return of_paragraph(in, fonts, breaker);
+}
+
+template <class Breaker>
+broken_law of_fonts(values& in, const Breaker& breaker)
+{
+    const std::uint32_t bits = in.byte();
+    if ((bits & 12) == 12) return of_cascade(in, breaker);
+    test::toy_item_shaper font;
+    font.all_unsafe = (bits & 1) != 0;
+    return of_paragraph(in, font, breaker);
 }
 
 }  // namespace paragraph_laws
@@ -295,11 +374,11 @@ broken_law of_paragraph(values& in, const Breaker& breaker)
 inline broken_law paragraphs(values in)
 {
     using namespace typemesh;
-    if (in.byte() % 4 != 0) return paragraph_laws::of_paragraph(in, first_fit{});
+    if (in.byte() % 4 != 0) return paragraph_laws::of_fonts(in, first_fit{});
     total_fit breaker;
     breaker.tolerance = in.between(0.1, 3.0);
     breaker.emergency_stretch = in.between(0.0, 2.0);
-    return paragraph_laws::of_paragraph(in, breaker);
+    return paragraph_laws::of_fonts(in, breaker);
 }
 
 }  // namespace fuzz

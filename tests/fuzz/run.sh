@@ -3,12 +3,14 @@
 #
 # Looks for input that breaks a law, with libFuzzer, address and undefined-behaviour sanitizers:
 #
-#     tests/fuzz/run.sh [TARGET] [MINUTES]      TARGET: tests/fuzz/TARGET.hpp, or all of them in turn; 5 minutes each
+#     tests/fuzz/run.sh [TARGET] [MINUTES]      TARGET: tests/fuzz/TARGET.hpp, or all of them in turn; 5 minutes each, of
+#                                               processor time: on a busy machine they take longer
 #
 # Installs what is missing, and needs clang++. A finding is tried again, made small and written to tests/corpus/fuzz/TARGET,
-# which the ordinary tests replay: commit it with its mending. Each target's row of docs/fuzzing.md is written anew. Fails if
-# there are findings. Inputs that reach new code are kept in build/fuzz, or TYPEMESH_FUZZ_BUILD, and are where the next run
-# begins. CXX: another clang++. TYPEMESH_FUZZ_FLAGS: further flags of libFuzzer, such as -max_len=4096.
+# which the ordinary tests replay: commit it with its mending. Each target's row of docs/fuzzing.md is written anew: the sum
+# of its runs since its header was changed last. Fails if there are findings. Inputs that reach new code are kept in
+# build/fuzz, or TYPEMESH_FUZZ_BUILD, and are where the next run begins; several targets may run at once.
+# CXX: another clang++. TYPEMESH_FUZZ_FLAGS: further flags of libFuzzer, such as -max_len=4096.
 set -eu
 typemesh_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 . "$typemesh_root/cmake/setup.sh"
@@ -28,13 +30,19 @@ targets() {
     for test in "$typemesh_root"/tests/fuzz/*.test.cpp; do basename "$test" .test.cpp; done
 }
 
-compile() {  # compile TARGET
+compile() {  # compile TARGET, if anything that it includes has changed
     local libraries=
+    if [ -x "$build/$1" ] && ! sed -e 's/^[^:]*://' -e 's/\\$//' "$build/$1.d" | tr -s ' ' '\n' | sed '/^$/d' |
+        xargs -d '\n' sh -c 'for f; do [ "$f" -ot "$0" ] || echo "$f"; done' "$build/$1" | grep -q .; then
+        return
+    fi
+    echo "$1: compiling"
     if grep -q 'typemesh/adapt/' "$typemesh_root/tests/fuzz/$1.hpp"; then
         libraries=$(pkg-config --cflags --libs harfbuzz freetype2)
     fi
+    git -C "$typemesh_root" rev-parse --short=7 HEAD >"$build/$1.revision" 2>/dev/null || echo unknown >"$build/$1.revision"
     # shellcheck disable=SC2086  # several words
-    "$compiler" -std=c++20 -O1 -g1 -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined \
+    "$compiler" -std=c++20 -O1 -g1 -MD -MF "$build/$1.d" -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined \
         -I"$typemesh_root/include" -I"$typemesh_root/tests" "-DTYPEMESH_FUZZ_TARGET=$1" \
         -include "$typemesh_root/tests/fuzz/$1.hpp" "$typemesh_root/tests/fuzz/fuzzer.cpp" -o "$build/$1" $libraries
 }
@@ -58,6 +66,7 @@ keep() {  # keep TARGET INPUT
     esac
     if [ ! -s "$small" ] || ! fails "$1" "$small"; then cp "$2" "$small"; fi
     name=$(sha1sum "$small" | cut -c 1-12).hex
+    echo "$law" >>"$build/$1.laws"
     mkdir -p "$typemesh_root/tests/corpus/fuzz/$1"
     { echo "# $law" | cut -c 1-110 && to_hex "$small"; } >"$typemesh_root/tests/corpus/fuzz/$1/$name"
     rm -f "$small"
@@ -75,23 +84,36 @@ write_row() {  # write_row TARGET ROW
     cp "$build/page.md" "$page"
 }
 
+# Runs a target for some seconds of real time, at most; adds the processor's, and the executions, to spent and executions.
+fuzz_for() {  # fuzz_for TARGET SECONDS
+    local last
+    # shellcheck disable=SC2086  # several words
+    spent=$((spent + $( (cd "$build" && "./$1" "corpus/$1" "-max_total_time=$2" "-artifact_prefix=found/$1/" -max_len=256 \
+        -timeout=$((10 * slow_seconds)) -rss_limit_mb=3000 -fork=1 -ignore_crashes=1 -ignore_timeouts=1 -ignore_ooms=1 \
+        ${TYPEMESH_FUZZ_FLAGS:-} >"$1.log" 2>&1 || true; times) | tail -n 1 | tr ms '  ' |
+        awk '{ printf "%d", 60 * $1 + $2 + 60 * $3 + $4 }')))
+    last=$(grep -E '^#[0-9]+: cov:' "$build/$1.log" | tail -n 1)
+    executions=$((executions + $(echo "${last:-#0:}" | sed 's/^#\([0-9]*\):.*/\1/')))
+    coverage=$(echo "$last" | sed -n 's/.* cov: \([0-9]*\) .*/\1/p')
+}
+
 run() {  # run TARGET
-    local corpus=$build/corpus/$1 found=$build/found/$1 kept seconds last executions coverage input number=0
-    echo "$1: compiling"
-    compile "$1"
+    local corpus=$build/corpus/$1 found=$build/found/$1 kept spent=0 executions=0 coverage= input number=0 before sum version
+    # The sums since the target's header was changed: seconds, executions; and which laws were broken.
+    version=$(sha1sum <"$typemesh_root/tests/fuzz/$1.hpp" | cut -c 1-40)
+    sum=$(sed -n "s/^$version //p" "$build/$1.sum" 2>/dev/null || true)
+    [ -n "$sum" ] || rm -f "$build/$1.laws"
+    (flock 9 && compile "$1") 9>"$build/compile.lock"  # one at a time: it takes more than a gigabyte
     rm -rf "$found"
     mkdir -p "$corpus" "$found"
     for kept in "$typemesh_root/tests/corpus/fuzz/$1"/*.hex; do
         [ ! -e "$kept" ] || from_hex "$kept" >"$corpus/$(basename "$kept" .hex)"
     done
-    # shellcheck disable=SC2086  # several words
-    seconds=$( (cd "$build" && "./$1" "$corpus" "-max_total_time=$((60 * minutes))" "-artifact_prefix=$found/" -max_len=256 \
-        -timeout=$((10 * slow_seconds)) -rss_limit_mb=3000 -fork=1 -ignore_crashes=1 -ignore_timeouts=1 -ignore_ooms=1 \
-        ${TYPEMESH_FUZZ_FLAGS:-} >"$1.log" 2>&1 || true; times) | tail -n 1 | tr ms '  ' |
-        awk '{ printf "%d", 60 * $1 + $2 + 60 * $3 + $4 }')
-    last=$(grep -E '^#[0-9]+: cov:' "$build/$1.log" | tail -n 1)
-    executions=$(echo "$last" | sed -n 's/^#\([0-9]*\):.*/\1/p')
-    coverage=$(echo "$last" | sed -n 's/.* cov: \([0-9]*\) .*/\1/p')
+    while [ $((60 * minutes - spent)) -gt 5 ]; do
+        before=$spent
+        fuzz_for "$1" $((60 * minutes - spent))
+        [ "$spent" -gt "$before" ] || stop "$1 does not run: see $build/$1.log"
+    done
     for input in "$found"/*; do
         if [ -e "$input" ] && fails "$1" "$input"; then
             number=$((number + 1))
@@ -99,9 +121,16 @@ run() {  # run TARGET
         fi
     done
     [ $number -eq 0 ] || status=1
-    write_row "$1" "$(printf '| `%s` | %d | %d | %d | %d | %d | %s |' "$1" $(((seconds + 30) / 60)) "${executions:-0}" \
-        "${coverage:-0}" "$(find "$corpus" -type f | wc -l)" $number \
-        "$(git -C "$typemesh_root" rev-parse --short=7 HEAD 2>/dev/null || echo unknown)")"
+    spent=$((spent + $(echo "${sum:-0 0}" | cut -d ' ' -f 1)))
+    executions=$((executions + $(echo "${sum:-0 0}" | cut -d ' ' -f 2)))
+    echo "$version $spent $executions" >"$build/$1.sum"
+    number=0
+    if [ -s "$build/$1.laws" ]; then number=$(sort -u "$build/$1.laws" | wc -l); fi
+    (
+        flock 9
+        write_row "$1" "$(printf '| `%s` | %d | %d | %d | %d | %d | %s |' "$1" $(((spent + 30) / 60)) "$executions" \
+            "${coverage:-0}" "$(find "$corpus" -type f | wc -l)" "$number" "$(cat "$build/$1.revision")")"
+    ) 9>"$build/page.lock"
     grep -F "| \`$1\` |" "$page" | tail -n 1
 }
 

@@ -5,10 +5,14 @@
 
 #include "support/mesh_laws.hpp"
 
+#include <typemesh/extrude/averaged_normals.hpp>
 #include <typemesh/extrude/bevelled.hpp>
+#include <typemesh/extrude/bezier_profile.hpp>
+#include <typemesh/extrude/creased_normals.hpp>
 #include <typemesh/extrude/extrude.hpp>
 #include <typemesh/extrude/extruded.hpp>
 #include <typemesh/extrude/polyline_profile.hpp>
+#include <typemesh/extrude/ready_profiles.hpp>
 #include <typemesh/extrude/shared_normals.hpp>
 #include <typemesh/glyph/cap_builder.hpp>
 #include <typemesh/glyph/plan_region.hpp>
@@ -145,12 +149,22 @@ broken_law of_extruded(const Extruder& how, drawn_region& from)
     return {};
 }
 
-/// A profile of some bytes.
+/// One of the ready profiles by its number, 1 to 6, with options of some bytes; or else one of points of some bytes.
 struct drawn_profile {
+    std::uint32_t ready = 0, steps = 0;
+    bezier_profile curve;
     profile_points points;
 
-    explicit drawn_profile(values& in)
+    drawn_profile(values& in, std::uint32_t number) : ready{number}
     {
+        if (ready >= 1 && ready <= 6) steps = in.byte() % 67;
+        if (ready == 6) {
+            const auto number_below = [&](float most) { return most * float(in.below(9)) / 8.0f; };
+            curve = {{number_below(1.0f), number_below(1.5f)}, {number_below(1.0f), number_below(1.5f)}};
+            curve.end = number_below(1.0f);
+            curve.steps = steps;
+        }
+        if (ready >= 1 && ready <= 6) return;
         float t = 0.0f;
         points.add({0.0f, 0.0f});
         for (std::uint32_t left = in.below(6); left > 0; --left) {
@@ -159,20 +173,28 @@ struct drawn_profile {
         }
         points.add({1.0f, in.flag() ? 1.0f : float(in.below(5)) / 4.0f});
     }
-    void operator()(const profile_scale&, profile_points& out) const noexcept
+    void operator()(const profile_scale& scale, profile_points& out) const noexcept
     {
-        for (const profile_point p : points.view()) out.add(p);
+        switch (ready) {
+        case 1: return chamfer_profile{}(scale, out);
+        case 2: return round_profile{steps}(scale, out);
+        case 3: return concave_profile{steps}(scale, out);
+        case 4: return stepped_profile{}(scale, out);
+        case 5: return engraved_profile{}(scale, out);
+        case 6: return curve(scale, out);
+        default: return polyline_profile{points}(scale, out);
+        }
     }
     [[nodiscard]] option_bits cache_key() const noexcept { return {0u}; }
 };
 static_assert(bevel_profile<drawn_profile>);
 
-inline bevelled<drawn_profile> read_bevel(values& in)
+inline bevelled<drawn_profile> read_bevel(values& in, std::uint32_t ready)
 {
     static constexpr float widths[] = {0.0f, 2e-6f, 1e-5f, 0.001f, 0.005f, 0.02f, 0.05f, 0.1f, 0.3f, 1.0f, 4.0f},
                            mitres[] = {0.0f, 1.0f, 1.5f, 2.0f, 100.0f}, creases[] = {0.0f, 15.0f, 44.0f, 90.0f, 180.0f};
     const std::uint32_t bits = in.byte();
-    bevelled<drawn_profile> how{.profile = drawn_profile{in}};
+    bevelled<drawn_profile> how{.profile = drawn_profile{in, ready}};
     how.width = in.one_of(widths) * float(in.between(0.5, 1.5));
     how.bevel_depth = float(in.between(0.0, 0.099));
     how.sides = static_cast<bevel_sides>((bits & 3) % 3);
@@ -224,15 +246,23 @@ inline broken_law solids(values in)
 {
     using namespace typemesh;
     using namespace solid_laws;
-    const std::uint32_t what = in.byte() % 8;
-    const bevelled<drawn_profile> bevel = read_bevel(in);
+    const std::uint32_t what = in.byte(), kind = what >> 3;
+    const bevelled<drawn_profile> bevel = read_bevel(in, kind);
     drawn_region from;
     if (broken_law broken = from.fill(in); !broken.empty()) return broken;
     if (from.made.points().empty()) return {};
-    if (what >= 2) return of_bevelled(bevel, from);
-    const float depth = bevel.depth;
-    if (what == 1) return of_extruded(extruded<shared_normals>{.depth = depth, .texture = bevel.texture}, from);
-    return of_extruded(extruded<>{.depth = depth, .centred = bevel.centred, .texture = bevel.texture}, from);
+    if (what % 8 >= 2) return of_bevelled(bevel, from);
+    const auto with = [&]<class Normals>(Normals normals) {
+        const extruded<Normals> how{
+            .depth = bevel.depth, .centred = bevel.centred, .texture = bevel.texture, .normals = normals};
+        return of_extruded(how, from);
+    };
+    if (what % 8 == 1) return with(shared_normals{});
+    switch (kind % 4) {
+    case 1: return with(creased_normals{});
+    case 2: return with(averaged_normals{});
+    default: return with(curve_normals{});
+    }
 }
 
 }  // namespace fuzz

@@ -25,8 +25,13 @@ inline std::string read_letters(values& in, std::uint32_t most)
 inline typemesh::text_options read_options(values& in)
 {
     using namespace typemesh;
-    const std::uint32_t bits = in.byte();
+    static constexpr frame frames[] = {right_handed_y_up, left_handed_y_up, right_handed_z_up, left_handed_z_up};
+    const std::uint32_t bits = in.byte(), more = in.byte();
     text_options how;
+    how.frame = frames[more & 3];
+    if ((more & 4) != 0) how.frame.winding = -1;
+    if ((more & 8) != 0) how.depth_in = depth_unit::output;
+    how.texture_over = static_cast<texture_box>((more >> 4) % 3);
     how.tolerance = in.one_of({quality::high, quality::normal, quality::low, 0.05});
     how.unit = static_cast<output_unit>(bits & 3);
     how.merge = (bits & 4) != 0;
