@@ -161,9 +161,12 @@ error shape_alone(const Words& words, Font& font, const laid_line& line, glyph_p
         item.first = (std::max)(item.first, line.first);
         item.last = (std::min)(item.last, line.last);
         if (item.first >= item.last || silent_at(shaped.text(), item.first) != 0) continue;
+        const bool one_cluster = item.orientation == glyph_orientation::combined;
+        const auto before = glyphs.size();
         if (error e = font.shape_item(shaped.text(), item, shaped.options_of(k), glyphs)) return e;
+        for (const shaped_glyph& g : glyphs.view().subspan(before))
+            alone.emplace_back(one_cluster ? item.first : g.cluster, g.id);
     }
-    for (const shaped_glyph& g : glyphs) alone.emplace_back(g.cluster, g.id);
     std::sort(alone.begin(), alone.end());
     return {};
 }
