@@ -9,6 +9,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <new>
 #include <span>
 #include <tuple>
 #include <type_traits>
@@ -57,23 +58,23 @@ struct stream {
     /// Writes element i.
     void put(std::size_t i, const surface_point<wants>& s) const noexcept
     {
-        T* place = reinterpret_cast<T*>(static_cast<std::byte*>(data) + i * stride);
+        void* place = static_cast<std::byte*>(data) + i * stride;
         if constexpr (A == attribute::position)
-            *place = T{s.position.x, s.position.y, s.position.z};
+            ::new (place) T{s.position.x, s.position.y, s.position.z};
         else if constexpr (A == attribute::normal)
-            *place = T{s.normal.x, s.normal.y, s.normal.z};
+            ::new (place) T{s.normal.x, s.normal.y, s.normal.z};
         else if constexpr (A == attribute::uv)
-            *place = T{s.uv.x, s.uv.y};
+            ::new (place) T{s.uv.x, s.uv.y};
         else if constexpr (A == attribute::tangent)
-            *place = T{s.tangent.x, s.tangent.y, s.tangent.z, s.tangent.w};
+            ::new (place) T{s.tangent.x, s.tangent.y, s.tangent.z, s.tangent.w};
         else if constexpr (A == attribute::glyph)
-            *place = static_cast<T>(s.glyph);
+            ::new (place) T(static_cast<T>(s.glyph));
         else if constexpr (A == attribute::cluster)
-            *place = static_cast<T>(s.cluster);
+            ::new (place) T(static_cast<T>(s.cluster));
         else if constexpr (A == attribute::part)
-            *place = static_cast<T>(s.part);
+            ::new (place) T(static_cast<T>(s.part));
         else
-            *place = static_cast<T>(s.style);
+            ::new (place) T(static_cast<T>(s.style));
     }
 };
 
