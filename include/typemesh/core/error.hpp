@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
@@ -135,24 +134,26 @@ struct [[nodiscard]] error {
 inline const char* describe(const error& e, std::span<char> out) noexcept
 {
     if (out.empty()) return "";
-    char where[64] = "";
-    if (e.glyph != no_glyph && e.cluster != no_cluster)
-        std::snprintf(where, sizeof where, "glyph %lu, cluster %lu: ", static_cast<unsigned long>(e.glyph),
-                      static_cast<unsigned long>(e.cluster));
-    else if (e.glyph != no_glyph)
-        std::snprintf(where, sizeof where, "glyph %lu: ", static_cast<unsigned long>(e.glyph));
-    else if (e.cluster != no_cluster)
-        std::snprintf(where, sizeof where, "cluster %lu: ", static_cast<unsigned long>(e.cluster));
-    char how_many[48] = "";
-    const char* what = e.option != nullptr ? e.option : "";
-    if (e.count != 0)
-        std::snprintf(how_many, sizeof how_many, " (%llu%s%s)", static_cast<unsigned long long>(e.count),
-                      *what != '\0' ? " " : "", what);
-    else if (*what != '\0')
-        std::snprintf(how_many, sizeof how_many, " (%s)", what);
     std::size_t size = 0;
-    for (const char* words : {static_cast<const char*>(where), e.message(), static_cast<const char*>(how_many)})
+    const auto put = [&](const char* words) noexcept {
         while (*words != '\0' && size + 1 < out.size()) out[size++] = *words++;
+    };
+    const auto put_number = [&](const char* before, std::uint64_t n) noexcept {
+        char digits[21] = {}, *first = digits + 20;
+        do *--first = static_cast<char>('0' + n % 10);
+        while ((n /= 10) != 0);
+        put(before);
+        put(first);
+    };
+    const bool has_glyph = e.glyph != no_glyph, has_cluster = e.cluster != no_cluster;
+    if (has_glyph) put_number("glyph ", e.glyph);
+    if (has_cluster) put_number(has_glyph ? ", cluster " : "cluster ", e.cluster);
+    if (has_glyph || has_cluster) put(": ");
+    put(e.message());
+    const char* what = e.option != nullptr ? e.option : "";
+    if (e.count != 0) put_number(" (", e.count);
+    if (*what != '\0') put(e.count != 0 ? " " : " ("), put(what);
+    if (e.count != 0 || *what != '\0') put(")");
     out[size] = '\0';
     return out.data();
 }
