@@ -44,6 +44,7 @@ public:
     template <extruder Extruder, mesh_sink Sink>
     void vertices(part p, std::size_t first, std::size_t last, const Extruder& how, Sink& sink) const noexcept
     {
+        if (range(p, first, last).vertex_count == 0) return;
         for (std::size_t g = first; g < last; ++g) {
             const drawn_glyph& s = all_->records[g];
             write_vertices(p, s.built->planned<Extruder>(), how, all_->place(s), sink);
@@ -54,6 +55,7 @@ public:
     template <extruder Extruder, mesh_sink Sink>
     void triangles(part p, std::size_t first, std::size_t last, const Extruder& how, Sink& sink) const noexcept
     {
+        if (range(p, first, last).index_count == 0) return;
         const bool turned = all_->placed.frame.turns_triangles();
         for (std::size_t g = first; g < last; ++g) {
             const drawn_glyph& s = all_->records[g];
