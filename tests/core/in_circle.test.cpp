@@ -45,8 +45,8 @@ TEST_CASE("multiplying halves agrees with numbers of 128 bits", "[core][in_circl
         const std::int64_t a = roll(), b = roll(), c = i % 4 == 0 ? -a : roll(), e = i % 8 == 0 ? b : roll();
         const test::oracle::int128 sum = test::oracle::int128{a} * b + test::oracle::int128{c} * e;
         const detail::two_words words = detail::sum_of_products_in_halves(a, b, c, e);
-        const bool equal =
-            words.high == static_cast<std::uint64_t>(sum >> 64) && words.low == static_cast<std::uint64_t>(sum);
+        const bool equal = static_cast<std::int64_t>(words.high) == static_cast<std::int64_t>(sum >> 64) &&
+                           static_cast<std::int64_t>(words.low) == static_cast<std::int64_t>(sum);
         if (!equal) CHECK(equal);
         const detail::two_words chosen = detail::sum_of_products(a, b, c, e);
         const bool agrees = words.high == chosen.high && words.low == chosen.low;
@@ -65,8 +65,8 @@ TEST_CASE("three products are added in halves as in numbers of 128 bits", "[core
             test::oracle::int128{a} * b + test::oracle::int128{c} * e - test::oracle::int128{f} * g;
         for (const detail::two_words words :
              {detail::sum_of_products_in_halves(a, b, c, e, f, g), detail::sum_of_products(a, b, c, e, f, g)}) {
-            const bool equal =
-                words.high == static_cast<std::uint64_t>(sum >> 64) && words.low == static_cast<std::uint64_t>(sum);
+            const bool equal = static_cast<std::int64_t>(words.high) == static_cast<std::int64_t>(sum >> 64) &&
+                               static_cast<std::int64_t>(words.low) == static_cast<std::int64_t>(sum);
             if (!equal) CHECK(equal);
         }
     }

@@ -2,6 +2,7 @@
 
 #include <typemesh/fill/fill.hpp>
 #include <typemesh/inspect/delaunay_check.hpp>
+#include <typemesh/offset/int128.hpp>
 #include <typemesh/triangulate/constrained_delaunay.hpp>
 
 #include "support/catch.hpp"
@@ -69,7 +70,7 @@ TEST_CASE("no diagonal of a Delaunay triangulation can be exchanged unseen", "[i
 #if defined(__SIZEOF_INT128__)
 TEST_CASE("the sides of circles are those of the determinant in 128 bits", "[inspect]")
 {
-    __extension__ using int128 = __int128;
+    using typemesh::detail::int128;
     test::dice d{5};
     int seen[3] = {};
     for (int i = 0; i < 100'000; ++i) {

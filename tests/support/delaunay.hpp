@@ -7,6 +7,7 @@
 
 #include <typemesh/core/region.hpp>
 #include <typemesh/inspect/delaunay_check.hpp>
+#include <typemesh/offset/int128.hpp>
 
 #include <algorithm>
 #include <array>
@@ -17,7 +18,7 @@
 
 namespace test::oracle {
 
-__extension__ using int128 = __int128;
+using int128 = typemesh::detail::int128;
 
 /// What keeps triangles that obey all laws from being the Delaunay ones; empty when nothing does.
 inline std::string broken_delaunay(const typemesh::region& r, std::span<const typemesh::triangle> triangles)

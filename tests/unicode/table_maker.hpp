@@ -55,7 +55,11 @@ inline numbers packed(const numbers& values, int bits)
 /// Cuts values into blocks; gives for each block its number, equal ones have the same.
 inline numbers blocks(const numbers& values, std::size_t size, numbers& different)
 {
-    std::map<numbers, std::uint64_t> known;
+    // Not a < b: libstdc++ 12's looks at too few bytes where the high byte comes first.
+    const auto less = [](const numbers& a, const numbers& b) {
+        return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+    };
+    std::map<numbers, std::uint64_t, decltype(less)> known{less};
     numbers which;
     for (std::size_t i = 0; i < values.size(); i += size) {
         const numbers block(values.begin() + static_cast<std::ptrdiff_t>(i),
