@@ -31,21 +31,32 @@ struct any_solid_data {
 
     // --- as bytes: see plan_arrays
 
-    [[nodiscard]] std::size_t bytes() const noexcept { return 8 + bevels.bytes() + walls.bytes(); }
+    [[nodiscard]] std::size_t bytes() const noexcept { return 8 + bevel_bytes() + walls.bytes(); }
 
-    ///     block   [ where the walls begin ][ bevels ][ walls ]
+    ///     block   [ where the walls begin ][ bevels, if there are any ][ walls ]
     void copy_to(std::byte* block) const noexcept
     {
-        const std::uint64_t of_walls = 8 + bevels.bytes();
+        const std::uint64_t of_walls = 8 + bevel_bytes();
         std::memcpy(block, &of_walls, 8);
-        bevels.copy_to(block + 8);
+        if (of_walls != 8) bevels.copy_to(block + 8);
         walls.copy_to(block + of_walls);
     }
     [[nodiscard]] static view read_from(const std::byte* block) noexcept
     {
         std::uint64_t of_walls = 0;
         std::memcpy(&of_walls, block, 8);
-        return {typemesh::bevel_data::read_from(block + 8), wall_data::read_from(block + of_walls)};
+        view both;
+        if (of_walls != 8) both.bevels = typemesh::bevel_data::read_from(block + 8);
+        both.walls = wall_data::read_from(block + of_walls);
+        return both;
+    }
+
+private:
+    /// None of plain solids: their arrays are read for each letter of a text, and there are many.
+    [[nodiscard]] std::size_t bevel_bytes() const noexcept
+    {
+        const std::size_t of_nothing = typemesh::bevel_data{}.bytes(), own = bevels.bytes();
+        return own == of_nothing ? 0 : own;
     }
 };
 

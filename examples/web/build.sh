@@ -26,7 +26,9 @@ mkdir -p "$work"
 # Objects of other flags stay for the next time.
 objects=$work/objects$(say "$*" | tr -c 'A-Za-z0-9\n' _)
 mkdir -p "$objects" "$(dirname "$output")"
-compiler=(-std=c++20 -fno-exceptions -fno-rtti -DNDEBUG -DHB_CONFIG_OVERRIDE_H='"harfbuzz_config.h"')
+# What every browser has had since 2021. Not -mbulk-memory: its memory.copy is slow to start, and most copies are small.
+features=(-msign-ext -mnontrapping-fptoint)
+compiler=("${features[@]}" -std=c++20 -fno-exceptions -fno-rtti -DNDEBUG -DHB_CONFIG_OVERRIDE_H='"harfbuzz_config.h"')
 folders=(-I"$typemesh_root/include" -I"$typemesh_root/examples" -I"$typemesh_root/examples/text_to_mesh" -I"$web"
     -isystem "$work/harfbuzz/src")
 sources=("$work/harfbuzz/src/harfbuzz.cc" "$typemesh_root/examples/text_to_mesh/policies.cpp" "$web"/{settings,text_maker,text_writer,session,mesh_checks,exports}.cpp)
@@ -36,8 +38,8 @@ flags_for() {  # flags_for SOURCE FLAG...
     local source=$1
     shift
     case $#$source in
-        0*text_writer.cpp) say -O2 ;;
-        0*text_maker.cpp) say "-Os -finline-functions" ;;
+        0*text_writer.cpp) say "-O2 -fno-unroll-loops" ;;
+        0*text_maker.cpp) say "-Os -finline-functions -fno-unroll-loops" ;;
         0*) say "-Oz -finline-functions" ;;
         *) say "$*" ;;
     esac
@@ -75,7 +77,7 @@ while [ ${#running[@]} -gt 0 ]; do wait_for_first; done
 exports=$(sed -nE 's/^TYPEMESH_WEB_EXPORT [^(]*[ *](web_[a-z_]+)\(.*/_\1/p' "$web/exports.cpp" | tr '\n' ,)
 [ $# -gt 0 ] || set -- -Oz
 [ -z "${TYPEMESH_WEB_NAMES:-}" ] || set -- "$@" --profiling-funcs
-em++ "$@" --no-entry -fno-exceptions -fno-rtti "$objects"/*.o -o "$work/typemesh.part.wasm" -s STANDALONE_WASM=1 \
+em++ "$@" "${features[@]}" --no-entry -fno-exceptions -fno-rtti "$objects"/*.o -o "$work/typemesh.part.wasm" -s STANDALONE_WASM=1 \
     -s "EXPORTED_FUNCTIONS=${exports}_malloc,_free" -s ALLOW_MEMORY_GROWTH=1 -s MAXIMUM_MEMORY=4GB -s INITIAL_MEMORY=16MB \
     -s TOTAL_STACK=1MB -s ABORTING_MALLOC=0 -s FILESYSTEM=0 -s ERROR_ON_UNDEFINED_SYMBOLS=1
 mv "$work/typemesh.part.wasm" "$output"

@@ -10,8 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdio>
 #include <string>
 
 #define TYPEMESH_WEB_EXPORT extern "C" __attribute__((used, visibility("default")))
@@ -115,10 +113,9 @@ TYPEMESH_WEB_EXPORT const failure* web_failure() { return &last; }
 
 TYPEMESH_WEB_EXPORT const char* web_version()
 {
-    static char version[32];
-    std::snprintf(version, sizeof version, "%d.%d.%d", TYPEMESH_VERSION_MAJOR, TYPEMESH_VERSION_MINOR,
-                  TYPEMESH_VERSION_PATCH);
-    return version;
+#define TYPEMESH_WEB_WORD(number) #number
+#define TYPEMESH_WEB_VERSION(a, b, c) TYPEMESH_WEB_WORD(a) "." TYPEMESH_WEB_WORD(b) "." TYPEMESH_WEB_WORD(c)
+    return TYPEMESH_WEB_VERSION(TYPEMESH_VERSION_MAJOR, TYPEMESH_VERSION_MINOR, TYPEMESH_VERSION_PATCH);
 }
 
 /// A line an option: name, kind, choices, default, with tabs between.
@@ -127,11 +124,8 @@ TYPEMESH_WEB_EXPORT const char* web_options()
     static std::string all;
     constexpr const char* kinds[] = {"number", "boolean", "choice", "string", "numbers", "features"};
     all.clear();
-    for (const option& o : all_options()) {
-        char usual[32] = "";
-        if (!std::isnan(o.usual)) std::snprintf(usual, sizeof usual, "%g", o.usual);
-        all += std::string{o.name} + '\t' + kinds[static_cast<int>(o.kind)] + '\t' + o.choices + '\t' + usual + '\n';
-    }
+    for (const option& o : all_options())
+        all += std::string{o.name} + '\t' + kinds[static_cast<int>(o.kind)] + '\t' + o.choices + '\t' + o.usual + '\n';
     return all.c_str();
 }
 

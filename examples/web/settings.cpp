@@ -4,15 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 
 namespace typemesh_web {
 namespace {
 
 using namespace text_to_mesh;
 using kind = option_kind;
-
-constexpr double follows = std::numeric_limits<double>::quiet_NaN();
 
 /// Choices stand in the order of their enumeration.
 template <auto Member>
@@ -90,49 +87,49 @@ void set_wrap(settings& to, double value)
 using paragraph = typemesh::paragraph_options;
 
 constexpr option table[] = {
-    {"size", kind::number, "", 1.0, set_number<&options::size>},
-    {"depth", kind::number, "", 0.2, set_number<&options::depth>},
-    {"quality", kind::choice, "high|low|normal|best", 0.0, set_quality},
-    {"tolerance", kind::number, "", follows, set_number<&options::tolerance>},
-    {"discretiser", kind::choice, "certified|two_lines|adaptive", 0.0, set_choice<&options::discretiser>},
-    {"triangulator", kind::choice, "monotone|delaunay", 0.0, set_choice<&options::triangulator>},
-    {"fill", kind::choice, "font|non_zero|even_odd", 0.0, set_fill},
-    {"normals", kind::choice, "curve|creased|averaged|shared|cap", 0.0, set_normals},
-    {"crease", kind::number, "", follows, [](settings& to, double n) { to.chosen.crease = static_cast<float>(n); }},
-    {"uv", kind::choice, "em|box", 0.0, set_mapping},
-    {"bevel.width", kind::number, "", 0.0, set_inner_number<&options::bevel, &bevel_options::width>},
-    {"bevel.depth", kind::number, "", follows, [](settings& to, double n) { to.bevel_depth = static_cast<float>(n); }},
-    {"bevel.profile", kind::choice, "chamfer|round|concave|stepped|engraved|points", 0.0,
+    {"size", kind::number, "", "1", set_number<&options::size>},
+    {"depth", kind::number, "", "0.2", set_number<&options::depth>},
+    {"quality", kind::choice, "high|low|normal|best", "", set_quality},
+    {"tolerance", kind::number, "", "", set_number<&options::tolerance>},
+    {"discretiser", kind::choice, "certified|two_lines|adaptive", "", set_choice<&options::discretiser>},
+    {"triangulator", kind::choice, "monotone|delaunay", "", set_choice<&options::triangulator>},
+    {"fill", kind::choice, "font|non_zero|even_odd", "", set_fill},
+    {"normals", kind::choice, "curve|creased|averaged|shared|cap", "", set_normals},
+    {"crease", kind::number, "", "", [](settings& to, double n) { to.chosen.crease = static_cast<float>(n); }},
+    {"uv", kind::choice, "em|box", "", set_mapping},
+    {"bevel.width", kind::number, "", "0", set_inner_number<&options::bevel, &bevel_options::width>},
+    {"bevel.depth", kind::number, "", "", [](settings& to, double n) { to.bevel_depth = static_cast<float>(n); }},
+    {"bevel.profile", kind::choice, "chamfer|round|concave|stepped|engraved|points", "",
      set_inner_choice<&options::bevel, &bevel_options::profile>},
-    {"bevel.points", kind::numbers, "", 0.0,
+    {"bevel.points", kind::numbers, "", "",
      [](settings& to, double n) { to.profile.push_back(static_cast<float>(n)); }},
-    {"bevel.steps", kind::number, "", 0.0, set_inner_number<&options::bevel, &bevel_options::steps>},
-    {"bevel.mode", kind::choice, "clip|fit|fit_text", 0.0, set_inner_choice<&options::bevel, &bevel_options::mode>},
-    {"bevel.sides", kind::choice, "both|front|back", 0.0, set_inner_choice<&options::bevel, &bevel_options::sides>},
-    {"bevel.outward", kind::boolean, "", 0.0, set_inner_number<&options::bevel, &bevel_options::outward>},
-    {"embolden", kind::number, "", 0.0, set_number<&options::embolden>},
-    {"outline.width", kind::number, "", 0.0, set_inner_number<&options::outline, &outline_options::width>},
-    {"outline.place", kind::choice, "inner|outer|centre", 0.0, set_place},
-    {"outline.letter", kind::boolean, "", 0.0, set_inner_number<&options::outline, &outline_options::letter>},
-    {"merge", kind::boolean, "", follows, [](settings& to, double n) { to.merge = n != 0.0; }},
-    {"width", kind::number, "", follows, set_inner_number<&options::lines, &paragraph::width>},
-    {"wrap", kind::choice, "word_or_grapheme|word|grapheme|none", 0.0, set_wrap},
-    {"align", kind::choice, "start|end|left|centre|right|justify", 0.0,
+    {"bevel.steps", kind::number, "", "0", set_inner_number<&options::bevel, &bevel_options::steps>},
+    {"bevel.mode", kind::choice, "clip|fit|fit_text", "", set_inner_choice<&options::bevel, &bevel_options::mode>},
+    {"bevel.sides", kind::choice, "both|front|back", "", set_inner_choice<&options::bevel, &bevel_options::sides>},
+    {"bevel.outward", kind::boolean, "", "0", set_inner_number<&options::bevel, &bevel_options::outward>},
+    {"embolden", kind::number, "", "0", set_number<&options::embolden>},
+    {"outline.width", kind::number, "", "0", set_inner_number<&options::outline, &outline_options::width>},
+    {"outline.place", kind::choice, "inner|outer|centre", "", set_place},
+    {"outline.letter", kind::boolean, "", "0", set_inner_number<&options::outline, &outline_options::letter>},
+    {"merge", kind::boolean, "", "", [](settings& to, double n) { to.merge = n != 0.0; }},
+    {"width", kind::number, "", "", set_inner_number<&options::lines, &paragraph::width>},
+    {"wrap", kind::choice, "word_or_grapheme|word|grapheme|none", "", set_wrap},
+    {"align", kind::choice, "start|end|left|centre|right|justify", "",
      set_inner_choice<&options::lines, &paragraph::align>},
-    {"justify", kind::choice, "spaces|letters|kashida", 0.0, set_inner_choice<&options::lines, &paragraph::justify>},
-    {"breaker", kind::choice, "first_fit|total_fit", 0.0, set_number<&options::even_lines>},
-    {"anchor", kind::choice, "first_baseline|last_baseline|top|middle|bottom", 0.0,
+    {"justify", kind::choice, "spaces|letters|kashida", "", set_inner_choice<&options::lines, &paragraph::justify>},
+    {"breaker", kind::choice, "first_fit|total_fit", "", set_number<&options::even_lines>},
+    {"anchor", kind::choice, "first_baseline|last_baseline|top|middle|bottom", "",
      set_inner_choice<&options::lines, &paragraph::anchor>},
-    {"direction", kind::choice, "automatic|ltr|rtl|ttb", 0.0, set_choice<&options::direction>},
-    {"letterSpacing", kind::number, "", follows, [](settings& to, double n) { to.letter_spacing = n; }},
-    {"lineSpacing", kind::number, "", 1.0, set_number<&options::line_spacing>},
-    {"indent", kind::number, "", 0.0, set_inner_number<&options::lines, &paragraph::indent>},
-    {"mostLines", kind::number, "", follows, set_inner_number<&options::lines, &paragraph::most_lines>},
-    {"ellipsis", kind::string, "", 0.0, nullptr, [](settings& to, std::u16string_view s) { to.ellipsis = s; }},
+    {"direction", kind::choice, "automatic|ltr|rtl|ttb", "", set_choice<&options::direction>},
+    {"letterSpacing", kind::number, "", "", [](settings& to, double n) { to.letter_spacing = n; }},
+    {"lineSpacing", kind::number, "", "1", set_number<&options::line_spacing>},
+    {"indent", kind::number, "", "0", set_inner_number<&options::lines, &paragraph::indent>},
+    {"mostLines", kind::number, "", "", set_inner_number<&options::lines, &paragraph::most_lines>},
+    {"ellipsis", kind::string, "", "", nullptr, [](settings& to, std::u16string_view s) { to.ellipsis = s; }},
     {"features", kind::features},
-    {"language", kind::string, "", 0.0, nullptr, set_ascii<&options::language>},
-    {"script", kind::string, "", 0.0, nullptr, set_ascii<&options::script>},
-    {"cached", kind::boolean, "", 1.0, [](settings& to, double n) { to.cached = n != 0.0; }},
+    {"language", kind::string, "", "", nullptr, set_ascii<&options::language>},
+    {"script", kind::string, "", "", nullptr, set_ascii<&options::script>},
+    {"cached", kind::boolean, "", "1", [](settings& to, double n) { to.cached = n != 0.0; }},
 };
 
 /// The number of a choice, or -1.

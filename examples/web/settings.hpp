@@ -34,7 +34,7 @@ struct option {
     const char* name;
     option_kind kind;
     const char* choices = "";                  ///< with "|" between; the first is the default
-    double usual = 0.0;                        ///< of a number or a boolean; NaN: it follows from others
+    const char* usual = "";                    ///< the default of a number or a boolean; empty: it follows from others
     void (*set)(settings&, double) = nullptr;  ///< to a number, to 0 or 1, to the number of a choice, or add a number
     void (*set_text)(settings&, std::u16string_view) = nullptr;
 };

@@ -44,11 +44,20 @@ text_options text_options_of(const text_to_mesh::options& o)
     return how;
 }
 
+/// What all makers have in common; take() sets the policies' options.
+auto cached_mesher(font_set& fonts, glyph_cache<>& cache)
+{
+    return text_mesher{fonts}
+        .with(any_discretiser{})
+        .with(text_to_mesh::chosen_triangulator{})
+        .with(cached_in{cache, 1});
+}
+
 template <extruder Extruder>
 class maker_of final : public text_maker {
 public:
     maker_of(const text_to_mesh::options& o, font_set& fonts, glyph_cache<>& cache)
-        : fonts_{&fonts}, mesher_{mesher_with(o, fonts, cache)}
+        : fonts_{&fonts}, mesher_{cached_mesher(fonts, cache).with(Extruder{})}
     {
         (void)take(o);
     }
@@ -81,16 +90,7 @@ public:
     }
 
 private:
-    static auto mesher_with(const text_to_mesh::options& o, font_set& fonts, glyph_cache<>& cache)
-    {
-        return text_mesher{fonts}
-            .with(any_discretiser{text_to_mesh::discretiser_of(o, fonts.units_per_em())})
-            .with(text_to_mesh::triangulator_of(o))
-            .with(std::get<Extruder>(typemesh_web::extruder_of(o)))
-            .with(cached_in{cache, 1});
-    }
-    using mesher = decltype(mesher_with(std::declval<const text_to_mesh::options&>(), std::declval<font_set&>(),
-                                        std::declval<glyph_cache<>&>()));
+    using mesher = decltype(cached_mesher(std::declval<font_set&>(), std::declval<glyph_cache<>&>()).with(Extruder{}));
 
     font_set* fonts_;
     text_to_mesh::options options_;  // the texts in them are read while a plan is made
