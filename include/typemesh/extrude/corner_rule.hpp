@@ -14,7 +14,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// keep the limit.
 enum class bevel_joins : std::uint8_t { round, bevelled };
 
-/// What becomes of the corners that edges move away from.
+/// What becomes of the corners that edges move away from. The limit is that of the corners of the letter; one that
+/// arises on the way, where corners have met, may move farther.
 struct corner_rule {
     bevel_joins joins = bevel_joins::round;
     float mitre_limit = 4.0f;  ///< at least 1; 0: none, but for needles' tips
