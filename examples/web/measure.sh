@@ -50,7 +50,7 @@ EOF
         "$(em++ --version | head -n 1 | sed -E 's/ \(Emscripten.*\) / /; s/ \(\)//')" "$(node --version)"
     cat <<'EOF'
 
-"As it comes" (see [build.sh](../../examples/web/build.sh)) is below 1 MB (2^20 bytes); `examples/web/build.sh -O3` is half as large again
+"As it comes" (see [build.sh](../../examples/web/build.sh)) is below 1 MB; `examples/web/build.sh -O3` is half as large again
 and up to a third faster. With emscripten's plain `-Oz` nothing is inlined. SIMD gains little: the work is branches and integers.
 EOF
     printf '\n## Size\n\nBytes without fonts, and compressed as servers send it (gzip).\n\n| flags | bytes | compressed |\n|---|---:|---:|\n%s' "$sizes"
