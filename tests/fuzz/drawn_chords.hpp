@@ -24,13 +24,13 @@ public:
         FT_Face face = font.handle();  // of which a font unit is a pixel
         if (FT_Load_Glyph(face, glyph, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP | FT_LOAD_IGNORE_TRANSFORM)) return;
         FT_Outline_Funcs calls{};
-        calls.move_to = [](const FT_Vector* p, void* to) { return of(to).move(p->x / 64.0, p->y / 64.0); };
-        calls.line_to = [](const FT_Vector* p, void* to) { return of(to).line(p->x / 64.0, p->y / 64.0); };
+        calls.move_to = [](const FT_Vector* p, void* to) { return of(to).move(units(p->x), units(p->y)); };
+        calls.line_to = [](const FT_Vector* p, void* to) { return of(to).line(units(p->x), units(p->y)); };
         calls.conic_to = [](const FT_Vector* c, const FT_Vector* p, void* to) {
-            return of(to).quadratic(c->x / 64.0, c->y / 64.0, p->x / 64.0, p->y / 64.0);
+            return of(to).quadratic(units(c->x), units(c->y), units(p->x), units(p->y));
         };
         calls.cubic_to = [](const FT_Vector* c, const FT_Vector* d, const FT_Vector* p, void* to) {
-            return of(to).cubic(c->x / 64.0, c->y / 64.0, d->x / 64.0, d->y / 64.0, p->x / 64.0, p->y / 64.0);
+            return of(to).cubic(units(c->x), units(c->y), units(d->x), units(d->y), units(p->x), units(p->y));
         };
         FT_Outline_Decompose(&face->glyph->outline, &calls, this);
         close();
@@ -102,6 +102,7 @@ private:
     struct chord {
         double x0, y0, x1, y1;
     };
+    static double units(FT_Pos v) noexcept { return static_cast<double>(v) / 64.0; }
     static drawn_chords& of(void* data) noexcept { return *static_cast<drawn_chords*>(data); }
 
     int move(double x, double y)

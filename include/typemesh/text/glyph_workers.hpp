@@ -65,7 +65,7 @@ class glyph_workers {
     static constexpr std::size_t header = (sizeof(block) + alignof(member) - 1) / alignof(member) * alignof(member);
 
 public:
-    static constexpr bool is_alone = false;
+    static constexpr bool is_alone = false;  ///< see plan_workers
 
     /// Fails  with the first error of clone(); error::out_of_memory
     template <source_maker Clone>
