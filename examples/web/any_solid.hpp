@@ -17,9 +17,16 @@ namespace typemesh_web {
 /// The plan data of any_solid: that of bevels, or that of plain walls. The other is empty.
 struct any_solid_data {
     using wall_data = text_to_mesh::unbevelled_extruder::plan_data;
+    /// Bevels are looked up when they are asked for: plain solids are read for each letter of a text, and there are many.
     struct view {
-        typemesh::bevel_data::view bevels;
-        wall_data::view walls;
+        const typemesh::bevel_data* live = nullptr;  // or stored
+        const std::byte* stored = nullptr;
+        wall_data::view walls = {};
+
+        [[nodiscard]] typemesh::bevel_data::view bevels() const noexcept
+        {
+            return live != nullptr ? live->read() : typemesh::bevel_data::read_from(stored);
+        }
     };
 
     typemesh::bevel_data bevels;
@@ -27,36 +34,25 @@ struct any_solid_data {
 
     explicit any_solid_data(typemesh::memory source = typemesh::heap()) noexcept : bevels{source}, walls{source} {}
     void clear() noexcept { bevels.clear(), walls.clear(); }
-    [[nodiscard]] view read() const noexcept { return {bevels.read(), walls.read()}; }
+    [[nodiscard]] view read() const noexcept { return {&bevels, nullptr, walls.read()}; }
 
     // --- as bytes: see plan_arrays
 
-    [[nodiscard]] std::size_t bytes() const noexcept { return 8 + bevel_bytes() + walls.bytes(); }
+    [[nodiscard]] std::size_t bytes() const noexcept { return 8 + bevels.bytes() + walls.bytes(); }
 
-    ///     block   [ where the walls begin ][ bevels, if there are any ][ walls ]
+    ///     block   [ where the bevels begin ][ walls ][ bevels ]
     void copy_to(std::byte* block) const noexcept
     {
-        const std::uint64_t of_walls = 8 + bevel_bytes();
-        std::memcpy(block, &of_walls, 8);
-        if (of_walls != 8) bevels.copy_to(block + 8);
-        walls.copy_to(block + of_walls);
+        const std::uint64_t of_bevels = 8 + walls.bytes();
+        std::memcpy(block, &of_bevels, 8);
+        walls.copy_to(block + 8);
+        bevels.copy_to(block + of_bevels);
     }
     [[nodiscard]] static view read_from(const std::byte* block) noexcept
     {
-        std::uint64_t of_walls = 0;
-        std::memcpy(&of_walls, block, 8);
-        view both;
-        if (of_walls != 8) both.bevels = typemesh::bevel_data::read_from(block + 8);
-        both.walls = wall_data::read_from(block + of_walls);
-        return both;
-    }
-
-private:
-    /// None of plain solids: their arrays are read for each letter of a text, and there are many.
-    [[nodiscard]] std::size_t bevel_bytes() const noexcept
-    {
-        const std::size_t of_nothing = typemesh::bevel_data{}.bytes(), own = bevels.bytes();
-        return own == of_nothing ? 0 : own;
+        std::uint64_t of_bevels = 0;
+        std::memcpy(&of_bevels, block, 8);
+        return {nullptr, block + of_bevels, wall_data::read_from(block + 8)};
     }
 };
 
@@ -127,7 +123,7 @@ struct any_solid {
     }
 
 private:
-    static typemesh::solid_with<typemesh::bevel_data> of_bevels(const solid& s) noexcept { return {s, s.data.bevels}; }
+    static typemesh::solid_with<typemesh::bevel_data> of_bevels(const solid& s) noexcept { return {s, s.data.bevels()}; }
     static typemesh::solid_with<any_solid_data::wall_data> of_walls(const solid& s) noexcept
     {
         return {s, s.data.walls};
