@@ -123,7 +123,10 @@ struct any_solid {
     }
 
 private:
-    static typemesh::solid_with<typemesh::bevel_data> of_bevels(const solid& s) noexcept { return {s, s.data.bevels()}; }
+    static typemesh::solid_with<typemesh::bevel_data> of_bevels(const solid& s) noexcept
+    {
+        return {s, s.data.bevels()};
+    }
     static typemesh::solid_with<any_solid_data::wall_data> of_walls(const solid& s) noexcept
     {
         return {s, s.data.walls};
