@@ -75,11 +75,14 @@ while [ ${#running[@]} -gt 0 ]; do wait_for_first; done
 [ -z "$failed" ] || stop "The build has failed."
 
 exports=$(sed -nE 's/^TYPEMESH_WEB_EXPORT [^(]*[ *](web_[a-z_]+)\(.*/_\1/p' "$web/exports.cpp" | tr '\n' ,)
-[ $# -gt 0 ] || set -- -Oz
+smaller=  # linked for speed and then optimised for size: both alone are larger or slower
+[ $# -gt 0 ] || { set -- -O3 && smaller=yes; }
 [ -z "${TYPEMESH_WEB_NAMES:-}" ] || set -- "$@" --profiling-funcs
 em++ "$@" "${features[@]}" --no-entry -fno-exceptions -fno-rtti "$objects"/*.o -o "$work/typemesh.part.wasm" -s STANDALONE_WASM=1 \
     -s "EXPORTED_FUNCTIONS=${exports}_malloc,_free" -s ALLOW_MEMORY_GROWTH=1 -s MAXIMUM_MEMORY=4GB -s INITIAL_MEMORY=16MB \
     -s TOTAL_STACK=1MB -s ABORTING_MALLOC=0 -s FILESYSTEM=0 -s ERROR_ON_UNDEFINED_SYMBOLS=1
+[ -z "$smaller" ] || wasm-opt -Oz ${TYPEMESH_WEB_NAMES:+-g} --enable-sign-ext --enable-nontrapping-float-to-int \
+    "$work/typemesh.part.wasm" -o "$work/typemesh.part.wasm"
 mv "$work/typemesh.part.wasm" "$output"
 cp "$typemesh_root/LICENSE" "$web/package/"  # for npm pack
 say "$output: $(wc -c <"$output") bytes, $(gzip -9c "$output" | wc -c) compressed by gzip"

@@ -38,7 +38,7 @@ fi
 
 rm -rf "$site" && mkdir -p "$site/three/addons" "$site/fonts"
 cp "$web/page/"* "$web/package/typemesh.js" "$web/package/typemesh.wasm" "$site/"
-cp "$npm/node_modules/three/build/"three.*.js "$site/three/"
+cp "$npm/node_modules/three/build/"three.{module,core}.js "$site/three/"
 for folder in controls exporters utils; do cp -R "$npm/node_modules/three/examples/jsm/$folder" "$site/three/addons/"; done
 
 # The fonts that are there, the first one being what the page begins with.
