@@ -152,7 +152,10 @@ inline const char* describe(const error& e, std::span<char> out) noexcept
     put(e.message());
     const char* what = e.option != nullptr ? e.option : "";
     if (e.count != 0) put_number(" (", e.count);
-    if (*what != '\0') put(e.count != 0 ? " " : " ("), put(what);
+    if (*what != '\0') {
+        put(e.count != 0 ? " " : " (");
+        put(what);
+    }
     if (e.count != 0 || *what != '\0') put(")");
     out[size] = '\0';
     return out.data();
