@@ -10,11 +10,11 @@ usage: tests/run.sh [--with TIER[,TIER...]] [--only TIER[,TIER...]] [--all]
 
 Installs what is missing, builds and runs the tests, those of the tier gcc by default. The tiers:
   gcc        all tests of the core and its adapters with g++
-  clang      the tests of the core and the adapters with clang++
+  clang      the tests of the core and the adapters with clang++; the benchmarks are built
   sanitize   the tests of what touches memory most, under the address and undefined behaviour sanitizers of clang++ and g++
   tsan       the tests that use threads with g++ under the thread sanitizer
   windows    the tests of the core and of DirectWrite as Windows programs (mingw-w64), run under Wine
-  external   other people's tools (admesh, OpenSCAD, gltf-validator) read what text_to_mesh writes; the benchmarks are built
+  external   other people's tools (admesh, OpenSCAD, gltf-validator) read what text_to_mesh writes
   engines    engines themselves take what the recipes write and draw it: OpenGL, OpenSceneGraph, Irrlicht, OGRE, Qt, VTK;
              Godot and three.js read what text_to_mesh writes
   web        examples/web: the library as WebAssembly in node, its meshes those of a native program; the page in Chromium
@@ -117,7 +117,7 @@ tier_gcc() {
     test_preset fast-math typemesh_tests
 }
 tier_clang() {
-    install_missing clang++
+    install_missing clang++ benchmark
     test_preset clang
 }
 tier_sanitize() {
@@ -181,11 +181,10 @@ install_npm() {  # install_npm FOLDER PACKAGE VERSION
 }
 
 tier_external() {
-    install_missing benchmark
     (install_missing admesh openscad node npm) || say "Going on without them: the tests that need them are skipped."
     (install_missing lib3mf) || say "Going on without it: text_to_mesh writes no 3MF."
     mkdir -p "$typemesh_root/build/external"
-    build release
+    build release text_to_mesh
     install_npm external gltf-validator 2.0.0-dev.3.10
     run_scripts external
 }
