@@ -33,7 +33,7 @@ targets() {
 compile() {  # compile TARGET, if anything that it includes has changed
     local libraries=
     if [ -x "$build/$1" ] && ! sed -e 's/^[^:]*://' -e 's/\\$//' "$build/$1.d" | tr -s ' ' '\n' | sed '/^$/d' |
-        xargs -d '\n' sh -c 'for f; do [ "$f" -ot "$0" ] || echo "$f"; done' "$build/$1" | grep -q .; then
+        xargs -d '\n' sh -c 'for f; do [ "$f" -ot "$0" ] || echo "$f"; done' "$build/$1" | grep . >/dev/null; then
         return
     fi
     echo "$1: compiling"
