@@ -143,9 +143,9 @@ tier_windows() {
 # Runs the scripts of a folder of tests/, each with build/FOLDER as its own: 0 passed, 77 skipped with the reason on the last
 # line, anything else failed. They find the tool in TYPEMESH_TEXT_TO_MESH, tests/ in TYPEMESH_TEST_DATA, the program of
 # tests/engines in TYPEMESH_TEST_ENGINES, npm's packages by NODE_PATH.
-run_scripts() {  # run_scripts FOLDER
+run_scripts() {  # run_scripts FOLDER [PRESET, which has built the tool: release by default]
     local script name status output work=$typemesh_root/build/$1
-    export TYPEMESH_TEXT_TO_MESH=$typemesh_root/build/release/examples/text_to_mesh
+    export TYPEMESH_TEXT_TO_MESH=$typemesh_root/build/${2:-release}/examples/text_to_mesh
     export TYPEMESH_TEST_DATA=$typemesh_root/tests
     for script in gcc clang; do  # the first that has built it
         TYPEMESH_TEST_ENGINES=$typemesh_root/build/$script/tests/typemesh_test_engines
@@ -184,9 +184,9 @@ tier_external() {
     (install_missing admesh openscad node npm) || say "Going on without them: the tests that need them are skipped."
     (install_missing lib3mf) || say "Going on without it: text_to_mesh writes no 3MF."
     mkdir -p "$typemesh_root/build/external"
-    build release text_to_mesh
+    build gcc text_to_mesh  # which is there already, if that tier has run
     install_npm external gltf-validator 2.0.0-dev.3.10
-    run_scripts external
+    run_scripts external gcc
 }
 
 # VTK, 750 MB with all that it needs, is taken where it is there already.

@@ -250,8 +250,8 @@ check "it says that it got no further" says 'broken off while setting up'
 mv "$scratch/ninja" "$bin/ninja"
 
 # --- tests/run.sh: the tiers that are scripts
-for tier in external:external engines:engines_run; do
-    folder=${tier#*:} tier=${tier%:*}
+for tier in external:external:gcc engines:engines_run:release; do
+    IFS=: read -r tier folder preset <<<"$tier"
     mkdir -p "$tree/tests/$folder"
     # shellcheck disable=SC2016  # for the script
     printf 'echo "$TYPEMESH_TEXT_TO_MESH|$TYPEMESH_TEST_DATA|$PWD" >>"$scratch/calls"\n' >"$tree/tests/$folder/a.sh"
@@ -261,8 +261,8 @@ for tier in external:external engines:engines_run; do
     check "$tier: what is skipped says why, once more at the end" [ "$(grep -c "skipped: $folder/b: there is no such engine" "$scratch/out")" = 2 ]
     check "$tier: a script that is skipped is no failure" succeeds
     check "$tier: scripts find the tool and the tests' files, and run in a folder of their own" \
-        called "^$tree/build/release/examples/text_to_mesh\|$tree/tests\|$tree/build/$folder\$"
-    check "$tier: the tool is built first" called 'cmake --build .*build/release'
+        called "^$tree/build/$preset/examples/text_to_mesh\|$tree/tests\|$tree/build/$folder\$"
+    check "$tier: the tool is built first" called "cmake --build .*build/$preset"
     check "$tier: what cannot be installed does not stop the others" says 'Going on without'
     printf 'echo "a pixel of a back face"\nexit 1\n' >"$tree/tests/$folder/c.sh"
     again && run tests/run.sh --only $tier
