@@ -243,15 +243,22 @@ TEST_CASE("beside an instant corner a triangle closes up now", "[offset][collaps
 TEST_CASE("a segment without length is gone unless it grows from the start", "[offset][collapse_times]")
 {
     struct {
-        std::int64_t since, rate;
+        std::int64_t length, since, rate;
         bool goes;
-    } constexpr cases[] = {{0, 0, true}, {0, time_one, false}, {0, -time_one, true}, {5, time_one, true}};
+    } constexpr cases[] = {{0, 0, 0, true},
+                           {0, 0, time_one, false},
+                           {0, 0, -time_one, true},
+                           {cell / 32, 9 * time_one, 0, true},
+                           {cell / 32, 9 * time_one, time_one, true},
+                           {cell / 8, 9 * time_one, time_one, false},
+                           {cell / 32, time_one / 2, time_one, false},  // a join's, which turns by a few degrees
+                           {cell / 256, time_one / 2, time_one, true}};
     for (const auto& c : cases) {
         lone_triangle t{{0, 0}, {9 * cell, 0}, {50 * cell, 300 * cell}, 10 * time_one};
         t.put_segment(0);
-        t.mesh.vertices[1].moves = {{cell / 32, 0}, c.since, {{c.rate, time_one}, false}};
+        t.mesh.vertices[1].moves = {{c.length, 0}, c.since, {{c.rate, time_one}, false}};
         t.speed(0).y = time_one;
-        t.times.now = c.since;
+        t.mesh.vertices[0].moves.since = t.times.now = c.since;
         CHECK(t.find() == c.goes);
         if (c.goes) CHECK((t.found.what == kind::shrink && t.found.time == c.since));
     }

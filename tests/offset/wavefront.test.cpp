@@ -4,6 +4,7 @@
 
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/fill/fill.hpp>
+#include <typemesh/inspect/polyline.hpp>
 #include <typemesh/triangulate/monotone.hpp>
 
 #include "support/catch.hpp"
@@ -52,6 +53,14 @@ struct swept {
 test::polyline rectangle(int x, int y, int width, int height)
 {
     return {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}};
+}
+
+void open_cells(detail::wavefront& front)
+{
+    for (std::uint32_t s = 0; s < front.mesh.segments.size(); ++s) {
+        const auto& one = front.mesh.segments[s];
+        front.ends_of[s] = front.outlines.open(one.line, front.node_of[one.from], front.node_of[one.to]);
+    }
 }
 
 }  // namespace
@@ -116,6 +125,43 @@ TEST_CASE("a reflex corner sharper than the limit is joined, and its cap is with
     CHECK(joined.twice_swept() > 0.0);
 }
 
+TEST_CASE("a hole of a few cells keeps its round joins and grows to a disc")
+{
+    // Its tips are so near each other that edges meet their round joins when these are short.
+    const test::polyline needle{{-7, -8}, {-5, -3}, {-8, -8}, {-4, -1}};
+    for (const int turn : {0, 1, 2, 3}) {
+        test::polyline hole;
+        for (const grid_point p : needle)
+            hole.push_back(turn == 0   ? p
+                           : turn == 1 ? grid_point{-p.y, p.x}
+                           : turn == 2 ? grid_point{-p.x, -p.y}
+                                       : grid_point{p.y, -p.x});
+        constexpr double width = 1000.0, pi = 3.14159265358979;
+        const swept s{{rectangle(-2 * cells, -2 * cells, 4 * cells, 4 * cells), hole}, {0.0, width}, 1.0};
+        REQUIRE(s.out.cap.contour_count() == 2);
+        const double hollow = -0.5 * static_cast<double>(inspect::doubled_area(inspect::loops_of(s.out.cap))) +
+                              4.0 * (2.0 * cells - width) * (2.0 * cells - width);
+        CHECK(hollow > pi * width * width);
+        CHECK(hollow < pi * (1.01 * width + 10.0) * (1.01 * width + 10.0));
+    }
+}
+
+TEST_CASE("a wavefront that loses a hole stops, and says that memory has not run out", "[offset]")
+{
+    detail::wavefront front{heap()};
+    test::set_up(front,
+                 {"frame", {rectangle(0, 0, 9000, 9000), {{4000, 4000}, {4000, 5000}, {5000, 5000}, {5000, 4000}}}});
+    for (auto& v : front.mesh.vertices) {
+        const bool in_hole = v.moves.start.x % (9000 * detail::place_one) != 0;
+        if (in_hole) v.moves.speed.of = {-v.moves.speed.of.x, -v.moves.speed.of.y};  // as no hole moves
+    }
+    open_cells(front);
+    constexpr std::int64_t end = 3000 * detail::time_one;
+    REQUIRE(front.start(end));
+    CHECK_FALSE(front.advance(end, 0));
+    CHECK_FALSE(front.has_failed());
+}
+
 TEST_CASE("a wavefront whose flips reach their limit stops, and says that memory has not run out", "[offset]")
 {
     const test::shape plate = test::circle_with_holes(24, 5);
@@ -123,10 +169,7 @@ TEST_CASE("a wavefront whose flips reach their limit stops, and says that memory
     for (const bool ends : {false, true}) {
         detail::wavefront front{heap()};
         test::set_up(front, plate);
-        for (std::uint32_t s = 0; s < front.mesh.segments.size(); ++s) {
-            const auto& one = front.mesh.segments[s];
-            front.ends_of[s] = front.outlines.open(one.line, front.node_of[one.from], front.node_of[one.to]);
-        }
+        open_cells(front);
         if (!ends) front.flips_a_triangle = 0;
         REQUIRE(front.start(end));
         CHECK(front.advance(end, 0) == ends);

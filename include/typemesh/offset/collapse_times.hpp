@@ -41,7 +41,7 @@ public:
             if (segments != 1) continue;  // between two segments the angle is constant
             const std::int64_t meets = later(meets_at(s, tri.corner[(k + 2) % 3]), calm);
             if (meets < found.time) found = {meets, t, tri.stamp, collapse::kind::meet, k, 0};
-            if (meets == now && length(s) <= slip_along) found = {now, t, tri.stamp, collapse::kind::shrink, k, 0};
+            if (meets == now && length(s) <= no_length()) found = {now, t, tri.stamp, collapse::kind::shrink, k, 0};
         }
         if (found.time > limit) return false;
         if (found.what >= collapse::kind::meet) found.reach = reach(tri, found.time);
@@ -102,8 +102,16 @@ private:
         const moving_point &from = of_.vertices[s.from].moves, &to = of_.vertices[s.to].moves;
         const int128 size = length(s), rate = dot(of_.lines[s.line].along, to.speed.of - from.speed.of);
         const bool cut_short = now != 0 && (from.since == now || to.since == now);
-        if (size <= slip_along && (rate <= no_gain || cut_short)) return now;
+        if (size <= no_length() && (rate <= no_gain || cut_short)) return now;
         return zero_of(size, rate);
+    }
+
+    /// What counts as no length: the slip, but early on less than what a join of a degree has grown to. Else a corner
+    /// that meets round joins eats all of them at once, and a hole of a few cells with them.
+    [[nodiscard]] int128 no_length() const noexcept
+    {
+        const std::int64_t early = now >> (16 + 6);  // a 64th of the distance, in places
+        return static_cast<int128>(unit_one) * (early < slip ? early : slip);
     }
 
     /// In 2^-46 cells, negative if the segment has been turned over.

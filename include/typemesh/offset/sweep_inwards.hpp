@@ -385,8 +385,8 @@ private:
 /// so. Then the triangles in `out` and those of the cap cover the region once: all are counter-clockwise, and their
 /// common boundary is the region's.
 ///
-/// Fails  error::crossing_contours: on the grid a cell's outline crosses itself, or flips do not end; `out` is then
-///        void. Nothing like it is known of a glyph
+/// Fails  error::crossing_contours: on the grid a cell's outline crosses itself, flips do not end, or rounding loses a
+///        hole; `out` is then void. Nothing like it is known of a glyph
 ///        error::too_large: more than 2^24 points
 ///        error::out_of_memory
 /// Cost   O(n log n) and O(log n) per event (see wavefront.hpp). A band in which a cell must be mended is cut again,

@@ -70,7 +70,7 @@ public:
     }
 
     /// Moves on to a level. What will collapse within `early` after it does so now: a cap is free of edges and gaps
-    /// that are narrower than the grid. False, if flips do not end or memory runs out.
+    /// that are narrower than the grid. False, if flips do not end, a hole shrinks to nothing or memory runs out.
     [[nodiscard]] bool advance(std::int64_t level, std::int64_t early) noexcept
     {
         level_ = level;
@@ -80,7 +80,7 @@ public:
             if (!t.alive || t.stamp != next.stamp) continue;
             times_.now = next.time;
             happen(next);
-            if (has_failed() || flips_ > most_flips_) return false;
+            if (has_failed() || flips_ > most_flips_ || hole_is_lost_) return false;
         }
         return true;
     }
@@ -156,6 +156,10 @@ private:
     {
         const std::uint32_t s = kinetic_triangles::segment_in(mesh.link(h));
         const std::uint32_t u = mesh.segments[s].from, v = mesh.segments[s].to;
+        if (u == v) {
+            hole_is_lost_ = true;
+            return;
+        }
         const fixed_vector at = meeting_place(u, v);
         const std::uint32_t before = mesh.vertices[u].before, after = mesh.vertices[v].after;
         const std::uint32_t node = node_at(at, {node_of[u], node_of[v], last_node(before), next_node(after)});
@@ -467,6 +471,7 @@ private:
     std::int64_t first_loss_ = -1;
     std::size_t most_flips_ = 0, flips_ = 0, events_ = 0, schedules_ = 0;
     bool failed_ = false;
+    bool hole_is_lost_ = false;  ///< holes grow, so only rounding can do that, and a point has no place in the topology
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail
