@@ -252,7 +252,7 @@ TEST_CASE("a segment without length is gone unless it grows from the start", "[o
                            {cell / 32, 9 * time_one, time_one, true},
                            {cell / 8, 9 * time_one, time_one, false},
                            {cell / 32, time_one / 2, time_one, false},  // a join's, which turns by a few degrees
-                           {cell / 256, time_one / 2, time_one, true}};
+                           {cell / 1024, time_one / 2, time_one, true}};
     for (const auto& c : cases) {
         lone_triangle t{{0, 0}, {9 * cell, 0}, {50 * cell, 300 * cell}, 10 * time_one};
         t.put_segment(0);

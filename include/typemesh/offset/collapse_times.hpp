@@ -106,11 +106,11 @@ private:
         return zero_of(size, rate);
     }
 
-    /// What counts as no length: the slip, but early on less than what a join of a degree has grown to. Else a corner
-    /// that meets round joins eats all of them at once, and a hole of a few cells with them.
+    /// What counts as no length: the slip, but early on less than what a join of a quarter degree has grown to. Else a
+    /// corner that meets round joins eats all of them at once, and a hole of a few cells with them.
     [[nodiscard]] int128 no_length() const noexcept
     {
-        const std::int64_t early = now >> (16 + 6);  // a 64th of the distance, in places
+        const std::int64_t early = now >> (16 + 8);  // a 256th of the distance, in places
         return static_cast<int128>(unit_one) * (early < slip ? early : slip);
     }
 
