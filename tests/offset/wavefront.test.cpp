@@ -146,6 +146,39 @@ TEST_CASE("a hole of a few cells keeps its round joins and grows to a disc")
     }
 }
 
+TEST_CASE("no hole of a few cells is lost: whatever its joins run into, it grows by the distance")
+{
+    test::dice d{11};
+    int refused = 0;
+    for (int i = 0; i < 400; ++i) {
+        const int reach = 2 + d.roll(14), corners = 3 + d.roll(9);
+        test::polyline hole;
+        for (int k = 0; k < corners; ++k)
+            hole.push_back({d.roll(2 * reach + 1) - reach, d.roll(2 * reach + 1) - reach});
+        constexpr double width = 300.0, pi = 3.14159265358979;
+        contours loops = test::contours_of({rectangle(-1000, -1000, 2000, 2000), hole});
+        workspace space;
+        const auto made = fill(loops, fill_rule::even_odd, space);
+        REQUIRE(made);
+        if (made->loop_count() == 1) continue;  // all its points lie on a line
+        const region filled = *made;
+        triangle_list triangles;
+        REQUIRE(!monotone{}(filled, space, triangles));
+        workspace::scope scratch{space};
+        swept_region out{scratch.source()};
+        const double levels[] = {0.0, width};
+        if (sweep_inwards(filled, triangles.view(), {levels, 1.0, 0.0}, scratch, out)) {
+            ++refused;
+            continue;
+        }
+        CHECK(out.cap.contour_count() == 2);
+        const double hollow = 4.0 * (1000.0 - width) * (1000.0 - width) -
+                              0.5 * static_cast<double>(inspect::doubled_area(inspect::loops_of(out.cap)));
+        CHECK(hollow > pi * (width - 1.0) * (width - 1.0));
+    }
+    CHECK(refused <= 2);
+}
+
 TEST_CASE("a wavefront that loses a hole stops, and says that memory has not run out", "[offset]")
 {
     detail::wavefront front{heap()};
