@@ -7,14 +7,14 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A Bézier curve of degree two: p0, one control point, p2.
+/// A Bezier curve of degree two: p0, one control point, p2.
 struct quadratic {
     point p0, p1, p2;
 
     [[nodiscard]] constexpr point at(double t) const noexcept { return lerp(lerp(p0, p1, t), lerp(p1, p2, t), t); }
 };
 
-/// A Bézier curve of degree three: p0, two control points, p3.
+/// A Bezier curve of degree three: p0, two control points, p3.
 struct cubic {
     point p0, p1, p2, p3;
 

@@ -13,8 +13,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// The two differ only at a cusp or a reversal, where the curve stops and turns back. Where the derivative vanishes
 /// (there, and at handles of zero length) they are its one-sided limits:
 ///
-///        after                B(t) = B + B'h + B''h²/2 + B'''h³/6: the first term that does not vanish
-///     \  ↑  /                 gives the direction; before t, the even terms change sign.
+///        after                B(t) = B + B'h + B''h^2/2 + B'''h^3/6: the first term that does not vanish
+///     \  ^  /                 gives the direction; before t, the even terms change sign.
 ///      \ | /
 ///       \|/   <- cusp: before and after are opposite
 ///

@@ -34,7 +34,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Curves must be finite and `tolerance` positive.
 ///
 /// This work is based on: R. Goldman, Pyramid Algorithms (2003), 5.6.3, for Wang's bound, by which no piece shorter
-/// than sqrt(8 tolerance / (d(d-1) max|second difference|)) needs measuring; R. Levien, "Flattening quadratic Béziers"
+/// than sqrt(8 tolerance / (d(d-1) max|second difference|)) needs measuring; R. Levien, "Flattening quadratic Beziers"
 /// (2019), for the density.
 struct certified {
     static constexpr double shortest_step = 0x1p-16;  ///< of t
@@ -88,8 +88,8 @@ struct certified {
 private:
     static constexpr double kept_share = 1.0 - 0x1p-20;  // of the tolerance; the rest is a margin for rounding
 
-    // Wang's bound is n pieces or fewer where bend <= pieces(n) * tolerance²; no root is needed. The bend is the
-    // largest squared second difference of the control points, times (d(d-1)/8)² for degree d.
+    // Wang's bound is n pieces or fewer where bend <= pieces(n) * tolerance^2; no root is needed. The bend is the
+    // largest squared second difference of the control points, times (d(d-1)/8)^2 for degree d.
     static constexpr double quadratic_bend = 0.0625, cubic_bend = 0.5625;
     [[nodiscard]] static constexpr double pieces(int n) noexcept { return double(n) * n * n * n; }
 
@@ -350,7 +350,7 @@ private:
 
     /// Where the derivative vanishes between the ends, in ascending order; at most 3.
     ///
-    /// |B'|² has its minima where B' · B'' = 0, a cubic equation. Its roots are bisected between the extremes of that
+    /// |B'|^2 has its minima where B' * B'' = 0, a cubic equation. Its roots are bisected between the extremes of that
     /// cubic, a few steps at first: hardly any of them is a stop.
     [[nodiscard]] static int find_stops(const cubic& q, double (&stops)[4]) noexcept
     {
@@ -358,7 +358,7 @@ private:
         // Of the longest leg's square: after the early steps B'/3 moves by less than 2^-8 of that leg.
         constexpr double hardly_slow = 0x1p-14;
         const point d0 = q.p1 - q.p0, l1 = q.p2 - q.p1, l2 = q.p3 - q.p2;
-        const point d1 = l1 - d0, d2 = (l2 - l1) - d1;  // B'/3 = d0 + 2 d1 t + d2 t²
+        const point d1 = l1 - d0, d2 = (l2 - l1) - d1;  // B'/3 = d0 + 2 d1 t + d2 t^2
         const double g0 = dot(d0, d1), g1 = 2.0 * dot(d1, d1) + dot(d0, d2), g2 = 3.0 * dot(d1, d2), g3 = dot(d2, d2);
         const auto slope = [=](double t) noexcept { return g0 + t * (g1 + t * (g2 + t * g3)); };
         const auto speed = [=](double t) noexcept {

@@ -37,14 +37,14 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 // and its distance from the chord is its offset from the chord's line. With w the middle of the piece, h = v - u and t
 // = w + xh/2:
 //
-//     chord / h = B'(w) + B'''h²/24         offset = (1 - x²) h²/4 |M + xD| / |chord / h|
-//     M = B' x B''/2 - h²/4 (B''/2 x B'''/6)        D = h/2 (B' x B'''/6)            (all at w; D = 0 for a quadratic)
+//     chord / h = B'(w) + B'''h^2/24         offset = (1 - x^2) h^2/4 |M + xD| / |chord / h|
+//     M = B' x B''/2 - h^2/4 (B''/2 x B'''/6)        D = h/2 (B' x B'''/6)            (all at w; D = 0 for a quadratic)
 
-/// B(t) = p0 + 2bt + at², tame.
+/// B(t) = p0 + 2bt + at^2, tame.
 struct quadratic_chords {
     point p0, b, a;
-    double kk;  ///< (b x a)²
-    double tt;  ///< tolerance²
+    double kk;  ///< (b x a)^2
+    double tt;  ///< tolerance^2
 
     [[nodiscard]] point at(double t) const noexcept { return p0 + t * (2.0 * b + t * a); }
 
@@ -92,11 +92,11 @@ struct quadratic_chords {
     }
 };
 
-/// B(t) = p0 + c1 t + c2 t² + c3 t³. If not `tame`, pieces may also extend past the ends of their chords.
+/// B(t) = p0 + c1 t + c2 t^2 + c3 t^3. If not `tame`, pieces may also extend past the ends of their chords.
 template <bool tame>
 struct cubic_chords {
     point p0, c1, c2, c3;
-    double tt;  ///< tolerance²
+    double tt;  ///< tolerance^2
     double k12 = cross(c1, c2), k13 = cross(c1, c3), k23 = cross(c2, c3);
 
     [[nodiscard]] point at(double t) const noexcept { return p0 + t * (c1 + t * (c2 + t * c3)); }
@@ -134,7 +134,7 @@ struct cubic_chords {
             // chord.
             const double h = p.h, hh = h * h;
             const point second = c2 + (3.0 * u) * c3;  // B(u + hs) - chord = s(s-1)(v1 + s (v2 - v1)),
-            const point v1 = second + h * c3, v2 = second + (2.0 * h) * c3;  // both over h²
+            const point v1 = second + h * c3, v2 = second + (2.0 * h) * c3;  // both over h^2
             const double n1 = dot(v1, v1), n2 = dot(v2, v2);
             const double loose = (n1 > n2 ? n1 : n2) * hh * hh * 0.0625;
             if (loose <= tt) return 1.0;
@@ -222,14 +222,14 @@ private:
             room = 16.0 * q.tt * dot(c, c);
         }
 
-        /// By (1 - x²)(|m| + |d|x) <= |m| + d²/4|m|, without a root.
+        /// By (1 - x^2)(|m| + |d|x) <= |m| + d^2/4|m|, without a root.
         [[nodiscard]] bool surely_fits() const noexcept
         {
             const double quick = mm + 0.25 * dd;
             return quick * quick <= mm * room;
         }
 
-        /// The maximum of (1 - x²)²(|m| + |d|x)², where x solves a quadratic equation: the offset is a cubic that is
+        /// The maximum of (1 - x^2)^2(|m| + |d|x)^2, where x solves a quadratic equation: the offset is a cubic that is
         /// zero at both ends.
         [[nodiscard]] double offset() const noexcept
         {

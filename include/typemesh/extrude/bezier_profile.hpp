@@ -9,7 +9,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A cubic Bézier curve from (0, 0) by two control points to (1, end), in steps of equal parameter. Its t may not
+/// A cubic Bezier curve from (0, 0) by two control points to (1, end), in steps of equal parameter. Its t may not
 /// decrease.
 ///
 /// With `steps` 0 as many as the text's tolerance asks for, by Wang's bound; 8 if that is unknown; at most 63.

@@ -10,9 +10,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// What an extruder's plan() found out about one contour point, stored so that writing need not compute it again.
 ///
 ///        wall before        both normals lie in the plane, are of unit length and point away from the interior.
-///     ──────────────●       A point that is not doubled has one normal: `before` and `after` are equal
-///       interior    │       (except with shared_normals, which adds the caps' own when it writes).
-///                   │ wall after
+///     --------------o       A point that is not doubled has one normal: `before` and `after` are equal
+///       interior    |       (except with shared_normals, which adds the caps' own when it writes).
+///                   | wall after
 struct side_point {
     vec2 before;
     vec2 after;

@@ -72,10 +72,10 @@ struct box_sweep {
 
 /// Groups regions that meet, directly or through others: group[i] becomes the lowest number of i's group.
 ///
-///     0 ┌──┐1  ┌──┐2   ┌──┐3        group  [ 0, 0, 2, 2 ]
-///       │ ┌┼┐  │ ┌┼────┼┐ │
-///       └─┼┘│  └─┼┘    └┼─┘
-///         └─┘    └──────┘
+///     0 +--+1  +--+2   +--+3        group  [ 0, 0, 2, 2 ]
+///       | +++  | ++----++ |
+///       +-++|  +-++    ++-+
+///         +-+    +------+
 ///
 ///     all      the regions; those without points are groups of one, and no group has two kinds
 ///     group    as many numbers; meaningless after an error

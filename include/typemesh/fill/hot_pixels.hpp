@@ -18,7 +18,7 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///      | 1  .  | .  2      |       every node holds the box of consecutive leaves. A box that a segment misses by more
 ///      |   .   |      . -..|--     than a cell is skipped with all that is in it.
 ///      |-------.---.-'-----|
-///      |  __.-'|    4    . |       The pixel of a point p is half open, [-1/2, 1/2)² around p. A segment passes
+///      |  __.-'|    4    . |       The pixel of a point p is half open, [-1/2, 1/2)^2 around p. A segment passes
 ///      | 3 .   |  .        |       through it if |2 s| < |dx| + |dy| for s = orientation(from, to, p), or touches it
 ///      +-------------------+       in the one corner that belongs to it.
 ///

@@ -126,11 +126,11 @@ bool any_edge(const placed_loops& l, Use&& use) noexcept
 
 /// Whether two regions share a point, even if only one of their boundaries:
 ///
-///     ┌───┐              ┌─────────┐            ┌─────────┐
-///     │ ┌─┼─┐   ┌──┬──┐  │  ┌──┐   │    not:    │  ┌───┐  │    a hole is outside, so what stands in it
-///     │ └─┼─┘   └──┴──┘  │  └──┘   │            │  │┌─┐│  │    without touching its boundary does not meet
-///     └───┘              └─────────┘            │  │└─┘│  │    the region around it
-///                                               └──┴───┴──┘
+///     +---+              +---------+            +---------+
+///     | +-+-+   +--+--+  |  +--+   |    not:    |  +---+  |    a hole is outside, so what stands in it
+///     | +-+-+   +--+--+  |  +--+   |            |  |+-+|  |    without touching its boundary does not meet
+///     +---+              +---------+            |  |+-+|  |    the region around it
+///                                               +--+---+--+
 ///
 /// Fails  error::out_of_memory
 /// Cost   O(a + b), plus the product of the numbers of edges that reach into the other's box

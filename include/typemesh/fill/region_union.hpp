@@ -16,10 +16,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// The union of the regions of several glyphs, placed on one grid.
 ///
-///      ┌────┐  ┌────┐             ┌─────────────┐       begin(grid)          the grid that all are placed on
-///      │ a ┌┼──┼┐ c │     ->      │             │       add(region, ...)      once for each member
-///      │   └┼──┼┘   │             │             │       join(space)           what any of them fills
-///      └────┘b └────┘             └─────────────┘       member_of(curve)      whose curve an edge comes from
+///      +----+  +----+             +-------------+       begin(grid)          the grid that all are placed on
+///      | a ++--++ c |     ->      |             |       add(region, ...)      once for each member
+///      |   ++--++   |             |             |       join(space)           what any of them fills
+///      +----+b +----+             +-------------+       member_of(curve)      whose curve an edge comes from
 ///
 /// The members' curves are copied and renumbered; edges of the union refer to them. Where boundaries of several members
 /// coincide, the edge belongs to the first of these. Crossings between members count as real however shallow they are.

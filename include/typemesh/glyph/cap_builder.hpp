@@ -35,9 +35,9 @@ struct cap_settings {
 /// Makes caps: the region that curves or contours fill, with its triangles. Owns the contours, the order of their
 /// points, the triangles, and the scratch memory for all this, which is kept for the next cap.
 ///
-///     curves ── flatten ──▶ loops() ── prove ──────────────────────────▶ region + triangles()
-///                  ▲                     └ refuses ─▶ resolve ─▶ cap ──────▶
-///                  └── these curves finer ─── refine ────┘  chords cross where curves do not
+///     curves -- flatten --> loops() -- prove --------------------------> region + triangles()
+///                  ^                     + refuses -> resolve -> cap ------>
+///                  +-- these curves finer --- refine ----+  chords cross where curves do not
 ///
 ///     cap_builder caps;
 ///     auto filled = caps.build(curves, tolerance, cells, {fill_rule::even_odd}, policies{...});    // all of it
@@ -108,8 +108,8 @@ public:
 
     /// Proves that loops() bound a region: as they are, or, if they only touch in points, once relinked there.
     ///
-    ///     loops ── orient ──▶ prove ──────────────────────────────────────▶ region + triangles
-    ///                          └ refuses equal points ─▶ link ─▶ prove ──────▶
+    ///     loops -- orient --> prove --------------------------------------> region + triangles
+    ///                          + refuses equal points -> link -> prove ------>
     ///
     /// Fails with error::crossing_contours (the rest is for resolve()) and error::out_of_memory; loops() are then
     /// reversed at most, and there are no triangles.

@@ -146,10 +146,11 @@ private:
 
 /// Finds how the parts of a text stand in columns (UAX #50), by its graphemes.
 ///
-///     日本 (2024) 語、       upright: what Unicode has upright, with its vertical forms where the font has them
-///     |  |       |         sideways: all else; and what has no place upright but by a vertical form ( ー 「 ) that the
-///      U  S       U        font lacks. But full-width colons and semicolons ( ： ； ), which stand in Chinese, and the
-///                          latter in Japanese, too, have no such form on purpose in a font that has one of 「
+///     HH (2024) HH,        upright: what Unicode has upright (H: an ideograph), with its vertical forms where the font
+///     |  |      |          has them; sideways: all else, and what has no place upright but by a vertical form (U+30FC,
+///     U  S      U          U+300C) that the font lacks. But full-width colons and semicolons, which are upright in
+///                          Chinese, and the semicolon in Japanese, too, have no such form on purpose in a font that
+///                          has one for U+300C
 ///
 ///     marks      of the text's analysis, of which the graphemes are read
 ///     styles     ranges that stand in a way of their own: ascending, none within another; a grapheme belongs to the

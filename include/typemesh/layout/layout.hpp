@@ -13,8 +13,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 ///         x = 0, left-aligned                        columns go from right to left,
 ///     y = 0  |Hello                  <- baseline     the first is centred on x = 0    |   |
-///            |                                                                        界  こ
-///     y = -d |world!                                                                  !  ん
+///            |                                                                        C   A
+///     y = -d |world!                                                                  D   B
 ///
 /// The distance d is ascender - descender + gap of the shaper's first face by line_reach_of() (one em if that is not
 /// positive), times line_spacing. A text has one line more than it has breaks: an empty text is one empty line. Spaces

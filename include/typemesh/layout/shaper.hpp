@@ -13,9 +13,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// A font's own metrics for lines, in font units, y up.
 ///
-///     ascender  ────────────────   positive            horizontal: the distance between baselines is
-///     baseline  ──A─g──────────   0                    ascender - descender + gap
-///     descender ────────────────   negative            vertical: x to the right; columns stand that far apart, or
+///     ascender  ----------------   positive            horizontal: the distance between baselines is
+///     baseline  --A-g----------   0                    ascender - descender + gap
+///     descender ----------------   negative            vertical: x to the right; columns stand that far apart, or
 ///                                                      further: see line_reach_of()
 struct line_metrics {
     double ascender = 0.0;

@@ -12,10 +12,10 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 /// segment, until it is closed; where the segment is split, both pieces grow the same outline.
 ///
 ///            head            tail                 split in s:   head      tail=s=head     tail
-///             │               │                                  │            / \          │
-///             │  ──segment──▶ │                                  │ ──piece─▶ /   \ ─piece─▶│
-///             │               │                                  │                         │
-///             └───────────────┘  counter-clockwise               └─────────────────────────┘
+///             |               |                                  |            / \          |
+///             |  --segment--> |                                  | --piece-> /   \ -piece->|
+///             |               |                                  |                         |
+///             +---------------+  counter-clockwise               +-------------------------+
 class cell_outlines {
 public:
     static constexpr std::uint32_t none = ~std::uint32_t{0};

@@ -13,10 +13,10 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 /// 3t + k runs from corner k of triangle t to the next one. On the other side of a half-edge lies its twin or, if it is
 /// part of the boundary, a segment.
 ///
-///     ──── segment ───▶          a segment is a piece of a moving line; the triangle
-///     u─────────────v            lies on its left, like all that is still to be swept
+///     ---- segment --->          a segment is a piece of a moving line; the triangle
+///     u-------------v            lies on its left, like all that is still to be swept
 ///      \     t     /
-///        \       /   ◀─ link: a twin
+///        \       /   <- link: a twin
 ///           \ /
 ///            w
 ///
@@ -94,7 +94,7 @@ public:
     ///
     ///         c                 c
     ///       /   \             / | \        triangle t of h keeps a, that of its twin keeps b
-    ///     a --h-- b    ▶    a   |   b
+    ///     a --h-- b    >    a   |   b
     ///       \   /             \ | /
     ///         d                 d
     void flip(std::uint32_t h) noexcept
@@ -143,7 +143,7 @@ public:
     ///
     ///          c               c
     ///        / |             /   \          the triangle of h goes away, that of c stays
-    ///      v---b     ▶     v     b
+    ///      v---b     >     v     b
     ///     h  \ |             \   /
     ///          a               a
     template <class IsConvex, class Changed>

@@ -21,9 +21,9 @@ struct join_rule {
 /// grow as the boundary moves.
 ///
 ///              _____                     _____
-///     ────────╯  ▲           ────────╮  ▲  mitre       interior above; a corner that turns right by an angle moves
-///     join: o    │                    ╲ │              1 / cos(angle / 2) distances
-///         \      └ mitre      join     ▼
+///     --------'  ^           --------.  ^  mitre       interior above; a corner that turns right by an angle moves
+///     join: o    |                    \ |              1 / cos(angle / 2) distances
+///         \      + mitre      join     v
 ///
 /// Each becomes a segment with a triangle of its own, whose apex is a diagonal's end in front of it: a corner that
 /// turns right has one, because its interior angle is wider than any triangle's.
@@ -104,7 +104,7 @@ private:
 
     /// Vertex v stays the corner before the first join; each join brings one more.
     ///
-    ///     before ─▶ v ─join 0─▶ first ─join 1─▶ first + 1 ... ─▶ after
+    ///     before -> v -join 0-> first -join 1-> first + 1 ... -> after
     bool put_in(std::uint32_t v) noexcept
     {
         const std::uint32_t before = mesh_.vertices[v].before, after = mesh_.vertices[v].after;

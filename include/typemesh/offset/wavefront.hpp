@@ -21,10 +21,10 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// The boundary of a region on its way inwards, every edge with speed 1: the wavefront of its straight skeleton.
 ///
-///     ┌──────┐      shrink    an edge has lost its length: its neighbours become adjacent
-///     │\    /│      split     a reflex corner has run into an edge: the boundary falls apart there
-///     │ \__/ │      pinch     two corners have met: the same, between two corners
-///     └──────┘      close up  two edges have met along a line: what lay between them is a ridge
+///     +------+      shrink    an edge has lost its length: its neighbours become adjacent
+///     |\    /|      split     a reflex corner has run into an edge: the boundary falls apart there
+///     | \__/ |      pinch     two corners have met: the same, between two corners
+///     +------+      close up  two edges have met along a line: what lay between them is a ridge
 ///
 /// A kinetic triangulation tells when, and what is next to what; rounding can make it late or early by a fraction of a
 /// cell, but never inconsistent. Nodes within a few cells of each other on a corner's way are one node, so that nodes
@@ -185,8 +185,8 @@ private:
     /// The area between the two segments of an instant corner has no width. The shorter one ends, unless another corner
     /// lies in between: that one splits it.
     ///
-    ///     ────────────w─────────────╮
-    ///     u ─────────────────────── F
+    ///     ------------w-------------.
+    ///     u ----------------------- F
     void close_up(std::uint32_t h) noexcept
     {
         const auto& found = mesh.segments[kinetic_triangles::segment_in(mesh.link(h))];
@@ -267,8 +267,8 @@ private:
     /// The apex w of the triangle lies on the segment s of half-edge h.
     ///
     ///       b \   / a             b \     / a        s keeps the left piece, `right` is new. The triangle goes; s
-    ///           w          ▶         ┐ ┌            and b are adjacent now, and a and `right`.
-    ///     ──────s──────▶        ──s──┘ └─right─▶
+    ///           w          >         + +            and b are adjacent now, and a and `right`.
+    ///     ------s------>        --s--+ +-right->
     void split(std::uint32_t h) noexcept
     {
         const std::uint32_t s = kinetic_triangles::segment_in(mesh.link(h)), w = mesh.apex(h);
@@ -298,9 +298,9 @@ private:
 
     /// The two ends of the diagonal under half-edge h have met: on each side of it the boundary goes on by itself.
     ///
-    ///     ap \   / bq           ap ╲___╱ bq
-    ///         p-q         ▶
-    ///     bp /   \ aq           bp ╱‾‾‾╲ aq
+    ///     ap \   / bq           ap \___/ bq
+    ///         p-q         >
+    ///     bp /   \ aq           bp /---\ aq
     void pinch(std::uint32_t h) noexcept
     {
         const std::uint32_t g = mesh.link(h), p = mesh.origin(h), q = mesh.origin(g);

@@ -19,10 +19,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Merges the glyphs of a text whose outlines meet, group by group; where the extruder makes them grow (tells_outline
 /// in extruder.hpp), those that meet when they have grown:
 ///
-///      ╭──╮╭─╮     ╭──╮                    ╭─────╮     ╭──╮        A group is a chain of glyphs of which each
-///      │a ││b│ ╭╮  │d │        ->          │     │ ╭╮  │d │        shares a point with the next; all others are
-///      ╰──┼╯ │ ││  ╰──╯                    ╰───╮ │ ││  ╰──╯        left unchanged. "c" here stands alone.
-///         ╰──╯ ╰╯c                             ╰─╯ ╰╯
+///      .--..-.     .--.                    .-----.     .--.        A group is a chain of glyphs of which each
+///      |a ||b| ..  |d |        ->          |     | ..  |d |        shares a point with the next; all others are
+///      '--+' | ||  '--'                    '---. | ||  '--'        left unchanged. "c" here stands alone.
+///         '--' ''c                             '-' ''
 ///
 /// Pens are rounded to the finest grid of the text's glyphs, half a cell at most (1/1024 font unit in ordinary fonts);
 /// a group that does not fit onto it takes the finest that it fits onto. A glyph so large that its own grid is coarser

@@ -20,10 +20,10 @@ struct script_run {
 
 /// Cuts a paragraph into runs of one script: UAX #24.
 ///
-///     Hello (мир) 5     marks, spaces and punctuation belong to the run before them, at the start of the paragraph to
-///     |Latn  |Cy|Latn   the one behind; a closing bracket to that of its opening one. What several scripts have in
-///                       common ends no run of one of them, nor do scripts that are set as one (script.hpp), whose
-///                       run has the script of its first letter.
+///     Hello (CCC) 5     C is a Cyrillic letter. Marks, spaces and punctuation belong to the run before them, at the
+///     |Latn  |Cy|Latn   start of the paragraph to the one after; a closing bracket to the run of its opening one.
+///                       What several scripts have in common ends no run of one of them, nor do scripts that are set
+///                       as one (script.hpp), whose run has the script of its first letter.
 ///
 /// At most 32 brackets are open at a time. Appends to `runs`. Cost: O(n)
 class script_itemiser {
