@@ -1,46 +1,25 @@
 // SPDX-License-Identifier: MIT
 //
-// Work to count instructions of, which no other load on the machine changes: kernels KERNEL TIMES does it so many times and
-// prints how many units that was each time. A kernel streams over whole fonts or texts. Compiles against older revisions, too.
-// Without arguments: the kernels' names, units and what they are, a line each.
+// The stages, and whole texts from their characters to their vertices. See kernel.hpp.
 
 #include "full_vertex.hpp"
+#include "kernel.hpp"
 #include "polygons.hpp"
 
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/fill/orient.hpp>
 #include <typemesh/typemesh.hpp>
 
-#include <cstdio>
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
-#include <cstring>
-#include <fstream>
 #include <string>
 #include <vector>
 
 namespace {
 
 using namespace typemesh;
-using bench::full_vertex;
-
-constexpr const char* sans = "truetype/liberation/LiberationSans-Regular.ttf";
-
-harfbuzz_font open_font(const char* file, const font_options& options = {})
-{
-    const char* folder = std::getenv("TYPEMESH_FONT_DIR");
-    auto font = harfbuzz_font::open((std::string{folder != nullptr ? folder : "/usr/share/fonts"} + "/" + file).c_str(),
-                                    options);
-    if (!font) std::fprintf(stderr, "%s: %s\n", file, font.error().message()), std::exit(1);
-    return std::move(*font);
-}
-
-std::string first_line(const char* file)
-{
-    std::ifstream in{std::string{TYPEMESH_TEST_DATA "/workload/"} + file};
-    std::string text;
-    std::getline(in, text);
-    return text;
-}
+using namespace bench;
 
 template <class Mesher>
 std::size_t texts(Mesher&& mesher, const char* file, int times, bool reuse)
@@ -53,23 +32,24 @@ std::size_t texts(Mesher&& mesher, const char* file, int times, bool reuse)
     return 1;
 }
 
-std::size_t extruded_text(const char* file, int times, bool reuse)
+std::size_t extruded_text(const char* file, int times, bool reuse, const char* font_file = sans)
+{
+    auto font = open_font(font_file);
+    return texts(text_mesher{font}, file, times, reuse);
+}
+
+/// A text again and again, its letters in a cache.
+std::size_t warm(const char* file, int times)
 {
     auto font = open_font(sans);
-    return texts(text_mesher{font}, file, times, reuse);
+    glyph_cache cache;
+    return texts(text_mesher{font}.with(cached_in{cache, 1}), file, times, true);
 }
 
 std::size_t flat_hello(int times)
 {
     auto font = open_font(sans);
     return texts(text_mesher{font}.with(flat{}), "phrases-latin.txt", times, false);
-}
-
-std::size_t warm_hello(int times)
-{
-    auto font = open_font(sans);
-    glyph_cache cache;
-    return texts(text_mesher{font}.with(cached_in{cache, 1}), "phrases-latin.txt", times, true);
 }
 
 /// Shaping and outlines of "Hello world!", the floor under it.
@@ -150,19 +130,18 @@ std::size_t chords(const char* file, int times)
     return curves.size();
 }
 
-struct kernel {
-    const char *name, *unit, *what;
-    std::size_t (*run)(int times);
-};
-constexpr const char* mplus = "opentype/mplus/Mplus1-Regular.otf";
 constexpr kernel kernels[] = {
     {"hello", "text", "\"Hello world!\" extruded, nothing kept, every letter built anew, Liberation Sans, 1/800 em",
      [](int n) { return extruded_text("phrases-latin.txt", n, false); }},
     {"hello_flat", "text", "the same, flat", flat_hello},
     {"hello_floor", "text", "its shaping and outlines alone", hello_floor},
-    {"hello_warm", "text", "the same, extruded, glyphs in a glyph_cache", warm_hello},
+    {"hello_warm", "text", "the same, extruded, glyphs in a glyph_cache",
+     [](int n) { return warm("phrases-latin.txt", n); }},
+    {"hello_cubic", "text", "the same, every letter built anew, Comic Neue, whose curves are cubic",
+     [](int n) { return extruded_text("phrases-latin.txt", n, false, comic); }},
     {"lorem", "text", "lorem ipsum, extruded, repeated letters built once",
      [](int n) { return extruded_text("long-latin.txt", n, true); }},
+    {"lorem_warm", "text", "the same, glyphs in a glyph_cache", [](int n) { return warm("long-latin.txt", n); }},
     {"monotone_60", "point", "monotone with its proof, Liberation Sans, about 60 points a glyph",
      [](int n) { return proofs<monotone>(sans, 1.5, n); }},
     {"monotone_200", "point", "the same, about 200", [](int n) { return proofs<monotone>(sans, 0.06, n); }},
@@ -174,17 +153,9 @@ constexpr kernel kernels[] = {
     {"crossing", "glyph",
      "Inter variable, weight 637.5, a flat text of Latin letters with accents: four in ten cross themselves", crossing},
     {"quadratics", "curve", "certified, 1/800 em, Liberation Sans", [](int n) { return chords<quadratic>(sans, n); }},
-    {"cubics", "curve", "certified, 1/800 em, Comic Neue",
-     [](int n) { return chords<cubic>("opentype/comic-neue/ComicNeue-Regular.otf", n); }},
+    {"cubics", "curve", "certified, 1/800 em, Comic Neue", [](int n) { return chords<cubic>(comic, n); }},
 };
 
 }  // namespace
 
-int main(int argc, char** argv)
-{
-    for (const kernel& k : kernels) {
-        if (argc < 3) std::printf("%s\t%s\t%s\n", k.name, k.unit, k.what);
-        if (argc == 3 && std::strcmp(argv[1], k.name) == 0) return std::printf("%zu\n", k.run(std::atoi(argv[2]))), 0;
-    }
-    return argc < 3 ? 0 : 2;
-}
+int main(int argc, char** argv) { return run_one_of(kernels, argc, argv); }
