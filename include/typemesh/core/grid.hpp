@@ -4,6 +4,7 @@
 #include <typemesh/core/box.hpp>
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/result.hpp>
+#include <typemesh/core/touching.hpp>
 
 #include <cmath>
 #include <cstdint>
@@ -22,6 +23,9 @@ struct grid {
     double cells = 512.0;
     double units_per_em = 0.0;  ///< relates cells to the em (see triangulate/triangle_heights.hpp); 0: unknown
     double span = 0.0;          ///< in cells; no two points are farther apart. 0: unknown
+
+    /// What becomes of corners that touch, in every region on this grid; see fill/part_corners.hpp.
+    touching corners = touching::keep;
 
     /// Half a cell's diagonal, in font units: how far snap() can move a point.
     [[nodiscard]] constexpr double snap_error() const noexcept { return 0.70710678118654757 / cells; }
@@ -62,6 +66,15 @@ struct grid {
         }
         g.span_over(around);
         return g;
+    }
+
+    /// Halves `cells` until an em has no more than `most_per_em`; it has more than half as many if it had before.
+    void coarsen(double most_per_em) noexcept
+    {
+        while (cells * units_per_em > most_per_em && cells > 0x1p-40) {
+            cells *= 0.5;
+            span = 0.5 * span + 8.0;
+        }
     }
 
     /// Sets `span` for points that all lie in this box, or as far outside as snapping and crossings move them.

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/contours.hpp>
+#include <typemesh/core/curve.hpp>
+#include <typemesh/core/error.hpp>
+#include <typemesh/core/fill_rule.hpp>
+#include <typemesh/core/most_pieces.hpp>
+#include <typemesh/core/region.hpp>
+#include <typemesh/core/result.hpp>
+#include <typemesh/core/same.hpp>
+#include <typemesh/core/touching.hpp>
+#include <typemesh/core/workspace.hpp>
+#include <typemesh/fill/orient.hpp>
+#include <typemesh/fill/resolve.hpp>
+#include <typemesh/sweep/sweep_order.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// Parts or joins the corners in which the boundary of a region touches itself, so that no two cycles share a point and
+/// none passes through a point twice.
+///
+///        |::::            |::::            |:::::        A small diamond round each such point is taken from the
+///     ---+----    or    --' .--    or    --' .---        region (part), or added to it (join). What that leaves is
+///     :::|              ::.'             :::/            resolved like any contours, so it is proven like any region.
+///
+/// The diamond reaches 4 cells far, or 2^-15 em where that is more. Where a gap is so narrow that it ends between the
+/// cells, its sides meet again a little farther on: the next diamond there is twice as large, up to 128 cells or
+/// 2^-10 em. What still touches then is treated the other way: a slit that cannot be opened is filled.
+///
+///     corner_parting parting;
+///     auto filled = parting(loops, curves, space);     // loops bound a region whose boundary touches itself
+///
+/// The new edges are straight: each has a curve of its own, a line, which is appended to `curves`.
+class corner_parting {
+public:
+    /// Replaces `loops`, which have the interior on their left, as those of every region; loops.curves are `curves`.
+    /// loops.grid says by its `corners` what becomes of the corners; with touching::keep nothing is changed.
+    ///
+    /// The region may be without points: specks smaller than a diamond may vanish.
+    ///
+    /// Fails  as resolve() does; `loops` are then void
+    /// Cost   a resolve() for each round, of which there is nearly always one
+    template <class = void>  // see resolve()
+    [[nodiscard]] result<region> operator()(contours& loops, buffer<curve>& curves, workspace& space,
+                                            std::uint32_t most_pieces = default_most_pieces) noexcept;
+
+    std::uint32_t corners = 0;    ///< afterwards: points through which the boundary has passed more than once
+    bool still_touching = false;  ///< afterwards: some could not be treated
+
+private:
+    static constexpr int doublings = 6;
+    static constexpr std::int32_t frame = 1 << 28;  // the grid's reach
+
+    /// The size of the first diamonds.
+    [[nodiscard]] static std::int32_t smallest(const grid& g) noexcept
+    {
+        std::int32_t size = 4;
+        while (size < 0x1p-15 * g.cells * g.units_per_em && size < 1 << 16) size *= 2;
+        return size;
+    }
+
+    /// The points through which the loops pass more than once, each once. Null when memory runs out.
+    [[nodiscard]] static grid_point* find(contours& loops, workspace::scope& scratch, workspace& space,
+                                          std::uint32_t& found) noexcept
+    {
+        const std::size_t n = loops.points.size();
+        auto* const centres = scratch.take<grid_point>(n / 2 + 1);
+        if (centres == nullptr || !sort_points(loops, space)) return nullptr;
+        const auto order = loops.order();
+        found = 0;
+        for (std::size_t i = 1; i < n; ++i) {
+            const grid_point p = loops.points[order[i]];
+            if (p == loops.points[order[i - 1]] && (found == 0 || centres[found - 1] != p)) centres[found++] = p;
+        }
+        return centres;
+    }
+
+    /// False when memory runs out.
+    static bool add_diamond(contours& loops, buffer<curve>& curves, grid_point at, std::int32_t size) noexcept
+    {
+        const auto room = [](std::int32_t v) noexcept { return frame - (v < 0 ? -v : v); };
+        if (room(at.x) <= size || room(at.y) <= size) return true;  // at the end of the grid; nothing is changed
+        const grid_point corner[] = {
+            {at.x + size, at.y}, {at.x, at.y + size}, {at.x - size, at.y}, {at.x, at.y - size}};
+        for (int i = 0; i < 4; ++i) {
+            const point from = loops.grid.place(corner[i]), to = loops.grid.place(corner[(i + 1) % 4]);
+            const auto number = static_cast<std::uint32_t>(curves.size());
+            if (!loops.points.push_back(corner[i]) || !loops.edges.push_back({number, 0.0f, 1.0f}) ||
+                !curves.push_back(curve::from(from, to)))
+                return false;
+        }
+        return loops.starts.push_back(static_cast<std::uint32_t>(loops.points.size()));
+    }
+
+    /// Turns all loops round: within a frame they then bound what lies around the region.
+    static void turn(contours& loops) noexcept
+    {
+        for (std::uint32_t k = 0; k < loops.contour_count(); ++k) {
+            const std::size_t begin = loops.starts[k], size = loops.starts[k + 1] - begin;
+            reverse_contour(loops.points.view().subspan(begin, size), loops.edges.view().subspan(begin, size));
+        }
+        loops.forget_order();
+    }
+    /// False when memory runs out.
+    static bool add_frame(contours& loops) noexcept
+    {
+        for (const grid_point p : {grid_point{-frame, -frame}, {frame, -frame}, {frame, frame}, {-frame, frame}})
+            if (!loops.points.push_back(p) || !loops.edges.push_back({})) return false;
+        return loops.starts.push_back(static_cast<std::uint32_t>(loops.points.size()));
+    }
+    /// Removes the frame.
+    static void leave_frame(contours& loops) noexcept
+    {
+        std::uint32_t kept = 0;
+        std::size_t end = 0;
+        for (std::uint32_t k = 0, begin = 0; k < loops.contour_count(); ++k) {
+            const std::uint32_t after = loops.starts[k + 1];
+            bool is_frame = false;
+            for (std::uint32_t i = begin; i < after; ++i)
+                is_frame = is_frame || (loops.points[i].x == -frame && loops.points[i].y == -frame);
+            for (std::uint32_t i = begin; i < after && !is_frame; ++i, ++end) {
+                loops.points[end] = loops.points[i];
+                loops.edges[end] = loops.edges[i];
+            }
+            if (!is_frame) loops.starts[++kept] = static_cast<std::uint32_t>(end);
+            begin = after;
+        }
+        loops.points.truncate(end);
+        loops.edges.truncate(end);
+        loops.starts.truncate(kept + 1);
+        loops.forget_order();
+    }
+};
+
+template <class>
+result<region> corner_parting::operator()(contours& loops, buffer<curve>& curves, workspace& space,
+                                          std::uint32_t most_pieces) noexcept
+{
+    corners = 0;
+    still_touching = false;
+    const resolve_options how{.most_pieces = most_pieces};
+    const std::int32_t first = smallest(loops.grid);
+    const bool keep = loops.grid.corners == touching::keep;
+    for (const grid_point p : loops.points)  // the frame has to lie around it
+        if (p.x <= -frame || p.x >= frame || p.y <= -frame || p.y >= frame) return error::outline_beyond_grid;
+    std::uint32_t holes = 0, outers = 0;
+    for (int round = 0; round < 2 * doublings && !keep; ++round) {
+        const bool opens = (loops.grid.corners == touching::part) == (round < doublings);
+        const std::int32_t size = first << (round % doublings);
+        workspace::scope scratch{space};
+        std::uint32_t found = 0;
+        const grid_point* const centres = find(loops, scratch, space, found);
+        if (centres == nullptr) return error::out_of_memory;
+        if (round == 0) corners = found;
+        if (found == 0) return loops.points.empty() ? region{} : region::proven(loops, holes, outers);
+        loops.forget_order();
+        if (opens) turn(loops);
+        if (opens && !add_frame(loops)) return error::out_of_memory;
+        for (std::uint32_t k = 0; k < found; ++k)
+            if (!add_diamond(loops, curves, centres[k], size)) return error::out_of_memory;
+        loops.curves = curves.view();
+        if (!is_zero(loops.grid.span)) loops.grid.span += 2.0 * size;
+        const auto made = resolve(loops, fill_rule::non_zero, space, how);
+        if (!made) return made.error();
+        holes = opens ? made->outers() - 1 : made->holes();
+        outers = opens ? made->holes() : made->outers();
+        if (!opens) continue;
+        leave_frame(loops);
+        turn(loops);
+    }
+    still_touching = true;
+    return resolve(loops, fill_rule::non_zero, space, how);
+}
+
+}  // namespace typemesh::inline TYPEMESH_ABI
