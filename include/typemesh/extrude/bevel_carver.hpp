@@ -11,6 +11,7 @@
 #include <typemesh/offset/swept_region.hpp>
 
 #include <span>
+#include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -25,6 +26,8 @@ struct bevel_carver {
     bevel_sweep sweep;
     bool fits = false;  ///< wanted: at most 0.9 times as wide as where a part of the region would lose its cap
 
+    bool touches = false;  ///< set by make(): it refuses because corners touch, which a hundredth less may prevent
+
     bool narrowed = false;  ///< afterwards: the bevel is narrower than wanted; what it would have left was refused
 
     /// `points_of(scale)` gives the profile, `make(swept)` makes a cap of what is left, `scale.width` becomes the width
@@ -36,6 +39,7 @@ struct bevel_carver {
                      swept_region& out, const Make& make) noexcept
     {
         bool is_wanted = !fits;
+        int slight = 0;  // how often a hundredth was taken off
         narrowed = false;
         for (;;) {
             error e = sweep(given.filled, given.triangles, {points_of(scale), scale}, space, out);
@@ -47,6 +51,10 @@ struct bevel_carver {
             }
             if (!e) e = make(out);
             if (!e || e != error::crossing_contours || scale.width < profile_levels::finest) return e;
+            if (std::exchange(touches, false) && slight++ < 16) {
+                scale.width *= 0.99;
+                continue;
+            }
             scale.width *= 0.5;
             narrowed = true;
         }

@@ -79,6 +79,7 @@ struct profile_scale {
     double width = 0.0;
     double depth = 0.0;
     double tolerance = 0.0;  ///< the text's; 0: unknown
+    bool leans = false;      ///< risers lean by four cells: see profile_levels
 };
 
 /// The section of a bevel.

@@ -19,6 +19,7 @@
 #include <typemesh/extrude/surroundings.hpp>
 #include <typemesh/extrude/texture.hpp>
 #include <typemesh/extrude/upright_walls.hpp>
+#include <typemesh/fill/part_corners.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -125,7 +126,8 @@ struct bevelled {
         if (n > 0x3FFF'FFFFu) return error::too_large;
         const double em = filled.grid().cells * filled.grid().units_per_em;
         if (!(em > 0.0)) return error::bad("units_per_em");
-        profile_scale scale{as_double(width) * em, as_double(bevel_depth) * em, filled.tolerance()};
+        profile_scale scale{as_double(width) * em, as_double(bevel_depth) * em, filled.tolerance(),
+                            filled.grid().corners != touching::keep};
         if (!(scale.width < (outward ? 0x1p25 : grid::reach))) return error::bad("width");
         solid_plan made;
         const error e = outward && scale.width >= profile_levels::finest ? plan_outward(filled, scale, data, caps, made)
@@ -292,14 +294,21 @@ private:
         const auto doubled = plan_sides(*around, curve_normals{crease_degrees}, texture, data.of<side_point>());
         if (!doubled) return doubled.error();
         const double way = reach / scale.width;
+        bevel_carver carve = carver_of(filled, true);
         const auto make = [&](const swept_region&) noexcept {
             constexpr double slack = 4.0;  // of rounding
             if (!is_in_reach(data.swept.cap, filled, way * scale.width + slack)) return error{error::crossing_contours};
             leave_frame(data.swept.cap);
+            if (filled.grid().corners != touching::keep) {
+                std::uint32_t found = 0;
+                if (error e = corner_parting::count(data.swept.cap, caps.space(), found)) return e;
+                made.corners_moved += found;
+                carve.touches = found != 0;
+                if (found != 0) return error{error::crossing_contours};
+            }
             return sides == bevel_sides::both ? keep_outline(data) : make_cap(data, caps);
         };
         const auto profile_at = [this](const profile_scale& at) noexcept { return points_of(at); };
-        bevel_carver carve = carver_of(filled, true);
         const region_to_carve given{*around, data.triangles.view()};
         if (error e = carve(given, profile_at, scale, caps.space(), data.swept, make)) return e;
         made.narrowed = carve.narrowed;

@@ -2,15 +2,19 @@
 #pragma once
 
 #include <typemesh/core/box.hpp>
+#include <typemesh/core/buffer.hpp>
 #include <typemesh/core/contours.hpp>
+#include <typemesh/core/curve.hpp>
 #include <typemesh/core/memory.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/result.hpp>
+#include <typemesh/core/touching.hpp>
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/extrude/cap_maker.hpp>
 #include <typemesh/extrude/exact_fill.hpp>
 #include <typemesh/extrude/extruder.hpp>
+#include <typemesh/fill/part_corners.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -52,24 +56,40 @@ struct inner_solid {
     contours loops;
     triangle_list triangles;
     plan_data_of<E> data;
+    buffer<curve> parted_curves;  // those of loops, if corners have been parted or joined
+    corner_parting parting;       // what was done to them
 
-    explicit inner_solid(memory source = heap()) noexcept : loops{source}, triangles{source}, data{source} {}
+    explicit inner_solid(memory source = heap()) noexcept
+        : loops{source}, triangles{source}, data{source}, parted_curves{source}
+    {
+    }
 
     void clear() noexcept
     {
         loops.clear();
         triangles.clear();
         data.clear();
+        parting = {};
     }
 
-    /// Makes the region of `loops`, which refers to them, and its triangles.
+    /// Makes the region of `loops`, which refers to them, and its triangles. Where they touch themselves, their corners
+    /// become what loops.grid says.
     ///
-    /// Fails  as fill_exactly() does
+    /// Fails  as fill_exactly() and corner_parting do
     template <cap_maker Caps>
     [[nodiscard]] result<region> fill(Caps& caps) noexcept
     {
         triangles.clear();
-        return fill_exactly(loops, caps, triangles);
+        parting = {};
+        auto made = fill_exactly(loops, caps, triangles);
+        if (!made || !made->is_touching() || loops.grid.corners == touching::keep) return made;
+        parted_curves.clear();
+        if (!parted_curves.append(loops.curves)) return error::out_of_memory;
+        made = parting(loops, parted_curves, caps.space());
+        triangles.clear();
+        if (!made || made->points().empty()) return made;
+        if (error e = caps(*made, triangles)) return e;
+        return made;
     }
 
     /// What the other extruder plans for that region; its box is never left out.
@@ -78,6 +98,10 @@ struct inner_solid {
     {
         detail::caps_of_region<Caps> own{caps, triangles.view()};
         auto made = plan_solid(how, filled, data, own);
+        if (made) {
+            made->corners_moved += parting.corners;
+            made->touching = made->touching || parting.still_touching;
+        }
         if (made && made->around.empty())
             for (const grid_point p : filled.points()) made->around.add(placement::exact(p));
         return made;

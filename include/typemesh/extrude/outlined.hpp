@@ -103,7 +103,8 @@ struct outlined_data {
 ///
 /// The ring's parts come first, then the letter's: with two `extruded` part{0} to part{2} and part{3} to part{5}, with
 /// materials of their own. There may be eight. Edges that both have are the same, point by point, in opposite
-/// directions: nothing gapes between them.
+/// directions: nothing gapes between them. Where corners that touch are parted or joined (text_options::corners), so that
+/// every edge of the mesh has two faces, the letter keeps 8 cells away from its ring.
 ///
 /// Corners, advances, letters that meet when they have grown, and distances that are not proven are as with
 /// `emboldened`.
@@ -248,6 +249,9 @@ struct outlined {
     }
 
 private:
+    static constexpr double gap = 2.0 * boundary_mover::finest;  // between ring and letter, in cells, where edges are
+                                                                 // to have two faces
+
     template <class E>
     static height_range heights_of(const E& how, const solid_of<E>& s) noexcept
     {
@@ -284,6 +288,8 @@ private:
         const std::uint32_t own = outer.contour_count();
         if (!append_loops(inner, outer)) return error::out_of_memory;
         for (std::uint32_t k = own; k < outer.contour_count(); ++k) turn_loop(outer, k);
+        if (has_letter && filled.grid().corners != touching::keep)
+            if (error e = data.mover(filled, around - distance - gap, corners, caps, data.curves, inner)) return e;
         outer.curves = inner.curves = data.curves.view();
         return {};
     }
@@ -325,6 +331,8 @@ private:
         }
         all->around.merge(within->around);
         all->narrowed = all->narrowed || within->narrowed;
+        all->touching = all->touching || within->touching;
+        all->corners_moved += within->corners_moved;
         if constexpr (tells_outline<Ring>) {
             const auto made = data.ring.read();
             const bool grows = !made.points.empty() && ring.outline(made).points.data() != made.points.data();

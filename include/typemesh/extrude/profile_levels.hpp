@@ -18,6 +18,7 @@ struct profile_level {
     float arrives = 0.0f;   ///< as a share of the bevel's depth; on the first level the wall ends there
     float leaves = 0.0f;    ///< on the last level the cap lies there
 
+    /// Whether it has one.
     [[nodiscard]] bool has_riser() const noexcept { return !same(arrives, leaves); }
 };
 
@@ -29,6 +30,9 @@ struct profile_level {
 ///            .'                  wall; one less deep than that does not rise at all: the wall reaches up to the cap.
 ///          .'    level 2
 ///     level 0, 1 ...
+///
+/// Where edges are to have two faces each (profile_scale::leans) a riser away from the wall becomes a steep slope, four
+/// cells wide, or has none: upright, it would have edges with four where the boundary touches itself as it stands there.
 class profile_levels {
 public:
     static constexpr double finest = finest_band;
@@ -56,11 +60,36 @@ public:
             if (bends && !(first && is_last)) from = to = first ? from : is_last ? to : 0.5f * (from + to);
             add(first ? 0.0 : is_last ? scale.width : distance(i), from, to);
         }
+        if (scale.leans) lean();
     }
 
     [[nodiscard]] std::span<const profile_level> view() const noexcept { return {levels_, count_}; }
 
 private:
+    /// Parts the levels that have a riser; each was made of two points at least, so there is room for them.
+    void lean() noexcept
+    {
+        profile_level upright[profile_points::most];
+        const std::size_t n = count_;
+        for (std::size_t i = 0; i < n; ++i) upright[i] = levels_[i];
+        count_ = 1;
+        for (std::size_t i = 1; i < n; ++i) {
+            const auto [at, arrives, leaves] = upright[i];
+            const bool last = i + 1 == n;
+            const bool before = at - levels_[count_ - 1].distance >= 2.0 * finest,
+                       after = !last && upright[i + 1].distance - at >= 2.0 * finest;
+            if (!upright[i].has_riser()) {
+                add(at, arrives, leaves);
+            } else if (after || before) {
+                add(after ? at : at - finest, arrives, arrives);
+                add(after ? at + finest : at, leaves, leaves);
+            } else {
+                const float h = last ? leaves : 0.5f * (arrives + leaves);
+                add(at, h, h);
+            }
+        }
+    }
+
     void add(double distance, float arrives, float leaves) noexcept { levels_[count_++] = {distance, arrives, leaves}; }
 
     profile_level levels_[profile_points::most];

@@ -49,6 +49,15 @@ public:
     [[nodiscard]] result<region> operator()(contours& loops, buffer<curve>& curves, workspace& space,
                                             std::uint32_t most_pieces = default_most_pieces) noexcept;
 
+    /// How many points loops pass through more than once.
+    ///
+    /// Fails  error::out_of_memory
+    [[nodiscard]] static error count(contours& loops, workspace& space, std::uint32_t& found) noexcept
+    {
+        workspace::scope scratch{space};
+        return find(loops, scratch, space, found) == nullptr ? error{error::out_of_memory} : error{};
+    }
+
     std::uint32_t corners = 0;    ///< afterwards: points through which the boundary has passed more than once
     bool still_touching = false;  ///< afterwards: some could not be treated
 

@@ -5,7 +5,9 @@
 #include <typemesh/core/first_where.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/result.hpp>
+#include <typemesh/core/touching.hpp>
 #include <typemesh/core/workspace.hpp>
+#include <typemesh/fill/part_corners.hpp>
 #include <typemesh/fill/resolve.hpp>
 
 #include <cmath>
@@ -61,13 +63,23 @@ public:
 
     /// The region that the members fill together, in this group's memory: valid until the next begin().
     ///
-    /// Fails  as resolve() does
+    /// Fails  as resolve() and corner_parting do
     template <class = void>  // see resolve()
     [[nodiscard]] result<region> join(workspace& space, std::uint32_t most_pieces = default_most_pieces) noexcept
     {
         loops_.curves = curves_.view();
-        return resolve(loops_, fill_rule::non_zero, space, {.most_pieces = most_pieces});
+        parting_ = {};
+        member_curves_ = curves_.size();
+        const auto made = resolve(loops_, fill_rule::non_zero, space, {.most_pieces = most_pieces});
+        if (!made || !made->is_touching() || loops_.grid.corners == touching::keep) return made;
+        return parting_(loops_, curves_, space, most_pieces);
     }
+
+    /// What join() did to corners that touch.
+    [[nodiscard]] const corner_parting& parting() const noexcept { return parting_; }
+
+    /// Whether a curve comes from a member, and not from a corner that was parted or joined.
+    [[nodiscard]] bool is_of_member(std::uint32_t curve) const noexcept { return curve < member_curves_; }
 
     /// The member that a curve of the union comes from: 0 for the first that was added.
     [[nodiscard]] std::uint32_t member_of(std::uint32_t curve) const noexcept
@@ -106,6 +118,8 @@ private:
     contours loops_;
     buffer<curve> curves_;
     buffer<std::uint32_t> first_curves_;  // of each member
+    std::size_t member_curves_ = 0;
+    corner_parting parting_;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/buffer.hpp>
 #include <typemesh/core/contours.hpp>
+#include <typemesh/core/curve.hpp>
 #include <typemesh/core/fill_rule.hpp>
 #include <typemesh/core/grid.hpp>
 #include <typemesh/core/most_pieces.hpp>
 #include <typemesh/core/outline.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/result.hpp>
+#include <typemesh/core/touching.hpp>
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/discretise/discretise.hpp>
 #include <typemesh/fill/nest.hpp>
 #include <typemesh/fill/orient.hpp>
+#include <typemesh/fill/part_corners.hpp>
 #include <typemesh/fill/resolve.hpp>
 #include <typemesh/fill/touching_cycles.hpp>
 #include <typemesh/glyph/crossing_refinement.hpp>
@@ -50,13 +54,15 @@ struct cap_settings {
 /// serves one thread at a time.
 class cap_builder {
 public:
-    explicit cap_builder(memory source = heap()) noexcept : space_{source}, loops_{source}, triangles_{source} {}
+    explicit cap_builder(memory source = heap()) noexcept : space_{source}, loops_{source}, triangles_{source}, curves_{source}
+    {
+    }
 
     /// The region that curves fill, with its triangles; a region without points if nothing is filled.
     ///
     ///     curves      the region refers to them
     ///     tolerance   in font units
-    ///     cells       the grid, see grid::fitting
+    ///     cells       the grid, see grid::fitting. Corners that touch become what its `corners` says: parting()
     ///
     /// Fails  as discretise(), resolve() and the triangulator do
     /// Cost   theirs; where chords cross, that of refine()
@@ -64,19 +70,18 @@ public:
     [[nodiscard]] result<region> build(const outline& curves, double tolerance, const grid& cells,
                                        const cap_settings& how, const policies<Discretiser, Policy...>& with) noexcept
     {
-        effort_ = {};
+        auto made = build_as_drawn(curves, tolerance, cells, how, with);
+        parting_ = {};
+        if (!made || !made->is_touching() || cells.corners == touching::keep) return made;
+        with.observe(stage::fill);
+        curves_.clear();
+        if (!curves_.append(made->curves())) return error::out_of_memory;
+        made = parting_(loops_, curves_, space_, how.most_pieces);
         triangles_.clear();
-        loops_.most_points = how.most_points;
-        with.observe(stage::discretise);
-        if (error e = flatten(curves, with.flatten, tolerance, cells)) return e;
-        if (loops_.points.empty()) return region{};
-        if constexpr (!keeps_tolerance<Discretiser>) {
-            return fill(how, with.cut, with.observe);
-        } else {
-            const auto proven = prove(how.rule, with.cut, with.observe);
-            if (proven || proven.error().code != error::crossing_contours) return proven;
-            return refine(curves, tolerance, cells, how, with);
-        }
+        if (!made || made->points().empty()) return made;
+        with.observe(stage::triangulate);
+        if (error e = cap(*made, with.cut)) return e;
+        return made;
     }
 
     /// The region that loops() fill, with its triangles.
@@ -140,6 +145,9 @@ public:
     /// What refine() did for the last outline.
     [[nodiscard]] const refinement_effort& effort() const noexcept { return effort_; }
 
+    /// What was done to corners that touch, by the last build().
+    [[nodiscard]] const corner_parting& parting() const noexcept { return parting_; }
+
     /// The scratch memory, for scopes of your own.
     [[nodiscard]] workspace& space() noexcept { return space_; }
 
@@ -151,10 +159,32 @@ public:
     {
         space_.trim();
         loops_ = contours{source()};
+        curves_ = buffer<curve>{source()};
         triangles_ = triangle_list{source()};
     }
 
 private:
+    /// build() with corners that touch as they are.
+    template <discretiser Discretiser, class... Policy>
+    [[nodiscard]] result<region> build_as_drawn(const outline& curves, double tolerance, const grid& cells,
+                                                const cap_settings& how,
+                                                const policies<Discretiser, Policy...>& with) noexcept
+    {
+        effort_ = {};
+        triangles_.clear();
+        loops_.most_points = how.most_points;
+        with.observe(stage::discretise);
+        if (error e = flatten(curves, with.flatten, tolerance, cells)) return e;
+        if (loops_.points.empty()) return region{};
+        if constexpr (!keeps_tolerance<Discretiser>) {
+            return fill(how, with.cut, with.observe);
+        } else {
+            const auto proven = prove(how.rule, with.cut, with.observe);
+            if (proven || proven.error().code != error::crossing_contours) return proven;
+            return refine(curves, tolerance, cells, how, with);
+        }
+    }
+
     /// prove(), or, for triangulators that do not prove, nest() and cap().
     template <triangulator Triangulator, stage_observer Observer>
     [[nodiscard]] result<region> prove(fill_rule rule, const Triangulator& cut, Observer& observe) noexcept
@@ -227,6 +257,8 @@ private:
     triangle_list triangles_;
     resolve_effort resolved_;  // of the last round
     refinement_effort effort_;
+    buffer<curve> curves_;  // the outline's and those of corners that were parted or joined
+    corner_parting parting_;
 };
 
 // Behind the class, so that typemesh::compiled can keep it out of other units.

@@ -5,6 +5,7 @@
 #include <typemesh/core/grid.hpp>
 #include <typemesh/core/most_pieces.hpp>
 #include <typemesh/core/outline.hpp>
+#include <typemesh/core/touching.hpp>
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/glyph/built_glyph.hpp>
 #include <typemesh/glyph/cap_builder.hpp>
@@ -25,6 +26,11 @@ struct glyph_settings {
     std::optional<fill_rule> fill = {};               ///< instead of the outline source's own
     std::uint32_t most_pieces = default_most_pieces;  ///< that contours which cross may be cut into; see resolve()
     std::uint32_t most_points = default_most_points;  ///< that curves may be flattened into; and how many curves
+    touching corners = touching::keep;                ///< what becomes of corners that touch
+
+    /// An em of the grid has no more cells, unless corners are kept as they are: a power of two, which goes by how far
+    /// from the origin glyphs are written, so that floats tell neighbouring cells apart.
+    double most_cells = 0x1p40;
 };
 
 /// Builds one glyph from its outline: record, discretise, fill, triangulate, and the extruder's plan. Owns the scratch
@@ -69,9 +75,17 @@ public:
         const double units_per_em = font.units_per_em();
         const auto fitting = grid::fitting(units_per_em, outline_.bounds);
         if (!fitting) return fitting.error();
+        grid cells = *fitting;
+        if (how.corners != touching::keep) {
+            cells.corners = how.corners;
+            cells.coarsen(how.most_cells);
+        }
         const cap_settings filled{how.fill.value_or(outline_.rule), how.most_pieces, how.most_points};
-        return caps_.build(outline_, how.tolerance * units_per_em, *fitting, filled, with);
+        return caps_.build(outline_, how.tolerance * units_per_em, cells, filled, with);
     }
+
+    /// What was done to corners that touch, by the last build_region().
+    [[nodiscard]] const corner_parting& parting() const noexcept { return caps_.parting(); }
 
     /// Gives all memory back to its source, and with it what was built last. The next glyph allocates anew.
     void trim() noexcept
@@ -107,6 +121,8 @@ private:
         if (!plan) return plan.error();
         made.form = {filled->points(), filled->starts(), caps_.triangles().view()};
         made.plan = *plan;
+        made.plan.corners_moved += caps_.parting().corners;
+        made.plan.touching = made.plan.touching || caps_.parting().still_touching;
         made.data = &plan_;
         made.cells = filled->grid().cells;
         return {};

@@ -3,6 +3,7 @@
 
 #include <typemesh/core/fill_rule.hpp>
 #include <typemesh/core/option_bits.hpp>
+#include <typemesh/core/touching.hpp>
 #include <typemesh/glyph/glyph_builder.hpp>
 #include <typemesh/outline/variation_key.hpp>
 
@@ -49,6 +50,7 @@ struct glyph_context {
     std::uint64_t fill = 0;       ///< 0: the outline source's own rule; else one more than the rule
     std::uint64_t most_pieces = 0;
     std::uint64_t most_points = 0;
+    std::uint64_t corners = 0;  ///< 0: as they are drawn; else which way, and the bits of glyph_settings::most_cells
     policy_key discretiser, triangulator, extruder;
 
     friend bool operator==(const glyph_context&, const glyph_context&) noexcept = default;
@@ -64,6 +66,7 @@ struct glyph_context {
         mix(fill);
         mix(most_pieces);
         mix(most_points);
+        mix(corners);
         for (const policy_key* p : {&discretiser, &triangulator, &extruder}) {
             mix(reinterpret_cast<std::uintptr_t>(p->type));
             for (const std::uint64_t word : p->options.words) mix(word);
@@ -84,6 +87,8 @@ template <class Font, class... Policy>
     c.fill = how.fill ? 1 + static_cast<std::uint64_t>(*how.fill) : 0;
     c.most_pieces = how.most_pieces;
     c.most_points = how.most_points;
+    if (how.corners != touching::keep)
+        c.corners = option_bits{how.most_cells}.words[0] | static_cast<std::uint64_t>(how.corners);
     c.discretiser = key_of(with.flatten);
     c.triangulator = key_of(with.cut);
     c.extruder = key_of(with.raise);

@@ -67,7 +67,9 @@ public:
 
         const auto region_of = [&](const placed_glyph& glyph) noexcept {
             auto face = all.looks.face_of(font, glyph.look);
-            return builder.build_region(face, glyph.id, how, with);
+            const auto made = builder.build_region(face, glyph.id, how, with);
+            corners_of_members_ += builder.parting().corners;
+            return made;
         };
         const auto none = static_cast<std::uint32_t>(count);
         for (std::uint32_t i = 0; i < count; ++i) {
@@ -83,7 +85,7 @@ public:
             merged_group made;
             made.first_member = first_member;
             made.member_count = static_cast<std::uint32_t>(all.merged.members.size()) - first_member;
-            if (error e = join(made, all, run, region_of, how.most_pieces, with))
+            if (error e = join(made, all, run, region_of, how, with))
                 return e.at(run.glyphs[i].id, run.glyphs[i].cluster);
             if (!all.merged.groups.push_back(made)) return error::out_of_memory;
         }
@@ -144,7 +146,7 @@ private:
 
     /// The finest grid onto which all members fit, relative to the first one's pen.
     static result<grid> grid_for(const text_glyphs& all, const glyph_run& run,
-                                 std::span<const std::uint32_t> members) noexcept
+                                 std::span<const std::uint32_t> members, touching corners) noexcept
     {
         const point first = run.glyphs[members[0]].origin;
         box around;
@@ -158,6 +160,7 @@ private:
             g.cells = s.cells() > g.cells ? s.cells() : g.cells;
         }
         g.units_per_em = all.looks.units_per_em();
+        g.corners = corners;
         double farthest = 0.0;
         for (const double v : {around.low.x, around.low.y, around.high.x, around.high.y})
             farthest = std::fabs(v) > farthest ? std::fabs(v) : farthest;
@@ -172,9 +175,9 @@ private:
     /// try_to_join(); a group that cannot be built is refused, as a glyph is, and the text continues without it.
     template <class Region, class... Policy>
     error join(merged_group& made, text_glyphs& all, const glyph_run& run, const Region& region_of,
-               std::uint32_t most_pieces, const policies<Policy...>& with) noexcept
+               const glyph_settings& how, const policies<Policy...>& with) noexcept
     {
-        const error e = try_to_join(made, all, run, region_of, most_pieces, with);
+        const error e = try_to_join(made, all, run, region_of, how, with);
         if (!e || !glyph_builder::concerns_the_glyph_alone(e)) return e;
         glyph_draft none;
         none.refusal = e;
@@ -185,12 +188,13 @@ private:
     /// Makes one glyph of the group's members, whose regions region_of(placed_glyph) builds.
     template <class Region, class... Policy>
     error try_to_join(merged_group& made, text_glyphs& all, const glyph_run& run, const Region& region_of,
-                      std::uint32_t most_pieces, const policies<Policy...>& with) noexcept
+                      const glyph_settings& how, const policies<Policy...>& with) noexcept
     {
         const std::span<const std::uint32_t> members = all.merged.members_of(made);
-        const auto onto = grid_for(all, run, members);
+        const auto onto = grid_for(all, run, members, how.corners);
         if (!onto) return onto.error();
         union_.begin(*onto);
+        corners_of_members_ = 0;
         const pen first = snapped(run.glyphs[members[0]].origin, onto->cells);
         for (const std::uint32_t m : members) {
             const auto filled = region_of(run.glyphs[m]);
@@ -200,13 +204,15 @@ private:
                 return e;
         }
         with.observe(stage::fill);
-        const auto joined = union_.join(caps_.space(), most_pieces);
+        const auto joined = union_.join(caps_.space(), how.most_pieces);
         if (!joined) return joined.error();
         with.observe(stage::triangulate);
         if (error e = caps_.cap(*joined, with.cut)) return e;
         with.observe(stage::extrude);
-        const auto plan = plan_region(*joined, with, caps_, further_, plan_);
+        auto plan = plan_region(*joined, with, caps_, further_, plan_);
         if (!plan) return plan.error();
+        plan->corners_moved += corners_of_members_ + union_.parting().corners;
+        plan->touching = plan->touching || union_.parting().still_touching;
 
         made.built = all.store.keep(
             {{joined->points(), joined->starts(), caps_.triangles().view()}, *plan, onto->cells, {}, &plan_});
@@ -215,13 +221,16 @@ private:
         const auto edges = joined->edges();
         std::uint32_t* owners = all.merged.owners.append(edges.size());
         if (made.built == nullptr || (owners == nullptr && !edges.empty())) return error::out_of_memory;
-        for (std::size_t i = 0; i < edges.size(); ++i) owners[i] = members[union_.member_of(edges[i].curve)];
+        for (std::size_t i = 0; i < edges.size(); ++i)
+            owners[i] =
+                union_.is_of_member(edges[i].curve) ? members[union_.member_of(edges[i].curve)] : shared_glyph;
         return {};
     }
 
     cap_builder caps_;
     cap_builder further_;  // for regions that the extruder asks for
     region_union union_;
+    std::uint32_t corners_of_members_ = 0;  // that were parted or joined before they were merged
     plan_scratch plan_;
 };
 

@@ -25,6 +25,12 @@ namespace detail {
     return {};
 }
 
+/// A pen rounded to a glyph's grid, as glyph_merger does.
+[[nodiscard]] inline point on_grid(point origin, double cells) noexcept
+{
+    return {std::nearbyint(origin.x * cells) / cells, std::nearbyint(origin.y * cells) / cells};
+}
+
 /// The line of a glyph of the run (of several that begin with it, the last); 0 if there is at most one line.
 [[nodiscard]] inline std::uint32_t line_of(const glyph_run& run, std::uint32_t glyph) noexcept
 {
@@ -48,9 +54,12 @@ namespace detail {
 /// Places each glyph of the run, style by style, a group of merged ones where its first member stands; needs
 /// all.numbers, pinned, looks and merged. Blank glyphs and those that cannot be drawn are counted in the report.
 ///
+///     on_grid    glyphs stand on the grid, where glyph_merger has compared them: what does not touch there does not
+///                touch when it is written
+///
 /// Fails  error::too_large, error::out_of_memory
 /// Cost   O(glyphs) if there is one style and nothing is merged, else O(glyphs log glyphs)
-inline error place_glyphs(text_glyphs& all, const glyph_run& run) noexcept
+inline error place_glyphs(text_glyphs& all, const glyph_run& run, bool on_grid = false) noexcept
 {
     text_report& report = all.report;
     const merged_glyphs& merged = all.merged;
@@ -58,7 +67,7 @@ inline error place_glyphs(text_glyphs& all, const glyph_run& run) noexcept
     if (!all.reserve_records(run.glyphs.size())) return error::out_of_memory;
     if (error e = all.looks.sort(run)) return e;
     const std::span<const std::uint32_t> order = all.looks.order();
-    std::uint32_t line = 0, first_refused = 0, first_narrowed = 0;
+    std::uint32_t line = 0, first_refused = 0, first_narrowed = 0, first_touching = 0;
     for (std::uint32_t k = 0; k < run.glyphs.size(); ++k) {
         const std::uint32_t i = order.empty() ? k : order[k];
         if (!order.empty() && !run.lines.empty())
@@ -82,6 +91,7 @@ inline error place_glyphs(text_glyphs& all, const glyph_run& run) noexcept
             s.origin = merged.groups[s.merged].origin;
         }
         error refusal = detail::misplaced(s.origin);
+        if (on_grid && !refusal) s.origin = detail::on_grid(s.origin, s.built->cells());
         if (!refusal) refusal = s.built->refusal();
         if (refusal) {
             if (report.refused++ == 0 || i < first_refused) {
@@ -92,6 +102,11 @@ inline error place_glyphs(text_glyphs& all, const glyph_run& run) noexcept
             ++report.blank;
         } else {
             if (error e = all.place_glyph(s, number)) return e;
+            report.corners_moved += s.built->corners_moved();
+            if (s.built->is_touching() && (report.touching++ == 0 || i < first_touching)) {
+                report.first_touching = glyph.cluster;
+                first_touching = i;
+            }
             if (s.built->is_narrowed() && (report.narrowed++ == 0 || i < first_narrowed)) {
                 report.first_narrowed = glyph.cluster;
                 first_narrowed = i;

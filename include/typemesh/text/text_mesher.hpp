@@ -3,6 +3,7 @@
 
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/same.hpp>
+#include <typemesh/core/touching.hpp>
 #include <typemesh/discretise/certified.hpp>
 #include <typemesh/extrude/extruded.hpp>
 #include <typemesh/glyph/glyph_builder.hpp>
@@ -10,6 +11,7 @@
 #include <typemesh/layout/layout.hpp>
 #include <typemesh/outline/face_source.hpp>
 #include <typemesh/text/arrange.hpp>
+#include <typemesh/text/cells_told_apart.hpp>
 #include <typemesh/text/glyph_merger.hpp>
 #include <typemesh/text/glyph_workers.hpp>
 #include <typemesh/text/lone_worker.hpp>
@@ -273,20 +275,23 @@ private:
         return {};
     }
 
-    static glyph_settings settings_of(const text_options& options) noexcept
+    glyph_settings settings_of(const glyph_run& run, const text_options& options) const noexcept
     {
-        return {.tolerance = options.tolerance,
-                .fill = options.fill,
-                .most_pieces = options.most_pieces,
-                .most_points = options.most_points};
+        glyph_settings how{.tolerance = options.tolerance,
+                           .fill = options.fill,
+                           .most_pieces = options.most_pieces,
+                           .most_points = options.most_points};
+        if (options.corners == touching::keep) return how;
+        how.corners = options.corners;
+        how.most_cells = cells_told_apart(run, font_->units_per_em(), options.frame.is_along_axes());
+        return how;
     }
 
     /// Finds or builds each different glyph.
     template <plan_workers<Font> Workers>
-    error build_glyphs(const text_options& options, Workers& workers) noexcept
+    error build_glyphs(const text_options& options, const glyph_settings& how, Workers& workers) noexcept
     {
         const auto keys = glyphs_.different.keys();
-        const glyph_settings how = settings_of(options);
         TYPEMESH_ASSERT(same(workers.units_per_em(), font_->units_per_em()),
                         "the sources of a glyph_workers are of another font");
         if constexpr (!Workers::is_alone) observer_(stage::outline);
@@ -338,9 +343,8 @@ private:
                             });
     }
 
-    error merge(const glyph_run& run, const text_options& options) noexcept
+    error merge(const glyph_run& run, const glyph_settings& how) noexcept
     {
-        const glyph_settings how = settings_of(options);
         return merger_(glyphs_, run, builder_, *font_, how, policies_for(observer_));
     }
 
@@ -415,9 +419,10 @@ auto text_mesher<Font, D, T, E, O, C>::plan_once(const glyph_run& run, const tex
     error e = refused_options(extruder_);
     if (!e) e = glyphs_.looks.read(run, *font_);
     if (!e) e = collect(run, options);
-    if (!e) e = build_glyphs(options, workers);
-    if (!e && options.merge) e = merge(run, options);
-    if (!e) e = place_glyphs(glyphs_, run);
+    const glyph_settings how = settings_of(run, options);
+    if (!e) e = build_glyphs(options, how, workers);
+    if (!e && options.merge) e = merge(run, how);
+    if (!e) e = place_glyphs(glyphs_, run, options.merge && options.corners != touching::keep);
     const height_range heights = extruder_.heights();
     if (!e) e = arrange(glyphs_, run, options, units_per_em, extruder_);
     if (!e) e = refuse_extremes(glyphs_.placed, glyphs_.bounds, heights, heights_name());

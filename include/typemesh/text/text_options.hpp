@@ -4,6 +4,7 @@
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/fill_rule.hpp>
 #include <typemesh/core/most_pieces.hpp>
+#include <typemesh/core/touching.hpp>
 #include <typemesh/discretise/quality.hpp>
 #include <typemesh/layout/layout.hpp>
 #include <typemesh/vertex/frame.hpp>
@@ -66,6 +67,13 @@ struct text_options {
     /// Merge glyphs whose outlines meet (kerned, cursive or accented ones; bolder ones and those with outward bevels
     /// when they have grown) to one solid without inner walls: see glyph_merger.hpp.
     bool merge = false;
+
+    /// What becomes of corners in which a letter touches itself. With touching::part or join every edge of the mesh has
+    /// two faces, and every point of its surface is round it like a disc: programs that compute with solids demand that
+    /// (OpenSCAD, CGAL). Upright pieces of bevels then lean by a few cells, and the grid is so coarse that floats tell
+    /// neighbouring cells apart wherever a letter stands, up to 2,000 em from the origin. For letters that touch each
+    /// other add `merge`. The report counts such corners.
+    touching corners = touching::keep;
 
     /// Build a repeated glyph only once. If false, every occurrence is built anew, to the same mesh: for measurements.
     bool reuse = true;
