@@ -30,6 +30,12 @@ enum class file_kind { unknown, glb, obj, stl, ply, three_mf, png };
     return kind == file_kind::stl || kind == file_kind::three_mf;
 }
 
+/// True where every edge is to have two faces: what reads the others draws, and does not compute with solids.
+[[nodiscard]] constexpr bool wants_two_faces(file_kind kind)
+{
+    return holds_solids(kind) || kind == file_kind::obj || kind == file_kind::ply;
+}
+
 /// True where parts may have colours of their own.
 [[nodiscard]] constexpr bool holds_colours(file_kind kind) { return kind != file_kind::stl && kind != file_kind::ply; }
 

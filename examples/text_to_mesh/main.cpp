@@ -53,6 +53,7 @@ typemesh::text_options text_options_of(const options& o)
     how.fill = o.fill;
     how.size = o.size;
     how.merge = o.merge;
+    how.corners = o.corners;
     return how;
 }
 

@@ -92,6 +92,7 @@ std::string version()
 struct raw_values {
     std::vector<std::string> variations, features, show;
     std::string uv, fill, fit, profile = "chamfer", family;
+    std::optional<typemesh::touching> corners;
     std::optional<double> size, bevel_depth, bevel_steps, letter_spacing;
     bool no_merge = false, tolerance_given = false, shading_given = false, normals_given = false, bevel_given = false,
          align_given = false;
@@ -259,11 +260,14 @@ void add_mesh_options(CLI::App& app, options& out, raw_values& raw)
     app.add_option("--fill", raw.fill, "instead of the font's own rule")->check(one_of({"nonzero", "evenodd"}));
     app.add_option("--uv", raw.uv, "texture coordinates: over the text's box, or in em (default)")
         ->check(one_of({"box", "em"}));
-    auto* merged =
-        app.add_flag("--merge", out.merge,
-                     "letters that meet become one solid without inner walls (default for .stl, .3mf, moved edges)");
-    app.add_flag("--no-merge", raw.no_merge, "each letter stays a solid of its own (default for the others)")
-        ->excludes(merged);
+    auto* merged = app.add_flag("--merge", out.merge,
+                                "letters that meet become one solid without inner walls (default but for plain .glb)");
+    app.add_flag("--no-merge", raw.no_merge, "each letter stays a solid of its own")->excludes(merged);
+    add_named<std::optional<typemesh::touching>>(
+        app, "--touching", raw.corners,
+        "corners of a letter that touch: parted (default for .stl, .obj, .ply, .3mf), joined, or kept; but for keep, "
+        "letters that meet become one, as by --merge",
+        {{"part", typemesh::touching::part}, {"join", typemesh::touching::join}, {"keep", typemesh::touching::keep}});
     app.add_flag("--instances", out.instances,
                  "in .glb: each different letter once, unmerged, and a node for each place")
         ->excludes(merged);
@@ -541,8 +545,11 @@ std::string settle(options& out, const raw_values& raw)
         return "--quality: is not for --discretiser two_lines, which makes two lines of every curve";
     if (out.instances && out.kind != file_kind::glb) return "--instances: is for --output FILE.glb";
     out.size = raw.size.value_or(out.kind == file_kind::three_mf ? 10.0 : 1.0);
+    using typemesh::touching;
+    out.corners = raw.corners.value_or(wants_two_faces(out.kind) ? touching::part : touching::keep);
     const bool edges_move = out.bevel.width > 0.0f || out.outline.width > 0.0f || out.embolden != 0.0f;
-    out.merge = out.merge || (!raw.no_merge && !out.instances && (holds_solids(out.kind) || edges_move));
+    out.merge = out.merge || (!raw.no_merge && !out.instances &&
+                              (holds_solids(out.kind) || edges_move || out.corners != touching::keep));
     if (out.instances && !out.styles.empty()) return "--style: is not for --instances";
     out.text = with_line_breaks(out.text);
     const std::string trouble = refused_styles(out);

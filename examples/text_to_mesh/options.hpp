@@ -81,6 +81,7 @@ struct options {
     bool strict = false;
     bool merge = false;
     bool instances = false;
+    typemesh::touching corners = typemesh::touching::keep;
 
     std::string output;
     file_kind kind = file_kind::unknown;  ///< of the output

@@ -70,6 +70,9 @@ std::string in_words(const typemesh::text_report& report, bool several_fonts)
     if (report.narrowed > 0)
         say("edges of " + number(report.narrowed) + of_all +
             " glyphs have moved less than --bevel, --outline or --embolden ask for" + at(report.first_narrowed));
+    if (report.touching > 0)
+        say("corners of " + number(report.touching) + of_all + " glyphs still touch, whatever --touching asks for" +
+            at(report.first_touching));
     return all;
 }
 

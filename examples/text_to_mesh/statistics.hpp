@@ -39,10 +39,11 @@ void print_stats(const Plan& plan, const typemesh::triangle_quality& q, const st
         static_cast<unsigned long long>(plan.hard_edges()), static_cast<unsigned long long>(plan.size().vertices),
         static_cast<unsigned long long>(plan.size().triangles));
     std::printf(
-        ",\"front\":{\"triangles\":%llu,\"smallest_angle\":%.4g,\"angle_5_percent\":%.4g,\"angle_median\":%.4g,"
+        ",\"corners_moved\":%llu,\"front\":{\"triangles\":%llu,\"smallest_angle\":%.4g,\"angle_5_percent\":%.4g,"
+        "\"angle_median\":%.4g,"
         "\"largest_aspect\":%.4g}",
-        static_cast<unsigned long long>(q.triangles), q.smallest_angle, q.angle_at(0.05), q.angle_at(0.5),
-        q.largest_aspect);
+        static_cast<unsigned long long>(report.corners_moved), static_cast<unsigned long long>(q.triangles),
+        q.smallest_angle, q.angle_at(0.05), q.angle_at(0.5), q.largest_aspect);
     const char* names[] = {"shape", "outline", "discretise", "fill", "triangulate", "extrude"};
     std::printf(",\"nanoseconds\":{");
     for (int i = 0; i < 6; ++i)

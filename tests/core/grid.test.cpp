@@ -82,3 +82,21 @@ TEST_CASE("what is no number, or too large, has no grid", "[core][grid]")
     open.high.x = infinite;
     CHECK(grid::fitting(1000.0, open).error() == error::outline_not_finite);
 }
+
+TEST_CASE("a grid is halved until an em has no more cells than wanted", "[grid]")
+{
+    grid g;
+    g.units_per_em = 1000.0;
+    g.span = 4096.0;
+    g.coarsen(0x1p20);
+    CHECK(same(g.cells, 512.0));
+    CHECK(same(g.span, 4096.0));
+    g.coarsen(0x1p18);
+    CHECK(same(g.cells, 256.0));
+    CHECK(same(g.span, 2056.0));  // two points a cell apart may have been two half cells apart
+    g.coarsen(1.0);
+    CHECK(g.cells * g.units_per_em <= 1.0);
+    CHECK(g.cells * g.units_per_em > 0.5);
+    g.coarsen(0.0);
+    CHECK(g.cells > 0.0);
+}

@@ -103,8 +103,8 @@ struct outlined_data {
 ///
 /// The ring's parts come first, then the letter's: with two `extruded` part{0} to part{2} and part{3} to part{5}, with
 /// materials of their own. There may be eight. Edges that both have are the same, point by point, in opposite
-/// directions: nothing gapes between them. Where corners that touch are parted or joined (text_options::corners), so that
-/// every edge of the mesh has two faces, the letter keeps 8 cells away from its ring.
+/// directions: nothing gapes between them. Where every edge of the mesh is to have two faces (text_options::corners),
+/// the letter keeps 8 cells away from its ring.
 ///
 /// Corners, advances, letters that meet when they have grown, and distances that are not proven are as with
 /// `emboldened`.

@@ -32,7 +32,8 @@ struct profile_level {
 ///     level 0, 1 ...
 ///
 /// Where edges are to have two faces each (profile_scale::leans) a riser away from the wall becomes a steep slope, four
-/// cells wide, or has none: upright, it would have edges with four where the boundary touches itself as it stands there.
+/// cells wide, or has none. Upright, it would have edges with four where the boundary touches itself as it stands
+/// there.
 class profile_levels {
 public:
     static constexpr double finest = finest_band;

@@ -34,8 +34,8 @@ struct solid_with : solid {
 struct solid_plan {
     part_sizes sizes;
     box around = {};
-    bool narrowed = false;  ///< its edges have moved less than asked for, as those farther on were not proven
-    bool touching = false;  ///< corners touch that should have been parted or joined
+    bool narrowed = false;            ///< its edges have moved less than asked for, as those farther on were not proven
+    bool touching = false;            ///< corners touch that should have been parted or joined
     std::uint32_t corners_moved = 0;  ///< that have been parted or joined; see grid::corners
 };
 

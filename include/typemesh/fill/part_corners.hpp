@@ -154,11 +154,12 @@ result<region> corner_parting::operator()(contours& loops, buffer<curve>& curves
     still_touching = false;
     const resolve_options how{.most_pieces = most_pieces};
     const std::int32_t first = smallest(loops.grid);
-    const bool keep = loops.grid.corners == touching::keep;
-    for (const grid_point p : loops.points)  // the frame has to lie around it
-        if (p.x <= -frame || p.x >= frame || p.y <= -frame || p.y >= frame) return error::outline_beyond_grid;
+    if (loops.grid.corners == touching::keep) return resolve(loops, fill_rule::non_zero, space, how);
+    bool has_room = true;  // for the frame
+    for (const grid_point p : loops.points)
+        has_room = has_room && p.x > -frame && p.x < frame && p.y > -frame && p.y < frame;
     std::uint32_t holes = 0, outers = 0;
-    for (int round = 0; round < 2 * doublings && !keep; ++round) {
+    for (int round = 0;; ++round) {
         const bool opens = (loops.grid.corners == touching::part) == (round < doublings);
         const std::int32_t size = first << (round % doublings);
         workspace::scope scratch{space};
@@ -166,7 +167,9 @@ result<region> corner_parting::operator()(contours& loops, buffer<curve>& curves
         const grid_point* const centres = find(loops, scratch, space, found);
         if (centres == nullptr) return error::out_of_memory;
         if (round == 0) corners = found;
-        if (found == 0) return loops.points.empty() ? region{} : region::proven(loops, holes, outers);
+        still_touching = found != 0;
+        if (round != 0 && found == 0) return region::proven(loops, holes, outers);
+        if (found == 0 || round == 2 * doublings || !has_room) return resolve(loops, fill_rule::non_zero, space, how);
         loops.forget_order();
         if (opens) turn(loops);
         if (opens && !add_frame(loops)) return error::out_of_memory;
@@ -182,8 +185,6 @@ result<region> corner_parting::operator()(contours& loops, buffer<curve>& curves
         leave_frame(loops);
         turn(loops);
     }
-    still_touching = true;
-    return resolve(loops, fill_rule::non_zero, space, how);
 }
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -54,7 +54,8 @@ struct cap_settings {
 /// serves one thread at a time.
 class cap_builder {
 public:
-    explicit cap_builder(memory source = heap()) noexcept : space_{source}, loops_{source}, triangles_{source}, curves_{source}
+    explicit cap_builder(memory source = heap()) noexcept
+        : space_{source}, loops_{source}, triangles_{source}, curves_{source}
     {
     }
 

@@ -57,13 +57,12 @@ template <class Vertex, class Index, class Position>
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint32_t from = p[k], to = p[(k + 1) % 3];
             at[3 * t + k] = from;
-            sides.push_back({(std::min)(from, to), (std::max)(from, to), static_cast<std::uint32_t>(3 * t + k),
-                             from < to});
+            sides.push_back(
+                {(std::min)(from, to), (std::max)(from, to), static_cast<std::uint32_t>(3 * t + k), from < to});
         }
     }
-    std::sort(sides.begin(), sides.end(), [](const side& a, const side& b) {
-        return a.low != b.low ? a.low < b.low : a.high < b.high;
-    });
+    std::sort(sides.begin(), sides.end(),
+              [](const side& a, const side& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
     // Corners of one point whose triangles share an edge there are of one fan.
     std::vector<std::uint32_t> fan(at.size());
     std::iota(fan.begin(), fan.end(), 0u);

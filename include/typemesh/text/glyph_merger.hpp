@@ -145,8 +145,8 @@ private:
     }
 
     /// The finest grid onto which all members fit, relative to the first one's pen.
-    static result<grid> grid_for(const text_glyphs& all, const glyph_run& run,
-                                 std::span<const std::uint32_t> members, touching corners) noexcept
+    static result<grid> grid_for(const text_glyphs& all, const glyph_run& run, std::span<const std::uint32_t> members,
+                                 touching corners) noexcept
     {
         const point first = run.glyphs[members[0]].origin;
         box around;
@@ -222,8 +222,7 @@ private:
         std::uint32_t* owners = all.merged.owners.append(edges.size());
         if (made.built == nullptr || (owners == nullptr && !edges.empty())) return error::out_of_memory;
         for (std::size_t i = 0; i < edges.size(); ++i)
-            owners[i] =
-                union_.is_of_member(edges[i].curve) ? members[union_.member_of(edges[i].curve)] : shared_glyph;
+            owners[i] = union_.is_of_member(edges[i].curve) ? members[union_.member_of(edges[i].curve)] : shared_glyph;
         return {};
     }
 

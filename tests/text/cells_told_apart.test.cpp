@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include <typemesh/core/same.hpp>
+#include <typemesh/text/cells_told_apart.hpp>
+
+#include "support/catch.hpp"
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+using namespace typemesh;
+
+namespace {
+
+glyph_run run_at(double x, double y)
+{
+    glyph_run run;
+    REQUIRE(run.glyphs.push_back({0, 0, {x, y}}));
+    return run;
+}
+
+}  // namespace
+
+TEST_CASE("an em has fewer cells the farther glyphs stand, a power of two", "[cells_told_apart]")
+{
+    const auto at = [](double em) { return cells_told_apart(run_at(1000.0 * em, 0.0), 1000.0, true); };
+    CHECK(same(cells_told_apart(glyph_run{}, 1000.0, true), 0x1p21));  // 2 em are taken for the letters themselves
+    CHECK(same(at(0.0), 0x1p21));
+    CHECK(same(at(5.9), 0x1p20));
+    CHECK(same(at(6.1), 0x1p19));
+    CHECK(same(at(-60.0), 0x1p17));
+    CHECK(same(at(4000.0), 0x1p11));
+    CHECK(same(at(1e9), 0x1p11));
+    CHECK(same(cells_told_apart(run_at(0.0, -60000.0), 1000.0, true), 0x1p17));
+    CHECK(same(cells_told_apart(run_at(0.0, -60000.0), 1000.0, false), 0x1p14));
+}
+
+TEST_CASE("places that are not numbers do not count", "[cells_told_apart]")
+{
+    for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+        CHECK(same(cells_told_apart(run_at(bad, 0.0), 1000.0, true), 0x1p21));
+}
+
+TEST_CASE("places a cell apart are different floats, in any unit", "[cells_told_apart]")
+{
+    std::mt19937_64 random{3};
+    std::uniform_real_distribution<double> share{0.0, 1.0};
+    for (int run = 0; run < 200000; ++run) {
+        const double far = std::exp2(12.0 * share(random)) - 2.0;  // em; a letter's own places up to 2 em beyond
+        const double per_em = cells_told_apart(run_at(far * 1000.0, 0.0), 1000.0, true);
+        const double unit = std::exp2(40.0 * share(random) - 20.0);
+        const double pen = far * share(random) * per_em;
+        const double cell = std::floor(share(random) * 2.0 * per_em);
+        const auto here = static_cast<float>((cell + pen) * (unit / per_em)),
+                   next = static_cast<float>((cell + 1.0 + pen) * (unit / per_em));
+        REQUIRE(here < next);
+    }
+}

@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: MIT
+//
+// text_options::corners: every edge of the mesh as it is written has two faces, and round every point its faces make one
+// fan, whatever touches in the letters, wherever they stand.
+
+#include "support/catch.hpp"
+#include "support/counting_memory.hpp"
+#include "support/executors.hpp"
+#include "support/lit_mesh.hpp"
+
+#include <typemesh/extrude/bevelled.hpp>
+#include <typemesh/extrude/emboldened.hpp>
+#include <typemesh/extrude/outlined.hpp>
+#include <typemesh/extrude/polyline_profile.hpp>
+#include <typemesh/inspect/manifoldness.hpp>
+#include <typemesh/text/flipped_triangles.hpp>
+#include <typemesh/triangulate/constrained_delaunay.hpp>
+#include <typemesh/typemesh.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+using namespace typemesh;
+
+namespace {
+
+void polygon(auto& pen, const std::vector<point>& corners)
+{
+    for (std::size_t i = 0; i < corners.size(); ++i) i == 0 ? pen.move(corners[0]) : pen.line(corners[i]);
+    pen.close();
+}
+
+void square(auto& pen, double x, double y, double size)
+{
+    polygon(pen, {{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}});
+}
+
+void circle(auto& pen, point at, double r, double turn)
+{
+    const double k = 0.5522847498307936 * r * turn;
+    pen.move({at.x + r, at.y});
+    pen.cubic({at.x + r, at.y + k}, {at.x + k * turn, at.y + r * turn}, {at.x, at.y + r * turn});
+    pen.cubic({at.x - k * turn, at.y + r * turn}, {at.x - r, at.y + k}, {at.x - r, at.y});
+    pen.cubic({at.x - r, at.y - k}, {at.x - k * turn, at.y - r * turn}, {at.x, at.y - r * turn});
+    pen.cubic({at.x + k * turn, at.y - r * turn}, {at.x + r, at.y - k}, {at.x + r, at.y});
+    pen.close();
+}
+
+constexpr glyph_id two_squares = 0, ring = 1, hole_at_wall = 2, circles = 3, checkerboard = 4, first_random = 5;
+constexpr glyph_id random_glyphs = 24;
+
+/// A font of drawings that touch themselves. Everything in it is 1 em wide.
+recorded_outlines touching_font(std::uint32_t seed = 1)
+{
+    recorded_outlines font{1000.0};
+    REQUIRE(font.add([](auto& pen) { square(pen, 0, 0, 300), square(pen, 300, 300, 300); }));
+    REQUIRE(font.add(
+        [](auto& pen) { square(pen, 0, 0, 800), polygon(pen, {{100, 100}, {100, 700}, {700, 700}, {700, 100}}); }));
+    REQUIRE(font.add([](auto& pen) {
+        polygon(pen, {{0, 0}, {900, 0}, {900, 900}, {0, 900}, {0, 300}});
+        polygon(pen, {{0, 300}, {300, 600}, {300, 300}});
+    }));
+    REQUIRE(font.add([](auto& pen) {
+        circle(pen, {200, 500}, 200, 1), circle(pen, {600, 500}, 200, 1);
+        circle(pen, {300, 500}, 100, -1), circle(pen, {700, 500}, 100, -1);
+    }));
+    REQUIRE(font.add([](auto& pen) {
+        for (int y = 0; y < 8; ++y)
+            for (int x = 0; x < 8; ++x)
+                if ((x + y) % 2 == 0) square(pen, 125 * x, 125 * y, 125);
+    }));
+    std::mt19937 random{seed};
+    for (glyph_id g = 0; g < random_glyphs; ++g)
+        REQUIRE(font.add([&](auto& pen) {
+            const auto number = [&](unsigned n) { return static_cast<int>(random() % n); };
+            const double unit = g % 3 == 0 ? 125 : g % 3 == 1 ? 62.5 : 0.25;  // of the last a checkerboard is a speck
+            const double slant = 0.25 * number(4);
+            const auto at = [&](int x, int y) { return point{unit * x + slant * unit * y, unit * y}; };
+            for (int y = 0; y < 6; ++y)
+                for (int x = 0; x < 6; ++x) {
+                    const int kind = number(5);
+                    if (kind == 0) polygon(pen, {at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)});
+                    if (kind == 1) polygon(pen, {at(x, y), at(x + 1, y), at(x + 1, y + 1)});
+                    if (kind == 2) polygon(pen, {at(x, y), at(x + 1, y + 1), at(x, y + 1)});
+                }
+            square(pen, 900, 900, 50);
+        }));
+    return font;
+}
+
+/// All glyphs of the font, 1.5 em apart, or touching each other; from (x, y) em on.
+glyph_run all_of(const recorded_outlines& font, double apart = 1.5, point from = {})
+{
+    glyph_run run;
+    run.units_per_em = 1000.0;
+    for (glyph_id g = 0; g < font.size(); ++g)
+        REQUIRE(run.glyphs.push_back({g, g, {1000.0 * (from.x + apart * g), 1000.0 * from.y}}));
+    return run;
+}
+
+template <class Plan>
+inspect::manifoldness faces_of(const Plan& plan)
+{
+    return inspect::check_manifoldness(test::written(plan).view());
+}
+
+template <class Plan>
+void check_manifold(const Plan& plan)
+{
+    REQUIRE(plan);
+    const inspect::manifoldness found = faces_of(*plan);
+    CHECK(found.open_edges == 0);
+    CHECK(found.crowded_edges == 0);
+    CHECK(found.pinched_points == 0);
+    CHECK(found.bad_triangles == 0);
+    CHECK(plan->report().touching == 0);
+    if (plan->report().refused != 0) CHECK(plan->report().first_refusal == error::nothing_left);
+}
+
+template <class Extruder>
+void check_extruder(const Extruder& how)
+{
+    const recorded_outlines font = touching_font();
+    const glyph_run run = all_of(font);
+    auto monotone_mesher = text_mesher{font}.with(how);
+    auto delaunay_mesher = text_mesher{font}.with(how).with(constrained_delaunay{});
+    for (const touching way : {touching::part, touching::join}) {
+        const text_options options{.corners = way};
+        check_manifold(monotone_mesher.plan(run, options));
+        check_manifold(delaunay_mesher.plan(run, options));
+    }
+}
+
+}  // namespace
+
+TEST_CASE("without the option letters that touch themselves have edges with four faces", "[text]")
+{
+    const recorded_outlines font = touching_font();
+    auto mesher = text_mesher{font};
+    const glyph_run run = all_of(font);
+    const auto plan = mesher.plan(run);
+    REQUIRE(plan);
+    CHECK(plan->report().corners_moved == 0);
+    CHECK(faces_of(*plan).crowded_edges > 100);
+    CHECK(faces_of(*plan).pinched_points > 200);
+}
+
+TEST_CASE("corners are parted and joined in plain letters, and counted", "[text]")
+{
+    check_extruder(extruded<>{});
+    const recorded_outlines font = touching_font();
+    auto mesher = text_mesher{font};
+    glyph_run run;
+    run.units_per_em = 1000.0;
+    REQUIRE((run.glyphs.push_back({two_squares, 0, {}}) && run.glyphs.push_back({checkerboard, 1, {2000, 0}}) &&
+             run.glyphs.push_back({two_squares, 2, {4000, 0}})));
+    for (const touching way : {touching::part, touching::join}) {
+        const auto plan = mesher.plan(run, {.corners = way});
+        check_manifold(plan);
+        CHECK(plan->report().corners_moved == 1 + 49 + 1);
+    }
+}
+
+TEST_CASE("corners are parted and joined in bevelled letters", "[text]")
+{
+    check_extruder(bevelled<>{});
+    check_extruder(bevelled<round_profile>{.width = 0.03f, .profile = {3}});
+}
+
+TEST_CASE("steps of a bevel lean, so that those of a ring have two faces an edge", "[text]")
+{
+    check_extruder(bevelled<stepped_profile>{.width = 0.05f});
+    check_extruder(bevelled<engraved_profile>{.width = 0.05f});
+    // Within a ring of uneven width both sides of a step touch where it is as wide as twice the step's distance.
+    recorded_outlines uneven{1000.0};
+    REQUIRE(uneven.add([](auto& pen) { circle(pen, {400, 400}, 400, 1), circle(pen, {430, 400}, 300, -1); }));
+    glyph_run run;
+    run.units_per_em = 1000.0;
+    REQUIRE(run.glyphs.push_back({0, 0, {}}));
+    std::size_t crowded = 0;
+    for (int i = 0; i < 20; ++i) {
+        const float t = 0.4325f + 0.0005f * static_cast<float>(i);
+        auto mesher = text_mesher{uneven}.with(
+            bevelled<polyline_profile>{.width = 0.08f, .profile = {{{0, 0}, {t, 0.3f}, {t, 0.7f}, {1, 1}}}});
+        const auto plan = mesher.plan(run);
+        REQUIRE(plan);
+        crowded += faces_of(*plan).crowded_edges;
+        for (const touching way : {touching::part, touching::join}) check_manifold(mesher.plan(run, {.corners = way}));
+    }
+    CHECK(crowded > 0);
+}
+
+TEST_CASE("corners are parted and joined in letters with outward bevels", "[text]")
+{
+    check_extruder(bevelled<>{.width = 0.01f, .outward = true});
+    // Squares half of whose distance is the width would touch all along their sides.
+    recorded_outlines pair{1000.0};
+    REQUIRE(pair.add([](auto& pen) { square(pen, 0, 0, 300), square(pen, 340, 0, 300); }));
+    glyph_run run;
+    run.units_per_em = 1000.0;
+    REQUIRE(run.glyphs.push_back({0, 0, {}}));
+    for (const float width : {0.02f, 0.01999f, 0.02001f}) {
+        auto mesher = text_mesher{pair}.with(bevelled<>{.width = width, .outward = true, .mitre_limit = 0.0f});
+        for (const touching way : {touching::part, touching::join}) check_manifold(mesher.plan(run, {.corners = way}));
+    }
+}
+
+TEST_CASE("corners are parted and joined in bold, thin and hollow letters", "[text]")
+{
+    check_extruder(emboldened<>{.by = 0.01f});
+    check_extruder(emboldened<>{.by = -0.0625f});  // squares of 1/8 em vanish, those that touch keep a bridge or none
+    check_extruder(outlined<>{.width = 0.01f});
+    check_extruder(outlined<extruded<>, extruded<>>{.width = 0.02f, .place = outline_place::centre});
+    check_extruder(outlined<extruded<>, extruded<>>{.width = 0.02f, .place = outline_place::outer});
+    check_extruder(outlined<bevelled<>, extruded<>>{.width = 0.02f, .ring = {.width = 0.004f}});
+}
+
+TEST_CASE("letters that touch each other are merged first", "[text]")
+{
+    const recorded_outlines font = touching_font();
+    for (const double apart : {0.625, 0.75, 0.9375, 1.0, 1.0 / 3.0}) {
+        const glyph_run run = all_of(font, apart, {1.0 / 3.0, 0.1});
+        auto mesher = text_mesher{font};
+        auto bevels = text_mesher{font}.with(bevelled<>{.width = 0.01f});
+        for (const touching way : {touching::part, touching::join}) {
+            const text_options options{.merge = true, .corners = way};
+            check_manifold(mesher.plan(run, options));
+            check_manifold(bevels.plan(run, options));
+        }
+    }
+}
+
+TEST_CASE("edges have two faces wherever a letter stands, in every unit and frame", "[text]")
+{
+    const recorded_outlines font = touching_font(2);
+    auto mesher = text_mesher{font};
+    constexpr float s = 0.70710678f;
+    const frame slanted{.right = {s, s, 0}, .up = {-0.5f, 0.5f, s}, .toward = {0.5f, -0.5f, s}};
+    for (const point from : {point{}, point{-3, 7}, point{100, -60}, point{1500, 0.3}, point{-1000, 2000}}) {
+        const glyph_run run = all_of(font, 1.37, from);
+        for (const auto& at : {right_handed_y_up, left_handed_y_up, right_handed_z_up, slanted})
+            for (const output_unit unit :
+                 {output_unit::em, output_unit::font_units, output_unit::pixels, output_unit::unit_box}) {
+                const bool far = std::fabs(from.x) > 500.0;
+                if (far && !at.is_along_axes()) continue;
+                check_manifold(mesher.plan(run, {.unit = unit,
+                                                 .size = 0.37,
+                                                 .frame = at,
+                                                 .corners = from.y < 0 ? touching::join : touching::part}));
+            }
+    }
+}
+
+TEST_CASE("the grid goes by the place, and near the origin it is the font's", "[text]")
+{
+    const recorded_outlines font = touching_font();
+    auto mesher = text_mesher{font};
+    const auto cells_at = [&](point from, touching way) {
+        const glyph_run run = all_of(font, 0.0, from);
+        const auto plan = mesher.plan(run, {.corners = way});
+        REQUIRE(plan);
+        return plan->glyphs()[0].built->cells();
+    };
+    CHECK(same(cells_at({}, touching::part), 512.0));
+    CHECK(same(cells_at({5, 5}, touching::part), 512.0));
+    CHECK(same(cells_at({60, 0}, touching::part), 128.0));
+    CHECK(same(cells_at({60, 0}, touching::keep), 512.0));
+    CHECK(same(cells_at({0, -900}, touching::join), 8.0));
+}
+
+TEST_CASE("a cache tells parted, joined and kept letters apart, and those of different grids", "[text]")
+{
+    const recorded_outlines font = touching_font();
+    glyph_cache<> cache;
+    auto cached = text_mesher{font}.with(cached_in{cache, 1});
+    auto alone = text_mesher{font};
+    for (int twice = 0; twice < 2; ++twice)
+        for (const touching way : {touching::keep, touching::part, touching::join})
+            for (const double x : {0.0, 60.0}) {
+                const glyph_run run = all_of(font, 1.5, {x, 0});
+                const text_options options{.corners = way};
+                const auto expected = alone.plan(run, options), found = cached.plan(run, options);
+                REQUIRE((expected && found));
+                CHECK(test::written(*expected) == test::written(*found));
+                CHECK(expected->report().corners_moved == found->report().corners_moved);
+            }
+    CHECK(cache.statistics().entries == 5 * font.size());
+}
+
+TEST_CASE("several workers part the same corners", "[text]")
+{
+    const recorded_outlines font = touching_font();
+    const glyph_run run = all_of(font, 0.75);
+    for (const touching way : {touching::part, touching::join})
+        for (const bool merge : {false, true}) {
+            const text_options options{.merge = merge, .corners = way};
+            auto mesher = text_mesher{font};
+            const auto expected = mesher.plan(run, options);
+            REQUIRE(expected);
+            const test::lit_mesh mesh = test::written(*expected);
+            for (const std::size_t count : {std::size_t{1}, std::size_t{3}}) {
+                test::scrambled_workers pool{count};
+                auto workers = workers_of(pool, [&](std::size_t) noexcept {
+                    return result{transformed_outlines<const recorded_outlines>{font, affine{}}};
+                });
+                REQUIRE(workers);
+                auto team = text_mesher{font};
+                const auto made = team.plan(run, options, *workers);
+                REQUIRE(made);
+                CHECK(test::written(*made) == mesh);
+                CHECK(made->report().corners_moved == expected->report().corners_moved);
+            }
+        }
+}
+
+TEST_CASE("memory may fail while corners are parted, and nothing is allocated the second time", "[text]")
+{
+    const recorded_outlines font = touching_font();
+    const glyph_run run = all_of(font, 0.75);
+    const text_options options{.merge = true, .corners = touching::part};
+    test::counting_memory counted;
+    auto mesher = text_mesher{font, counted.source()}.with(outlined<>{.width = 0.01f});
+    bool done = false;
+    for (std::size_t request = 1; !done; request += 1 + request / 16) {
+        REQUIRE(request < 5000);
+        counted.fail_at = counted.requests + request;
+        const auto made = mesher.plan(run, options);
+        done = static_cast<bool>(made);
+        if (!done) CHECK(made.error() == error::out_of_memory);
+        if (!done) mesher.trim();
+    }
+    counted.fail_at = 0;
+    REQUIRE(mesher.plan(run, options));
+    REQUIRE(mesher.plan(run, options));
+    const std::size_t before = counted.requests;
+    REQUIRE(mesher.plan(run, options));
+    CHECK(counted.requests == before);
+}
