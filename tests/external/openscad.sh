@@ -86,5 +86,24 @@ truetype/wqy/wqy-microhei.ttc chinese 2
 truetype/sawarabi-mincho/sawarabi-mincho-medium.ttf japanese 2
 LIST
 for_every_bevel check
+
+# Two squares that touch in a corner, and others: OpenSCAD takes them for solids once they are parted or joined, and only then.
+touching() {  # touching FONT TEXT OPTION...
+    local way
+    for way in part join; do check "$@" --touching $way; done
+}
+mono=$fonts/truetype/dejavu/DejaVuSansMono.ttf
+for look in "" "--bevel 0.01" "--bevel 0.02 --profile stepped" "--bevel 0.02 --bevel-out" "--outline 0.01" "--outline 0.02 --outline-letter" \
+    "--embolden -0.01"; do
+    # shellcheck disable=SC2086  # words
+    touching "$mono" "▚" $look
+done
+touching "$mono" "a▚▞▚▙ b▟"
+touching "$fonts/truetype/wqy/wqy-microhei.ttc" "螺"
+"$TYPEMESH_TEXT_TO_MESH" --font "$mono" --output "$scratch/text.stl" --touching keep "▚" || fail "text_to_mesh failed"
+printf 'difference() { translate([-1, -1, -1]) cube([3, 3, 1.9]); import("text.stl"); }\n' >"$scratch/cut.scad"
+rm -f "$scratch/cut.stl"
+openscad -o "$scratch/cut.stl" "$scratch/cut.scad" >"$scratch/words" 2>&1
+grep -qiE 'warning|error|not closed|assertion|Simple: *no' "$scratch/words" || fail "openscad takes squares that touch for a solid: these tests show nothing"
 echo "$checked texts"
-[ "$failures" = 0 ] && [ "$checked" = 64 ]
+[ "$failures" = 0 ] && [ "$checked" = 82 ]
