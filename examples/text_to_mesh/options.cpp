@@ -265,8 +265,7 @@ void add_mesh_options(CLI::App& app, options& out, raw_values& raw)
     app.add_flag("--no-merge", raw.no_merge, "each letter stays a solid of its own")->excludes(merged);
     add_named<std::optional<typemesh::touching>>(
         app, "--touching", raw.corners,
-        "corners of a letter that touch: parted (default for .stl, .obj, .ply, .3mf), joined, or kept; but for keep, "
-        "letters that meet become one, as by --merge",
+        "corners that touch: parted (default but for .glb), joined or kept; the first two imply --merge",
         {{"part", typemesh::touching::part}, {"join", typemesh::touching::join}, {"keep", typemesh::touching::keep}});
     app.add_flag("--instances", out.instances,
                  "in .glb: each different letter once, unmerged, and a node for each place")

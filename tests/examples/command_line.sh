@@ -418,6 +418,23 @@ expect 0 "" "Rag" --font $sans --picture bevelled.png "${bevels[@]}"
 expect 0 "" "Rag" --font $sans --picture shown.png "${bevels[@]}" --show triangles,normals,contours,points --stats
 that "a picture shows bevels" differ plain.png bevelled.png
 
+# Corners that touch. Two squares that do, and as they are, apart and joined.
+mono=/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf
+corners() { grep -qF "\"corners_moved\":$1," out; }  # corners NUMBER
+for kind in stl obj ply glb; do
+    for way in part join keep; do
+        expect 0 "" "▚" --font $mono --touching $way --output $way.$kind --stats
+        if [ $way = keep ]; then that "no corner is moved" corners 0; else that "one corner is moved" corners 1; fi
+    done
+    expect 0 "" "▚" --font $mono --output usual.$kind --stats
+    that "a $kind has its corners parted unless it is a GLB" cmp -s <(grep -av ^mtllib usual.$kind) <(grep -av ^mtllib $([ $kind = glb ] && echo keep || echo part).$kind)
+    that "joined is not parted in a $kind" differ part.$kind join.$kind
+done
+expect 0 "" "▚" --font $mono --stats
+that "statistics alone move nothing" corners 0
+expect 2 "--touching: must be part, join or keep, not apart" x --font $sans --touching apart --stats
+expect 0 "" "▚▚" --font $mono --touching part --output letters.glb --instances
+
 # 3MF where lib3mf is there, else a sentence.
 # Every directed edge is met by its reverse, and no edge by more than two triangles.
 closed_3mf() {  # closed_3mf XML
@@ -506,9 +523,10 @@ expect 0 "the font has no feature zzzz" x --font $sans --feature zzzz --output f
 expect 0 "" x --font $sans --feature zzzz=0 --feature kern --stats
 long=$(printf 'Hamburgefonstiv %.0s' $(seq 400))
 inter=/usr/share/fonts/truetype/inter-vf/Inter.var.ttf
-expect 0 "[0-9]+ triangles of each face are turned over or flat.*; shorter lines help\.$" "$long" --font $inter --output long.ply
+expect 0 "[0-9]+ triangles of each face are turned over or flat.*; shorter lines help\.$" "$long" --font $inter --touching keep --output long.ply
 expect 0 "shorter lines help, and so does --instances\.$" "$long" --font $inter --output long.glb
-expect 1 "--strict: nothing is written" "$long" --font $inter --output strict.ply --strict
+expect 1 "--strict: nothing is written" "$long" --font $inter --touching keep --output strict.ply --strict
+expect 0 "" "$long" --font $inter --output told_apart.ply --strict
 expect 1 "--strict: nothing is written" x --font $sans --feature zzzz --output strict.ply --strict
 that "--strict makes every warning an error" [ ! -e strict.ply ]
 expect 0 "" "$long" --font $inter --output long.glb --instances

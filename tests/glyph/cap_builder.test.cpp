@@ -67,7 +67,7 @@ struct plain_prover {
 };
 static_assert(proving_triangulator<plain_prover<monotone>> && !touching_triangulator<plain_prover<monotone>>);
 
-int touching = 0, proven_fast = 0;
+int touched = 0, proven_fast = 0;
 
 /// What is wrong with what the fast way makes of loops; empty when nothing is.
 template <class Triangulator>
@@ -113,7 +113,7 @@ std::string mistake_on(const test::shape& s, fill_rule rule)
     if (test::cycles_of(*fast) != test::cycles_of(*slow)) return "other cycles than resolved";
     if (fast->holes() != slow->holes() || fast->outers() != slow->outers()) return "holes and outers are miscounted";
     if (fast->is_touching() != slow->is_touching()) return "is_touching() is wrong";
-    touching += fast->is_touching();
+    touched += fast->is_touching();
     ++proven_fast;
     if (std::string broken = test::oracle::broken_cycle(test::oracle::loops_of(*fast)); !broken.empty()) return broken;
     return test::oracle::broken_law(*fast, out.view());
@@ -144,7 +144,7 @@ TEMPLATE_LIST_TEST_CASE("random polylines on tiny grids that only touch in point
                         "[glyph][cap_builder]", triangulators)
 {
     test::dice d{311};
-    touching = proven_fast = 0;
+    touched = proven_fast = 0;
     for (int i = 0; i < 150'000; ++i) {
         const int width = 3 + d.roll(4), count = 1 + d.roll(3), most = count == 1 ? 11 : 5;
         test::shape s{"polylines " + std::to_string(i), {}};
@@ -158,14 +158,14 @@ TEMPLATE_LIST_TEST_CASE("random polylines on tiny grids that only touch in point
         INFO(s);
         REQUIRE(mistake == "");
     }
-    CHECK(touching > 100);
+    CHECK(touched > 100);
 }
 
 TEMPLATE_LIST_TEST_CASE("patterns of squares and rhombs that touch in corners are the region that resolve() makes",
                         "[glyph][cap_builder]", triangulators)
 {
     test::dice d{312};
-    touching = proven_fast = 0;
+    touched = proven_fast = 0;
     for (int i = 0; i < 4000; ++i) {
         // Cells of a board at random, every cell a contour of its own; some inside a frame, as holes; some with more
         // points on their sides; at random turned or skewed.
@@ -195,7 +195,7 @@ TEMPLATE_LIST_TEST_CASE("patterns of squares and rhombs that touch in corners ar
         INFO(s);
         REQUIRE(mistake == "");
     }
-    CHECK(touching > 20'000);
+    CHECK(touched > 20'000);
 }
 
 TEMPLATE_LIST_TEST_CASE("any number of sectors round one point is proven, as one loop or as many",
@@ -213,14 +213,14 @@ TEMPLATE_LIST_TEST_CASE("any number of sectors round one point is proven, as one
                 l.insert(l.end(), {{0, 0}, a, b});
             }
             INFO(s);
-            touching = proven_fast = 0;
+            touched = proven_fast = 0;
             CHECK(mistake_in_any_position<TestType>(s) == "");
-            CHECK(touching == 24);
+            CHECK(touched == 24);
             s.loops.push_back(test::square(-300'000, -300'000, 600'000));  // the sectors become holes
             for (std::size_t k = 0; k + 1 < s.loops.size(); ++k) s.loops[k] = test::reversed(s.loops[k]);
-            touching = proven_fast = 0;
+            touched = proven_fast = 0;
             CHECK(mistake_in_any_position<TestType>(s) == "");
-            CHECK(touching == 24);
+            CHECK(touched == 24);
         }
     }
 }

@@ -238,7 +238,8 @@ TEST_CASE("edges have two faces wherever a letter stands, in every unit and fram
     auto mesher = text_mesher{font};
     constexpr float s = 0.70710678f;
     const frame slanted{.right = {s, s, 0}, .up = {-0.5f, 0.5f, s}, .toward = {0.5f, -0.5f, s}};
-    for (const point from : {point{}, point{-3, 7}, point{100, -60}, point{1500, 0.3}, point{-1000, 2000}}) {
+    for (const point from :
+         {point{}, point{-3, 7}, point{100, -60}, point{1500, 0.3}, point{-1000, 2000}, point{15000, 0}}) {
         const glyph_run run = all_of(font, 1.37, from);
         for (const auto& at : {right_handed_y_up, left_handed_y_up, right_handed_z_up, slanted})
             for (const output_unit unit :

@@ -24,7 +24,7 @@ struct grid {
     double units_per_em = 0.0;  ///< relates cells to the em (see triangulate/triangle_heights.hpp); 0: unknown
     double span = 0.0;          ///< in cells; no two points are farther apart. 0: unknown
 
-    /// What becomes of corners that touch, in every region on this grid; see fill/part_corners.hpp.
+    /// What becomes of corners that touch, in every region on this grid; see fill/corner_parting.hpp.
     touching corners = touching::keep;
 
     /// Half a cell's diagonal, in font units: how far snap() can move a point.

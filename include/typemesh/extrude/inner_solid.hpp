@@ -14,7 +14,7 @@
 #include <typemesh/extrude/cap_maker.hpp>
 #include <typemesh/extrude/exact_fill.hpp>
 #include <typemesh/extrude/extruder.hpp>
-#include <typemesh/fill/part_corners.hpp>
+#include <typemesh/fill/corner_parting.hpp>
 
 #include <cstddef>
 #include <cstdint>

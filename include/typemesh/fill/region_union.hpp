@@ -7,7 +7,7 @@
 #include <typemesh/core/result.hpp>
 #include <typemesh/core/touching.hpp>
 #include <typemesh/core/workspace.hpp>
-#include <typemesh/fill/part_corners.hpp>
+#include <typemesh/fill/corner_parting.hpp>
 #include <typemesh/fill/resolve.hpp>
 
 #include <cmath>

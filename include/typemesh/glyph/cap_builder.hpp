@@ -14,9 +14,9 @@
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/discretise/discretise.hpp>
+#include <typemesh/fill/corner_parting.hpp>
 #include <typemesh/fill/nest.hpp>
 #include <typemesh/fill/orient.hpp>
-#include <typemesh/fill/part_corners.hpp>
 #include <typemesh/fill/resolve.hpp>
 #include <typemesh/fill/touching_cycles.hpp>
 #include <typemesh/glyph/crossing_refinement.hpp>

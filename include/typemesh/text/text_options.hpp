@@ -71,7 +71,7 @@ struct text_options {
     /// What becomes of corners in which a letter touches itself. With touching::part or join every edge of the mesh has
     /// two faces, and every point of its surface is round it like a disc: programs that compute with solids demand that
     /// (OpenSCAD, CGAL). Upright pieces of bevels then lean by a few cells, and the grid is so coarse that floats tell
-    /// neighbouring cells apart wherever a letter stands, up to 2,000 em from the origin. For letters that touch each
+    /// neighbouring cells apart wherever a letter stands, up to 16,000 em from the origin. For letters that touch each
     /// other add `merge`. The report counts such corners.
     touching corners = touching::keep;
 

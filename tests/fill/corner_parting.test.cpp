@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <typemesh/core/same.hpp>
-#include <typemesh/fill/part_corners.hpp>
+#include <typemesh/fill/corner_parting.hpp>
 #include <typemesh/inspect/simplicity.hpp>
 
 #include "support/catch.hpp"
@@ -92,7 +92,7 @@ polygon square(std::int32_t x, std::int32_t y, std::int32_t size)
 
 }  // namespace
 
-TEST_CASE("two squares that touch in a corner are parted, or joined", "[part_corners]")
+TEST_CASE("two squares that touch in a corner are parted, or joined", "[corner_parting]")
 {
     for (const touching way : {touching::part, touching::join}) {
         drawn_polygons d{way};
@@ -114,7 +114,7 @@ TEST_CASE("two squares that touch in a corner are parted, or joined", "[part_cor
     }
 }
 
-TEST_CASE("a hole that touches the outer loop opens, or is closed off", "[part_corners]")
+TEST_CASE("a hole that touches the outer loop opens, or is closed off", "[corner_parting]")
 {
     for (const touching way : {touching::part, touching::join}) {
         drawn_polygons d{way};
@@ -131,7 +131,7 @@ TEST_CASE("a hole that touches the outer loop opens, or is closed off", "[part_c
     }
 }
 
-TEST_CASE("what touches nowhere, and what is to be kept, stays as it is", "[part_corners]")
+TEST_CASE("what touches nowhere, and what is to be kept, stays as it is", "[corner_parting]")
 {
     drawn_polygons apart{touching::part};
     REQUIRE((apart.add(square(0, 0, 100)) && apart.add(square(200, 0, 100))));
@@ -152,7 +152,7 @@ TEST_CASE("what touches nowhere, and what is to be kept, stays as it is", "[part
     CHECK(as_drawn->is_touching());
 }
 
-TEST_CASE("specks vanish, and a region may lose all of its points", "[part_corners]")
+TEST_CASE("specks vanish, and a region may lose all of its points", "[corner_parting]")
 {
     drawn_polygons d{touching::part};
     REQUIRE((d.add(square(0, 0, 1)) && d.add(square(1, 1, 1))));
@@ -164,7 +164,7 @@ TEST_CASE("specks vanish, and a region may lose all of its points", "[part_corne
     CHECK(parting.corners == 1);
 }
 
-TEST_CASE("a slit that closes between the cells is opened, or filled", "[part_corners]")
+TEST_CASE("a slit that closes between the cells is opened, or filled", "[corner_parting]")
 {
     // Two wedges with a slit between them that is one cell wide at its end.
     for (const std::int32_t length : {10, 100, 1000, 30000, 300000, 1 << 26})
@@ -184,7 +184,7 @@ TEST_CASE("a slit that closes between the cells is opened, or filled", "[part_co
             }
 }
 
-TEST_CASE("a corner at the end of the grid is left, and said to be", "[part_corners]")
+TEST_CASE("a corner at the end of the grid is left, and said to be", "[corner_parting]")
 {
     constexpr std::int32_t end = (1 << 28) - 1;
     drawn_polygons d{touching::part};
@@ -204,7 +204,7 @@ TEST_CASE("a corner at the end of the grid is left, and said to be", "[part_corn
     CHECK(parting.still_touching);
 }
 
-TEST_CASE("random grids of squares and triangles, turned and sheared, touch nowhere afterwards", "[part_corners]")
+TEST_CASE("random grids of squares and triangles, turned and sheared, touch nowhere afterwards", "[corner_parting]")
 {
     std::mt19937 random{7};
     int touched = 0;
@@ -252,7 +252,7 @@ TEST_CASE("random grids of squares and triangles, turned and sheared, touch nowh
     CHECK(touched > 900);
 }
 
-TEST_CASE("parting survives memory that fails at every request", "[part_corners]")
+TEST_CASE("parting survives memory that fails at every request", "[corner_parting]")
 {
     for (const touching way : {touching::part, touching::join}) {
         bool done = false;
