@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <typemesh/core/grid.hpp>
+#include <typemesh/core/contours.hpp>
+#include <typemesh/core/region.hpp>
 #include <typemesh/core/touching.hpp>
 
 #include "support/catch.hpp"
@@ -9,8 +10,15 @@ using namespace typemesh;
 TEST_CASE("corners are kept unless something else is asked for", "[touching]")
 {
     CHECK(touching{} == touching::keep);
-    CHECK(grid{}.corners == touching::keep);
-    const auto fitting = grid::fitting(1000.0, {});
-    REQUIRE(fitting);
-    CHECK(fitting->corners == touching::keep);
+    CHECK(contours{}.corners == touching::keep);
+    CHECK(region{}.corners() == touching::keep);
+}
+
+TEST_CASE("a region keeps what is to become of its corners", "[touching]")
+{
+    contours loops;
+    loops.corners = touching::join;
+    CHECK(region::proven(loops, 0, 0).corners() == touching::join);
+    loops.clear();
+    CHECK(loops.corners == touching::join);
 }

@@ -30,7 +30,7 @@ struct drawn_polygons {
     explicit drawn_polygons(touching corners, memory source = heap()) : loops{source}, curves{source}, space{source}
     {
         loops.grid.units_per_em = 2048.0;
-        loops.grid.corners = corners;
+        loops.corners = corners;
     }
 
     bool add(const polygon& p)

@@ -6,6 +6,7 @@
 #include <typemesh/core/curve.hpp>
 #include <typemesh/core/grid.hpp>
 #include <typemesh/core/orientation.hpp>
+#include <typemesh/core/touching.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -42,6 +43,10 @@ struct contours {
     typemesh::grid grid;
     double tolerance = 0.0;                    ///< in cells: how far the edges may be from their curves; 0: unknown
     std::uint32_t most_points = 0xFFFF'FFFFu;  ///< discretise() refuses to put in more; clear() leaves this alone
+
+    /// What is to become of corners that touch, in regions made of these loops and of what moves away from them; see
+    /// fill/corner_parting.hpp. clear() leaves this alone.
+    touching corners = touching::keep;
 
     explicit contours(memory source = heap()) noexcept : points{source}, edges{source}, starts{source}, order_{source}
     {

@@ -4,7 +4,6 @@
 #include <typemesh/core/box.hpp>
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/result.hpp>
-#include <typemesh/core/touching.hpp>
 
 #include <cmath>
 #include <cstdint>
@@ -23,9 +22,6 @@ struct grid {
     double cells = 512.0;
     double units_per_em = 0.0;  ///< relates cells to the em (see triangulate/triangle_heights.hpp); 0: unknown
     double span = 0.0;          ///< in cells; no two points are farther apart. 0: unknown
-
-    /// What becomes of corners that touch, in every region on this grid; see fill/corner_parting.hpp.
-    touching corners = touching::keep;
 
     /// Half a cell's diagonal, in font units: how far snap() can move a point.
     [[nodiscard]] constexpr double snap_error() const noexcept { return 0.70710678118654757 / cells; }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/contours.hpp>
+#include <typemesh/core/touching.hpp>
 
 #include <cstdint>
 #include <span>
@@ -41,6 +42,7 @@ public:
         r.holes_ = holes;
         r.outers_ = outers;
         r.touching_ = touching;
+        r.corners_ = loops.corners;
         return r;
     }
 
@@ -67,6 +69,9 @@ public:
     /// Whether the cycles pass through some point more than once. If not, all points are distinct.
     [[nodiscard]] bool is_touching() const noexcept { return touching_; }
 
+    /// What is to become of corners that touch: see contours.
+    [[nodiscard]] typemesh::touching corners() const noexcept { return corners_; }
+
     /// n + 2h - 2c; below 2^32 for every region that fits into 32-bit memory.
     [[nodiscard]] std::uint32_t triangle_count() const noexcept
     {
@@ -84,6 +89,7 @@ private:
     std::uint32_t holes_ = 0;
     std::uint32_t outers_ = 0;
     bool touching_ = false;
+    typemesh::touching corners_ = typemesh::touching::keep;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -127,7 +127,7 @@ struct bevelled {
         const double em = filled.grid().cells * filled.grid().units_per_em;
         if (!(em > 0.0)) return error::bad("units_per_em");
         profile_scale scale{as_double(width) * em, as_double(bevel_depth) * em, filled.tolerance(),
-                            filled.grid().corners != touching::keep};
+                            filled.corners() != touching::keep};
         if (!(scale.width < (outward ? 0x1p25 : grid::reach))) return error::bad("width");
         solid_plan made;
         const error e = outward && scale.width >= profile_levels::finest ? plan_outward(filled, scale, data, caps, made)
@@ -299,7 +299,7 @@ private:
             constexpr double slack = 4.0;  // of rounding
             if (!is_in_reach(data.swept.cap, filled, way * scale.width + slack)) return error{error::crossing_contours};
             leave_frame(data.swept.cap);
-            if (filled.grid().corners != touching::keep) {
+            if (filled.corners() != touching::keep) {
                 std::uint32_t found = 0;
                 if (error e = corner_parting::count(data.swept.cap, caps.space(), found)) return e;
                 made.corners_moved += found;

@@ -46,6 +46,7 @@ public:
         out.clear();
         if (std::fabs(distance) < finest) {
             out.grid = r.grid();
+            out.corners = r.corners();
             out.tolerance = r.tolerance();
             return append_loops(r, out) ? error{} : error{error::out_of_memory};
         }

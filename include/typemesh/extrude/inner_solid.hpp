@@ -73,7 +73,7 @@ struct inner_solid {
     }
 
     /// Makes the region of `loops`, which refers to them, and its triangles. Where they touch themselves, their corners
-    /// become what loops.grid says.
+    /// become what `loops` say.
     ///
     /// Fails  as fill_exactly() and corner_parting do
     template <cap_maker Caps>
@@ -82,7 +82,7 @@ struct inner_solid {
         triangles.clear();
         parting = {};
         auto made = fill_exactly(loops, caps, triangles);
-        if (!made || !made->is_touching() || loops.grid.corners == touching::keep) return made;
+        if (!made || !made->is_touching() || loops.corners == touching::keep) return made;
         parted_curves.clear();
         if (!parted_curves.append(loops.curves)) return error::out_of_memory;
         made = parting(loops, parted_curves, caps.space());

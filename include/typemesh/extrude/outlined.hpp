@@ -288,7 +288,7 @@ private:
         const std::uint32_t own = outer.contour_count();
         if (!append_loops(inner, outer)) return error::out_of_memory;
         for (std::uint32_t k = own; k < outer.contour_count(); ++k) turn_loop(outer, k);
-        if (has_letter && filled.grid().corners != touching::keep)
+        if (has_letter && filled.corners() != touching::keep)
             if (error e = data.mover(filled, around - distance - gap, corners, caps, data.curves, inner)) return e;
         outer.curves = inner.curves = data.curves.view();
         return {};

@@ -36,7 +36,7 @@ struct solid_plan {
     box around = {};
     bool narrowed = false;            ///< its edges have moved less than asked for, as those farther on were not proven
     bool touching = false;            ///< corners touch that should have been parted or joined
-    std::uint32_t corners_moved = 0;  ///< that have been parted or joined; see grid::corners
+    std::uint32_t corners_moved = 0;  ///< that have been parted or joined; see contours::corners
 };
 
 /// A solid, and what its extruder's plan() said about it.

@@ -92,6 +92,7 @@ inline void turn_loop(contours& loops, std::uint32_t k) noexcept
 {
     out.clear();
     out.grid = filled.grid();
+    out.corners = filled.corners();
     out.curves = filled.curves();
     out.tolerance = filled.tolerance();
     const std::size_t n = filled.points().size();

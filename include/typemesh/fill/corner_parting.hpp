@@ -39,7 +39,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 class corner_parting {
 public:
     /// Replaces `loops`, which have the interior on their left, as those of every region; loops.curves are `curves`.
-    /// loops.grid says by its `corners` what becomes of the corners; with touching::keep nothing is changed.
+    /// loops.corners says what becomes of them; with touching::keep nothing is changed.
     ///
     /// The region may be without points: specks smaller than a diamond may vanish.
     ///
@@ -154,13 +154,13 @@ result<region> corner_parting::operator()(contours& loops, buffer<curve>& curves
     still_touching = false;
     const resolve_options how{.most_pieces = most_pieces};
     const std::int32_t first = smallest(loops.grid);
-    if (loops.grid.corners == touching::keep) return resolve(loops, fill_rule::non_zero, space, how);
+    if (loops.corners == touching::keep) return resolve(loops, fill_rule::non_zero, space, how);
     bool has_room = true;  // for the frame
     for (const grid_point p : loops.points)
         has_room = has_room && p.x > -frame && p.x < frame && p.y > -frame && p.y < frame;
     std::uint32_t holes = 0, outers = 0;
     for (int round = 0;; ++round) {
-        const bool opens = (loops.grid.corners == touching::part) == (round < doublings);
+        const bool opens = (loops.corners == touching::part) == (round < doublings);
         const std::int32_t size = first << (round % doublings);
         workspace::scope scratch{space};
         std::uint32_t found = 0;

@@ -30,10 +30,11 @@ class region_union {
 public:
     explicit region_union(memory source = heap()) noexcept : loops_{source}, curves_{source}, first_curves_{source} {}
 
-    /// Removes all members.
-    void begin(const grid& onto) noexcept
+    /// Removes all members. `corners`: what becomes of those of the union that touch.
+    void begin(const grid& onto, touching corners = touching::keep) noexcept
     {
         loops_.clear();
+        loops_.corners = corners;
         loops_.grid = onto;
         curves_.clear();
         first_curves_.clear();
@@ -63,23 +64,27 @@ public:
 
     /// The region that the members fill together, in this group's memory: valid until the next begin().
     ///
+    ///     parting    receives what was done to corners that touch
+    ///
     /// Fails  as resolve() and corner_parting do
     template <class = void>  // see resolve()
-    [[nodiscard]] result<region> join(workspace& space, std::uint32_t most_pieces = default_most_pieces) noexcept
+    [[nodiscard]] result<region> join(workspace& space, std::uint32_t most_pieces, corner_parting& parting) noexcept
     {
         loops_.curves = curves_.view();
-        parting_ = {};
-        member_curves_ = curves_.size();
+        parting = {};
         const auto made = resolve(loops_, fill_rule::non_zero, space, {.most_pieces = most_pieces});
-        if (!made || !made->is_touching() || loops_.grid.corners == touching::keep) return made;
-        return parting_(loops_, curves_, space, most_pieces);
+        if (!made || !made->is_touching() || loops_.corners == touching::keep) return made;
+        return parting(loops_, curves_, space, most_pieces);
+    }
+    template <class = void>
+    [[nodiscard]] result<region> join(workspace& space, std::uint32_t most_pieces = default_most_pieces) noexcept
+    {
+        corner_parting unread;
+        return join(space, most_pieces, unread);
     }
 
-    /// What join() did to corners that touch.
-    [[nodiscard]] const corner_parting& parting() const noexcept { return parting_; }
-
-    /// Whether a curve comes from a member, and not from a corner that was parted or joined.
-    [[nodiscard]] bool is_of_member(std::uint32_t curve) const noexcept { return curve < member_curves_; }
+    /// How many curves the members have; further ones are those of corners that were parted or joined.
+    [[nodiscard]] std::size_t curve_count() const noexcept { return curves_.size(); }
 
     /// The member that a curve of the union comes from: 0 for the first that was added.
     [[nodiscard]] std::uint32_t member_of(std::uint32_t curve) const noexcept
@@ -118,8 +123,6 @@ private:
     contours loops_;
     buffer<curve> curves_;
     buffer<std::uint32_t> first_curves_;  // of each member
-    std::size_t member_curves_ = 0;
-    corner_parting parting_;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -34,6 +34,7 @@ struct cap_settings {
     fill_rule rule = fill_rule::non_zero;
     std::uint32_t most_pieces = default_most_pieces;  ///< that contours which cross may be cut into; see resolve()
     std::uint32_t most_points = default_most_points;  ///< that curves may be flattened into
+    touching corners = touching::keep;                ///< what part() does
 };
 
 /// Makes caps: the region that curves or contours fill, with its triangles. Owns the contours, the order of their
@@ -54,16 +55,13 @@ struct cap_settings {
 /// serves one thread at a time.
 class cap_builder {
 public:
-    explicit cap_builder(memory source = heap()) noexcept
-        : space_{source}, loops_{source}, triangles_{source}, curves_{source}
-    {
-    }
+    explicit cap_builder(memory source = heap()) noexcept : space_{source}, loops_{source}, triangles_{source} {}
 
     /// The region that curves fill, with its triangles; a region without points if nothing is filled.
     ///
     ///     curves      the region refers to them
     ///     tolerance   in font units
-    ///     cells       the grid, see grid::fitting. Corners that touch become what its `corners` says: parting()
+    ///     cells       the grid, see grid::fitting
     ///
     /// Fails  as discretise(), resolve() and the triangulator do
     /// Cost   theirs; where chords cross, that of refine()
@@ -71,13 +69,35 @@ public:
     [[nodiscard]] result<region> build(const outline& curves, double tolerance, const grid& cells,
                                        const cap_settings& how, const policies<Discretiser, Policy...>& with) noexcept
     {
-        auto made = build_as_drawn(curves, tolerance, cells, how, with);
-        parting_ = {};
-        if (!made || !made->is_touching() || cells.corners == touching::keep) return made;
+        effort_ = {};
+        triangles_.clear();
+        loops_.most_points = how.most_points;
+        loops_.corners = how.corners;
+        with.observe(stage::discretise);
+        if (error e = flatten(curves, with.flatten, tolerance, cells)) return e;
+        if (loops_.points.empty()) return region{};
+        if constexpr (!keeps_tolerance<Discretiser>) {
+            return fill(how, with.cut, with.observe);
+        } else {
+            const auto proven = prove(how.rule, with.cut, with.observe);
+            if (proven || proven.error().code != error::crossing_contours) return proven;
+            return refine(curves, tolerance, cells, how, with);
+        }
+    }
+
+    /// What becomes of the region that build() made where its corners touch, if loops() say so: see corner_parting.
+    ///
+    ///     curves    those that build() had; more may be appended
+    ///
+    /// Fails  as corner_parting and the triangulator do
+    template <class... Policy>
+    [[nodiscard]] result<region> part(const region& built, buffer<curve>& curves, const cap_settings& how,
+                                      const policies<Policy...>& with, corner_parting& parting) noexcept
+    {
+        parting = {};
+        if (!built.is_touching() || loops_.corners == touching::keep) return built;
         with.observe(stage::fill);
-        curves_.clear();
-        if (!curves_.append(made->curves())) return error::out_of_memory;
-        made = parting_(loops_, curves_, space_, how.most_pieces);
+        const auto made = parting(loops_, curves, space_, how.most_pieces);
         triangles_.clear();
         if (!made || made->points().empty()) return made;
         with.observe(stage::triangulate);
@@ -146,9 +166,6 @@ public:
     /// What refine() did for the last outline.
     [[nodiscard]] const refinement_effort& effort() const noexcept { return effort_; }
 
-    /// What was done to corners that touch, by the last build().
-    [[nodiscard]] const corner_parting& parting() const noexcept { return parting_; }
-
     /// The scratch memory, for scopes of your own.
     [[nodiscard]] workspace& space() noexcept { return space_; }
 
@@ -160,32 +177,10 @@ public:
     {
         space_.trim();
         loops_ = contours{source()};
-        curves_ = buffer<curve>{source()};
         triangles_ = triangle_list{source()};
     }
 
 private:
-    /// build() with corners that touch as they are.
-    template <discretiser Discretiser, class... Policy>
-    [[nodiscard]] result<region> build_as_drawn(const outline& curves, double tolerance, const grid& cells,
-                                                const cap_settings& how,
-                                                const policies<Discretiser, Policy...>& with) noexcept
-    {
-        effort_ = {};
-        triangles_.clear();
-        loops_.most_points = how.most_points;
-        with.observe(stage::discretise);
-        if (error e = flatten(curves, with.flatten, tolerance, cells)) return e;
-        if (loops_.points.empty()) return region{};
-        if constexpr (!keeps_tolerance<Discretiser>) {
-            return fill(how, with.cut, with.observe);
-        } else {
-            const auto proven = prove(how.rule, with.cut, with.observe);
-            if (proven || proven.error().code != error::crossing_contours) return proven;
-            return refine(curves, tolerance, cells, how, with);
-        }
-    }
-
     /// prove(), or, for triangulators that do not prove, nest() and cap().
     template <triangulator Triangulator, stage_observer Observer>
     [[nodiscard]] result<region> prove(fill_rule rule, const Triangulator& cut, Observer& observe) noexcept
@@ -258,8 +253,6 @@ private:
     triangle_list triangles_;
     resolve_effort resolved_;  // of the last round
     refinement_effort effort_;
-    buffer<curve> curves_;  // the outline's and those of corners that were parted or joined
-    corner_parting parting_;
 };
 
 // Behind the class, so that typemesh::compiled can keep it out of other units.

@@ -69,6 +69,7 @@ public:
     [[nodiscard]] result<region> build_region(Font& font, glyph_id id, const glyph_settings& how,
                                               const policies<Policy...>& with) noexcept
     {
+        parting_ = {};
         with.observe(stage::outline);
         if (error e = record(font, id, outline_, how.most_points)) return e;
         if (outline_.curves.empty()) return region{};
@@ -76,16 +77,14 @@ public:
         const auto fitting = grid::fitting(units_per_em, outline_.bounds);
         if (!fitting) return fitting.error();
         grid cells = *fitting;
-        if (how.corners != touching::keep) {
-            cells.corners = how.corners;
-            cells.coarsen(how.most_cells);
-        }
-        const cap_settings filled{how.fill.value_or(outline_.rule), how.most_pieces, how.most_points};
-        return caps_.build(outline_, how.tolerance * units_per_em, cells, filled, with);
+        if (how.corners != touching::keep) cells.coarsen(how.most_cells);
+        const cap_settings filled{how.fill.value_or(outline_.rule), how.most_pieces, how.most_points, how.corners};
+        const auto made = caps_.build(outline_, how.tolerance * units_per_em, cells, filled, with);
+        return made ? caps_.part(*made, outline_.curves, filled, with, parting_) : made;
     }
 
     /// What was done to corners that touch, by the last build_region().
-    [[nodiscard]] const corner_parting& parting() const noexcept { return caps_.parting(); }
+    [[nodiscard]] const corner_parting& parting() const noexcept { return parting_; }
 
     /// Gives all memory back to its source, and with it what was built last. The next glyph allocates anew.
     void trim() noexcept
@@ -121,8 +120,8 @@ private:
         if (!plan) return plan.error();
         made.form = {filled->points(), filled->starts(), caps_.triangles().view()};
         made.plan = *plan;
-        made.plan.corners_moved += caps_.parting().corners;
-        made.plan.touching = made.plan.touching || caps_.parting().still_touching;
+        made.plan.corners_moved += parting_.corners;
+        made.plan.touching = made.plan.touching || parting_.still_touching;
         made.data = &plan_;
         made.cells = filled->grid().cells;
         return {};
@@ -132,6 +131,7 @@ private:
     cap_builder caps_;
     cap_builder further_;  // for regions that the extruder asks for
     plan_scratch plan_;
+    corner_parting parting_;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

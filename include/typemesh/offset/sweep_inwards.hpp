@@ -335,6 +335,7 @@ private:
         contours& cap = out_.cap;
         cap.clear();
         cap.grid = r.grid();
+        cap.corners = r.corners();
         cap.curves = r.curves();
         cap.tolerance = r.tolerance();
         if (!cap.starts.push_back(0)) return error::out_of_memory;

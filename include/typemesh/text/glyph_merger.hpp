@@ -65,10 +65,10 @@ public:
         if (count != 0 && (next == nullptr || last == nullptr || first_of == nullptr)) return error::out_of_memory;
         if (error e = find_groups(all, run, with.raise, {first_of, count})) return e;
 
-        const auto region_of = [&](const placed_glyph& glyph) noexcept {
+        const auto region_of = [&](const placed_glyph& glyph, std::uint32_t& corners) noexcept {
             auto face = all.looks.face_of(font, glyph.look);
             const auto made = builder.build_region(face, glyph.id, how, with);
-            corners_of_members_ += builder.parting().corners;
+            corners += builder.parting().corners;
             return made;
         };
         const auto none = static_cast<std::uint32_t>(count);
@@ -145,8 +145,8 @@ private:
     }
 
     /// The finest grid onto which all members fit, relative to the first one's pen.
-    static result<grid> grid_for(const text_glyphs& all, const glyph_run& run, std::span<const std::uint32_t> members,
-                                 touching corners) noexcept
+    static result<grid> grid_for(const text_glyphs& all, const glyph_run& run,
+                                 std::span<const std::uint32_t> members) noexcept
     {
         const point first = run.glyphs[members[0]].origin;
         box around;
@@ -160,7 +160,6 @@ private:
             g.cells = s.cells() > g.cells ? s.cells() : g.cells;
         }
         g.units_per_em = all.looks.units_per_em();
-        g.corners = corners;
         double farthest = 0.0;
         for (const double v : {around.low.x, around.low.y, around.high.x, around.high.y})
             farthest = std::fabs(v) > farthest ? std::fabs(v) : farthest;
@@ -185,34 +184,36 @@ private:
         return made.built == nullptr ? error{error::out_of_memory} : error{};
     }
 
-    /// Makes one glyph of the group's members, whose regions region_of(placed_glyph) builds.
+    /// Makes one glyph of the group's members, whose regions region_of(placed_glyph, corners) builds.
     template <class Region, class... Policy>
     error try_to_join(merged_group& made, text_glyphs& all, const glyph_run& run, const Region& region_of,
                       const glyph_settings& how, const policies<Policy...>& with) noexcept
     {
         const std::span<const std::uint32_t> members = all.merged.members_of(made);
-        const auto onto = grid_for(all, run, members, how.corners);
+        const auto onto = grid_for(all, run, members);
         if (!onto) return onto.error();
-        union_.begin(*onto);
-        corners_of_members_ = 0;
+        union_.begin(*onto, how.corners);
+        corner_parting parting;
+        std::uint32_t corners = 0;  // parted or joined, of the members and of all together
         const pen first = snapped(run.glyphs[members[0]].origin, onto->cells);
         for (const std::uint32_t m : members) {
-            const auto filled = region_of(run.glyphs[m]);
+            const auto filled = region_of(run.glyphs[m], corners);
             if (!filled) return filled.error();
             const pen at = snapped(run.glyphs[m].origin, onto->cells);
             if (error e = union_.add(*filled, onto->cells / filled->grid().cells, at.x - first.x, at.y - first.y))
                 return e;
         }
         with.observe(stage::fill);
-        const auto joined = union_.join(caps_.space(), how.most_pieces);
+        const std::size_t own_curves = union_.curve_count();
+        const auto joined = union_.join(caps_.space(), how.most_pieces, parting);
         if (!joined) return joined.error();
         with.observe(stage::triangulate);
         if (error e = caps_.cap(*joined, with.cut)) return e;
         with.observe(stage::extrude);
         auto plan = plan_region(*joined, with, caps_, further_, plan_);
         if (!plan) return plan.error();
-        plan->corners_moved += corners_of_members_ + union_.parting().corners;
-        plan->touching = plan->touching || union_.parting().still_touching;
+        plan->corners_moved += corners + parting.corners;
+        plan->touching = plan->touching || parting.still_touching;
 
         made.built = all.store.keep(
             {{joined->points(), joined->starts(), caps_.triangles().view()}, *plan, onto->cells, {}, &plan_});
@@ -222,14 +223,13 @@ private:
         std::uint32_t* owners = all.merged.owners.append(edges.size());
         if (made.built == nullptr || (owners == nullptr && !edges.empty())) return error::out_of_memory;
         for (std::size_t i = 0; i < edges.size(); ++i)
-            owners[i] = union_.is_of_member(edges[i].curve) ? members[union_.member_of(edges[i].curve)] : shared_glyph;
+            owners[i] = edges[i].curve < own_curves ? members[union_.member_of(edges[i].curve)] : shared_glyph;
         return {};
     }
 
     cap_builder caps_;
     cap_builder further_;  // for regions that the extruder asks for
     region_union union_;
-    std::uint32_t corners_of_members_ = 0;  // that were parted or joined before they were merged
     plan_scratch plan_;
 };
 
