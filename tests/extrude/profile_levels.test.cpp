@@ -93,3 +93,48 @@ TEST_CASE("levels of any profile rise by four cells or more and keep the profile
         }
     }
 }
+
+TEST_CASE("risers lean by four cells, before or after, where there is room", "[profile_levels]")
+{
+    const profile_scale leaning{1000.0, 1000.0, 0.0, true};
+    check_levels({{0, 0}, {0.5f, 0.25f}, {0.5f, 0.75f}, {1, 1}}, leaning,
+                 {{0, 0, 0}, {500, 0.25f, 0.25f}, {504, 0.75f, 0.75f}, {1000, 1, 1}});
+    check_levels({{0, 0}, {1, 0.25f}, {1, 1}}, leaning, {{0, 0, 0}, {996, 0.25f, 0.25f}, {1000, 1, 1}});
+    check_levels({{0, 0}, {0.995f, 0.25f}, {0.995f, 0.75f}, {1, 1}}, leaning,
+                 {{0, 0, 0}, {991, 0.25f, 0.25f}, {995, 0.75f, 0.75f}, {1000, 1, 1}});
+    check_levels({{0, 0}, {0, 0.5f}, {1, 1}}, leaning, {{0, 0, 0.5f}, {1000, 1, 1}});  // at the wall it goes on upright
+    check_levels({{0, 0}, {0.005f, 0.2f}, {0.005f, 0.6f}, {0.01f, 1}, {1, 1}}, leaning,  // no room on either side
+                 {{0, 0, 0}, {5, 0.4f, 0.4f}, {10, 1, 1}, {1000, 1, 1}});
+}
+
+TEST_CASE("leaning levels are four cells apart, without risers, and as far and as high as before", "[profile_levels]")
+{
+    std::mt19937 random{5};
+    for (int run = 0; run < 20000; ++run) {
+        profile_points points;
+        points.add({0, 0});
+        float t = 0.0f;
+        const auto share = [&] { return static_cast<float>(random() % 1001) / 1000.0f; };
+        for (auto n = random() % 62; n > 0; --n) {
+            if (random() % 2 == 0) t += (1.0f - t) * share() * share();
+            points.add({t, share()});
+        }
+        points.add({1, share()});
+        const double width = 1.0 + 3000.0 * static_cast<double>(share());
+        const profile_scale upright{width, 500.0}, leaning{width, 500.0, 0.0, true};
+        const profile_levels plain{points, upright}, made{points, leaning};
+        const auto levels = made.view();
+        REQUIRE(levels.size() <= profile_points::most);
+        CHECK(levels.front().distance == 0.0);
+        CHECK(levels.front().arrives == plain.view().front().arrives);
+        CHECK(levels.back().distance == plain.view().back().distance);
+        CHECK(levels.back().leaves == plain.view().back().leaves);
+        for (std::size_t i = 1; i < levels.size(); ++i) {
+            CHECK_FALSE(levels[i].has_riser());
+            CHECK(levels[i].distance - levels[i - 1].distance >= profile_levels::finest - 1e-9);  // of rounding
+        }
+        bool had_risers = false;
+        for (const profile_level& l : plain.view().subspan(1)) had_risers = had_risers || l.has_riser();
+        CHECK((had_risers || levels.size() == plain.view().size()));
+    }
+}
