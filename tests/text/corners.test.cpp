@@ -254,6 +254,24 @@ TEST_CASE("edges have two faces wherever a letter stands, in every unit and fram
     }
 }
 
+TEST_CASE("letters that reach far beyond their pens have a grid for that, too", "[text]")
+{
+    recorded_outlines font{1000.0};
+    REQUIRE(font.add([](auto& pen) {
+        for (int i = 0; i < 2000; ++i) square(pen, 700000 + 0.25 * i, 0.25 * i, 0.25);
+        square(pen, 0, 0, 500);
+    }));
+    glyph_run run;
+    run.units_per_em = 1000.0;
+    REQUIRE(run.glyphs.push_back({0, 0, {}}));
+    auto mesher = text_mesher{font};
+    for (const touching way : {touching::part, touching::join}) {
+        const auto plan = mesher.plan(run, {.corners = way});
+        check_manifold(plan);
+        CHECK(plan->glyphs()[0].built->cells() < 16.0);
+    }
+}
+
 TEST_CASE("the grid goes by the place, and near the origin it is the font's", "[text]")
 {
     const recorded_outlines font = touching_font();

@@ -244,7 +244,10 @@ private:
     template <plan_workers<Font> Workers>
     result<plan_type> plan_run(const glyph_run& run, const text_options& options, Workers& workers) noexcept;
     template <plan_workers<Font> Workers>
-    result<plan_type> plan_once(const glyph_run& run, const text_options& options, Workers& workers) noexcept;
+    result<plan_type> plan_told_apart(const glyph_run& run, const text_options& options, Workers& workers) noexcept;
+    template <plan_workers<Font> Workers>
+    result<plan_type> plan_once(const glyph_run& run, const text_options& options, Workers& workers,
+                                double reach) noexcept;
 
     /// The name of the option to blame for heights that cannot be written.
     static constexpr const char* heights_name() noexcept
@@ -275,7 +278,8 @@ private:
         return {};
     }
 
-    glyph_settings settings_of(const glyph_run& run, const text_options& options) const noexcept
+    /// `reach`: how far from the origin glyphs are written, in em.
+    static glyph_settings settings_of(const text_options& options, double reach) noexcept
     {
         glyph_settings how{.tolerance = options.tolerance,
                            .fill = options.fill,
@@ -283,7 +287,7 @@ private:
                            .most_points = options.most_points};
         if (options.corners == touching::keep) return how;
         how.corners = options.corners;
-        how.most_cells = cells_told_apart(run, font_->units_per_em(), options.frame.is_along_axes());
+        how.most_cells = cells_told_apart(reach, options.frame.is_along_axes());
         return how;
     }
 
@@ -376,7 +380,7 @@ template <plan_workers<Font> Workers>
 auto text_mesher<Font, D, T, E, O, C>::plan_run(const glyph_run& run, const text_options& options,
                                                 Workers& workers) noexcept -> result<plan_type>
 {
-    auto made = plan_once(run, options, workers);
+    auto made = plan_told_apart(run, options, workers);
     if constexpr (refitting_extruder<E>) {
         if (!made) return made;
         const E asked = extruder_;
@@ -385,17 +389,34 @@ auto text_mesher<Font, D, T, E, O, C>::plan_run(const glyph_run& run, const text
             refitted = extruder_.refit(s.built->template planned<E>().form) || refitted;
         if (refitted) {
             glyphs_.clear();
-            made = plan_once(run, options, workers);
+            made = plan_told_apart(run, options, workers);
         }
         extruder_ = asked;
     }
     return made;
 }
 
+// Where floats are to tell cells apart, letters that reach farther from their pens than was thought are built again.
 template <outline_source Font, discretiser D, triangulator T, extruder E, stage_observer O, class C>
 template <plan_workers<Font> Workers>
-auto text_mesher<Font, D, T, E, O, C>::plan_once(const glyph_run& run, const text_options& options,
-                                                 Workers& workers) noexcept -> result<plan_type>
+auto text_mesher<Font, D, T, E, O, C>::plan_told_apart(const glyph_run& run, const text_options& options,
+                                                       Workers& workers) noexcept -> result<plan_type>
+{
+    if (options.corners == touching::keep) return plan_once(run, options, workers, 0.0);
+    const double units_per_em = font_->units_per_em(), expected = reach_of(run, units_per_em);
+    auto made = plan_once(run, options, workers, expected);
+    if (!made) return made;
+    const double reach = reach_of(glyphs_.ink, units_per_em);
+    const bool along_axes = options.frame.is_along_axes();
+    if (cells_told_apart(reach, along_axes) >= cells_told_apart(expected, along_axes)) return made;
+    glyphs_.clear();
+    return plan_once(run, options, workers, reach + 1.0);
+}
+
+template <outline_source Font, discretiser D, triangulator T, extruder E, stage_observer O, class C>
+template <plan_workers<Font> Workers>
+auto text_mesher<Font, D, T, E, O, C>::plan_once(const glyph_run& run, const text_options& options, Workers& workers,
+                                                 double reach) noexcept -> result<plan_type>
 {
     if (!is_finite(options.tolerance) || !(options.tolerance > 0.0)) return stop(error::bad_tolerance);
     if (!is_finite(options.pixels_per_em) || !(options.pixels_per_em > 0.0) || options.pixels_per_em > 0x1p30)
@@ -419,7 +440,7 @@ auto text_mesher<Font, D, T, E, O, C>::plan_once(const glyph_run& run, const tex
     error e = refused_options(extruder_);
     if (!e) e = glyphs_.looks.read(run, *font_);
     if (!e) e = collect(run, options);
-    const glyph_settings how = settings_of(run, options);
+    const glyph_settings how = settings_of(options, reach);
     if (!e) e = build_glyphs(options, how, workers);
     if (!e && options.merge) e = merge(run, how);
     if (!e) e = place_glyphs(glyphs_, run, options.merge && options.corners != touching::keep);
