@@ -184,6 +184,23 @@ TEST_CASE("a slit that closes between the cells is opened, or filled", "[corner_
             }
 }
 
+TEST_CASE("a slit that is narrow for a thousand cells is opened by larger diamonds", "[corner_parting]")
+{
+    // Its sides meet again where it is half a cell wide: 250, 500, 750 cells from the corner.
+    for (const std::int32_t length : {50000, 100000, 150000}) {
+        drawn_polygons d{touching::part};
+        REQUIRE(d.add({{0, 0}, {length, -length / 2}, {length, 0}}));
+        REQUIRE(d.add({{0, 0}, {length, 100}, {length, length / 2}}));
+        REQUIRE(d.fill());
+        corner_parting parting;
+        const auto after = parting(d.loops, d.curves, d.space);
+        REQUIRE(after);
+        check_parted(*after);
+        CHECK(after->outers() == 2);  // filled, it would be one
+        CHECK(after->holes() == 0);
+    }
+}
+
 TEST_CASE("a corner at the end of the grid is left, and said to be", "[corner_parting]")
 {
     constexpr std::int32_t end = (1 << 28) - 1;

@@ -13,6 +13,7 @@
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/extrude/polyline_profile.hpp>
 #include <typemesh/inspect/manifoldness.hpp>
+#include <typemesh/inspect/normal_check.hpp>
 #include <typemesh/text/flipped_triangles.hpp>
 #include <typemesh/triangulate/constrained_delaunay.hpp>
 #include <typemesh/typemesh.hpp>
@@ -160,6 +161,8 @@ TEST_CASE("corners are parted and joined in plain letters, and counted", "[text]
         const auto plan = mesher.plan(run, {.corners = way});
         check_manifold(plan);
         CHECK(plan->report().corners_moved == 1 + 49 + 1);
+        const test::lit_mesh mesh = test::written(*plan);
+        CHECK(inspect::check_normals(mesh.view(), &test::lit_vertex::normal).is_right());
     }
 }
 
