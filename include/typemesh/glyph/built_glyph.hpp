@@ -60,8 +60,9 @@ public:
     }
     /// Whether its bevel is narrower than asked for: see solid_plan.
     [[nodiscard]] bool is_narrowed() const noexcept { return plan_.narrowed; }
-    /// How many of its corners were parted or joined, and whether some that should have been are not.
+    /// How many of its corners were parted or joined: see contours::corners.
     [[nodiscard]] std::uint32_t corners_moved() const noexcept { return plan_.corners_moved; }
+    /// Whether corners touch that should have been.
     [[nodiscard]] bool is_touching() const noexcept { return plan_.touching; }
     [[nodiscard]] double cells() const noexcept { return cells_; }
     /// The size of the grid's cells, in font units.

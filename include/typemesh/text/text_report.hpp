@@ -30,8 +30,8 @@ struct text_report {
     /// Corners that touched and were parted or joined, over all glyphs of the mesh; see text_options::corners. Of
     /// outward bevels also those that would have touched, and for which they became narrower.
     std::uint64_t corners_moved = 0;
-    std::uint32_t touching = 0;  ///< glyphs in which some could not be
-    cluster_id first_touching = no_cluster;
+    std::uint32_t touching = 0;              ///< glyphs in which some could not be
+    cluster_id first_touching = no_cluster;  ///< where the first of these stands
 
     /// True if nothing was lost: every glyph of the text is in the mesh, and no place of it was read as U+FFFD.
     [[nodiscard]] constexpr bool complete() const noexcept
