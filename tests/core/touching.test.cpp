@@ -7,7 +7,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("corners are kept unless something else is asked for", "[touching]")
+TEST_CASE("corners are kept by default", "[touching]")
 {
     CHECK(touching{} == touching::keep);
     CHECK(contours{}.corners == touching::keep);
