@@ -10,6 +10,8 @@
 //     font       the outlines of all glyphs of a font, streamed (a loop over one glyph trains the branch predictor)
 //
 // Items are glyphs. A font that is not installed is left out with a word.
+#include "../tests/support/font_path.hpp"
+
 #include <typemesh/adapt/freetype.hpp>
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/layout/layout.hpp>
@@ -18,19 +20,12 @@
 #include <benchmark/benchmark.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <string>
 
 using namespace typemesh;
 
 namespace {
-
-std::string font_path(const std::string& name)
-{
-    const char* given = std::getenv("TYPEMESH_FONT_DIR");
-    return (given != nullptr ? std::string{given} : std::string{"/usr/share/fonts"}) + "/" + name;
-}
 
 std::string text_of(const std::string& name)
 {
@@ -238,7 +233,7 @@ int main(int argc, char** argv)
         {"font_ComicNeue", "opentype/comic-neue/ComicNeue-Regular.otf", nullptr, true},
     };
     for (const entry& e : entries) {
-        const std::string path = font_path(e.font), text = e.text != nullptr ? text_of(e.text) : std::string{},
+        const std::string path = font_path(e.font).string(), text = e.text != nullptr ? text_of(e.text) : std::string{},
                           label = e.label;
         if (!std::ifstream{path}) {
             std::fprintf(stderr, "left out: %s is not installed\n", path.c_str());

@@ -4,6 +4,8 @@
 // What benchmarks triangulate: all glyphs of a font, flattened by equal steps of t and snapped to 1/512 unit, and shapes of any size.
 // Fonts are looked for under $TYPEMESH_FONT_DIR (default /usr/share/fonts).
 
+#include "../tests/support/font_path.hpp"
+
 #include <typemesh/core/contours.hpp>
 
 #include <hb.h>
@@ -102,8 +104,7 @@ inline hb_draw_funcs_t* drawing()
 
 inline std::vector<polygon> glyphs_of(const char* file, double tolerance, unsigned most)
 {
-    const char* folder = std::getenv("TYPEMESH_FONT_DIR");
-    const std::string path = std::string{folder != nullptr ? folder : "/usr/share/fonts"} + "/" + file;
+    const std::string path = font_path(file).string();
     hb_blob_t* blob = hb_blob_create_from_file(path.c_str());
     hb_face_t* face = hb_face_create(blob, 0);
     hb_font_t* font = hb_font_create(face);

@@ -24,6 +24,8 @@
 // Fonts are looked for under $TYPEMESH_FONT_DIR (default /usr/share/fonts); packages fonts-inter-variable,
 // fonts-hosny-amiri, fonts-noto-cjk, fonts-noto-cjk-extra, fonts-wqy-microhei, fonts-liberation.
 
+#include "../tests/support/font_path.hpp"
+
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/glyph/cap_builder.hpp>
 #include <typemesh/typemesh.hpp>
@@ -206,8 +208,7 @@ void add(set& s, int passes)
 
 bool glyphs_of(const char* file, double tolerance, std::uint32_t most, set& s)
 {
-    const char* folder = std::getenv("TYPEMESH_FONT_DIR");
-    const std::string path = std::string{folder != nullptr ? folder : "/usr/share/fonts"} + "/" + file;
+    const std::string path = font_path(file).string();
     auto font = harfbuzz_font::open(path.c_str());
     if (!font) return false;
     outline drawn;

@@ -6,6 +6,8 @@
 // meanings of its kernels, a line each. The programs compile against older revisions, too.
 #pragma once
 
+#include "../../tests/support/font_path.hpp"
+
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/typemesh.hpp>
 
@@ -27,9 +29,7 @@ constexpr const char* mplus = "opentype/mplus/Mplus1-Regular.otf";
 
 inline harfbuzz_font open_font(const char* file, const font_options& options = {})
 {
-    const char* folder = std::getenv("TYPEMESH_FONT_DIR");
-    auto font = harfbuzz_font::open((std::string{folder != nullptr ? folder : "/usr/share/fonts"} + "/" + file).c_str(),
-                                    options);
+    auto font = harfbuzz_font::open(font_path(file).string().c_str(), options);
     if (!font) std::fprintf(stderr, "%s: %s\n", file, font.error().message()), std::exit(1);
     return std::move(*font);
 }

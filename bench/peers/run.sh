@@ -35,7 +35,9 @@ has g++ pkg-config harfbuzz freetype fontconfig python3 || stop "g++, HarfBuzz a
     fonts-mplus) >&2
 fonts=${TYPEMESH_FONT_DIR:-/usr/share/fonts}
 sans=$fonts/truetype/liberation/LiberationSans-Regular.ttf
-variable=$fonts/truetype/inter-vf/Inter-roman.var.ttf
+font_names=$typemesh_root/tests/support/font_path.hpp
+. "$typemesh_root/tests/support/font_file.sh"
+variable=$(font_file truetype/inter-vf/Inter-roman.var.ttf)
 
 newer() { find "$@" -newer "$binary" -print -quit; }
 compile() {  # compile PROGRAM FLAG...; anew where what it is made of is newer

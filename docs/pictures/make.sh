@@ -51,9 +51,11 @@ montage -label '%t' "$scratch"/gouraud-{shared,averaged,creased,curve}.png "$scr
 
 "$program" "aBg" --font $sans --depth 0 --quality normal --show triangles,points,control,contours --picture stages.png
 
-inter=/usr/share/fonts/truetype/inter-vf/Inter.var.ttf
-"$program" "A&f4" --font $inter --depth 0 --quality normal --show contours,triangles --picture "$scratch/before.png"
-"$program" "A&f4" --font $inter --depth 0 --quality normal --triangulator delaunay --show triangles --picture "$scratch/after.png"
+font_names=../../tests/support/font_path.hpp
+. ../../tests/support/font_file.sh
+inter=$(font_file truetype/inter-vf/Inter.var.ttf)
+"$program" "A&f4" --font "$inter" --depth 0 --quality normal --show contours,triangles --picture "$scratch/before.png"
+"$program" "A&f4" --font "$inter" --depth 0 --quality normal --triangulator delaunay --show triangles --picture "$scratch/after.png"
 convert "$scratch/before.png" "$scratch/after.png" -resize 900x -append overlaps.png
 
 vibes=/usr/share/fonts/truetype/GreatVibes-Regular.ttf

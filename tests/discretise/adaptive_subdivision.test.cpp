@@ -92,7 +92,7 @@ TEST_CASE("the presets of adaptive_subdivision are the thesis' for 64 units per 
           "[adaptive_subdivision]")
 {
     const auto same = [](const adaptive_subdivision& a, std::uint32_t levels, double distance, double angle) {
-        return a.levels == levels && a.distance == Catch::Detail::Approx(distance) && a.angle == angle;
+        return a.levels == levels && a.distance == Approx(distance) && a.angle == angle;
     };
     CHECK(same(adaptive_subdivision::normal(64.0), 5, 0.5, 0.01));
     CHECK(same(adaptive_subdivision::high(64.0), 15, 0.1, 0.01));

@@ -12,8 +12,8 @@ TEST_CASE("a better quality is a smaller tolerance", "[quality]")
     CHECK(quality::low > quality::normal);
     CHECK(quality::normal > quality::high);
     CHECK(quality::high > quality::best);
-    CHECK(quality::low * 2048.0 == Catch::Detail::Approx(20.48));
-    CHECK(quality::best * 16000.0 == Catch::Detail::Approx(1.0));
+    CHECK(quality::low * 2048.0 == Approx(20.48));
+    CHECK(quality::best * 16000.0 == Approx(1.0));
 }
 
 TEST_CASE("tolerance_for_pixels is the error in em, a quarter of a pixel unless said otherwise", "[quality]")

@@ -6,10 +6,13 @@
 #     command_line.sh PROGRAM
 set -u
 program=$1
+support=$(cd "$(dirname "$0")/../support" && pwd) font_names=$support/font_path.hpp
+. "$support/font_file.sh"
 scratch=$(mktemp -d) && trap 'rm -rf "$scratch"' EXIT
 cd "$scratch" || exit 1
 sans=/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf
 arabic=/usr/share/fonts/opentype/fonts-hosny-amiri/Amiri-Regular.ttf
+inter=$(font_file truetype/inter-vf/Inter.var.ttf)
 passed=0
 failed=0
 
@@ -249,8 +252,8 @@ expect 1 "--family: must be an installed family, not the file" x --stats --famil
 
 expect 0 "" "$(printf 'a\tb')" --font $sans --strict --output tab.glb  # a tab is no missing character
 expect 0 "" "你好" --font /usr/share/fonts/truetype/wqy/wqy-microhei.ttc --face 1 --output face.glb
-expect 0 "" "Bold" --font /usr/share/fonts/truetype/inter-vf/Inter.var.ttf --variation wght=900 --output bold.glb
-expect 0 "" "Bold" --font /usr/share/fonts/truetype/inter-vf/Inter.var.ttf --variation wght=100 --output thin.glb
+expect 0 "" "Bold" --font "$inter" --variation wght=900 --output bold.glb
+expect 0 "" "Bold" --font "$inter" --variation wght=100 --output thin.glb
 that "weights differ" [ "$(cksum <bold.glb)" != "$(cksum <thin.glb)" ]
 expect 0 "" --help
 that "the help asks for one of the things to do" grep -qF "(--output FILE | --picture FILE.png | --stats)" out
@@ -522,14 +525,13 @@ expect 0 "" " " --font $sans --stats
 expect 0 "the font has no feature zzzz" x --font $sans --feature zzzz --output feature.glb
 expect 0 "" x --font $sans --feature zzzz=0 --feature kern --stats
 long=$(printf 'Hamburgefonstiv %.0s' $(seq 400))
-inter=/usr/share/fonts/truetype/inter-vf/Inter.var.ttf
-expect 0 "[0-9]+ triangles of each face are turned over or flat.*; shorter lines help\.$" "$long" --font $inter --touching keep --output long.ply
-expect 0 "shorter lines help, and so does --instances\.$" "$long" --font $inter --output long.glb
-expect 1 "--strict: nothing is written" "$long" --font $inter --touching keep --output strict.ply --strict
-expect 0 "" "$long" --font $inter --output told_apart.ply --strict
+expect 0 "[0-9]+ triangles of each face are turned over or flat.*; shorter lines help\.$" "$long" --font "$inter" --touching keep --output long.ply
+expect 0 "shorter lines help, and so does --instances\.$" "$long" --font "$inter" --output long.glb
+expect 1 "--strict: nothing is written" "$long" --font "$inter" --touching keep --output strict.ply --strict
+expect 0 "" "$long" --font "$inter" --output told_apart.ply --strict
 expect 1 "--strict: nothing is written" x --font $sans --feature zzzz --output strict.ply --strict
 that "--strict makes every warning an error" [ ! -e strict.ply ]
-expect 0 "" "$long" --font $inter --output long.glb --instances
+expect 0 "" "$long" --font "$inter" --output long.glb --instances
 that "warnings stand in one line each" lines 0
 
 # On a terminal each step is shown in one line that is gone at the end; nothing of it is seen elsewhere.

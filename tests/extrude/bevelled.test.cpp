@@ -736,7 +736,8 @@ TEST_CASE("bevelled refuses options out of range, each by its name, with or with
     const auto check = [](const char* name, const auto& how) {
         INFO(name);
         bevelled_mesh m;
-        for (const error& e : {refused_options(how), build_bevelled(shapes::rectangle(), how, m)}) {
+        const error refusals[] = {refused_options(how), build_bevelled(shapes::rectangle(), how, m)};
+        for (const error& e : refusals) {
             CHECK(e == error::bad_option);
             REQUIRE(e.option != nullptr);
             CHECK(std::string{e.option} == name);

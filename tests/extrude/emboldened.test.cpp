@@ -196,7 +196,8 @@ TEST_CASE("a sharp corner that grows becomes round and shades round, a blunt one
             capped(spike, emboldened<>{.by = 0.05f, .joins = joins, .solid = {.texture = texture_mapping::box}});
         check_laws(m);
         std::size_t hard = 0, near = 0;
-        for (const side_point& p : m.data.data.read().of<side_point>()) hard += p.doubled;
+        const auto arrays = m.data.data.read();
+        for (const side_point& p : arrays.of<side_point>()) hard += p.doubled;
         for (const grid_point p : m.data.loops.points) near += typemesh::length({p.x / cells, p.y / cells}) < 0.08;
         CHECK((joins == bevel_joins::round ? near > 6 : near == 2));
         CHECK(hard == (joins == bevel_joins::round ? 2 : 4));
@@ -300,7 +301,8 @@ TEST_CASE("emboldened refuses options out of range by their names, its own and t
     const auto check = [](const char* name, const auto& how) {
         INFO(name);
         capped_mesh<std::remove_cvref_t<decltype(how)>> m;
-        for (const error& e : {refused_options(how), build_capped(shapes::rectangle(), how, m)}) {
+        const error refusals[] = {refused_options(how), build_capped(shapes::rectangle(), how, m)};
+        for (const error& e : refusals) {
             CHECK(e == error::bad_option);
             REQUIRE(e.option != nullptr);
             CHECK(std::string{e.option} == name);

@@ -186,7 +186,8 @@ TEST_CASE("outlined refuses options out of range by their names, its own and the
     const auto check = [](const char* name, const auto& how) {
         INFO(name);
         capped_mesh<std::remove_cvref_t<decltype(how)>> m;
-        for (const error& e : {refused_options(how), build_capped(shapes::rectangle(), how, m)}) {
+        const error refusals[] = {refused_options(how), build_capped(shapes::rectangle(), how, m)};
+        for (const error& e : refusals) {
             CHECK(e == error::bad_option);
             REQUIRE(e.option != nullptr);
             CHECK(std::string{e.option} == name);

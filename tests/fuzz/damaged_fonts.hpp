@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "../support/font_path.hpp"
 #include "values.hpp"
 
 #include <typemesh/core/glyph_id.hpp>
@@ -8,8 +9,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <span>
@@ -23,14 +22,12 @@ namespace fuzz {
 inline const std::vector<std::vector<std::byte>>& whole_fonts()
 {
     static const std::vector<std::vector<std::byte>> all = [] {
-        const char* given = std::getenv("TYPEMESH_FONT_DIR");
-        const std::filesystem::path folder = given != nullptr ? given : "/usr/share/fonts";
         std::vector<std::vector<std::byte>> read;
         for (const char* name :
              {"truetype/liberation/LiberationMono-Regular.ttf", "opentype/comic-neue/ComicNeue-Regular.otf",
               "truetype/lohit-devanagari/Lohit-Devanagari.ttf", "truetype/inter-vf/Inter-roman.var.ttf",
               "opentype/fonts-hosny-amiri/AmiriQuranColored.ttf"}) {
-            std::ifstream in{folder / name, std::ios::binary};
+            std::ifstream in{font_path(name), std::ios::binary};
             const std::string bytes{std::istreambuf_iterator<char>{in}, {}};
             const auto* first = reinterpret_cast<const std::byte*>(bytes.data());
             if (!bytes.empty()) read.emplace_back(first, first + bytes.size());

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// One spelling for Catch2 2.13 and 3.
+// One spelling for Catch2 2.13 and 3: `Approx` and `Catch::Approx` are there with both.
 #if __has_include(<catch2/catch_all.hpp>)
 #include <catch2/catch_all.hpp>
+using Catch::Approx;
 #else
 #include <catch2/catch.hpp>
 namespace Catch {

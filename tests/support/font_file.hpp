@@ -2,10 +2,10 @@
 #pragma once
 
 #include "support/catch.hpp"
+#include "support/font_path.hpp"
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -46,17 +46,10 @@ inline std::vector<font_package> smoke_fonts()
     };
 }
 
-/// Where fonts are installed: TYPEMESH_FONT_DIR, or where Debian puts them.
-inline std::filesystem::path font_folder()
-{
-    const char* given = std::getenv("TYPEMESH_FONT_DIR");
-    return given != nullptr ? given : "/usr/share/fonts";
-}
-
 /// The full path of an installed font, such as "truetype/dejavu/DejaVuSans.ttf"; the test fails where it is missing.
 inline std::string font_file(const std::string& name)
 {
-    const auto path = font_folder() / name;
+    const auto path = font_path(name);
     if (!std::filesystem::exists(path)) {
         std::string package = "of its package";
         for (const font_package& p : smoke_fonts())

@@ -158,7 +158,8 @@ private:
     template <class T>
     static std::span<const T> found(std::uint64_t count, const std::byte*& from) noexcept
     {
-        const std::span<const T> array{reinterpret_cast<const T*>(from), static_cast<std::size_t>(count)};
+        const T* first = reinterpret_cast<const T*>(from);
+        const std::span<const T> array{first, first + count};
         from += rounded(array.size_bytes());
         return array;
     }

@@ -142,7 +142,8 @@ private:
         std::uint64_t count = 0;
         std::memcpy(&count, block, 8);
         block += 8;
-        array = {reinterpret_cast<const T*>(block), static_cast<std::size_t>(count)};
+        const T* first = reinterpret_cast<const T*>(block);
+        array = {first, first + count};
         block += rounded(array.size_bytes());
     }
 };

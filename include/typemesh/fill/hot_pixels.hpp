@@ -59,7 +59,7 @@ public:
         for (const grid_point p : points) grow(all, {p.x, p.x, p.y, p.y});
         // Both sides of the whole take as many bits: else the boxes of a flat set would be columns of its full height.
         const auto bits = [](std::int32_t side) noexcept {
-            return static_cast<std::uint32_t>(std::bit_width(static_cast<std::uint32_t>(side)));
+            return 32 - static_cast<std::uint32_t>(std::countl_zero(static_cast<std::uint32_t>(side)));
         };
         const std::uint32_t wide = bits(all.right - all.left), high = bits(all.top - all.bottom);
         const std::uint32_t up_x = wide < high ? high - wide : 0, up_y = high < wide ? wide - high : 0;

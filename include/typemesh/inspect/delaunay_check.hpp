@@ -112,7 +112,8 @@ struct delaunay_check {
     for (std::size_t i = 1; i < sides.size(); ++i) {
         if (sides[i].edge != sides[i - 1].edge) continue;
         ++found.inner_edges;
-        grid_point a = points[sides[i].edge >> 32], b = points[sides[i].edge & 0xFFFF'FFFFu];
+        const std::uint64_t edge = sides[i].edge;
+        grid_point a = points[static_cast<std::uint32_t>(edge >> 32)], b = points[edge & 0xFFFF'FFFFu];
         const grid_point c = points[sides[i].apex], d = points[sides[i - 1].apex];
         if (side(a, b, c) < 0) std::swap(a, b);
         const int where = circle_side(a, b, c, d);

@@ -33,7 +33,7 @@ error layout(Shaper& shaper, text_view text, const shape_options& how, const lay
 {
     run.clear();
     if (error e = refused_option(options)) return e;
-    if (static_cast<std::uint64_t>(text.size()) > 0xFFFF'FFFFu) return error::too_large;
+    if (const std::uint64_t length = text.size(); length > 0xFFFF'FFFFu) return error::too_large;
 
     const auto fail = [&run](error e) noexcept {
         run.clear();

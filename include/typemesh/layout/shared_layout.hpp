@@ -32,7 +32,7 @@ public:
     {
         run.clear();
         if (error e = refused_option(options)) return e;
-        if (static_cast<std::uint64_t>(text.size()) > 0xFFFF'FFFFu) return error::too_large;
+        if (const std::uint64_t length = text.size(); length > 0xFFFF'FFFFu) return error::too_large;
         const std::size_t count = workers.workers();
         if (error e = find_lines(text, 8 * count)) return e;
 
@@ -166,7 +166,7 @@ private:
             glyphs += l.count;
             if (glyphs > 0xFFFF'FFFFu) return fail(error::too_large);
         }
-        if (run.glyphs.append(static_cast<std::size_t>(glyphs)) == nullptr && glyphs != 0)
+        if (run.glyphs.append(static_cast<std::uint32_t>(glyphs)) == nullptr && glyphs != 0)
             return fail(error::out_of_memory);
         return {};
     }

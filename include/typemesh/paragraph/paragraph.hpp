@@ -188,7 +188,7 @@ private:
                    double letter_spacing) noexcept
     {
         if (!is_finite(letter_spacing)) return error::bad("letter_spacing");
-        if (static_cast<std::uint64_t>(text.size()) >= 0xFFFF'FFFFu) return error::too_large;
+        if (const std::uint64_t length = text.size(); length >= 0xFFFF'FFFFu) return error::too_large;
         if (error e = analyser_.analyse(text, analysis_of(how), shaped_.analysis)) return e;
         units_per_em_ = font_->units_per_em();
         if (error e = shaped_.styles.read(spans, shaped_.analysis, face_count())) return e;

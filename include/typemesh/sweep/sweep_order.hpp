@@ -155,8 +155,8 @@ struct coordinate_range {
     std::int32_t low, high;
     [[nodiscard]] std::uint32_t bits() const noexcept
     {
-        return static_cast<std::uint32_t>(
-            std::bit_width(static_cast<std::uint32_t>(high) - static_cast<std::uint32_t>(low)));
+        const std::uint32_t reach = static_cast<std::uint32_t>(high) - static_cast<std::uint32_t>(low);
+        return 32 - static_cast<std::uint32_t>(std::countl_zero(reach));
     }
 };
 template <std::int32_t grid_point::* coordinate>

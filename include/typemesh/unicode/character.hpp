@@ -100,10 +100,10 @@ struct character {
     using namespace detail;
     if (c > 0x10FFFF) c = 0xFFFD;
     const auto byte_of = [](const std::uint64_t* table, std::size_t i) noexcept {
-        return static_cast<std::size_t>(table[i / 8] >> (i % 8 * 8) & 0xFF);
+        return static_cast<std::uint32_t>(table[i / 8] >> (i % 8 * 8) & 0xFF);
     };
-    const std::size_t middle = byte_of(character_top, c >> 9) << 5 | (c >> 4 & 31);
-    const auto leaf = static_cast<std::size_t>(character_middles[middle / 4] >> (middle % 4 * 16) & 0xFFFF);
+    const std::uint32_t middle = byte_of(character_top, c >> 9) << 5 | (c >> 4 & 31);
+    const auto leaf = static_cast<std::uint32_t>(character_middles[middle / 4] >> (middle % 4 * 16) & 0xFFFF);
     const std::uint32_t record = character_records[byte_of(character_leaves, leaf << 4 | (c & 15))];
     return {static_cast<bidi_class>(record & 0x3F), static_cast<bracket_kind>(record >> 6 & 3),
             static_cast<line_class>(record >> 8 & 0xFF), static_cast<grapheme_class>(record >> 16 & 0xFF),

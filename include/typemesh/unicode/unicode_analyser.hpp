@@ -28,7 +28,7 @@ public:
     error analyse(text_view text, const analysis_options& how, text_analysis& found) noexcept
     {
         found.clear();
-        if (static_cast<std::uint64_t>(text.size()) > 0xFFFF'FFFFu) return error::too_large;
+        if (const std::uint64_t length = text.size(); length > 0xFFFF'FFFFu) return error::too_large;
         const error e = fill_in(text, how, found);
         if (e) found.clear();
         return e;

@@ -72,14 +72,19 @@ private:
     error begin_numbering(mesh_size exact, std::uint64_t numbered) noexcept
     {
         if (error e = index_.numbers(numbered)) return e;
-        const auto vertices = static_cast<std::size_t>(exact.vertices);
-        const auto indices = static_cast<std::size_t>(exact.indices());
-        if (!resize(vertices, indices)) return error::out_of_memory;
+        if (!resize_both(exact.vertices, exact.indices())) return error::out_of_memory;
         next_vertex_ = vertices_->data();
         index_.start(indices_->data());
         return {};
     }
 
+    /// A machine of 32 bits has no room for what its std::size_t cannot count.
+    template <std::unsigned_integral Count>
+    bool resize_both(Count vertices, Count indices) noexcept
+    {
+        return std::in_range<std::size_t>(vertices) && std::in_range<std::size_t>(indices) &&
+               resize(static_cast<std::size_t>(vertices), static_cast<std::size_t>(indices));
+    }
     bool resize(std::size_t vertices, std::size_t indices) noexcept
     {
 #if defined(__cpp_exceptions)
