@@ -5,6 +5,7 @@
 #include <typemesh/core/result.hpp>
 #include <typemesh/layout/column_glyphs.hpp>
 #include <typemesh/layout/column_runs.hpp>
+#include <typemesh/layout/emoji_sequence.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/layout/line_break.hpp>
 #include <typemesh/layout/mixed_line.hpp>
@@ -12,6 +13,7 @@
 #include <typemesh/layout/shape_options.hpp>
 #include <typemesh/layout/shaped_glyph.hpp>
 #include <typemesh/layout/text_item.hpp>
+#include <typemesh/unicode/grapheme_boundaries.hpp>
 #include <typemesh/unicode/script.hpp>
 #include <typemesh/unicode/text_view.hpp>
 
@@ -295,6 +297,8 @@ private:
         if (end == p.last) flags |= HB_BUFFER_FLAG_EOT;
         hb_buffer_set_flags(buffer_, static_cast<hb_buffer_flags_t>(flags));
         first_unit_ = begin;
+        text_ = text;
+        last_unit_ = p.last;
         if (!decoded) return add(text, begin, end, p.first, p.last);
         add(text, begin, p.first, p.first, p.first);
         for (std::size_t i = p.first; i < p.last;) {
@@ -326,6 +330,7 @@ private:
         hb_buffer_set_language(buffer_, language);
         const auto shaped =
             hb_shape_full(font, buffer_, features_.data(), static_cast<unsigned>(features_.size()), nullptr);
+        font_ = font;
         if (!hb_buffer_allocation_successful(buffer_)) return error::out_of_memory;
         return shaped ? error{} : error::font_library_failed;
     }
@@ -339,6 +344,37 @@ private:
         if ((set & HB_GLYPH_FLAG_SAFE_TO_INSERT_TATWEEL) != 0) flags = flags | glyph_flags::tatweel;
 #endif
         return info.codepoint == 0 ? flags | glyph_flags::missing : flags;
+    }
+
+    /// Whether the glyph before i is the first of several that draw an emoji of several code points in parts. HarfBuzz
+    /// makes a cluster of a grapheme.
+    [[nodiscard]] bool begins_parted(std::span<const hb_glyph_info_t> all, std::size_t i) const noexcept
+    {
+        const unsigned cluster = all[i].cluster;
+        if (all[i - 1].cluster != cluster || (i > 1 && all[i - 2].cluster == cluster)) return false;
+        const std::size_t first = first_unit_ + cluster;
+        if (decode(text_, first, last_unit_).value < 0x203C) return false;  // the first of the emoji beyond Latin-1
+        return is_parted(all.subspan(i - 1), first);
+    }
+    [[nodiscard]] bool is_parted(std::span<const hb_glyph_info_t> glyphs, std::size_t first) const noexcept
+    {
+        std::size_t count = 0, last = last_unit_;
+        while (count < glyphs.size() && glyphs[count].cluster == glyphs[0].cluster) ++count;
+        grapheme_boundaries begins;
+        for (std::size_t at = first; at < last_unit_ && last == last_unit_;) {
+            const code_point c = decode(text_, at, last_unit_);
+            if (begins(character_of(c.value).grapheme) && at != first) last = at;
+            at = c.next;
+        }
+        const auto is_drawn = [&](char32_t c) noexcept {
+            hb_codepoint_t plain = 0, pictured = 0;
+            if (!hb_font_get_nominal_glyph(font_, c, &plain)) return false;
+            if (!hb_font_get_variation_glyph(font_, c, 0xFE0F, &pictured)) pictured = plain;
+            for (std::size_t k = 0; k < count; ++k)
+                if (glyphs[k].codepoint == plain || glyphs[k].codepoint == pictured) return true;
+            return false;
+        };
+        return has_fallen_apart(text_, first, last, is_drawn);
     }
 
     /// Appends what HarfBuzz has shaped, with advances along the line.
@@ -356,6 +392,8 @@ private:
                       {unit.x * position[i].x_offset, unit.y * position[i].y_offset},
                       0,
                       flags_of(info[i])};
+        for (unsigned i = 1; i < count; ++i)
+            if (begins_parted({info, count}, i)) out[i - 1].flags = out[i - 1].flags | glyph_flags::parted;
         return {};
     }
 
@@ -376,12 +414,16 @@ private:
                       missing};
             at = {at.x + unit.x * position[i].x_advance, at.y + unit.y * position[i].y_advance};
             if (missing) run.note_missing(cluster);
+            if (i > 0 && begins_parted({info, count}, i)) run.note_parted(cluster);
         }
         return {};
     }
 
     hb_buffer_t* buffer_ = nullptr;
     std::size_t first_unit_ = 0;  // which HarfBuzz's clusters are relative to
+    std::size_t last_unit_ = 0;   // of what the buffer holds
+    text_view text_ = {};         // likewise, until the next call
+    hb_font_t* font_ = nullptr;   // that has shaped it
     buffer<hb_feature_t> features_;
     buffer<piece> pieces_;
     buffer<text_item> items_;  // of a line of both directions

@@ -89,6 +89,7 @@ private:
             out[n] = {g.id, g.cluster, at + g.offset, missing, now.look};
             along += g.advance;
             if (missing) run_.note_missing(g.cluster);
+            if (has(g.flags, glyph_flags::parted)) run_.note_parted(g.cluster);
         }
         pen = along;
         return n;

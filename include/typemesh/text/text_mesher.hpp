@@ -430,8 +430,10 @@ auto text_mesher<Font, D, T, E, O, C>::plan_once(const glyph_run& run, const tex
     TYPEMESH_ASSERT(options.frame.is_orthonormal(), "a frame's axes must be unit vectors at right angles");
 
     text_report& report = glyphs_.report;
-    report.missing = run.missing;
-    report.first_missing = run.first_missing;
+    report.missing = run.missing + run.parted;
+    report.parted = run.parted;
+    report.first_missing = run.first_missing < run.first_parted ? run.first_missing : run.first_parted;
+    report.first_parted = run.first_parted;
     report.invalid_units = run.invalid_units;
     report.first_invalid_unit = run.first_invalid_unit;
     report.unbroken = run.unbroken;

@@ -14,9 +14,11 @@ struct text_report {
     std::uint32_t blank = 0;    ///< without an outline, such as spaces, or enclosing nothing
     std::uint32_t refused = 0;  ///< left out because they cannot be built; a merged group counts as one
     error first_refusal;        ///< why, with glyph and cluster; none if refused == 0
-    std::uint32_t missing = 0;  ///< the font lacks them
+    std::uint32_t missing = 0;  ///< the font lacks them; emoji that have fallen apart count
     cluster_id first_missing = no_cluster;
-    std::uint32_t invalid_units = 0;  ///< places of the text that were not valid UTF and were read as U+FFFD
+    std::uint32_t parted = 0;  ///< of the missing, emoji that are drawn in parts: families, flags, skin tones
+    cluster_id first_parted = no_cluster;  ///< where the first of those stands in the text
+    std::uint32_t invalid_units = 0;       ///< places of the text that were not valid UTF and were read as U+FFFD
     cluster_id first_invalid_unit = no_cluster;
     std::uint32_t unbroken = 0;  ///< runs of text whose words only a dictionary finds: see glyph_run
     cluster_id first_unbroken = no_cluster;
