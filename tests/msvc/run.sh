@@ -8,6 +8,8 @@
 #
 # It checks that
 # - all headers, and the templates made of them, compile after windows.h without a warning of /W4;
+# - the adapters of DirectWrite name their library to the linker, and read the same for every Windows that a unit may be
+#   compiled for: units that differ in that must not break the one-definition rule;
 # - nothing asks for a function of the compiler's own library for 128 bits, which Microsoft's linker does not find;
 # - with typemesh::unfused no multiplication is fused with an addition.
 #
@@ -67,6 +69,32 @@ wanted=$("${mingw%-g++*}-nm" "$(object_of every_policy)" | grep -E ' U __[a-z]*[
 if [ -n "$wanted" ]; then
     printf '%s\n' "$wanted"
     echo "Microsoft's linker has none of these functions for integers of 128 bits."
+    exit 1
+fi
+
+# Who copies the headers need not name the library. (objdump -s: 16 bytes a line, their letters in columns 44 to 59.)
+case $("${mingw%-g++*}-objdump" -s -j .drectve "$(object_of every_policy)" | cut -c 44-59 | tr -d '\n') in
+    *dwrite*) ;;
+    *) echo "The adapters do not name dwrite.lib to the linker." && exit 1 ;;
+esac
+
+# The words of our own headers after preprocessing, of those that are compiled for one Windows.
+words_for() {  # words_for _WIN32_WINNT
+    # shellcheck disable=SC2086  # a list of words
+    "$work/clang-cl" --target=x86_64-pc-windows-msvc $flags /std:c++20 "/D_WIN32_WINNT=$1" "/I$here/../../include" \
+        /E "$work/build/adapters.cpp" 2>"$work/words.log" |
+        awk '/^# *[0-9]+ "/ { ours = index($0, "include/typemesh/") > 0; next } /^#line/ { exit 1 } ours && NF' || {
+        cat "$work/words.log"
+        exit 1
+    }
+}
+printf '#include <windows.h>\n#include "adapter_headers.hpp"\n' >"$work/build/adapters.cpp"
+words_for 0x0601 >"$work/windows7"
+words_for 0x0A00 >"$work/windows10"
+[ "$(wc -l <"$work/windows7")" -gt 1000 ] || { echo "No words were found." && exit 1; }
+if ! diff "$work/windows7" "$work/windows10" >"$work/words.diff"; then
+    head -n 20 "$work/words.diff"
+    echo "Adapters differ where units are compiled for different Windows."
     exit 1
 fi
 
