@@ -79,9 +79,9 @@ case $("${mingw%-g++*}-objdump" -s -j .drectve "$(object_of every_policy)" | cut
 esac
 
 # The words of our own headers after preprocessing, of those that are compiled for one Windows.
-words_for() {  # words_for _WIN32_WINNT
+words_for() {  # words_for _WIN32_WINNT NTDDI_VERSION
     # shellcheck disable=SC2086  # a list of words
-    "$work/clang-cl" --target=x86_64-pc-windows-msvc $flags /std:c++20 "/D_WIN32_WINNT=$1" "/I$here/../../include" \
+    "$work/clang-cl" --target=x86_64-pc-windows-msvc $flags /std:c++20 "/D_WIN32_WINNT=$1" "/DNTDDI_VERSION=$2" "/I$here/../../include" \
         /E "$work/build/adapters.cpp" 2>"$work/words.log" |
         awk '/^# *[0-9]+ "/ { ours = index($0, "include/typemesh/") > 0; next } /^#line/ { exit 1 } ours && NF' || {
         cat "$work/words.log"
@@ -89,8 +89,8 @@ words_for() {  # words_for _WIN32_WINNT
     }
 }
 printf '#include <windows.h>\n#include "adapter_headers.hpp"\n' >"$work/build/adapters.cpp"
-words_for 0x0601 >"$work/windows7"
-words_for 0x0A00 >"$work/windows10"
+words_for 0x0601 0x06010000 >"$work/windows7"
+words_for 0x0A00 0x0A000006 >"$work/windows10"
 [ "$(wc -l <"$work/windows7")" -gt 1000 ] || { echo "No words were found." && exit 1; }
 if ! diff "$work/windows7" "$work/windows10" >"$work/words.diff"; then
     head -n 20 "$work/words.diff"
