@@ -130,7 +130,7 @@ tier_tsan() { test_preset tsan typemesh_tests; }
 # Windows programs are built here and run under Wine, with a prefix of their own and without a display. What they draw is
 # compared with outlines that HarfBuzz and FreeType have drawn natively.
 tier_windows() {
-    install_missing mingw wine
+    install_missing mingw wine clang++
     local reference=$typemesh_root/build/windows/reference
     mkdir -p "$reference"
     if ! build_preset gcc typemesh_reference_outlines ||

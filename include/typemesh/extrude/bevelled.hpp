@@ -88,7 +88,7 @@ struct bevelled {
     bool back = true;
     bool side = true;
     texture_mapping texture = texture_mapping::em;
-    [[no_unique_address]] Profile profile = {};
+    Profile profile = {};
 
     static constexpr std::size_t part_count = 5;
     using plan_data = bevel_data;

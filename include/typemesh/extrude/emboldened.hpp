@@ -57,7 +57,7 @@ struct emboldened {
     float by = 0.02f;  ///< how far edges move outwards, always in em; negative: inwards
     bevel_joins joins = bevel_joins::round;
     float mitre_limit = 4.0f;  ///< at least 1; 0: none
-    [[no_unique_address]] Solid solid = {};
+    Solid solid = {};
 
     static constexpr std::size_t part_count = part_count_of<Solid>;
     using plan_data = emboldened_data<Solid>;

@@ -121,8 +121,8 @@ struct outlined {
     outline_place place = outline_place::inner;
     bevel_joins joins = bevel_joins::round;
     float mitre_limit = 4.0f;  ///< at least 1; 0: none
-    [[no_unique_address]] Ring ring = {};
-    [[no_unique_address]] Letter letter = {};
+    Ring ring = {};
+    Letter letter = {};
 
     static constexpr bool has_letter = !std::is_same_v<Letter, no_letter>;
     static constexpr std::size_t ring_parts = part_count_of<Ring>;

@@ -399,8 +399,8 @@ private:
     }
 
     Font* font_;
-    [[no_unique_address]] Analyser analyser_;
-    [[no_unique_address]] Breaker breaker_;
+    Analyser analyser_;
+    Breaker breaker_;
     shaped_text shaped_;
     text_pieces pieces_;
     line_slices slices_;
