@@ -116,7 +116,7 @@ constexpr option table[] = {
     {"wrap", kind::choice, "word_or_grapheme|word|grapheme|none", "", set_wrap},
     {"align", kind::choice, "start|end|left|centre|right|justify", "",
      set_inner_choice<&options::lines, &paragraph::align>},
-    {"justify", kind::choice, "spaces|letters|kashida", "", set_inner_choice<&options::lines, &paragraph::justify>},
+    {"justify", kind::choice, "auto|spaces|letters|kashida", "", set_inner_choice<&options::lines, &paragraph::justify>},
     {"breaker", kind::choice, "first_fit|total_fit", "", set_number<&options::even_lines>},
     {"anchor", kind::choice, "first_baseline|last_baseline|top|middle|bottom", "",
      set_inner_choice<&options::lines, &paragraph::anchor>},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/layout/column_progress.hpp>
 #include <typemesh/layout/face_metrics.hpp>
 #include <typemesh/layout/line_break.hpp>
 #include <typemesh/layout/line_places.hpp>
@@ -16,7 +17,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///            |                                                                        C   A
 ///     y = -d |world!                                                                  D   B
 ///
-/// The distance d is ascender - descender + gap of the shaper's first face by line_reach_of() (one em if that is not
+/// Columns of Mongolian go from left to right (column_progress). The distance d is ascender - descender + gap of the shaper's first face by line_reach_of() (one em if that is not
 /// positive), times line_spacing. A text has one line more than it has breaks: an empty text is one empty line. Spaces
 /// at a line's ends belong to it, and so do tabs, which lead to the next tab stop and leave no glyph either (see
 /// shape_line()). letter_spacing adds to the shaper's advances, see letter_spacing.hpp.
@@ -40,7 +41,8 @@ error layout(Shaper& shaper, text_view text, const shape_options& how, const lay
         return e;
     };
     run.units_per_em = shaper.units_per_em();
-    const line_places places{line_reach_of(shaper, how.direction), run.units_per_em, how.direction, options};
+    const line_places places{line_reach_of(shaper, how.direction), run.units_per_em, how.direction, options,
+                             columns_go_right(text, how)};
 
     std::size_t begin = 0;
     for (bool more = true; more;) {
