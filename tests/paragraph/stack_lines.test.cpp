@@ -40,6 +40,24 @@ TEST_CASE("lines of different heights neither overlap nor part", "[paragraph]")
     CHECK(lines[2].origin.y - lines[1].origin.y == -(500.0 + 200.0 + 700.0));
 }
 
+TEST_CASE("columns that go to the right are those that go to the left, seen from behind", "[paragraph]")
+{
+    // What reaches to the right of a baseline there reaches to its left here.
+    const auto turned = [](const line_metrics& m) { return line_metrics{-m.descender, -m.ascender, m.gap}; };
+    const std::vector<line_metrics> metrics{small_line, large_line, small_line, line_metrics{}};
+    std::vector<line_metrics> mirrored;
+    for (const line_metrics& m : metrics) mirrored.push_back(turned(m));
+    for (const vertical_anchor anchor : {vertical_anchor::first_baseline, vertical_anchor::last_baseline,
+                                         vertical_anchor::top, vertical_anchor::middle, vertical_anchor::bottom}) {
+        const paragraph_options how{.anchor = anchor, .height = 3.0, .line_spacing = 1.5};
+        const auto right = stacked(metrics, how, line_stack::rightwards);
+        const auto left = stacked(mirrored, how, line_stack::leftwards);
+        for (std::size_t k = 0; k < metrics.size(); ++k)
+            CHECK(right[k].origin == point{0.0 - left[k].origin.x, 0.0});
+    }
+    CHECK(stacked({2, small_line}, {.anchor = vertical_anchor::top}, line_stack::rightwards)[0].origin.x == 200.0);
+}
+
 TEST_CASE("an anchor puts the text's own edges to the box's", "[paragraph]")
 {
     for (const double height : {0.0, 5.0})

@@ -28,11 +28,18 @@ struct line_cut {
 
 namespace detail {
 
+/// The letter spacing behind the last cluster of a range that is drawn.
+[[nodiscard]] inline double last_spacing(const shaped_text& shaped, std::uint32_t first, std::uint32_t last) noexcept
+{
+    while (last > first && has(shaped.cluster(last - 1).flags, cluster_flags::unshown)) --last;
+    return last > first ? shaped.spacing_of(shaped.cluster(last - 1)) : 0.0;
+}
+
 /// The advance of clusters without what hangs at their end, and without letter spacing there.
 [[nodiscard]] inline double visible_advance(const shaped_text& shaped, std::uint32_t first, std::uint32_t last) noexcept
 {
     while (last > first && has(shaped.cluster(last - 1).flags, cluster_flags::unshown)) --last;
-    return shaped.advance(first, last) - (last > first ? shaped.spacing_of(shaped.cluster(last - 1)) : 0.0);
+    return shaped.advance(first, last) - last_spacing(shaped, first, last);
 }
 
 /// Whether n clusters from a and from b on are the same glyphs with the same advances.
@@ -112,7 +119,7 @@ result<bool> make_cut(shaped_text& shaped, Shaper& shaper, std::uint32_t c, std:
         return false;
     }
     const double own = shaped.cluster(c).advance;
-    const double was = inside ? shaped.advance(from, c) + share * own - shaped.spacing_of(shaped.cluster(c))
+    const double was = inside ? shaped.advance(from, c) + share * own - detail::last_spacing(shaped, from, c + 1)
                               : detail::visible_advance(shaped, from, c + 1);
     cut.end_change = detail::visible_advance(shaped, cut.before_first, cut.before_first + cut.before_count) - was;
     cut.begin_change = 0.0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/layout/plain_text.hpp>
 #include <typemesh/paragraph/text_cluster.hpp>
 #include <typemesh/unicode/text_mark.hpp>
 #include <typemesh/unicode/utf.hpp>
@@ -33,13 +34,13 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// Clusters of white space that carry a mark neither hang nor stretch.
+/// Clusters of white space, or of what is not drawn, that carry a mark neither hang nor stretch.
 inline void part_marked_spaces(text_view text, std::span<const text_mark> marks,
                                std::span<text_cluster> clusters) noexcept
 {
     for (text_cluster& c : clusters)
-        if (has(c.flags, cluster_flags::hangs) && c.last - c.first > 1 && !is_blank(text, marks, c.first, c.last))
-            c.flags = without(c.flags, cluster_flags::hangs | cluster_flags::stretches);
+        if (has(c.flags, cluster_flags::unshown) && c.last - c.first > 1 && !is_blank(text, marks, c.first, c.last))
+            c.flags = without(c.flags, cluster_flags::unshown | cluster_flags::stretches);
 }
 
 }  // namespace detail
