@@ -19,8 +19,10 @@ namespace {
 /// What lines have been broken by: spaces of all kinds, tabs, marks that are drawn or not, hyphens, joiners, directions,
 /// scripts that are shaped in clusters.
 const std::u32string letters =
-    U"   \t\t\u200D\u200C\u0301\u0300\u00AD\u200F\u200E\u061C\u4E00\u3001\u3042\u0628\u0627\u0644\u064B\u0E01\u0E32\u0E48"
-    U"\u05D0\u05D1aVAfiN)(.1-\u200B\u2060\u00A0\u2067\u2069\u202B\u202C\u034F\u115F\u3000\u2028\n\u0930\u094D\u0915\u17A0"
+    U"   "
+    U"\t\t\u200D\u200C\u0301\u0300\u00AD\u200F\u200E\u061C\u4E00\u3001\u3042\u0628\u0627\u0644\u064B\u0E01\u0E32\u0E48"
+    U"\u05D0\u05D1aVAfiN)(.1-"
+    U"\u200B\u2060\u00A0\u2067\u2069\u202B\u202C\u034F\u115F\u3000\u2028\n\u0930\u094D\u0915\u17A0"
     U"\u17D2\u1794\u1000\u1039\u102C\uFE0F\U0001F468\U000E0100\u1160\u180E\u1680\u2003";
 
 std::u16string random_text(std::mt19937& random)

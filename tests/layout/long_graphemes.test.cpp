@@ -57,7 +57,8 @@ TEST_CASE("parts are all of the text, no part has more of a grapheme than allowe
     const std::u32string letters = U"ab\u0301\u0301\u0301\u0316\u200D\u0915\u094D\u0937\U0001F468";
     for (int repeat = 0; repeat < 300; ++repeat) {
         std::u32string text;
-        while (text.size() < 2000) text.append(1 + random() % (random() % 3 == 0 ? 700 : 3), letters[random() % letters.size()]);
+        while (text.size() < 2000)
+            text.append(1 + random() % (random() % 3 == 0 ? 700 : 3), letters[random() % letters.size()]);
         std::u16string units;
         std::vector<std::size_t> begins, starts;  // of characters, and of their graphemes, in units
         grapheme_boundaries boundary;

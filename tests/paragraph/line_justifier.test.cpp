@@ -61,7 +61,7 @@ private:
 };
 
 constexpr justification all_ways[] = {justification::automatic, justification::spaces, justification::letters,
-                                   justification::kashida};
+                                      justification::kashida};
 
 /// Whether the text of a line demands that it ends there.
 bool is_last(const std::u16string& text, const laid_line& line)
@@ -154,7 +154,8 @@ TEST_CASE("letters move apart evenly, but for those that are written joined", "[
     CHECK(kana.places()[3] == Approx(1700.0));
 }
 
-TEST_CASE("by default Chinese and Japanese fill their lines between ideographs, other lines by their spaces", "[paragraph]")
+TEST_CASE("by default Chinese and Japanese fill their lines between ideographs, other lines by their spaces",
+          "[paragraph]")
 {
     const std::u16string chinese = u"\u6F22\u5B57\u3001\u304B\u306A\u6F22\u5B57";
     justified<> p{chinese, 2.2, justification::automatic};

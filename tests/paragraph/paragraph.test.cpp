@@ -457,7 +457,8 @@ TEST_CASE("columns of Mongolian go to the right, others to the left, or as the c
             const box first = p.words.laid().line_box(0), second = p.words.laid().line_box(1);
             CHECK((right ? second.low.x - first.high.x : first.low.x - second.high.x) == Approx(0.1));
             p.again({.width = 1.2, .anchor = vertical_anchor::top});
-            CHECK((right ? p.words.laid().line_box(0).low.x : p.words.laid().line_box(0).high.x) == Approx(0.0).margin(1e-9));
+            CHECK((right ? p.words.laid().line_box(0).low.x : p.words.laid().line_box(0).high.x) ==
+                  Approx(0.0).margin(1e-9));
         }
 }
 

@@ -52,8 +52,7 @@ TEST_CASE("columns that go to the right are those that go to the left, seen from
         const paragraph_options how{.anchor = anchor, .height = 3.0, .line_spacing = 1.5};
         const auto right = stacked(metrics, how, line_stack::rightwards);
         const auto left = stacked(mirrored, how, line_stack::leftwards);
-        for (std::size_t k = 0; k < metrics.size(); ++k)
-            CHECK(right[k].origin == point{0.0 - left[k].origin.x, 0.0});
+        for (std::size_t k = 0; k < metrics.size(); ++k) CHECK(right[k].origin == point{0.0 - left[k].origin.x, 0.0});
     }
     CHECK(stacked({2, small_line}, {.anchor = vertical_anchor::top}, line_stack::rightwards)[0].origin.x == 200.0);
 }
@@ -66,8 +65,8 @@ TEST_CASE("an anchor puts the text's own edges to the box's", "[paragraph]")
             for (const line_metrics& m : metrics) lines.push_back({.metrics = m});
             for (const double spacing : {1.0, 1.5}) {
                 const auto edges = [&](vertical_anchor a) {
-                    const double high =
-                        stack_lines(lines, 1000.0, {.anchor = a, .height = height, .line_spacing = spacing}, line_stack::downwards);
+                    const double high = stack_lines(
+                        lines, 1000.0, {.anchor = a, .height = height, .line_spacing = spacing}, line_stack::downwards);
                     const double top = lines.front().origin.y + metrics.front().ascender;
                     const double bottom = lines.back().origin.y + metrics.back().descender;
                     CHECK(top - bottom == high);

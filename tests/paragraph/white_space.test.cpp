@@ -8,9 +8,9 @@ using namespace typemesh;
 
 TEST_CASE("white space is blank unless it carries a mark that is drawn", "[paragraph]")
 {
-    const std::pair<std::u16string, bool> cases[] = {{u" ", true},        {u"\u3000", true},       {u" \u200D", true},
-                                                     {u" \u200F", true},  {u" \uFE0F", true},      {u" \u0301", false},
-                                                     {u" \u200D\u0301", false}, {u"a", false}};
+    const std::pair<std::u16string, bool> cases[] = {
+        {u" ", true},       {u"\u3000", true},   {u" \u200D", true},        {u" \u200F", true},
+        {u" \uFE0F", true}, {u" \u0301", false}, {u" \u200D\u0301", false}, {u"a", false}};
     for (const auto& [text, blank] : cases) {
         text_analysis found;
         REQUIRE_FALSE(unicode_analyser{}.analyse(text, {}, found));

@@ -25,16 +25,17 @@ std::size_t graphemes(const std::u16string& text)
 TEST_CASE("vowels and tones of Burmese are of their consonant's grapheme", "[paragraph]")
 {
     CHECK(graphemes(u"\u1000\u1019\u1039\u1018\u102C\u101C\u1030\u101E\u102C\u1038") == 4);
-    CHECK(graphemes(u"\u102C\u1000") == 2);   // nothing stands before
-    CHECK(graphemes(u" \u102C") == 2);        // or no letter
+    CHECK(graphemes(u"\u102C\u1000") == 2);  // nothing stands before
+    CHECK(graphemes(u" \u102C") == 2);       // or no letter
     CHECK(graphemes(u"a\u102C\u102C") == 3);
-    CHECK(graphemes(u"\u0E01\u0E32") == 2);   // Thai has its vowels apart
+    CHECK(graphemes(u"\u0E01\u0E32") == 2);  // Thai has its vowels apart
 }
 
 TEST_CASE("no line, no ellipsis and no caret parts a stack of Khmer or Burmese", "[paragraph]")
 {
     const std::u16string khmer = u"\u179F\u178F\u17B7\u179F\u1798\u17D2\u1794\u1787\u1789\u17D2\u1789\u17C8";
-    const std::u16string burmese = u"\u1000\u1019\u1039\u1018\u102C\u101C\u1030\u1019\u1004\u103A\u1039\u1002\u101C\u102C";
+    const std::u16string burmese =
+        u"\u1000\u1019\u1039\u1018\u102C\u101C\u1030\u1019\u1004\u103A\u1039\u1002\u101C\u102C";
     for (const std::u16string& text : {khmer, burmese}) {
         const auto is_inner = [&](std::size_t i) {  // a sign, or a letter that one stacks
             const line_class line = character_of(text[i]).line;

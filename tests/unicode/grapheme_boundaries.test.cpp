@@ -51,8 +51,9 @@ TEST_CASE("a conjunct or a stack is one grapheme, whatever signs stand within", 
     CHECK(graphemes(U"\u0915\u094D\u200C\u0937") == 2);        // parted by a non-joiner
     CHECK(graphemes(U"\u0915\u0937") == 2);
     CHECK(graphemes(U"\u094D\u0937") == 2);
-    CHECK(graphemes(U"\u179F\u178F\u17B7\u179F\u1798\u17D2\u1794\u1787\u1789\u17D2\u1789\u17C8") == 6);  // Khmer: the coengs' stacks
-    CHECK(graphemes(U"\u1019\u1004\u103A\u1039\u1002\u101C") == 3);                      // Burmese: kinzi
-    CHECK(graphemes(U"\u1000\u1019\u1039\u1018\u101C") == 3);                                    // Burmese: a stack
-    CHECK(graphemes(U"\u0B95\u0BCD\u0BB7") == 2);  // Tamil's virama joins none
+    CHECK(graphemes(U"\u179F\u178F\u17B7\u179F\u1798\u17D2\u1794\u1787\u1789\u17D2\u1789\u17C8") ==
+          6);                                                        // Khmer: the coengs' stacks
+    CHECK(graphemes(U"\u1019\u1004\u103A\u1039\u1002\u101C") == 3);  // Burmese: kinzi
+    CHECK(graphemes(U"\u1000\u1019\u1039\u1018\u101C") == 3);        // Burmese: a stack
+    CHECK(graphemes(U"\u0B95\u0BCD\u0BB7") == 2);                    // Tamil's virama joins none
 }

@@ -149,39 +149,39 @@ inline int breaks(letters all, std::size_t i, int edition = 17)
     while (at.before(spaces) == sp) ++spaces;
     const line_class c = spaces < at.left.size() ? at.before(spaces) : al;
 
-    if (b == wj || a == wj || a == gl) return 0;                            // LB11, LB12
-    if (b == gl && !is_one(a, {sp, ba, hy, hh})) return 0;                  // LB12a
-    if (is_one(b, {cl, cp, ex, sy})) return 0;                              // LB13
-    if (is_one(c, {op, op_wide})) return 0;                                 // LB14
-    if (beside_quote(at, spaces, edition)) return 0;                        // LB15
-    if (a == sp && b == is && at.after(1) == nu) return 1;                  // LB15c
-    if (b == is) return 0;                                                  // LB15d
-    if (is_one(c, {cl, cp}) && b == ns) return 0;                           // LB16
-    if (c == b2 && b == b2) return 0;                                       // LB17
-    if (a == sp) return 1;                                                  // LB18
-    if (with_quote(at, edition)) return 0;                                  // LB19
-    if (a == cb || b == cb) return 1;                                       // LB20
-    if (with_hyphen(at, edition)) return 0;                                 // LB20a, LB21
-    if (b == in) return 0;                                                  // LB22
-    if ((is_letter(a) && b == nu) || (a == nu && is_letter(b))) return 0;   // LB23
-    if (a == pr && is_one(b, {id, picto, eb, em})) return 0;                // LB23a
-    if (is_one(a, {id, picto, eb, em}) && b == po) return 0;                //
-    if (is_one(a, {pr, po}) && is_letter(b)) return 0;                      // LB24
-    if (is_letter(a) && is_one(b, {pr, po})) return 0;                      //
-    if (in_number(at, edition)) return 0;                                   // LB25
-    if (a == jl && is_one(b, {jl, jv, h2, h3})) return 0;                   // LB26
-    if (is_one(a, {jv, h2}) && is_one(b, {jv, jt})) return 0;               //
-    if (is_one(a, {jt, h3}) && b == jt) return 0;                           //
-    if (is_one(a, {jl, jv, jt, h2, h3}) && b == po) return 0;               // LB27
-    if (a == pr && is_one(b, {jl, jv, jt, h2, h3})) return 0;               //
-    if (is_letter(a) && is_letter(b)) return 0;                             // LB28
-    if (in_syllable(at)) return 0;                                          // LB28a
-    if (a == is && is_letter(b)) return 0;                                  // LB29
-    if ((is_letter(a) || a == nu) && b == op) return 0;                     // LB30
-    if (a == cp && (is_letter(b) || b == nu)) return 0;                     //
+    if (b == wj || a == wj || a == gl) return 0;                           // LB11, LB12
+    if (b == gl && !is_one(a, {sp, ba, hy, hh})) return 0;                 // LB12a
+    if (is_one(b, {cl, cp, ex, sy})) return 0;                             // LB13
+    if (is_one(c, {op, op_wide})) return 0;                                // LB14
+    if (beside_quote(at, spaces, edition)) return 0;                       // LB15
+    if (a == sp && b == is && at.after(1) == nu) return 1;                 // LB15c
+    if (b == is) return 0;                                                 // LB15d
+    if (is_one(c, {cl, cp}) && b == ns) return 0;                          // LB16
+    if (c == b2 && b == b2) return 0;                                      // LB17
+    if (a == sp) return 1;                                                 // LB18
+    if (with_quote(at, edition)) return 0;                                 // LB19
+    if (a == cb || b == cb) return 1;                                      // LB20
+    if (with_hyphen(at, edition)) return 0;                                // LB20a, LB21
+    if (b == in) return 0;                                                 // LB22
+    if ((is_letter(a) && b == nu) || (a == nu && is_letter(b))) return 0;  // LB23
+    if (a == pr && is_one(b, {id, picto, eb, em})) return 0;               // LB23a
+    if (is_one(a, {id, picto, eb, em}) && b == po) return 0;               //
+    if (is_one(a, {pr, po}) && is_letter(b)) return 0;                     // LB24
+    if (is_letter(a) && is_one(b, {pr, po})) return 0;                     //
+    if (in_number(at, edition)) return 0;                                  // LB25
+    if (a == jl && is_one(b, {jl, jv, h2, h3})) return 0;                  // LB26
+    if (is_one(a, {jv, h2}) && is_one(b, {jv, jt})) return 0;              //
+    if (is_one(a, {jt, h3}) && b == jt) return 0;                          //
+    if (is_one(a, {jl, jv, jt, h2, h3}) && b == po) return 0;              // LB27
+    if (a == pr && is_one(b, {jl, jv, jt, h2, h3})) return 0;              //
+    if (is_letter(a) && is_letter(b)) return 0;                            // LB28
+    if (in_syllable(at)) return 0;                                         // LB28a
+    if (a == is && is_letter(b)) return 0;                                 // LB29
+    if ((is_letter(a) || a == nu) && b == op) return 0;                    // LB30
+    if (a == cp && (is_letter(b) || b == nu)) return 0;                    //
     std::size_t flags = 0;
     while (at.before(flags) == ri) ++flags;
-    if (flags % 2 == 1 && b == ri) return 0;          // LB30a
+    if (flags % 2 == 1 && b == ri) return 0;                    // LB30a
     if (is_one(a, {eb, picto, al_picto}) && b == em) return 0;  // LB30b
     return 1;
 }

@@ -99,13 +99,16 @@ inline std::string character_table()
     const std::vector<std::string> bidi_names = {"L",   "R",   "AL",  "EN",  "ES",  "ET",  "AN",  "CS",
                                                  "NSM", "BN",  "B",   "S",   "WS",  "ON",  "LRE", "LRO",
                                                  "RLE", "RLO", "PDF", "LRI", "RLI", "FSI", "PDI"};
-    const std::vector<std::string> line_names = {
-        "AL",  "ALc", "ALp", "BK",  "CR", "LF", "NL", "SP", "ZW", "CM", "ZWJ", "WJ", "GL", "BA", "BB", "B2", "HY", "HH", "CB",
-        "CL",  "CP",  "EX",  "IN", "NS", "CJ", "OP", "OPw", "QU", "QUi", "QUf", "IS", "NU", "PO", "PR", "SY", "HL", "ID",
-        "EB",  "EM",  "IDp", "H2", "H3", "JL", "JV", "JT", "AK", "AS", "AP", "VF", "VI", "RI", "SA", "SAm"};
+    const std::vector<std::string> line_names = {"AL", "ALc", "ALp", "BK", "CR",  "LF", "NL",  "SP",  "ZW", "CM", "ZWJ",
+                                                 "WJ", "GL",  "BA",  "BB", "B2",  "HY", "HH",  "CB",  "CL", "CP", "EX",
+                                                 "IN", "NS",  "CJ",  "OP", "OPw", "QU", "QUi", "QUf", "IS", "NU", "PO",
+                                                 "PR", "SY",  "HL",  "ID", "EB",  "EM", "IDp", "H2",  "H3", "JL", "JV",
+                                                 "JT", "AK",  "AS",  "AP", "VF",  "VI", "RI",  "SA",  "SAm"};
     const std::vector<std::string> grapheme_names = {
-        "Other",   "CR",          "LF", "Control", "Extend", "Linker", "NonJoiner", "Consonant", "ZWJ", "Regional_Indicator",
-        "Prepend", "SpacingMark", "L",  "V",       "T",      "LV",     "LVT",       "Pictographic"};
+        "Other",   "CR",          "LF",          "Control", "Extend",
+        "Linker",  "NonJoiner",   "Consonant",   "ZWJ",     "Regional_Indicator",
+        "Prepend", "SpacingMark", "L",           "V",       "T",
+        "LV",      "LVT",         "Pictographic"};
     const std::vector<std::string> upright_names = {"R", "U", "Tr", "Tu"};
     const std::map<std::string, std::string> long_names = {{"Left_To_Right", "L"},
                                                            {"Right_To_Left", "R"},
@@ -154,8 +157,8 @@ inline std::string character_table()
                                       : bracket[c] == "c" ? 2u
                                                           : 0u)
                                          << 6 |
-                                     number_of(line_names, l) << 8 |
-                                     (is_wide ? 1u : 0u) << 15 | number_of(grapheme_names, grapheme[c]) << 16 |
+                                     number_of(line_names, l) << 8 | (is_wide ? 1u : 0u) << 15 |
+                                     number_of(grapheme_names, grapheme[c]) << 16 |
                                      number_of(upright_names, upright[c]) << 24;
         const auto [at, fresh] = known.try_emplace(record, records.size());
         if (fresh) records.push_back(record);

@@ -17,7 +17,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///            |                                                                        C   A
 ///     y = -d |world!                                                                  D   B
 ///
-/// Columns of Mongolian go from left to right (column_progress). The distance d is ascender - descender + gap of the shaper's first face by line_reach_of() (one em if that is not
+/// Columns of Mongolian go from left to right (column_progress).
+///
+/// The distance d is ascender - descender + gap of the shaper's first face by line_reach_of() (one em if that is not
 /// positive), times line_spacing. A text has one line more than it has breaks: an empty text is one empty line. Spaces
 /// at a line's ends belong to it, and so do tabs, which lead to the next tab stop and leave no glyph either (see
 /// shape_line()). letter_spacing adds to the shaper's advances, see letter_spacing.hpp.

@@ -99,8 +99,8 @@ private:
         return false;
     }
 
-    /// Moves letters apart, or ideographs alone. A distance stands behind its letter, so that the last one of what is read towards an edge
-    /// of the line has none: it becomes a slice of its own.
+    /// Moves letters apart, or ideographs alone. A distance stands after its letter, so that the last one of what is
+    /// read towards an edge of the line has none: it becomes a slice of its own.
     result<double> spread(line_slices& line, const shaped_text& shaped, double gap, bool ideographs) noexcept
     {
         const std::size_t first = line.behind_tabs(shaped), visible = line.visible();

@@ -24,11 +24,11 @@ struct line_slice {
     std::uint32_t glyph = 0;
     std::uint32_t glyph_end = 0;
     double width = 0.0;
-    double lead = 0.0;     ///< where its pen starts, from the place of the slice
-    double stretch = 0.0;  ///< by which each of its spaces is wider
-    double spread = 0.0;   ///< by which each of its clusters is wider that has a gap after it: see has_gap()
+    double lead = 0.0;        ///< where its pen starts, from the place of the slice
+    double stretch = 0.0;     ///< by which each of its spaces is wider
+    double spread = 0.0;      ///< by which each of its clusters is wider that has a gap after it: see has_gap()
     bool ideographs = false;  ///< only ideographs and spaces have
-    double at = 0.0;       ///< its place along the line
+    double at = 0.0;          ///< its place along the line
 };
 
 /// Whether a cluster of a slice has a gap after it where letters move apart.

@@ -33,20 +33,20 @@ inline double stack_lines(std::span<laid_line> lines, double units_per_em, const
     const auto before = [way](const line_metrics& m) noexcept {  // towards the lines before
         return way == line_stack::rightwards ? 0.0 - m.descender : m.ascender;
     };
-    const auto behind = [way](const line_metrics& m) noexcept {
+    const auto after = [way](const line_metrics& m) noexcept {
         return way == line_stack::rightwards ? m.ascender : 0.0 - m.descender;
     };
     double natural = 0.0;  // from the first baseline, before line_spacing
     for (std::size_t k = 0; k < lines.size(); ++k) {
         if (k > 0) {
             const line_metrics &above = lines[k - 1].metrics, &below = lines[k].metrics;
-            const double distance = before(below) + behind(above) + (above.gap + below.gap) / 2;
+            const double distance = before(below) + after(above) + (above.gap + below.gap) / 2;
             natural += distance > 0.0 ? distance : units_per_em;
         }
         lines[k].origin.y = natural * options.line_spacing;
     }
     const double all = lines.back().origin.y, height = options.height * units_per_em;
-    const double first_edge = before(lines.front().metrics), last_edge = behind(lines.back().metrics);
+    const double first_edge = before(lines.front().metrics), last_edge = after(lines.back().metrics);
     double first = 0.0;
     switch (options.anchor) {
     case vertical_anchor::first_baseline: break;

@@ -111,7 +111,8 @@ public:
         for (std::size_t i = 0; i < words_.pieces.size(); ++i) {
             const break_piece& word = words_.pieces[i];
             const std::size_t before = gathered_.pieces.size();
-            const bool hemmed = i > 0 && words_.pieces[i - 1].end == piece_end::never && !begins_line(shaped, word.first);
+            const bool hemmed =
+                i > 0 && words_.pieces[i - 1].end == piece_end::never && !begins_line(shaped, word.first);
             if (all || hemmed || word.room() > narrowest) {
                 if (error e = expand(i, shaped, shaper)) return e;
                 if (!gathered_.append(graphemes_, expansions_[i].first, expansions_[i].count))

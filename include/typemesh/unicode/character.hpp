@@ -15,7 +15,7 @@ enum class line_class : std::uint8_t {
     al,        ///< letters and most symbols
     circle,    ///< the dotted circle, al that stands for any letter of a Brahmic script
     al_picto,  ///< al, pictographic, not yet assigned
-    bk,  ///< mandatory breaks; cr, lf, nl
+    bk,        ///< mandatory breaks; cr, lf, nl
     cr,
     lf,
     nl,
@@ -57,11 +57,11 @@ enum class line_class : std::uint8_t {
     jl,
     jv,
     jt,
-    ak,  ///< letters of Brahmic scripts whose lines end between syllables: Balinese, Javanese, Cham and others
-    as,  ///< those that take no sign of a stack
-    ap,  ///< those that stand before a syllable's first letter
-    vf,  ///< signs that end a syllable
-    vi,  ///< signs that stack the next letter
+    ak,       ///< letters of Brahmic scripts whose lines end between syllables: Balinese, Javanese, Cham and others
+    as,       ///< those that take no sign of a stack
+    ap,       ///< those that stand before a syllable's first letter
+    vf,       ///< signs that end a syllable
+    vi,       ///< signs that stack the next letter
     ri,       ///< regional indicators
     sa,       ///< letters of scripts whose words only a dictionary finds: Thai, Lao, Khmer, Burmese, ...
     sa_mark,  ///< their marks
@@ -119,8 +119,8 @@ struct character {
     const std::uint32_t middle = byte_of(character_top, c >> 9) << 5 | (c >> 4 & 31);
     const auto leaf = static_cast<std::uint32_t>(character_middles[middle / 4] >> (middle % 4 * 16) & 0xFFFF);
     const std::uint32_t record = character_records[byte_of(character_leaves, leaf << 4 | (c & 15))];
-    return {static_cast<bidi_class>(record & 0x3F), static_cast<bracket_kind>(record >> 6 & 3),
-            static_cast<line_class>(record >> 8 & 0x7F), static_cast<grapheme_class>(record >> 16 & 0xFF),
+    return {static_cast<bidi_class>(record & 0x3F),          static_cast<bracket_kind>(record >> 6 & 3),
+            static_cast<line_class>(record >> 8 & 0x7F),     static_cast<grapheme_class>(record >> 16 & 0xFF),
             static_cast<vertical_orientation>(record >> 24), (record >> 15 & 1) != 0};
 }
 

@@ -103,8 +103,7 @@ private:
     {
         using enum line_class;
         const std::size_t next = after(i);
-        return next == size_ ||
-               is_at(next, {sp, gl, wj, cl, qu, qu_pi, qu_pf, cp, ex, is, sy, bk, cr, lf, nl, zw});
+        return next == size_ || is_at(next, {sp, gl, wj, cl, qu, qu_pi, qu_pf, cp, ex, is, sy, bk, cr, lf, nl, zw});
     }
     [[nodiscard]] bool is_wide_at(std::size_t i) const noexcept { return i < size_ && all_[i].wide; }
 
@@ -143,21 +142,21 @@ private:
             using enum line_class;
             for (classes& c : after) c = {ba, hh, hy, ns, in};  // LB21, LB22
             for (std::size_t c = 0; c < count; ++c) after[static_cast<std::size_t>(bb)].add(static_cast<line_class>(c));
-            join({sy}, {hl});                          // LB21b
+            join({sy}, {hl});                                                     // LB21b
             join({al, hl, circle, al_picto}, letters | classes{nu, pr, po, op});  // LB23, LB24, LB28, LB30
-            join({nu}, letters | classes{op});         // LB23, LB30
-            join({pr}, {id, picto, eb, em});           // LB23a
-            join({id, picto, eb, em}, {po});           //
-            join({pr, po, is, cp}, letters);  // LB24, LB29, LB30
-            join({hy, is, cp}, {nu});                  // LB25, LB30
-            join({ap}, {ak, as, circle});              // LB28a
-            join({ak, as, circle}, {vf, vi});          //
-            join({jl}, {jl, jv, h2, h3});              // LB26
-            join({jv, h2}, {jv, jt});                  //
-            join({jt, h3}, {jt});                      //
-            join({jl, jv, jt, h2, h3}, {po});          // LB27
-            join({pr}, {jl, jv, jt, h2, h3});          //
-            join({eb, picto, al_picto}, {em});                   // LB30b
+            join({nu}, letters | classes{op});                                    // LB23, LB30
+            join({pr}, {id, picto, eb, em});                                      // LB23a
+            join({id, picto, eb, em}, {po});                                      //
+            join({pr, po, is, cp}, letters);                                      // LB24, LB29, LB30
+            join({hy, is, cp}, {nu});                                             // LB25, LB30
+            join({ap}, {ak, as, circle});                                         // LB28a
+            join({ak, as, circle}, {vf, vi});                                     //
+            join({jl}, {jl, jv, h2, h3});                                         // LB26
+            join({jv, h2}, {jv, jt});                                             //
+            join({jt, h3}, {jt});                                                 //
+            join({jl, jv, jt, h2, h3}, {po});                                     // LB27
+            join({pr}, {jl, jv, jt, h2, h3});                                     //
+            join({eb, picto, al_picto}, {em});                                    // LB30b
         }
     };
 
