@@ -17,13 +17,10 @@ enum class line_stack : std::uint8_t {
     rightwards,  ///< columns of Mongolian
 };
 
-/// Puts the lines of a paragraph one below the other, or its columns beside each other: sets the origin of each, from its
-/// metrics. Between two baselines is what reaches from the first towards the second and from the second towards the
-/// first, and half of either's gap, or one em if that is not positive; times line_spacing.
-///
-///     |          baselines of lines and      |  In columns that go to the right the first one's descender is at the
-///     |   <--|   columns: what is above the  |  edge where the text begins, and the last one's ascender at the other:
-///     v      |   first is at the edge        |  `top` is the edge on the left.
+/// Puts the lines of a paragraph one below the other, or its columns beside each other: sets the origin of each, from
+/// its metrics. Between two baselines is what reaches from the first towards the second and from the second towards
+/// the first, and half of either's gap, or one em if that is not positive; times line_spacing. `top` is the edge where
+/// the text begins: in columns that go to the right the first one's descender, on the left.
 ///
 /// Returns how high they are together, from the first one's outer edge to the last one's, in font units.
 inline double stack_lines(std::span<laid_line> lines, double units_per_em, const paragraph_options& options,

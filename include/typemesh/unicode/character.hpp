@@ -108,7 +108,7 @@ struct character {
     bool wide;  ///< East_Asian_Width is wide, fullwidth or halfwidth
 };
 
-/// The properties of a code point. Three reads of a table of 19 kB; beyond U+10FFFF those of U+FFFD.
+/// The properties of a code point. Three reads of a table of 21 kB; beyond U+10FFFF those of U+FFFD.
 [[nodiscard]] inline character character_of(char32_t c) noexcept
 {
     using namespace detail;

@@ -43,7 +43,7 @@ public:
 
     /// Of one code point; of Common, Inherited and Unknown ones, among them private ones, the universal set.
     ///
-    /// Cost   O(log(ranges)): eleven reads of a table of 7 kB, none for ASCII
+    /// Cost   O(log(ranges)): eleven reads of a table of 9 kB, none for ASCII
     [[nodiscard]] static script_set of(char32_t c) noexcept { return numbered(range_of(c).number); }
 
     /// Neighbouring characters of one set, which has a number; 0 is that of the universal set.
