@@ -25,6 +25,8 @@ const std::u32string letters =
     U"\u200B\u2060\u00A0\u2067\u2069\u202B\u202C\u034F\u115F\u3000\u2028\n\u0930\u094D\u0915\u17A0"
     U"\u17D2\u1794\u1000\u1039\u102C\uFE0F\U0001F468\U000E0100\u1160\u180E\u1680\u2003";
 
+double below(std::mt19937& random, unsigned n) { return static_cast<double>(random() % n); }
+
 std::u16string random_text(std::mt19937& random)
 {
     std::u32string some;  // few letters in a text, so that they meet
@@ -40,12 +42,12 @@ std::u16string random_text(std::mt19937& random)
 
 paragraph_options random_options(std::mt19937& random)
 {
-    paragraph_options how{.width = 0.1 + (random() % 400) / 100.0};
+    paragraph_options how{.width = 0.1 + below(random, 400) / 100.0};
     how.wrap = random() % 2 != 0 ? wrap_mode::word_or_grapheme : wrap_mode::grapheme;
     how.align = static_cast<line_alignment>(random() % 6);
     how.justify = static_cast<justification>(random() % 4);
-    how.tab_width = random() % 5;
-    if (random() % 4 == 0) how.indent = how.width * (random() % 200) / 200.0 - how.width / 2;
+    how.tab_width = below(random, 5);
+    if (random() % 4 == 0) how.indent = how.width * below(random, 200) / 200.0 - how.width / 2;
     return how;
 }
 
@@ -68,7 +70,7 @@ std::size_t too_wide(Words& words, std::mt19937& random, const std::u16string& t
     std::vector<style_span> spans;
     if (random() % 3 == 0) {
         const auto middle = static_cast<std::uint32_t>(random() % text.size());
-        spans.push_back({0, middle, {.size = 0.5 + (random() % 4) * 0.5}});
+        spans.push_back({0, middle, {.size = 0.5 + below(random, 4) * 0.5}});
         spans.push_back({middle, static_cast<std::uint32_t>(text.size()), {.letter_spacing = 0.25}});
     }
     const shape_options how{.direction = static_cast<direction>(random() % 4)};
