@@ -312,9 +312,9 @@ install_fonts() {  # install_fonts DEBIAN_PACKAGE...
 # state, nothing of the system changes and no administrator is needed. Without it the tests that need it say so.
 install_unicode_data() {
     local version folder scratch
+    [ -z "${TYPEMESH_UNICODE_DATA:-}" ] || return 0
     version=$(sed -n 's/^inline const std::string version = "\(.*\)";$/\1/p' "$typemesh_root/tests/unicode/character_database.hpp")
     folder=$typemesh_root/build/unicode-data-$version
-    [ -z "${TYPEMESH_UNICODE_DATA:-}" ] || return 0
     [ ! -e "$folder/BidiTest.txt" ] || return 0
     ! head -n 1 /usr/share/unicode/BidiTest.txt 2>/dev/null | grep -q -F "$version" || return 0
     scratch=$(mktemp -d)
