@@ -250,7 +250,8 @@ begun=$(date +%s)
 fonts=$(awk -F '\t' 'NR > 1 && $2 < 20000000 { print $1 }' "$typemesh_root/tests/workload/smoke-fonts.tsv")
 install_missing g++ cmake ninja pkg-config harfbuzz freetype fontconfig-dev icu glm catch2 cli11 tinygltf stb fontconfig font
 # shellcheck disable=SC2086  # a list of words
-install_fonts unicode-data $fonts  # the Unicode Character Database is installed as fonts are
+install_fonts $fonts
+install_unicode_data
 [ -z "$everything" ] || install_fonts fonts-mplus fonts-noto-cjk  # the large ones of tests/workload/fonts.tsv
 report="set up: $(($(date +%s) - begun)) s
 "

@@ -146,6 +146,13 @@ void add_text_options(CLI::App& app, options& out, raw_values& raw)
     add_named<column_latin>(app, "--latin", out.columns.latin,
                             "how Latin stands in columns, --direction ttb (default sideways)",
                             {{"sideways", column_latin::sideways}, {"upright", column_latin::upright}});
+    using typemesh::column_progress;
+    add_named<column_progress>(app, "--columns", out.columns.progress,
+                               "on which side of a column the next one stands (default auto: right in Mongolian, else "
+                               "left)",
+                               {{"auto", column_progress::automatic},
+                                {"left", column_progress::leftwards},
+                                {"right", column_progress::rightwards}});
     add_number(
         app, "--combine-digits", "in columns: numbers of so many digits or fewer take the room of one character",
         "a whole number from 0 to 255", [](double n) { return n >= 0.0 && n <= 255.0 && n == std::floor(n); },
@@ -191,10 +198,14 @@ void add_line_options(CLI::App& app, options& out, raw_values& raw)
     add_named<bool>(app, "--breaker", out.even_lines,
                     "lines end as late as each can (default), or so that all are as even as possible",
                     {{"first_fit", false}, {"total_fit", true}});
-    add_named<justification>(
-        app, "--justify", out.lines.justify,
-        "what makes justified lines wider: spaces (default), letters, or Arabic's kashida",
-        {{"spaces", justification::spaces}, {"letters", justification::letters}, {"kashida", justification::kashida}});
+    add_named<justification>(app, "--justify", out.lines.justify,
+                             "what makes justified lines wider: auto (default: ideographs move apart in Chinese and "
+                             "Japanese, spaces grow in "
+                             "other lines), spaces, letters, or Arabic's kashida",
+                             {{"auto", justification::automatic},
+                              {"spaces", justification::spaces},
+                              {"letters", justification::letters},
+                              {"kashida", justification::kashida}});
     add_number(
         app, "--indent", "of a paragraph's first line; negative: it hangs", "a number from -1000 to 1000",
         [](double n) { return n >= -1000.0 && n <= 1000.0; }, [&out](double n) { out.lines.indent = n; })
@@ -700,7 +711,7 @@ std::optional<int> parse(int argc, char** argv, options& out)
         if (app.count(option) > 0) raw.of_a_bevel = option;
     for (const char* option : {"--outline-letter", "--outline-place"})
         if (app.count(option) > 0) raw.of_an_outline = option;
-    for (const char* option : {"--latin", "--combine-digits"})
+    for (const char* option : {"--latin", "--combine-digits", "--columns"})
         if (app.count(option) > 0) raw.of_columns = option;
     raw.shading_given = app.count("--shading") > 0;
     out.quality_given = raw.tolerance_given || app.count("--quality") > 0;

@@ -58,7 +58,7 @@ for key in glyphs refused missing contour_points hard_edges vertices triangles s
 done
 for option in "--quality low" "--quality best" "--tolerance 0.01" "--discretiser two_lines" "--discretiser adaptive" \
     "--triangulator monotone" "--triangulator delaunay" "--normals cap" "--normals shared" "--normals averaged" "--normals creased --crease 40" "--normals curve" "--depth 0" \
-    "--depth 1.5" "--fill evenodd" "--fill nonzero" "--uv em" "--uv box" "--strict" "--direction ttb" "--direction ttb --latin upright" "--direction ttb --combine-digits 2" "--align right"; do
+    "--depth 1.5" "--fill evenodd" "--fill nonzero" "--uv em" "--uv box" "--strict" "--direction ttb" "--direction ttb --latin upright" "--direction ttb --combine-digits 2" "--direction ttb --columns right" "--align right"; do
     # shellcheck disable=SC2086  # words
     expect 0 "" "Ego" --font $sans $option --output option.glb
 done
@@ -107,7 +107,7 @@ expect 0 "" "one two" --font $sans --output plain.glb
 that "a text that fits is the plain one" cmp -s wide.glb plain.glb
 expect 0 "" "one two" --font $sans --width 3 --output narrow.glb
 that "lines end at the width" differ narrow.glb wide.glb
-for option in "--wrap word" "--wrap break" "--wrap letter" "--wrap none" "--align justify" "--align justify --justify letters" "--align justify --justify kashida" "--align start" "--align end" "--indent 1" \
+for option in "--wrap word" "--wrap break" "--wrap letter" "--wrap none" "--align justify" "--align justify --justify auto" "--align justify --justify letters" "--align justify --justify kashida" "--align start" "--align end" "--indent 1" \
     "--max-lines 1" "--max-lines 1 --ellipsis ..." "--max-lines 1 --ellipsis ... --elide middle" "--wrap none --ellipsis . --elide start"; do
     # shellcheck disable=SC2086  # words
     expect 0 "" "one two three four" --font $sans --width 6 $option --output option.glb
@@ -121,6 +121,13 @@ for how in spaces letters; do
     expect 0 "" "one two three four" --font $sans --width 6 --align justify --justify $how --output $how.glb
 done
 that "letters move apart" differ spaces.glb letters.glb
+expect 0 "" "one two three four" --font $sans --width 6 --align justify --output by_default.glb
+that "Latin is justified by its spaces" cmp -s spaces.glb by_default.glb
+for side in left right auto; do
+    expect 0 "" "One\\ntwo" --font $sans --direction ttb --columns $side --output columns_$side.glb
+done
+that "columns go to the left" cmp -s columns_left.glb columns_auto.glb
+that "columns go to the right" differ columns_left.glb columns_right.glb
 expect 0 "" "قال 2024 hello" --font $arabic --output mixed.glb
 expect 0 "" "قال 2024 hello" --font $arabic --align start --output start.glb
 that "without a width, what is read to the left ends at x = 0" differ mixed.glb start.glb
@@ -182,7 +189,7 @@ for digit in 1..2 2..3; do
     expect 1 "--strict: nothing" a12b --font $sans --direction ttb --combine-digits 2 --style $digit:colour=red --output digit.obj --strict
 done
 expect 0 "" a12b --font $sans --direction ttb --combine-digits 2 --style 1..3:colour=red --output digit.obj --strict
-for option in "--latin upright" "--combine-digits 2"; do
+for option in "--latin upright" "--combine-digits 2" "--columns right"; do
     # shellcheck disable=SC2086  # words
     expect 2 "${option% *}: is for --direction ttb" ab --font $sans --stats $option
 done
@@ -230,7 +237,7 @@ expect 2 "--width: is not for --fit" x --font $sans --stats --fit 3x1 --width 2
 expect 1 "--fit: the text demands more lines" "$(printf 'a\nb')" --font $sans --stats --fit 3x1 --max-lines 1
 expect 2 "--align: justify is for --width" x --font $sans --stats --align justify
 expect 2 "--justify: is for --align justify" x --font $sans --stats --width 9 --justify letters
-expect 2 "--justify: must be spaces, letters or kashida, not words" x --font $sans --stats --width 9 --align justify --justify words
+expect 2 "--justify: must be auto, spaces, letters or kashida, not words" x --font $sans --stats --width 9 --align justify --justify words
 expect 2 "--wrap: is for --width or --fit" x --font $sans --stats --wrap word
 expect 2 "--ellipsis: is for" x --font $sans --stats --ellipsis x
 expect 2 "--ellipsis: must be one line" x --font $sans --stats --width 3 --ellipsis 'a\nb'

@@ -60,7 +60,8 @@ private:
     std::u16string text_;
 };
 
-constexpr justification all_ways[] = {justification::spaces, justification::letters, justification::kashida};
+constexpr justification all_ways[] = {justification::automatic, justification::spaces, justification::letters,
+                                      justification::kashida};
 
 /// Whether the text of a line demands that it ends there.
 bool is_last(const std::u16string& text, const laid_line& line)
@@ -151,6 +152,33 @@ TEST_CASE("letters move apart evenly, but for those that are written joined", "[
     justified<> kana{u"\u304B\u306A\u304B\u306A\u304B\u306A", 2.2, justification::letters};  // no spaces at all
     CHECK(kana.run.lines[0].advance == Approx(2200.0));
     CHECK(kana.places()[3] == Approx(1700.0));
+}
+
+TEST_CASE("by default Chinese and Japanese fill their lines between ideographs, other lines by their spaces",
+          "[paragraph]")
+{
+    const std::u16string chinese = u"\u6F22\u5B57\u3001\u304B\u306A\u6F22\u5B57";
+    justified<> p{chinese, 2.2, justification::automatic};
+    REQUIRE(p.run.lines.size() == 2);
+    CHECK(p.run.lines[0].advance == Approx(2200.0));
+    const std::vector<double> x = p.places();
+    for (std::size_t k = 0; k < 4; ++k) CHECK(x[k] == Approx(static_cast<double>(k) * (500.0 + 200.0 / 3.0)));
+    CHECK(x[4] == 0.0);  // the last line is not justified
+
+    // A word of Latin is moved as a whole, and a space grows like a gap beside an ideograph.
+    justified<> mixed_line{u"\u6F22\u5B57ab c\u6F22 \u5B57\u5B57\u5B57\u5B57", 4.6, justification::automatic};
+    const std::vector<double> y = mixed_line.places();
+    const double each = (4600.0 - mixed_line.words.shaped().advance(0, 10)) / 6.0;
+    CHECK(y[1] - y[0] == Approx(500.0 + each));
+    CHECK(y[2] - y[1] == Approx(500.0 + each));
+    CHECK(y[3] - y[2] == Approx(500.0));
+    CHECK(y[5] - y[4] == Approx(250.0 + each));
+
+    justified<> korean{u"\uAC00\uAC01 \uAC00\uAC01 \uAC00\uAC01", 3.0, justification::automatic};
+    justified<> spaces{u"\uAC00\uAC01 \uAC00\uAC01 \uAC00\uAC01", 3.0, justification::spaces};
+    CHECK(korean.places() == spaces.places());
+    justified<> latin{mixed, 5.0, justification::automatic}, as_before{mixed, 5.0, justification::spaces};
+    CHECK(latin.places() == as_before.places());
 }
 
 TEST_CASE("letters end at both edges of lines of both directions", "[paragraph]")

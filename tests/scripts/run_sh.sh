@@ -90,7 +90,6 @@ anew() {  # a machine with a Latin font, and the administrator before it
     echo 0 >"$scratch/user"
     echo "/fonts/sans.ttf|DejaVu Sans|20|52f" >"$scratch/fonts"
     awk 'NR > 1 { print $1 }' "$tree/tests/workload/smoke-fonts.tsv" >"$scratch/installed"
-    echo unicode-data >>"$scratch/installed"
     again
 }
 again() { : >"$scratch/calls"; }
@@ -104,7 +103,7 @@ run() {  # run SCRIPT ARGUMENT...   from a folder of its own
     (
         cd "$scratch/elsewhere" || exit
         # shellcheck disable=SC2016  # for the inner shell
-        exec env -u CMAKE_GENERATOR PATH="$bin" CMAKE_PREFIX_PATH="$scratch/prefix" TYPEMESH_PROGRESS_SECONDS=1 bin="$bin" \
+        exec env -u CMAKE_GENERATOR PATH="$bin" TYPEMESH_UNICODE_DATA="$scratch" CMAKE_PREFIX_PATH="$scratch/prefix" TYPEMESH_PROGRESS_SECONDS=1 bin="$bin" \
             bash -c 'echo $$ >"$scratch/pid" && exec bash "$@"' - "$tree/$script" "$@" </dev/null >"$scratch/out" 2>"$scratch/err"
     ) &
     wait $! || status=$?

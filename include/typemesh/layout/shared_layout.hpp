@@ -3,6 +3,7 @@
 
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/executor.hpp>
+#include <typemesh/layout/column_progress.hpp>
 #include <typemesh/layout/face_metrics.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/layout/line_break.hpp>
@@ -37,7 +38,8 @@ public:
         if (error e = find_lines(text, 8 * count)) return e;
 
         run.units_per_em = shaper.units_per_em();
-        const line_places places{line_reach_of(shaper, how.direction), run.units_per_em, how.direction, options};
+        const line_places places{line_reach_of(shaper, how.direction), run.units_per_em, how.direction, options,
+                                 columns_go_right(text, how)};
         for (std::size_t w = 0; w < count; ++w) {
             run_of(w).clear();
             run_of(w).units_per_em = run.units_per_em;
