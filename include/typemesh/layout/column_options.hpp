@@ -33,7 +33,7 @@ struct column_options {
     column_latin latin = column_latin::sideways;
     std::uint8_t combined_digits = 0;  ///< numbers of so many ASCII digits or fewer are combined: 2 for dates
     double combined_gap = 0.0;         ///< em added between combined letters, 0 to 0.5: room to make them bolder
-    column_progress progress = column_progress::automatic;
+    column_progress progress = column_progress::automatic;  ///< which side the next column stands on
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI
