@@ -5,6 +5,7 @@
 
 #include <concepts>
 #include <cstdint>
+#include <type_traits>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -24,6 +25,31 @@ concept stage_observer = requires(O& observe, stage now) {
 /// The null observer.
 struct no_observer {
     constexpr void operator()(stage) const noexcept {}
+};
+
+/// Refers to an observer of any type, which must outlive it.
+class observer_ref {
+public:
+    /// One table for each type of observer.
+    struct calls {
+        void (*observe)(void* observer, stage now) noexcept;
+    };
+    template <stage_observer O>
+    static constexpr calls calls_of = {
+        [](void* observer, stage now) noexcept { (*static_cast<O*>(observer))(now); }};
+
+    template <stage_observer O>
+        requires(!std::is_const_v<O> && !std::same_as<O, observer_ref>)
+    observer_ref(O& observer) noexcept : observer_ref{&observer, calls_of<O>}
+    {
+    }
+    observer_ref(void* observer, const calls& does) noexcept : observer_{observer}, does_{&does} {}
+
+    void operator()(stage now) const noexcept { does_->observe(observer_, now); }
+
+private:
+    void* observer_;
+    const calls* does_;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

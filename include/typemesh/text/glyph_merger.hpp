@@ -6,7 +6,7 @@
 #include <typemesh/fill/region_union.hpp>
 #include <typemesh/glyph/cap_builder.hpp>
 #include <typemesh/glyph/glyph_builder.hpp>
-#include <typemesh/glyph/plan_region.hpp>
+#include <typemesh/glyph/policies.hpp>
 #include <typemesh/text/text_glyphs.hpp>
 
 #include <cmath>
@@ -52,9 +52,8 @@ public:
     /// Cost   as group_intersection() for n glyphs. For every group its members' outlines are flattened and filled once
     ///        more, and resolve(), the triangulator and the extruder work on the points of all of them. Glyphs that
     ///        meet no other cost the comparison alone
-    template <outline_source Font, class... Policy>
-    error operator()(text_glyphs& all, const glyph_run& run, glyph_builder& builder, Font& font,
-                     const glyph_settings& how, const policies<Policy...>& with) noexcept
+    error operator()(text_glyphs& all, const glyph_run& run, glyph_builder& builder, font_ref font,
+                     const glyph_settings& how, const policies& with) noexcept
     {
         with.observe(stage::fill);
         const std::size_t count = run.glyphs.size();
@@ -115,8 +114,7 @@ private:
         return cells;
     }
 
-    template <class Extruder>
-    error find_groups(const text_glyphs& all, const glyph_run& run, const Extruder& how,
+    error find_groups(const text_glyphs& all, const glyph_run& run, solid_ref how,
                       std::span<std::uint32_t> first_of) noexcept
     {
         workspace::scope scratch{caps_.space()};
@@ -133,13 +131,9 @@ private:
             if (!is_finite(origin.x) || !is_finite(origin.y) || !stands || !same(s.cells(), cells)) continue;
             const pen at = snapped(origin, cells);
             const auto kind = static_cast<std::uint32_t>(all.looks.style_of(run.glyphs[i].look));
-            loops[i] = {s.form().points, s.form().starts, at.x, at.y, kind};
-            if constexpr (tells_outline<Extruder>) {
-                if (s.form().points.empty()) continue;  // blank or refused: no plan data
-                const solid_outline grown = how.outline(s.planned<Extruder>().form);
-                loops[i].points = grown.points;
-                loops[i].starts = grown.starts;
-            }
+            // A blank or refused one has no plan data.
+            const solid_outline grown = s.form().points.empty() ? solid_outline{} : how.outline_of(s);
+            loops[i] = {grown.points, grown.starts, at.x, at.y, kind};
         }
         return group_intersection({loops, first_of.size()}, first_of, caps_.space());
     }
@@ -172,9 +166,9 @@ private:
     }
 
     /// try_to_join(); a group that cannot be built is refused, as a glyph is, and the text continues without it.
-    template <class Region, class... Policy>
+    template <class Region>
     error join(merged_group& made, text_glyphs& all, const glyph_run& run, const Region& region_of,
-               const glyph_settings& how, const policies<Policy...>& with) noexcept
+               const glyph_settings& how, const policies& with) noexcept
     {
         const error e = try_to_join(made, all, run, region_of, how, with);
         if (!e || !glyph_builder::concerns_the_glyph_alone(e)) return e;
@@ -185,9 +179,9 @@ private:
     }
 
     /// Makes one glyph of the group's members, whose regions region_of(placed_glyph, corners) builds.
-    template <class Region, class... Policy>
+    template <class Region>
     error try_to_join(merged_group& made, text_glyphs& all, const glyph_run& run, const Region& region_of,
-                      const glyph_settings& how, const policies<Policy...>& with) noexcept
+                      const glyph_settings& how, const policies& with) noexcept
     {
         const std::span<const std::uint32_t> members = all.merged.members_of(made);
         const auto onto = grid_for(all, run, members);
@@ -210,7 +204,7 @@ private:
         with.observe(stage::triangulate);
         if (error e = caps_.cap(*joined, with.cut)) return e;
         with.observe(stage::extrude);
-        auto plan = plan_region(*joined, with, caps_, further_, plan_);
+        auto plan = with.raise.plan(*joined, plan_, {caps_, further_, with.cut});
         if (!plan) return plan.error();
         plan->corners_moved += corners + parting.corners;
         plan->touching = plan->touching || parting.still_touching;
