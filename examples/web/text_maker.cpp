@@ -68,7 +68,7 @@ public:
         const auto* own = std::get_if<Extruder>(&raise);
         if (own == nullptr) return false;
         mesher_.discretiser_policy() = {text_to_mesh::discretiser_of(o, fonts_->units_per_em())};
-        mesher_.extruder_policy() = *own;
+        mesher_.solid() = *own;
         mesher_.triangulator_policy() = text_to_mesh::triangulator_of(o);
         options_ = o;
         return true;

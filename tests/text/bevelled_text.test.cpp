@@ -230,7 +230,7 @@ TEST_CASE("bevels that fit a text are as narrow as its narrowest letter's, with 
     CHECK(same(same_width[0], own[1]));
     CHECK(same(same_width[1], own[1]));
     const test::lit_mesh expected = checked_mesh(*plan);
-    CHECK(same(mesher.extruder_policy().width, 0.2f));  // the next text begins anew
+    CHECK(same(mesher.solid().width, 0.2f));  // the next text begins anew
     const auto other = mesher.plan("o");
     REQUIRE(other);
     CHECK(same(widths_of(*other, fit_text)[0], own[0]));

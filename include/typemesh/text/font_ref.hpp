@@ -17,8 +17,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 class font_ref {
 public:
     template <outline_source Font>
-        requires(!std::is_const_v<Font>)
-    font_ref(Font& font) noexcept : font_{&font}, does_{&calls_of<Font>}
+    font_ref(Font& font) noexcept
+        : font_{const_cast<std::remove_const_t<Font>*>(&font)}, does_{&calls_of<Font>}
     {
     }
 

@@ -60,7 +60,6 @@ public:
     /// Options follow the font: policies, cached_in, and where memory comes from.
     template <outline_source Font, class... Option>
     explicit text_mesher(Font& font, Option... options) noexcept
-        requires(!is_result<std::remove_cv_t<Font>> && !std::is_const_v<Font>)
         : planner_{detail::memory_among(options...)}
     {
         static_assert(!(std::same_as<Option, cached_in> || ...) || (detail::cacheable_option<Option> && ...),
@@ -96,7 +95,6 @@ public:
 
     /// Exchanges the font, which must outlive the mesher, or one option of it. Ends the plan.
     template <outline_source Font>
-        requires(!std::is_const_v<Font>)
     void use(Font& font) noexcept
     {
         planner_.clear();
