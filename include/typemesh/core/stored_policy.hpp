@@ -83,7 +83,7 @@ private:
         static_assert(std::is_nothrow_move_constructible_v<Policy>, "typemesh: a policy is moved without exceptions.");
         new (bytes_) Policy(std::move(policy));
         life_ = &life_of<Policy>;
-        calls_ = &Ref::template calls_of<Policy>;
+        calls_ = &Ref::template table<Policy>::of;
     }
 
     alignas(std::max_align_t) std::byte bytes_[room];

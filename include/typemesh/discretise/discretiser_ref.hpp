@@ -22,16 +22,12 @@ public:
         bool keeps_tolerance;
     };
     template <discretiser D>
-    static constexpr calls calls_of = {
-        [](const void* how, const outline& curves, double tolerance, contours& out,
-           std::span<const std::uint8_t> halvings) noexcept {
-            const grid cells = out.grid;
-            return discretise(curves, *static_cast<const D*>(how), tolerance, cells, out, halvings);
-        },
-        [](const void* how) noexcept { return key_of(*static_cast<const D*>(how)); }, typemesh::keeps_tolerance<D>};
+    struct table {
+        static const calls of;
+    };
 
     template <discretiser D>
-    discretiser_ref(const D& how) noexcept : discretiser_ref{&how, calls_of<D>}
+    discretiser_ref(const D& how) noexcept : discretiser_ref{&how, table<D>::of}
     {
     }
     discretiser_ref(const void* how, const calls& does) noexcept : how_{how}, does_{&does} {}
@@ -50,5 +46,14 @@ private:
     const void* how_;
     const calls* does_;
 };
+
+template <discretiser D>
+constinit const discretiser_ref::calls discretiser_ref::table<D>::of = {
+    [](const void* how, const outline& curves, double tolerance, contours& out,
+       std::span<const std::uint8_t> halvings) noexcept {
+        const grid cells = out.grid;
+        return discretise(curves, *static_cast<const D*>(how), tolerance, cells, out, halvings);
+    },
+    [](const void* how) noexcept { return key_of(*static_cast<const D*>(how)); }, typemesh::keeps_tolerance<D>};
 
 }  // namespace typemesh::inline TYPEMESH_ABI

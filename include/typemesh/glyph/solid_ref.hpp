@@ -25,33 +25,12 @@ public:
         const char* heights_name;
     };
     template <extruder E>
-    static constexpr calls calls_of = [] {
-        calls made{[](const void* how, const region& filled, plan_scratch& data,
-                      region_caps& caps) noexcept -> result<solid_plan> {
-                       auto* fresh = data.fresh<plan_data_of<E>>();
-                       if (fresh == nullptr) return error::out_of_memory;
-                       return plan_solid(*static_cast<const E*>(how), filled, *fresh, caps);
-                   },
-                   [](const void* how) noexcept { return typemesh::refused_options(*static_cast<const E*>(how)); },
-                   [](const void* how) noexcept { return key_of(*static_cast<const E*>(how)); },
-                   [](const void* how) noexcept { return static_cast<const E*>(how)->heights(); },
-                   nullptr,
-                   nullptr,
-                   "heights"};
-        if constexpr (tells_heights<E>)
-            made.heights_of = [](const void* how, const built_glyph& built) noexcept {
-                return static_cast<const E*>(how)->heights(built.planned<E>().form);
-            };
-        if constexpr (tells_outline<E>)
-            made.outline_of = [](const void* how, const built_glyph& built) noexcept {
-                return static_cast<const E*>(how)->outline(built.planned<E>().form);
-            };
-        if constexpr (requires(const E& e) { e.depth; }) made.heights_name = "depth";
-        return made;
-    }();
+    struct table {
+        static const calls of;
+    };
 
     template <extruder E>
-    solid_ref(const E& how) noexcept : how_{&how}, does_{&calls_of<E>}
+    solid_ref(const E& how) noexcept : how_{&how}, does_{&table<E>::of}
     {
     }
 
@@ -87,5 +66,31 @@ private:
     const void* how_;
     const calls* does_;
 };
+
+template <extruder E>
+constinit const solid_ref::calls solid_ref::table<E>::of = [] {
+    calls made{[](const void* how, const region& filled, plan_scratch& data,
+                  region_caps& caps) noexcept -> result<solid_plan> {
+                   auto* fresh = data.fresh<plan_data_of<E>>();
+                   if (fresh == nullptr) return error::out_of_memory;
+                   return plan_solid(*static_cast<const E*>(how), filled, *fresh, caps);
+               },
+               [](const void* how) noexcept { return typemesh::refused_options(*static_cast<const E*>(how)); },
+               [](const void* how) noexcept { return key_of(*static_cast<const E*>(how)); },
+               [](const void* how) noexcept { return static_cast<const E*>(how)->heights(); },
+               nullptr,
+               nullptr,
+               "heights"};
+    if constexpr (tells_heights<E>)
+        made.heights_of = [](const void* how, const built_glyph& built) noexcept {
+            return static_cast<const E*>(how)->heights(built.planned<E>().form);
+        };
+    if constexpr (tells_outline<E>)
+        made.outline_of = [](const void* how, const built_glyph& built) noexcept {
+            return static_cast<const E*>(how)->outline(built.planned<E>().form);
+        };
+    if constexpr (requires(const E& e) { e.depth; }) made.heights_name = "depth";
+    return made;
+}();
 
 }  // namespace typemesh::inline TYPEMESH_ABI

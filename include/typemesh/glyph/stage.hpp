@@ -35,12 +35,13 @@ public:
         void (*observe)(void* observer, stage now) noexcept;
     };
     template <stage_observer O>
-    static constexpr calls calls_of = {
-        [](void* observer, stage now) noexcept { (*static_cast<O*>(observer))(now); }};
+    struct table {
+        static const calls of;
+    };
 
     template <stage_observer O>
         requires(!std::is_const_v<O> && !std::same_as<O, observer_ref>)
-    observer_ref(O& observer) noexcept : observer_ref{&observer, calls_of<O>}
+    observer_ref(O& observer) noexcept : observer_ref{&observer, table<O>::of}
     {
     }
     observer_ref(void* observer, const calls& does) noexcept : observer_{observer}, does_{&does} {}
@@ -51,5 +52,9 @@ private:
     void* observer_;
     const calls* does_;
 };
+
+template <stage_observer O>
+constinit const observer_ref::calls observer_ref::table<O>::of = {
+    [](void* observer, stage now) noexcept { (*static_cast<O*>(observer))(now); }};
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -20,14 +20,9 @@ public:
                                const shape_options& how, glyph_run& run) noexcept;
     };
     template <shaper Shaper>
-    static constexpr calls calls_of = {
-        [](void* shaper) noexcept -> double { return static_cast<Shaper*>(shaper)->units_per_em(); },
-        [](void* shaper, direction d) noexcept { return static_cast<Shaper*>(shaper)->metrics(d); },
-        [](void* shaper) noexcept { return column_middle_of(*static_cast<Shaper*>(shaper)); },
-        [](void* shaper, text_view text, std::size_t first, std::size_t last, const shape_options& how,
-           glyph_run& run) noexcept {
-            return static_cast<Shaper*>(shaper)->shape(text, first, last, how, run);
-        }};
+    struct table {
+        static const calls of;
+    };
 
     shaper_ref(void* shaper, const calls& does) noexcept : shaper_{shaper}, does_{&does} {}
 
@@ -44,6 +39,16 @@ private:
     void* shaper_;
     const calls* does_;
 };
+
+template <shaper Shaper>
+constinit const shaper_ref::calls shaper_ref::table<Shaper>::of = {
+    [](void* shaper) noexcept -> double { return static_cast<Shaper*>(shaper)->units_per_em(); },
+    [](void* shaper, direction d) noexcept { return static_cast<Shaper*>(shaper)->metrics(d); },
+    [](void* shaper) noexcept { return column_middle_of(*static_cast<Shaper*>(shaper)); },
+    [](void* shaper, text_view text, std::size_t first, std::size_t last, const shape_options& how,
+       glyph_run& run) noexcept {
+        return static_cast<Shaper*>(shaper)->shape(text, first, last, how, run);
+    }};
 static_assert(shaper<shaper_ref>);
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -18,7 +18,7 @@ class font_ref {
 public:
     template <outline_source Font>
     font_ref(Font& font) noexcept
-        : font_{const_cast<std::remove_const_t<Font>*>(&font)}, does_{&calls_of<Font>}
+        : font_{const_cast<std::remove_const_t<Font>*>(&font)}, does_{&table<Font>::of}
     {
     }
 
@@ -59,30 +59,35 @@ private:
     static constexpr const shaper_ref::calls* shaping_of() noexcept
     {
         if constexpr (typemesh::shaper<Font>)
-            return &shaper_ref::calls_of<Font>;
+            return &shaper_ref::table<Font>::of;
         else
             return nullptr;
     }
     template <outline_source Font>
-    static constexpr calls calls_of = {
-        [](void* font, std::uint32_t face) noexcept { return units_per_em_of(*static_cast<Font*>(font), face); },
-        [](void* font) noexcept { return face_count_of(*static_cast<Font*>(font)); },
-        [](void* font, std::uint32_t face, glyph_id id, outline& out, std::uint32_t most) noexcept {
-            Font& from = *static_cast<Font*>(font);
-            outline_recorder recorder{out, most};
-            if (error e = outline_of(from, face, id, recorder)) return e;
-            out.rule = fill_of(from, face);
-            return recorder.finish();
-        },
-        [](const void* font, std::uint32_t face) noexcept {
-            const Font& from = *static_cast<const Font*>(font);
-            return face == whole ? variation_of(from) : variation_of(from, face);
-        },
-        shaping_of<Font>()};
+    struct table {
+        static const calls of;
+    };
 
     void* font_;
     const calls* does_;
 };
+
+template <outline_source Font>
+constinit const font_ref::calls font_ref::table<Font>::of = {
+    [](void* font, std::uint32_t face) noexcept { return units_per_em_of(*static_cast<Font*>(font), face); },
+    [](void* font) noexcept { return face_count_of(*static_cast<Font*>(font)); },
+    [](void* font, std::uint32_t face, glyph_id id, outline& out, std::uint32_t most) noexcept {
+        Font& from = *static_cast<Font*>(font);
+        outline_recorder recorder{out, most};
+        if (error e = outline_of(from, face, id, recorder)) return e;
+        out.rule = fill_of(from, face);
+        return recorder.finish();
+    },
+    [](const void* font, std::uint32_t face) noexcept {
+        const Font& from = *static_cast<const Font*>(font);
+        return face == whole ? variation_of(from) : variation_of(from, face);
+    },
+    shaping_of<Font>()};
 
 /// One face of a font, its outlines mapped, in units that the caller chooses. The map must outlive it.
 struct drawn_face {

@@ -30,7 +30,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// All of a text_mesher that does not depend on the type of its solid: shapes and lays out a text, builds its glyphs and
 /// places them. Each policy is called once per glyph or outline, through a table.
 ///
-/// A team, where one is given, shapes and builds in parallel; null: one worker, the caller.
+/// A team, where one is given, shapes and builds in parallel; null: one worker, the caller. It is a glyph_team: its type
+/// is a parameter only so that typemesh::compiled can keep the functions out of other units.
 class text_planner {
 public:
     std::optional<font_ref> font;
@@ -53,19 +54,12 @@ public:
     }
 
     /// Shapes and lays out a text, into run(); needs a font. Ends the previous plan.
-    error layout(text_view text, const text_options& options, const policies& with, glyph_team* team) noexcept
-    {
-        clear();
-        with.observe(stage::shape);
-        if (!font->is_shaper()) return stop(error::not_a_shaper, with);
-        shaper_ref shaper = font->shaper();
-        const error e = team != nullptr ? team->layout(*font, text, options.shape, options.layout, run_)
-                                        : typemesh::layout(shaper, text, options.shape, options.layout, run_);
-        return e ? stop(e, with) : e;
-    }
+    template <class Team>
+    error layout(text_view text, const text_options& options, const policies& with, Team* team) noexcept;
 
     /// Plans a run, which may be run(); needs a font. Ends the previous plan.
-    error plan(const glyph_run& run, const text_options& options, const policies& with, glyph_team* team) noexcept;
+    template <class Team>
+    error plan(const glyph_run& run, const text_options& options, const policies& with, Team* team) noexcept;
 
 private:
     struct call {
@@ -99,33 +93,7 @@ private:
     error build_glyphs(const call& now, const glyph_settings& how) noexcept;
 
     template <class Find, class Keep>
-    error each_glyph(const call& now, const glyph_settings& how, const Find& find, const Keep& keep) noexcept
-    {
-        const auto keys = glyphs_.different.keys();
-        const auto build = [&, keys](std::size_t k, font_ref from, glyph_builder& builder, glyph_store& store,
-                                     const policies& with) noexcept -> error {
-            const built_glyph* built = find(keys[k]);
-            if (built == nullptr) {
-                drawn_face face = glyphs_.looks.face_of(from, keys[k].look);
-                const auto draft = builder.build(face, keys[k].id, how, with);
-                if (!draft) return draft.error();
-                built = keep(keys[k], *draft, store);
-                if (built == nullptr) return error::out_of_memory;
-            }
-            glyphs_.pinned.set(k, built);
-            return {};
-        };
-        if (now.team == nullptr) {
-            for (std::size_t k = 0; k < keys.size(); ++k)
-                if (error e = build(k, *font, builder_, glyphs_.store, now.with)) return e;
-            return {};
-        }
-        return now.team->each(keys.size(), [&](std::size_t k, font_ref from, glyph_builder& builder,
-                                               glyph_store& store) noexcept {
-            no_observer nobody;
-            return build(k, from, builder, store, {now.with.flatten, now.with.cut, now.with.raise, nobody});
-        });
-    }
+    error each_glyph(const call& now, const glyph_settings& how, const Find& find, const Keep& keep) noexcept;
 
     glyph_builder builder_;
     glyph_merger merger_;
@@ -133,9 +101,51 @@ private:
     text_glyphs glyphs_;
 };
 
+template <class Team>
+error text_planner::layout(text_view text, const text_options& options, const policies& with, Team* team) noexcept
+{
+    clear();
+    with.observe(stage::shape);
+    if (!font->is_shaper()) return stop(error::not_a_shaper, with);
+    shaper_ref shaper = font->shaper();
+    const error e = team != nullptr ? team->layout(*font, text, options.shape, options.layout, run_)
+                                    : typemesh::layout(shaper, text, options.shape, options.layout, run_);
+    return e ? stop(e, with) : e;
+}
+
+template <class Find, class Keep>
+error text_planner::each_glyph(const call& now, const glyph_settings& how, const Find& find,
+                               const Keep& keep) noexcept
+{
+    const auto keys = glyphs_.different.keys();
+    const auto build = [&, keys](std::size_t k, font_ref from, glyph_builder& builder, glyph_store& store,
+                                 const policies& with) noexcept -> error {
+        const built_glyph* built = find(keys[k]);
+        if (built == nullptr) {
+            drawn_face face = glyphs_.looks.face_of(from, keys[k].look);
+            const auto draft = builder.build(face, keys[k].id, how, with);
+            if (!draft) return draft.error();
+            built = keep(keys[k], *draft, store);
+            if (built == nullptr) return error::out_of_memory;
+        }
+        glyphs_.pinned.set(k, built);
+        return {};
+    };
+    if (now.team == nullptr) {
+        for (std::size_t k = 0; k < keys.size(); ++k)
+            if (error e = build(k, *font, builder_, glyphs_.store, now.with)) return e;
+        return {};
+    }
+    return now.team->each(keys.size(), [&](std::size_t k, font_ref from, glyph_builder& builder,
+                                           glyph_store& store) noexcept {
+        no_observer nobody;
+        return build(k, from, builder, store, {now.with.flatten, now.with.cut, now.with.raise, nobody});
+    });
+}
+
 // Where floats are to tell cells apart, letters that reach farther from their pens than was thought are built again.
-inline error text_planner::plan(const glyph_run& run, const text_options& options, const policies& with,
-                                glyph_team* team) noexcept
+template <class Team>
+error text_planner::plan(const glyph_run& run, const text_options& options, const policies& with, Team* team) noexcept
 {
     const call now{run, options, with, team};
     clear();

@@ -23,26 +23,12 @@ public:
         bool has_final_diagonals = false;
     };
     template <triangulator T>
-    static constexpr calls calls_of = [] {
-        calls made{[](const void* how, const region& r, workspace& space, triangle_list& out) noexcept {
-                       return cut_region(r, *static_cast<const T*>(how), space, out);
-                   },
-                   [](const void* how) noexcept { return key_of(*static_cast<const T*>(how)); }};
-        if constexpr (proving_triangulator<T>)
-            made.prove = [](const void* how, const contours& loops, workspace& space, triangle_list& out) noexcept {
-                return static_cast<const T*>(how)->prove(loops, space, out);
-            };
-        if constexpr (touching_triangulator<T>)
-            made.prove_touching = [](const void* how, const contours& loops, workspace& space,
-                                     triangle_list& out) noexcept {
-                return static_cast<const T*>(how)->prove_touching(loops, space, out);
-            };
-        made.has_final_diagonals = typemesh::has_final_diagonals<T>;
-        return made;
-    }();
+    struct table {
+        static const calls of;
+    };
 
     template <triangulator T>
-    triangulator_ref(const T& how) noexcept : triangulator_ref{&how, calls_of<T>}
+    triangulator_ref(const T& how) noexcept : triangulator_ref{&how, table<T>::of}
     {
     }
     triangulator_ref(const void* how, const calls& does) noexcept : how_{how}, does_{&does} {}
@@ -72,5 +58,24 @@ private:
     const void* how_;
     const calls* does_;
 };
+
+template <triangulator T>
+constinit const triangulator_ref::calls triangulator_ref::table<T>::of = [] {
+    calls made{[](const void* how, const region& r, workspace& space, triangle_list& out) noexcept {
+                   return cut_region(r, *static_cast<const T*>(how), space, out);
+               },
+               [](const void* how) noexcept { return key_of(*static_cast<const T*>(how)); }};
+    if constexpr (proving_triangulator<T>)
+        made.prove = [](const void* how, const contours& loops, workspace& space, triangle_list& out) noexcept {
+            return static_cast<const T*>(how)->prove(loops, space, out);
+        };
+    if constexpr (touching_triangulator<T>)
+        made.prove_touching = [](const void* how, const contours& loops, workspace& space,
+                                 triangle_list& out) noexcept {
+            return static_cast<const T*>(how)->prove_touching(loops, space, out);
+        };
+    made.has_final_diagonals = typemesh::has_final_diagonals<T>;
+    return made;
+}();
 
 }  // namespace typemesh::inline TYPEMESH_ABI
