@@ -372,7 +372,7 @@ private:
         rims.vertices = static_cast<std::uint32_t>(data.of<bevel_vertex>().size());
         rims.triangles = static_cast<std::uint32_t>(data.of<bevel_triangle>().size());
         if (rims.outward && side && own_heights().has_walls(rims.wall))
-            if (error e = vertices.add_walls()) return e;
+            if (error e = vertices.add_walls(scratch)) return e;
         return data.of<bevel_rims>().push_back(rims) ? error{} : error{error::out_of_memory};
     }
 
