@@ -199,8 +199,7 @@ void add_line_options(CLI::App& app, options& out, raw_values& raw)
                     "lines end as late as each can (default), or so that all are as even as possible",
                     {{"first_fit", false}, {"total_fit", true}});
     add_named<justification>(app, "--justify", out.lines.justify,
-                             "what makes justified lines wider: auto (default: between ideographs, else spaces), "
-                             "spaces, letters, or Arabic's kashida",
+                             "what widens justified lines: auto (default: ideographs, else spaces), spaces, letters, kashida",
                              {{"auto", justification::automatic},
                               {"spaces", justification::spaces},
                               {"letters", justification::letters},
