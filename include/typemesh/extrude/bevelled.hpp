@@ -258,8 +258,8 @@ private:
 
     [[nodiscard]] bevel_carver carver_of(const region& filled, bool outwards) const noexcept
     {
-        const double tolerance = joins == bevel_joins::round ? filled.tolerance() : 0.0;
-        return {{as_double(mitre_limit), tolerance, outwards}, mode != bevel_mode::clip};
+        return {{as_double(mitre_limit), filled.tolerance(), joins == bevel_joins::round, outwards},
+                mode != bevel_mode::clip};
     }
 
     template <cap_maker Caps>

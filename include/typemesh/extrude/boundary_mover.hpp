@@ -81,9 +81,8 @@ private:
         const double levels[] = {0.0, what.width};
         swept_.clear();
         workspace::scope scratch{space};
-        if (error e =
-                sweep_inwards(what.r, what.triangles,
-                              {levels, as_double(how.mitre_limit), round ? what.r.tolerance() : 0.0}, scratch, swept_))
+        if (error e = sweep_inwards(what.r, what.triangles,
+                                    {levels, as_double(how.mitre_limit), what.r.tolerance(), round}, scratch, swept_))
             return e;
         return name_cap_edges(what.r, round, swept_, curves, scratch);
     }

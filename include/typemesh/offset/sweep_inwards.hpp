@@ -26,10 +26,12 @@ namespace typemesh::inline TYPEMESH_ABI {
 struct sweep_options {
     /// Distances at which faces are cut: from 0 to the width, each at least finest_band more than the one before.
     std::span<const double> levels;
-    /// A reflex corner that would move farther than this many distances gets joins; 0: only needles do.
+    /// A reflex corner that would move farther than this many distances gets joins, 31 at most; 0: only needles do.
     double mitre_limit = 2.0;
-    /// Joins are rounded to this at the width, with 31 a corner at most; 0: they have as few edges as the limit needs.
+    /// By so much a corner may lie beyond a limit near 1 at the width, below 1.42; 0: unknown.
     double tolerance = 0.0;
+    /// Joins are rounded to the tolerance at the width; else they have as few edges as the limit needs.
+    bool round = true;
 };
 
 namespace detail {
@@ -148,7 +150,7 @@ private:
     [[nodiscard]] error add_joins(const sweep_options& how) noexcept
     {
         reflex_joins joins{front_};
-        return joins.add({how.mitre_limit, how.levels.back(), how.tolerance},
+        return joins.add({how.mitre_limit, how.levels.back(), how.tolerance, how.round},
                          [&](std::uint32_t point, fixed_vector inward) noexcept -> error {
                              const auto share = [](std::int64_t unit) noexcept {
                                  return static_cast<float>(static_cast<double>(unit) * 0x1p-30);

@@ -55,7 +55,8 @@ public:
           live{source},
           times_{mesh},
           queue_{source},
-          history_{source}
+          history_{source},
+          look_{buffer<std::uint32_t>{source}, buffer<std::uint32_t>{source}}
     {
     }
 
@@ -419,18 +420,17 @@ private:
         const std::uint32_t around = mesh.set_corner(before, v, after);
         pass(mesh.segments[before].from, at, node);
         pass(mesh.segments[after].to, at, node);
-        if (around > most_around) relieve(after, around);
+        if (around > most_around) relieve(after);
         mesh.around(after, [&](std::uint32_t h) noexcept { schedule(h / 3); });
     }
 
     /// A corner with thousands of triangles that eats a bow edge by edge would have all of them scheduled anew each
     /// time. So it gives them away while it can; the edges of the bow then have O(log n) triangles each.
-    void relieve(std::uint32_t after, std::uint32_t around) noexcept
+    void relieve(std::uint32_t after) noexcept
     {
-        for (std::uint32_t fewer = 1; around > most_around / 2 && fewer != 0; around -= fewer)
-            fewer = mesh.thin_out(
-                after, [&](std::uint32_t h) noexcept { return is_convex(h); },
-                [&](std::uint32_t t) noexcept { schedule(t); });
+        failed_ |= !mesh.thin_out(
+            after, most_around / 2, [&](std::uint32_t h) noexcept { return is_convex(h); },
+            [&](std::uint32_t t) noexcept { schedule(t); }, look_);
     }
     /// Whether the triangle of half-edge h and the next one around its origin make a convex quadrilateral.
     [[nodiscard]] bool is_convex(std::uint32_t h) const noexcept
@@ -467,6 +467,7 @@ private:
     collapse_times times_;
     collapse_queue queue_;
     flip_history history_;
+    kinetic_triangles::rounds look_;
     std::int64_t level_ = 0;
     std::int64_t first_loss_ = -1;
     std::size_t most_flips_ = 0, flips_ = 0, events_ = 0, schedules_ = 0;
