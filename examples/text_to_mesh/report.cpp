@@ -70,6 +70,9 @@ std::string in_words(const typemesh::text_report& report, bool several_fonts)
     if (report.narrowed > 0)
         say("edges of " + number(report.narrowed) + of_all +
             " glyphs have moved less than --bevel, --outline or --embolden ask for" + at(report.first_narrowed));
+    if (report.lost_caps > 0)
+        say("bevels meet in a ridge on " + number(report.lost_caps) + (report.lost_caps == 1 ? " piece" : " pieces") +
+            " of glyphs smaller than the tolerance" + at(report.first_lost_cap));
     return all;
 }
 

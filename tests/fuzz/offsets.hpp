@@ -33,7 +33,8 @@ struct made_solid {
         if (!planned) {
             const error e = planned.error();
             const bool refused = e == error::bad_option || e == error::outline_beyond_grid ||
-                                 e == error::nothing_left || e == error::crossing_contours;
+                                 e == error::nothing_left || e == error::edges_not_moved ||
+                                 e == error::crossing_contours;
             return refused ? "" : e.message();
         }
         exists = true;

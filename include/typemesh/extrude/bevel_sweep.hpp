@@ -48,8 +48,9 @@ struct bevel_sweep {
         for (std::size_t i = 0; i < levels.size(); ++i)
             distances[i] = outward ? width - levels[levels.size() - 1 - i].distance : levels[i].distance;
         workspace::scope scratch{space};
-        return sweep_inwards(filled, triangles, {{distances, levels.size()}, mitre_limit, tolerance, round}, scratch,
-                             out);
+        sweep_options how{{distances, levels.size()}, mitre_limit, tolerance, round};
+        how.speck = tolerance;
+        return sweep_inwards(filled, triangles, how, scratch, out);
     }
 };
 

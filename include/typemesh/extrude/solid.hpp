@@ -34,7 +34,9 @@ struct solid_with : solid {
 struct solid_plan {
     part_sizes sizes;
     box around = {};
-    bool narrowed = false;  ///< its edges have moved less than asked for, as those farther on were not proven
+    bool narrowed = false;  ///< its edges have moved less than wanted, as those farther on were not proven, or by less
+                            ///< than half as much, so that they fit
+    std::uint32_t lost_caps = 0;  ///< pieces smaller than a tolerance that have none, though bevels were to fit
 };
 
 /// A solid, and what its extruder's plan() said about it.

@@ -60,6 +60,8 @@ public:
     }
     /// Whether its bevel is narrower than asked for: see solid_plan.
     [[nodiscard]] bool is_narrowed() const noexcept { return plan_.narrowed; }
+    /// How many of its pieces have lost their caps: see solid_plan.
+    [[nodiscard]] std::uint32_t lost_caps() const noexcept { return plan_.lost_caps; }
     [[nodiscard]] double cells() const noexcept { return cells_; }
     /// The size of the grid's cells, in font units.
     [[nodiscard]] double font_units_per_cell() const noexcept { return font_units_per_cell_; }

@@ -58,7 +58,7 @@ inline error place_glyphs(text_glyphs& all, const glyph_run& run) noexcept
     if (!all.reserve_records(run.glyphs.size())) return error::out_of_memory;
     if (error e = all.looks.sort(run)) return e;
     const std::span<const std::uint32_t> order = all.looks.order();
-    std::uint32_t line = 0, first_refused = 0, first_narrowed = 0;
+    std::uint32_t line = 0, first_refused = 0, first_narrowed = 0, first_lost = 0;
     for (std::uint32_t k = 0; k < run.glyphs.size(); ++k) {
         const std::uint32_t i = order.empty() ? k : order[k];
         if (!order.empty() && !run.lines.empty())
@@ -95,6 +95,13 @@ inline error place_glyphs(text_glyphs& all, const glyph_run& run) noexcept
             if (s.built->is_narrowed() && (report.narrowed++ == 0 || i < first_narrowed)) {
                 report.first_narrowed = glyph.cluster;
                 first_narrowed = i;
+            }
+            if (s.built->lost_caps() != 0) {
+                if (report.lost_caps == 0 || i < first_lost) {
+                    report.first_lost_cap = glyph.cluster;
+                    first_lost = i;
+                }
+                report.lost_caps += s.built->lost_caps();
             }
         }
     }
