@@ -40,7 +40,7 @@ test::shape square_with_slivers(int seed)
              test::reversed(circle(n + d.roll(3), radius + d.roll(3) - 1, d.roll(5) - 2, d.roll(5) - 2))}};
 }
 
-struct swept_shape {
+struct swept_slivers {
     workspace space;
     contours loops;
     region filled;
@@ -48,7 +48,7 @@ struct swept_shape {
     swept_region out;
     error failed;
 
-    swept_shape(const test::shape& s, std::span<const double> levels, memory source = heap(), bool only_cap = false)
+    swept_slivers(const test::shape& s, std::span<const double> levels, memory source = heap(), bool only_cap = false)
         : space{source}, loops{test::contours_of(s)}, out{source}
     {
         workspace own;
@@ -72,12 +72,12 @@ TEST_CASE("slivers that cannot be cut on the grid are covered by their own trian
     std::size_t covered = 0;
     for (int seed = 0; seed < 60; ++seed) {
         CAPTURE(seed);
-        const swept_shape s{square_with_slivers(seed), levels};
+        const swept_slivers s{square_with_slivers(seed), levels};
         REQUIRE(!s.failed);
         const test::swept_laws laws{s.filled, s.out};
         CHECK(laws.broken() == "");
         CHECK(s.out.lost + 1 >= s.filled.loop_count() / 2);
-        const swept_shape alone{{"square", {test::square(-1'000'000, -1'000'000, 400'000)}}, levels};
+        const swept_slivers alone{{"square", {test::square(-1'000'000, -1'000'000, 400'000)}}, levels};
         CHECK(inspect::doubled_area(inspect::loops_of(region::proven(s.out.cap, 0, 0))) ==
               inspect::doubled_area(inspect::loops_of(region::proven(alone.out.cap, 0, 0))));
         for (std::size_t i = 0; i + 1 < s.out.cells.size() && s.out.cells[i].band == 0; ++i) {
@@ -86,7 +86,7 @@ TEST_CASE("slivers that cannot be cut on the grid are covered by their own trian
             covered +=
                 s.out.cells[i + 1].first_triangle == s.out.cells[i].first_triangle + 1 && t.a < n && t.b < n && t.c < n;
         }
-        const swept_shape cap{square_with_slivers(seed), levels, heap(), true};
+        const swept_slivers cap{square_with_slivers(seed), levels, heap(), true};
         CHECK(!cap.failed);
         CHECK(cap.out.cap.points.size() == s.out.cap.points.size());
     }
@@ -98,11 +98,11 @@ TEST_CASE("a cover for which memory runs out fails", "[offset][speck_cover]")
     constexpr double levels[] = {0.0, 50'000.0};
     const test::shape s = square_with_slivers(1);
     test::counting_memory counted;
-    REQUIRE(!swept_shape{s, levels, counted.source()}.failed);
+    REQUIRE(!swept_slivers{s, levels, counted.source()}.failed);
     for (std::size_t at = 1; at < counted.requests; ++at) {  // the last is the one block of a warm workspace
         test::counting_memory limited;
         limited.fail_at = at;
-        const error e = swept_shape{s, levels, limited.source()}.failed;
+        const error e = swept_slivers{s, levels, limited.source()}.failed;
         CHECK(e.code == error::out_of_memory);
     }
 }
