@@ -28,7 +28,8 @@ struct swept_polygons {
     swept_region out{scratch.source()};
     region filled;
 
-    swept_polygons(const std::vector<test::polyline>& polygons, const std::vector<double>& levels, double mitre_limit = 0.0)
+    swept_polygons(const std::vector<test::polyline>& polygons, const std::vector<double>& levels,
+                   double mitre_limit = 0.0)
         : loops{test::contours_of(polygons)}
     {
         const auto made = fill(loops, fill_rule::non_zero, space);
@@ -111,8 +112,8 @@ TEST_CASE("a reflex corner sharper than the limit is joined, and its cap is with
                              {50 * cells, 30 * cells},
                              {48 * cells, 60 * cells},
                              {0, 60 * cells}};
-    const swept spike{{bar}, {0.0, 1.5 * cells}}, joined{{bar}, {0.0, 1.5 * cells}, 2.0};
-    const auto lowest = [](const swept& s) {
+    const swept_polygons spike{{bar}, {0.0, 1.5 * cells}}, joined{{bar}, {0.0, 1.5 * cells}, 2.0};
+    const auto lowest = [](const swept_polygons& s) {
         std::int32_t y = 60 * cells;
         for (const grid_point p : s.out.cap.points)
             if (p.y > 2 * cells && p.y < y) y = p.y;
