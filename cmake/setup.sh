@@ -160,14 +160,16 @@ tell_progress() {  # tell_progress LOG; ends soon after the script that started 
     done
 }
 
-# How far the program is that writes a log: ninja, make and ctest count, of others the last line tells most.
+# How far the program is that writes a log: ninja, make and ctest count, of others the last line tells most. Tests that
+# have failed so far are counted too.
 progress_of() {  # progress_of LOG
-    tail -n 400 "$1" 2>/dev/null | awk '
-        match($0, /^\[ *[0-9]+%\]/) { told = substr($0, 2, RLENGTH - 2); next }
-        match($0, /^\[[0-9]+\/[0-9]+\]/) { told = substr($0, 2, RLENGTH - 2); sub("/", " of ", told); next }
-        match($0, /^ *[0-9]+\/[0-9]+ Test +#/) { told = $1; sub("/", " of ", told); next }
+    awk '
+        /^ *[0-9]+\/[0-9]+ Test +#.*\*\*\*/ && !/\*\*\*Skipped/ { ++failed }
+        !tests && match($0, /^\[ *[0-9]+%\]/) { told = substr($0, 2, RLENGTH - 2); next }
+        !tests && match($0, /^\[[0-9]+\/[0-9]+\]/) { told = substr($0, 2, RLENGTH - 2); sub("/", " of ", told); next }
+        match($0, /^ *[0-9]+\/[0-9]+ Test +#/) { told = $1; sub("/", " of ", told); tests = 1; next }
         NF { last = $0 }
-        END { print told != "" ? told : substr(last, 1, 60) }'
+        END { print told == "" ? substr(last, 1, 60) : tests ? told ", " failed + 0 " failed" : told }' "$1" 2>/dev/null
 }
 
 # The words before a command that needs the administrator; fails where there is no way.
