@@ -545,8 +545,9 @@ TEST_CASE("a bevel that fits is 0.9 times as wide as where a part would lose its
     CHECK(reach(shapes::pair(), 0.3f, bevel_mode::fit) < 0.06);  // the triangle's cap is the first to go
 }
 
-TEST_CASE("a speck does not decide how wide a bevel fits, but its lost cap is counted, and what becomes narrow is reported",
-          "[bevelled]")
+TEST_CASE(
+    "a speck does not decide how wide a bevel fits, but its lost cap is counted, and what becomes narrow is reported",
+    "[bevelled]")
 {
     const auto with_triangle = [](double side, double tolerance) {
         std::vector<std::vector<curve>> outers;

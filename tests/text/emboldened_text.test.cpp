@@ -264,7 +264,7 @@ TEST_CASE("bevels of rings have one width in a text, and their bounds are exact"
     CHECK(reached.high == plan->bounds().high);
     CHECK(plan->report().narrowed == 2);  // both rings are less than half as wide as the bevels that were to be on them
     auto narrower = text_mesher{font}.with(
-        ring{.width = 0.03f, .ring = {.width = 0.029f, .bevel_depth = 0.05f, .mode = bevel_mode::fit_text}});
+        ring{.width = 0.03f, .ring = {.width = 0.025f, .bevel_depth = 0.05f, .mode = bevel_mode::fit_text}});
     CHECK(narrower.plan("oi")->report().narrowed == 0);
 }
 
