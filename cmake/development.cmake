@@ -4,8 +4,11 @@
 
 add_library(typemesh_dev INTERFACE)
 target_link_libraries(typemesh_dev INTERFACE typemesh)
-target_compile_options(typemesh_dev INTERFACE
-    $<IF:$<CXX_COMPILER_ID:MSVC>,/W4;/permissive-;/utf-8,-Wall;-Wextra;-Wpedantic;-Wconversion;-Wshadow>)
+if(MSVC)  # cl, and clang-cl, which takes -Wall for every warning that it has
+    target_compile_options(typemesh_dev INTERFACE /W4 /permissive- /utf-8)
+else()
+    target_compile_options(typemesh_dev INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+endif()
 
 if(PROJECT_IS_TOP_LEVEL)
     set(CMAKE_CXX_EXTENSIONS OFF)

@@ -160,14 +160,16 @@ tell_progress() {  # tell_progress LOG; ends soon after the script that started 
     done
 }
 
-# How far the program is that writes a log: ninja, make and ctest count, of others the last line tells most.
+# How far the program is that writes a log: ninja, make and ctest count, of others the last line tells most. Tests that
+# have failed so far are counted too.
 progress_of() {  # progress_of LOG
-    tail -n 400 "$1" 2>/dev/null | awk '
-        match($0, /^\[ *[0-9]+%\]/) { told = substr($0, 2, RLENGTH - 2); next }
-        match($0, /^\[[0-9]+\/[0-9]+\]/) { told = substr($0, 2, RLENGTH - 2); sub("/", " of ", told); next }
-        match($0, /^ *[0-9]+\/[0-9]+ Test +#/) { told = $1; sub("/", " of ", told); next }
+    awk '
+        /^ *[0-9]+\/[0-9]+ Test +#.*\*\*\*/ && !/\*\*\*Skipped/ { ++failed }
+        !tests && match($0, /^\[ *[0-9]+%\]/) { told = substr($0, 2, RLENGTH - 2); next }
+        !tests && match($0, /^\[[0-9]+\/[0-9]+\]/) { told = substr($0, 2, RLENGTH - 2); sub("/", " of ", told); next }
+        match($0, /^ *[0-9]+\/[0-9]+ Test +#/) { told = $1; sub("/", " of ", told); tests = 1; next }
         NF { last = $0 }
-        END { print told != "" ? told : substr(last, 1, 60) }'
+        END { print told == "" ? substr(last, 1, 60) : tests ? told ", " failed + 0 " failed" : told }' "$1" 2>/dev/null
 }
 
 # The words before a command that needs the administrator; fails where there is no way.
@@ -305,6 +307,52 @@ install_fonts() {  # install_fonts DEBIAN_PACKAGE...
         say "Not all of them could be installed; tests that need them will say so:$missing" >&2
     fi
     rm -f "$log"
+}
+
+# Puts the Unicode Character Database of the version that the tables are made of into build/, where the system's own is
+# another: from the newest Debian that this system's own servers have. Its package lists and the package stay in scratch
+# state, nothing of the system changes and no administrator is needed. Without it the tests that need it say so.
+install_unicode_data() {
+    local version folder scratch
+    [ -z "${TYPEMESH_UNICODE_DATA:-}" ] || return 0
+    version=$(sed -n 's/^inline const std::string version = "\(.*\)";$/\1/p' "$typemesh_root/tests/unicode/character_database.hpp")
+    folder=$typemesh_root/build/unicode-data-$version
+    [ ! -e "$folder/BidiTest.txt" ] || return 0
+    ! head -n 1 /usr/share/unicode/BidiTest.txt 2>/dev/null | grep -q -F "$version" || return 0
+    scratch=$(mktemp -d)
+    say "Fetching the Unicode Character Database $version, usually some seconds"
+    if fetch_unicode_data "$version" "$scratch" >"$scratch/log" 2>&1; then
+        mkdir -p "$typemesh_root/build"
+        rm -rf "$folder"
+        mv "$scratch/unicode" "$folder"
+    else
+        say "It could not be had (Debian package unicode-data $version); tests that need it will say so:"
+        tail -n 3 "$scratch/log" | sed 's,^,  ,'
+    fi
+    rm -rf "$scratch"
+}
+
+fetch_unicode_data() {  # fetch_unicode_data VERSION SCRATCH; leaves it in SCRATCH/unicode
+    local version=$1 scratch=$2 server suite keys=/usr/share/keyrings/debian-archive-keyring.gpg package options
+    command -v apt-get && command -v dpkg-deb || { say "There is no apt-get." && return 1; }
+    mkdir -p "$scratch/lists/partial" "$scratch/cache/archives/partial"
+    options=(-o "Dir::State::lists=$scratch/lists" -o "Dir::Cache=$scratch/cache" -o "Dir::Etc::sourcelist=$scratch/list"
+        -o Dir::Etc::sourceparts=- -o APT::Sandbox::User="$(id -un)" -o Acquire::Languages=none -o Acquire::Retries=1)
+    for server in $(apt-get indextargets --format '$(REPO_URI) $(ORIGIN)' 'Created-By: Packages' |
+        awk '$2 == "Debian" && $1 !~ /security/ { print $1 }' | sort -u); do
+        for suite in forky sid; do
+            say "deb [signed-by=$keys] $server $suite main" >"$scratch/list"
+            apt-get "${options[@]}" update || continue
+            (cd "$scratch" && apt-get "${options[@]}" download unicode-data) || continue
+            for package in "$scratch"/unicode-data_"$version"-*.deb; do
+                dpkg-deb -x "$package" "$scratch/files" || continue
+                rm -f "$scratch"/files/usr/share/unicode/*.bz2 "$scratch"/files/usr/share/unicode/*/*.html
+                mv "$scratch/files/usr/share/unicode" "$scratch/unicode" && return 0
+            done
+        done
+    done
+    say "No server of this system has it."
+    return 1
 }
 
 # Stops where nothing can be built.

@@ -56,7 +56,7 @@ void add_moved_loops(overlay& to, const options& o, const model& mesh)
     for (const unsigned solid : {0u, 1u}) {
         std::map<std::pair<position, position>, int> edges;  // how often there, less how often back
         for (const model::part& part : mesh.parts) {
-            const std::string_view name = part.name;
+            const std::string_view name = part.kind();
             if (part.solid != solid || (name != "front" && name != "front_bevel" && name != "letter_front")) continue;
             for (std::size_t i = part.first_index; i < part.first_index + part.index_count; ++i) {
                 const position a = at(i), b = at(i % 3 == 2 ? i - 2 : i + 1);

@@ -1,15 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "atomic_file.hpp"
 
+#include "part_files.hpp"
+
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
 #include <utility>
 #include <vector>
+
+#ifdef _WIN32
+#include <fcntl.h>
+#include <io.h>
+#else
+#include <unistd.h>
+#endif
 
 namespace text_to_mesh {
 namespace {
@@ -37,19 +45,13 @@ std::error_code write_and_close(std::FILE* file, std::span<const unsigned char> 
     return why;
 }
 
-/// Opens a file of a name that nobody uses yet. The name does not grow with the target's, which may be as long as is
-/// allowed.
-std::FILE* open_beside(const fs::path& target, fs::path& temporary)
-{
-    const auto start = std::chrono::steady_clock::now().time_since_epoch().count();
-    for (int attempt = 0; attempt < 100; ++attempt) {
-        temporary = target.parent_path() / (".text_to_mesh-" + std::to_string(start + attempt) + ".part");
-        errno = 0;
-        if (std::FILE* file = std::fopen(temporary.string().c_str(), "wbx")) return file;
-        if (errno != EEXIST) break;
-    }
-    return nullptr;
-}
+#ifdef _WIN32
+bool is_terminal(std::FILE* file) { return _isatty(_fileno(file)) != 0; }
+void take_bytes(std::FILE* file) { (void)_setmode(_fileno(file), _O_BINARY); }
+#else
+bool is_terminal(std::FILE* file) { return isatty(fileno(file)) != 0; }
+void take_bytes(std::FILE*) {}
+#endif
 
 }  // namespace
 
@@ -61,9 +63,7 @@ public:
     pending_file& operator=(const pending_file&) = delete;
     ~pending_file()
     {
-        std::error_code ignored;
-        if (!temporary_.empty()) fs::remove(temporary_, ignored);
-        if (device_ != nullptr) std::fclose(device_);
+        if (device_ != nullptr && device_ != stdout) std::fclose(device_);
     }
 
     /// Both give an empty string, or one sentence.
@@ -75,7 +75,8 @@ public:
 private:
     std::string path_;
     std::vector<unsigned char> for_device_;
-    fs::path target_, temporary_;
+    fs::path target_;
+    part_file part_;
     fs::file_status before_;
     std::FILE* device_ = nullptr;
 };
@@ -84,6 +85,14 @@ std::string pending_file::prepare(const std::string& path, std::span<const unsig
 {
     path_ = path;
     if (path.empty()) return "The name of the output file is empty.";
+    if (path == standard_output) {
+        path_ = "standard output";
+        if (is_terminal(stdout)) return path_ + " is a terminal, which shows no such files: send it into a file.";
+        take_bytes(stdout);
+        device_ = stdout;
+        for_device_.assign(bytes.begin(), bytes.end());
+        return {};
+    }
 
     // Where the path is a symbolic link, the file it leads to is made or replaced, not the link.
     std::error_code ignored;
@@ -109,17 +118,16 @@ std::string pending_file::prepare(const std::string& path, std::span<const unsig
         std::fclose(opened);
     }
 
-    std::FILE* opened = open_beside(target_, temporary_);
+    std::FILE* opened = part_.open(target_.parent_path());
     if (opened == nullptr) {
         why = last_error();
-        temporary_.clear();
         const fs::path folder = target_.parent_path();
         if (!folder.empty() && !fs::exists(folder, ignored))
             return path + " cannot be written: there is no folder " + folder.string() + ".";
         return sentence(path, "cannot be written", why);
     }
     why = write_and_close(opened, bytes);
-    if (!why && fs::exists(before_)) fs::permissions(temporary_, before_.permissions(), ignored);
+    if (!why && fs::exists(before_)) fs::permissions(part_.path(), before_.permissions(), ignored);
     return why ? sentence(path, "cannot be written", why) : std::string{};
 }
 
@@ -129,10 +137,8 @@ std::string pending_file::finish()
     if (device_ != nullptr)
         why = write_and_close(std::exchange(device_, nullptr), for_device_);
     else
-        fs::rename(temporary_, target_, why);
-    if (why) return sentence(path_, "cannot be written", why);
-    temporary_.clear();
-    return {};
+        why = part_.move_to(target_);
+    return why ? sentence(path_, "cannot be written", why) : std::string{};
 }
 
 file_set::file_set() = default;
@@ -142,6 +148,9 @@ std::string file_set::add(const std::string& path, std::span<const unsigned char
 {
 #ifdef SIGXFSZ
     std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is to be an error to report, not the end of the program
+#endif
+#ifdef SIGPIPE
+    std::signal(SIGPIPE, SIG_IGN);  // likewise a reader that has gone
 #endif
     pending_.push_back(std::make_unique<pending_file>());
     return pending_.back()->prepare(path, bytes);

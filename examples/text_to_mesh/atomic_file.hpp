@@ -8,15 +8,18 @@
 
 namespace text_to_mesh {
 
+/// What names standard output instead of a file; a file of that name is "./-".
+inline constexpr const char* standard_output = "-";
+
 /// Makes `path` hold exactly `bytes`, or leaves it as it was.
 ///
 ///     a new or ordinary file   written as a temporary beside it, then renamed over it; permissions and symbolic links
 ///                              stay
-///     a device or a pipe       written straight away (there is nothing to keep)
+///     a device or a pipe       written straight away (there is nothing to keep); so is standard output, once
 ///     a directory, a file that may not be written    refused
 ///
 /// Gives  an empty string, or one sentence for the user: "hello.glb cannot be written: No space left on device."
-///        No temporary is left behind in either case.
+///        No temporary is left behind in either case, nor by SIGINT, SIGTERM and SIGHUP: see part_file.
 [[nodiscard]] std::string write_atomically(const std::string& path, std::span<const unsigned char> bytes);
 
 class pending_file;

@@ -24,6 +24,9 @@ enum class file_kind { unknown, glb, obj, stl, ply, three_mf, png };
     return file_kind::unknown;
 }
 
+/// "stl" is what ".stl" stands for.
+[[nodiscard]] inline file_kind kind_of_format(std::string_view format) { return kind_of("x." + std::string{format}); }
+
 /// True where a mesh is a solid to the programs that read it: letters that run into each other are one.
 [[nodiscard]] constexpr bool holds_solids(file_kind kind)
 {
@@ -35,6 +38,9 @@ enum class file_kind { unknown, glb, obj, stl, ply, three_mf, png };
 {
     return holds_solids(kind) || kind == file_kind::obj || kind == file_kind::ply;
 }
+
+/// True where the unit is a millimetre, as slicers take it.
+[[nodiscard]] constexpr bool is_printed(file_kind kind) { return holds_solids(kind); }
 
 /// True where parts may have colours of their own.
 [[nodiscard]] constexpr bool holds_colours(file_kind kind) { return kind != file_kind::stl && kind != file_kind::ply; }

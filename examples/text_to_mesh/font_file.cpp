@@ -3,6 +3,7 @@
 
 #include "option_values.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <string_view>
 #include <system_error>
@@ -50,44 +51,76 @@ void add_named_instance(unsigned number, font_file& out)
     hb_blob_destroy(blob);
 }
 
-/// What the asked name's words after its colons get wrong: "DejaVu Sans:bold:slant=0". fontconfig passes over those
-/// that it does not know. Gives an empty string, or one sentence.
-std::string unknown_words(const std::string& name)
+bool is_constant(const std::string& word)
 {
-    std::string_view left{name};
-    while (true) {
-        std::size_t colon = left.find(':');
-        while (colon != std::string_view::npos && colon > 0 && left[colon - 1] == '\\')
-            colon = left.find(':', colon + 1);
-        if (colon == std::string_view::npos) return {};
-        left.remove_prefix(colon + 1);
-        const std::string word{left.substr(0, left.find(':'))};
-        const auto known = [](const std::string& w) {
-            return FcNameGetConstant(reinterpret_cast<const FcChar8*>(w.c_str())) != nullptr;
-        };
-        const auto equals = word.find('=');
-        if (equals == std::string::npos) {
-            if (!known(word))
-                return name + ": fontconfig knows no style \"" + word + "\"; bold, italic or light are such.";
-            continue;
-        }
-        const std::string key = word.substr(0, equals), value = word.substr(equals + 1);
-        const FcObjectType* const type = FcNameGetObjectType(key.c_str());
-        if (type == nullptr || type->type == FcTypeUnknown)
-            return name + ": fontconfig knows no \"" + key + "\"; --variation sets the axes of a variable font.";
-        if ((type->type == FcTypeInteger || type->type == FcTypeDouble || type->type == FcTypeRange) && !known(value) &&
-            !decimal(value))
-            return name + ": fontconfig knows no " + key + " \"" + value + "\".";
+    return FcNameGetConstant(reinterpret_cast<const FcChar8*>(word.c_str())) != nullptr;
+}
+
+/// "Bold Oblique" as fontconfig writes it, "bold:oblique"; of words that are not all fontconfig's, as a style's name:
+/// "style=Semi Condensed".
+std::string style_words(const std::string& style)
+{
+    std::string words;
+    for (std::string_view rest = style; !rest.empty();) {
+        const std::string word{rest.substr(0, rest.find(' '))};
+        rest.remove_prefix(std::min(rest.size(), word.size() + 1));
+        if (word.empty()) continue;
+        if (!is_constant(word)) return "style=" + style;
+        words += (words.empty() ? "" : ":") + word;
     }
+    return words;
+}
+
+/// What one word after a name's colons gets wrong: fontconfig passes over those that it does not know. Gives an empty
+/// string, or one sentence; `word` may become what fontconfig takes.
+std::string refused_word(const std::string& name, std::string& word)
+{
+    const auto equals = word.find('=');
+    if (equals == std::string::npos) {
+        if (!is_constant(word) && word.find(' ') == std::string::npos)
+            return name + ": fontconfig knows no style \"" + word + "\"; bold, italic or light are such.";
+        word = style_words(word);
+        return {};
+    }
+    const std::string key = word.substr(0, equals), value = word.substr(equals + 1);
+    const FcObjectType* const type = FcNameGetObjectType(key.c_str());
+    if (type == nullptr || type->type == FcTypeUnknown)
+        return name + ": fontconfig knows no \"" + key + "\"; --variation sets the axes of a variable font.";
+    if ((type->type == FcTypeInteger || type->type == FcTypeDouble || type->type == FcTypeRange) &&
+        !is_constant(value) && !decimal(value))
+        return name + ": fontconfig knows no " + key + " \"" + value + "\".";
+    return {};
+}
+
+/// Writes a name as fontconfig takes it. Gives an empty string, or one sentence.
+std::string read_name(const std::string& name, std::string& out)
+{
+    const auto colon_of = [](std::string_view in) {
+        std::size_t colon = in.find(':');
+        while (colon != std::string_view::npos && colon > 0 && in[colon - 1] == '\\') colon = in.find(':', colon + 1);
+        return colon;
+    };
+    std::string_view left{name};
+    std::size_t colon = colon_of(left);
+    out = left.substr(0, colon);
+    while (colon != std::string_view::npos) {
+        left.remove_prefix(colon + 1);
+        colon = colon_of(left);
+        std::string word{left.substr(0, colon)};
+        if (std::string trouble = refused_word(name, word); !trouble.empty()) return trouble;
+        out += ":" + word;
+    }
+    return {};
 }
 
 std::string find_family(const std::string& name, font_file& out)
 {
-    if (std::string trouble = unknown_words(name); !trouble.empty()) return trouble;
+    std::string words;
+    if (std::string trouble = read_name(name, words); !trouble.empty()) return trouble;
     const auto fonts = typemesh::fontconfig_fonts::open();
     if (!fonts) return name + " cannot be looked for: fontconfig finds no configuration.";
     typemesh::installed_font found;
-    const typemesh::error e = fonts->find(name.c_str(), found);
+    const typemesh::error e = fonts->find(words.c_str(), found, typemesh::family_names::aliases);
     if (e == typemesh::error::no_such_style)
         return name + ": no installed font of this family has that " + e.option + "; `fc-list \"" +
                name.substr(0, name.find(':')) + "\" style` lists the styles.";

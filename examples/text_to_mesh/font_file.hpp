@@ -19,8 +19,8 @@ struct font_file {
 [[nodiscard]] bool is_a_file(const std::string& name);
 
 /// Finds what --font names: a file, or an installed family with a style, as fontconfig writes it ("DejaVu Sans",
-/// "DejaVu Sans:bold"). No other family stands in for one that is not
-/// installed.
+/// "DejaVu Sans:bold", "DejaVu Sans:Bold Oblique"). For one that is not installed only those stand in that the system's
+/// configuration sets beside it, as Liberation Sans for Arial, and what it has for "sans-serif" and the like.
 ///
 /// Gives  an empty string, or one sentence for the user
 [[nodiscard]] std::string find_font(const std::string& name, font_file& out);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "annotations.hpp"
 #include "atomic_file.hpp"
+#include "colour_names.hpp"
 #include "model.hpp"
 #include "options.hpp"
 #include "page.hpp"
@@ -11,6 +12,7 @@
 #include "sewn.hpp"
 #include "statistics.hpp"
 #include "text_fonts.hpp"
+#include "text_source.hpp"
 #include "write_3mf.hpp"
 #include "write_glb.hpp"
 #include "write_obj.hpp"
@@ -23,8 +25,10 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -69,10 +73,9 @@ void add_part(const options& o, model& out, typemesh::part p, const typemesh::me
         out.parts.push_back({part_names[number], r.first_index, r.index_count});
     else
         out.parts.push_back({letter_part_names[number - own], r.first_index, r.index_count, 1});
-    const auto coloured = static_cast<std::size_t>(style);
-    if (coloured == 0) return;
-    out.parts.back().name += "_" + std::to_string(coloured);
-    out.parts.back().colour = o.styles[coloured - 1].colour;
+    const auto styled = static_cast<std::size_t>(style);
+    out.parts.back().colour = styled != 0 ? o.styles[styled - 1].colour : o.colour;
+    if (out.parts.back().colour) out.parts.back().name += "_" + name_of(*out.parts.back().colour);
 }
 
 /// The whole mesh of a plan, part by part.
@@ -85,27 +88,70 @@ typemesh::error write_model(const options& o, const Plan& plan, model& out)
     return {};
 }
 
-/// Each different letter of a plan once, by the font's name for it, and where it stands.
+/// The font's name for a letter.
+template <class Plan>
+std::string name_of_letter(const Plan& plan, const font_set& fonts, const typemesh::glyph_mesh& letter)
+{
+    const typemesh::glyph_run& all = plan.run();
+    const std::uint32_t look = all.glyphs[plan.glyphs()[letter.first_glyph].glyph].look;
+    const std::uint32_t face = all.looks.empty() ? 0 : all.looks[look].face;
+    if (face == typemesh::bar_face) return "bar";
+    char name[64];
+    hb_font_glyph_to_string(fonts.font(face).handle(), letter.id, name, sizeof name);
+    return name;
+}
+
+/// What of the text each cluster shows.
+class cluster_texts {
+public:
+    cluster_texts(const typemesh::glyph_run& run, std::string_view text) : text_{text}
+    {
+        for (const typemesh::placed_glyph& g : run.glyphs) begins_.push_back(g.cluster);
+        std::sort(begins_.begin(), begins_.end());
+    }
+    [[nodiscard]] std::string of(typemesh::cluster_id cluster) const
+    {
+        if (cluster == typemesh::no_cluster || cluster >= text_.size()) return {};  // a bar, an ellipsis at the end
+        const auto next = std::upper_bound(begins_.begin(), begins_.end(), cluster);
+        std::string_view own = text_.substr(cluster, next == begins_.end() ? std::string_view::npos : *next - cluster);
+        return std::string{own.substr(0, own.find('\n'))};
+    }
+
+private:
+    std::string_view text_;
+    std::vector<typemesh::cluster_id> begins_;
+};
+
+/// Each different letter of a plan once, by the font's name for it, in each of its colours, and where it stands.
 template <class Plan>
 typemesh::error write_letters(const options& o, const Plan& plan, const font_set& fonts, model& out)
 {
     if (const typemesh::error e = plan.write_meshes(typemesh::into(out.vertices, out.indices))) return e;
+    std::map<std::pair<std::size_t, typemesh::style_id>, std::size_t> numbers;  // of the letters
     for (std::size_t m = 0; m < plan.meshes().size(); ++m) {
-        char name[64];
-        const typemesh::glyph_run& all = plan.run();
-        const std::uint32_t look = all.glyphs[plan.glyphs()[plan.meshes()[m].first_glyph].glyph].look;
-        const std::uint32_t face = all.looks.empty() ? 0 : all.looks[look].face;
-        hb_font_glyph_to_string(fonts.font(face).handle(), plan.meshes()[m].id, name, sizeof name);
-        model::letter l{name, plan.meshes()[m].first_vertex, 0, out.parts.size(), 0};
-        for (const typemesh::part p : plan.parts()) {
-            add_part(o, out, p, plan.mesh_part(m, p));
-            l.vertex_count += plan.mesh_part(m, p).vertex_count;
+        bool again = false;
+        for (const typemesh::style_id style : plan.styles()) {
+            if (plan.instances(m, style).count == 0) continue;
+            model::letter l{name_of_letter(plan, fonts, plan.meshes()[m]),
+                            plan.meshes()[m].first_vertex,
+                            0,
+                            out.parts.size(),
+                            0,
+                            again};
+            again = true;
+            for (const typemesh::part p : plan.parts()) {
+                add_part(o, out, p, plan.mesh_part(m, p), style);
+                l.vertex_count += plan.mesh_part(m, p).vertex_count;
+            }
+            l.part_count = out.parts.size() - l.first_part;
+            numbers.emplace(std::pair{m, style}, out.letters.size());
+            out.letters.push_back(l);
         }
-        l.part_count = out.parts.size() - l.first_part;
-        out.letters.push_back(l);
     }
-    plan.write_instances([&out](const typemesh::glyph_instance& i) {
-        out.places.push_back({i.mesh, {i.translation.x, i.translation.y, i.translation.z}});
+    const cluster_texts shown{plan.run(), o.text};
+    plan.write_instances([&](const typemesh::glyph_instance& i) {
+        out.places.push_back(
+            {numbers.at({i.mesh, i.style}), {i.translation.x, i.translation.y, i.translation.z}, shown.of(i.cluster)});
     });
     return {};
 }
@@ -182,12 +228,12 @@ std::string draw_picture(const options& o, font_set& font, const typemesh::glyph
     typemesh::text_options how = text_options_of(o);
     how.size = 1.0;
     typemesh::bounds3 bounds;  // of a mesh of the picture's size: those of the file's may be too small to be told apart
-    if (const auto first = plan_of(mesher, o, page, how))
+    if (const auto first = mesher.plan(page, how))
         bounds = first->bounds();
     else
         return in_words(first.error());
     how.tolerance = picture_tolerance(o, bounds, look);
-    auto plan = plan_of(mesher, o, page, how);
+    auto plan = mesher.plan(page, how);
     if (!plan) return in_words(plan.error());
     model mesh;
     if (const typemesh::error e = write_model(o, *plan, mesh)) return in_words(e);
@@ -215,11 +261,11 @@ std::string refusal_in_words(const options& o, const typemesh::error& e)
 template <class Plan>
 std::string name_warnings(const options& o, const Plan& plan, const font_set& fonts)
 {
-    bool warned = name_missing_features(fonts, o.features);
-    warned = name_losses(plan.report(), o.family || !o.fallback.empty()) || warned;
+    bool warned = name_missing_features(fonts, o.features, o.who);
+    warned = name_losses(plan.report(), o.family || !o.fallback.empty(), o.who) || warned;
     if (!o.output.empty() && !o.instances) {
         const bool instances_help = o.kind == file_kind::glb && !o.merge;
-        warned = name_flipped_triangles(flipped_triangles(plan), instances_help) || warned;
+        warned = name_flipped_triangles(flipped_triangles(plan), instances_help, o.who) || warned;
     }
     if (warned && o.strict) return "--strict: nothing is written.";
     if ((o.output.empty() && o.picture.empty()) || !plan.glyphs().empty()) return {};
@@ -227,66 +273,179 @@ std::string name_warnings(const options& o, const Plan& plan, const font_set& fo
                                     : "nothing of the text can be drawn: nothing is written.";
 }
 
-/// All of it with an open font. Gives an empty string, or one sentence.
-template <class Discretiser, class Extruder>
-std::string run(const options& o, progress& tell, font_set& font, const Discretiser& discretiser,
-                const Extruder& extruder)
+/// Where the glyphs of a run stand, to be put back after a mesh elsewhere.
+class moved_run {
+public:
+    explicit moved_run(typemesh::glyph_run& run) : run_{&run} {}
+    moved_run(const moved_run&) = delete;
+    moved_run& operator=(const moved_run&) = delete;
+    ~moved_run()
+    {
+        for (std::size_t i = 0; i < before_.size(); ++i) run_->glyphs[i].origin = before_[i];
+    }
+    /// In font units. Called once.
+    void by(typemesh::point way)
+    {
+        for (typemesh::placed_glyph& g : run_->glyphs) {
+            before_.push_back(g.origin);
+            g.origin = g.origin + way;
+        }
+    }
+
+private:
+    typemesh::glyph_run* run_;
+    std::vector<typemesh::point> before_;
+};
+
+/// Plans the text as large as the box of --fit has it, and where --anchor and --origin put it: for that it is planned
+/// again. `up` is by how much the mesh has to be lifted then.
+template <class Mesher>
+auto placed_plan(const options& o, Mesher& mesher, const typemesh::glyph_run& page, typemesh::text_options& how,
+                 moved_run& moved, double& up)
 {
-    tell.begin("shaping the text and building its letters");
-    typemesh::glyph_run page;
-    typemesh::text_options how = text_options_of(o);
-    stage_clock clock{.tell = &tell};
-    clock(typemesh::stage::shape);
-    if (std::string trouble = lay_out_page(o, font, page, how.size); !trouble.empty()) return trouble;
-    clock(typemesh::stage::idle);
-    const std::vector<typemesh::look> looks(page.looks.begin(), page.looks.end());
-    if (!holds_colours(o.kind))  // else letters of different colours would not merge
-        for (typemesh::look& l : page.looks) l.style = {};
-    auto mesher = typemesh::text_mesher{font}.with(discretiser).with(triangulator_of(o)).with(extruder).with(clock);
-    auto plan = plan_of(mesher, o, page, how);
-    if (!plan) return refusal_in_words(o, plan.error());
-
-    tell.clear();
-    if (std::string trouble = name_warnings(o, *plan, font); !trouble.empty()) return trouble;
-
-    model mesh;
-    mesh.name = o.text;
-    tell.begin("making " + std::to_string(plan->size().triangles) + " triangles");
-    mesher.observer()(typemesh::stage::extrude);
-    const typemesh::error e = o.instances ? write_letters(o, *plan, font, mesh) : write_model(o, *plan, mesh);
-    mesher.observer()(typemesh::stage::idle);
-    if (e) return in_words(e);
-    const typemesh::triangle_quality quality = o.stats ? quality_of_front(mesh) : typemesh::triangle_quality{};
-
-    file_set files;
-    if (!o.output.empty()) {
-        tell.begin("writing " + o.output);
-        if (std::string trouble = write_output(o, *plan, mesh, files); !trouble.empty()) return trouble;
+    auto plan = mesher.plan(page, how);
+    if (!plan || plan->glyphs().empty()) return plan;
+    typemesh::bounds3 b = plan->bounds();
+    if (o.fit_width > 0.0) {
+        constexpr double rounding = 4e-7;  // what is seen must not be larger than the box by a float's last digit
+        const double width = double{b.high.x} - double{b.low.x}, height = double{b.high.y} - double{b.low.y};
+        how.size *= (1.0 - rounding) * std::min(o.fit_width / width, o.fit_height / height);
+        plan = mesher.plan(page, how);
+        if (!plan) return plan;
+        b = plan->bounds();
     }
-    if (!o.picture.empty()) {
-        tell.begin("drawing " + o.picture);
-        std::copy(looks.begin(), looks.end(), page.looks.begin());
-        if (std::string trouble = draw_picture<Extruder>(o, font, page, discretiser, files); !trouble.empty())
-            return trouble;
-    }
-    tell.clear();
-    if (o.stats) {
-        print_stats(*plan, quality, mesher.observer());
-        if (std::fflush(stdout) != 0) return "the statistics cannot be written.";
-    }
-    return files.finish();
+    const shift by = o.output.empty() ? shift{} : shift_of(o.place, b);
+    up = by.z;
+    if (by.x == 0.0 && by.y == 0.0) return plan;
+    const double units = page.units_per_em / how.size;
+    moved.by({by.x * units, by.y * units});
+    return mesher.plan(page, how);
 }
 
-/// The same from the font on.
-std::string run(const options& o, progress& tell)
+/// Why lift() has failed.
+std::string heights_lost(const options& o)
 {
-    tell.begin("opening the fonts");
-    text_fonts fonts;
-    if (std::string trouble = fonts.open(o); !trouble.empty()) return trouble;
+    return o.place.at[2] != 0.0
+               ? "--origin: z is so large that 32-bit numbers cannot hold the depth of the letters."
+               : "32-bit numbers cannot hold so flat a bevel that far from z = 0; --anchor front helps.";
+}
+
+/// One text with open fonts. Every call gives an empty string, or one sentence.
+template <class Discretiser, class Extruder>
+class one_text {
+public:
+    one_text(const options& o, progress& tell, font_set& font, const Discretiser& discretiser, const Extruder& extruder)
+        : o_{o}, tell_{tell}, font_{font}, discretiser_{discretiser}, extruder_{extruder}
+    {
+    }
+
+    std::string make()
+    {
+        tell_.begin("shaping the text and building its letters");
+        typemesh::text_options how = text_options_of(o_);
+        stage_clock clock{.tell = &tell_};
+        clock(typemesh::stage::shape);
+        if (std::string trouble = lay_out(o_, font_, page_, how.size); !trouble.empty()) return trouble;
+        clock(typemesh::stage::idle);
+        const std::vector<typemesh::look> looks(page_.looks.begin(), page_.looks.end());
+        if (!holds_colours(o_.kind))  // else letters of different colours would not merge
+            for (typemesh::look& l : page_.looks) l.style = {};
+        auto mesher =
+            typemesh::text_mesher{font_}.with(discretiser_).with(triangulator_of(o_)).with(extruder_).with(clock);
+        if (std::string trouble = make_mesh(mesher, how); !trouble.empty()) return trouble;
+        if (!o_.picture.empty()) {
+            tell_.begin("drawing " + o_.picture);
+            std::copy(looks.begin(), looks.end(), page_.looks.begin());
+            if (std::string trouble = draw_picture<Extruder>(o_, font_, page_, discretiser_, files_); !trouble.empty())
+                return trouble;
+        }
+        tell_.clear();
+        if (o_.stats && !stats_.empty() && (std::fputs(stats_.c_str(), stdout) < 0 || std::fflush(stdout) != 0))
+            return "the statistics cannot be written.";
+        if (std::string trouble = files_.finish(); !trouble.empty()) return trouble;
+        if (o_.stats || o_.output.empty() || o_.output == standard_output) return {};
+        std::puts((o_.output + ": " + size_in_words(facts_, is_printed(o_.kind))).c_str());
+        return std::fflush(stdout) == 0 ? std::string{} : "the size cannot be printed.";
+    }
+
+private:
+    template <class Mesher>
+    std::string make_mesh(Mesher& mesher, typemesh::text_options& how)
+    {
+        moved_run moved{page_};
+        double up = 0.0;
+        auto plan = placed_plan(o_, mesher, page_, how, moved, up);
+        if (!plan) return refusal_in_words(o_, plan.error());
+        tell_.clear();
+        if (std::string trouble = name_warnings(o_, *plan, font_); !trouble.empty()) return trouble;
+
+        model mesh;
+        mesh.name = o_.text;
+        tell_.begin("making " + std::to_string(plan->size().triangles) + " triangles");
+        mesher.observer()(typemesh::stage::extrude);
+        const typemesh::error e = o_.instances ? write_letters(o_, *plan, font_, mesh) : write_model(o_, *plan, mesh);
+        mesher.observer()(typemesh::stage::idle);
+        if (e) return in_words(e);
+        if (!lift(mesh, up)) return heights_lost(o_);
+        facts_ = facts_of(mesh);
+        if (o_.stats) stats_ = stats_of(*plan, quality_of_front(mesh), facts_, is_printed(o_.kind), mesher.observer());
+        if (o_.output.empty()) return {};
+        tell_.begin("writing " + o_.output);
+        return write_output(o_, *plan, mesh, files_);
+    }
+
+    const options& o_;
+    progress& tell_;
+    font_set& font_;
+    const Discretiser& discretiser_;
+    const Extruder& extruder_;
+    typemesh::glyph_run page_;
+    file_set files_;
+    mesh_facts facts_;
+    std::string stats_;
+};
+
+/// One text. Gives an empty string, or one sentence.
+std::string run(const options& o, progress& tell, font_set& fonts)
+{
+    if (const std::string trouble = refused_ranges(o.styles, o.text); !trouble.empty())
+        return "--style: " + trouble + ".";
     options of_file = o;
     if (o.kind == file_kind::three_mf) of_file.normals = normals_name::shared;  // see write_3mf()
-    return std::visit([&](const auto& d, const auto& e) { return run(o, tell, fonts.set(), d, e); },
-                      discretiser_of(o, fonts.set().units_per_em()), extruder_of(of_file));
+    return std::visit([&](const auto& d, const auto& e) { return one_text{o, tell, fonts, d, e}.make(); },
+                      discretiser_of(o, fonts.units_per_em()), extruder_of(of_file));
+}
+
+/// All texts, one after the other. Gives the program's exit status.
+int run_all(options& o)
+{
+    const auto complain = [&](const std::string& trouble) {
+        std::fprintf(stderr, "%s%s\n", o.who.c_str(), trouble.c_str());
+        return 1;
+    };
+    std::vector<text_job> jobs;
+    if (const std::string wrong = read_texts(o, jobs); !wrong.empty()) return complain(wrong);
+    text_fonts fonts;
+    std::string trouble;
+    {
+        progress tell;
+        tell.begin("opening the fonts");
+        trouble = fonts.open(o);
+    }
+    if (!trouble.empty()) return complain(trouble);
+    int status = 0;
+    for (const text_job& job : jobs) {
+        o.text = job.text;
+        o.output = job.output;
+        o.picture = job.picture;
+        if (job.line != 0) o.who = "text_to_mesh: line " + std::to_string(job.line) + ": ";
+        {
+            progress tell;
+            trouble = run(o, tell, fonts.set());
+        }
+        if (!trouble.empty()) status = complain(trouble);
+    }
+    return status;
 }
 
 }  // namespace
@@ -296,10 +455,5 @@ int main(int argc, char** argv)
 {
     text_to_mesh::options o;
     if (const auto status = text_to_mesh::parse(argc, argv, o)) return *status;
-    text_to_mesh::progress tell;
-    const std::string trouble = text_to_mesh::run(o, tell);
-    tell.clear();
-    if (trouble.empty()) return 0;
-    std::fprintf(stderr, "text_to_mesh: %s\n", trouble.c_str());
-    return 1;
+    return text_to_mesh::run_all(o);
 }

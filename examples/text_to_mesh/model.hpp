@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace text_to_mesh {
@@ -24,14 +25,20 @@ struct rgb_colour {
 /// A finished mesh. Three indices per triangle, counter-clockwise seen from outside; right-handed, y up.
 struct model {
     /// A run of indices that share a material: "front", "back", "side", "front_bevel", "back_bevel"; of the letter within
-    /// a ring, which is a solid of its own, "letter_front", "letter_back", "letter_side". Of a style with a colour they
-    /// have its number at the end: "front_1".
+    /// a ring, which is a solid of its own, "letter_front", "letter_back", "letter_side". With a colour of their own
+    /// they have its name at the end: "front_red", "front_2060c0".
     struct part {
         std::string name;
         std::size_t first_index;
         std::size_t index_count;
         unsigned solid = 0;                     ///< 1: the letter within a ring
-        std::optional<rgb_colour> colour = {};  ///< of its style; else the usual one
+        std::optional<rgb_colour> colour = {};  ///< of its own; else the usual one
+
+        /// The name without a colour's: "front".
+        [[nodiscard]] std::string_view kind() const
+        {
+            return std::string_view{name}.substr(0, colour ? name.rfind('_') : name.size());
+        }
     };
 
     /// One of the different letters of an instanced model: consecutive vertices and consecutive parts.
@@ -41,12 +48,14 @@ struct model {
         std::size_t vertex_count;
         std::size_t first_part;
         std::size_t part_count;
+        bool again = false;  ///< the vertices and indices of the letter before it, with parts of other colours
     };
 
-    /// Where a letter stands.
+    /// Where a letter stands, and what of the text it shows.
     struct place {
         std::size_t letter;
         float at[3];
+        std::string text = {};
     };
 
     std::vector<model_vertex> vertices;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "options.hpp"
 
+#include "atomic_file.hpp"
+#include "colour_names.hpp"
 #include "option_values.hpp"
+#include "text_source.hpp"
 #include "wrong_usage.hpp"
 
 #include <CLI/CLI.hpp>
@@ -71,7 +74,8 @@ public:
     std::string make_usage(const CLI::App*, std::string name) const override
     {
         return "Usage: " + name +
-               " TEXT (--font FONT | --family FAMILY) (--output FILE | --picture FILE.png | --stats) [options]\n";
+               " (TEXT | --text-file FILE | --batch FILE) (--font FONT | --family FAMILY)\n"
+               "                    (--output FILE | --picture FILE.png | --stats) [options]\n";
     }
     std::string make_option_opts(const CLI::Option* option) const override
     {
@@ -91,11 +95,11 @@ std::string version()
 /// Words of the command line that become something else after parsing.
 struct raw_values {
     std::vector<std::string> variations, features, show;
-    std::string uv, fill, fit, profile = "chamfer", family;
+    std::string uv, fill, fit, profile = "chamfer", family, format, anchor, origin;
     std::optional<typemesh::touching> corners;
     std::optional<double> size, bevel_depth, bevel_steps, letter_spacing;
-    bool no_merge = false, tolerance_given = false, shading_given = false, normals_given = false, bevel_given = false,
-         align_given = false;
+    bool text_given = false, no_merge = false, tolerance_given = false, shading_given = false, normals_given = false,
+         bevel_given = false, align_given = false;
     std::string of_a_bevel, of_an_outline;  // the first option that only a bevel, an outline has
     std::string of_columns;                 // likewise
     std::vector<std::string> of_a_page;     // options that only a paragraph has; those that are given
@@ -104,9 +108,15 @@ struct raw_values {
 void add_text_options(CLI::App& app, options& out, raw_values& raw)
 {
     using namespace typemesh;
-    app.add_option("TEXT", out.text, "UTF-8; \\n starts a new line; a tab, but no \\t, leads to the next tab stop")
-        ->required();
-    app.add_option("--font", out.font,
+    app.add_option("TEXT", out.text,
+                   "UTF-8; \\n starts a new line; - is standard input; begin with \\@ or \\- to mean @ or -");
+    app.add_option("--text-file", out.text_file,
+                   "a file with the text, or - for standard input; \\n is two letters there")
+        ->type_name("FILE");
+    app.add_option("--batch", out.batch,
+                   "a text a line, or - for standard input; in --output {n} is the line's number, {text} the text")
+        ->type_name("FILE");
+    app.add_option("-f,--font", out.font,
                    "a file: TrueType, OpenType, collection, variable; or an installed family: \"DejaVu Sans:bold\"")
         ->type_name("FONT");
     app.add_option("--fallback", out.fallback, "another, for what the font lacks; may come again")
@@ -136,6 +146,13 @@ void add_text_options(CLI::App& app, options& out, raw_values& raw)
     add_named<column_latin>(app, "--latin", out.columns.latin,
                             "how Latin stands in columns, --direction ttb (default sideways)",
                             {{"sideways", column_latin::sideways}, {"upright", column_latin::upright}});
+    using typemesh::column_progress;
+    add_named<column_progress>(app, "--columns", out.columns.progress,
+                               "on which side of a column the next one stands (default auto: right in Mongolian, else "
+                               "left)",
+                               {{"auto", column_progress::automatic},
+                                {"left", column_progress::leftwards},
+                                {"right", column_progress::rightwards}});
     add_number(
         app, "--combine-digits", "in columns: numbers of so many digits or fewer take the room of one character",
         "a whole number from 0 to 255", [](double n) { return n >= 0.0 && n <= 255.0 && n == std::floor(n); },
@@ -170,7 +187,7 @@ void add_line_options(CLI::App& app, options& out, raw_values& raw)
         [](double n) { return n > 0.0 && n <= 1e6; }, [&out](double n) { out.lines.width = n; })
         ->type_name("EM");
     app.add_option("--fit", raw.fit,
-                   "the largest size at which the text fits into a box, wide x high, in the file's unit: 30x10")
+                   "the largest size at which what is seen fits into a box, wide x high, in the file's unit: 30x10")
         ->type_name("WxH");
     add_named<wrap_mode>(app, "--wrap", out.lines.wrap,
                          "at words, within them where one is too long (default), at any letter, or nowhere",
@@ -183,8 +200,11 @@ void add_line_options(CLI::App& app, options& out, raw_values& raw)
                     {{"first_fit", false}, {"total_fit", true}});
     add_named<justification>(
         app, "--justify", out.lines.justify,
-        "what makes justified lines wider: spaces (default), letters, or Arabic's kashida",
-        {{"spaces", justification::spaces}, {"letters", justification::letters}, {"kashida", justification::kashida}});
+        "what widens justified lines: auto (default: ideographs, else spaces), spaces, letters, kashida",
+        {{"auto", justification::automatic},
+         {"spaces", justification::spaces},
+         {"letters", justification::letters},
+         {"kashida", justification::kashida}});
     add_number(
         app, "--indent", "of a paragraph's first line; negative: it hangs", "a number from -1000 to 1000",
         [](double n) { return n >= -1000.0 && n <= 1000.0; }, [&out](double n) { out.lines.indent = n; })
@@ -208,6 +228,15 @@ void add_line_options(CLI::App& app, options& out, raw_values& raw)
         for (const std::string& one : given) (void)read_styled_range(one, out.styles.emplace_back());
         return true;
     };
+    app.add_option_function<std::string>(
+           "--colour,--color", [&out](const std::string& given) { out.colour = read_colour(given); },
+           "of all that no --style colours; .stl and .ply hold none")
+        ->type_name("COLOUR")
+        ->check(CLI::Validator{[](std::string& given) {
+                                   return read_colour(given) ? std::string{}
+                                                             : "must be " + colours_in_words() + ", not " + given;
+                               },
+                               ""});
     app.add_option("--style", CLI::callback_t{take},
                    "of code points, counted from 0: \"6..11:colour=red,underline,size=1.5\"; may come again")
         ->type_name("A..B:SETTING,...")
@@ -221,10 +250,14 @@ void add_line_options(CLI::App& app, options& out, raw_values& raw)
 void add_mesh_options(CLI::App& app, options& out, raw_values& raw)
 {
     add_number(
-        app, "--size", "how large an em is in the file (default 1; in .3mf 10 millimetres)",
+        app, "--size", "how large an em is in the file (default 1; in .stl and .3mf 10 millimetres)",
         "a number from 1e-30 to 1000000", [](double n) { return n >= 1e-30 && n <= 1e6; },
         [&raw](double n) { raw.size = n; })
         ->type_name("N");
+    app.add_option("--anchor", raw.anchor, "the place that comes to the origin, as in centre,bottom,base (see below)")
+        ->type_name("PLACE,...");
+    app.add_option("--origin", raw.origin, "where that comes to, in the file's unit (default 0,0,0)")
+        ->type_name("X,Y[,Z]");
     add_number(
         app, "--depth", "of the extrusion, in em, up to 1000; 0 makes a flat mesh (default 0.2)",
         "a number from 0 to 1000", [](double n) { return n >= 0.0 && n <= 1000.0; },
@@ -328,8 +361,11 @@ void add_weight_options(CLI::App& app, options& out)
 
 void add_output_options(CLI::App& app, options& out, raw_values& raw)
 {
-    app.add_option("--output", out.output, "the mesh: .glb, .obj (with its .mtl), .stl, .ply or .3mf")
+    app.add_option("-o,--output", out.output,
+                   "the mesh: .glb, .obj (with its .mtl), .stl, .ply or .3mf; - with --format: standard output")
         ->type_name("FILE");
+    app.add_option("--format", raw.format, "what --output holds, whatever its name")
+        ->check(one_of({"glb", "obj", "stl", "ply", "3mf"}));
     app.add_option("--picture", out.picture, "a picture of it, as fine as its pixels, or of the quality given")
         ->type_name("FILE.png");
     add_named<shading>(app, "--shading", out.shading, "of the picture (default phong)",
@@ -346,7 +382,7 @@ void add_output_options(CLI::App& app, options& out, raw_values& raw)
         ->expected(1)
         ->take_all()
         ->allow_extra_args(false);
-    app.add_flag("--stats", out.stats, "print counts and times as one line of JSON");
+    app.add_flag("--stats", out.stats, "print counts, bounds, volume and times as one line of JSON");
 }
 
 /// A number in as few digits as tell it.
@@ -481,15 +517,84 @@ std::string settle_font(options& out, const raw_values& raw)
     return {};
 }
 
-/// Why the styles of ranges are refused, or an empty string. The text has its line breaks already.
-std::string refused_styles(const options& o)
+/// Why the fonts of styles are refused, or an empty string.
+std::string refused_faces(const options& o)
 {
     const std::size_t fonts = o.fallback.size() + 1;
     for (const styled_range& r : o.styles)
         if (r.style.face >= fonts)
             return "font=" + std::to_string(r.style.face + 1) + ", but there " +
                    (fonts == 1 ? "is only 1 font" : "are only " + std::to_string(fonts) + " fonts");
-    return refused_ranges(o.styles, o.text);
+    return {};
+}
+
+/// Finds out what is to be written. Gives an empty string, or what is wrong.
+std::string settle_files(options& out, const raw_values& raw)
+{
+    const bool piped = out.output == standard_output;
+    out.kind = kind_of(out.output);
+    if (!raw.format.empty()) {
+        if (out.output.empty()) return "--format: is for --output";
+        const file_kind wanted = kind_of_format(raw.format);
+        if (out.kind != file_kind::unknown && out.kind != wanted)
+            return "--format: is " + raw.format + ", but the name is " + out.output;
+        if (wanted == file_kind::obj && out.output.ends_with(".mtl"))
+            return "--output: must not end in .mtl, for the materials of an .obj file are named so";
+        out.kind = wanted;
+    }
+    if (piped && raw.format.empty()) return "--output: - is standard output, for which --format says what it holds";
+    if (!out.output.empty() && (out.kind == file_kind::unknown || out.kind == file_kind::png))
+        return "--output: must end in .glb, .obj, .stl, .ply or .3mf, not " + out.output;
+    if (!out.picture.empty() && out.picture != standard_output && kind_of(out.picture) != file_kind::png)
+        return "--picture: must end in .png, not " + out.picture;
+    if (out.output.empty() && out.picture.empty() && !out.stats)
+        return "nothing to do: give --output, --picture or --stats";
+    const bool pictured = out.picture == standard_output;
+    if (piped && pictured) return "--picture: - is standard output, which has the mesh";
+    if ((piped || pictured) && out.stats)
+        return std::string{"--stats: prints on standard output, which has the "} + (piped ? "mesh" : "picture");
+    if (is_printed(out.kind) && out.depth == 0.0f)
+        return std::string{"--depth: must be more than 0 in a ."} + (out.kind == file_kind::stl ? "stl" : "3mf") +
+               " file, which holds solids";
+    return {};
+}
+
+/// Decides which place comes to the origin. Gives an empty string, or what is wrong.
+std::string settle_place(options& out, const raw_values& raw)
+{
+    for (const char* option : {"--anchor", "--origin"}) {
+        const bool anchor = option == std::string_view{"--anchor"};
+        const std::string& given = anchor ? raw.anchor : raw.origin;
+        if (given.empty()) continue;
+        if (out.output.empty()) return std::string{option} + ": is for --output";
+        const std::string trouble = anchor ? read_anchor(given, out.place) : read_origin(given, out.place);
+        if (!trouble.empty()) return std::string{option} + ": " + trouble;
+    }
+    if (out.place.z == placing::depth::automatic && is_printed(out.kind)) out.place.z = placing::depth::base;
+    return {};
+}
+
+/// Decides where the text comes from. Gives an empty string, or what is wrong.
+std::string settle_source(options& out, const raw_values& raw)
+{
+    const bool file = !out.text_file.empty(), batch = !out.batch.empty();
+    if (!raw.text_given && !file && !batch) return "TEXT is missing, or --text-file, or --batch";
+    if (raw.text_given && (file || batch))
+        return std::string{file ? "--text-file" : "--batch"} + ": is not for TEXT, which is the text already";
+    if (file && batch) return "--batch: is not for --text-file";
+    if (batch) return refused_patterns(out);
+    if (file) return {};
+    if (out.text == standard_output) {
+        out.text_file = out.text;
+        return {};
+    }
+    if (out.text.starts_with('@'))
+        return "TEXT: a file is read by --text-file " + out.text.substr(1) +
+               "; a text that begins with @ is written \\" + out.text;
+    if (out.text.starts_with("\\@") || out.text == "\\-") out.text.erase(0, 1);
+    out.text = with_line_breaks(out.text);
+    const std::string trouble = refused_ranges(out.styles, out.text);
+    return trouble.empty() ? trouble : "--style: " + trouble;
 }
 
 /// Finishes what the words left open. Gives an empty string, or one sentence of what is wrong.
@@ -526,15 +631,8 @@ std::string settle(options& out, const raw_values& raw)
     if (std::string trouble = settle_bevel(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_weight(out, raw); !trouble.empty()) return trouble;
 
-    out.kind = kind_of(out.output);
-    if (!out.output.empty() && (out.kind == file_kind::unknown || out.kind == file_kind::png))
-        return "--output: must end in .glb, .obj, .stl, .ply or .3mf, not " + out.output;
-    if (!out.picture.empty() && kind_of(out.picture) != file_kind::png)
-        return "--picture: must end in .png, not " + out.picture;
-    if (out.output.empty() && out.picture.empty() && !out.stats)
-        return "nothing to do: give --output, --picture or --stats";
-    if (out.kind == file_kind::three_mf && out.depth == 0.0f)
-        return "--depth: must be more than 0 in a .3mf file, which holds solids";
+    if (std::string trouble = settle_files(out, raw); !trouble.empty()) return trouble;
+    if (std::string trouble = settle_place(out, raw); !trouble.empty()) return trouble;
     if (out.picture.empty() && !raw.show.empty()) return "--show: is for --picture";
     if (out.picture.empty() && raw.shading_given) return "--shading: is for --picture";
     if (out.picture.empty() && out.turn) return "--turn: is for --picture";
@@ -543,16 +641,14 @@ std::string settle(options& out, const raw_values& raw)
     if (out.discretiser == discretiser_name::two_lines && out.quality_given)
         return "--quality: is not for --discretiser two_lines, which makes two lines of every curve";
     if (out.instances && out.kind != file_kind::glb) return "--instances: is for --output FILE.glb";
-    out.size = raw.size.value_or(out.kind == file_kind::three_mf ? 10.0 : 1.0);
+    out.size = raw.size.value_or(is_printed(out.kind) ? 10.0 : 1.0);
     using typemesh::touching;
     out.corners = raw.corners.value_or(wants_two_faces(out.kind) ? touching::part : touching::keep);
     const bool edges_move = out.bevel.width > 0.0f || out.outline.width > 0.0f || out.embolden != 0.0f;
     out.merge = out.merge || (!raw.no_merge && !out.instances &&
                               (holds_solids(out.kind) || edges_move || out.corners != touching::keep));
-    if (out.instances && !out.styles.empty()) return "--style: is not for --instances";
-    out.text = with_line_breaks(out.text);
-    const std::string trouble = refused_styles(out);
-    return trouble.empty() ? trouble : "--style: " + trouble;
+    if (std::string trouble = refused_faces(out); !trouble.empty()) return "--style: " + trouble;
+    return settle_source(out, raw);
 }
 
 }  // namespace
@@ -565,7 +661,19 @@ std::optional<int> parse(int argc, char** argv, options& out)
     app.footer(
         "Settings of --style: colour=red or #2060c0, underline, strike-through, overline, superscript, subscript,\n"
         "size=TIMES, rise=EM, slant=EM, letter-spacing=EM, word-spacing=EM, feature=TAG[=N], language=L,\n"
-        "font=N (1: --font, 2: the first --fallback); in columns upright, sideways, combined.");
+        "font=N (1: --font, 2: the first --fallback); in columns upright, sideways, combined.\n"
+        "Places of --anchor: left, centre, right (default: where --align has it); baseline (default), bottom, middle, "
+        "top;\n"
+        "front (default), halfway, base (default in .stl and .3mf: it lies on z = 0).\n"
+        "A tab, but no \\t, leads to the next tab stop.\n"
+        "\n"
+        "Examples:\n"
+        "  text_to_mesh Hello -f \"DejaVu Sans:bold\" -o hello.glb\n"
+        "  text_to_mesh \"Happy\\nbirthday\" -f Arial --align centre --fit 80x40 -o sign.stl    (millimetres)\n"
+        "  text_to_mesh Rag -f F.ttf --bevel 0.03 --profile round --colour red -o rag.glb --picture rag.png\n"
+        "  text_to_mesh --text-file page.txt -f F.ttf --width 30 --align justify -o page.glb --instances\n"
+        "  text_to_mesh --batch names.txt -f F.ttf --anchor centre,middle -o \"tags/{n} {text}.stl\"\n"
+        "  fortune | text_to_mesh - --family \"Noto Sans\" -o - --format obj | less\n");
     app.set_version_flag("--version", version(), "print the version and exit");
     raw_values raw;
     add_text_options(app, out, raw);
@@ -586,6 +694,10 @@ std::optional<int> parse(int argc, char** argv, options& out)
     } catch (const CLI::ParseError& wrong) {
         return complain(in_words(wrong, app, argc, argv));
     }
+    raw.text_given = app.count("TEXT") > 0;
+    for (const auto& [option, value] : {std::pair{"--text-file", &out.text_file}, std::pair{"--batch", &out.batch}})
+        if (app.count(option) > 0 && value->empty())
+            return complain(std::string{option} + ": must be a file's name, or -");
     raw.align_given = app.count("--align") > 0;
     raw.of_a_page.erase(std::remove_if(raw.of_a_page.begin(), raw.of_a_page.end(),
                                        [&app](const std::string& option) { return app.count(option) == 0; }),
@@ -598,7 +710,7 @@ std::optional<int> parse(int argc, char** argv, options& out)
         if (app.count(option) > 0) raw.of_a_bevel = option;
     for (const char* option : {"--outline-letter", "--outline-place"})
         if (app.count(option) > 0) raw.of_an_outline = option;
-    for (const char* option : {"--latin", "--combine-digits"})
+    for (const char* option : {"--latin", "--combine-digits", "--columns"})
         if (app.count(option) > 0) raw.of_columns = option;
     raw.shading_given = app.count("--shading") > 0;
     out.quality_given = raw.tolerance_given || app.count("--quality") > 0;

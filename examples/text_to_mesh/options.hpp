@@ -3,6 +3,7 @@
 
 #include "file_kind.hpp"
 #include "picture/picture_options.hpp"
+#include "placing.hpp"
 #include "styled_range.hpp"
 
 #include <typemesh/extrude/bevelled.hpp>
@@ -43,9 +44,12 @@ struct outline_options {
 
 /// What the command line asks for.
 struct options {
+    std::string who = "text_to_mesh: ";  ///< begins a sentence on standard error; of a batch it names the line
     std::string text;
-    std::string font;     ///< a file's name or a family's
-    bool family = false;  ///< it is that of --family: other installed fonts stand in for it
+    std::string text_file;  ///< instead of it, "-" is standard input; empty: none
+    std::string batch;      ///< likewise, a text a line
+    std::string font;       ///< a file's name or a family's
+    bool family = false;    ///< it is that of --family: other installed fonts stand in for it
     std::vector<std::string> fallback;
     std::optional<unsigned> face;  ///< in a collection
     std::vector<typemesh::variation> variations;
@@ -61,10 +65,12 @@ struct options {
     typemesh::paragraph_options lines;
     std::string ellipsis;
     std::vector<styled_range> styles;
+    std::optional<rgb_colour> colour;          ///< of what no style has a colour for
     bool even_lines = false;                   ///< by total_fit, else by first_fit
     double fit_width = 0.0, fit_height = 0.0;  ///< of the box that gives the size; 0: none
 
-    double size = 1.0;   ///< of an em in the file
+    double size = 1.0;  ///< of an em in the file
+    placing place;
     float depth = 0.2f;  ///< em; 0 makes a flat mesh
     bevel_options bevel;
     float embolden = 0.0f;  ///< em; how far edges move outwards
@@ -83,7 +89,7 @@ struct options {
     bool instances = false;
     typemesh::touching corners = typemesh::touching::keep;
 
-    std::string output;
+    std::string output;  ///< "-" is standard output; of a batch a pattern, as that of the picture: see file_name()
     file_kind kind = file_kind::unknown;  ///< of the output
     std::string picture;
     text_to_mesh::shading shading = text_to_mesh::shading::phong;

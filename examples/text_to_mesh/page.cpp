@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "page.hpp"
 
+#include "ink.hpp"
 #include "report.hpp"
 
-#include <typemesh/paragraph/fit_size.hpp>
 #include <typemesh/paragraph/paragraph.hpp>
 #include <typemesh/paragraph/total_fit.hpp>
 
+#ifdef TEXT_TO_MESH_ICU
+#include <typemesh/adapt/icu.hpp>
+#endif
+
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace text_to_mesh {
@@ -22,43 +27,94 @@ typemesh::shape_options shape_options_of(const options& o)
             .columns = o.columns};
 }
 
-/// The largest size of an em at which the text, grown by o.growth on each side, fits into the box of --fit.
+#ifdef TEXT_TO_MESH_ICU
+using analyser = typemesh::icu_analyser;  // it finds the words of Thai, Lao, Khmer and Burmese
+#else
+using analyser = typemesh::unicode_analyser;
+#endif
+
+/// Looks for the lines with which a text fills a box at the largest size, by what is seen of it.
+///
+///     size in em     the smaller of  box width / ink width  and  box height / ink height
+///
+/// The narrower the lines, the greater the first and the smaller the second: the best lines stand where they cross.
 template <class Paragraph>
-typemesh::result<double> size_in_box(const options& o, Paragraph& words, double along, double across,
-                                     const typemesh::paragraph_options& lines)
-{
-    double low = 0.0, high = 0.0;
-    const auto found = typemesh::fit_size(words, along, across, lines);
-    if (!found || o.growth == 0.0) return found;
-    // The larger letters are, the less of the box is left: what is found for a size too large is too small.
-    for (high = *found; high > low * (1.0 + 1e-6);) {
-        const double middle = low + (high - low) / 2, edge = 2.0 * o.growth * middle;
-        if (edge >= std::min(along, across)) {
-            high = middle;
-            continue;
-        }
-        const auto inner = typemesh::fit_size(words, along - edge, across - edge, lines);
-        if (!inner) return inner;
-        if (*inner < middle) {
-            high = middle;
-            low = std::max(low, *inner);
-        } else {
-            low = middle;
-            high = std::min(high, *inner);
-        }
+class box_filling {
+public:
+    box_filling(const options& o, font_set& font, Paragraph& words, const typemesh::paragraph_options& lines)
+        : o_{o}, words_{words}, lines_{lines}, ink_{font}
+    {
+        lines_.ellipsis = {};
+        if (lines_.wrap == typemesh::wrap_mode::word_or_grapheme) lines_.wrap = typemesh::wrap_mode::word;
     }
-    return low;
-}
+
+    /// Lays the text out. Gives an empty string, or what is wrong; `page` is empty if nothing of the text is seen.
+    std::string fill(typemesh::glyph_run& page, double& size)
+    {
+        const typemesh::paragraph_widths widths = words_.widths();
+        const double indent = std::fabs(lines_.indent);
+        double high = widths.widest + indent, low = widths.narrowest;
+        if (lines_.wrap == typemesh::wrap_mode::grapheme) low = 0.0;
+        if (!(high > 0.0)) high = 1.0;
+        trial natural = laid_out(high, page);
+        if (natural.error) return in_words(natural.error);
+        if (!natural.whole) return "--fit: the text demands more lines than --max-lines.";
+        trial best = natural;
+        bool wide = natural.across > natural.along;  // lines are too long for the box
+        while (wide && lines_.wrap != typemesh::wrap_mode::none && high > low + 1e-6 * high) {
+            const double middle = low + (high - low) / 2;
+            const trial t = laid_out(middle, page);
+            if (t.error) return in_words(t.error);
+            if (t.size() > best.size()) best = t;
+            (t.whole && t.across > t.along ? high : low) = middle;
+        }
+        best = laid_out(best.width, page);
+        size = best.size() > 0.0 ? best.size() : 1.0;
+        return best.error ? in_words(best.error) : std::string{};
+    }
+
+private:
+    struct trial {
+        double width = 0.0, along = 0.0,
+               across = 0.0;  // of lines; sizes at which the text is as long, as high as the box
+        bool whole = false;
+        typemesh::error error = {};
+        [[nodiscard]] double size() const { return whole ? std::min(along, across) : 0.0; }
+    };
+
+    trial laid_out(double width, typemesh::glyph_run& page)
+    {
+        lines_.width = width * (1.0 + 1e-9);
+        trial t;
+        t.width = width;
+        t.error = words_.lay_out(lines_, page);
+        if (t.error) return t;
+        t.whole = words_.lines().empty() || words_.lines().back().last == words_.shaped().text().size();
+        const typemesh::box seen = ink_.of(page);
+        const double x = o_.fit_width / (seen.width() + 2.0 * o_.growth),
+                     y = o_.fit_height / (seen.height() + 2.0 * o_.growth);
+        const bool columns = o_.direction == typemesh::direction::top_to_bottom;
+        t.along = columns ? y : x;
+        t.across = columns ? x : y;
+        if (seen.empty()) t.along = t.across = 0.0;
+        return t;
+    }
+
+    const options& o_;
+    Paragraph& words_;
+    typemesh::paragraph_options lines_;
+    ink ink_;
+};
 
 /// Tells what an ellipsis lacks. Gives whether it did.
 bool name_ellipsis_losses(const options& o, font_set& font)
 {
     typemesh::glyph_run run;
     if (typemesh::layout(font, o.ellipsis, shape_options_of(o), {}, run)) return false;  // the page fails likewise
-    if (run.invalid_units > 0) std::fputs("text_to_mesh: --ellipsis: is not valid UTF-8.\n", stderr);
+    if (run.invalid_units > 0) std::fprintf(stderr, "%s--ellipsis: is not valid UTF-8.\n", o.who.c_str());
     if (run.missing > 0)
-        std::fputs("text_to_mesh: --ellipsis: the font has no glyph for it; three full stops are drawn instead.\n",
-                   stderr);
+        std::fprintf(stderr, "%s--ellipsis: the font has no glyph for it; three full stops are drawn instead.\n",
+                     o.who.c_str());
     return run.invalid_units > 0 || run.missing > 0;
 }
 
@@ -66,27 +122,20 @@ template <class Breaker>
 std::string lay_out_lines(const options& o, const Breaker& breaker, font_set& font, typemesh::glyph_run& page,
                           double& size)
 {
-    typemesh::paragraph words{font, typemesh::heap(), typemesh::unicode_analyser{}, breaker};
+    typemesh::paragraph words{font, typemesh::heap(), analyser{}, breaker};
     typemesh::paragraph_options lines = o.lines;
     lines.ellipsis = o.ellipsis;
     typemesh::error e = words.set(o.text, shape_options_of(o), spans_of(o.styles, o.text), o.letter_spacing);
     if (!e && o.fit_width > 0.0) {
-        const bool columns = o.direction == typemesh::direction::top_to_bottom;
-        const double along = columns ? o.fit_height : o.fit_width;
-        const auto found = size_in_box(o, words, along, columns ? o.fit_width : o.fit_height, lines);
-        if (found.error() == typemesh::error::bad_option) return "--fit: the text demands more lines than --max-lines.";
-        if (!found) return in_words(found.error());
-        size = *found;
-        lines.width = along / size - 2.0 * o.growth;
+        if (std::string trouble = box_filling{o, font, words, lines}.fill(page, size); !trouble.empty()) return trouble;
+    } else if (!e) {
+        e = words.lay_out(lines, page);
     }
-    if (!e) e = words.lay_out(lines, page);
     if (e) return in_words(e);
     bool warned = !o.ellipsis.empty() && name_ellipsis_losses(o, font);
     if (const std::uint32_t moved = words.shaped().styles.moved(); moved != 0) {
-        std::fprintf(stderr,
-                     "text_to_mesh: --style: %u %s inside a character or a combined number; the whole of it is "
-                     "styled.\n",
-                     moved, moved == 1 ? "end stands" : "ends stand");
+        std::fprintf(stderr, "%s--style: %u %s inside a character or a combined number; the whole of it is styled.\n",
+                     o.who.c_str(), moved, moved == 1 ? "end stands" : "ends stand");
         warned = true;
     }
     return warned && o.strict ? "--strict: nothing is written." : std::string{};
@@ -94,9 +143,14 @@ std::string lay_out_lines(const options& o, const Breaker& breaker, font_set& fo
 
 }  // namespace
 
-std::string lay_out_page(const options& o, font_set& font, typemesh::glyph_run& page, double& size)
+std::string lay_out(const options& o, font_set& font, typemesh::glyph_run& page, double& size)
 {
-    if (!o.page) return {};
+    if (!o.page) {
+        const typemesh::layout_options lines{
+            .align = o.align, .line_spacing = o.line_spacing, .letter_spacing = o.letter_spacing};
+        const typemesh::error e = typemesh::layout(font, o.text, shape_options_of(o), lines, page);
+        return e ? in_words(e) : std::string{};
+    }
     if (!o.even_lines) return lay_out_lines(o, typemesh::first_fit{}, font, page, size);
     const typemesh::total_fit even{.emergency_stretch = 0.5};  // lines of few words have few spaces to stretch
     return lay_out_lines(o, even, font, page, size);

@@ -45,11 +45,11 @@ std::string in_words(const typemesh::error& e)
            typemesh::describe(e.at(typemesh::no_glyph, typemesh::no_cluster), sentence);
 }
 
-std::string in_words(const typemesh::text_report& report, bool several_fonts)
+std::string in_words(const typemesh::text_report& report, bool several_fonts, const std::string& who)
 {
     std::string all;
     const auto number = [](std::uint32_t n) { return std::to_string(n); };
-    const auto say = [&all](const std::string& line) { all += "text_to_mesh: " + line + "\n"; };
+    const auto say = [&](const std::string& line) { all += who + line + "\n"; };
     const auto at = [&](typemesh::cluster_id place) {
         return "; the first is at byte " + number(place) + " of the text.";
     };
@@ -59,6 +59,11 @@ std::string in_words(const typemesh::text_report& report, bool several_fonts)
     if (report.missing > 0)
         say((several_fonts ? "no font has a glyph for " : "the font has no glyph for ") + number(report.missing) +
             of_all + " characters" + at(report.first_missing));
+    if (report.parted > 0)
+        say(number(report.parted) + " of them " +
+            (report.parted == 1 ? "is an emoji whose parts are" : "are emoji whose parts are") +
+            " drawn one by one, as " + (several_fonts ? "no font has" : "the font has no") +
+            (several_fonts ? " a glyph for the whole" : " glyph for the whole") + at(report.first_parted));
     if (report.invalid_units > 0)
         say("the text is not valid UTF-8 at " + number(report.invalid_units) +
             (report.invalid_units == 1 ? " place" : " places") + at(report.first_invalid_unit));
@@ -73,17 +78,20 @@ std::string in_words(const typemesh::text_report& report, bool several_fonts)
     if (report.touching > 0)
         say("corners of " + number(report.touching) + of_all + " glyphs still touch, whatever --touching asks for" +
             at(report.first_touching));
+    if (report.lost_caps > 0)
+        say("bevels meet in a ridge on " + number(report.lost_caps) + (report.lost_caps == 1 ? " piece" : " pieces") +
+            " of glyphs smaller than the tolerance" + at(report.first_lost_cap));
     return all;
 }
 
-bool name_losses(const typemesh::text_report& report, bool several_fonts)
+bool name_losses(const typemesh::text_report& report, bool several_fonts, const std::string& who)
 {
-    const std::string losses = in_words(report, several_fonts);
+    const std::string losses = in_words(report, several_fonts, who);
     std::fputs(losses.c_str(), stderr);
     return !losses.empty();
 }
 
-bool name_missing_features(const font_set& fonts, std::span<const typemesh::feature> wanted)
+bool name_missing_features(const font_set& fonts, std::span<const typemesh::feature> wanted, const std::string& who)
 {
     bool missing = false;
     for (const typemesh::feature& f : wanted) {
@@ -91,20 +99,21 @@ bool name_missing_features(const font_set& fonts, std::span<const typemesh::feat
         for (std::uint32_t face = 0; face < fonts.face_count(); ++face)
             found = found || has_feature(hb_font_get_face(fonts.font(face).handle()), hb_tag_from_string(f.tag, 4));
         if (found) continue;
-        std::fprintf(stderr, "text_to_mesh: %s feature %s.\n",
+        std::fprintf(stderr, "%s%s feature %s.\n", who.c_str(),
                      fonts.face_count() > 1 ? "no font has" : "the font has no", f.tag);
         missing = true;
     }
     return missing;
 }
 
-bool name_flipped_triangles(std::uint64_t flipped, bool instances_help)
+bool name_flipped_triangles(std::uint64_t flipped, bool instances_help, const std::string& who)
 {
     if (flipped == 0) return false;
     std::fprintf(stderr,
-                 "text_to_mesh: %llu triangles of each face are turned over or flat, for 32-bit numbers are too coarse "
+                 "%s%llu triangles of each face are turned over or flat, for 32-bit numbers are too coarse "
                  "so far from the origin; shorter lines help%s.\n",
-                 static_cast<unsigned long long>(flipped), instances_help ? ", and so does --instances" : "");
+                 who.c_str(), static_cast<unsigned long long>(flipped),
+                 instances_help ? ", and so does --instances" : "");
     return true;
 }
 

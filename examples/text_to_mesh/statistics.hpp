@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "mesh_facts.hpp"
 #include "model.hpp"
 #include "policies.hpp"
 
 #include <typemesh/typemesh.hpp>
 
 #include <cstdio>
-#include <string_view>
+#include <string>
 #include <vector>
 
 namespace text_to_mesh {
@@ -19,7 +20,7 @@ namespace text_to_mesh {
     for (const model_vertex& v : mesh.vertices) points.push_back({double{v.position[0]}, double{v.position[1]}});
     std::vector<typemesh::triangle> triangles;
     for (const auto& part : mesh.parts)
-        if (part.name == "front" || (part.colour && part.name.starts_with("front_") && part.name[6] <= '9'))
+        if (part.kind() == "front")
             for (std::size_t i = part.first_index; i < part.first_index + part.index_count; i += 3)
                 triangles.push_back({mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]});
     typemesh::triangle_quality q;
@@ -27,28 +28,39 @@ namespace text_to_mesh {
     return q;
 }
 
-/// One line of JSON on standard output.
+/// One line of JSON, with its end.
 template <class Plan>
-void print_stats(const Plan& plan, const typemesh::triangle_quality& q, const stage_clock& clock)
+[[nodiscard]] std::string stats_of(const Plan& plan, const typemesh::triangle_quality& q, const mesh_facts& facts,
+                                   bool printed, const stage_clock& clock)
 {
     const auto& report = plan.report();
-    std::printf(
-        "{\"glyphs\":%u,\"refused\":%u,\"missing\":%u,\"contour_points\":%llu,\"hard_edges\":%llu,\"vertices\":%llu,"
-        "\"triangles\":%llu",
-        report.glyphs, report.refused, report.missing, static_cast<unsigned long long>(plan.contour_points()),
-        static_cast<unsigned long long>(plan.hard_edges()), static_cast<unsigned long long>(plan.size().vertices),
-        static_cast<unsigned long long>(plan.size().triangles));
-    std::printf(
-        ",\"corners_moved\":%llu,\"front\":{\"triangles\":%llu,\"smallest_angle\":%.4g,\"angle_5_percent\":%.4g,"
-        "\"angle_median\":%.4g,"
-        "\"largest_aspect\":%.4g}",
-        static_cast<unsigned long long>(report.corners_moved), static_cast<unsigned long long>(q.triangles),
-        q.smallest_angle, q.angle_at(0.05), q.angle_at(0.5), q.largest_aspect);
+    std::string line = "{";
+    const auto add = [&line](const char* key, auto value) {
+        line += (line.back() == '{' ? "\"" : ",\"") + std::string{key} + "\":" + std::to_string(value);
+    };
+    const auto add_measure = [&line](const char* key, double value) {
+        char digits[64];
+        std::snprintf(digits, sizeof digits, ",\"%s\":%.4g", key, value);
+        line += digits;
+    };
+    add("glyphs", report.glyphs);
+    add("refused", report.refused);
+    add("missing", report.missing);
+    add("contour_points", plan.contour_points());
+    add("hard_edges", plan.hard_edges());
+    add("vertices", plan.size().vertices);
+    add("triangles", plan.size().triangles);
+    add("corners_moved", report.corners_moved);
+    line += in_json(facts, printed) + ",\"front\":{";
+    add("triangles", q.triangles);
+    add_measure("smallest_angle", q.smallest_angle);
+    add_measure("angle_5_percent", q.angle_at(0.05));
+    add_measure("angle_median", q.angle_at(0.5));
+    add_measure("largest_aspect", q.largest_aspect);
+    line += "},\"nanoseconds\":{";
     const char* names[] = {"shape", "outline", "discretise", "fill", "triangulate", "extrude"};
-    std::printf(",\"nanoseconds\":{");
-    for (int i = 0; i < 6; ++i)
-        std::printf("%s\"%s\":%lld", i > 0 ? "," : "", names[i], static_cast<long long>(clock.nanoseconds[i]));
-    std::puts("}}");
+    for (int i = 0; i < 6; ++i) add(names[i], clock.nanoseconds[i]);
+    return line + "}}\n";
 }
 
 }  // namespace text_to_mesh

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "styled_range.hpp"
 
+#include "colour_names.hpp"
 #include "option_values.hpp"
 
 #include <algorithm>
@@ -12,28 +13,6 @@ namespace {
 
 using typemesh::decoration;
 using typemesh::text_style;
-
-constexpr std::pair<std::string_view, rgb_colour> named_colours[] = {
-    {"black", {{24, 24, 28}}},    {"white", {{245, 245, 245}}}, {"grey", {{128, 132, 140}}}, {"red", {{208, 40, 44}}},
-    {"orange", {{240, 130, 40}}}, {"yellow", {{240, 200, 48}}}, {"green", {{52, 148, 72}}},  {"blue", {{40, 96, 192}}},
-    {"purple", {{124, 64, 168}}}, {"brown", {{132, 84, 52}}},
-};
-
-std::optional<rgb_colour> read_colour(std::string_view written)
-{
-    for (const auto& [name, colour] : named_colours)
-        if (written == name) return colour;
-    if (written.size() != 7 || written[0] != '#') return {};
-    rgb_colour made{};
-    for (std::size_t i = 0; i < 6; ++i) {
-        constexpr std::string_view digits = "0123456789abcdef", capitals = "0123456789ABCDEF";
-        const std::size_t low = digits.find(written[i + 1]), high = capitals.find(written[i + 1]);
-        const std::size_t digit = std::min(low, high);
-        if (digit == std::string_view::npos) return {};
-        made.rgb[i / 2] = static_cast<unsigned char>(made.rgb[i / 2] * 16 + digit);
-    }
-    return made;
-}
 
 /// A setting that is a word.
 bool take_word(std::string_view word, text_style& style)
@@ -89,9 +68,7 @@ std::string take_setting(std::string_view setting, styled_range& out)
     if (name == "colour" || name == "color") {
         out.colour = read_colour(value);
         if (out.colour) return {};
-        std::vector<std::string> names;
-        for (const auto& [known, unused] : named_colours) names.emplace_back(known);
-        return "colour must be #2060c0, or " + joined(names) + ", not " + std::string{value};
+        return "colour must be " + colours_in_words() + ", not " + std::string{value};
     }
     if (name == "font") {
         const auto number = decimal(value);
@@ -182,6 +159,16 @@ std::string refused_ranges(const std::vector<styled_range>& ranges, std::string_
     return {};
 }
 
+typemesh::style_id style_of(const std::vector<styled_range>& ranges, std::size_t range)
+{
+    if (!ranges[range].colour) return {};
+    const auto equal = [&](const styled_range& r) {
+        return r.colour && name_of(*r.colour) == name_of(*ranges[range].colour);
+    };
+    const auto first = std::find_if(ranges.begin(), ranges.end(), equal);
+    return typemesh::style_id{static_cast<std::uint32_t>(first - ranges.begin()) + 1};
+}
+
 std::vector<typemesh::style_span> spans_of(const std::vector<styled_range>& ranges, std::string_view text)
 {
     const std::vector<std::uint32_t> places = characters_of(text);
@@ -190,7 +177,7 @@ std::vector<typemesh::style_span> spans_of(const std::vector<styled_range>& rang
         typemesh::style_span span{places[ranges[i].first], places[ranges[i].last], ranges[i].style};
         span.style.features = ranges[i].features;
         span.style.language = ranges[i].language;
-        if (ranges[i].colour) span.style.style = typemesh::style_id{i + 1};
+        span.style.style = style_of(ranges, i);
         spans.push_back(span);
     }
     return spans;

@@ -29,8 +29,10 @@ struct styled_range {
 /// Whether the ranges lie in the text and apart. Gives an empty string, or what is wrong.
 [[nodiscard]] std::string refused_ranges(const std::vector<styled_range>& ranges, std::string_view text);
 
-/// The ranges in bytes of the text, which must not be refused. They refer to the ranges. Those with a colour have a
-/// style number: one more than their index.
+/// The style number of a range: none without a colour, else one more than the index of the first range of that colour.
+[[nodiscard]] typemesh::style_id style_of(const std::vector<styled_range>& ranges, std::size_t range);
+
+/// The ranges in bytes of the text, which must not be refused. They refer to the ranges.
 [[nodiscard]] std::vector<typemesh::style_span> spans_of(const std::vector<styled_range>& ranges,
                                                          std::string_view text);
 

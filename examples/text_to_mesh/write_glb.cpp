@@ -75,6 +75,7 @@ geometry add_geometry(tinygltf::Model& file, const model& mesh, const std::vecto
         for (const float f : v.uv) out.f32(f);
     }
     for (const model::letter& l : letters) {
+        if (l.again) continue;
         for (std::size_t p = l.first_part; p < l.first_part + l.part_count; ++p) {
             const model::part& part = mesh.parts[p];
             for (std::size_t i = part.first_index; i < part.first_index + part.index_count; ++i) {
@@ -129,15 +130,24 @@ void add_mesh(tinygltf::Model& file, const model& mesh, const model::letter& l, 
     file.meshes.push_back(std::move(made));
 }
 
-/// A node of the text's name with a node for each place under it.
+/// What a node keeps of the text.
+tinygltf::Value text_of(const std::string& text)
+{
+    return tinygltf::Value{tinygltf::Value::Object{{"text", tinygltf::Value{well_formed(text)}}}};
+}
+
+/// A node of the text's name with a node for each place under it, named after its letter and counted.
 void add_places(tinygltf::Model& file, const model& mesh, const std::string& name)
 {
     tinygltf::Node root;
     root.name = name;
+    root.extras = text_of(mesh.name);
     for (std::size_t i = 0; i < mesh.places.size(); ++i) root.children.push_back(static_cast<int>(i) + 1);
     file.nodes.push_back(std::move(root));
     for (const model::place& p : mesh.places) {
         tinygltf::Node node;
+        node.name = well_formed(mesh.letters[p.letter].name) + "_" + std::to_string(file.nodes.size());
+        if (!p.text.empty()) node.extras = text_of(p.text);
         node.mesh = static_cast<int>(p.letter);
         node.translation = {double{p.at[0]}, double{p.at[1]}, double{p.at[2]}};
         file.nodes.push_back(std::move(node));
@@ -153,6 +163,7 @@ void add_scene(tinygltf::Model& file, const model& mesh, const std::string& name
     if (!mesh.letters.empty()) return add_places(file, mesh, name);
     tinygltf::Node node;
     node.name = name;
+    node.extras = text_of(mesh.name);
     node.mesh = 0;
     file.nodes.push_back(std::move(node));
 }

@@ -9,7 +9,9 @@
 namespace text_to_mesh {
 
 /// Writes a binary glTF 2.0: one mesh, one primitive and material per part, indices of 16 bits where they can number
-/// the vertices. An instanced model becomes a mesh for each letter and, under one node, a node for each place.
+/// the vertices. An instanced model becomes a mesh for each letter (and each colour of it, over the same vertices) and,
+/// under one node, a node for each place, named after its letter and counted: "e_2". `extras` of the text's node and of
+/// the letters' hold what they show, as "text".
 ///
 /// Texture coordinates are written unchanged: glTF puts v = 0 at the top. A model without triangles gives a valid file
 /// whose scene is empty, since glTF knows no empty mesh.

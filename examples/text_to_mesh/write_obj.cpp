@@ -66,24 +66,23 @@ byte_writer materials(const model& mesh)
 
 std::string write_obj(const model& mesh, const std::string& path, file_set& files)
 {
+    const bool alone = mesh.parts.empty() || path == standard_output;
     byte_writer out;
     out.reserve(mesh.vertices.size() * 90 + mesh.indices.size() * 20 + 256);
     out.text("# written by typemesh\n");
     const std::filesystem::path material_path = std::filesystem::path(path).replace_extension(".mtl");
-    if (!mesh.parts.empty()) out.text("mtllib " + one_line(material_path.filename().string()) + "\n");
+    if (!alone) out.text("mtllib " + one_line(material_path.filename().string()) + "\n");
     out.text("o " + (mesh.name.empty() ? std::string{"text"} : one_line(mesh.name)) + "\n");
     for (const model_vertex& v : mesh.vertices) line(out, "v", v.position, 3);
     for (const model_vertex& v : mesh.vertices) line(out, "vt", v.uv, 2);
     for (const model_vertex& v : mesh.vertices) line(out, "vn", v.normal, 3);
     for (const model::part& part : mesh.parts) {
         if (part.index_count == 0) continue;
-        out.text("g " + part.name + "\nusemtl " + part.name + "\n");
+        out.text("g " + part.name + (alone ? "\n" : "\nusemtl " + part.name + "\n"));
         faces(out, mesh, part.first_index, part.index_count);
     }
-    if (mesh.parts.empty()) {
-        faces(out, mesh, 0, mesh.indices.size());
-        return files.add(path, out.bytes());
-    }
+    if (mesh.parts.empty()) faces(out, mesh, 0, mesh.indices.size());
+    if (alone) return files.add(path, out.bytes());
     const byte_writer colours = materials(mesh);
     std::string trouble = files.add(material_path.string(), colours.bytes());
     return trouble.empty() ? files.add(path, out.bytes()) : trouble;

@@ -34,11 +34,13 @@ std::string unknown_option(CLI::App& app, int argc, char** argv)
         const std::string argument = argv[i];
         const auto equals = argument.find('=');
         const std::string name = argument.substr(0, equals);
-        if (is_value || name.size() < 3 || name.compare(0, 2, "--") != 0) {
+        const bool short_one = name.size() == 2 && name[0] == '-' && name[1] != '-';
+        if (is_value || (!short_one && (name.size() < 3 || name.compare(0, 2, "--") != 0))) {
             is_value = false;
             continue;
         }
         const CLI::Option* option = app.get_option_no_throw(name);
+        if (option == nullptr && short_one) continue;
         if (option != nullptr) {
             is_value = equals == std::string::npos && option->get_items_expected_min() > 0;
             continue;

@@ -44,6 +44,29 @@ TEST_CASE("an installed font is found by its family and style", "[adapt][fontcon
     CHECK(found.options().face == 1);  // of a collection
 }
 
+TEST_CASE("where aliases are asked for, what the system binds to a family stands in for it, and nothing else",
+          "[adapt][fontconfig]")
+{
+    auto fonts = fontconfig_fonts::open();
+    REQUIRE(fonts);
+    installed_font found;
+    CHECK(std::string_view{found.family()}.empty());
+    CHECK(fonts->find("Arial", found) == error::no_such_family);
+    REQUIRE_FALSE(fonts->find("Arial", found, family_names::aliases));
+    CHECK(file_of(found) == "LiberationSans-Regular.ttf");
+    CHECK(std::string_view{found.family()} == "Liberation Sans");
+    REQUIRE_FALSE(fonts->find("Times New Roman:bold:italic", found, family_names::aliases));
+    CHECK(file_of(found) == "LiberationSerif-BoldItalic.ttf");
+    for (const char* generic : {"sans-serif", "Serif", "monospace"}) {
+        REQUIRE_FALSE(fonts->find(generic, found, family_names::aliases));
+        CHECK(harfbuzz_font::open(found.path(), found.options()));
+    }
+    CHECK(fonts->find("Nobodys Sans", found, family_names::aliases) == error::no_such_family);
+    CHECK(fonts->find("Arial:condensed", found, family_names::aliases) == error::no_such_style);
+    REQUIRE_FALSE(fonts->find("DejaVu Sans", found, family_names::aliases));
+    CHECK(file_of(found) == "DejaVuSans.ttf");
+}
+
 TEST_CASE("no font stands in for one that is not installed", "[adapt][fontconfig]")
 {
     auto fonts = fontconfig_fonts::open();

@@ -27,6 +27,13 @@ if [ -n "$foreign" ]; then
     status=1
 fi
 
+spliced=$(find include -type f -exec grep -HnE '//.*\\[[:space:]]*$|\?\?/' {} + || true)
+if [ -n "$spliced" ]; then
+    printf '%s\n' "$spliced" | cut -c 1-100
+    echo "These comments go on in the next line, for a compiler: no backslash, nor ??/, at their end."
+    status=1
+fi
+
 formatter=
 for tool in clang-format-19 clang-format; do
     if command -v $tool >/dev/null 2>&1 && $tool --version | grep -q ' version 19\.'; then formatter=$tool && break; fi

@@ -4,6 +4,8 @@
 // standard headers come first: they need not bear these words (and some undefine min and max).
 #include "standard_headers.hpp"
 
+#include "x11_macros.hpp"
+
 #define min(a, b) refused_macro
 #define max(a, b) refused_macro
 #define check(expression) refused_macro
@@ -12,7 +14,6 @@
 #define near
 #define far
 #define small char
-#define None 0L
 #define emit
 #define slots
 #define signals public

@@ -16,6 +16,7 @@
 #include <typemesh/paragraph/total_fit.hpp>
 #include <typemesh/text/font_cascade.hpp>
 #include <typemesh/text/font_list.hpp>
+#include <typemesh/text/picked_character.hpp>
 #include <typemesh/typemesh.hpp>
 #if __has_include(<fontconfig/fontconfig.h>)
 #include <typemesh/adapt/fontconfig_fallback.hpp>
@@ -131,14 +132,19 @@ if (auto e = words.lay_out({.width = 9.0}, page)) return std::puts(e.message()),
 auto styled = mesher.plan(page);
 if (!styled) return std::puts(styled.error().message()), 1;
     const std::uint32_t triangle = 0;
+    const typemesh::vec3 point{};
     const auto draw = [](const typemesh::box&) noexcept {};
 typemesh::caret here = words.laid().caret_at(7);                                // line, place on its baseline, direction
 typemesh::text_place there = words.laid().caret_from({3.0, -1.2});              // a place in the text, and on which side of it
 words.laid().boxes_of(3, 16, [&](const typemesh::box& b) { draw(b); });         // several a line where directions are mixed
 typemesh::mesh_hit what = styled->hit(typemesh::part::front, triangle);         // the triangle's number within range(part::front)
-if (what.cluster != typemesh::no_cluster)                                       // of the letter that was hit:
-    words.laid().boxes_of(what.cluster, what.cluster + 1, [&](const typemesh::box& b) { draw(b); });
+typemesh::picked_character letter = character_at(*styled, what, point, words.laid());   // point: where the ray met it
+if (!letter.where.empty()) draw(letter.where);                                  // letter.text is its place in the text
 use(column, here, there);
+    }
+    {
+auto plan = mesher.plan("Hello", {.merge = true, .corners = typemesh::touching::part});
+    use(plan);
     }
     {
 typemesh::glyph_run run;

@@ -70,9 +70,9 @@ mesh->DrawSubset(0);
 }
 #endif
 
-typemesh::error after(IDirect3DDevice9* device)
+typemesh::error after(HDC dc, IDirect3DDevice9* device)
 {
-auto font = typemesh::directwrite_font::open_family(L"Arial");
+auto font = typemesh::directwrite_font::open_selected(dc);
 if (!font) return font.error();
 typemesh::d3dx_text maker{*font};  // keep both: the memory that they need stays with them
 
@@ -87,6 +87,14 @@ device->SetFVF(D3DFVF_XYZ | D3DFVF_NORMAL);
 device->DrawIndexedPrimitiveUP(D3DPT_TRIANGLELIST, 0, UINT(vertices.size()), UINT(plan->size().triangles), indices.data(),
                                D3DFMT_INDEX16, vertices.data(), sizeof(typemesh::d3dx_vertex));
     return {};
+}
+
+bool described(HFONT font)
+{
+    LOGFONTW description;
+    GetObjectW(font, sizeof(LOGFONTW), &description);
+    const bool narrow = bool{typemesh::directwrite_font::open_family(L"Arial Narrow")};
+    return bool{typemesh::directwrite_font::open_described(description)} && narrow;
 }
 
 bool in_sentences(typemesh::directwrite_font* font, const wchar_t* text, std::size_t length)

@@ -121,7 +121,8 @@ TEST_CASE("the letters of an instanced model are meshes, and their places nodes 
     two.vertices.insert(two.vertices.end(), more.vertices.begin(), more.vertices.end());
     for (const model::part& p : more.parts) two.parts.push_back({p.name, p.first_index + first_index, p.index_count});
     two.letters = {{"O", 0, first, 0, 3}, {"Q", first, more.vertices.size(), 3, 3}};
-    two.places = {{1, {0.5F, 0.0F, 0.0F}}, {0, {1.5F, 2.0F, 0.0F}}, {1, {2.5F, 0.0F, -1.0F}}};
+    two.places = {{1, {0.5F, 0.0F, 0.0F}, "Q"}, {0, {1.5F, 2.0F, 0.0F}, "\xFF"}, {1, {2.5F, 0.0F, -1.0F}}};
+    two.name = "QO\nQ";
     REQUIRE(written_alone(write_glb, two, folder.file("two.glb")) == "");
 
     const tinygltf::Model file = reread(folder.file("two.glb"));
@@ -132,10 +133,15 @@ TEST_CASE("the letters of an instanced model are meshes, and their places nodes 
     REQUIRE(file.scenes[0].nodes.size() == 1);
     const std::vector<int>& nodes = file.nodes[static_cast<std::size_t>(file.scenes[0].nodes[0])].children;
     REQUIRE(nodes.size() == 3);
+    CHECK(file.nodes[static_cast<std::size_t>(file.scenes[0].nodes[0])].extras.Get("text").Get<std::string>() ==
+          "QO\nQ");
     for (std::size_t i = 0; i < 3; ++i) {
         const tinygltf::Node& node = file.nodes[static_cast<std::size_t>(nodes[i])];
         CHECK(node.mesh == static_cast<int>(two.places[i].letter));
         CHECK(node.translation == std::vector<double>(two.places[i].at, two.places[i].at + 3));
+        CHECK(node.name == two.letters[two.places[i].letter].name + "_" + std::to_string(i + 1));
+        CHECK(node.extras.Has("text") == (i < 2));
+        if (i < 2) CHECK(node.extras.Get("text").Get<std::string>() == (i == 0 ? "Q" : "\xEF\xBF\xBD"));
     }
     for (std::size_t m = 0; m < 2; ++m) {  // each letter's indices count from its own first vertex
         const tinygltf::Primitive& p = file.meshes[m].primitives[2];
@@ -151,5 +157,35 @@ TEST_CASE("the letters of an instanced model are meshes, and their places nodes 
         for (std::size_t i = 0; i < index.count && same; ++i)
             same = (at[2 * i] | std::uint32_t{at[2 * i + 1]} << 8) == own.indices[own.parts[2].first_index + i];
         CHECK(same);
+    }
+}
+
+TEST_CASE("a letter in two colours is two meshes over the same vertices and indices", "[write_glb]")
+{
+    scratch_folder folder;
+    model o = extruded_ring(4);
+    const std::size_t parts = o.parts.size();
+    for (std::size_t p = 0; p < parts; ++p) {
+        model::part red = o.parts[p];
+        red.colour = rgb_colour{{208, 40, 44}};
+        red.name += "_red";
+        CHECK(red.kind() == o.parts[p].name);
+        o.parts.push_back(red);
+    }
+    o.letters = {{"o", 0, o.vertices.size(), 0, parts}, {"o", 0, o.vertices.size(), parts, parts, true}};
+    o.places = {{0, {0.0F, 0.0F, 0.0F}}, {1, {1.0F, 0.0F, 0.0F}}};
+    REQUIRE(written_alone(write_glb, o, folder.file("o.glb")) == "");
+
+    const tinygltf::Model file = reread(folder.file("o.glb"));
+    REQUIRE(file.meshes.size() == 2);
+    CHECK(file.materials.size() == 2 * parts);
+    CHECK(file.buffers[0].data.size() == o.vertices.size() * 32 + o.indices.size() * 2);
+    for (std::size_t p = 0; p < parts; ++p) {
+        const tinygltf::Primitive &a = file.meshes[0].primitives[p], &b = file.meshes[1].primitives[p];
+        const auto begin = [&](int accessor) { return file.accessors[static_cast<std::size_t>(accessor)].byteOffset; };
+        CHECK(begin(a.indices) == begin(b.indices));
+        CHECK(begin(a.attributes.at("POSITION")) == begin(b.attributes.at("POSITION")));
+        CHECK(file.materials[static_cast<std::size_t>(b.material)].name ==
+              file.materials[static_cast<std::size_t>(a.material)].name + "_red");
     }
 }

@@ -6,7 +6,7 @@ command -v admesh >/dev/null 2>&1 || { echo "admesh is not installed"; exit 77; 
 
 checked=0
 check() {  # check FONT TEXT OPTION...
-    "$TYPEMESH_TEXT_TO_MESH" --font "$1" --output "$scratch/text.stl" "${@:3}" -- "$2" 2>"$scratch/losses" || fail "text_to_mesh failed: $*: $(cat "$scratch/losses")"
+    "$TYPEMESH_TEXT_TO_MESH" --font "$1" --output "$scratch/text.stl" "${@:3}" -- "$2" >/dev/null 2>"$scratch/losses" || fail "text_to_mesh failed: $*: $(cat "$scratch/losses")"
     admesh -nfudv "$scratch/text.stl" >"$scratch/report" 2>&1 || fail "admesh failed: $*"
     awk -F: '
         /Total disconnected facets/ || /Degenerate facets/ || /Edges fixed/ || /Facets removed/ || /Facets added/ || /Facets reversed/ || /Backwards edges/ {

@@ -12,7 +12,7 @@ write() {  # write FONT TEXT OPTION...
     local option
     for option in "" --instances; do
         # shellcheck disable=SC2086  # a word or none
-        "$TYPEMESH_TEXT_TO_MESH" --font "$1" --output "$scratch/$count$option.glb" $option "${@:3}" -- "$2" 2>"$scratch/losses" ||
+        "$TYPEMESH_TEXT_TO_MESH" --font "$1" --output "$scratch/$count$option.glb" $option "${@:3}" -- "$2" >/dev/null 2>"$scratch/losses" ||
             fail "text_to_mesh failed: $*: $(cat "$scratch/losses")"
     done
 }

@@ -43,7 +43,7 @@ measure() {
 checked=0
 check() {  # check FONT TEXT OPTION...
     local volume x0 x1 y0 y1 z0 z1 block left
-    "$TYPEMESH_TEXT_TO_MESH" --font "$1" --output "$scratch/text.stl" "${@:3}" -- "$2" 2>"$scratch/losses" ||
+    "$TYPEMESH_TEXT_TO_MESH" --font "$1" --output "$scratch/text.stl" "${@:3}" -- "$2" >/dev/null 2>"$scratch/losses" ||
         fail "text_to_mesh failed: $*: $(cat "$scratch/losses")"
     read -r volume x0 x1 y0 y1 z0 z1 < <(binary_corners "$scratch/text.stl" | measure)
 
@@ -100,7 +100,7 @@ for look in "" "--bevel 0.01" "--bevel 0.02 --profile stepped" "--bevel 0.02 --b
 done
 touching "$mono" "a▚▞▚▙ b▟"
 touching "$fonts/truetype/wqy/wqy-microhei.ttc" "螺"
-"$TYPEMESH_TEXT_TO_MESH" --font "$mono" --output "$scratch/text.stl" --touching keep "▚" || fail "text_to_mesh failed"
+"$TYPEMESH_TEXT_TO_MESH" --font "$mono" --output "$scratch/text.stl" --touching keep "▚" >/dev/null || fail "text_to_mesh failed"
 printf 'difference() { translate([-1, -1, -1]) cube([3, 3, 1.9]); import("text.stl"); }\n' >"$scratch/cut.scad"
 rm -f "$scratch/cut.stl"
 openscad -o "$scratch/cut.stl" "$scratch/cut.scad" >"$scratch/words" 2>&1

@@ -12,7 +12,7 @@ using namespace typemesh;
 
 namespace {
 
-std::uint32_t most_sweeps = 0, rounded = 0, all_shapes = 0;
+std::uint32_t most_sweeps = 0, rounded_shapes = 0, all_shapes = 0;
 
 /// Whether contours of small coordinates cross in grid points only, so that nothing needs to be bent.
 bool is_exact(const std::vector<test::oracle::loop>& loops)
@@ -68,7 +68,7 @@ std::string mistake_on(const test::shape& s, fill_rule rule, int samples = 12)
     resolve_effort effort;
     const result<region> made = resolve(loops, rule, space, {.effort = &effort});
     most_sweeps = (std::max)(most_sweeps, effort.sweeps);
-    rounded += effort.rounds != 0;
+    rounded_shapes += effort.rounds != 0;
     ++all_shapes;
     if (!made) return made.error().message();
     const auto given = test::loops_of(s), kept = test::oracle::loops_of(*made);

@@ -94,7 +94,7 @@ struct layout_settings {
         options.elide = static_cast<ellipsis_place>((what >> 4) % 3);
         if ((what & 64) != 0) options.indent = in.between(-2.0, 3.0);
         if ((what & 128) == 0) return;
-        options.justify = static_cast<justification>(in.below(3));
+        options.justify = static_cast<justification>((in.below(4) + 1) % 4);
         options.line_spacing = in.between(1.0, 3.0);
         options.tab_width = in.between(0.0, 8.0);
         for (double at = 0.0; stops.size() < 3 && in.flag();) stops.push_back(at += in.between(0.1, 3.0));

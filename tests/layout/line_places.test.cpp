@@ -17,9 +17,11 @@ TEST_CASE("lines stand one line distance apart, whichever way they run", "[layou
     for (const double spacing : {1.0, 1.5, -1.0}) {
         const line_places down{metrics, 1000.0, direction::left_to_right, {.line_spacing = spacing}};
         const line_places left{metrics, 1000.0, direction::top_to_bottom, {.line_spacing = spacing}};
+        const line_places right{metrics, 1000.0, direction::top_to_bottom, {.line_spacing = spacing}, true};
         for (std::size_t line = 0; line < 5; ++line) {
             CHECK(down.origin(line, 0.0) == point{0.0, -1090.0 * spacing * double(line)});
             CHECK(left.origin(line, 0.0) == point{-1090.0 * spacing * double(line), 0.0});
+            CHECK(right.origin(line, 0.0) == point{1090.0 * spacing * double(line), 0.0});
         }
     }
     const line_places unmeasured{line_metrics{}, 1000.0, direction::left_to_right, {}};  // an em

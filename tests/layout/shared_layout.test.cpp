@@ -32,6 +32,7 @@ struct counting_shaper {
             if (c.value == '!') return error{error::needs_shaping}.at(no_glyph, cluster);
             const bool missing = c.value == '?';
             if (missing) run.note_missing(cluster);
+            if (missing) run.note_parted(cluster);
             if (!c.valid) run.note_invalid_units(cluster);
             const look own = c.value == 'g' ? look{.style = style_id{1}} : c.value == 'h' ? look{.face = 1} : look{};
             const auto number = c.value == '$' ? result<std::uint32_t>{999u} : run.number_of(own);
@@ -89,6 +90,8 @@ void check_same(const glyph_run& a, const glyph_run& b)
     CHECK(a.units_per_em == b.units_per_em);
     CHECK(a.missing == b.missing);
     CHECK(a.first_missing == b.first_missing);
+    CHECK(a.parted == b.parted);
+    CHECK(a.first_parted == b.first_parted);
     CHECK(a.invalid_units == b.invalid_units);
     CHECK(a.first_invalid_unit == b.first_invalid_unit);
 }

@@ -31,7 +31,7 @@ TEST_CASE("a scaled number keeps the 61 highest bits, rounded down", "[offset][s
         const scaled_number s = scaled_number::of(v, -32);
         const int shift = s.power + 32;
         REQUIRE(is_within(s));
-        const bool kept = shift >= 0 && v >> shift == s.m;
+        const bool kept = shift >= 0 && (v >> shift) == s.m;
         if (!kept) CHECK(kept);
         const bool no_shorter = shift == 0 || s.m >= std::int64_t{1} << 61 || s.m <= -(std::int64_t{1} << 61);
         if (!no_shorter) CHECK(no_shorter);
@@ -51,7 +51,7 @@ TEST_CASE("a scaled number is below 2^62 on both sides, by as few bits as that t
                 const bool same = s.m == expected && s.power == power;
                 if (!same) CHECK(same);
                 int width = 0;
-                while (expected >> width != 0 && expected >> width != -1) ++width;
+                while ((expected >> width) != 0 && (expected >> width) != -1) ++width;
                 if (s.m > 0) CHECK(s.top() == width + power);
             }
         }

@@ -312,3 +312,29 @@ TEST_CASE("without a layout of its text a paragraph has no lines, carets stand a
     REQUIRE(words.lay_out({.width = -1.0}, run));
     has_none();
 }
+
+TEST_CASE("a grapheme is found below a point among those of its cluster, and its boxes hold the point", "[paragraph]")
+{
+    for (const bool wide : {true, false}) {
+        const laid_out p{mixed, wide ? paragraph_options{} : paragraph_options{.width = 3.0}};
+        for (std::uint32_t unit = 0; unit < mixed.size(); ++unit) {
+            for (const box& b : p.boxes(unit, unit + 1)) {
+                const point middle = 0.5 * (b.low + b.high);
+                const text_range found = p.laid().grapheme_at(unit, middle);
+                CHECK(found.holds(unit));
+                CHECK(found.last > found.first);
+            }
+        }
+    }
+    const laid_out ligature{u"xfia\u0301"};
+    CHECK(ligature.laid().grapheme_at(1, {0.6, 0.0}).first == 1);  // f, the i is the same cluster
+    CHECK(ligature.laid().grapheme_at(1, {1.1, 0.0}).first == 2);
+    CHECK(ligature.laid().grapheme_at(2, {-9.0, 0.0}).first == 1);
+    CHECK(ligature.laid().grapheme_at(3, {0.0, 0.0}).last == 5);
+    CHECK(ligature.laid().grapheme_at(99, {}).last == 0);
+    CHECK_FALSE(ligature.laid().in_columns());
+    const laid_out elided{"abcdef", {.width = 2.0, .most_lines = 1, .ellipsis = "."}};
+    CHECK(elided.laid().grapheme_at(5, {1.9, 0.0}).last == 6);
+    const laid_out empty{""};
+    CHECK(empty.laid().grapheme_at(0, {}).last == 0);
+}

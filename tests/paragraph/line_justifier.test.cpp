@@ -19,7 +19,7 @@ using namespace typemesh;
 namespace line_justifier_tests {
 namespace {
 
-const std::u16string mixed =
+const std::u16string mixed_text =
     u"AVATAR of the fifth \u0628\u0628\u0628 \u0628\u0628 office, \u05D0\u05D1 12 \u05D2\u05D3 and fi\u00ADfi\n"
     u"\u0628\u0628\u0628\u0628 a\u0301\u0302b\t\u0628\u0628\u0628\u0628 \u0662\u0663 \u0628\u0628\u0628 cd, "
     u"\u05D0\u05D1\u05D2 \u05D3 xyz.\r\nx  \n";
@@ -60,7 +60,8 @@ private:
     std::u16string text_;
 };
 
-constexpr justification all_ways[] = {justification::spaces, justification::letters, justification::kashida};
+constexpr justification all_ways[] = {justification::automatic, justification::spaces, justification::letters,
+                                      justification::kashida};
 
 /// Whether the text of a line demands that it ends there.
 bool is_last(const std::u16string& text, const laid_line& line)
@@ -71,11 +72,11 @@ bool is_last(const std::u16string& text, const laid_line& line)
 template <class Breaker>
 void check_widths(double width, justification by)
 {
-    const justified<Breaker> p{mixed, width, by};
+    const justified<Breaker> p{mixed_text, width, by};
     for (std::size_t k = 0; k < p.run.lines.size(); ++k) {
         const laid_line& line = p.words.lines()[k];
-        if (is_last(mixed, line) || line.width > width * 1000.0) continue;
-        const std::u16string shown = mixed.substr(line.first, line.last - line.first);
+        if (is_last(mixed_text, line) || line.width > width * 1000.0) continue;
+        const std::u16string shown = mixed_text.substr(line.first, line.last - line.first);
         const std::size_t end = shown.find_last_not_of(u' ');
         if (shown.find(u' ') >= end || shown.find(u'\t') < end) continue;  // no space to stretch, or before a tab
         INFO(width << " " << static_cast<int>(by) << " line " << k);
@@ -102,7 +103,7 @@ TEST_CASE("every cluster of a justified text is drawn once, besides it hyphens a
 {
     for (const justification by : all_ways)
         for (double width = 2.0; width < 30.0; width *= 1.2) {
-            justified<> plain{mixed, width, by}, p{mixed, width, by};
+            justified<> plain{mixed_text, width, by}, p{mixed_text, width, by};
             plain.again(width, by, line_alignment::start);
             std::map<std::pair<cluster_id, glyph_id>, int> times;
             for (const placed_glyph& g : plain.run.glyphs) ++times[{g.cluster, g.id}];
@@ -151,6 +152,33 @@ TEST_CASE("letters move apart evenly, but for those that are written joined", "[
     justified<> kana{u"\u304B\u306A\u304B\u306A\u304B\u306A", 2.2, justification::letters};  // no spaces at all
     CHECK(kana.run.lines[0].advance == Approx(2200.0));
     CHECK(kana.places()[3] == Approx(1700.0));
+}
+
+TEST_CASE("by default Chinese and Japanese fill their lines between ideographs, other lines by their spaces",
+          "[paragraph]")
+{
+    const std::u16string chinese = u"\u6F22\u5B57\u3001\u304B\u306A\u6F22\u5B57";
+    justified<> p{chinese, 2.2, justification::automatic};
+    REQUIRE(p.run.lines.size() == 2);
+    CHECK(p.run.lines[0].advance == Approx(2200.0));
+    const std::vector<double> x = p.places();
+    for (std::size_t k = 0; k < 4; ++k) CHECK(x[k] == Approx(static_cast<double>(k) * (500.0 + 200.0 / 3.0)));
+    CHECK(x[4] == 0.0);  // the last line is not justified
+
+    // A word of Latin is moved as a whole, and a space grows like a gap beside an ideograph.
+    justified<> mixed_line{u"\u6F22\u5B57ab c\u6F22 \u5B57\u5B57\u5B57\u5B57", 4.6, justification::automatic};
+    const std::vector<double> y = mixed_line.places();
+    const double each = (4600.0 - mixed_line.words.shaped().advance(0, 10)) / 6.0;
+    CHECK(y[1] - y[0] == Approx(500.0 + each));
+    CHECK(y[2] - y[1] == Approx(500.0 + each));
+    CHECK(y[3] - y[2] == Approx(500.0));
+    CHECK(y[5] - y[4] == Approx(250.0 + each));
+
+    justified<> korean{u"\uAC00\uAC01 \uAC00\uAC01 \uAC00\uAC01", 3.0, justification::automatic};
+    justified<> spaces{u"\uAC00\uAC01 \uAC00\uAC01 \uAC00\uAC01", 3.0, justification::spaces};
+    CHECK(korean.places() == spaces.places());
+    justified<> latin{mixed_text, 5.0, justification::automatic}, as_before{mixed_text, 5.0, justification::spaces};
+    CHECK(latin.places() == as_before.places());
 }
 
 TEST_CASE("letters end at both edges of lines of both directions", "[paragraph]")
@@ -265,9 +293,9 @@ TEST_CASE("without a stroke in the font spaces fill the line", "[paragraph]")
 TEST_CASE("a caret's own point leads back to its place in lines of every justification", "[paragraph]")
 {
     for (const justification by : all_ways) {
-        const justified<> p{mixed, 7.0, by};
+        const justified<> p{mixed_text, 7.0, by};
         const laid_text laid = p.words.laid();
-        for (std::uint32_t u = 0; u < mixed.size(); ++u) {
+        for (std::uint32_t u = 0; u < mixed_text.size(); ++u) {
             if (!has(p.words.shaped().analysis.marks[u], text_mark::grapheme)) continue;
             const caret at = laid.caret_at(u);
             const text_place back = laid.caret_from(at.at);
@@ -292,13 +320,13 @@ TEST_CASE("justifying reports a memory that gives nothing, wherever it does, and
         test::toy_item_shaper font;
         test::counting_memory counted;
         paragraph words{font, counted.source(), unicode_analyser{counted.source()}};
-        REQUIRE_FALSE(words.set(mixed));
+        REQUIRE_FALSE(words.set(mixed_text));
         const paragraph_options how{.width = 6.0, .align = line_alignment::justify, .justify = by};
         for (std::size_t n = 1;; ++n) {
             test::counting_memory failing{.fail_at = n};
             paragraph poor{font, failing.source(), unicode_analyser{failing.source()}};
             glyph_run run;
-            error e = poor.set(mixed);
+            error e = poor.set(mixed_text);
             if (!e) e = poor.lay_out(how, run);
             if (!e) break;
             REQUIRE(e == error::out_of_memory);

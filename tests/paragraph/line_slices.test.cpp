@@ -58,6 +58,31 @@ TEST_CASE("white space at a line's end hangs, and takes the paragraph's level", 
     CHECK(advance_of(line) == 1750.0);
 }
 
+TEST_CASE("white space before a mark that is not drawn hangs, too, at the paragraph's level", "[paragraph]")
+{
+    for (const char16_t* end : {u"\u200F", u" \u200F", u"\u200F ", u" \u200F ", u"  \u200F\u200E \u200F"})
+        for (const char16_t* word : {u"ab", u"\u05D0\u05D1"}) {
+            shaped_paragraph p{word + std::u16string{end}};
+            line_slices line;
+            REQUIRE_FALSE(line.add(p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
+            const auto width = line.finish(p.shaped, 0, 0.0, {});
+            REQUIRE(width);
+            CHECK(*width == 1000.0);
+            double pieces = 0.0;
+            for (const break_piece& piece : p.pieces.words().pieces) pieces += piece.width;
+            CHECK(pieces == 1000.0);
+            std::uint32_t next = 0;
+            bool space = false;  // there has been one
+            for (const line_slice& s : line.slices()) {
+                CHECK(s.first == next);
+                next = s.last;
+                space = space || has(p.shaped.cluster(s.first).flags, cluster_flags::hangs);
+                if (space) CHECK(s.level == 0);
+            }
+            CHECK(next == p.shaped.cluster_count());
+        }
+}
+
 TEST_CASE("white space before each tab takes the paragraph's level, in linear time", "[paragraph]")
 {
     for (const char16_t* unit : {u"\u05D0 \t", u"\t", u"\u05D0 \u2067 \u2069 \t\t", u"a \t\u05D0b \t "}) {

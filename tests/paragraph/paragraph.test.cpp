@@ -441,6 +441,27 @@ TEST_CASE("columns run down and are as high as the width", "[paragraph]")
     }
 }
 
+TEST_CASE("columns of Mongolian go to the right, others to the left, or as the caller wants", "[paragraph][columns]")
+{
+    const double apart = 700.0 + 450.0 + 100.0;  // line_reach_of()
+    for (const char16_t* text : {u"\u182E\u1823 \u1829", u"ab \u05D0"})
+        for (const column_progress progress :
+             {column_progress::automatic, column_progress::leftwards, column_progress::rightwards}) {
+            shape_options how{.direction = direction::top_to_bottom};
+            how.columns.progress = progress;
+            const bool right = progress == column_progress::rightwards ||
+                               (progress == column_progress::automatic && text[0] == 0x182E);
+            laid p{text, {.width = 1.2}, how};
+            REQUIRE(p.run.lines.size() == 2);
+            CHECK(p.run.lines[1].origin == point{right ? apart : -apart, 0.0});
+            const box first = p.words.laid().line_box(0), second = p.words.laid().line_box(1);
+            CHECK((right ? second.low.x - first.high.x : first.low.x - second.high.x) == Approx(0.1));
+            p.again({.width = 1.2, .anchor = vertical_anchor::top});
+            CHECK((right ? p.words.laid().line_box(0).low.x : p.words.laid().line_box(0).high.x) ==
+                  Approx(0.0).margin(1e-9));
+        }
+}
+
 TEST_CASE("in a column letters on their side are read as in a line that is turned", "[paragraph]")
 {
     const std::u16string text = u"\u4E16ab \u05D0\u05D1\u05D2 c\u754C";

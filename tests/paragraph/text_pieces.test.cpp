@@ -99,6 +99,39 @@ TEST_CASE("marks and white space stay with what they follow", "[paragraph]")
     CHECK(list.pieces[1].space == 500.0);
 }
 
+TEST_CASE("a space that carries a mark is no white space", "[paragraph]")
+{
+    shaped_paragraph p{u"a \u0301b"};
+    CHECK(p.pieces.words().pieces[0].space == 0.0);
+    const auto& list = p.wrapped(wrap_mode::grapheme, 0.0);
+    REQUIRE(list.pieces.size() == 3);
+    CHECK(list.pieces[1].width == 250.0);
+    shaped_paragraph unseen{u"a \u200Fb"};  // a mark of direction is no such mark
+    CHECK(unseen.pieces.words().pieces[0].space == 250.0);
+}
+
+TEST_CASE("in need a line ends after a tab where Unicode lets none end", "[paragraph]")
+{
+    shaped_paragraph p{"N\t)"};
+    CHECK(p.pieces.words().pieces[0].end == piece_end::never);
+    CHECK(p.wrapped(wrap_mode::word, 100.0).pieces[0].end == piece_end::never);
+    CHECK(p.wrapped(wrap_mode::word_or_grapheme, 600.0).pieces[0].end == piece_end::in_need);
+    CHECK(p.wrapped(wrap_mode::grapheme, 600.0).pieces[0].end == piece_end::allowed);
+    shaped_paragraph spaced{"N\t )"};  // a space stays with the tab
+    const auto& list = spaced.wrapped(wrap_mode::word_or_grapheme, 1000.0);
+    REQUIRE(list.pieces.size() == 3);
+    CHECK(list.pieces[0].end == piece_end::never);
+    CHECK(list.pieces[1].end == piece_end::in_need);
+}
+
+TEST_CASE("marks without a letter show, though they have no width", "[paragraph]")
+{
+    shaped_paragraph p{u"\u0301"};
+    CHECK(p.pieces.words().pieces[0].is_visible());
+    shaped_paragraph unseen{u"\u200F"};
+    CHECK_FALSE(unseen.pieces.words().pieces[0].is_visible());
+}
+
 TEST_CASE("the graphemes of a part of the text are those of the whole", "[paragraph]")
 {
     shaped_paragraph p{"one two three"};

@@ -148,7 +148,8 @@ case $tried in
     *adapt* | *threads* | *conformance* | *workload* | *unicode*)
         fonts=$(awk -F '\t' 'NR > 1 && $2 < 20000000 { print $1 }' "$typemesh_root/tests/workload/smoke-fonts.tsv")
         # shellcheck disable=SC2086  # a list of words
-        install_fonts unicode-data $fonts
+        install_fonts $fonts
+        install_unicode_data
         ;;
 esac
 compiler=(${CXX:-g++} -std=c++20 -w -pthread)

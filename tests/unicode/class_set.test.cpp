@@ -17,5 +17,6 @@ TEST_CASE("a set of bidi classes holds what was put into it and nothing else", "
             CHECK(set.holds(one));
             CHECK(set.holds(other));
             CHECK_FALSE(bidi_classes{}.meets(set));
+            CHECK((bidi_classes{one} | bidi_classes{other}).holds(other));
         }
 }

@@ -23,7 +23,7 @@ TEST_CASE("graphemes are those of every case of GraphemeBreakTest.txt", "[breaks
 {
     if (!ucd::is_of_our_version()) return;
     const auto cases = ucd::break_cases("auxiliary/GraphemeBreakTest.txt");
-    CHECK(cases.size() == 602);
+    CHECK(cases.size() == 766);
     for (const ucd::break_case& one : cases) {
         INFO(one.row);
         grapheme_boundaries begins;
@@ -42,4 +42,18 @@ TEST_CASE("letters with marks, syllables, flags and families are one grapheme ea
     CHECK(graphemes(U"\U0001F1E9\U0001F1EA\U0001F1EB\U0001F1F7\U0001F1E9") == 3);
     CHECK(graphemes(U"\U0001F468\u200D\U0001F469\u200D\U0001F467") == 1);
     CHECK(graphemes(U"a\u200D\U0001F467") == 2);
+}
+
+TEST_CASE("a conjunct or a stack is one grapheme, whatever signs stand within", "[breaks]")
+{
+    CHECK(graphemes(U"\u0915\u094D\u0937") == 1);              // Devanagari kssa
+    CHECK(graphemes(U"\u0915\u094D\u200D\u0937\u093F") == 1);  // with a joiner
+    CHECK(graphemes(U"\u0915\u094D\u200C\u0937") == 2);        // parted by a non-joiner
+    CHECK(graphemes(U"\u0915\u0937") == 2);
+    CHECK(graphemes(U"\u094D\u0937") == 2);
+    CHECK(graphemes(U"\u179F\u178F\u17B7\u179F\u1798\u17D2\u1794\u1787\u1789\u17D2\u1789\u17C8") ==
+          6);                                                        // Khmer: the coengs' stacks
+    CHECK(graphemes(U"\u1019\u1004\u103A\u1039\u1002\u101C") == 3);  // Burmese: kinzi
+    CHECK(graphemes(U"\u1000\u1019\u1039\u1018\u101C") == 3);        // Burmese: a stack
+    CHECK(graphemes(U"\u0B95\u0BCD\u0BB7") == 2);                    // Tamil's virama joins none
 }

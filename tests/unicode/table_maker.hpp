@@ -73,28 +73,42 @@ inline numbers blocks(const numbers& values, std::size_t size, numbers& differen
 
 inline std::string header(const std::string& includes, const std::string& about, const std::string& arrays)
 {
-    return "// SPDX-License-Identifier: MIT AND Unicode-DFS-2016\n#pragma once\n\n// Made from the Unicode Character "
+    return "// SPDX-License-Identifier: MIT AND Unicode-3.0\n#pragma once\n\n// Made from the Unicode Character "
            "Database " +
            version +
-           " by tests/unicode/table_maker.hpp. Copyright 1991-2022 Unicode, Inc.\n"
+           " by tests/unicode/table_maker.hpp. Copyright 1991-2025 Unicode, Inc.\n"
            "// https://www.unicode.org/license.html\n\n" +
            includes + "\nnamespace typemesh::inline TYPEMESH_ABI::detail {\n\n// clang-format off\n\n" + about +
            arrays + "\n// clang-format on\n\n}  // namespace typemesh::inline TYPEMESH_ABI::detail\n";
 }
 
-/// What character_properties() looks up.
+/// Parts the classes "Extend" and "Other" by Indic_Conjunct_Break, where rule GB9c of UAX #29 looks at both.
+inline void refine_grapheme_class(std::string& grapheme, const std::string& conjunct)
+{
+    const bool mark = grapheme == "Extend" || grapheme == "ZWJ";
+    if (conjunct == "Consonant" && grapheme != "Other") FAIL("a consonant that is " << grapheme);
+    if ((conjunct == "Linker" && grapheme != "Extend") || (conjunct == "Extend" && !mark))
+        FAIL("a sign of conjuncts that is " << grapheme);
+    if (conjunct == "Linker" || conjunct == "Consonant") grapheme = conjunct;
+    if (grapheme == "Extend" && conjunct != "Extend") grapheme = "NonJoiner";
+}
+
+/// What character_of() looks up.
 inline std::string character_table()
 {
     const std::vector<std::string> bidi_names = {"L",   "R",   "AL",  "EN",  "ES",  "ET",  "AN",  "CS",
                                                  "NSM", "BN",  "B",   "S",   "WS",  "ON",  "LRE", "LRO",
                                                  "RLE", "RLO", "PDF", "LRI", "RLI", "FSI", "PDI"};
-    const std::vector<std::string> line_names = {"AL", "BK",  "CR", "LF", "NL", "SP", "ZW", "CM", "ZWJ", "WJ", "GL",
-                                                 "BA", "BB",  "B2", "HY", "CB", "CL", "CP", "EX", "IN",  "NS", "CJ",
-                                                 "OP", "OPw", "QU", "IS", "NU", "PO", "PR", "SY", "HL",  "ID", "EB",
-                                                 "EM", "IDp", "H2", "H3", "JL", "JV", "JT", "RI", "SA",  "SAm"};
+    const std::vector<std::string> line_names = {"AL", "ALc", "ALp", "BK", "CR",  "LF", "NL",  "SP",  "ZW", "CM", "ZWJ",
+                                                 "WJ", "GL",  "BA",  "BB", "B2",  "HY", "HH",  "CB",  "CL", "CP", "EX",
+                                                 "IN", "NS",  "CJ",  "OP", "OPw", "QU", "QUi", "QUf", "IS", "NU", "PO",
+                                                 "PR", "SY",  "HL",  "ID", "EB",  "EM", "IDp", "H2",  "H3", "JL", "JV",
+                                                 "JT", "AK",  "AS",  "AP", "VF",  "VI", "RI",  "SA",  "SAm"};
     const std::vector<std::string> grapheme_names = {
-        "Other",       "CR", "LF", "Control", "Extend", "ZWJ", "Regional_Indicator", "Prepend",
-        "SpacingMark", "L",  "V",  "T",       "LV",     "LVT", "Pictographic"};
+        "Other",   "CR",          "LF",          "Control", "Extend",
+        "Linker",  "NonJoiner",   "Consonant",   "ZWJ",     "Regional_Indicator",
+        "Prepend", "SpacingMark", "L",           "V",       "T",
+        "LV",      "LVT",         "Pictographic"};
     const std::vector<std::string> upright_names = {"R", "U", "Tr", "Tu"};
     const std::map<std::string, std::string> long_names = {{"Left_To_Right", "L"},
                                                            {"Right_To_Left", "R"},
@@ -108,6 +122,7 @@ inline std::string character_table()
     const auto wide = property("EastAsianWidth.txt"), category = property("extracted/DerivedGeneralCategory.txt");
     const auto picture = property("emoji/emoji-data.txt", "Extended_Pictographic");
     const auto upright = property("VerticalOrientation.txt");
+    const auto conjunct = property("DerivedCoreProperties.txt", "InCB", 1);
     std::vector<std::string> bracket = std::vector<std::string>(0x110000);
     for_each_line(contents("BidiBrackets.txt"), [&](std::string_view row) {
         const auto fields = split(row.substr(0, row.find('#')), ';');
@@ -123,13 +138,18 @@ inline std::string character_table()
         std::string l = line[c];
         if (l == "AI" || l == "SG" || l == "XX") l = "AL";
         if (l == "SA" && mark) l = "SAm";
-        if ((l == "OP" || l == "CP") && (wide[c] == "F" || wide[c] == "W" || wide[c] == "H")) l += "w";
+        if (c == 0x25CC) l += "c";
+        if (l == "QU" && category[c] == "Pi") l = "QUi";
+        if (l == "QU" && category[c] == "Pf") l = "QUf";
+        const bool is_wide = wide[c] == "F" || wide[c] == "W" || wide[c] == "H";
+        if ((l == "OP" || l == "CP") && is_wide) l += "w";
+        refine_grapheme_class(grapheme[c], conjunct[c]);
         if (!picture[c].empty()) {
             if (grapheme[c] != "Other") FAIL("a pictographic character of another grapheme class");
             grapheme[c] = "Pictographic";
             if (unassigned) {
-                if (l != "ID") FAIL("an unassigned pictographic character that is no ideograph to line breaking");
-                l = "IDp";
+                if (l != "ID" && l != "AL") FAIL("an unassigned pictographic character of class " << l);
+                l += "p";
             }
         }
         const std::uint64_t record = number_of(bidi_names, bidi[c]) |
@@ -137,7 +157,8 @@ inline std::string character_table()
                                       : bracket[c] == "c" ? 2u
                                                           : 0u)
                                          << 6 |
-                                     number_of(line_names, l) << 8 | number_of(grapheme_names, grapheme[c]) << 16 |
+                                     number_of(line_names, l) << 8 | (is_wide ? 1u : 0u) << 15 |
+                                     number_of(grapheme_names, grapheme[c]) << 16 |
                                      number_of(upright_names, upright[c]) << 24;
         const auto [at, fresh] = known.try_emplace(record, records.size());
         if (fresh) records.push_back(record);
@@ -177,7 +198,7 @@ inline std::string bracket_table()
 }
 
 /// What script.hpp looks up. Scripts are numbered, Common first, then Inherited and Unknown; numbers beyond them are
-/// sets of scripts, the one to prefer first.
+/// sets of scripts, the one to prefer first: a letter's own, of what several scripts share Latin.
 inline std::string script_table()
 {
     std::map<std::string, std::string> tags;  // ISO 15924, by long name
@@ -200,7 +221,8 @@ inline std::string script_table()
     for (char32_t c = 0; c < 0x110000; ++c) {
         auto all = words(extensions[c].substr(0, 1) == "<" ? "" : extensions[c]);
         if (all.empty()) all = {script[c]};
-        if (const auto own = std::find(all.begin(), all.end(), script[c]); own != all.end())
+        const bool shared = script[c] == "Zyyy" || script[c] == "Zinh";
+        if (const auto own = std::find(all.begin(), all.end(), shared ? "Latn" : script[c]); own != all.end())
             std::rotate(all.begin(), own, own + 1);
         std::uint64_t number = all.size() == 1 ? number_of(scripts, all[0]) : 0;
         if (all.size() > 1) {
@@ -208,10 +230,10 @@ inline std::string script_table()
             number = scripts.size() + static_cast<std::size_t>(known - sets.begin());
             if (known == sets.end()) sets.push_back(all);
         }
-        if (number != before) ranges.push_back(static_cast<std::uint64_t>(c) << 8 | number);
+        if (number != before) ranges.push_back(static_cast<std::uint64_t>(c) << 9 | number);
         before = number;
     }
-    REQUIRE(scripts.size() + sets.size() <= 256);
+    REQUIRE(scripts.size() + sets.size() <= 512);
     REQUIRE(scripts.size() <= 192);  // bits of a script_set
     for (const std::string& tag : scripts) {
         std::uint64_t word = 0;
@@ -224,7 +246,7 @@ inline std::string script_table()
     }
     starts.push_back(members.size());
     return header("#include <typemesh/core/version.hpp>\n\n#include <cstdint>\n",
-                  "// Script and Script_Extensions. script_ranges: the first code point of a range << 8 | its script's "
+                  "// Script and Script_Extensions. script_ranges: the first code point of a range << 9 | its script's "
                   "number, or, from\n// the number of scripts on, that of a set. Set k: script_members from "
                   "script_starts[k] up to script_starts[k + 1].\n\n",
                   array_of("std::uint32_t", "script_tags", scripts_by_number, 8) + "\n" +

@@ -219,6 +219,38 @@ for (const [id, begins] of [["glb", "glTF"], ["stl", null], ["png", "\x89PNG"]])
     else check(size === 84 + 50 * Number((await value("triangles")).replace(/,/g, "")), `${id}: ${size} bytes for ${await value("triangles")} triangles`);
 }
 
+/** What was saved last, once the button has been clicked. */
+async function savedBy(id) {
+    const count = await page.evaluate(() => saved.length);
+    await page.click("#" + id);
+    await page.waitForFunction(n => saved.length > n, {}, count);
+    return Buffer.from(await page.evaluate(async () => [...new Uint8Array(await saved.at(-1).arrayBuffer())]));
+}
+const glb = await savedBy("glb"), nodes = JSON.parse(glb.subarray(20, 20 + glb.readUInt32LE(12)).toString());
+const words = await value("text");
+check(nodes.nodes.every(n => n.name), "every node of a GLB has a name");
+check(nodes.nodes.some(n => n.name === words && n.extras?.text === words), "a GLB holds its text");
+check(nodes.materials.some(m => m.name === "front") && nodes.materials.every(m => m.name), "a GLB's materials are named by their parts");
+const stl = await savedBy("stl"), low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+for (let t = 84; t < stl.length; t += 50)
+    for (let i = 0; i < 9; ++i) {
+        const at = stl.readFloatLE(t + 12 + 4 * i);
+        low[i % 3] = Math.min(low[i % 3], at);
+        high[i % 3] = Math.max(high[i % 3], at);
+    }
+const own = await page.evaluate(() => globalThis.page.mesh.bounds);
+check(low[2] === 0, `an STL lies on z = 0, not ${low[2]}`);
+for (const k of [0, 1, 2]) {
+    const ratio = (high[k] - low[k]) / (own.high[k] - own.low[k]);
+    check(Math.abs(ratio - 10) < 1e-4, `an STL is in millimetres, ten a unit, not ${ratio}`);
+}
+const deep = await value("option-depth");
+await set("#option-depth", "0");
+await page.click("#stl");
+await page.waitForFunction(() => !document.getElementById("message").hidden);
+check(/depth must be more than 0/.test(await message()), "an STL without depth is refused in words");
+await set("#option-depth", deep);
+
 // A thousand characters a frame.
 await page.click("#ticker");
 await page.waitForFunction(() => Number(document.getElementById("rate").value) > 0);

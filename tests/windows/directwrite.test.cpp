@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <cwchar>
 #include <limits>
 #include <string>
 #include <vector>
@@ -57,6 +58,36 @@ void square(ID2D1SimplifiedGeometrySink& to, D2D1_FIGURE_END end, D2D1_FIGURE_BE
     to.EndFigure(end);
 }
 
+LOGFONTW described(const wchar_t* name, LONG weight = FW_NORMAL)
+{
+    LOGFONTW made = {};
+    made.lfHeight = -64;
+    made.lfWeight = weight;
+    made.lfCharSet = DEFAULT_CHARSET;
+    std::wcsncpy(made.lfFaceName, name, LF_FACESIZE - 1);
+    return made;
+}
+
+/// A device context of memory with a font of GDI's selected, as D3DXCreateText took it.
+class gdi_context {
+public:
+    explicit gdi_context(const LOGFONTW& font) : font_{CreateFontIndirectW(&font)}, before_{SelectObject(dc_, font_)} {}
+    gdi_context(const gdi_context&) = delete;
+    gdi_context& operator=(const gdi_context&) = delete;
+    ~gdi_context()
+    {
+        SelectObject(dc_, before_);
+        DeleteObject(font_);
+        DeleteDC(dc_);
+    }
+    [[nodiscard]] HDC get() const { return dc_; }
+
+private:
+    HDC dc_ = CreateCompatibleDC(nullptr);
+    HFONT font_;
+    HGDIOBJ before_;
+};
+
 struct wrapped_fake {
     test::fake_face face;
     result<directwrite_font> font = directwrite_font::wrap(&face);
@@ -85,6 +116,7 @@ TEST_CASE("an HRESULT becomes an error of its own, or font_library_failed with i
     CHECK(directwrite_error(E_OUTOFMEMORY) == error::out_of_memory);
     CHECK(directwrite_error(DWRITE_E_FILEFORMAT) == error::not_a_font);
     CHECK(directwrite_error(DWRITE_E_FILENOTFOUND) == error::unreadable_file);
+    CHECK(directwrite_error(DWRITE_E_NOFONT) == error::no_such_family);
     CHECK(directwrite_error(DWRITE_E_FILEACCESS) == error::unreadable_file);
     CHECK(directwrite_error(HRESULT_FROM_WIN32(ERROR_FILE_NOT_FOUND)) == error::unreadable_file);
     CHECK(directwrite_error(HRESULT_FROM_WIN32(ERROR_PATH_NOT_FOUND)) == error::unreadable_file);
@@ -116,6 +148,56 @@ TEST_CASE("a font is opened from a file, from a collection and from a face", "[w
     auto same = directwrite_font::wrap(file->handle());
     REQUIRE(same);
     CHECK(same->glyph_count() == file->glyph_count());
+}
+
+TEST_CASE("the font that GDI has selected is opened, by names that are no family of DirectWrite's", "[windows]")
+{
+    const auto key_of = [](const char* path) { return opened(path)->variation_key(); };
+    const struct {
+        const wchar_t* name;
+        LONG weight;
+        const char* path;
+        bool is_family;
+    } fonts[] = {{L"DejaVu Sans", FW_NORMAL, dejavu, true},
+                 {L"DejaVu Sans", FW_BOLD, "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf", true},
+                 {L"Comic Neue Light", FW_NORMAL, "/usr/share/fonts/opentype/comic-neue/ComicNeue-Light.otf", false}};
+    for (const auto& f : fonts) {
+        const gdi_context context{described(f.name, f.weight)};
+        auto font = directwrite_font::open_selected(context.get());
+        REQUIRE(font);
+        CHECK(font->variation_key() == key_of(f.path));
+        CHECK(bool{directwrite_font::open_family(f.name)} == f.is_family);
+        CHECK(shaped(*font, "age").glyphs.size() == 3);
+    }
+    const gdi_context context{described(L"DejaVu Sans")};
+    const test::font_files files{{dejavu}};
+    CHECK(directwrite_font::open_selected(context.get(), files.factory()));
+    const HDC gone = CreateCompatibleDC(nullptr);
+    DeleteDC(gone);
+    CHECK(directwrite_font::open_selected(gone).error().code != error::none);
+}
+
+TEST_CASE("a LOGFONT is opened by its name, weight and slant", "[windows]")
+{
+    const auto plain = directwrite_font::open_described(described(L"DejaVu Sans"));
+    REQUIRE(plain);
+    CHECK(plain->variation_key() == opened(dejavu)->variation_key());
+    const auto bold = directwrite_font::open_described(described(L"DejaVu Sans", FW_BOLD));
+    REQUIRE(bold);
+    CHECK(bold->variation_key() == opened("/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf")->variation_key());
+    LOGFONTW slanted = described(L"DejaVu Sans");
+    slanted.lfItalic = TRUE;
+    const auto oblique = directwrite_font::open_described(slanted);
+    REQUIRE(oblique);
+    CHECK(oblique->variation_key() != plain->variation_key());
+    CHECK(directwrite_font::open_described(described(L"No Family Of This Name")).error() == error::no_such_family);
+
+    // Of an HFONT.
+    const HFONT held = CreateFontIndirectW(&slanted);
+    LOGFONTW read = {};
+    REQUIRE(GetObjectW(held, sizeof read, &read) == sizeof read);
+    CHECK(directwrite_font::open_described(read)->variation_key() == oblique->variation_key());
+    DeleteObject(held);
 }
 
 TEST_CASE("an outline comes y up, at one unit per font unit", "[windows]")

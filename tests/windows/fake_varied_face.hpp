@@ -14,6 +14,8 @@ class fake_varied_face final : public fake_face_of<IDWriteFontFace5> {
 public:
     std::vector<DWRITE_FONT_AXIS_VALUE> axes;
     HRESULT answer = S_OK;  // when it is asked for them
+    BOOL varies = TRUE;
+    IDWriteFontResource* resource = nullptr;
 
     HRESULT STDMETHODCALLTYPE QueryInterface(REFIID wanted, void** out) noexcept override
     {
@@ -23,7 +25,7 @@ public:
         AddRef();
         return S_OK;
     }
-    BOOL STDMETHODCALLTYPE HasVariations() noexcept override { return TRUE; }
+    BOOL STDMETHODCALLTYPE HasVariations() noexcept override { return varies; }
     UINT32 STDMETHODCALLTYPE GetFontAxisValueCount() noexcept override { return static_cast<UINT32>(axes.size()); }
     HRESULT STDMETHODCALLTYPE GetFontAxisValues(DWRITE_FONT_AXIS_VALUE* values, UINT32 count) noexcept override
     {
@@ -124,7 +126,13 @@ public:
         return E_NOTIMPL;
     }
     void STDMETHODCALLTYPE ReleaseGlyphImageData(void*) noexcept override {}
-    HRESULT STDMETHODCALLTYPE GetFontResource(IDWriteFontResource**) noexcept override { return E_NOTIMPL; }
+    HRESULT STDMETHODCALLTYPE GetFontResource(IDWriteFontResource** out) noexcept override
+    {
+        *out = resource;
+        if (resource == nullptr) return E_NOTIMPL;
+        resource->AddRef();
+        return S_OK;
+    }
     BOOL STDMETHODCALLTYPE Equals(IDWriteFontFace*) noexcept override { return {}; }
 };
 

@@ -139,7 +139,7 @@ export interface MeshOptions {
     /** Lines without a width stand to the right of x = 0, round it, or to its left. */
     align?: "start" | "end" | "left" | "centre" | "right" | "justify";
     /** What is stretched in justified lines. */
-    justify?: "spaces" | "letters" | "kashida";
+    justify?: "auto" | "spaces" | "letters" | "kashida";
     /** Of lines: each as it comes ("first_fit", default), or all of a paragraph as even as can be. */
     breaker?: "first_fit" | "total_fit";
     /** What stands at y = 0. */

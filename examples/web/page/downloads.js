@@ -23,14 +23,24 @@ function lasting(mesh, materials) {
     return new THREE.Mesh(geometry, parts.map(p => materials.solid[p.name]));
 }
 
-export async function saveGlb(mesh, materials) {
+/** The text is the name of the mesh, and in its extras. */
+export async function saveGlb(mesh, text, materials) {
     const { GLTFExporter } = await import("three/addons/exporters/GLTFExporter.js");
-    save(await new GLTFExporter().parseAsync(lasting(mesh, materials), { binary: true }), "model/gltf-binary", "text.glb");
+    const named = lasting(mesh, materials);
+    named.name = text;
+    named.userData = { text };
+    save(await new GLTFExporter().parseAsync(named, { binary: true }), "model/gltf-binary", "text.glb");
 }
 
+/** In millimetres, ten a unit, with its back on z = 0: as printers take it. */
 export async function saveStl(mesh, materials) {
+    if (mesh.bounds.low[2] === mesh.bounds.high[2]) throw new Error("An STL file holds solids: the depth must be more than 0.");
     const { STLExporter } = await import("three/addons/exporters/STLExporter.js");
-    save(new STLExporter().parse(lasting(mesh, materials), { binary: true }), "model/stl", "text.stl");
+    const printed = lasting(mesh, materials), geometry = printed.geometry;
+    geometry.scale(10, 10, 10);
+    geometry.computeBoundingBox();
+    geometry.translate(0, 0, -geometry.boundingBox.min.z);
+    save(new STLExporter().parse(printed, { binary: true }), "model/stl", "text.stl");
 }
 
 export function savePng(stage) {

@@ -11,7 +11,7 @@ const start = { text: "Hello world!", view: "solid" };
 const stage = new Stage(at("canvas"));
 const controls = new Controls(at("groups"), () => update());
 const fonts = [];  // {name, url or bytes, font}
-let typemesh, mesher, measurer, used = "", mesh, later;
+let typemesh, mesher, measurer, used = "", mesh, shown = "", later;  // shown: the text of the mesh
 
 // --- fonts -------------------------------------------------------------------------------------------------------------------
 
@@ -64,13 +64,18 @@ function say(words) {
 }
 const number = n => n.toLocaleString("en");
 
+/** Makes the mesh of a text; after an error the last one stays. */
+function make(text, options) {
+    mesh = mesher.mesh(text, options);
+    shown = text;
+}
 /** Makes the mesh anew; after an error the last one stays on the stage. */
 function update() {
     if (!mesher) return;
     const began = performance.now();
     const options = controls.options();
     try {
-        mesh = mesher.mesh(at("text").value, options);
+        make(at("text").value, options);
         say("");
     } catch (e) {
         say(e.message);
@@ -95,7 +100,7 @@ function measure(options) {
     if (ticking || !mesh) return;
     const cold = measurer.mesh(at("text").value, { ...options, cached: false });
     at("cold").value = number(Math.round(cold.statistics.microseconds));
-    mesh = mesher.mesh(at("text").value, options);  // the same again: all its letters are there now
+    make(at("text").value, options);  // the same again: all its letters are there now
     at("cached").value = number(Math.round(mesh.statistics.microseconds));
     at("open-edges").value = number(mesh.openEdges());
     document.documentElement.dataset.measured = String(++measured);
@@ -114,7 +119,7 @@ function tick() {
         let text = String(++number).padStart(8, "0") + " ";
         while (text.length < 1000) text += text.length % 7 === 6 ? " " : letters[Math.floor(Math.random() * letters.length)];
         try {
-            mesh = mesher.mesh(text, options);
+            make(text, options);
         } catch (e) {
             say(e.message);
             return toggle(false);
@@ -184,7 +189,7 @@ at("font").addEventListener("change", () => choose(at("font").value).then(update
 at("file").addEventListener("change", event => take(event.target.files));
 at("fit").addEventListener("click", () => stage.fit());
 at("ticker").addEventListener("click", () => toggle(!ticking));
-at("glb").addEventListener("click", () => saveGlb(mesh, stage.materials).catch(e => say(e.message)));
+at("glb").addEventListener("click", () => saveGlb(mesh, shown, stage.materials).catch(e => say(e.message)));
 at("stl").addEventListener("click", () => saveStl(mesh, stage.materials).catch(e => say(e.message)));
 at("png").addEventListener("click", () => savePng(stage));
 at("link").addEventListener("click", async () => {

@@ -52,7 +52,7 @@ export class Stage {
         checker.colorSpace = THREE.SRGBColorSpace;
         checker.anisotropy = 8;
         const faint = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
-        const solid = name => new THREE.MeshStandardMaterial({ color: colours[name], roughness: 0.5, ...faint });
+        const solid = name => new THREE.MeshStandardMaterial({ name, color: colours[name], roughness: 0.5, ...faint });
         return {
             solid: Object.fromEntries(Object.keys(colours).map(name => [name, solid(name)])),
             normals: new THREE.MeshNormalMaterial(),

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/adapt/directwrite_axes.hpp>
 #include <typemesh/adapt/directwrite_com.hpp>
 #include <typemesh/adapt/directwrite_key.hpp>
 #include <typemesh/adapt/directwrite_outline.hpp>
 #include <typemesh/adapt/directwrite_shaping.hpp>
 #include <typemesh/core/buffer.hpp>
-#include <typemesh/core/finite.hpp>
 #include <typemesh/layout/shaper.hpp>
 #include <typemesh/outline/font_options.hpp>
 #include <typemesh/outline/outline_source.hpp>
 
-#include <dwrite_3.h>
+#include <dwrite.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -31,6 +31,7 @@ struct directwrite_style {
 ///
 ///     auto font = directwrite_font::open(L"C:\\Windows\\Fonts\\segoeui.ttf");      // a file
 ///     auto font = directwrite_font::open_family(L"Segoe UI");                      // an installed font
+///     auto font = directwrite_font::open_selected(dc);                             // GDI's, from a device context
 ///     if (!font) return puts(font.error().message());
 ///
 /// Its shaper is IDWriteTextAnalyzer, not IDWriteTextLayout: the analyser uses this very face, so no other font can
@@ -44,7 +45,8 @@ struct directwrite_style {
 /// wrap(font.handle()).
 class directwrite_font {
 public:
-    /// Opens a font file. Without a `factory` it uses the process's shared one.
+    /// Opens a font file. Without a `factory` it uses the process's shared one. Variations need Windows 10 1709 when
+    /// the program runs, whatever Windows it is compiled for; before, no font has an axis.
     ///
     /// Fails  error::unreadable_file, not_a_font, no_such_face (count = how many faces there are), no_outlines,
     ///        unknown_variation, bad_option (a variation is NaN or infinite), out_of_memory,
@@ -75,7 +77,7 @@ public:
         if (error e = directwrite_error(
                 (*held)->CreateFontFace(face_type, 1, files, options.face, DWRITE_FONT_SIMULATIONS_NONE, face.put())))
             return e;
-        if (error e = vary(face, options.variations)) return e;
+        if (error e = detail::vary(face, options.variations)) return e;
         return finished(std::move(face), *held);
     }
 
@@ -109,6 +111,44 @@ public:
         return finished(std::move(face), *held);
     }
 
+    /// Opens the font that GDI's name, weight and slant mean: GDI gives each width and many a weight a family of its
+    /// own ("Arial Narrow", "Segoe UI Semibold"), which open_family() often does not know. The size, rotation and lines
+    /// of a LOGFONT are not read. Of an HFONT, GetObjectW(font, sizeof(LOGFONTW), &description) gives it.
+    ///
+    /// Fails  error::no_such_family (GDI itself takes another font then, which open_selected() opens), no_outlines,
+    ///        out_of_memory, font_library_failed (count = the HRESULT)
+    static result<directwrite_font> open_described(const LOGFONTW& description,
+                                                   IDWriteFactory* factory = nullptr) noexcept
+    {
+        auto held = factory_or_shared(factory);
+        if (!held) return held.error();
+        detail::com_ptr<IDWriteGdiInterop> gdi;
+        detail::com_ptr<IDWriteFont> member;
+        detail::com_ptr<IDWriteFontFace> face;
+        if (error e = directwrite_error((*held)->GetGdiInterop(gdi.put()))) return e;
+        if (error e = directwrite_error(gdi->CreateFontFromLOGFONT(&description, member.put()))) return e;
+        if (error e = directwrite_error(member->CreateFontFace(face.put()))) return e;
+        return finished(std::move(face), *held);
+    }
+
+    /// Opens the font that GDI draws with: what is selected into a device context, or what GDI takes for it. The
+    /// context, which is not kept, may be one of memory, CreateCompatibleDC(nullptr).
+    ///
+    /// Fails  error::no_such_family (the font is none of DirectWrite's: GDI's own bitmap and stroke fonts),
+    ///        no_outlines,
+    ///        out_of_memory, font_library_failed (count = the HRESULT)
+    static result<directwrite_font> open_selected(HDC context, IDWriteFactory* factory = nullptr) noexcept
+    {
+        TYPEMESH_ASSERT(context != nullptr, "a font was opened from a null HDC");
+        auto held = factory_or_shared(factory);
+        if (!held) return held.error();
+        detail::com_ptr<IDWriteGdiInterop> gdi;
+        detail::com_ptr<IDWriteFontFace> face;
+        if (error e = directwrite_error((*held)->GetGdiInterop(gdi.put()))) return e;
+        if (error e = directwrite_error(gdi->CreateFontFaceFromHdc(context, face.put()))) return e;
+        return finished(std::move(face), *held);
+    }
+
     /// Wraps a face of the caller's, with its variations and simulations. Holds a reference of its own.
     ///
     /// Fails  error::not_a_font (without glyphs or units), no_outlines, out_of_memory, font_library_failed
@@ -130,8 +170,8 @@ public:
     [[nodiscard]] std::uint32_t glyph_count() const noexcept { return glyph_count_; }
 
     /// See variation_key.hpp. Covers the font (by the checksum in its 'head' table, its number of glyphs and its face
-    /// index), its simulations and its axes. Where the axes of a variable font cannot be read (the program is compiled
-    /// for a Windows older than 10 1709), no other directwrite_font has the same key.
+    /// index), its simulations and its axes. Where DirectWrite does not say what the axes of a variable font are set
+    /// to, no other directwrite_font has the same key.
     [[nodiscard]] std::uint64_t variation_key() const noexcept { return key_; }
 
     /// See outline_source. DirectWrite gives TrueType's quadratics as cubics; they become quadratics again wherever a
@@ -205,48 +245,6 @@ private:
         made.key_ = key.value(face.get(), detail::directwrite_key::now());
         made.face_ = std::move(face);
         return result<directwrite_font>{std::move(made)};
-    }
-
-    /// Sets the axes of a variable font. Needs Windows 10 1709 when the program runs and, in Microsoft's headers, in
-    /// the NTDDI_VERSION that it is compiled for; otherwise no font has an axis.
-    static error vary([[maybe_unused]] detail::com_ptr<IDWriteFontFace>& face,
-                      std::span<const variation> wanted) noexcept
-    {
-        if (wanted.empty()) return {};
-        for (const variation& v : wanted)
-            if (!is_finite(double{v.value})) return error::bad("variations");
-#if defined(__MINGW32__) || (defined(NTDDI_WIN10_RS3) && NTDDI_VERSION >= NTDDI_WIN10_RS3)
-        const auto fixed = face.as<IDWriteFontFace5>();
-        if (!fixed || fixed->HasVariations() == FALSE) return error::unknown_variation;
-        detail::com_ptr<IDWriteFontResource> resource;
-        if (error e = directwrite_error(fixed->GetFontResource(resource.put()))) return e;
-
-        const UINT32 axes = resource->GetFontAxisCount();
-        buffer<DWRITE_FONT_AXIS_RANGE> ranges;
-        buffer<DWRITE_FONT_AXIS_VALUE> values;
-        if (axes == 0) return error::unknown_variation;
-        if (ranges.append(axes) == nullptr) return error::out_of_memory;
-        if (error e = directwrite_error(resource->GetFontAxisRanges(ranges.data(), axes))) return e;
-        for (const variation& v : wanted) {
-            UINT32 i = 0;
-            const auto tag = static_cast<DWRITE_FONT_AXIS_TAG>(detail::directwrite_tag(v.tag));
-            while (i < axes && ranges[i].axisTag != tag) ++i;
-            // The other axes are added by DirectWrite for the family's sake.
-            if (i == axes || (resource->GetFontAxisAttributes(i) & DWRITE_FONT_AXIS_ATTRIBUTES_VARIABLE) == 0)
-                return error::unknown_variation;
-            const float low = ranges[i].minValue, high = ranges[i].maxValue;
-            const float inside = v.value < low ? low : v.value > high ? high : v.value;
-            if (!values.push_back({ranges[i].axisTag, inside})) return error::out_of_memory;
-        }
-        detail::com_ptr<IDWriteFontFace5> varied;
-        if (error e = directwrite_error(resource->CreateFontFace(DWRITE_FONT_SIMULATIONS_NONE, values.data(),
-                                                                 static_cast<UINT32>(values.size()), varied.put())))
-            return e;
-        face = detail::com_ptr<IDWriteFontFace>::share(varied.get());
-        return {};
-#else
-        return error::unknown_variation;
-#endif
     }
 
     detail::com_ptr<IDWriteFontFace> face_;

@@ -9,19 +9,24 @@
 #include <cstdint>
 #include <utility>
 
+#if defined(_MSC_VER)  // for who copies the headers
+#pragma comment(lib, "dwrite")
+#endif
+
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The error for an HRESULT of DirectWrite: none for success, error::out_of_memory, unreadable_file, not_a_font, else
-/// font_library_failed with the HRESULT as an unsigned number in `count`.
+/// The error for an HRESULT of DirectWrite: none for success, error::out_of_memory, unreadable_file, not_a_font,
+/// no_such_family, else font_library_failed with the HRESULT as an unsigned number in `count`.
 [[nodiscard]] inline error directwrite_error(HRESULT code) noexcept
 {
     if (SUCCEEDED(code)) return {};
     const auto number = static_cast<std::uint32_t>(code);
     switch (number) {
-    case 0x8007'000Eu: return error::out_of_memory;  // E_OUTOFMEMORY
-    case 0x8898'5000u: return error::not_a_font;     // DWRITE_E_FILEFORMAT
-    case 0x8007'0002u:                               // HRESULT_FROM_WIN32(ERROR_FILE_NOT_FOUND), ..._PATH_NOT_FOUND,
-    case 0x8007'0003u:                               // ERROR_ACCESS_DENIED
+    case 0x8007'000Eu: return error::out_of_memory;   // E_OUTOFMEMORY
+    case 0x8898'5000u: return error::not_a_font;      // DWRITE_E_FILEFORMAT
+    case 0x8898'5002u: return error::no_such_family;  // DWRITE_E_NOFONT
+    case 0x8007'0002u:                                // HRESULT_FROM_WIN32(ERROR_FILE_NOT_FOUND), ..._PATH_NOT_FOUND,
+    case 0x8007'0003u:                                // ERROR_ACCESS_DENIED
     case 0x8007'0005u:
     case 0x8898'5003u:                                 // DWRITE_E_FILENOTFOUND
     case 0x8898'5004u: return error::unreadable_file;  // DWRITE_E_FILEACCESS
@@ -69,12 +74,11 @@ public:
 
     /// Another interface of the object; empty if it has none of that type.
     template <class U>
-    [[nodiscard]] com_ptr<U> as() const noexcept
+    [[nodiscard]] com_ptr<U> as(REFIID id = __uuidof(U)) const noexcept
     {
         com_ptr<U> made;
         void* found = nullptr;
-        if (object_ != nullptr && SUCCEEDED(object_->QueryInterface(__uuidof(U), &found)))
-            *made.put() = static_cast<U*>(found);
+        if (object_ != nullptr && SUCCEEDED(object_->QueryInterface(id, &found))) *made.put() = static_cast<U*>(found);
         return made;
     }
 
@@ -83,7 +87,9 @@ private:
 };
 
 /// The base of all our COM objects: they live on the stack during one call of DirectWrite's, and references are counted
-/// only to check that nobody keeps them longer.
+/// only to check that nobody keeps them longer. None of DirectWrite's calls does, Microsoft's or Wine's; where one did,
+/// an assertion says so, and with NDEBUG its Release() would come to memory that is something else by then. Whoever
+/// replaces DirectWrite's objects by their own must let go of ours before they return.
 template <class Interface>
 class stack_object : public Interface {
 public:

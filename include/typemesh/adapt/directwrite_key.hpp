@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/adapt/directwrite_axes.hpp>
 #include <typemesh/adapt/directwrite_com.hpp>
-#include <typemesh/adapt/directwrite_outline.hpp>
 #include <typemesh/core/option_bits.hpp>
 #include <typemesh/outline/variation_key.hpp>
 
-#include <dwrite_3.h>
+#include <dwrite.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -28,23 +28,19 @@ public:
         mix(std::uint64_t{face->GetGlyphCount()});
         mix(std::uint64_t{face->GetIndex()});
         mix(static_cast<std::uint64_t>(face->GetSimulations()));
-#if defined(__MINGW32__) || (defined(NTDDI_WIN10_RS3) && NTDDI_VERSION >= NTDDI_WIN10_RS3)
-        const auto varied = com_ptr<IDWriteFontFace>::share(face).as<IDWriteFontFace5>();
-        if (!varied || varied->HasVariations() == FALSE) return;
-        DWRITE_FONT_AXIS_VALUE axes[most_axes] = {};
-        const UINT32 count = varied->GetFontAxisValueCount();
-        if (count > most_axes || FAILED(varied->GetFontAxisValues(axes, count))) {
+        const auto on_axes = varied(face);
+        if (!on_axes) return;
+        directwrite_axis_value axes[most_axes] = {};
+        const UINT32 count = on_axes->GetFontAxisValueCount();
+        if (count > most_axes || FAILED(on_axes->GetFontAxisValues(axes, count))) {
             is_known_ = false;
             return;
         }
         mix(std::uint64_t{count});
         for (UINT32 i = 0; i < count; ++i) {
-            mix(static_cast<std::uint64_t>(axes[i].axisTag));
+            mix(std::uint64_t{axes[i].tag});
             mix(double{axes[i].value});
         }
-#else
-        if (has_table(face, "fvar")) is_known_ = false;  // Windows may know axes that these headers do not
-#endif
     }
 
     /// Adds the files that the face comes from, by path and time of writing. Files that are not the system's (in

@@ -52,13 +52,22 @@ private:
 
 }  // namespace detail
 
+/// Which families are found by a name.
+enum class family_names : std::uint8_t {
+    own,      ///< those that are called so
+    aliases,  ///< also what the configuration has stand in for a family that is not installed (Liberation Sans for
+              ///< Arial), and the generic names: "sans-serif", "monospace"
+};
+
 /// Where an installed font lies, and which font of its file it is.
 class installed_font {
 public:
-    explicit installed_font(memory source = heap()) noexcept : path_{source}, variations_{source} {}
+    explicit installed_font(memory source = heap()) noexcept : path_{source}, family_{source}, variations_{source} {}
 
     /// Empty before a font has been found.
     [[nodiscard]] const char* path() const noexcept { return path_.empty() ? "" : path_.data(); }
+    /// What it calls its family.
+    [[nodiscard]] const char* family() const noexcept { return family_.empty() ? "" : family_.data(); }
     /// For opening it. They refer to this.
     [[nodiscard]] font_options options() const noexcept { return {face_, variations_.view()}; }
     /// The number, from 1, of one of a variable font's named places on its axes, where fontconfig knows no more of it;
@@ -69,10 +78,14 @@ public:
     error take(const FcPattern* match) noexcept
     {
         path_.clear();
+        family_.clear();
         variations_.clear();
         const auto* file = static_cast<const char*>(static_cast<const void*>(detail::fontconfig_word(match, FC_FILE)));
         if (file == nullptr) return error::no_such_family;
         if (!path_.append({file, std::strlen(file) + 1})) return error::out_of_memory;
+        const void* name = detail::fontconfig_word(match, FC_FAMILY);
+        const char* const family = name != nullptr ? static_cast<const char*>(name) : "";
+        if (!family_.append({family, std::strlen(family) + 1})) return error::out_of_memory;
         int index = 0;
         FcPatternGetInteger(match, FC_INDEX, 0, &index);
         face_ = static_cast<std::uint32_t>(index) & 0xFFFFu;
@@ -99,6 +112,7 @@ private:
     }
 
     buffer<char> path_;
+    buffer<char> family_;
     buffer<variation> variations_;
     std::uint32_t face_ = 0, instance_ = 0;
 };
@@ -136,11 +150,12 @@ public:
     [[nodiscard]] FcConfig* handle() const noexcept { return config_; }
 
     /// Finds a font by its family and style, as fontconfig writes them: "Noto Sans", "Noto Sans:bold:italic",
-    /// "Inter:style=Semi Bold". Only scalable fonts are found, and none that is merely similar.
+    /// "Inter:style=Semi Bold". Only scalable fonts are found, and none that is merely similar; `names` says whether
+    /// others may stand in: installed_font::family() tells what was found.
     ///
     /// Fails  error::no_such_family; error::no_such_style: the family has no such font, `option` says in what: weight,
     ///        width, slant or style; error::bad_option: the name cannot be read; error::out_of_memory
-    error find(const char* name, installed_font& out) const noexcept
+    error find(const char* name, installed_font& out, family_names names = family_names::own) const noexcept
     {
         const void* words = name;
         const detail::fontconfig_pattern asked{FcNameParse(static_cast<const FcChar8*>(words))};
@@ -153,7 +168,9 @@ public:
         FcDefaultSubstitute(complete.get());
         FcResult result = FcResultNoMatch;
         const detail::fontconfig_pattern match{FcFontMatch(config_, complete.get(), &result)};
-        if (match.get() == nullptr || !detail::fontconfig_has(match.get(), FC_FAMILY, family))
+        if (match.get() == nullptr) return error::no_such_family;
+        if (!detail::fontconfig_has(match.get(), FC_FAMILY, family) &&
+            (names == family_names::own || !(is_generic(family) || stands_in(complete.get(), match.get()))))
             return error::no_such_family;
         if (const char* lacks = style_not_found(asked.get(), match.get())) {
             error e = error::no_such_style;
@@ -165,6 +182,29 @@ public:
 
 private:
     explicit fontconfig_fonts(FcConfig* owned) noexcept : config_{owned} {}
+
+    static bool is_generic(const FcChar8* family) noexcept
+    {
+        for (const char* const name : {"serif", "sans-serif", "sans", "sans serif", "monospace", "mono", "cursive",
+                                       "fantasy", "system-ui", "math", "emoji"}) {
+            const void* const word = name;
+            if (FcStrCmpIgnoreCase(family, static_cast<const FcChar8*>(word)) == 0) return true;
+        }
+        return false;
+    }
+
+    /// Whether the configuration binds the match's family as closely to what was asked for as that itself; it binds
+    /// weakly what it falls back to.
+    static bool stands_in(FcPattern* complete, const FcPattern* match) noexcept
+    {
+        FcValue value;
+        FcValueBinding binding = FcValueBindingWeak;
+        for (int n = 0; FcPatternGetWithBinding(complete, FC_FAMILY, n, &value, &binding) == FcResultMatch; ++n)
+            if (binding != FcValueBindingWeak && value.type == FcTypeString &&
+                detail::fontconfig_has(match, FC_FAMILY, value.u.s))
+                return true;
+        return false;
+    }
 
     /// What was asked for and is not the match's, for fontconfig gives the nearest that there is; else null.
     static const char* style_not_found(const FcPattern* asked, const FcPattern* match) noexcept

@@ -5,13 +5,16 @@
 #include <typemesh/core/result.hpp>
 #include <typemesh/layout/column_glyphs.hpp>
 #include <typemesh/layout/column_runs.hpp>
+#include <typemesh/layout/emoji_sequence.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/layout/line_break.hpp>
+#include <typemesh/layout/long_graphemes.hpp>
 #include <typemesh/layout/mixed_line.hpp>
 #include <typemesh/layout/reading_order.hpp>
 #include <typemesh/layout/shape_options.hpp>
 #include <typemesh/layout/shaped_glyph.hpp>
 #include <typemesh/layout/text_item.hpp>
+#include <typemesh/unicode/grapheme_boundaries.hpp>
 #include <typemesh/unicode/script.hpp>
 #include <typemesh/unicode/text_view.hpp>
 
@@ -35,6 +38,7 @@ public:
     {
         std::swap(buffer_, other.buffer_);
         std::swap(first_unit_, other.first_unit_);
+        std::swap(part_, other.part_);
         features_.swap(other.features_);
         pieces_.swap(other.pieces_);
         items_.swap(other.items_);
@@ -83,7 +87,7 @@ public:
         const hb_language_t language = language_of(options);
         point at;
         for (std::size_t k = 0; k < pieces_.size(); ++k) {
-            const piece& p = pieces_[back ? pieces_.size() - 1 - k : k];
+            const piece p = pieces_[back ? pieces_.size() - 1 - k : k];
             fill_buffer(text, p, found.invalid.count != 0, HB_BUFFER_FLAG_DEFAULT);
             if (error e = shape_buffer(font, way, p.script, language)) return e;
             if (error e = take_glyphs(unit, at, run)) return e;
@@ -101,9 +105,7 @@ public:
         if (error e = take_script(options, script)) return e;
         if (error e = take_features(options)) return e;
 
-        fill_buffer(text, {item.first, item.last, script}, !is_valid(text, item), item_flags);
-        if (error e = shape_buffer(font, way_of(item), script, language_of(options))) return e;
-        return append_glyphs(unit, item.orientation == glyph_orientation::upright, glyphs);
+        return append_item(font, unit, text, item, {script, language_of(options), item_flags}, glyphs);
     }
 
     /// Whether the font has another glyph of a character for columns.
@@ -136,11 +138,17 @@ private:
     static constexpr int item_flags = HB_BUFFER_FLAG_DEFAULT;
 #endif
 
-    /// A run of a line in one script.
+    /// A run of a line in one script, or a part of it.
     struct piece {
-        std::size_t first;
-        std::size_t last;
+        shaping_part part;
         hb_script_t script;
+    };
+
+    /// How an item is shaped.
+    struct item_way {
+        hb_script_t script;
+        hb_language_t language;
+        int flags;
     };
 
     /// The direction of a line that has only one; HB_DIRECTION_INVALID of others.
@@ -185,23 +193,62 @@ private:
         for (const text_item& item : items_) {
             hb_script_t script = hb_script_from_iso15924_tag(item.script);
             if (error e = take_script(options, script)) return e;
-            fill_buffer(text, {item.first, item.last, script}, !is_valid(text, item), HB_BUFFER_FLAG_DEFAULT);
-            if (error e = shape_buffer(font, way_of(item), script, language_of(options))) return e;
-            const bool column = item.orientation != glyph_orientation::horizontal;
-            if (error e = column ? take_column(font, unit, item, options.columns, at, run) : take_glyphs(unit, at, run))
-                return e;
+            const item_way how{script, language_of(options), HB_BUFFER_FLAG_DEFAULT};
+            if (item.orientation != glyph_orientation::horizontal) {
+                shaped_.clear();
+                if (error e = append_item(font, unit, text, item, how, shaped_)) return e;
+                if (error e = place_column(font, unit, item, options.columns, at, run)) return e;
+                continue;
+            }
+            if (error e = cut_item(text, item, script)) return e;
+            for (std::size_t k = 0; k < pieces_.size(); ++k) {
+                if (error e = shape_piece(font, text, item, how, k)) return e;
+                if (error e = take_glyphs(unit, at, run)) return e;
+            }
         }
         return at;
     }
 
-    /// Appends an item of a column, from `at` on, which advances.
-    error take_column(hb_font_t* font, point unit, const text_item& item, const column_options& how, point& at,
-                      glyph_run& run) noexcept
+    /// Appends an item of a column, which has been shaped, from `at` on, which advances.
+    error place_column(hb_font_t* font, point unit, const text_item& item, const column_options& how, point& at,
+                       glyph_run& run) noexcept
     {
-        shaped_.clear();
-        if (error e = append_glyphs(unit, item.orientation == glyph_orientation::upright, shaped_)) return e;
         const double em = hb_face_get_upem(hb_font_get_face(font));
         return place_item(shaped_.view(), item, {column_middle(font, unit), em, how.combined_gap * em}, at, run);
+    }
+
+    /// Shapes an item and appends its glyphs.
+    error append_item(hb_font_t* font, point unit, text_view text, const text_item& item, const item_way& how,
+                      buffer<shaped_glyph>& glyphs) noexcept
+    {
+        if (error e = cut_item(text, item, how.script)) return e;
+        for (std::size_t k = 0; k < pieces_.size(); ++k) {
+            if (error e = shape_piece(font, text, item, how, k)) return e;
+            if (error e = append_glyphs(unit, item.orientation == glyph_orientation::upright, glyphs)) return e;
+        }
+        return {};
+    }
+
+    /// Cuts an item into what is shaped at once: all of it, nearly always.
+    error cut_item(text_view text, const text_item& item, hb_script_t script) noexcept
+    {
+        pieces_.clear();
+        return add_pieces(text, item.first, item.last, script);
+    }
+    error add_pieces(text_view text, std::size_t first, std::size_t last, hb_script_t script) noexcept
+    {
+        return cut_long_graphemes(text, first, last, [this, script](const shaping_part& part) noexcept {
+            return pieces_.push_back({part, script}) ? error{} : error{error::out_of_memory};
+        });
+    }
+
+    /// Has HarfBuzz shape the k-th piece of an item in drawing order.
+    error shape_piece(hb_font_t* font, text_view text, const text_item& item, const item_way& how,
+                      std::size_t k) noexcept
+    {
+        const piece p = pieces_[item.to_the_left() ? pieces_.size() - 1 - k : k];
+        fill_buffer(text, p, !is_valid(text, item), how.flags);
+        return shape_buffer(font, way_of(item), how.script, how.language);
     }
 
     static bool is_valid(text_view text, const text_item& item) noexcept
@@ -261,7 +308,10 @@ private:
     error cut_into_pieces(text_view text, std::size_t first, std::size_t last, hb_script_t given) noexcept
     {
         pieces_.clear();
-        piece open{first, last, given};
+        struct {
+            std::size_t first;
+            hb_script_t script;
+        } open{first, given};
         hb_unicode_funcs_t* unicode = hb_unicode_funcs_get_default();
         for (std::size_t i = first; i < last && given == HB_SCRIPT_INVALID;) {
             const code_point c = decode(text, i, last);
@@ -270,14 +320,14 @@ private:
                 if (open.script == HB_SCRIPT_INVALID)
                     open.script = script;
                 else if (!set_as_one(script, open.script)) {
-                    if (!pieces_.push_back({open.first, i, open.script})) return error::out_of_memory;
-                    open = {i, last, script};
+                    if (error e = add_pieces(text, open.first, i, open.script)) return e;
+                    open = {i, script};
                 }
             }
             i = c.next;
         }
         if (open.script == HB_SCRIPT_INVALID) open.script = HB_SCRIPT_COMMON;
-        return pieces_.push_back(open) ? error{} : error{error::out_of_memory};
+        return add_pieces(text, open.first, last, open.script);
     }
 
     /// Passes a piece and its context to HarfBuzz. Valid text is passed as it is, other text code point by code point,
@@ -285,24 +335,28 @@ private:
     void fill_buffer(text_view text, const piece& p, bool decoded, int flags) noexcept
     {
         constexpr std::size_t context = 32;  // units; HarfBuzz looks at five characters
-        std::size_t begin = p.first, end = p.last;
-        while (begin > 0 && p.first - begin < context && !breaks_line(text.unit(begin - 1))) --begin;
-        while (end < text.size() && end - p.last < context && line_break_at(text, end) == 0) ++end;
+        const shaping_part& own = part_ = p.part;
+        std::size_t begin = own.first, end = own.last;
+        while (begin > 0 && own.first - begin < context && !breaks_line(text.unit(begin - 1))) --begin;
+        while (end < text.size() && end - own.last < context && line_break_at(text, end) == 0) ++end;
 
         hb_buffer_clear_contents(buffer_);
         hb_buffer_set_content_type(buffer_, HB_BUFFER_CONTENT_TYPE_UNICODE);
-        if (begin == p.first) flags |= HB_BUFFER_FLAG_BOT;
-        if (end == p.last) flags |= HB_BUFFER_FLAG_EOT;
+        if (begin == own.first) flags |= HB_BUFFER_FLAG_BOT;
+        if (end == own.last) flags |= HB_BUFFER_FLAG_EOT;
+        if (own.inner_end != 0) flags |= HB_BUFFER_FLAG_DO_NOT_INSERT_DOTTED_CIRCLE;
         hb_buffer_set_flags(buffer_, static_cast<hb_buffer_flags_t>(flags));
         first_unit_ = begin;
-        if (!decoded) return add(text, begin, end, p.first, p.last);
-        add(text, begin, p.first, p.first, p.first);
-        for (std::size_t i = p.first; i < p.last;) {
-            const code_point c = decode(text, i, p.last);
+        text_ = text;
+        last_unit_ = own.last;
+        if (!decoded) return add(text, begin, end, own.first, own.last);
+        add(text, begin, own.first, own.first, own.first);
+        for (std::size_t i = own.first; i < own.last;) {
+            const code_point c = decode(text, i, own.last);
             hb_buffer_add(buffer_, c.value, static_cast<unsigned>(i - begin));
             i = c.next;
         }
-        add(text, p.last, end, p.last, p.last);
+        add(text, own.last, end, own.last, own.last);
     }
 
     /// Adds text[first, last), with text[begin, end) around it as context.
@@ -326,6 +380,7 @@ private:
         hb_buffer_set_language(buffer_, language);
         const auto shaped =
             hb_shape_full(font, buffer_, features_.data(), static_cast<unsigned>(features_.size()), nullptr);
+        font_ = font;
         if (!hb_buffer_allocation_successful(buffer_)) return error::out_of_memory;
         return shaped ? error{} : error::font_library_failed;
     }
@@ -341,6 +396,41 @@ private:
         return info.codepoint == 0 ? flags | glyph_flags::missing : flags;
     }
 
+    /// Whether the glyph before i is the first of several that draw an emoji of several code points in parts. HarfBuzz
+    /// makes a cluster of a grapheme.
+    [[nodiscard]] bool begins_parted(std::span<const hb_glyph_info_t> all, std::size_t i) const noexcept
+    {
+        const unsigned cluster = all[i].cluster;
+        if (all[i - 1].cluster != cluster || (i > 1 && all[i - 2].cluster == cluster)) return false;
+        const std::size_t first = first_unit_ + cluster;
+        if (decode(text_, first, last_unit_).value < 0x203C) return false;  // the first of the emoji beyond Latin-1
+        return is_parted(all.subspan(i - 1), first);
+    }
+    [[nodiscard]] bool is_parted(std::span<const hb_glyph_info_t> glyphs, std::size_t first) const noexcept
+    {
+        std::size_t count = 0, last = last_unit_;
+        while (count < glyphs.size() && glyphs[count].cluster == glyphs[0].cluster) ++count;
+        grapheme_boundaries begins;
+        for (std::size_t at = first; at < last_unit_ && last == last_unit_;) {
+            const code_point c = decode(text_, at, last_unit_);
+            if (begins(character_of(c.value).grapheme) && at != first) last = at;
+            at = c.next;
+        }
+        const auto is_drawn = [&](char32_t c) noexcept {
+            hb_codepoint_t plain = 0, pictured = 0;
+            if (!hb_font_get_nominal_glyph(font_, c, &plain)) return false;
+            if (!hb_font_get_variation_glyph(font_, c, 0xFE0F, &pictured)) pictured = plain;
+            for (std::size_t k = 0; k < count; ++k)
+                if (glyphs[k].codepoint == plain || glyphs[k].codepoint == pictured) return true;
+            return false;
+        };
+        return has_fallen_apart(text_, first, last, is_drawn);
+    }
+    [[nodiscard]] cluster_id cluster_of(const hb_glyph_info_t& info) const noexcept
+    {
+        return static_cast<cluster_id>(part_.cluster(first_unit_ + info.cluster));
+    }
+
     /// Appends what HarfBuzz has shaped, with advances along the line.
     error append_glyphs(point unit, bool down, buffer<shaped_glyph>& glyphs) const noexcept
     {
@@ -351,11 +441,13 @@ private:
         if (out == nullptr) return count == 0 ? error{} : error{error::out_of_memory};
         for (unsigned i = 0; i < count; ++i)
             out[i] = {info[i].codepoint,
-                      static_cast<cluster_id>(first_unit_ + info[i].cluster),
+                      cluster_of(info[i]),
                       down ? 0.0 - unit.y * position[i].y_advance : unit.x * position[i].x_advance,
                       {unit.x * position[i].x_offset, unit.y * position[i].y_offset},
                       0,
                       flags_of(info[i])};
+        for (unsigned i = 1; i < count; ++i)
+            if (begins_parted({info, count}, i)) out[i - 1].flags = out[i - 1].flags | glyph_flags::parted;
         return {};
     }
 
@@ -368,7 +460,7 @@ private:
         placed_glyph* out = run.glyphs.append(count);
         if (out == nullptr) return count == 0 ? error{} : error{error::out_of_memory};
         for (unsigned i = 0; i < count; ++i) {
-            const auto cluster = static_cast<cluster_id>(first_unit_ + info[i].cluster);
+            const cluster_id cluster = cluster_of(info[i]);
             const bool missing = info[i].codepoint == 0;
             out[i] = {info[i].codepoint,
                       cluster,
@@ -376,12 +468,17 @@ private:
                       missing};
             at = {at.x + unit.x * position[i].x_advance, at.y + unit.y * position[i].y_advance};
             if (missing) run.note_missing(cluster);
+            if (i > 0 && begins_parted({info, count}, i)) run.note_parted(cluster);
         }
         return {};
     }
 
     hb_buffer_t* buffer_ = nullptr;
     std::size_t first_unit_ = 0;  // which HarfBuzz's clusters are relative to
+    std::size_t last_unit_ = 0;   // of what the buffer holds
+    text_view text_ = {};         // likewise, until the next call
+    hb_font_t* font_ = nullptr;   // that has shaped it
+    shaping_part part_;           // what the buffer holds
     buffer<hb_feature_t> features_;
     buffer<piece> pieces_;
     buffer<text_item> items_;  // of a line of both directions

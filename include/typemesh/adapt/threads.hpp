@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/assert.hpp>
+#include <typemesh/core/attempt.hpp>
 #include <typemesh/core/executor.hpp>
 
 #include <atomic>
@@ -67,17 +68,7 @@ private:
 
     bool start(std::size_t i) noexcept
     {
-#if defined(__cpp_exceptions)
-        try {
-            threads_[i] = std::thread{[this, i]() noexcept { serve(i + 1); }};
-            return true;
-        } catch (...) {
-            return false;
-        }
-#else
-        threads_[i] = std::thread{[this, i]() noexcept { serve(i + 1); }};
-        return true;
-#endif
+        return detail::attempt([this, i] { threads_[i] = std::thread{[this, i]() noexcept { serve(i + 1); }}; });
     }
 
     void run_tasks(std::size_t n, const void* task, call how) noexcept

@@ -40,7 +40,7 @@ struct two_words {
 [[nodiscard]] constexpr two_words sum_of_products(std::int64_t a, std::int64_t b, std::int64_t c,
                                                   std::int64_t d) noexcept
 {
-#if defined(__SIZEOF_INT128__)
+#if defined(__SIZEOF_INT128__) && !defined(_MSC_VER)
     __extension__ using wide = __int128;
     const wide sum = static_cast<wide>(a) * b + static_cast<wide>(c) * d;
     return {static_cast<std::uint64_t>(sum >> 64), static_cast<std::uint64_t>(sum)};
@@ -62,7 +62,7 @@ struct two_words {
 [[nodiscard]] constexpr two_words sum_of_products(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d,
                                                   std::int64_t e, std::int64_t f) noexcept
 {
-#if defined(__SIZEOF_INT128__)
+#if defined(__SIZEOF_INT128__) && !defined(_MSC_VER)
     __extension__ using wide = __int128;
     const wide sum = static_cast<wide>(a) * b + static_cast<wide>(c) * d - static_cast<wide>(e) * f;
     return {static_cast<std::uint64_t>(sum >> 64), static_cast<std::uint64_t>(sum)};

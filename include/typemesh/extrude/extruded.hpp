@@ -54,7 +54,7 @@ struct extruded {
     bool back = true;
     bool side = true;
     texture_mapping texture = texture_mapping::em;
-    [[no_unique_address]] Normals normals = {};
+    Normals normals = {};
 
     /// See option_bits. Depth matters only for writing, but a depth that plan() refuses must not find what another one
     /// cached. The normals have three of the numbers.

@@ -85,6 +85,7 @@ inline error place_item(std::span<shaped_glyph> glyphs, const text_item& item, c
         const bool missing = has(g.flags, glyph_flags::missing);
         *out++ = {g.id, g.cluster, pen + g.offset, missing, 0};
         if (missing) run.note_missing(g.cluster);
+        if (has(g.flags, glyph_flags::parted)) run.note_parted(g.cluster);
         pen = pen + (down ? point{0.0, 0.0 - g.advance} : point{g.advance, 0.0});
         const auto look = run.number_of({.face = g.face, .map = map});
         if (!look) return look.error();

@@ -82,14 +82,16 @@ public:
                         glyph_run& run) noexcept
     {
         const std::size_t before = run.glyphs.size(), looks = run.looks.size();
-        const std::uint32_t missing = run.missing;
-        const cluster_id first_missing = run.first_missing;
+        const std::uint32_t missing = run.missing, parted = run.parted;
+        const cluster_id first_missing = run.first_missing, first_parted = run.first_parted;
         const result<point> advance = faces.shape(text, first, last, how, run);
         if (!advance || run.missing == missing) return advance;
         run.glyphs.truncate(before);
         run.looks.truncate(looks);
         run.missing = missing;
         run.first_missing = first_missing;
+        run.parted = parted;
+        run.first_parted = first_parted;
         const auto has_form = [&faces](char32_t c) noexcept { return faces.has_vertical_form(c); };
         const error split = how.direction == direction::top_to_bottom
                                 ? mixed_.split_column(text, first, last, how, has_form, items_)

@@ -43,7 +43,10 @@ struct glyph_run {
 
     std::uint32_t missing = 0;              ///< glyphs that the font lacks (drawn as .notdef only on request)
     cluster_id first_missing = no_cluster;  ///< the position of the first of them in the text
-    std::uint32_t invalid_units = 0;        ///< places where the text was not valid UTF and U+FFFD was read instead
+    std::uint32_t parted = 0;  ///< emoji of several code points whose parts are drawn one by one, as the font has no
+                               ///< glyph for the whole: see emoji_sequence.hpp
+    cluster_id first_parted = no_cluster;  ///< the position of the first of them in the text
+    std::uint32_t invalid_units = 0;       ///< places where the text was not valid UTF and U+FFFD was read instead
     cluster_id first_invalid_unit = no_cluster;
     std::uint32_t unbroken = 0;  ///< runs of Thai, Lao, Khmer and the like in lines of a width, which could end inside
                                  ///< but only a dictionary tells where, and there was none
@@ -58,6 +61,12 @@ struct glyph_run {
     {
         ++missing;
         if (cluster < first_missing) first_missing = cluster;
+    }
+    /// For shapers: counts another emoji that has fallen apart, at this cluster.
+    void note_parted(cluster_id cluster) noexcept
+    {
+        ++parted;
+        if (cluster < first_parted) first_parted = cluster;
     }
     /// For shapers: counts further places that were not valid UTF, the first of them here.
     void note_invalid_units(cluster_id first, std::uint32_t count = 1) noexcept
@@ -98,8 +107,8 @@ struct glyph_run {
         looks.clear();
         index_.clear();
         units_per_em = 0.0;
-        missing = invalid_units = unbroken = 0;
-        first_missing = first_invalid_unit = first_unbroken = no_cluster;
+        missing = parted = invalid_units = unbroken = 0;
+        first_missing = first_parted = first_invalid_unit = first_unbroken = no_cluster;
     }
 
 private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/layout/column_progress.hpp>
 #include <typemesh/layout/face_metrics.hpp>
 #include <typemesh/layout/line_break.hpp>
 #include <typemesh/layout/line_places.hpp>
@@ -15,6 +16,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     y = 0  |Hello                  <- baseline     the first is centred on x = 0    |   |
 ///            |                                                                        C   A
 ///     y = -d |world!                                                                  D   B
+///
+/// Columns of Mongolian go from left to right (column_progress).
 ///
 /// The distance d is ascender - descender + gap of the shaper's first face by line_reach_of() (one em if that is not
 /// positive), times line_spacing. A text has one line more than it has breaks: an empty text is one empty line. Spaces
@@ -40,7 +43,8 @@ error layout(Shaper& shaper, text_view text, const shape_options& how, const lay
         return e;
     };
     run.units_per_em = shaper.units_per_em();
-    const line_places places{line_reach_of(shaper, how.direction), run.units_per_em, how.direction, options};
+    const line_places places{line_reach_of(shaper, how.direction), run.units_per_em, how.direction, options,
+                             columns_go_right(text, how)};
 
     std::size_t begin = 0;
     for (bool more = true; more;) {

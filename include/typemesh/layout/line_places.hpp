@@ -13,12 +13,14 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Where the lines of a text are placed; see layout().
 class line_places {
 public:
-    line_places(const line_metrics& metrics, double units_per_em, direction flow,
-                const layout_options& options) noexcept
+    /// `rightwards`: of columns, each stands to the right of the one before.
+    line_places(const line_metrics& metrics, double units_per_em, direction flow, const layout_options& options,
+                bool rightwards = false) noexcept
         : vertical_{flow == direction::top_to_bottom}, align_{options.align}
     {
         const double measured = metrics.ascender - metrics.descender + metrics.gap;
         distance_ = (measured > 0.0 ? measured : units_per_em) * options.line_spacing;
+        if (rightwards) distance_ = 0.0 - distance_;
     }
 
     /// The length of a line, from the offset of its pen; never negative.

@@ -17,7 +17,7 @@ enum class direction : std::uint8_t {
     automatic,  ///< left-to-right or right-to-left: that of the first letter, else of the script asked for
     left_to_right,
     right_to_left,
-    top_to_bottom,  ///< columns, each to the left of the one before
+    top_to_bottom,  ///< columns, each to the left of the one before, in Mongolian to its right: column_progress
 };
 
 /// An OpenType feature switched on (1), off (0) or set to one of its alternates (2, 3, ...), for the whole text:

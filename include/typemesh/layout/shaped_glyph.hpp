@@ -17,6 +17,7 @@ enum class glyph_flags : std::uint8_t {
     missing = 1u << 2,          ///< the font has no glyph for this text: the id is its .notdef
     sideways = 1u << 3,         ///< it has been laid on its side, in a column; see column_glyphs.hpp
     combined = 1u << 4,         ///< it has been put beside others, in a column
+    parted = 1u << 5,           ///< the first glyph of an emoji that has fallen apart; see emoji_sequence.hpp
 };
 
 [[nodiscard]] constexpr glyph_flags operator|(glyph_flags a, glyph_flags b) noexcept

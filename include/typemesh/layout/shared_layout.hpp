@@ -3,6 +3,7 @@
 
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/executor.hpp>
+#include <typemesh/layout/column_progress.hpp>
 #include <typemesh/layout/face_metrics.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/layout/line_break.hpp>
@@ -37,15 +38,16 @@ public:
         if (error e = find_lines(text, 8 * count)) return e;
 
         run.units_per_em = shaper.units_per_em();
-        const line_places places{line_reach_of(shaper, how.direction), run.units_per_em, how.direction, options};
+        const line_places places{line_reach_of(shaper, how.direction), run.units_per_em, how.direction, options,
+                                 columns_go_right(text, how)};
         for (std::size_t w = 0; w < count; ++w) {
             run_of(w).clear();
             run_of(w).units_per_em = run.units_per_em;
         }
         workers.run(blocks_.size(), [&, this](std::size_t b, std::size_t worker) noexcept {
             glyph_run& own = run_of(worker);
-            own.missing = own.invalid_units = 0;  // a shaper may take its own first for the first of all
-            own.first_missing = own.first_invalid_unit = no_cluster;
+            own.missing = own.parted = own.invalid_units = 0;  // a shaper may take its own first for the first of all
+            own.first_missing = own.first_parted = own.first_invalid_unit = no_cluster;
             for (line& l : lines_of(b)) {
                 l.worker = static_cast<std::uint32_t>(worker);
                 l.first = own.glyphs.size();
@@ -61,6 +63,8 @@ public:
             block& of_it = blocks_[b];
             of_it.missing = own.missing;
             of_it.first_missing = own.first_missing;
+            of_it.parted = own.parted;
+            of_it.first_parted = own.first_parted;
             of_it.invalid_units = own.invalid_units;
             of_it.first_invalid_unit = own.first_invalid_unit;
         });
@@ -74,8 +78,10 @@ public:
         });
         for (const block& b : blocks_) {
             run.missing += b.missing;
+            run.parted += b.parted;
             run.invalid_units += b.invalid_units;
             if (b.first_missing < run.first_missing) run.first_missing = b.first_missing;
+            if (b.first_parted < run.first_parted) run.first_parted = b.first_parted;
             if (b.first_invalid_unit < run.first_invalid_unit) run.first_invalid_unit = b.first_invalid_unit;
         }
         return {};
@@ -94,8 +100,8 @@ private:
     /// Lines that one worker shapes, one after the other, and what it found.
     struct block {
         std::size_t first_line;
-        std::uint32_t missing, invalid_units;
-        cluster_id first_missing, first_invalid_unit;
+        std::uint32_t missing, parted, invalid_units;
+        cluster_id first_missing, first_parted, first_invalid_unit;
     };
 
     /// Finds the lines, and groups them into about so many blocks of equal length, none too short to be worthwhile.
@@ -111,7 +117,8 @@ private:
             more = end < text.size();
             const std::size_t number = lines_.size();
             if (number == 0 || begin - block_begin >= most) {
-                if (!blocks_.push_back({number, 0, 0, no_cluster, no_cluster})) return error::out_of_memory;
+                if (!blocks_.push_back({number, 0, 0, 0, no_cluster, no_cluster, no_cluster}))
+                    return error::out_of_memory;
                 block_begin = begin;
             }
             if (!lines_.push_back({begin, end, number, 0, 0, 0, 0.0, {}})) return error::out_of_memory;

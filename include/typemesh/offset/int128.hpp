@@ -111,8 +111,9 @@ private:
     }
 };
 
-/// Integers of 128 bits. They are divided by such of 64 bits only.
-#if defined(__SIZEOF_INT128__)
+/// Integers of 128 bits. They are divided by such of 64 bits only. Clang for Microsoft's linker has the type and not
+/// the functions that divide and convert it (__divti3, __floattidf), so it gets the class.
+#if defined(__SIZEOF_INT128__) && !defined(_MSC_VER)
 __extension__ using int128 = __int128;
 #else
 using int128 = two_word_integer;

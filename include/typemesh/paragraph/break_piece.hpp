@@ -33,6 +33,7 @@ struct break_piece {
     piece_end end = piece_end::allowed;
     bool hyphen = false;  ///< a line that ends with it shows a hyphen
     bool tab = false;     ///< it ends with a tab: the next piece begins at a tab stop
+    bool drawn = false;   ///< something of it is drawn, though it may have no width, as a mark without a letter
 
     /// Whether a line must end with it.
     [[nodiscard]] constexpr bool ends_line() const noexcept
@@ -40,7 +41,7 @@ struct break_piece {
         return end == piece_end::line || end == piece_end::paragraph;
     }
     /// Whether a line that ends with it shows something of it: no mere white space, though a soft hyphen alone.
-    [[nodiscard]] constexpr bool is_visible() const noexcept { return width > 0.0 || end_change > 0.0; }
+    [[nodiscard]] constexpr bool is_visible() const noexcept { return drawn || width > 0.0 || end_change > 0.0; }
 
     /// The room that is enough for it, wherever in a line it stands: 0 for mere white space.
     [[nodiscard]] constexpr double room() const noexcept

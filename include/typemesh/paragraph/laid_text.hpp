@@ -106,6 +106,41 @@ public:
         return best;
     }
 
+    /// The grapheme below a point, among those of the cluster that holds text[unit]: of a ligature one of its letters.
+    /// Of a cluster that shows other text, an ellipsis, what it stands for. Empty without lines, or if nothing of the
+    /// text is shown there. Cost: O(log lines), and O(clusters of the line)
+    [[nodiscard]] text_range grapheme_at(std::uint32_t unit, point p) const noexcept
+    {
+        if (lines_.empty() || unit >= shaped_->text().size()) return {};
+        const laid_line& line = lines_[line_of(unit)];
+        const double along = em_ * (in_columns() ? 0.0 - p.y : p.x);
+        text_range found;
+        double least = 0.0;
+        const auto offer = [&](text_range grapheme, const edges& e) noexcept {
+            const double low = e.to_the_left ? e.trailing : e.leading, high = e.to_the_left ? e.leading : e.trailing;
+            const double gap = along < low ? low - along : along > high ? along - high : 0.0;
+            if (found.last != 0 && !(gap < least)) return;
+            found = grapheme;
+            least = gap;
+        };
+        for (const line_slice& s : slices_of(line))
+            each_cluster(s, [&](std::uint32_t k, double pen, double width) noexcept {
+                const text_cluster& c = shaped_->cluster(k);
+                if (unit < c.first || unit >= c.last) return;
+                const bool back = s.level % 2 != 0;
+                if (has(c.flags, cluster_flags::foreign))
+                    return offer({c.first, c.last}, {pen, back ? pen - width : pen + width, back});
+                each_part(k, pen, width, back, [&](std::uint32_t at, const edges& e) noexcept {
+                    const std::uint32_t next = next_grapheme(at);
+                    offer({at, next < c.last ? next : c.last}, e);
+                });
+            });
+        return found;
+    }
+
+    /// Whether the text is set in columns.
+    [[nodiscard]] bool in_columns() const noexcept { return shaped_->in_columns(); }
+
     /// Calls put(box) for each stretch of text[first, last), line by line, from left to right in each: several a line
     /// where directions are mixed. With a grapheme goes what the line adds to it, a hyphen or kashida, and with what is
     /// dropped its ellipsis.
@@ -253,18 +288,26 @@ private:
     void each_grapheme(const line_slice& s, const With& with, const Foreign& foreign) const noexcept
     {
         const bool back = s.level % 2 != 0;
+        each_cluster(s, [&](std::uint32_t k, double pen, double width) noexcept {
+            const text_cluster& c = shaped_->cluster(k);
+            if (has(c.flags, cluster_flags::foreign))
+                foreign(text_range{c.first, c.last}, edges{pen, back ? pen - width : pen + width, back});
+            else
+                each_part(k, pen, width, back, with);
+        });
+    }
+    /// Calls with(cluster, pen, width) for each cluster of a slice: where it begins, in the order in which it is read.
+    template <class With>
+    void each_cluster(const line_slice& s, const With& with) const noexcept
+    {
+        const bool back = s.level % 2 != 0;
         const double end = back ? s.at : s.at + s.width;
         double pen = back ? s.at + s.width : s.at;
         for (std::uint32_t k = s.first; k < s.last; ++k) {
-            const text_cluster& c = shaped_->cluster(k);
             double width = width_of(*shaped_, s, k);
             if (k + 1 == s.last) width = std::fabs(end - pen);  // a tab, or without the distance behind it
-            const double from = pen;
+            with(k, pen, width);
             pen += back ? -width : width;
-            if (has(c.flags, cluster_flags::foreign))
-                foreign(text_range{c.first, c.last}, edges{from, pen, back});
-            else
-                each_part(k, from, width, back, with);
         }
     }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/same.hpp>
 #include <typemesh/paragraph/shaped_text.hpp>
 
 #include <cstddef>
@@ -27,13 +28,34 @@ struct line_cut {
 
 namespace detail {
 
+/// The letter spacing behind the last cluster of a range that is drawn.
+[[nodiscard]] inline double last_spacing(const shaped_text& shaped, std::uint32_t first, std::uint32_t last) noexcept
+{
+    while (last > first && has(shaped.cluster(last - 1).flags, cluster_flags::unshown)) --last;
+    return last > first ? shaped.spacing_of(shaped.cluster(last - 1)) : 0.0;
+}
+
 /// The advance of clusters without what hangs at their end, and without letter spacing there.
 [[nodiscard]] inline double visible_advance(const shaped_text& shaped, std::uint32_t first, std::uint32_t last) noexcept
 {
-    while (last > first && has(shaped.cluster(last - 1).flags, cluster_flags::hangs)) --last;
-    std::uint32_t drawn = last;
-    while (drawn > first && has(shaped.cluster(drawn - 1).flags, cluster_flags::unseen)) --drawn;
-    return shaped.advance(first, last) - (drawn > first ? shaped.spacing_of(shaped.cluster(drawn - 1)) : 0.0);
+    while (last > first && has(shaped.cluster(last - 1).flags, cluster_flags::unshown)) --last;
+    return shaped.advance(first, last) - last_spacing(shaped, first, last);
+}
+
+/// Whether n clusters from a and from b on are the same glyphs with the same advances.
+[[nodiscard]] inline bool same_clusters(const shaped_text& shaped, std::uint32_t a, std::uint32_t b,
+                                        std::uint32_t n) noexcept
+{
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const text_cluster &c = shaped.cluster(a + i), &d = shaped.cluster(b + i);
+        if (c.first != d.first || c.glyph_count != d.glyph_count) return false;
+        for (std::uint32_t k = 0; k < c.glyph_count; ++k) {
+            const shaped_glyph &g = shaped.glyph(c.glyph + k), &h = shaped.glyph(d.glyph + k);
+            if (g.id != h.id || g.face != h.face || !same(g.advance, h.advance) || !(g.offset == h.offset))
+                return false;
+        }
+    }
+    return true;
 }
 
 /// Appends a hyphen, as a cluster of the grapheme before text[place]: the font's own, else hyphen-minus.
@@ -74,7 +96,7 @@ result<bool> make_cut(shaped_text& shaped, Shaper& shaper, std::uint32_t c, std:
     constexpr std::uint32_t most = 64;  // clusters a side: in a font where nothing is safe time stays linear
     std::uint32_t from = c, to = c + 1;
     while (from > begin && c - from < most &&
-           (unsafe(from) || (hyphen && has(shaped.cluster(from).flags, cluster_flags::hangs))))
+           (unsafe(from) || (hyphen && has(shaped.cluster(from).flags, cluster_flags::unshown))))
         --from;
     while (both && to < end && to - c <= most && unsafe(to)) ++to;
 
@@ -91,13 +113,14 @@ result<bool> make_cut(shaped_text& shaped, Shaper& shaper, std::uint32_t c, std:
     cut.behind_count = static_cast<std::uint32_t>(shaped.all_clusters()) - cut.behind_first;
 
     if (!inside && !hyphen && cut.before_count == c + 1 - from && cut.behind_count == to - c - 1 &&
-        shaped.same_clusters(from, cut.before_first, cut.before_count) &&
-        shaped.same_clusters(c + 1, cut.behind_first, cut.behind_count)) {
+        detail::same_clusters(shaped, from, cut.before_first, cut.before_count) &&
+        detail::same_clusters(shaped, c + 1, cut.behind_first, cut.behind_count)) {
         shaped.truncate(clusters, glyphs);
         return false;
     }
     const double own = shaped.cluster(c).advance;
-    const double was = inside ? shaped.advance(from, c) + share * own : detail::visible_advance(shaped, from, c + 1);
+    const double was = inside ? shaped.advance(from, c) + share * own - detail::last_spacing(shaped, from, c + 1)
+                              : detail::visible_advance(shaped, from, c + 1);
     cut.end_change = detail::visible_advance(shaped, cut.before_first, cut.before_first + cut.before_count) - was;
     cut.begin_change = 0.0;
     if (both)

@@ -29,8 +29,9 @@ public:
     template <item_shaper Shaper>
     result<double> widen(line_slices& line, shaped_text& shaped, Shaper& shaper, justification by, double gap) noexcept
     {
-        if (by == justification::letters) {
-            const auto grown = spread(line, shaped, gap);
+        const bool ideographs = by == justification::automatic && has_ideographs(line, shaped);
+        if (by == justification::letters || ideographs) {
+            const auto grown = spread(line, shaped, gap, ideographs);
             if (!grown || *grown > 0.0) return grown;
         }
         double strokes = 0.0;
@@ -90,9 +91,17 @@ private:
         }
     }
 
-    /// Moves letters apart. A distance stands behind its letter, so that the last one of what is read towards an edge
-    /// of the line has none: it becomes a slice of its own.
-    result<double> spread(line_slices& line, const shaped_text& shaped, double gap) noexcept
+    [[nodiscard]] static bool has_ideographs(const line_slices& line, const shaped_text& shaped) noexcept
+    {
+        for (std::size_t k = line.behind_tabs(shaped); k < line.visible(); ++k)
+            for (std::uint32_t c = line.slices()[k].first; c < line.slices()[k].last; ++c)
+                if (is_ideographic(decode(shaped.text(), shaped.cluster(c).first).value)) return true;
+        return false;
+    }
+
+    /// Moves letters apart, or ideographs alone. A distance stands after its letter, so that the last one of what is
+    /// read towards an edge of the line has none: it becomes a slice of its own.
+    result<double> spread(line_slices& line, const shaped_text& shaped, double gap, bool ideographs) noexcept
     {
         const std::size_t first = line.behind_tabs(shaped), visible = line.visible();
         const auto s = line.slices();
@@ -110,6 +119,7 @@ private:
                 return error::out_of_memory;
             if (k >= first && k < visible && (!edge || s[k].last - s[k].first > 1)) {
                 made_.back().spread = 1.0;  // the distance is not known yet
+                made_.back().ideographs = ideographs;
                 count += count_spaced(shaped, made_.back());
             }
             if (edge && !made_.push_back(head)) return error::out_of_memory;
@@ -137,7 +147,7 @@ private:
     [[nodiscard]] static std::size_t count_spaced(const shaped_text& shaped, const line_slice& s) noexcept
     {
         std::size_t n = 0;
-        for (std::uint32_t c = s.first; c < s.last; ++c) n += shaped.may_be_spaced(shaped.cluster(c)) ? 1u : 0u;
+        for (std::uint32_t c = s.first; c < s.last; ++c) n += has_gap(shaped, s, shaped.cluster(c)) ? 1u : 0u;
         return n;
     }
 

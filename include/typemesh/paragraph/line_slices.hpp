@@ -3,6 +3,7 @@
 
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/same.hpp>
+#include <typemesh/paragraph/ideograph_gaps.hpp>
 #include <typemesh/paragraph/line_room.hpp>
 #include <typemesh/paragraph/text_pieces.hpp>
 #include <typemesh/unicode/visual_order.hpp>
@@ -23,11 +24,18 @@ struct line_slice {
     std::uint32_t glyph = 0;
     std::uint32_t glyph_end = 0;
     double width = 0.0;
-    double lead = 0.0;     ///< where its pen starts, from the place of the slice
-    double stretch = 0.0;  ///< by which each of its spaces is wider
-    double spread = 0.0;   ///< by which each of its clusters is wider that shaped_text::may_be_spaced()
-    double at = 0.0;       ///< its place along the line
+    double lead = 0.0;        ///< where its pen starts, from the place of the slice
+    double stretch = 0.0;     ///< by which each of its spaces is wider
+    double spread = 0.0;      ///< by which each of its clusters is wider that has a gap after it: see has_gap()
+    bool ideographs = false;  ///< only ideographs and spaces have
+    double at = 0.0;          ///< its place along the line
 };
+
+/// Whether a cluster of a slice has a gap after it where letters move apart.
+[[nodiscard]] inline bool has_gap(const shaped_text& shaped, const line_slice& s, const text_cluster& c) noexcept
+{
+    return s.ideographs ? has_ideograph_gap(shaped, c) : shaped.may_be_spaced(c);
+}
 
 /// How wide a cluster of a slice is in its line; the last one, a tab say, may be wider or narrower: it ends the slice.
 [[nodiscard]] inline double width_of(const shaped_text& shaped, const line_slice& s, std::uint32_t cluster) noexcept
@@ -35,7 +43,7 @@ struct line_slice {
     const text_cluster& c = shaped.cluster(cluster);
     double width = c.advance;
     if (has(c.flags, cluster_flags::stretches)) width += s.stretch;
-    if (!is_zero(s.spread) && shaped.may_be_spaced(c)) width += s.spread;
+    if (!is_zero(s.spread) && has_gap(shaped, s, c)) width += s.spread;
     return width;
 }
 
@@ -98,7 +106,7 @@ public:
     /// Removes what would hang at the line's end, and a hyphen.
     void trim(const shaped_text& shaped) noexcept
     {
-        constexpr cluster_flags trimmed = cluster_flags::hangs | cluster_flags::foreign;
+        constexpr cluster_flags trimmed = cluster_flags::unshown | cluster_flags::foreign;
         while (!slices_.empty()) {
             line_slice& s = slices_.back();
             while (s.last > s.first && has(shaped.cluster(s.last - 1).flags, trimmed)) --s.last;
@@ -109,13 +117,17 @@ public:
 
     /// Ends the line: separates what hangs, sets that and what stands before tabs at the paragraph's level (rule L1 of
     /// UAX #9), and measures everything, with the pen at `pen` in the beginning. Returns the line's width.
+    ///
+    ///     word SPACE RLM SPACE     White space before a mark that is not drawn hangs like any, so it is set at the
+    ///          |.............|     paragraph's level, too: at that of the mark it would stand within the line.
     result<double> finish(const shaped_text& shaped, std::uint8_t level, double pen, const line_room& room) noexcept
     {
-        const auto letters = part(shaped, slices_.size(), cluster_flags::hangs, true);
-        if (!letters) return letters.error();
-        const auto visible = part(shaped, *letters, cluster_flags::unseen, true);
+        const auto visible = part(shaped, slices_.size(), cluster_flags::unshown, true);
         if (!visible) return visible.error();
         visible_ = *visible;
+        const auto hanging = part_hanging(shaped);
+        if (!hanging) return hanging.error();
+        for (std::size_t k = *hanging; k < slices_.size(); ++k) slices_[k].level = level;
         line_end_rule rule;
         for (std::size_t k = slices_.size(); k-- > 0;) {
             line_slice& s = slices_[k];
@@ -240,6 +252,24 @@ private:
         for (std::size_t m = slices_.size() - 1; m > k; --m) slices_[m] = slices_[m - 1];
         slices_[k] = rest;
         return k;
+    }
+
+    /// Parts what is not drawn before the first white space that hangs from that. Returns which slice begins with it.
+    result<std::size_t> part_hanging(const shaped_text& shaped) noexcept
+    {
+        for (std::size_t k = visible_; k < slices_.size(); ++k) {
+            std::uint32_t c = slices_[k].first;
+            while (c < slices_[k].last && !has(shaped.cluster(c).flags, cluster_flags::hangs)) ++c;
+            if (c == slices_[k].first) return k;
+            if (c == slices_[k].last) continue;
+            line_slice rest = slices_[k];
+            rest.first = slices_[k].last = c;
+            if (!slices_.push_back(rest)) return error::out_of_memory;
+            for (std::size_t m = slices_.size() - 1; m > k + 1; --m) slices_[m] = slices_[m - 1];
+            slices_[k + 1] = rest;
+            return k + 1;
+        }
+        return slices_.size();
     }
 
     /// Takes the letter spacing behind a line's last letter away.

@@ -31,7 +31,7 @@ public:
         const std::uint32_t item = shaped_.cluster(slice.first).item;
         for (std::uint32_t k = slice.first; k < slice.last; ++k) {
             const text_cluster& c = shaped_.cluster(back ? slice.last - 1 - (k - slice.first) : k);
-            const double spread = !is_zero(slice.spread) && shaped_.may_be_spaced(c) ? slice.spread : 0.0;
+            const double spread = !is_zero(slice.spread) && has_gap(shaped_, slice, c) ? slice.spread : 0.0;
             if (back) pen += spread;
             if (error e = append(item, c.glyph, c.glyph + c.glyph_count, origin, pen)) return e;
             pen += c.advance + (back ? 0.0 : spread);
@@ -89,6 +89,7 @@ private:
             out[n] = {g.id, g.cluster, at + g.offset, missing, now.look};
             along += g.advance;
             if (missing) run_.note_missing(g.cluster);
+            if (has(g.flags, glyph_flags::parted)) run_.note_parted(g.cluster);
         }
         pen = along;
         return n;

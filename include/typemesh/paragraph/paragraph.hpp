@@ -4,6 +4,7 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/result.hpp>
+#include <typemesh/layout/column_progress.hpp>
 #include <typemesh/paragraph/bar_writer.hpp>
 #include <typemesh/paragraph/elision.hpp>
 #include <typemesh/paragraph/first_fit.hpp>
@@ -16,6 +17,7 @@
 #include <typemesh/paragraph/paragraph_options.hpp>
 #include <typemesh/paragraph/stack_lines.hpp>
 #include <typemesh/paragraph/text_pieces.hpp>
+#include <typemesh/paragraph/whole_syllables.hpp>
 #include <typemesh/unicode/unicode_analyser.hpp>
 
 #include <concepts>
@@ -190,7 +192,11 @@ private:
         if (!is_finite(letter_spacing)) return error::bad("letter_spacing");
         if (const std::uint64_t length = text.size(); length >= 0xFFFF'FFFFu) return error::too_large;
         if (error e = analyser_.analyse(text, analysis_of(how), shaped_.analysis)) return e;
+        keep_syllables_whole(text, shaped_.analysis);
         units_per_em_ = font_->units_per_em();
+        stack_ = how.direction != direction::top_to_bottom ? line_stack::downwards
+                 : columns_go_right(text, how)             ? line_stack::rightwards
+                                                           : line_stack::leftwards;
         if (error e = shaped_.styles.read(spans, shaped_.analysis, face_count())) return e;
         if (error e = shaped_.shape(*font_, text, how, letter_spacing * units_per_em_)) return e;
         if (error e = pieces_.find_words(shaped_, *font_)) return e;
@@ -260,7 +266,7 @@ private:
             if (options.boxes == line_box::content)
                 line.metrics = extent_of(*font_, shaped_, placed_.view().subspan(line.first_slice), metrics);
         }
-        height_ = stack_lines(lines_.view(), em, options, shaped_.in_columns());
+        height_ = stack_lines(lines_.view(), em, options, stack_);
         return {};
     }
 
@@ -399,8 +405,8 @@ private:
     }
 
     Font* font_;
-    [[no_unique_address]] Analyser analyser_;
-    [[no_unique_address]] Breaker breaker_;
+    Analyser analyser_;
+    Breaker breaker_;
     shaped_text shaped_;
     text_pieces pieces_;
     line_slices slices_;
@@ -414,6 +420,7 @@ private:
     double space_ = 0.0, digit_ = 0.0;               // their advances
     std::size_t own_clusters_ = 0, own_glyphs_ = 0;  // of the text: what stands behind belongs to one layout
     double longest_ = 0.0, height_ = 0.0;            // of the last layout
+    line_stack stack_ = line_stack::downwards;
 };
 
 template <class Font>

@@ -31,6 +31,7 @@ enum class line_alignment : std::uint8_t {
 
 /// What makes justified lines wider. Where it cannot, spaces do.
 enum class justification : std::uint8_t {
+    automatic,  ///< in lines with Chinese or Japanese, distances beside ideographs and spaces alike; in others, spaces
     spaces,
     letters,  ///< all distances between letters and spaces alike, but for letters that are written joined
     kashida,  ///< where the font allows, strokes between joined letters of Arabic and its kin; spaces the rest
@@ -63,7 +64,7 @@ struct paragraph_options {
     double width = std::numeric_limits<double>::infinity();  ///< of a line, in columns their height; more than 0
     wrap_mode wrap = wrap_mode::word_or_grapheme;
     line_alignment align = line_alignment::start;
-    justification justify = justification::spaces;  ///< for line_alignment::justify
+    justification justify = justification::automatic;  ///< for line_alignment::justify
     vertical_anchor anchor = vertical_anchor::first_baseline;
     double height = 0.0;                      ///< of the box that top, middle and bottom refer to
     std::uint32_t most_lines = 0xFFFF'FFFFu;  ///< further ones are dropped, 0 is refused

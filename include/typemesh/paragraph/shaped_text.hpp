@@ -12,6 +12,7 @@
 #include <typemesh/paragraph/itemise.hpp>
 #include <typemesh/paragraph/text_cluster.hpp>
 #include <typemesh/paragraph/text_columns.hpp>
+#include <typemesh/paragraph/white_space.hpp>
 #include <typemesh/unicode/text_analysis.hpp>
 
 #include <cstddef>
@@ -199,21 +200,6 @@ public:
     [[nodiscard]] std::size_t all_clusters() const noexcept { return clusters_.size(); }
     [[nodiscard]] std::size_t all_glyphs() const noexcept { return glyphs_.size(); }
 
-    /// Whether clusters[a, a + n) and clusters[b, b + n) are the same glyphs with the same advances.
-    [[nodiscard]] bool same_clusters(std::uint32_t a, std::uint32_t b, std::uint32_t n) const noexcept
-    {
-        for (std::uint32_t i = 0; i < n; ++i) {
-            const text_cluster &c = clusters_[a + i], &d = clusters_[b + i];
-            if (c.first != d.first || c.glyph_count != d.glyph_count) return false;
-            for (std::uint32_t k = 0; k < c.glyph_count; ++k) {
-                const shaped_glyph &g = glyphs_[c.glyph + k], &h = glyphs_[d.glyph + k];
-                if (g.id != h.id || g.face != h.face || !same(g.advance, h.advance) || !(g.offset == h.offset))
-                    return false;
-            }
-        }
-        return true;
-    }
-
     /// The advance of a character of ASCII in the whole text, whatever its styles.
     template <item_shaper Shaper>
     result<double> advance_of(Shaper& shaper, char character) noexcept
@@ -365,7 +351,7 @@ private:
                            .glyph_count = static_cast<std::uint32_t>(end - begin),
                            .item = item};
             for (std::size_t g = begin; g < end; ++g) c.advance += glyphs_[before + g].advance;
-            c.flags = flags_of(glyphs_[before + begin]);
+            c.flags = flags_of(glyphs_[before + begin], c.advance);
             done += end - begin;
             if (clusters_.size() == first_cluster) {
                 c.first = part.first;
@@ -382,8 +368,9 @@ private:
                                   .last = part.last,
                                   .glyph = static_cast<std::uint32_t>(before),
                                   .item = item,
-                                  .flags = flags_of({.cluster = part.first})}))
+                                  .flags = flags_of({.cluster = part.first}, 0.0)}))
             return error::out_of_memory;
+        detail::part_marked_spaces(text_, analysis.marks.view(), clusters_.view().subspan(first_cluster));
         if (!is_zero(setting_of(item).letter_spacing)) space_clusters(first_cluster, item);
         if (!styles.empty()) widen_spaces(first_cluster);
         sum_up(first_cluster);
@@ -397,14 +384,15 @@ private:
         if (c.glyph < last.glyph) last.glyph = c.glyph;
         last.glyph_count += c.glyph_count;
         last.advance += c.advance;
+        if (!is_zero(c.advance)) last.flags = without(last.flags, cluster_flags::unseen);
     }
 
-    /// Those of the cluster that a glyph belongs to.
-    [[nodiscard]] cluster_flags flags_of(const shaped_glyph& g) const noexcept
+    /// Those of the cluster that a glyph belongs to, which has an advance.
+    [[nodiscard]] cluster_flags flags_of(const shaped_glyph& g, double advance) const noexcept
     {
         const text_mark marks = analysis.marks[g.cluster];
         const bool space = has(marks, text_mark::space), hangs = space || has(marks, text_mark::trailing);
-        const bool unseen = !hangs && is_zero(g.advance) && is_default_ignorable(decode(text_, g.cluster).value);
+        const bool unseen = !hangs && is_zero(advance) && is_default_ignorable(decode(text_, g.cluster).value);
         return (hangs ? cluster_flags::hangs : cluster_flags::none) |
                (unseen ? cluster_flags::unseen : cluster_flags::none) |
                (space ? cluster_flags::stretches : cluster_flags::none) |

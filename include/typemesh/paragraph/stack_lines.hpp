@@ -5,43 +5,60 @@
 #include <typemesh/paragraph/paragraph_options.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Puts the lines of a paragraph one below the other, or its columns one to the left of the other: sets the origin of
-/// each, from its metrics. Between two baselines is what hangs from the first, what rises from the second and half of
-/// either's gap, or one em if that is not positive; times line_spacing.
+/// How lines follow each other.
+enum class line_stack : std::uint8_t {
+    downwards,   ///< lines, each below the one before
+    leftwards,   ///< columns
+    rightwards,  ///< columns of Mongolian
+};
+
+/// Puts the lines of a paragraph one below the other, or its columns beside each other: sets the origin of each, from
+/// its metrics. Between two baselines is what reaches from the first towards the second and from the second towards
+/// the first, and half of either's gap, or one em if that is not positive; times line_spacing. `top` is the edge where
+/// the text begins: in columns that go to the right the first one's descender, on the left.
 ///
-/// Returns how high they are together, from the first one's ascender to the last one's descender, in font units.
+/// Returns how high they are together, from the first one's outer edge to the last one's, in font units.
 inline double stack_lines(std::span<laid_line> lines, double units_per_em, const paragraph_options& options,
-                          bool down) noexcept
+                          line_stack way) noexcept
 {
     if (lines.empty()) return 0.0;
+    const auto before = [way](const line_metrics& m) noexcept {  // towards the lines before
+        return way == line_stack::rightwards ? 0.0 - m.descender : m.ascender;
+    };
+    const auto after = [way](const line_metrics& m) noexcept {
+        return way == line_stack::rightwards ? m.ascender : 0.0 - m.descender;
+    };
     double natural = 0.0;  // from the first baseline, before line_spacing
     for (std::size_t k = 0; k < lines.size(); ++k) {
         if (k > 0) {
             const line_metrics &above = lines[k - 1].metrics, &below = lines[k].metrics;
-            const double distance = below.ascender - above.descender + (above.gap + below.gap) / 2;
+            const double distance = before(below) + after(above) + (above.gap + below.gap) / 2;
             natural += distance > 0.0 ? distance : units_per_em;
         }
         lines[k].origin.y = natural * options.line_spacing;
     }
     const double all = lines.back().origin.y, height = options.height * units_per_em;
-    const double ascender = lines.front().metrics.ascender, descender = lines.back().metrics.descender;
+    const double first_edge = before(lines.front().metrics), last_edge = after(lines.back().metrics);
     double first = 0.0;
     switch (options.anchor) {
     case vertical_anchor::first_baseline: break;
     case vertical_anchor::last_baseline: first = all; break;
-    case vertical_anchor::top: first = 0.0 - ascender; break;
-    case vertical_anchor::middle: first = (all - height - ascender - descender) / 2; break;
-    case vertical_anchor::bottom: first = all - height - descender; break;
+    case vertical_anchor::top: first = 0.0 - first_edge; break;
+    case vertical_anchor::middle: first = (all - height - first_edge + last_edge) / 2; break;
+    case vertical_anchor::bottom: first = all - height + last_edge; break;
     }
     for (laid_line& line : lines) {
         const double across = first - line.origin.y;
-        line.origin = down ? point{across, 0.0} : point{0.0, across};
+        line.origin = way == line_stack::downwards    ? point{0.0, across}
+                      : way == line_stack::rightwards ? point{0.0 - across, 0.0}
+                                                      : point{across, 0.0};
     }
-    return ascender + all - descender;
+    return first_edge + all + last_edge;
 }
 
 }  // namespace typemesh::inline TYPEMESH_ABI

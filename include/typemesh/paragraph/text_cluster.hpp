@@ -19,11 +19,18 @@ enum class cluster_flags : std::uint16_t {
     foreign = 1u << 6,  ///< it shows what is not in the text: a hyphen, an ellipsis
     tatweel = 1u << 7,  ///< U+0640 may be inserted before it to fill a line
     unseen = 1u << 8,   ///< not drawn, though rule L1 of UAX #9 does not have it as trailing: a mark of direction, say
+    unshown = hangs | unseen,  ///< nothing of it shows at the end of a line
 };
 
 [[nodiscard]] constexpr cluster_flags operator|(cluster_flags a, cluster_flags b) noexcept
 {
     return static_cast<cluster_flags>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
+
+/// A set without the flags of another.
+[[nodiscard]] constexpr cluster_flags without(cluster_flags set, cluster_flags others) noexcept
+{
+    return static_cast<cluster_flags>(static_cast<unsigned>(set) & ~static_cast<unsigned>(others));
 }
 
 /// Whether a set contains a flag; of several, any.

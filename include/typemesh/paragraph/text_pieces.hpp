@@ -62,6 +62,7 @@ public:
         expansions_.clear();
         cuts_.clear();
         widest_ = 0.0;
+        joined_ = false;
     }
 
     /// In the text's order; at least one.
@@ -82,8 +83,9 @@ public:
             for (std::uint32_t u = cluster.first + 1; u <= cluster.last; ++u) {
                 const bool tab = u == cluster.last && has(cluster.flags, cluster_flags::tab);
                 if (u < size && !tab && !may_end(shaped.analysis.marks[u])) continue;
-                const piece_end end =
-                    u < size && !may_end(shaped.analysis.marks[u]) ? piece_end::never : end_at(shaped, cluster, u);
+                const bool never = u < size && !may_end(shaped.analysis.marks[u]);  // a tab, and a bracket, say
+                const piece_end end = never ? piece_end::never : end_at(shaped, cluster, u);
+                joined_ = joined_ || never;
                 if (error e = close(shaped, shaper, {c, u, end, tab}, now, words_)) return e;
             }
             now.add_rest(shaped, cluster);
@@ -104,17 +106,22 @@ public:
     result<const list*> pieces_for(wrap_mode wrap, double narrowest, shaped_text& shaped, Shaper& shaper) noexcept
     {
         const bool all = wrap == wrap_mode::grapheme;
-        if (!all && (wrap != wrap_mode::word_or_grapheme || !(widest_ > narrowest))) return &words_;
+        if (!all && (wrap != wrap_mode::word_or_grapheme || !(joined_ || widest_ > narrowest))) return &words_;
         gathered_.clear();
         for (std::size_t i = 0; i < words_.pieces.size(); ++i) {
             const break_piece& word = words_.pieces[i];
-            if (!all && !(word.room() > narrowest)) {
-                if (!gathered_.append(words_, i, 1)) return error::out_of_memory;
-                continue;
-            }
-            if (error e = expand(i, shaped, shaper)) return e;
             const std::size_t before = gathered_.pieces.size();
-            if (!gathered_.append(graphemes_, expansions_[i].first, expansions_[i].count)) return error::out_of_memory;
+            const bool hemmed =
+                i > 0 && words_.pieces[i - 1].end == piece_end::never && !begins_line(shaped, word.first);
+            if (all || hemmed || word.room() > narrowest) {
+                if (error e = expand(i, shaped, shaper)) return e;
+                if (!gathered_.append(graphemes_, expansions_[i].first, expansions_[i].count))
+                    return error::out_of_memory;
+            } else if (!gathered_.append(words_, i, 1)) {
+                return error::out_of_memory;
+            }
+            if (word.end == piece_end::never && begins_line(shaped, word.last))
+                gathered_.pieces.back().end = piece_end::in_need;
             if (!all) continue;
             for (break_piece& p : gathered_.pieces.view().subspan(before))
                 if (p.end == piece_end::in_need) p.end = piece_end::allowed;
@@ -161,6 +168,7 @@ private:
         std::uint32_t cluster = 0, first = 0;  // where it begins
         double width = 0.0, space = 0.0, stretch = 0.0, begin_change = 0.0;
         bool empty = true;
+        bool drawn = false;
         double spacing = 0.0;  // of its last cluster that is drawn
         double taken = 0.0;    // the share of the present cluster that earlier pieces have taken
 
@@ -178,9 +186,11 @@ private:
                 if (has(c.flags, cluster_flags::stretches)) stretch += advance;
                 return;
             }
+            if (has(c.flags, cluster_flags::unseen)) return;  // it has no advance, and spaces before it may hang
+            drawn = true;
             width += space + advance;
             space = 0.0;
-            if (!has(c.flags, cluster_flags::unseen)) spacing = shaped.spacing_of(c);
+            spacing = shaped.spacing_of(c);
         }
         void add_rest(const shaped_text& shaped, const text_cluster& c) noexcept
         {
@@ -215,7 +225,8 @@ private:
                           .end_change = 0.0 - now.spacing,
                           .end = at.end,
                           .hyphen = parts && shaped.hyphenates(at.unit),
-                          .tab = at.tab};
+                          .tab = at.tab,
+                          .drawn = now.drawn};
         double next_change = 0.0;
         if (parts) {
             line_cut cut;
@@ -225,6 +236,7 @@ private:
                 where.cut = static_cast<std::uint32_t>(cuts_.size());
                 if (!cuts_.push_back(cut)) return error::out_of_memory;
                 piece.end_change += cut.end_change;
+                if (piece.hyphen) piece.end_change += before_hyphen(shaped, at.cluster, cut.before_from, now);
                 next_change = cut.begin_change;
             }
         }
@@ -234,6 +246,21 @@ private:
         now = {.cluster = at.cluster, .first = at.unit, .begin_change = next_change};
         now.taken = taken;
         return {};
+    }
+
+    /// What a hyphen that stands in an item of its own, with clusters [from, c], leaves at a line's end: the spacing of
+    /// the last letter, and white space after that, which does not hang before a hyphen.
+    static double before_hyphen(const shaped_text& shaped, std::uint32_t c, std::uint32_t from,
+                                const open_piece& now) noexcept
+    {
+        const auto unshown = [&shaped](std::uint32_t k) noexcept {
+            return has(shaped.cluster(k).flags, cluster_flags::unshown);
+        };
+        for (std::uint32_t k = from; k <= c; ++k)
+            if (!unshown(k)) return 0.0;
+        double left = now.spacing;
+        for (; from > now.cluster && unshown(from - 1); --from) left += shaped.cluster(from - 1).advance;
+        return left;
     }
 
     /// Makes the graphemes of a word, once; none where that fails.
@@ -269,7 +296,7 @@ private:
                 now.taken = static_cast<double>(word.first - cluster.first) / (cluster.last - cluster.first);
             const std::uint32_t from = cluster.first < word.first ? word.first : cluster.first;
             for (std::uint32_t u = from + 1; u <= cluster.last && u < word.last; ++u)
-                if (has(shaped.analysis.marks[u], text_mark::grapheme) && !is_white_space(shaped, u))
+                if (begins_line(shaped, u))
                     if (error e = close(shaped, shaper, {c, u, piece_end::in_need, false}, now, graphemes_)) return e;
             if (cluster.last <= word.last)
                 now.add_rest(shaped, cluster);
@@ -286,14 +313,19 @@ private:
                                .end_change = word.end_change,
                                .end = word.end,
                                .hyphen = word.hyphen,
-                               .tab = word.tab};
+                               .tab = word.tab,
+                               .drawn = now.drawn};
         return graphemes_.push_back(last, {now.cluster, home.cut}) ? error{} : error::out_of_memory;
     }
 
-    /// Whether white space stands at a unit, which stays with what is before it.
-    static bool is_white_space(const shaped_text& shaped, std::uint32_t unit) noexcept
+    /// Whether a line may begin with a unit in need: a grapheme does, and no white space, which stays with what is
+    /// before it.
+    static bool begins_line(const shaped_text& shaped, std::uint32_t unit) noexcept
     {
-        return has(shaped.analysis.marks[unit], text_mark::space | text_mark::separator);
+        const std::span<const text_mark> marks = shaped.analysis.marks.view();
+        if (!has(marks[unit], text_mark::grapheme)) return false;
+        if (!has(marks[unit], text_mark::space | text_mark::separator)) return true;
+        return !is_blank(shaped.text(), marks, unit, grapheme_end(marks, unit));
     }
 
     static piece_end end_at(const shaped_text& shaped, const text_cluster& cluster, std::uint32_t unit) noexcept
@@ -316,6 +348,7 @@ private:
     buffer<expansion> expansions_;  // of the words
     buffer<line_cut> cuts_;
     double widest_ = 0.0;  // the least width into which every word fits
+    bool joined_ = false;  // some words may not be parted: what stands after a tab from what stands before
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -238,14 +238,15 @@ private:
 
     [[nodiscard]] lone_worker<Font, Observer> alone() noexcept { return {*font_, builder_, glyphs_.store, observer_}; }
 
-    // Defined after the class, so that typemesh::compiled can keep them out of other units.
-    template <plan_workers<Font> Workers>
+    // Defined after the class, so that typemesh::compiled can keep them out of other units. Workers are plan_workers;
+    // compilers have failed to match definitions with constraints of members' own.
+    template <class Workers>
     result<plan_type> plan_text(text_view text, const text_options& options, Workers& workers) noexcept;
-    template <plan_workers<Font> Workers>
+    template <class Workers>
     result<plan_type> plan_run(const glyph_run& run, const text_options& options, Workers& workers) noexcept;
-    template <plan_workers<Font> Workers>
+    template <class Workers>
     result<plan_type> plan_told_apart(const glyph_run& run, const text_options& options, Workers& workers) noexcept;
-    template <plan_workers<Font> Workers>
+    template <class Workers>
     result<plan_type> plan_once(const glyph_run& run, const text_options& options, Workers& workers,
                                 double reach) noexcept;
 
@@ -357,15 +358,15 @@ private:
     glyph_merger merger_;
     glyph_run run_;
     text_glyphs glyphs_;
-    [[no_unique_address]] Discretiser discretiser_{};
-    [[no_unique_address]] Triangulator triangulator_{};
-    [[no_unique_address]] Extruder extruder_{};
-    [[no_unique_address]] Observer observer_{};
-    [[no_unique_address]] Cache cache_{};
+    Discretiser discretiser_{};
+    Triangulator triangulator_{};
+    Extruder extruder_{};
+    Observer observer_{};
+    Cache cache_{};
 };
 
 template <outline_source Font, discretiser D, triangulator T, extruder E, stage_observer O, class C>
-template <plan_workers<Font> Workers>
+template <class Workers>
 auto text_mesher<Font, D, T, E, O, C>::plan_text(text_view text, const text_options& options, Workers& workers) noexcept
     -> result<plan_type>
 {
@@ -376,7 +377,7 @@ auto text_mesher<Font, D, T, E, O, C>::plan_text(text_view text, const text_opti
 }
 
 template <outline_source Font, discretiser D, triangulator T, extruder E, stage_observer O, class C>
-template <plan_workers<Font> Workers>
+template <class Workers>
 auto text_mesher<Font, D, T, E, O, C>::plan_run(const glyph_run& run, const text_options& options,
                                                 Workers& workers) noexcept -> result<plan_type>
 {
@@ -398,7 +399,7 @@ auto text_mesher<Font, D, T, E, O, C>::plan_run(const glyph_run& run, const text
 
 // Where floats are to tell cells apart, letters that reach farther from their pens than was thought are built again.
 template <outline_source Font, discretiser D, triangulator T, extruder E, stage_observer O, class C>
-template <plan_workers<Font> Workers>
+template <class Workers>
 auto text_mesher<Font, D, T, E, O, C>::plan_told_apart(const glyph_run& run, const text_options& options,
                                                        Workers& workers) noexcept -> result<plan_type>
 {
@@ -414,7 +415,7 @@ auto text_mesher<Font, D, T, E, O, C>::plan_told_apart(const glyph_run& run, con
 }
 
 template <outline_source Font, discretiser D, triangulator T, extruder E, stage_observer O, class C>
-template <plan_workers<Font> Workers>
+template <class Workers>
 auto text_mesher<Font, D, T, E, O, C>::plan_once(const glyph_run& run, const text_options& options, Workers& workers,
                                                  double reach) noexcept -> result<plan_type>
 {
@@ -430,8 +431,10 @@ auto text_mesher<Font, D, T, E, O, C>::plan_once(const glyph_run& run, const tex
     TYPEMESH_ASSERT(options.frame.is_orthonormal(), "a frame's axes must be unit vectors at right angles");
 
     text_report& report = glyphs_.report;
-    report.missing = run.missing;
-    report.first_missing = run.first_missing;
+    report.missing = run.missing + run.parted;
+    report.parted = run.parted;
+    report.first_missing = run.first_missing < run.first_parted ? run.first_missing : run.first_parted;
+    report.first_parted = run.first_parted;
     report.invalid_units = run.invalid_units;
     report.first_invalid_unit = run.first_invalid_unit;
     report.unbroken = run.unbroken;

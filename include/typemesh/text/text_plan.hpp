@@ -173,6 +173,19 @@ public:
         return hit_within(drawn.glyph, p, triangle);
     }
 
+    /// The place of the text that a point of the mesh belongs to, in em: in units of laid_text, and of run() times em.
+    /// character_at() in picked_character.hpp tells the letter there.
+    [[nodiscard]] point place_of(vec3 p) const noexcept
+    {
+        const text_placement& placed = fresh().placed;
+        const auto product = [p](vec3 axis) noexcept {
+            return as_double(axis.x) * as_double(p.x) + as_double(axis.y) * as_double(p.y) +
+                   as_double(axis.z) * as_double(p.z);
+        };
+        const point from = {product(placed.frame.right), product(placed.frame.up)};
+        return (1.0 / placed.units_per_em) * ((1.0 / placed.unit_per_font_unit) * from + placed.centre);
+    }
+
     /// What is not in the mesh, and why.
     [[nodiscard]] const text_report& report() const noexcept { return fresh().report; }
 

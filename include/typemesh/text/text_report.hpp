@@ -14,16 +14,18 @@ struct text_report {
     std::uint32_t blank = 0;    ///< without an outline, such as spaces, or enclosing nothing
     std::uint32_t refused = 0;  ///< left out because they cannot be built; a merged group counts as one
     error first_refusal;        ///< why, with glyph and cluster; none if refused == 0
-    std::uint32_t missing = 0;  ///< the font lacks them
+    std::uint32_t missing = 0;  ///< the font lacks them; emoji that have fallen apart count
     cluster_id first_missing = no_cluster;
-    std::uint32_t invalid_units = 0;  ///< places of the text that were not valid UTF and were read as U+FFFD
+    std::uint32_t parted = 0;  ///< of the missing, emoji that are drawn in parts: families, flags, skin tones
+    cluster_id first_parted = no_cluster;  ///< where the first of those stands in the text
+    std::uint32_t invalid_units = 0;       ///< places of the text that were not valid UTF and were read as U+FFFD
     cluster_id first_invalid_unit = no_cluster;
     std::uint32_t unbroken = 0;  ///< runs of text whose words only a dictionary finds: see glyph_run
     cluster_id first_unbroken = no_cluster;
 
     /// Glyphs of the mesh whose bevels are narrower, or whose edges have moved less, than asked for, because the rest
     /// was not proven; a merged group counts as one. They are those of plan.glyphs() whose built->is_narrowed(). Bevels
-    /// that were to fit do not count.
+    /// that were to fit count where they have become less than half as wide.
     std::uint32_t narrowed = 0;
     cluster_id first_narrowed = no_cluster;
 
@@ -32,6 +34,9 @@ struct text_report {
     std::uint64_t corners_moved = 0;
     std::uint32_t touching = 0;              ///< glyphs in which some could not be
     cluster_id first_touching = no_cluster;  ///< where the first of these stands
+    /// Pieces of glyphs, smaller than the tolerance, whose bevels meet in a ridge although bevels were to fit.
+    std::uint32_t lost_caps = 0;
+    cluster_id first_lost_cap = no_cluster;
 
     /// True if nothing was lost: every glyph of the text is in the mesh, and no place of it was read as U+FFFD.
     [[nodiscard]] constexpr bool complete() const noexcept

@@ -32,8 +32,8 @@ class chain_cutter {
     struct link {
         grid_point place;
         std::uint32_t point;
-        std::uint32_t before;                              // the link before it; 0: none
-        [[no_unique_address]] typename Output::edge edge;  // to that link, as seen from the interior
+        std::uint32_t before;        // the link before it; 0: none
+        typename Output::edge edge;  // to that link, as seen from the interior
     };
 
 public:

@@ -76,7 +76,7 @@ class monotone_sweep {
     struct span_of_interior {
         side sides[2];
         std::uint32_t end[2];  // the vertex where each side ends
-        [[no_unique_address]] typename Cutter::chains seen;
+        typename Cutter::chains seen;
     };
 
 public:

@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: MIT AND Unicode-DFS-2016
+// SPDX-License-Identifier: MIT AND Unicode-3.0
 #pragma once
 
-// Made from the Unicode Character Database 15.0.0 by tests/unicode/table_maker.hpp. Copyright 1991-2022 Unicode, Inc.
+// Made from the Unicode Character Database 17.0.0 by tests/unicode/table_maker.hpp. Copyright 1991-2025 Unicode, Inc.
 // https://www.unicode.org/license.html
 
 #include <typemesh/core/version.hpp>

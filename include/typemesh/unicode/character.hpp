@@ -10,10 +10,12 @@
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// How a character behaves where a line may break: Line_Break of UAX #14 by its short names, resolved by rule LB1 as
-/// far as no language is needed: AI, SG and XX are al.
+/// far as no language is needed: AI, SG and XX are al. Some classes are parted where a rule looks further.
 enum class line_class : std::uint8_t {
-    al,  ///< letters and most symbols
-    bk,  ///< mandatory breaks; cr, lf, nl
+    al,        ///< letters and most symbols
+    circle,    ///< the dotted circle, al that stands for any letter of a Brahmic script
+    al_picto,  ///< al, pictographic, not yet assigned
+    bk,        ///< mandatory breaks; cr, lf, nl
     cr,
     lf,
     nl,
@@ -27,6 +29,7 @@ enum class line_class : std::uint8_t {
     bb,  ///< break before
     b2,  ///< em dash
     hy,  ///< hyphen-minus
+    hh,  ///< other hyphens
     cb,  ///< an object in the text
     cl,  ///< closing punctuation
     cp,  ///< closing brackets
@@ -36,10 +39,12 @@ enum class line_class : std::uint8_t {
     cj,  ///< small kana: ns in strict typesetting, id in loose
     op,  ///< opening brackets
     op_wide,
-    qu,     ///< quotation marks
+    qu,     ///< quotation marks, which open or close: " and '
+    qu_pi,  ///< those that open, by their general category
+    qu_pf,  ///< those that close
     is,     ///< . , : ;
     nu,     ///< digits
-    po,     ///< % and the like, behind numbers
+    po,     ///< % and the like, after numbers
     pr,     ///< $ and the like, before numbers
     sy,     ///< /
     hl,     ///< Hebrew letters
@@ -52,19 +57,27 @@ enum class line_class : std::uint8_t {
     jl,
     jv,
     jt,
+    ak,       ///< letters of Brahmic scripts whose lines end between syllables: Balinese, Javanese, Cham and others
+    as,       ///< those that take no sign of a stack
+    ap,       ///< those that stand before a syllable's first letter
+    vf,       ///< signs that end a syllable
+    vi,       ///< signs that stack the next letter
     ri,       ///< regional indicators
     sa,       ///< letters of scripts whose words only a dictionary finds: Thai, Lao, Khmer, Burmese, ...
     sa_mark,  ///< their marks
 };
 
-/// How a character joins its neighbours to one grapheme: Grapheme_Cluster_Break of UAX #29, and
-/// Extended_Pictographic, which no character has besides another class.
+/// How a character joins its neighbours to one grapheme: Grapheme_Cluster_Break of UAX #29 with
+/// Indic_Conjunct_Break, which parts its marks and its other characters, and Extended_Pictographic.
 enum class grapheme_class : std::uint8_t {
     other,
     cr,
     lf,
     control,
-    extend,  ///< marks
+    extend,      ///< marks
+    linker,      ///< marks that join two consonants to one conjunct, as viramas do
+    non_joiner,  ///< U+200C, a mark that parts them
+    consonant,   ///< letters of which conjuncts are made
     zwj,
     regional_indicator,
     prepend,
@@ -92,9 +105,10 @@ struct character {
     line_class line;
     grapheme_class grapheme;
     vertical_orientation orientation;
+    bool wide;  ///< East_Asian_Width is wide, fullwidth or halfwidth
 };
 
-/// The properties of a code point. Three reads of a table of 19 kB; beyond U+10FFFF those of U+FFFD.
+/// The properties of a code point. Three reads of a table of 21 kB; beyond U+10FFFF those of U+FFFD.
 [[nodiscard]] inline character character_of(char32_t c) noexcept
 {
     using namespace detail;
@@ -105,9 +119,9 @@ struct character {
     const std::uint32_t middle = byte_of(character_top, c >> 9) << 5 | (c >> 4 & 31);
     const auto leaf = static_cast<std::uint32_t>(character_middles[middle / 4] >> (middle % 4 * 16) & 0xFFFF);
     const std::uint32_t record = character_records[byte_of(character_leaves, leaf << 4 | (c & 15))];
-    return {static_cast<bidi_class>(record & 0x3F), static_cast<bracket_kind>(record >> 6 & 3),
-            static_cast<line_class>(record >> 8 & 0xFF), static_cast<grapheme_class>(record >> 16 & 0xFF),
-            static_cast<vertical_orientation>(record >> 24)};
+    return {static_cast<bidi_class>(record & 0x3F),          static_cast<bracket_kind>(record >> 6 & 3),
+            static_cast<line_class>(record >> 8 & 0x7F),     static_cast<grapheme_class>(record >> 16 & 0xFF),
+            static_cast<vertical_orientation>(record >> 24), (record >> 15 & 1) != 0};
 }
 
 }  // namespace typemesh::inline TYPEMESH_ABI

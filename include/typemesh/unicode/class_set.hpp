@@ -20,6 +20,11 @@ public:
     [[nodiscard]] constexpr bool meets(class_set other) const noexcept { return (bits_ & other.bits_) != 0; }
     constexpr void add(Class c) noexcept { bits_ |= bit(c); }
     constexpr void add(class_set other) noexcept { bits_ |= other.bits_; }
+    [[nodiscard]] friend constexpr class_set operator|(class_set a, class_set b) noexcept
+    {
+        a.add(b);
+        return a;
+    }
 
 private:
     static constexpr std::uint64_t bit(Class c) noexcept { return std::uint64_t{1} << static_cast<unsigned>(c); }

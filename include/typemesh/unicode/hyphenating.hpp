@@ -84,9 +84,10 @@ private:
         if (c < 0x80) return (c | 0x20) >= U'a' && (c | 0x20) <= U'z' ? kind::letter : kind::other;
         if (c == 0xAD) return in_word ? kind::soft_hyphen : kind::other;
         const line_class line = character_of(c).line;
-        if (line == line_class::cm || line == line_class::zwj) return in_word ? kind::mark : kind::other;
-        const bool letter = (line == line_class::al || line == line_class::hl) && script_set::range_of(c).number != 0;
-        return letter ? kind::letter : kind::other;
+        using enum line_class;
+        if (class_set<line_class>{cm, zwj, vf, vi}.holds(line)) return in_word ? kind::mark : kind::other;
+        const bool letter = class_set<line_class>{al, hl, ak, as, ap}.holds(line);
+        return letter && script_set::range_of(c).number != 0 ? kind::letter : kind::other;
     }
 
     void part(text_view text, text_range word, std::string_view language, text_analysis& found) noexcept

@@ -23,12 +23,16 @@ struct script_run {
 ///     Hello (CCC) 5     C is a Cyrillic letter. Marks, spaces and punctuation belong to the run before them, at the
 ///     |Latn  |Cy|Latn   start of the paragraph to the one after; a closing bracket to the run of its opening one.
 ///                       What several scripts have in common ends no run of one of them, nor do scripts that are set
-///                       as one (script.hpp), whose run has the script of its first letter.
+///                       as one (script.hpp), whose run has the script of its first letter. A mark stays with its
+///                       letter, whatever scripts it belongs to.
 ///
 /// At most 32 brackets are open at a time. Appends to `runs`. Cost: O(n)
 class script_itemiser {
 public:
     explicit script_itemiser(buffer<script_run>& runs) noexcept : runs_{runs} {}
+
+    /// A character that begins no grapheme: it narrows the run's scripts, and never ends the run.
+    void add_mark(char32_t c) noexcept { scripts_.intersect(script_set::numbered(number_of(c))); }
 
     /// The next character, and its place in the text, which ascends.
     ///

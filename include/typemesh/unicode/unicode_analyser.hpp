@@ -14,7 +14,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The algorithms of Unicode 15.0 by themselves, without a library and without dictionaries: UAX #9, #14, #24 and #29.
+/// The algorithms of Unicode 17.0 by themselves, without a library and without dictionaries: UAX #9, #14, #24 and #29.
 /// Everywhere the same; `language` is not read. Keeps its memory for the next text.
 ///
 /// Cost   O(n) time; 15 bytes for each character of the longest paragraph, 42 more if some are read to the left
@@ -93,12 +93,16 @@ private:
         for (std::size_t k = 0; k < values_.size(); ++k) {
             const character& c = characters_[k];
             const std::size_t runs = found.scripts.size();
-            if (error e = scripts.add(values_[k], c.bracket, places_[k])) return e;
+            const bool begun = begins(c.grapheme);
+            if (!begun)
+                scripts.add_mark(values_[k]);
+            else if (error e = scripts.add(values_[k], c.bracket, places_[k]))
+                return e;
             if (found.scripts.size() != runs) unbroken = false;  // another script, another dictionary
 
             const text_mark whole = marks_of(c);
             text_mark first = whole | text_mark::character;
-            if (begins(c.grapheme)) first = first | text_mark::grapheme;
+            if (begun) first = first | text_mark::grapheme;
             const line_opportunity before = opportunity(k);
             if (before == line_opportunity::allowed) first = first | text_mark::may_break;
             if (before == line_opportunity::mandatory || (k == 0 && places_[0] != 0))

@@ -73,12 +73,12 @@ private:
     std::span<Index> indices_;
     Vertex* next_vertex_ = nullptr;
     index_writer<Index> index_;
-    [[no_unique_address]] Writer writer_;
+    Writer writer_;
 };
 
 /// Names the missing specialisation in a compile error.
 template <class Vertex>
-consteval void require_vertex_traits() noexcept
+constexpr void require_vertex_traits() noexcept
 {
     static_assert(
         mesh_vertex<Vertex>,

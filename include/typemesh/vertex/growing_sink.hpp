@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/assert.hpp>
+#include <typemesh/core/attempt.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/vertex/array_sink.hpp>
 #include <typemesh/vertex/index_writer.hpp>
@@ -87,31 +88,25 @@ private:
     }
     bool resize(std::size_t vertices, std::size_t indices) noexcept
     {
-#if defined(__cpp_exceptions)
-        try {
-#endif
-            if constexpr (requires {
-                              vertices_->reserve(vertices);
-                              indices_->reserve(indices);
-                          }) {
+        constexpr bool reserve = requires {
+            vertices_->reserve(vertices);
+            indices_->reserve(indices);
+        };
+        return detail::attempt([&] {
+            if constexpr (reserve) {
                 vertices_->reserve(vertices);
                 indices_->reserve(indices);
             }
             vertices_->resize(vertices);
             indices_->resize(indices);
-            return true;
-#if defined(__cpp_exceptions)
-        } catch (...) {
-            return false;
-        }
-#endif
+        });
     }
 
     Vertices* vertices_;
     Indices* indices_;
     vertex_type* next_vertex_ = nullptr;
     index_writer<index_type> index_;
-    [[no_unique_address]] Writer writer_;
+    Writer writer_;
 };
 
 /// A sink that resizes two containers: `std::vector<my_vertex>` and `std::vector<std::uint32_t>`, or the like.

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/box.hpp>
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/layout/face_metrics.hpp>
+#include <typemesh/layout/ligature_carets.hpp>
+#include <typemesh/layout/line_break.hpp>
+#include <typemesh/layout/reading_order.hpp>
+#include <typemesh/text/place_glyphs.hpp>
+#include <typemesh/text/text_plan.hpp>
+#include <typemesh/unicode/grapheme_boundaries.hpp>
+#include <typemesh/unicode/text_range.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// The character of a text that a ray has met.
+struct picked_character {
+    text_range text = {};  ///< a grapheme, in units of the text; empty for an underline or another bar
+    box where = {};        ///< from caret to caret and from descender to ascender, in em; empty likewise
+};
+
+namespace detail {
+
+/// Where the letters of one cluster of a plain line stand, in font units of the run.
+struct picked_cluster {
+    std::uint32_t line = 0, glyph = 0;  // the first of its glyphs in drawing order
+    std::uint32_t glyphs = 0;
+    text_range text = {};
+    double left = 0.0, right = 0.0;  // along the line: in columns downwards
+};
+
+/// How far along its line a place is.
+[[nodiscard]] inline double along(point p, bool down) noexcept { return down ? 0.0 - p.y : p.x; }
+
+/// The text of a cluster ends where the line does, or where the next cluster of the line begins.
+[[nodiscard]] inline std::uint32_t end_of_cluster(std::span<const placed_glyph> line, text_view text,
+                                                  std::uint32_t first) noexcept
+{
+    auto last = static_cast<std::uint32_t>(text.size());
+    for (const placed_glyph& g : line)
+        if (g.cluster > first && g.cluster < last) last = g.cluster;
+    for (std::uint32_t i = first; i < last; i = static_cast<std::uint32_t>(decode(text, i, last).next))
+        if (line_break_at(text, i) != 0) return i;
+    return last;
+}
+
+[[nodiscard]] inline picked_cluster find_cluster(const glyph_run& run, std::uint32_t glyph, text_view text,
+                                                 bool down) noexcept
+{
+    picked_cluster found;
+    const auto size = static_cast<std::uint32_t>(run.glyphs.size());
+    text_line line{.glyph_count = size};
+    if (!run.lines.empty()) line = run.lines[found.line = line_of(run, glyph)];
+    const auto all = run.glyphs.view().subspan(line.first_glyph, line.glyph_count);
+    std::uint32_t first = glyph - line.first_glyph, last = first;
+    const cluster_id cluster = all[first].cluster;
+    while (first > 0 && all[first - 1].cluster == cluster) --first;
+    while (last < all.size() && all[last].cluster == cluster) ++last;
+    const auto least = [&](std::uint32_t from, std::uint32_t to) noexcept {
+        double low = along(all[from].origin, down);
+        for (std::uint32_t i = from + 1; i < to; ++i) low = std::fmin(low, along(all[i].origin, down));
+        return low;
+    };
+    std::uint32_t next = last;
+    while (next < all.size() && all[next].cluster == all[last].cluster) ++next;
+    found.glyph = line.first_glyph + first;
+    found.glyphs = last - first;
+    found.left = first == 0 && line.advance > 0.0 ? along(line.origin, down) : least(first, last);
+    found.right = last < all.size() ? least(last, next) : along(line.origin, down) + line.advance;
+    found.text = {cluster, end_of_cluster(all, text, cluster)};
+    return found;
+}
+
+/// The edges between the graphemes of a cluster, from its left, if its font tells them all.
+template <class Font>
+[[nodiscard]] bool find_carets(const Font& font, const glyph_run& run, const picked_cluster& c, std::size_t wanted,
+                               bool down, buffer<double>& carets) noexcept
+{
+    if constexpr (knows_ligature_carets<Font>) {
+        if (c.glyphs != 1) return false;
+        const placed_glyph& g = run.glyphs[c.glyph];
+        const look drawn = run.looks.empty() ? look{} : run.looks[g.look];
+        if (font.ligature_carets(drawn.face, g.id, down, carets) || carets.size() != wanted) return false;
+        double before = 0.0;
+        for (double& place : carets) {
+            place *= down ? 1.0 : drawn.map.xx;
+            if (!(place > before)) return false;
+            before = place;
+        }
+        return before < c.right - c.left;
+    }
+    return false;
+}
+
+/// Where the n-th grapheme of a text begins, or where the text ends.
+[[nodiscard]] inline std::uint32_t nth_grapheme(text_view text, text_range in, std::size_t n) noexcept
+{
+    grapheme_boundaries begins;
+    std::size_t count = 0;
+    for (std::uint32_t i = in.first; i < in.last;) {
+        const code_point c = decode(text, i, in.last);
+        if (begins(character_of(c.value).grapheme) && count++ == n) return i;
+        i = static_cast<std::uint32_t>(c.next);
+    }
+    return in.last;
+}
+
+/// Which glyph of the run was hit: of merged ones, where the triangle is nobody's own, the one nearest to a place.
+template <class Plan>
+[[nodiscard]] std::uint32_t glyph_hit(const Plan& plan, const mesh_hit& hit, double at, bool down) noexcept
+{
+    if (hit.of_run != shared_glyph) return hit.of_run;
+    const auto members = plan.members(hit.glyph);
+    std::uint32_t best = members.front();
+    double least = 0.0;
+    for (const std::uint32_t m : members) {
+        const picked_cluster c = find_cluster(plan.run(), m, {}, down);
+        const double gap = at < c.left ? c.left - at : at > c.right ? at - c.right : 0.0;
+        if (m != best && !(gap < least)) continue;
+        best = m;
+        least = gap;
+    }
+    return best;
+}
+
+}  // namespace detail
+
+/// The character of a plain text that a ray has met: of a ligature the letter that was met.
+///
+///     auto what = plan->hit(part::front, triangle);
+///     auto letter = character_at(*plan, what, point, text, font);      the text and the font of mesher.plan(text)
+///
+///     at      where the ray met the mesh, in the mesh's coordinates; of an instance, in those of the whole text
+///     down    the text was set in columns
+///
+/// Letters of a ligature part it where the font says (ligature_carets.hpp), else in equal shares.
+/// Cost: O(glyphs of the line); may allocate where a cluster is several letters
+template <class Plan, class Font>
+[[nodiscard]] picked_character character_at(const Plan& plan, const mesh_hit& hit, vec3 at, text_view text, Font& font,
+                                            bool down = false) noexcept
+{
+    if (hit.cluster == no_cluster) return {};
+    const glyph_run& run = plan.run();
+    const double em = run.units_per_em > 0.0 ? run.units_per_em : static_cast<double>(font.units_per_em());
+    const double pen = em * detail::along(plan.place_of(at), down);
+    const std::uint32_t glyph = detail::glyph_hit(plan, hit, pen, down);
+    const detail::picked_cluster c = detail::find_cluster(run, glyph, text, down);
+    std::size_t count = 0;
+    while (detail::nth_grapheme(text, c.text, count) < c.text.last) ++count;
+    if (count == 0) return {};
+
+    buffer<double> carets;
+    const bool own = count > 1 && detail::find_carets(font, run, c, count - 1, down, carets);
+    const auto edge = [&](std::size_t k) noexcept {  // from the left
+        if (own && k > 0 && k < count) return c.left + carets[k - 1];
+        return k == count ? c.right : c.left + (c.right - c.left) * static_cast<double>(k) / static_cast<double>(count);
+    };
+    std::size_t k = 0;
+    while (k + 1 < count && pen >= edge(k + 1)) ++k;
+    const bool back = !down && reading_of(decode(text, c.text.first, c.text.last).value) == reading::to_the_left;
+    const std::size_t number = back ? count - 1 - k : k;
+    const line_metrics reach = line_reach_of(font, down ? direction::top_to_bottom : direction::left_to_right);
+    const point base = run.lines.empty() ? point{} : run.lines[c.line].origin;
+    picked_character found;
+    found.text = {detail::nth_grapheme(text, c.text, number), detail::nth_grapheme(text, c.text, number + 1)};
+    found.where = down ? box{{base.x + reach.descender, -edge(k + 1)}, {base.x + reach.ascender, -edge(k)}}
+                       : box{{edge(k), base.y + reach.descender}, {edge(k + 1), base.y + reach.ascender}};
+    found.where = {(1.0 / em) * found.where.low, (1.0 / em) * found.where.high};
+    return found;
+}
+
+/// The same of a paragraph: `laid` is its laid(), and the plan is of the run that it was laid out into.
+///
+///     auto letter = character_at(*plan, plan->hit(part::front, triangle), point, words.laid());
+///
+/// Of a hyphen or an ellipsis, `text` is what that stands for. Cost: O(clusters of the line)
+template <class Plan, class Laid>
+    requires requires(const Laid& laid) { laid.grapheme_at(std::uint32_t{}, point{}); }
+[[nodiscard]] picked_character character_at(const Plan& plan, const mesh_hit& hit, vec3 at, const Laid& laid) noexcept
+{
+    if (hit.cluster == no_cluster) return {};
+    const point p = plan.place_of(at);
+    cluster_id cluster = hit.cluster;
+    if (hit.of_run == shared_glyph) {
+        const bool down = laid.in_columns();
+        const double em = plan.run().units_per_em;
+        cluster = plan.run().glyphs[detail::glyph_hit(plan, hit, em * detail::along(p, down), down)].cluster;
+    }
+    picked_character found;
+    found.text = laid.grapheme_at(cluster, p);
+    double least = 0.0;
+    laid.boxes_of(found.text.first, found.text.last, [&](const box& b) noexcept {
+        const double x = std::fmax(std::fmax(b.low.x - p.x, p.x - b.high.x), 0.0);
+        const double y = std::fmax(std::fmax(b.low.y - p.y, p.y - b.high.y), 0.0);
+        if (!found.where.empty() && !(x + y < least)) return;
+        found.where = b;
+        least = x + y;
+    });
+    return found;
+}
+
+}  // namespace typemesh::inline TYPEMESH_ABI

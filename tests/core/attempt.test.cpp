@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#include "support/catch.hpp"
+
+#include <typemesh/core/attempt.hpp>
+
+#include <stdexcept>
+
+TEST_CASE("an attempt says whether something was thrown, and lets nothing out", "[core]")
+{
+    int calls = 0;
+    CHECK(typemesh::detail::attempt([&] { ++calls; }));
+    CHECK_FALSE(typemesh::detail::attempt([&] {
+        ++calls;
+        throw std::runtime_error{"no"};
+    }));
+    CHECK_FALSE(typemesh::detail::attempt([&] {
+        ++calls;
+        throw 1;
+    }));
+    CHECK(calls == 3);
+}
