@@ -102,8 +102,8 @@ TEST_CASE("normals that light their triangles stay as they are", "[bevel_facing]
     add_square(m, 181.0, 359.0, 270.0);
     m.turn_out();
     CHECK(m.vertices() == 4);
-    CHECK(m.degrees_off(0, down) == Catch::Approx(89.0).margin(1e-4));
-    CHECK(m.degrees_off(1, down) == Catch::Approx(89.0).margin(1e-4));
+    CHECK(m.degrees_off(0, down) == Approx(89.0).margin(1e-4));
+    CHECK(m.degrees_off(1, down) == Approx(89.0).margin(1e-4));
 }
 
 TEST_CASE("a normal that nothing else needs is turned where it is, no farther than it has to be", "[bevel_facing]")
@@ -112,7 +112,7 @@ TEST_CASE("a normal that nothing else needs is turned where it is, no farther th
     add_square(m, 270.0, 5.0, 270.0);  // 95 degrees off, at a corner of the first triangle alone
     m.turn_out();
     CHECK(m.vertices() == 4);
-    CHECK(m.degrees_off(1, down) == Catch::Approx(89.1).margin(0.05));
+    CHECK(m.degrees_off(1, down) == Approx(89.1).margin(0.05));
     CHECK(m.degrees_off(1, {1.0, 0.0}) < 1.0);
 }
 
@@ -126,10 +126,10 @@ TEST_CASE("a vertex that a triangle must leave stays for the others", "[bevel_fa
     m.turn_out();
     CHECK(m.vertices() == 7);
     CHECK(m.corners(2) == triangle{e, 0, f});
-    CHECK(m.degrees_off(0, {-1.0, 0.0}) == Catch::Approx(5.0).margin(1e-4));
+    CHECK(m.degrees_off(0, {-1.0, 0.0}) == Approx(5.0).margin(1e-4));
     CHECK(m.corners(0).a == 6);  // both triangles of the square share the new one
     CHECK(m.corners(1).a == 6);
-    CHECK(m.degrees_off(6, down) == Catch::Approx(89.1).margin(0.05));
+    CHECK(m.degrees_off(6, down) == Approx(89.1).margin(0.05));
     const bevel_vertex& made = m.data.of<bevel_vertex>()[6];
     CHECK(made.at == grid_point{0, 0});
     CHECK(same(made.along, 7.0f));
@@ -142,7 +142,7 @@ TEST_CASE("a normal that looks straight against its face becomes the face's own"
     hand_made m;
     add_square(m, 270.0, 90.0, 270.0);
     m.turn_out();
-    CHECK(m.degrees_off(1, down) == Catch::Approx(0.0).margin(0.1));
+    CHECK(m.degrees_off(1, down) == Approx(0.0).margin(0.1));
 }
 
 TEST_CASE("a strip's end may be the start of the next", "[bevel_facing]")
@@ -182,7 +182,7 @@ TEST_CASE("risers face out of the edge that they stand on, and keep their pairs"
         CHECK(is_zero(m.data.of<bevel_vertex>()[left].share));
         CHECK(same(m.data.of<bevel_vertex>()[left + 1].share, 1.0f));
         for (const std::uint32_t v : {left, left + 1}) CHECK(m.degrees_off(v, down) < 89.2);
-        if (shared) CHECK(m.degrees_off(a, {-1.0, 0.0}) == Catch::Approx(10.0).margin(1e-4));
+        if (shared) CHECK(m.degrees_off(a, {-1.0, 0.0}) == Approx(10.0).margin(1e-4));
     }
 }
 

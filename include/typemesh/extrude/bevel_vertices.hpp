@@ -34,7 +34,7 @@ public:
           swept_{data.swept},
           light_{light},
           how_{how},
-          is_near_{how.crease >= always_near}
+          is_near_{how.crease >= always_near && !light.strays()}
     {
     }
 
@@ -243,9 +243,9 @@ private:
         auto& vertices = data_.of<bevel_vertex>();
         for (; finished_ < vertices.size(); ++finished_)
             vertices[finished_].outward = rounded(unit(data_.normals[finished_].sum));
-        const bool turned = true; (void)turned; (void)scratch; (void)first_triangle;
+        const bool turned = is_near_ || bevel_facing{data_, scratch}.turn_out(first_triangle);
         finished_ = vertices.size();
-        return true;
+        return turned;
     }
 
     bevel_data& data_;
