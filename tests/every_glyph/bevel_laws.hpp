@@ -200,8 +200,9 @@ private:
         return {};
     }
 
-    /// Whether a point of the front lies within each outer loop but those of specks, which are counted. A loop in which
-    /// no circle of the tolerance has room has less area than the tolerance times its length.
+    /// Whether a point of the front lies within each outer loop but those of specks, which are counted. Where no circle
+    /// of the tolerance has room, there is less area than the tolerance times the length of its boundary, holes
+    /// included.
     [[nodiscard]] bool keeps_caps() const
     {
         namespace inspect = typemesh::inspect;
@@ -216,10 +217,30 @@ private:
             }
             if (found) continue;
             ++lost;
-            const double area = 0.5 * static_cast<double>(inspect::doubled_area(l));
-            if (area > (region_.tolerance() + 1.0) * inspect::length(std::vector{l})) return false;
+            const std::vector<inspect::loop> boundary = with_its_holes(l);
+            double area = 0.0;
+            for (const inspect::loop b : boundary) area += 0.5 * static_cast<double>(inspect::doubled_area(b));
+            if (area > (region_.tolerance() + 1.0) * inspect::length(boundary)) return false;
         }
         return lost == lost_caps_;
+    }
+
+    /// An outer loop, and the holes that lie in no outer loop within it.
+    [[nodiscard]] std::vector<typemesh::inspect::loop> with_its_holes(typemesh::inspect::loop outer) const
+    {
+        namespace inspect = typemesh::inspect;
+        const auto all = inspect::loops_of(region_);
+        std::vector<inspect::loop> found{outer};
+        for (const inspect::loop hole : all) {
+            if (inspect::doubled_area(hole) > 0) continue;
+            const inspect::loop* nearest = nullptr;
+            for (const inspect::loop& l : all)
+                if (inspect::doubled_area(l) > 0 && inspect::winding(l, hole[0]) > 0 &&
+                    (nearest == nullptr || inspect::doubled_area(l) < inspect::doubled_area(*nearest)))
+                    nearest = &l;
+            if (nearest != nullptr && nearest->data() == outer.data()) found.push_back(hole);
+        }
+        return found;
     }
 
     [[nodiscard]] double em() const { return region_.grid().units_per_em * region_.grid().cells; }
