@@ -36,7 +36,7 @@ struct text_report {
     cluster_id first_touching = no_cluster;  ///< where the first of these stands
     /// Pieces of glyphs, smaller than the tolerance, whose bevels meet in a ridge although bevels were to fit.
     std::uint32_t lost_caps = 0;
-    cluster_id first_lost_cap = no_cluster;
+    cluster_id first_lost_cap = no_cluster;  ///< where the first of these stands
 
     /// True if nothing was lost: every glyph of the text is in the mesh, and no place of it was read as U+FFFD.
     [[nodiscard]] constexpr bool complete() const noexcept
