@@ -202,7 +202,13 @@ anew && mv "$bin/ninja" "$scratch/ninja" && echo 1000 >"$scratch/user" && run ex
 check "without root and sudo it stops" fails
 check "it names the packages" says 'sudo apt-get install ninja-build'
 check "it installs nothing" called_not 'apt-get'
+check "it says which names are tried" says 'names for Debian are tried, the others .* untried'
 mv "$scratch/ninja" "$bin/ninja"
+mv "$bin/apt-get" "$scratch/apt-get" && stand_in dnf <<<'cp "$scratch/ninja" "$bin/ninja"'
+anew && mv "$bin/ninja" "$scratch/ninja" && run examples/run.sh
+check "a package manager that was never tried is said to be" says '^With dnf this is untried'
+check "it is used" called 'dnf install -y ninja-build'
+mv "$scratch/apt-get" "$bin/apt-get" && rm "$bin/dnf"
 for script in examples/run.sh tests/run.sh; do
     anew && touch "$tree/build" && run $script
     check "$script: a build folder that cannot be written is an error" fails
