@@ -7,9 +7,11 @@
 #   command:A,B  one of these programs      header:A,B  one of these headers      font:A  a font with this character
 #   pkg:A,B      one that pkg-config knows                     clang++:A   clang++ links a program with this option
 #   python:A     a module of python3
+# The column of Debian is tried, by every run of the tests; those of the other four are not: their names are from the lists
+# of those systems.
 needs() {
     cat <<'END'
-# need       is there when                                    Debian             Fedora                 Arch        Homebrew          vcpkg
+# need       is there when                                    Debian             Fedora, untried        Arch, untried Homebrew, untried vcpkg, untried
 g++          command:g++                                      g++                gcc-c++                gcc         gcc               -
 c++          command:c++,g++,clang++                          g++                gcc-c++                gcc         llvm              -
 clang++      command:clang++                                  clang              clang                  clang       llvm              -
@@ -160,14 +162,16 @@ tell_progress() {  # tell_progress LOG; ends soon after the script that started 
     done
 }
 
-# How far the program is that writes a log: ninja, make and ctest count, of others the last line tells most.
+# How far the program is that writes a log: ninja, make and ctest count, of others the last line tells most. Tests that
+# have failed so far are counted too.
 progress_of() {  # progress_of LOG
-    tail -n 400 "$1" 2>/dev/null | awk '
-        match($0, /^\[ *[0-9]+%\]/) { told = substr($0, 2, RLENGTH - 2); next }
-        match($0, /^\[[0-9]+\/[0-9]+\]/) { told = substr($0, 2, RLENGTH - 2); sub("/", " of ", told); next }
-        match($0, /^ *[0-9]+\/[0-9]+ Test +#/) { told = $1; sub("/", " of ", told); next }
+    awk '
+        /^ *[0-9]+\/[0-9]+ Test +#.*\*\*\*/ && !/\*\*\*Skipped/ { ++failed }
+        !tests && match($0, /^\[ *[0-9]+%\]/) { told = substr($0, 2, RLENGTH - 2); next }
+        !tests && match($0, /^\[[0-9]+\/[0-9]+\]/) { told = substr($0, 2, RLENGTH - 2); sub("/", " of ", told); next }
+        match($0, /^ *[0-9]+\/[0-9]+ Test +#/) { told = $1; sub("/", " of ", told); tests = 1; next }
         NF { last = $0 }
-        END { print told != "" ? told : substr(last, 1, 60) }'
+        END { print told == "" ? substr(last, 1, 60) : tests ? told ", " failed + 0 " failed" : told }' "$1" 2>/dev/null
 }
 
 # The words before a command that needs the administrator; fails where there is no way.
@@ -202,7 +206,8 @@ print_packages() {  # print_packages NEED...
         say "  vcpkg      vcpkg install $vcpkg   (then export VCPKG_ROOT, and" \
             "CMAKE_TOOLCHAIN_FILE=\$VCPKG_ROOT/scripts/buildsystems/vcpkg.cmake; tools from the system)"
     fi
-    say "What lies in a place of its own is found through CMAKE_PREFIX_PATH."
+    say "The names for Debian are tried, the others are from the lists of those systems and untried." \
+        "What lies in a place of its own is found through CMAKE_PREFIX_PATH."
 }
 
 # Installs what is missing among the needs named, or says what is to be installed and stops.
@@ -230,6 +235,7 @@ install_missing() {  # install_missing NEED...
     case $packages in
         *vcpkg:*) stop "Missing: $(column_of_missing 1 "$@")" "Please install:" "$(print_packages "$@")" ;;
     esac
+    [ $manager = apt-get ] || say "With $manager this is untried: a name may be wrong."
     say "Installing with $manager, usually one to five minutes: $packages"
     log=$(mktemp)
     # shellcheck disable=SC2086  # lists of words

@@ -6,9 +6,10 @@ typemesh_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 usage() {
     cat <<'END'
-usage: tests/run.sh [--with TIER[,TIER...]] [--only TIER[,TIER...]] [--all]
+usage: tests/run.sh [--quick | --all] [--with TIER[,TIER...]] [--only TIER[,TIER...]] [--fail-fast]
 
 Installs what is missing, builds and runs the tests, those of the tier gcc by default. The tiers:
+  quick      some of the tests of each stage with g++, in five minutes on two cores; the end says what is left out
   gcc        all tests of the core and its adapters with g++
   clang      the tests of the core and the adapters with clang++; the benchmarks are built
   sanitize   the tests of what touches memory most, under the address and undefined behaviour sanitizers of clang++ and g++
@@ -21,7 +22,8 @@ Installs what is missing, builds and runs the tests, those of the tier gcc by de
   packages   the Debian packages on a bare system, the source archive, the single headers, the recipes of vcpkg and Conan
   machines   the same meshes on every machine: hashes of all stages, and tests of some rooms, by other compilers and on other
              processors, under qemu, Wine and node
---with adds tiers, --only takes these alone, --all takes every tier.
+--with adds tiers, --only takes these alone, --quick takes quick, --all takes every other tier. --fail-fast ends the run
+with the first test that fails.
 END
 }
 
@@ -29,6 +31,7 @@ all_tiers="gcc clang sanitize tsan windows external engines web packages machine
 tiers=gcc
 more=
 everything=
+fail_fast=
 
 refuse() {
     say "$@" >&2
@@ -39,12 +42,12 @@ refuse() {
 name_tiers() {  # name_tiers OPTION TIER,TIER...
     local tier
     for tier in $(say "$2" | tr , ' '); do
-        case " $all_tiers " in
+        case " quick $all_tiers " in
             *" $tier "*) named="$named $tier" ;;
-            *) refuse "There is no tier \"$tier\". The tiers are: $all_tiers" ;;
+            *) refuse "There is no tier \"$tier\". The tiers are: quick $all_tiers" ;;
         esac
     done
-    [ -n "$named" ] || refuse "$1 wants one or more tiers, with commas between: $all_tiers"
+    [ -n "$named" ] || refuse "$1 wants one or more tiers, with commas between: quick $all_tiers"
 }
 
 only=
@@ -59,6 +62,8 @@ while [ $# -gt 0 ]; do
         --with=*) name_tiers --with "${1#*=}" && more="$more$named" ;;
         --only) name_tiers "$1" "${2:-}" && only="$only$named" && shift ;;
         --only=*) name_tiers --only "${1#*=}" && only="$only$named" ;;
+        --quick) tiers=quick ;;
+        --fail-fast) fail_fast=yes ;;
         -h | --help) usage && exit 0 ;;
         *) refuse "$1 is not an option. $(usage)" ;;
     esac
@@ -83,10 +88,23 @@ finish() {
     [ -z "$skipped" ] || printf '%s' "$skipped"
     say "$passed passed, $failed failed"
 }
-count() { passed=$((passed + $1)) failed=$((failed + $2)); }
+count() {  # count PASSED FAILED
+    passed=$((passed + $1)) failed=$((failed + $2))
+    [ -z "$fail_fast" ] || [ "$failed" = 0 ] || { report="${report}ended by --fail-fast
+" doing='' && exit 1; }
+}
+
+# How long a first build takes on two cores of 2023, without ccache.
+minutes_of() {  # minutes_of PRESET
+    case $1 in
+        gcc) say "15 minutes" ;;
+        clang | sanitize) say "7 minutes" ;;
+        *) say "2 to 4 minutes" ;;
+    esac
+}
 
 build() {  # build PRESET [TARGET...]; a failed build counts as a failed test
-    say "Building, which usually takes 2 to 10 minutes; all its words: $typemesh_root/build/$1.log"
+    say "Building $1, which takes $(minutes_of "$1") on two cores the first time; all its words: $typemesh_root/build/$1.log"
     build_preset "$@" || count 0 1
 }
 
@@ -106,7 +124,7 @@ test_preset() {  # test_preset PRESET [TARGET...]
 }
 
 run_ctest() {  # run_ctest FOLDER LOG
-    ctest --test-dir "$1" --output-on-failure --parallel "$(processors)" 2>&1 | tee "$2" |
+    ctest --test-dir "$1" --output-on-failure ${fail_fast:+--stop-on-failure} --parallel "$(processors)" 2>&1 | tee "$2" |
         grep -vE '^ *(Start +[0-9]+:|[0-9]+/[0-9]+ Test .* Passed )' || true
 }
 
@@ -115,6 +133,17 @@ tier_gcc() {
     (install_missing doxygen) || say "Going on without it: the reference is not built."
     test_preset gcc
     test_preset fast-math typemesh_tests
+}
+tier_quick() {
+    local room test left=
+    test_preset quick typemesh_tests
+    for room in "$typemesh_root"/tests/*/; do
+        room=$(basename "$room")
+        for test in "$typemesh_root/tests/$room"/*.test.cpp; do [ -e "$test" ] || continue 2; done
+        grep '"name": "quick"' -A 6 "$typemesh_root/CMakePresets.json" | grep -q "[;\"]$room[;\"]" || left="$left $room"
+    done
+    report="${report}left out by --quick, of tests/:$left; and examples, headers alone, sanitizers, clang++, Windows
+"
 }
 tier_clang() {
     install_missing clang++ benchmark

@@ -7,7 +7,7 @@
 set(CPACK_PACKAGE_NAME typemesh)
 set(CPACK_PACKAGE_VENDOR typemesh)
 set(CPACK_PACKAGE_CONTACT "the authors of typemesh")
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "3D meshes of text: flat, extruded, bevelled")  # of both packages
 set(CPACK_PACKAGE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/packages)
 set(CPACK_PACKAGE_CHECKSUM SHA256)
 set(CPACK_RESOURCE_FILE_LICENSE ${CMAKE_CURRENT_SOURCE_DIR}/LICENSE)
@@ -27,14 +27,29 @@ set(CPACK_DEBIAN_HEADERS_PACKAGE_NAME libtypemesh-dev)
 set(CPACK_DEBIAN_HEADERS_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_HEADERS_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_HEADERS_PACKAGE_SUGGESTS "libharfbuzz-dev, libfreetype-dev, libicu-dev, libglm-dev, libfontconfig-dev")
-set(CPACK_COMPONENT_HEADERS_DESCRIPTION "Header-only C++20 library that makes meshes of text: flat, extruded or bevelled, for any vertex layout.")
+set(CPACK_DEBIAN_HEADERS_DESCRIPTION "A header-only C++20 library. It turns
+text into triangles in vertices of the caller's own layout: outlines and
+shaping by HarfBuzz or FreeType, exact overlaps, two triangulators, paragraphs.
+The core needs the standard library alone.")
 if(TARGET text_to_mesh)
     install(TARGETS text_to_mesh RUNTIME COMPONENT tool)
     install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/text-to-mesh RENAME copyright COMPONENT tool EXCLUDE_FROM_ALL)
+    if(NOT CMAKE_CROSSCOMPILING AND UNIX)  # the page is what the program's --help says
+        add_custom_command(OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/text_to_mesh.1
+            COMMAND sh ${CMAKE_CURRENT_SOURCE_DIR}/cmake/packaging/man_page.sh $<TARGET_FILE:text_to_mesh>
+                text_to_mesh.1
+            DEPENDS text_to_mesh cmake/packaging/man_page.sh VERBATIM)
+        add_custom_target(typemesh_man_page ALL DEPENDS ${CMAKE_CURRENT_BINARY_DIR}/text_to_mesh.1)
+        install(FILES ${CMAKE_CURRENT_BINARY_DIR}/text_to_mesh.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT tool)
+    endif()
     list(APPEND CPACK_COMPONENTS_ALL tool)
     set(CPACK_DEBIAN_TOOL_PACKAGE_NAME text-to-mesh)
     set(CPACK_DEBIAN_TOOL_PACKAGE_SECTION graphics)
     set(CPACK_DEBIAN_TOOL_PACKAGE_SHLIBDEPS ON)
-    set(CPACK_COMPONENT_TOOL_DESCRIPTION "Writes text as a mesh: glTF, OBJ, STL, PLY, 3MF or a picture.")
+    set(CPACK_DEBIAN_TOOL_DESCRIPTION "A program for the command line. It
+writes a text in any installed font as a mesh: flat, extruded, bevelled, bold
+or hollow, as glTF, OBJ, STL, PLY or 3MF, and draws a picture of it. Texts are
+shaped by HarfBuzz, wrapped, justified, styled and coloured; meshes are closed
+and, for 3D printing, in millimetres on z = 0.")
 endif()
 include(CPack)

@@ -198,14 +198,13 @@ void add_line_options(CLI::App& app, options& out, raw_values& raw)
     add_named<bool>(app, "--breaker", out.even_lines,
                     "lines end as late as each can (default), or so that all are as even as possible",
                     {{"first_fit", false}, {"total_fit", true}});
-    add_named<justification>(app, "--justify", out.lines.justify,
-                             "what makes justified lines wider: auto (default: ideographs move apart in Chinese and "
-                             "Japanese, spaces grow in "
-                             "other lines), spaces, letters, or Arabic's kashida",
-                             {{"auto", justification::automatic},
-                              {"spaces", justification::spaces},
-                              {"letters", justification::letters},
-                              {"kashida", justification::kashida}});
+    add_named<justification>(
+        app, "--justify", out.lines.justify,
+        "what widens justified lines: auto (default: ideographs, else spaces), spaces, letters, kashida",
+        {{"auto", justification::automatic},
+         {"spaces", justification::spaces},
+         {"letters", justification::letters},
+         {"kashida", justification::kashida}});
     add_number(
         app, "--indent", "of a paragraph's first line; negative: it hangs", "a number from -1000 to 1000",
         [](double n) { return n >= -1000.0 && n <= 1000.0; }, [&out](double n) { out.lines.indent = n; })

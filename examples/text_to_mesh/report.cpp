@@ -78,6 +78,9 @@ std::string in_words(const typemesh::text_report& report, bool several_fonts, co
     if (report.touching > 0)
         say("corners of " + number(report.touching) + of_all + " glyphs still touch, whatever --touching asks for" +
             at(report.first_touching));
+    if (report.lost_caps > 0)
+        say("bevels meet in a ridge on " + number(report.lost_caps) + (report.lost_caps == 1 ? " piece" : " pieces") +
+            " of glyphs smaller than the tolerance" + at(report.first_lost_cap));
     return all;
 }
 

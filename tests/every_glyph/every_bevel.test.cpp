@@ -7,6 +7,7 @@
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
 #include "support/regions.hpp"
+#include "support/shape_file.hpp"
 #include "support/smoke_glyphs.hpp"
 
 #include <algorithm>
@@ -80,6 +81,23 @@ TEST_CASE("every 3000th glyph of the smoke fonts has valid bevels at every width
     CHECK(narrowed == 0);
 }
 
+TEST_CASE("icons whose chords turn by more than 90 degrees have valid bevels, lit from their own side",
+          "[every_glyph][bevel]")
+{
+    test::bevel_laws laws;
+    for (const test::named_shape& s : test::shapes_of("shapes.txt")) {
+        for (const double tolerance : {quality::low, quality::normal, quality::high}) {
+            REQUIRE(laws.take(s.font, 0, tolerance));
+            for (const double width : laws.widths) {
+                INFO(s.name << " at " << width << ", tolerance " << tolerance);
+                const test::bevel_findings f = laws.examine(width);
+                CHECK(f.wrong == "");
+                CHECK(f.narrowed == 0);
+            }
+        }
+    }
+}
+
 TEST_CASE("bevels of letters have the volume and the heights that the slow wavefront gives them",
           "[every_glyph][bevel]")
 {
@@ -123,6 +141,10 @@ TEST_CASE("surface_laws see each fault of a bevelled mesh", "[every_glyph][bevel
     CHECK(with([](mesh&, indices t, vec3&) { std::swap(t[0], t[1]); }) == turned);
     CHECK(with([](mesh&, indices t, vec3&) { t[0] = t[1]; }) == turned);
     CHECK(with([](mesh&, indices t, vec3&) { std::copy_n(t, 3, t + 3); }) != "");
+    CHECK(with([](mesh& m, indices t, vec3&) {
+              vec3& n = m.normals[t[1]];
+              n = {-n.x, -n.y, 0.0f};
+          }) == "a normal is 90 degrees or more off its face");
     CHECK(with([](mesh&, indices, vec3& foot) { foot.x += 1.0f, foot.y += 1.0f; }) == "a wall is not upright");
     CHECK(with([](mesh& m, indices t, vec3&) { m.vertices[t[0]].z -= 1.0f; }) == "the mesh is not closed");
     CHECK(with([](mesh& m, indices, vec3&) { m.vertices[0].x += 1.0f; }) == "a side does not lie over the region once");

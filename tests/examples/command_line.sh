@@ -27,11 +27,13 @@ expect() {
         passed=$((passed + 1))
     else
         failed=$((failed + 1))
-        printf 'FAILED: text_to_mesh'
-        printf ' %q' "$@"
-        printf '\n  status %s instead of %s; standard error: %s\n' "$got" "$status" "$(cat err)"
+        printf 'FAILED: text_to_mesh%s\n' "$(printf ' %q' "$@" | shortened)"
+        printf '  status        %s\n  wanted        %s\n' "$got" "$status"
+        printf '  on stderr     %s\n  wanted        %s\n' "$(shortened <err)" "${pattern:-nothing}"
     fi
 }
+# The beginning and the end of what may be thousands of characters long.
+shortened() { awk '{ all = all (NR > 1 ? " / " : "") $0 } END { n = length(all); print n > 240 ? substr(all, 1, 120) " [" n - 240 " characters] " substr(all, n - 119) : all }'; }
 that() {  # that 'WHAT MUST HOLD' COMMAND...
     local what=$1
     shift

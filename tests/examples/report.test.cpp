@@ -30,6 +30,8 @@ TEST_CASE("text_to_mesh says of a report what is lost and what is narrowed, a li
           "line 3: no font has a glyph for 2 of 3 characters; the first is at byte 0 of the text.\n"
           "line 3: 1 of them is an emoji whose parts are drawn one by one, as no font has a glyph for the whole; the "
           "first is at byte 4 of the text.\n");
+    r.lost_caps = 2;
+    r.first_lost_cap = 6;
     r.missing = 1;
     r.first_missing = 7;
     r.invalid_units = 1;
@@ -43,5 +45,7 @@ TEST_CASE("text_to_mesh says of a report what is lost and what is narrowed, a li
           "so lines end there only where they must; the first is at byte 4 of the text.\n"
           "text_to_mesh: edges of 3 of 9 glyphs have moved less than --bevel, --outline or --embolden ask for; the "
           "first is at "
-          "byte 5 of the text.\n");
+          "byte 5 of the text.\n"
+          "text_to_mesh: bevels meet in a ridge on 2 pieces of glyphs smaller than the tolerance; the first is at byte "
+          "6 of the text.\n");
 }

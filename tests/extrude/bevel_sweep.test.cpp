@@ -37,7 +37,7 @@ TEST_CASE("an outward bevel sweeps to its profile's levels from the cap on", "[b
     workspace space;
     swept_region out;
     for (const bool outward : {false, true}) {
-        REQUIRE_FALSE(bevel_sweep{2.0, 0.0, outward}(s.made(), s.cap, levels, space, out));
+        REQUIRE_FALSE(bevel_sweep{.outward = outward}(s.made(), s.cap, levels, space, out));
         REQUIRE(out.levels.size() == 3);
         CHECK(is_zero(out.levels[0]));
         CHECK(out.levels[1] == Catch::Approx(outward ? 3072.0 : 1024.0));

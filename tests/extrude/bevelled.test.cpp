@@ -545,6 +545,56 @@ TEST_CASE("a bevel that fits is 0.9 times as wide as where a part would lose its
     CHECK(reach(shapes::pair(), 0.3f, bevel_mode::fit) < 0.06);  // the triangle's cap is the first to go
 }
 
+TEST_CASE(
+    "a speck does not decide how wide a bevel fits, but its lost cap is counted, and what becomes narrow is reported",
+    "[bevelled]")
+{
+    const auto with_triangle = [](double side, double tolerance) {
+        std::vector<std::vector<curve>> outers;
+        outers.push_back(shapes::polygon({{100, 0}, {500, 0}, {500, 700}, {100, 700}}));  // fits 0.18
+        if (side > 0.0) outers.push_back(shapes::polygon({{700, 0}, {700 + side, 0}, {700 + side / 2, 0.866 * side}}));
+        shapes::shape s{"bar and triangle", outers};
+        s.loops.tolerance = tolerance * 512.0;
+        return s;
+    };
+    const struct {
+        double side;  ///< its inradius is 0.289 of that
+        double tolerance;
+        float width;
+        double reached;
+        std::uint32_t lost;
+        bool narrow;
+    } cases[] = {
+        {0.0, 1.25, 0.03f, 0.03, 0, false},
+        {0.0, 1.25, 0.3f, 0.18, 0, false},
+        {0.0, 1.25, 0.4f, 0.18, 0, true},
+        {3.0, 1.25, 0.03f, 0.03, 1, false},      // 0.87 units: a speck
+        {3.0, 1.25, 0.0003f, 0.0003, 0, false},  // with a bevel that leaves its cap
+        {3.0, 1.25, 0.3f, 0.18, 1, false},
+        {30.0, 1.25, 0.03f, 0.9 * 0.00866, 0, true},
+        {30.0, 1.25, 0.01f, 0.9 * 0.00866, 0, false},
+        {30.0, 1000.0, 0.3f, 0.18, 1, false},  // both are specks: the larger one keeps its cap
+        {3.0, 0.0, 0.03f, 0.9 * 0.000866, 0, true},
+    };
+    for (const auto& c : cases) {
+        CAPTURE(c.side, c.tolerance, c.width);
+        const auto s = with_triangle(c.side, c.tolerance);
+        for (const bevel_mode mode : {bevel_mode::fit, bevel_mode::clip}) {
+            const bevelled<> how{.width = c.width, .mode = mode};
+            monotone_caps caps{s.made()};
+            auto maker = caps.maker();
+            bevel_data data;
+            const auto plan = plan_solid(how, s.made(), data, maker);
+            REQUIRE(plan);
+            const bool fits = mode == bevel_mode::fit;
+            CHECK(plan->narrowed == (fits && c.narrow));
+            CHECK(plan->lost_caps == (fits ? c.lost : 0));
+            CHECK(data.swept.levels.back() / 512000.0 == Approx(fits ? c.reached : as_double(c.width)).margin(4e-6));
+            check_laws(bevelled_of(s, how));
+        }
+    }
+}
+
 namespace {
 
 /// Refuses to make the first caps that it is asked for: as many as it is told.
@@ -578,7 +628,7 @@ TEST_CASE("a bevel whose cap is refused is narrower, closed, and said to be so",
             bevelled_mesh m;
             const auto plan = plan_solid(how, r, m.data, refusing);
             REQUIRE(plan);
-            CHECK(plan->narrowed == (refusals != 0));
+            CHECK(plan->narrowed == (refusals != 0 || mode == bevel_mode::fit));
             const auto unrefused = bevelled_of(s, how);
             const double width = unrefused.data.swept.levels.back();
             CHECK(m.data.swept.levels.back() == Approx(std::ldexp(width, -refusals)));
@@ -783,7 +833,7 @@ TEST_CASE("bevelled refuses options out of range, each by its name, with or with
 TEST_CASE("bevels that plan differently have different keys", "[bevelled]")
 {
     const bevelled<round_profile> plain;
-    std::vector<bevelled<round_profile>> others(15, plain);
+    std::vector<bevelled<round_profile>> others(16, plain);
     others[0].width = 0.021f;
     others[1].bevel_depth = 0.021f;
     others[2].sides = bevel_sides::front;
@@ -799,6 +849,7 @@ TEST_CASE("bevels that plan differently have different keys", "[bevelled]")
     others[12].depth = 0.01f;  // refused
     others[13].side = false;
     others[14].outward = true;
+    others[15].wanted = 0.1f;  // so that it is reported
     for (std::size_t i = 0; i < others.size(); ++i) {
         INFO(i);
         CHECK_FALSE(others[i].cache_key() == plain.cache_key());

@@ -25,7 +25,7 @@ double area_of(const contours& loops)
 }
 
 /// Area of a shape whose edges have moved outwards, by Steiner's formula for polygons: exact as long as nothing meets.
-double area_at(const shapes::shape& s, double distance)
+double moved_area_at(const shapes::shape& s, double distance)
 {
     double area = area_of(s.loops);
     for (std::uint32_t i = 0; i < s.points(); ++i) {
@@ -64,7 +64,7 @@ TEST_CASE("a moved boundary encloses what Steiner's formula says, outwards and i
         for (const double units : {-20.0, -3.0, 3.0, 20.0, 40.0}) {
             INFO(s.name << " by " << units);
             const moved m = moved_by(s, units * 512.0, {.mitre_limit = 0.0f});
-            CHECK(area_of(m.loops) == Approx(area_at(s, units * 512.0)).margin(2e6));  // a cell along all edges
+            CHECK(area_of(m.loops) == Approx(moved_area_at(s, units * 512.0)).margin(2e6));  // a cell along all edges
             CHECK(m.curves.size() == s.curves.size());
             for (std::uint32_t i = 0; i < m.loops.points.size(); ++i) CHECK(m.loops.edges[i].curve < s.curves.size());
         }

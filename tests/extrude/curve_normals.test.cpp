@@ -49,7 +49,8 @@ double most_aside(const region& r, const std::vector<side_point>& sides)
         for (std::uint32_t i = begin; i < end; ++i) {
             const std::uint32_t next = i + 1 < end ? i + 1 : begin;
             const point along = delta(r.points()[i], r.points()[next]);
-            if (typemesh::length(along) <= 16.0 * r.tolerance()) continue;
+            const double longest = 16.0 * r.tolerance();
+            if (dot(along, along) <= longest * longest) continue;
             for (const vec2 n : {sides[i].after, sides[next].before})
                 most = (std::max)(most, degrees_between(wide(n), outward(along)));
         }
@@ -415,6 +416,20 @@ TEST_CASE("a normal 45 degrees off a long wall stays the curve's, one farther of
         CHECK(off == Approx(more == 0.0 ? 45.0 : 0.0).margin(1e-4));
         CHECK(sides[1].before == vec2{0.0f, -1.0f});  // 45 degrees off, either way
     }
+}
+
+TEST_CASE("a wall of exactly 16 tolerances is not long yet, a hair below that it is", "[extrude]")
+{
+    // The curve starts 73 degrees off its chord, which is 512,000 cells long.
+    loose_shape s{{grid{}.snap({0, 0}), grid{}.snap({1000, 0}), grid{}.snap({0, 1000})},
+                  {{0, 0.0f, 1.0f}, {1, 0.0f, 1.0f}, {2, 0.0f, 1.0f}},
+                  {curve::from(quadratic{{0, 0}, {300, -1000}, {1000, 0}}), curve::from({1000, 0}, {0, 1000}),
+                   curve::from({0, 1000}, {0, 0})}};
+    const vec2 own{0.0f, -1.0f};
+    s.loops.tolerance = 32'000.0;
+    CHECK(degrees_between(wide(sides_of(s)[0].after), wide(own)) > 70.0);
+    s.loops.tolerance = std::nextafter(32'000.0, 0.0);
+    CHECK(sides_of(s)[0].after == own);
 }
 
 TEST_CASE("an edge whose t does not tell which way it runs follows its curve the way that it goes", "[extrude]")

@@ -404,5 +404,50 @@ TEST_CASE("where new edges are not proven, a letter grows by half as much, and t
     CHECK(narrowed.plan.around.low == narrow.plan.around.low);
     refusing.refusals = 1000;
     plan_data_of<emboldened<>> data;
-    CHECK(plan_solid(emboldened<>{}, s.made(), data, refusing).error() == error::crossing_contours);
+    CHECK(plan_solid(emboldened<>{}, s.made(), data, refusing).error() == error::edges_not_moved);
+}
+
+TEST_CASE("with a mitre limit of 1 nested solids have not many more triangles than with one of 2", "[emboldened]")
+{
+    std::vector<point> spikes;
+    for (int i = 0; i < 40; ++i) {
+        const double angle = 6.283185307179586 * i / 40, radius = i % 2 == 0 ? 450.0 + i : 150.0 + 3.0 * i;
+        spikes.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    }
+    shapes::shape s{"spikes", {shapes::polygon(spikes)}};
+    s.loops.tolerance = 640.0;
+    using nested = emboldened<bevelled<round_profile>>;
+    for (const float by : {-0.0003f, 0.02f}) {
+        for (const bevel_joins joins : {bevel_joins::round, bevel_joins::bevelled}) {
+            std::uint64_t triangles[2];
+            for (const float limit : {1.0f, 2.0f}) {
+                nested how{.by = by, .joins = joins, .mitre_limit = limit};
+                how.solid = {.width = 0.05f, .bevel_depth = 0.05f, .joins = joins, .mitre_limit = limit};
+                const auto m = capped(s, how);
+                check_laws(m);
+                CHECK_FALSE(m.plan.narrowed);
+                triangles[limit > 1.0f ? 1 : 0] = m.sizes().total().triangles;
+            }
+            CAPTURE(by, triangles[0], triangles[1]);
+            CHECK(triangles[0] < 5 * triangles[1]);
+        }
+    }
+}
+
+TEST_CASE("needles whose corners have no mitre limit are moved as far as they should be", "[emboldened]")
+{
+    // The crescents between two circles that are nearly the same end in needles, and these grow spikes.
+    const double c = 1.0 / 512.0;
+    std::vector<std::vector<curve>> outers;
+    for (int i = 0; i < 12; ++i)
+        outers.push_back(
+            shapes::polygon({{60.0 * i, 0}, {60.0 * i + 50.0, 3 * c}, {60.0 * i + 25.0, (2 + i % 3) * c + 0.01}}));
+    shapes::shape s{"needles", outers};
+    s.loops.tolerance = 640.0;
+    for (const float limit : {0.0f, 1000.0f, 4.0f}) {
+        CAPTURE(limit);
+        const auto m = capped(s, emboldened<>{.by = 0.0004f, .mitre_limit = limit});
+        CHECK_FALSE(m.plan.narrowed);
+        check_laws(m);
+    }
 }

@@ -293,5 +293,5 @@ TEST_CASE("where new edges are not proven, a ring is half as wide, and the plan 
     CHECK(narrowed.plan.around.low == narrow.plan.around.low);
     refusing.refusals = 1000;
     plan_data_of<filled_outline> data;
-    CHECK(plan_solid(filled_outline{}, s.made(), data, refusing).error() == error::crossing_contours);
+    CHECK(plan_solid(filled_outline{}, s.made(), data, refusing).error() == error::edges_not_moved);
 }

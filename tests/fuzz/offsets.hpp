@@ -20,6 +20,7 @@ struct made_solid {
     plan_data_of<Extruder> data;
     solid_plan plan;
     mesh m;
+    error failed;
     bool exists = false;
 
     broken_law make(const Extruder& how, drawn_region& from)
@@ -31,9 +32,10 @@ struct made_solid {
         region_caps maker{from.caps, from.further, cut};
         const auto planned = plan_solid(how, from.made, data, maker);
         if (!planned) {
-            const error e = planned.error();
+            const error e = failed = planned.error();
             const bool refused = e == error::bad_option || e == error::outline_beyond_grid ||
-                                 e == error::nothing_left || e == error::crossing_contours;
+                                 e == error::nothing_left || e == error::edges_not_moved ||
+                                 e == error::crossing_contours;
             return refused ? "" : e.message();
         }
         exists = true;

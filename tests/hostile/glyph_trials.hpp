@@ -83,7 +83,7 @@ struct held_glyph {
 inline bool is_a_refusal(const error& e)
 {
     for (const error::kind k : {error::outline_not_finite, error::outline_beyond_grid, error::too_many_pieces,
-                                error::too_many_points, error::nothing_left})
+                                error::too_many_points, error::nothing_left, error::edges_not_moved})
         if (e == k) return true;
     return false;
 }

@@ -28,6 +28,21 @@ std::vector<test::shape> shapes()
 
 std::uint32_t halves(const kinetic_triangles& mesh) { return static_cast<std::uint32_t>(3 * mesh.triangles.size()); }
 
+std::uint32_t degree(kinetic_triangles& mesh, std::uint32_t after)
+{
+    std::uint32_t count = 0;
+    mesh.around(after, [&](std::uint32_t) { ++count; });
+    return count;
+}
+/// The segment that begins at the corner with most triangles.
+std::uint32_t widest(kinetic_triangles& mesh)
+{
+    std::uint32_t after = 0;
+    for (std::uint32_t k = 0; k < mesh.segments.size(); ++k)
+        if (degree(mesh, k) > degree(mesh, after)) after = k;
+    return after;
+}
+
 }  // namespace
 
 TEST_CASE("link_all() finds the twins and segments that a search through all half-edges finds",
@@ -87,43 +102,67 @@ TEST_CASE("flips keep all links mutual, whatever is flipped", "[offset][kinetic_
     }
 }
 
-TEST_CASE("thin_out() takes at most every other triangle from a corner, where it may", "[offset][kinetic_triangles]")
+TEST_CASE("thin_out() takes triangles from a corner where it may, in rounds until enough are gone",
+          "[offset][kinetic_triangles]")
 {
     for (const test::shape& s : shapes()) {
         INFO(s.name);
         for (const std::uint32_t may : {0u, 1u, 2u}) {  // none, one, or all that there are
-            detail::wavefront front{heap()};
-            test::set_up(front, s);
-            kinetic_triangles& mesh = front.mesh;
-            const auto degree = [&](std::uint32_t after) {
-                std::uint32_t count = 0;
-                mesh.around(after, [&](std::uint32_t) { ++count; });
-                return count;
-            };
-            std::uint32_t after = 0;
-            for (std::uint32_t k = 0; k < mesh.segments.size(); ++k)
-                if (degree(k) > degree(after)) after = k;
-            const std::uint32_t before = degree(after), corner = mesh.segments[after].from;
-            std::uint32_t allowed = 0;
-            std::vector<std::uint32_t> taken;
-            const std::uint32_t count = mesh.thin_out(
-                after,
-                [&](std::uint32_t h) {
-                    CHECK(mesh.origin(h) == corner);
-                    const std::uint32_t diagonal = kinetic_triangles::previous(h);
-                    return mesh.apex(diagonal) != mesh.apex(mesh.link(diagonal)) && (may == 2 || allowed++ < may);
-                },
-                [&](std::uint32_t t) { taken.push_back(t); });
-            CHECK(test::broken_link(mesh) == "");
-            CHECK(degree(after) == before - count);
-            CHECK(taken.size() == count);
-            CHECK(count <= before / 2);
-            if (may == 0 || before == 1) CHECK(count == 0);
-            if (may == 2 && mesh.vertices.size() == mesh.triangles.size() + 2) CHECK(count == before / 2);  // no hole
-            for (const std::uint32_t t : taken)
-                for (const std::uint32_t v : mesh.triangles[t].corner) CHECK(v != corner);
+            for (const bool once : {true, false}) {
+                detail::wavefront front{heap()};
+                test::set_up(front, s);
+                kinetic_triangles& mesh = front.mesh;
+                const std::uint32_t after = widest(mesh), before = degree(mesh, after),
+                                    corner = mesh.segments[after].from;
+                const std::uint32_t enough = once ? before - before / 2 : 1;
+                std::uint32_t allowed = 0, looks = 0;
+                std::vector<std::uint32_t> taken;
+                kinetic_triangles::rounds look;
+                REQUIRE(mesh.thin_out(
+                    after, enough,
+                    [&](std::uint32_t h) {
+                        ++looks;
+                        CHECK(mesh.origin(h) == corner);
+                        const std::uint32_t diagonal = kinetic_triangles::previous(h);
+                        return mesh.apex(diagonal) != mesh.apex(mesh.link(diagonal)) && (may == 2 || allowed++ < may);
+                    },
+                    [&](std::uint32_t t) { taken.push_back(t); }, look));
+                const auto count = static_cast<std::uint32_t>(taken.size());
+                CHECK(test::broken_link(mesh) == "");
+                CHECK(degree(mesh, after) == before - count);
+                CHECK(looks <= before + 2 * count);
+                if (once) CHECK(count <= before / 2);
+                if (may == 0 || before == 1) CHECK(count == 0);
+                if (may == 2 && mesh.vertices.size() == mesh.triangles.size() + 2)  // no hole
+                    CHECK(count == (once ? before / 2 : before - 1));
+                for (const std::uint32_t t : taken)
+                    for (const std::uint32_t v : mesh.triangles[t].corner) CHECK(v != corner);
+            }
         }
     }
+}
+
+TEST_CASE("a corner that can give away one triangle a round is not looked at all around each time",
+          "[offset][kinetic_triangles]")
+{
+    test::polyline fan{{0, 0}};
+    for (int i = 0; i <= 400; ++i) fan.push_back({20'000 + i * (400 - i), i * 100 - 20'000});
+    detail::wavefront front{heap()};
+    test::set_up(front, {"fan", {fan}});
+    kinetic_triangles& mesh = front.mesh;
+    const std::uint32_t after = widest(mesh), before = degree(mesh, after);
+    std::uint32_t taken = 0, looks = 0;
+    kinetic_triangles::rounds look;
+    REQUIRE(mesh.thin_out(
+        after, 1,
+        [&](std::uint32_t h) {
+            ++looks;
+            return kinetic_triangles::is_segment(mesh.link(h));  // of the first one alone
+        },
+        [&](std::uint32_t) { ++taken; }, look));
+    CHECK(taken > before / 4);
+    CHECK(looks <= before + 2 * taken);
+    CHECK(test::broken_link(mesh) == "");
 }
 
 TEST_CASE("around() goes through all half-edges that leave a corner, counter-clockwise", "[offset][kinetic_triangles]")

@@ -201,6 +201,37 @@ TEST_CASE("corners within the limit, flat ones and those that turn left get no j
     CHECK(joined{flat, {0.5, 400.0, 0.0}}.emitted.empty());
 }
 
+TEST_CASE("a limit near 1 wants corners within the tolerance of the arc, and no more joins than that takes",
+          "[offset][reflex_joins]")
+{
+    constexpr double width = 1000.0;
+    std::size_t fewer = 0;
+    for (const double limit : {1.0, 1.01, 1.1, 1.3}) {
+        for (const double tolerance : {0.5, 5.0, 50.0, 300.0, 3000.0}) {
+            for (const bool round : {false, true}) {
+                CAPTURE(limit, tolerance, round);
+                const joined j{slit(1), {limit, width, tolerance, round}};
+                REQUIRE(!j.failed);
+                check_front(j, 7);
+                const auto mitre_of = [](std::size_t joins) {
+                    return 1.0 / std::cos(half_turn / 2 / static_cast<double>(joins + 1));
+                };
+                const double promised = (std::max)(limit, 1.0 + tolerance / width) * 1.0001;
+                const std::size_t joins = j.emitted.size();
+                CHECK((joins == 31 || mitre_of(joins) <= promised));
+                if (!round && joins > 1) CHECK(mitre_of(joins / 2) > (std::min)(promised, std::sqrt(2.0)));
+                const joined exact{slit(1), {limit, width, 0.0}};
+                if (!round) CHECK(joins <= exact.emitted.size());
+                fewer += joins < exact.emitted.size();
+            }
+        }
+    }
+    CHECK(fewer > 10);
+    CHECK(joined{slit(1), {1.0, width, 3000.0}}.emitted.size() == 1);  // a needle's tip is joined at any tolerance
+    CHECK(joined{square_hole, {1.0, 100.0, 50.0}}.emitted.empty());    // its corners are within that as they are
+    CHECK(joined{square_hole, {1.0, 100.0, 40.0}}.emitted.size() == 4);
+}
+
 TEST_CASE("slits get joins, however narrow they are", "[offset][reflex_joins]")
 {
     for (const std::int32_t width : {10'000, 100, 1}) {

@@ -13,6 +13,7 @@ TEST_CASE("a swept region is emptied whole, and keeps its storage", "[swept_regi
     REQUIRE((s.edges_at.push_back({}) && s.at_level.push_back(1) && s.joins.push_back({})));
     REQUIRE((s.cap.points.push_back({}) && s.cap_nodes.push_back(1)));
     s.first_loss = 3.0;
+    s.lost = 2;
     s.events = 2;
     s.schedules = 3;
     const swept_node* storage = s.nodes.data();
@@ -20,6 +21,6 @@ TEST_CASE("a swept region is emptied whole, and keeps its storage", "[swept_regi
     CHECK((s.nodes.empty() && s.cells.empty() && s.triangles.empty() && s.levels.empty()));
     CHECK((s.edges_at.empty() && s.at_level.empty() && s.joins.empty()));
     CHECK((s.cap.points.empty() && s.cap_nodes.empty()));
-    CHECK((s.first_loss < 0.0 && s.events == 0 && s.schedules == 0));
+    CHECK((s.first_loss < 0.0 && s.lost == 0 && s.events == 0 && s.schedules == 0));
     CHECK(s.nodes.data() == storage);
 }

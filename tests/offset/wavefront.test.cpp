@@ -20,7 +20,7 @@ using namespace typemesh;
 
 constexpr int cells = 4096;
 
-struct swept {
+struct swept_polygons {
     contours loops;
     workspace space;
     workspace::scope scratch{space};
@@ -28,7 +28,8 @@ struct swept {
     swept_region out{scratch.source()};
     region filled;
 
-    swept(const std::vector<test::polyline>& polygons, const std::vector<double>& levels, double mitre_limit = 0.0)
+    swept_polygons(const std::vector<test::polyline>& polygons, const std::vector<double>& levels,
+                   double mitre_limit = 0.0)
         : loops{test::contours_of(polygons)}
     {
         const auto made = fill(loops, fill_rule::non_zero, space);
@@ -67,7 +68,7 @@ void open_cells(detail::wavefront& front)
 
 TEST_CASE("a square's boundary sweeps four trapezoids and leaves a square")
 {
-    const swept s{{rectangle(0, 0, 100 * cells, 100 * cells)}, {0.0, 10.0 * cells}};
+    const swept_polygons s{{rectangle(0, 0, 100 * cells, 100 * cells)}, {0.0, 10.0 * cells}};
     CHECK(s.out.cap.points.size() == 4);
     for (const grid_point p : s.out.cap.points) {
         CHECK((p.x == 10 * cells || p.x == 90 * cells));
@@ -80,7 +81,7 @@ TEST_CASE("a square's boundary sweeps four trapezoids and leaves a square")
 
 TEST_CASE("a rectangle is swept wholly: its roof has a ridge")
 {
-    const swept s{{rectangle(0, 0, 100 * cells, 20 * cells)}, {0.0, 30.0 * cells}};
+    const swept_polygons s{{rectangle(0, 0, 100 * cells, 20 * cells)}, {0.0, 30.0 * cells}};
     CHECK(s.out.cap.points.empty());
     CHECK(s.twice_swept() == 2.0 * 100.0 * 20.0 * cells * cells);
     CHECK(s.out.nodes.size() == 6);  // the corners and the ridge's two ends
@@ -97,7 +98,7 @@ TEST_CASE("a reflex corner splits what it runs into")
                              {50 * cells, 20 * cells},
                              {40 * cells, 60 * cells},
                              {0, 60 * cells}};
-    const swept s{{bar}, {0.0, 16.0 * cells}};
+    const swept_polygons s{{bar}, {0.0, 16.0 * cells}};
     CHECK(s.out.cap.contour_count() == 2);
     CHECK(s.twice_swept() > 0.0);
 }
@@ -111,8 +112,8 @@ TEST_CASE("a reflex corner sharper than the limit is joined, and its cap is with
                              {50 * cells, 30 * cells},
                              {48 * cells, 60 * cells},
                              {0, 60 * cells}};
-    const swept spike{{bar}, {0.0, 1.5 * cells}}, joined{{bar}, {0.0, 1.5 * cells}, 2.0};
-    const auto lowest = [](const swept& s) {
+    const swept_polygons spike{{bar}, {0.0, 1.5 * cells}}, joined{{bar}, {0.0, 1.5 * cells}, 2.0};
+    const auto lowest = [](const swept_polygons& s) {
         std::int32_t y = 60 * cells;
         for (const grid_point p : s.out.cap.points)
             if (p.y > 2 * cells && p.y < y) y = p.y;
@@ -137,7 +138,7 @@ TEST_CASE("a hole of a few cells keeps its round joins and grows to a disc")
                            : turn == 2 ? grid_point{-p.x, -p.y}
                                        : grid_point{p.y, -p.x});
         constexpr double width = 1000.0, pi = 3.14159265358979;
-        const swept s{{rectangle(-2 * cells, -2 * cells, 4 * cells, 4 * cells), hole}, {0.0, width}, 1.0};
+        const swept_polygons s{{rectangle(-2 * cells, -2 * cells, 4 * cells, 4 * cells), hole}, {0.0, width}, 1.0};
         REQUIRE(s.out.cap.contour_count() == 2);
         const double hollow = -0.5 * static_cast<double>(inspect::doubled_area(inspect::loops_of(s.out.cap))) +
                               4.0 * (2.0 * cells - width) * (2.0 * cells - width);

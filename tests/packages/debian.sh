@@ -27,7 +27,10 @@ inside() { quietly env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin DEBIAN_FRONTEND=non
 inside "for f in *.deb; do sha256sum -c \$f.sha256; done"
 inside "apt-get install -y --no-install-recommends ./text-to-mesh_*.deb fonts-dejavu-core" &&
     inside "text_to_mesh 'Hello world!' --font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf --output hello.glb && test -s hello.glb" &&
-    inside "test -s /usr/share/doc/text-to-mesh/copyright"
+    inside "test -s /usr/share/doc/text-to-mesh/copyright" &&
+    inside "text_to_mesh --help | grep -o -- '^  -[^ ]*' | tr , '\\n' | tr -d ' ' | while read -r o; do tr -d '\\\\' </usr/share/man/man1/text_to_mesh.1 | grep -q -- \"\$o\" || exit 1; done"
+[ "$(dpkg-deb -f "$packages"/text-to-mesh_*.deb Description)" != "$(dpkg-deb -f "$packages"/libtypemesh-dev_*.deb Description)" ] ||
+    fail "both packages have one description"
 inside "apt-get install -y --no-install-recommends ./libtypemesh-dev_*.deb g++ cmake make pkg-config libharfbuzz-dev" &&
     inside "g++ -std=c++20 main.cpp \$(pkg-config --cflags --libs typemesh-harfbuzz) -o main && ./main" &&
     inside "cmake -S . -B build && cmake --build build && build/user" &&

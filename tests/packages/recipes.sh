@@ -7,6 +7,9 @@ folder=$root/cmake/packaging
 version=$(awk '/^#define TYPEMESH_VERSION_/ { v = v dot $3; dot = "." } END { print v }' "$root/include/typemesh/core/version.hpp")
 grep -q "\"version-semver\": \"$version\"" "$folder/vcpkg/vcpkg.json" || fail "vcpkg.json has another version than $version"
 grep -q "\"version\": \"$version\"" "$root/examples/web/package/package.json" || fail "npm's package.json has another version than $version"
+for recipe in vcpkg/vcpkg.json conan/conanfile.py ../../examples/web/package/package.json; do
+    grep -q 'license.*MIT.*Unicode-3\.0' "$folder/$recipe" || fail "$recipe does not name both licences of LICENSE"
+done
 quietly python3 -m json.tool "$folder/vcpkg/vcpkg.json"
 ! command -v pyflakes3 >/dev/null || quietly pyflakes3 "$folder/conan/conanfile.py" "$folder/conan/test_package/conanfile.py"
 tried=

@@ -5,7 +5,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("Han, kana, Bopomofo and their punctuation are ideographic; Hangul, Latin, emoji and spaces are not",
+TEST_CASE("Han, kana, Bopomofo and their punctuation are ideographic, and Hangul, Latin, emoji and spaces are not",
           "[paragraph]")
 {
     for (const char32_t c : U"\u6F22\u304B\u30AB\u3041\u30FC\u3105\u3001\u300C\uFF08\uFF21\uFF76\U00020000")

@@ -17,7 +17,7 @@ check() {  # check 'SENTENCE' COMMAND...
         passed=$((passed + 1))
     else
         failed=$((failed + 1))
-        printf 'FAILED: %s\n  status %s; written:\n' "$sentence" "$status" && sed 's/^/  | /' "$scratch/out" "$scratch/err"
+        printf 'FAILED: %s\n  status %s; written:\n' "$sentence" "$status" && tail -q -n 15 "$scratch/out" "$scratch/err" | cut -c 1-200 | sed 's/^/  | /'
     fi
 }
 says() { grep -qE -- "$1" "$scratch/out" "$scratch/err"; }
@@ -58,7 +58,10 @@ case $(cat "$scratch/kill") in
     INT) kill -s INT -- "-$pid" ;;  # Ctrl-C reaches all of them
     ?*) kill -s "$(cat "$scratch/kill")" "$pid" ;;
 esac
-echo "100% tests passed, 0 tests failed out of 5"
+echo " 3/5 Test #3: a name ........***Failed  0.01 sec"
+echo " 4/5 Test #4: another name ..***Skipped 0.01 sec"
+[ ! -e "$scratch/wait" ] || for _ in 1 2 3 4 5 6 7 8 9; do grep -q "4 of 5, 1 failed" "$scratch/out" && break || sleep 1; done
+if [ -e "$scratch/bad" ]; then echo "80% tests passed, 1 tests failed out of 5"; else echo "100% tests passed, 0 tests failed out of 5"; fi
 END
 # fonts: FILE|FAMILY|FIRST CODE POINT|LAST
 stand_in fc-list <<'END'
@@ -85,7 +88,7 @@ for package in "$@"; do :; done
 END
 
 anew() {  # a machine with a Latin font, and the administrator before it
-    rm -rf "$tree/build" "$scratch/wait"
+    rm -rf "$tree/build" "$scratch/wait" "$scratch/bad"
     : >"$scratch/kill"
     echo 0 >"$scratch/user"
     echo "/fonts/sans.ttf|DejaVu Sans|20|52f" >"$scratch/fonts"
@@ -199,7 +202,13 @@ anew && mv "$bin/ninja" "$scratch/ninja" && echo 1000 >"$scratch/user" && run ex
 check "without root and sudo it stops" fails
 check "it names the packages" says 'sudo apt-get install ninja-build'
 check "it installs nothing" called_not 'apt-get'
+check "it says which names are tried" says 'names for Debian are tried, the others .* untried'
 mv "$scratch/ninja" "$bin/ninja"
+mv "$bin/apt-get" "$scratch/apt-get" && stand_in dnf <<<'cp "$scratch/ninja" "$bin/ninja"'
+anew && mv "$bin/ninja" "$scratch/ninja" && run examples/run.sh
+check "a package manager that was never tried is said to be" says '^With dnf this is untried'
+check "it is used" called 'dnf install -y ninja-build'
+mv "$scratch/apt-get" "$bin/apt-get" && rm "$bin/dnf"
 for script in examples/run.sh tests/run.sh; do
     anew && touch "$tree/build" && run $script
     check "$script: a build folder that cannot be written is an error" fails
@@ -247,6 +256,27 @@ anew && mv "$bin/ninja" "$scratch/ninja" && echo 1000 >"$scratch/user" && run te
 check "a run that cannot set up has failed" says '^0 passed, 1 failed$'
 check "it says that it got no further" says 'broken off while setting up'
 mv "$scratch/ninja" "$bin/ninja"
+
+anew && touch "$scratch/wait" && run tests/run.sh --only clang
+check "it tells how many tests are done, and how many of them failed" says '0:0[0-9]  4 of 5, 1 failed'
+check "it says how long the first build takes" says 'Building clang, which takes [0-9]+ minutes'
+anew && touch "$scratch/bad" && run tests/run.sh --only clang,tsan
+check "without --fail-fast all is run" says '^8 passed, 2 failed$'
+again && run tests/run.sh --only clang,tsan --fail-fast
+check "with it the first failure ends the run" says '^4 passed, 1 failed$'
+check "the run has failed then" fails
+check "it says why it has ended" says '^ended by --fail-fast$'
+check "ctest ends with its first failure, too" called 'ctest .*--stop-on-failure'
+check "no other preset is tested" called_not 'build/tsan'
+anew && run tests/run.sh --fail-fast
+check "without a failure --fail-fast changes nothing" says '^10 passed, 0 failed$'
+anew && mkdir -p "$tree/tests/core" "$tree/tests/workload" && touch "$tree/tests/core/a.test.cpp" "$tree/tests/workload/a.test.cpp"
+cp "$source_tree/CMakePresets.json" "$tree/" && run tests/run.sh --quick
+check "--quick tests a preset of its own" called 'ctest .*build/quick'
+check "and no other" says '^5 passed, 0 failed$'
+check "it says what it leaves out" says '^left out by --quick, of tests/: .*workload'
+check "and not what it does not" says_not '^left out by --quick.* core'
+rm -r "$tree/tests/core" "$tree/tests/workload/a.test.cpp" "$tree/CMakePresets.json"
 
 # --- tests/run.sh: the tiers that are scripts
 for tier in external:external:gcc engines:engines_run:release; do

@@ -11,6 +11,7 @@
 #include <typemesh/vertex/surface_point.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -24,19 +25,24 @@ namespace test {
 
 /// Takes a mesh as a sink. With placement's defaults x and y are whole numbers of cells.
 struct bevel_surface {
-    static constexpr typemesh::attribute wants = typemesh::attribute::position;
+    static constexpr typemesh::attribute wants = typemesh::attribute::position | typemesh::attribute::normal;
 
-    std::vector<typemesh::vec3> vertices;
+    std::vector<typemesh::vec3> vertices, normals;
     std::vector<std::uint32_t> indices;
     typemesh::part_sizes sizes;
 
     typemesh::error begin(typemesh::mesh_size) noexcept
     {
         vertices.clear();
+        normals.clear();
         indices.clear();
         return {};
     }
-    void vertex(const typemesh::surface_point<wants>& v) noexcept { vertices.push_back(v.position); }
+    void vertex(const typemesh::surface_point<wants>& v) noexcept
+    {
+        vertices.push_back(v.position);
+        normals.push_back(v.normal);
+    }
     void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept
     {
         indices.insert(indices.end(), {a, b, c});
@@ -61,6 +67,32 @@ struct bevel_surface {
     {
         return typemesh::inspect::cross(corner(t, 1) - corner(t, 0), corner(t, 2) - corner(t, 0));
     }
+    /// How many corners of walls and bevels are lit from behind: their normal is 90 degrees or more off the triangle.
+    /// Triangles up to 3 cells high do not count, as their points are rounded to the grid: of a slope as it lies in the
+    /// plane, of what is upright as it stands.
+    [[nodiscard]] std::size_t lit_from_behind() const
+    {
+        namespace inspect = typemesh::inspect;
+        std::size_t found = 0;
+        for (const auto p : {typemesh::part::side, typemesh::part::front_bevel, typemesh::part::back_bevel}) {
+            const auto all = triangles_of(p);
+            for (std::size_t t = all.begin; t < all.end; ++t) {
+                const auto n = normal(t);
+                const double size = std::sqrt(dot(n, n));
+                const bool upright = std::fabs(n.z) < 1e-9 * size;
+                double longest = 0.0;
+                for (std::size_t k = 0; k < 3; ++k) {
+                    auto edge = corner(t, (k + 1) % 3) - corner(t, k);
+                    if (!upright) edge.z = 0.0;
+                    longest = (std::max)(longest, std::sqrt(dot(edge, edge)));
+                }
+                if (!((upright ? size : std::fabs(n.z)) > 3.0 * longest)) continue;
+                for (std::size_t k = 0; k < 3; ++k)
+                    found += !(dot(n, inspect::to_place(normals[indices[3 * t + k]])) > 0.0);
+            }
+        }
+        return found;
+    }
     [[nodiscard]] double volume() const
     {
         return typemesh::inspect::measure(typemesh::inspect::mesh_view{vertices, indices}).volume;
@@ -79,6 +111,7 @@ public:
         find_touching_points();
         check_triangles();
         check_edges();
+        law(s.lit_from_behind() == 0, "a normal is 90 degrees or more off its face");
     }
 
     /// The first law that is broken, in words; "" if none is.

@@ -221,16 +221,24 @@ TEST_CASE("bevels that fit a text are as narrow as its narrowest letter's, with 
     const auto own = widths_of(*apart, fit);
     CHECK(own[1] == Catch::Approx(0.045));  // "E" is 100 units thick, and so is "o", but for its chords
     CHECK(own[0] > own[1]);
+    CHECK(apart->report().narrowed == 2);  // to less than half
 
     auto mesher = text_mesher{font}.with(fit_text);
     const auto plan = mesher.plan("oE");
     REQUIRE(plan);
-    CHECK(plan->report().narrowed == 0);
+    CHECK(plan->report().narrowed == 2);
     const auto same_width = widths_of(*plan, fit_text);
     CHECK(same(same_width[0], own[1]));
     CHECK(same(same_width[1], own[1]));
     const test::lit_mesh expected = checked_mesh(*plan);
     CHECK(same(mesher.solid().width, 0.2f));  // the next text begins anew
+    CHECK(is_zero(mesher.solid().wanted));
+    bevelled<round_profile> nearly = fit_text;
+    nearly.width = 0.08f;
+    auto enough = text_mesher{font}.with(nearly);
+    const auto not_by_half = enough.plan("oE");
+    REQUIRE(not_by_half);
+    CHECK(not_by_half->report().narrowed == 0);
     const auto other = mesher.plan("o");
     REQUIRE(other);
     CHECK(same(widths_of(*other, fit_text)[0], own[0]));

@@ -6,6 +6,7 @@
 #include "support/catch.hpp"
 #include "support/toy_font.hpp"
 
+#include <string>
 #include <vector>
 
 using namespace typemesh;
@@ -77,4 +78,55 @@ TEST_CASE("no triangle is flipped because depths run the other way", "[text][fli
     const auto plan = mesher.plan("oE", options);
     REQUIRE(plan);
     CHECK(flipped_triangles(*plan) == 0);
+}
+
+namespace {
+
+/// Caps as `half` positions hold them.
+struct halved : collected {
+    void vertex(const surface_point<wants>& v) noexcept
+    {
+        const auto rounded = [](float f) noexcept { return static_cast<float>(half{f}); };
+        places.push_back({rounded(v.position.x), rounded(v.position.y), rounded(v.position.z)});
+    }
+};
+
+/// As position_box holds them.
+struct boxed : collected {
+    position_box box = position_box::around({}, {1.0f, 1.0f, 1.0f});
+
+    void vertex(const surface_point<wants>& v) noexcept { places.push_back(box.decoded(box(v.position))); }
+};
+
+/// The share of front triangles that have been turned over or flattened.
+template <class To, class Plan>
+double share_flipped(const Plan& plan, To to)
+{
+    REQUIRE_FALSE(plan.write(to));
+    std::size_t flipped = 0, all = 0;
+    for (std::size_t i = 0; i + 2 < to.indices.size(); i += 3, ++all) {
+        const vec3 a = to.places[to.indices[i]], b = to.places[to.indices[i + 1]], c = to.places[to.indices[i + 2]];
+        const double area = (double(b.x) - double(a.x)) * (double(c.y) - double(a.y)) -
+                            (double(b.y) - double(a.y)) * (double(c.x) - double(a.x));
+        flipped += area > 0.0 ? 0u : 1u;
+    }
+    return static_cast<double>(flipped) / static_cast<double>(all);
+}
+
+}  // namespace
+
+TEST_CASE("half positions turn no triangle over within an em of the origin, but half of them a long line away",
+          "[text][flipped_triangles]")
+{
+    test::toy_font font;
+    text_mesher mesher = text_mesher{font}.with(flat{});
+    const auto near = mesher.plan("o");
+    REQUIRE(near);
+    CHECK(share_flipped(*near, halved{}) <= 0.0);
+    const auto far = mesher.plan(std::string(400, 'o'));
+    REQUIRE(far);
+    CHECK(share_flipped(*far, halved{}) > 0.5);
+    boxed packed;
+    packed.box = position_box::around(far->bounds().low, far->bounds().high);
+    CHECK(share_flipped(*far, packed) < 0.5 * share_flipped(*far, halved{}));
 }

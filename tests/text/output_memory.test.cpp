@@ -17,7 +17,7 @@ using namespace typemesh;
 
 namespace {
 
-const char* const text = "oEi xo\nEEo";
+const char* const three_words = "oEi xo\nEEo";
 
 /// Writes a plan into two arrays that begin, or end, where memory does.
 template <class Index, class Plan>
@@ -39,7 +39,7 @@ TEMPLATE_TEST_CASE("writing stays within its arrays: the pages before and behind
 {
     test::toy_font font;
     auto mesher = text_mesher{font}.with(TestType{});
-    auto plan = mesher.plan(text);
+    auto plan = mesher.plan(three_words);
     REQUIRE(plan);
     for (const bool at_end : {false, true}) {
         write_between_guards<std::uint32_t>(*plan, at_end);
@@ -52,7 +52,7 @@ TEMPLATE_TEST_CASE("what is written does not depend on what lay there, and all o
 {
     test::toy_font font;
     auto mesher = text_mesher{font}.with(TestType{});
-    auto plan = mesher.plan(text);
+    auto plan = mesher.plan(three_words);
     REQUIRE(plan);
     const mesh_size size = plan->size();
     std::vector<std::vector<unsigned char>> left;
@@ -74,7 +74,7 @@ TEST_CASE("a sink that is too small is left as it was, to the byte", "[text][mem
 {
     test::toy_font font;
     text_mesher mesher{font};
-    auto plan = mesher.plan(text);
+    auto plan = mesher.plan(three_words);
     REQUIRE(plan);
     const mesh_size size = plan->size();
     for (const bool few_vertices : {false, true}) {

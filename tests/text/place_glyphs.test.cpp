@@ -15,7 +15,7 @@ using namespace typemesh;
 
 namespace {
 
-/// Says of letters with many points that they are narrowed: of 'o', 'E' and 'x', but not of 'i'.
+/// Says of letters with many points that they are narrowed and have lost two caps: of 'o', 'E' and 'x', but not of 'i'.
 struct narrowing {
     flat as;
 
@@ -23,7 +23,8 @@ struct narrowing {
     {
         const auto sizes = as.plan(r);
         if (!sizes) return sizes.error();
-        return solid_plan{.sizes = *sizes, .narrowed = r.points().size() > 4};
+        const bool is_large = r.points().size() > 4;
+        return solid_plan{.sizes = *sizes, .narrowed = is_large, .lost_caps = is_large ? 2u : 0u};
     }
     [[nodiscard]] height_range heights() const noexcept { return as.heights(); }
     template <attribute Wants, class Put>
@@ -92,6 +93,8 @@ TEST_CASE("what an extruder narrows is counted glyph by glyph, whichever way the
         REQUIRE(plan);
         CHECK(plan->report().narrowed == 3);
         CHECK(plan->report().first_narrowed == 2);
+        CHECK(plan->report().lost_caps == 6);
+        CHECK(plan->report().first_lost_cap == 2);
         std::uint32_t found = 0;
         for (const drawn_glyph& g : plan->glyphs()) found += g.built->is_narrowed() ? 1u : 0u;
         CHECK(found == 3);
@@ -136,4 +139,6 @@ TEST_CASE("of merged glyphs that are narrowed one is counted, and the first is t
     CHECK(plan->glyphs()[0].cluster == 9);
     CHECK(plan->report().narrowed == 2);
     CHECK(plan->report().first_narrowed == 5);
+    CHECK(plan->report().lost_caps == 4);
+    CHECK(plan->report().first_lost_cap == 5);
 }

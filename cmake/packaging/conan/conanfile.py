@@ -14,7 +14,7 @@ required_conan_version = ">=2.0"
 class TypemeshConan(ConanFile):
     name = "typemesh"
     description = "Header-only C++20 library that makes meshes of text: flat, extruded or bevelled, for any vertex layout"
-    license = "MIT"
+    license = "MIT", "Unicode-3.0"
     topics = ("text", "mesh", "fonts", "triangulation", "header-only")
     package_type = "header-library"
     settings = "os", "arch", "compiler", "build_type"

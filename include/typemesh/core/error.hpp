@@ -42,6 +42,7 @@ struct [[nodiscard]] error {
         too_many_points,      ///< an outline has more curves or points than the caller allows; count = that limit
         crossing_contours,    ///< contours cross, touch or overlap where they must not; count: see triangulator.hpp
         nothing_left,         ///< a glyph made thinner is nowhere as thick as what is taken off
+        edges_not_moved,      ///< a glyph's edges, moved by any part of the distance, cross on the grid
         bad_tolerance,        ///< a tolerance is not a positive finite number
         bad_option,           ///< an option is outside its range; `option` names it
         overlapping_spans,    ///< two spans of a text's styles hold the same character
@@ -122,6 +123,7 @@ struct [[nodiscard]] error {
         case too_many_points: return "The outline has more points than most_points allows.";
         case crossing_contours: return "Contours of the outline cross, touch or overlap.";
         case nothing_left: return "Nothing is left of the glyph: it is thinner than what is taken off.";
+        case edges_not_moved: return "The glyph's edges cannot be moved: once moved, they cross on the grid.";
         case bad_tolerance: return "The tolerance is not a positive finite number.";
         case bad_option: return "An option is outside its range.";
         case overlapping_spans: return "Two spans of styles hold the same character.";

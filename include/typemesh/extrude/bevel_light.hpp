@@ -63,6 +63,9 @@ public:
         }
     }
 
+    /// Whether some normal is more than 45 degrees off its flat face: where one chord has a curve that turns a lot.
+    [[nodiscard]] bool strays() const noexcept { return strays_; }
+
     /// At a node of that edge's face.
     [[nodiscard]] lit at(std::uint32_t edge, const swept_node& node) const noexcept
     {
@@ -112,7 +115,12 @@ private:
                      a.seam ? 0.0 : as_double(a.along),
                      as_double(b.along),
                      outward(unit(along))};
+        strays_ =
+            strays_ || !is_near(faces_[i].own, faces_[i].start_normal) || !is_near(faces_[i].own, faces_[i].end_normal);
     }
+
+    /// Whether two unit vectors are less than 45 degrees apart.
+    static bool is_near(point a, point b) noexcept { return dot(a, b) > 0.7072; }
 
     void add_join(const region& filled, std::span<const side_point> sides, const swept_join& j,
                   std::uint32_t to) noexcept
@@ -170,6 +178,7 @@ private:
     static point wide(vec2 v) noexcept { return {as_double(v.x), as_double(v.y)}; }
 
     face* faces_ = nullptr;
+    bool strays_ = false;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

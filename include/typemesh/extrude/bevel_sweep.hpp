@@ -31,6 +31,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 struct bevel_sweep {
     double mitre_limit = 2.0;  ///< as in sweep_options
     double tolerance = 0.0;
+    bool round = true;
     bool outward = false;  ///< the region lies around another one, at which the profile ends
 
     /// Sweeps it to the levels of a profile; `out` is emptied first.
@@ -47,7 +48,9 @@ struct bevel_sweep {
         for (std::size_t i = 0; i < levels.size(); ++i)
             distances[i] = outward ? width - levels[levels.size() - 1 - i].distance : levels[i].distance;
         workspace::scope scratch{space};
-        return sweep_inwards(filled, triangles, {{distances, levels.size()}, mitre_limit, tolerance}, scratch, out);
+        sweep_options how{{distances, levels.size()}, mitre_limit, tolerance, round};
+        how.speck = tolerance;
+        return sweep_inwards(filled, triangles, how, scratch, out);
     }
 };
 

@@ -5,6 +5,7 @@
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/extrude/bevel_data.hpp>
+#include <typemesh/extrude/bevel_facing.hpp>
 #include <typemesh/extrude/bevel_light.hpp>
 #include <typemesh/extrude/profile_levels.hpp>
 
@@ -29,7 +30,11 @@ public:
     };
 
     bevel_vertices(bevel_data& data, const bevel_light& light, sharing how) noexcept
-        : data_{data}, swept_{data.swept}, light_{light}, how_{how}
+        : data_{data},
+          swept_{data.swept},
+          light_{light},
+          how_{how},
+          is_near_{how.crease >= always_near && !light.strays()}
     {
     }
 
@@ -65,20 +70,18 @@ public:
             if (k == 0 || !(is_outward() ? across.smooth_after : across.smooth_before)) ++age_;
             if (!add_band(k, here, cell)) return error::out_of_memory;
         }
-        finish();
-        return {};
+        return finish(0, scratch) ? error{} : error{error::out_of_memory};
     }
 
     /// Walls on the edges that stand at the last level: pairs of vertices, from the back to the front.
     ///
     /// Fails  error::out_of_memory
-    [[nodiscard]] error add_walls() noexcept
+    [[nodiscard]] error add_walls(workspace::scope& scratch) noexcept
     {
         ++age_;
+        const std::size_t bevel = data_.of<bevel_triangle>().size();
         const auto last = static_cast<std::uint32_t>(swept_.levels.size() - 1);
-        if (!add_riser(last, 0)) return error::out_of_memory;
-        finish();
-        return {};
+        return add_riser(last, 0) && finish(bevel, scratch) ? error{} : error{error::out_of_memory};
     }
 
 private:
@@ -88,7 +91,7 @@ private:
     static constexpr std::uint32_t most_tried = 64;
 
     /// The cosine of 30 degrees, rounded up: normals that differ by less from one are near to the sum of all, and so
-    /// are the faces that they stand for.
+    /// are the faces that they stand for, if those are near their own normals.
     static constexpr double always_near = 0.8661;
 
     /// The corners at a node so far, of strips that share vertices: those of the current age.
@@ -223,7 +226,7 @@ private:
     {
         const bevel_data::corner_normals& normals = data_.normals[vertex];
         if (dot(normals.first, lit.outward) < how_.crease) return false;
-        if (how_.crease < always_near && !normals.stays_near(lit.outward, lit.face)) return false;
+        if (!is_near_ && !normals.stays_near(lit.outward, lit.face)) return false;
         const double apart = as_double(data_.of<bevel_vertex>()[vertex].along) - lit.along;
         return how_.most_apart < 0.0 || std::fabs(apart) <= how_.most_apart;
     }
@@ -234,18 +237,22 @@ private:
         return is_outward() && edge >= frame_ && edge - frame_ < 4;
     }
 
-    /// Sets the normals of all vertices that have none yet.
-    void finish() noexcept
+    /// Sets the normals of all vertices that have none yet: those of the triangles from this one on.
+    [[nodiscard]] bool finish(std::size_t first_triangle, workspace::scope& scratch) noexcept
     {
-        const auto vertices = data_.of<bevel_vertex>().view();
+        auto& vertices = data_.of<bevel_vertex>();
         for (; finished_ < vertices.size(); ++finished_)
             vertices[finished_].outward = rounded(unit(data_.normals[finished_].sum));
+        const bool turned = is_near_ || bevel_facing{data_, scratch}.turn_out(first_triangle);
+        finished_ = vertices.size();
+        return turned;
     }
 
     bevel_data& data_;
     const swept_region& swept_;
     const bevel_light& light_;
     sharing how_;
+    bool is_near_;  ///< all normals that share a vertex are near each other and their faces
     node* nodes_ = nullptr;
     std::uint32_t age_ = 0;
     std::uint32_t frame_ = none;

@@ -33,9 +33,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// What a bevel does where a stroke is thinner than twice its width.
 enum class bevel_mode : std::uint8_t {
-    clip,      ///< it closes in a ridge
-    fit,       ///< the bevels of that glyph become narrower: at most 0.9 times the width at which one of its connected
-               ///< pieces would lose all of its cap; thinner strokes of a piece still close in ridges
+    clip,  ///< it closes in a ridge
+    fit,   ///< the bevels of that glyph become narrower: at most 0.9 times the width at which one of its connected
+           ///< pieces would lose all of its cap; thinner strokes of a piece still close in ridges. A speck, in which
+           ///< no circle of the tolerance has room, may lose its cap (solid_plan::lost_caps) unless all are specks
     fit_text,  ///< those of the whole text become as narrow as those of its narrowest glyph: it is planned twice. A
                ///< text_mesher's; to anything else it means fit
 };
@@ -57,7 +58,8 @@ enum class bevel_mode : std::uint8_t {
 ///     bevelled<round_profile>{.profile = {.steps = 4}}
 ///     bevelled<polyline_profile>{.profile = {{{0, 0}, {0.2f, 0.8f}, {1, 1}}}}
 ///
-/// A bevel that is not proven at its width becomes narrower for that glyph (solid_plan::narrowed): bevel_carver.hpp.
+/// A bevel that is not proven at its width becomes narrower for that glyph (solid_plan::narrowed): bevel_carver.hpp. So
+/// does the plan say of one that had to be less than half as wide to fit.
 ///
 /// Normals are those of the contour's curves (curve_normals), tilted by the profile's slope, and are kept along the way
 /// inwards. Texture coordinates in em mapping: u as on the walls, also kept on the way inwards, v goes on with the
@@ -89,6 +91,7 @@ struct bevelled {
     bool side = true;
     texture_mapping texture = texture_mapping::em;
     Profile profile = {};
+    float wanted = 0.0f;  ///< the width before refit() has made it less; leave it at 0
 
     static constexpr std::size_t part_count = 5;
     using plan_data = bevel_data;
@@ -107,7 +110,7 @@ struct bevelled {
         };
         note({front, back, side, own_heights().is_bevelled(true), own_heights().is_bevelled(false), outward});
         note({texture == texture_mapping::em, mode != bevel_mode::clip, joins == bevel_joins::round});
-        note({shading == bevel_shading::rounded, !refused(), own_heights().has_walls(0.0f)});
+        note({shading == bevel_shading::rounded, !refused(), own_heights().has_walls(0.0f), is_narrow(width)});
         bits.words[1] |= option_bits{mitre_limit}.words[0] << 32;
         option_hash rest;
         rest.add(option_bits{crease_degrees, profile_crease_degrees});
@@ -134,7 +137,12 @@ struct bevelled {
                                                                          : plan_inward(filled, scale, data, caps, made);
         if (e) return e;
         const bool is_narrower = scale.width < as_double(width) * em;
-        data.of<bevel_rims>()[0].width = is_narrower ? static_cast<float>(scale.width / em) : width;
+        float& reached = data.of<bevel_rims>()[0].width;
+        reached = is_narrower ? static_cast<float>(scale.width / em) : width;
+        if (mode != bevel_mode::clip) {
+            made.narrowed = made.narrowed || is_narrow(reached);
+            made.lost_caps = data.swept.lost;
+        }
         const auto within = data.of<grid_point>().size();
         if (data.of<bevel_vertex>().size() > 0x3FFF'FFFFu || within > 0x3FFF'FFFFu) return error::too_large;
         return made;
@@ -184,6 +192,7 @@ struct bevelled {
     [[nodiscard]] bool refit(const solid_with<plan_data>& s) noexcept
     {
         if (mode != bevel_mode::fit_text || s.points.empty() || !(width_of(s) < width)) return false;
+        if (!(wanted > width)) wanted = width;
         width = width_of(s);
         return true;
     }
@@ -226,6 +235,12 @@ struct bevelled {
     }
 
 private:
+    /// Whether that is less than half of what is wanted.
+    [[nodiscard]] bool is_narrow(float reached) const noexcept
+    {
+        return reached < 0.5f * (wanted > width ? wanted : width);
+    }
+
     [[nodiscard]] bevel_heights own_heights() const noexcept { return {depth, bevel_depth, sides, centred}; }
 
     [[nodiscard]] error refused() const noexcept
@@ -260,8 +275,8 @@ private:
 
     [[nodiscard]] bevel_carver carver_of(const region& filled, bool outwards) const noexcept
     {
-        const double tolerance = joins == bevel_joins::round ? filled.tolerance() : 0.0;
-        return {{as_double(mitre_limit), tolerance, outwards}, mode != bevel_mode::clip};
+        return {{as_double(mitre_limit), filled.tolerance(), joins == bevel_joins::round, outwards},
+                mode != bevel_mode::clip};
     }
 
     template <cap_maker Caps>
@@ -372,7 +387,7 @@ private:
         rims.vertices = static_cast<std::uint32_t>(data.of<bevel_vertex>().size());
         rims.triangles = static_cast<std::uint32_t>(data.of<bevel_triangle>().size());
         if (rims.outward && side && own_heights().has_walls(rims.wall))
-            if (error e = vertices.add_walls()) return e;
+            if (error e = vertices.add_walls(scratch)) return e;
         return data.of<bevel_rims>().push_back(rims) ? error{} : error{error::out_of_memory};
     }
 

@@ -38,7 +38,8 @@ public:
     ///
     ///     curves      the region's, to which those of joins are appended; `out` is to refer to them at the end
     ///
-    /// Fails  as sweep_inwards() and caps.fill() do; error::crossing_contours: corners have met that grew a spike
+    /// Fails  as sweep_inwards() and caps.fill() do; error::crossing_contours: corners have met that grew a spike,
+    ///        and did so again with a mitre limit of 1.5
     template <cap_maker Caps>
     [[nodiscard]] error operator()(const region& r, double distance, const corner_rule& how, Caps& caps,
                                    buffer<curve>& curves, contours& out) noexcept
@@ -59,9 +60,16 @@ public:
             const auto around = caps.fill(triangles_);
             if (!around) return around.error();
             around_ = std::move(caps.loops());  // which exchanges their storage: `around` refers to it still
-            if (error e = sweep({*around, triangles_.view(), distance}, how, caps.space(), curves)) return e;
-            constexpr double slack = 4.0;  // of rounding
-            if (!is_in_reach(swept_.cap, r, reach + slack)) return error::crossing_contours;
+            constexpr double slack = 4.0;       // of rounding
+            const moving what{*around, triangles_.view(), distance};
+            const std::size_t own = curves.size();
+            if (error e = sweep(what, how, caps.space(), curves)) return e;
+            if (!is_in_reach(swept_.cap, r, reach + slack)) {
+                curves.truncate(own);
+                constexpr float always = 1.5f;
+                if (error e = sweep(what, {how.joins, always}, caps.space(), curves)) return e;
+                if (!is_in_reach(swept_.cap, r, reach + slack)) return error::crossing_contours;
+            }
             leave_frame(swept_.cap);
         }
         out = std::move(swept_.cap);
@@ -82,10 +90,9 @@ private:
         const double levels[] = {0.0, what.width};
         swept_.clear();
         workspace::scope scratch{space};
-        if (error e =
-                sweep_inwards(what.r, what.triangles,
-                              {levels, as_double(how.mitre_limit), round ? what.r.tolerance() : 0.0}, scratch, swept_))
-            return e;
+        sweep_options options{levels, as_double(how.mitre_limit), what.r.tolerance(), round};
+        options.only_cap = true;
+        if (error e = sweep_inwards(what.r, what.triangles, options, scratch, swept_)) return e;
         return name_cap_edges(what.r, round, swept_, curves, scratch);
     }
 

@@ -46,11 +46,13 @@ struct emboldened_data : inner_solid<Solid> {
 /// Advances are the layout's: layout_options::letter_spacing of twice the distance keeps the letters' own spacing.
 /// Letters are merged (text_options::merge) where they meet when they have grown.
 ///
-/// A distance at which the new edges are not proven is halved for that glyph (solid_plan::narrowed).
+/// A distance at which the new edges are not proven is halved for that glyph (solid_plan::narrowed). Where corners meet
+/// and grow a spike beyond the limit, that glyph is moved with a limit of 1.5 first.
 ///
 /// Fails  error::bad_option: `by` is not finite or 2^28 cells or more, the mitre limit is below 1 and not 0
 ///        ("emboldened::mitre_limit"), or as the other extruder does
 ///        error::nothing_left: the glyph is nowhere as thick as what is taken off
+///        error::edges_not_moved: at none of these distances are the new edges proven
 ///        error::outline_beyond_grid, error::out_of_memory
 template <extruder Solid = extruded<>>
 struct emboldened {
@@ -92,6 +94,7 @@ struct emboldened {
             narrowed = true;
             moved = move(filled, distance, data, caps);
         }
+        if (moved.error() == error::crossing_contours) return error::edges_not_moved;
         if (!moved) return moved.error();
         if (moved->points().empty()) return error::nothing_left;
         auto made = data.plan(solid, *moved, caps);

@@ -114,6 +114,7 @@ struct outlined_data {
 /// Fails  error::bad_option: the width is not positive and finite, or on a glyph less than four cells (centre: eight)
 ///        or 2^28 and more, the mitre limit is below 1 and not 0 ("outlined::width", "outlined::mitre_limit"), or as
 ///        the two extruders do
+///        error::edges_not_moved: at no part of the width are the new edges proven
 ///        error::outline_beyond_grid, error::out_of_memory
 template <extruder Ring = extruded<>, extruder Letter = no_letter>
 struct outlined {
@@ -167,6 +168,7 @@ struct outlined {
             narrowed = true;
             e = make_regions(filled, distance, data, caps, {of_ring, of_letter});
         }
+        if (e == error::crossing_contours) return error::edges_not_moved;
         if (e) return e;
         auto made = plan_both(of_ring, of_letter, data, caps);
         if (made) made->narrowed = made->narrowed || narrowed;
@@ -333,6 +335,7 @@ private:
         all->narrowed = all->narrowed || within->narrowed;
         all->touching = all->touching || within->touching;
         all->corners_moved += within->corners_moved;
+        all->lost_caps += within->lost_caps;
         if constexpr (tells_outline<Ring>) {
             const auto made = data.ring.read();
             const bool grows = !made.points.empty() && ring.outline(made).points.data() != made.points.data();

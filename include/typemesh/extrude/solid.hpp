@@ -34,9 +34,11 @@ struct solid_with : solid {
 struct solid_plan {
     part_sizes sizes;
     box around = {};
-    bool narrowed = false;            ///< its edges have moved less than asked for, as those farther on were not proven
+    bool narrowed = false;            ///< its edges have moved less than wanted, as those farther on were not proven,
+                                      ///< or less than half as far, so that they fit
     bool touching = false;            ///< corners touch that should have been parted or joined
     std::uint32_t corners_moved = 0;  ///< that have been parted or joined; see contours::corners
+    std::uint32_t lost_caps = 0;      ///< pieces smaller than a tolerance that have none, though bevels were to fit
 };
 
 /// A solid, and what its extruder's plan() said about it.

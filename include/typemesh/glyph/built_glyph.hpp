@@ -64,6 +64,8 @@ public:
     [[nodiscard]] std::uint32_t corners_moved() const noexcept { return plan_.corners_moved; }
     /// Whether corners touch that should have been.
     [[nodiscard]] bool is_touching() const noexcept { return plan_.touching; }
+    /// How many of its pieces have lost their caps: see solid_plan.
+    [[nodiscard]] std::uint32_t lost_caps() const noexcept { return plan_.lost_caps; }
     [[nodiscard]] double cells() const noexcept { return cells_; }
     /// The size of the grid's cells, in font units.
     [[nodiscard]] double font_units_per_cell() const noexcept { return font_units_per_cell_; }

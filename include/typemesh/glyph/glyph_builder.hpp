@@ -102,7 +102,7 @@ public:
         for (const error::kind k :
              {error::unknown_glyph, error::bad_outline, error::outline_not_finite, error::outline_beyond_grid,
               error::too_many_pieces, error::too_many_points, error::crossing_contours, error::nothing_left,
-              error::font_library_failed, error::refused_by_user})
+              error::edges_not_moved, error::font_library_failed, error::refused_by_user})
             if (e == k) return true;
         return false;
     }

@@ -137,32 +137,46 @@ public:
         return count;
     }
 
-    /// Takes triangles away from the corner at which segment `after` begins, every other one at most, where
-    /// is_convex(h) says that the triangle of half-edge h and the next one around the corner may be flipped;
-    /// changed(t) is called for those taken away. How many these are.
+    /// Half-edges to look at, in this round and in the next one.
+    struct rounds {
+        buffer<std::uint32_t> now, then;
+    };
+
+    /// Takes triangles away from the corner at which segment `after` begins until no more than `enough` are left, in
+    /// rounds: every other one at most in each, where is_convex(h) says that the triangle of half-edge h and the next
+    /// one around the corner may be flipped; changed(t) is called for those taken away. False when memory runs out.
     ///
     ///          c               c
     ///        / |             /   \          the triangle of h goes away, that of c stays
     ///      v---b     >     v     b
     ///     h  \ |             \   /
     ///          a               a
+    ///
+    /// Cost   two looks at each triangle there: after the first round only at those on either side of a change
     template <class IsConvex, class Changed>
-    std::uint32_t thin_out(std::uint32_t after, IsConvex is_convex, Changed changed) noexcept
+    [[nodiscard]] bool thin_out(std::uint32_t after, std::uint32_t enough, IsConvex is_convex, Changed changed,
+                                rounds& look) noexcept
     {
-        std::uint32_t count = 0;
-        for (std::uint32_t h = segments[after].half;;) {
-            std::uint32_t across = link(previous(h));
-            if (is_segment(across)) return count;
-            if (is_convex(h)) {
-                const std::uint32_t stays = across / 3;
+        look.now.clear();
+        bool fits = true;
+        around(after, [&](std::uint32_t h) noexcept { fits = fits && look.now.push_back(h); });
+        for (std::size_t left = look.now.size(); fits && left > enough && !look.now.empty(); look.now.swap(look.then)) {
+            std::uint32_t stays = none;
+            look.then.clear();
+            for (const std::uint32_t h : look.now) {
+                const std::uint32_t across = link(previous(h));
+                if (h / 3 == stays || is_segment(across) || !is_convex(h)) continue;
+                stays = across / 3;
                 flip(previous(h));
                 changed(h / 3);
-                ++count;
-                across = link(3 * stays);
-                if (is_segment(across)) return count;
+                --left;
+                const std::uint32_t own = 3 * stays + 1, last = link(own);
+                if (!is_segment(last) && (look.then.empty() || look.then.back() != next(last)))
+                    fits = fits && look.then.push_back(next(last));
+                fits = fits && look.then.push_back(own);
             }
-            h = across;
         }
+        return fits;
     }
 
     /// Finds the twins of triangles that have none yet, of a region whose edge i begins at corner i and is segment i:

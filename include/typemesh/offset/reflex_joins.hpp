@@ -14,7 +14,18 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 struct join_rule {
     double mitre_limit = 2.0;  ///< a corner may move as far as this many distances; 0: 2^18
     double width = 0.0;        ///< the last level, in cells
-    double tolerance = 0.0;  ///< in cells: joins are as round as that at the width; 0: only as many as the limit needs
+    double tolerance = 0.0;    ///< in cells; 0: unknown
+    bool round = true;  ///< joins are within the tolerance of an arc at the width; else as few as the limit needs
+
+    /// The limit that corners are held to. One near 1 would want more joins than can be seen: a corner may end a
+    /// tolerance beyond the arc at the width, as far as a single join keeps any.
+    [[nodiscard]] double kept() const noexcept
+    {
+        constexpr double of_one_join = 1.41421356237309504880;  // where the boundary turns back: 1 / cos 45 degrees
+        if (!(mitre_limit > 0.0)) return 0x1p18;                // beyond that, speeds overflow
+        const double seen = width > 0.0 ? 1.0 + tolerance / width : 1.0, least = std::fmin(seen, of_one_join);
+        return std::fmax(mitre_limit, least);
+    }
 };
 
 /// Puts edges without length into the reflex corners that would grow spikes. They turn the corner in equal steps and
@@ -75,7 +86,7 @@ private:
         if (turns_left(before, after) || cosine > 0.999 || is_convex(v)) return 0;
         const auto of_half = [](double c) noexcept { return std::sqrt(c > -1.0 ? (1.0 + c) / 2.0 : 0.0); };
         constexpr double enough = 1.0 - 0x1p-20;  // corners right at the limit are within it with every compiler
-        const double limit = rule.mitre_limit > 0.0 ? rule.mitre_limit : 0x1p18;  // beyond that, speeds overflow
+        const double limit = rule.kept(), tolerance = rule.round ? rule.tolerance : 0.0;
         double step = of_half(cosine);  // the cosine of half the turn, then of half a step
         if (step * limit >= enough) return 0;
         int count = 0;
@@ -83,7 +94,7 @@ private:
             step = of_half(step);
             ++count;
         } while (count < most_halvings &&
-                 (step * limit < enough || (rule.tolerance > 0.0 && rule.width * (1.0 - step) > rule.tolerance)));
+                 (step * limit < enough || (tolerance > 0.0 && rule.width * (1.0 - step) > tolerance)));
         return count;
     }
 

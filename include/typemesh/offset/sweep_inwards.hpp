@@ -13,6 +13,7 @@
 #include <typemesh/offset/cell_repair.hpp>
 #include <typemesh/offset/reflex_joins.hpp>
 #include <typemesh/offset/ring_cutter.hpp>
+#include <typemesh/offset/speck_cover.hpp>
 #include <typemesh/offset/swept_region.hpp>
 #include <typemesh/offset/wavefront.hpp>
 
@@ -26,10 +27,16 @@ namespace typemesh::inline TYPEMESH_ABI {
 struct sweep_options {
     /// Distances at which faces are cut: from 0 to the width, each at least finest_band more than the one before.
     std::span<const double> levels;
-    /// A reflex corner that would move farther than this many distances gets joins; 0: only needles do.
+    /// A reflex corner that would move farther than this many distances gets joins, 31 at most; 0: only needles do.
     double mitre_limit = 2.0;
-    /// Joins are rounded to this at the width, with 31 a corner at most; 0: they have as few edges as the limit needs.
+    /// By so much a corner may lie beyond a limit near 1 at the width, below 1.42; 0: unknown.
     double tolerance = 0.0;
+    /// Joins are rounded to the tolerance at the width; else they have as few edges as the limit needs.
+    bool round = true;
+    /// swept_region::first_loss is that of components that are swept wholly no sooner, if there are any.
+    double speck = 0.0;
+    /// The faces are of no interest: it is no failure that some of them cannot be cut.
+    bool only_cap = false;
 };
 
 namespace detail {
@@ -47,6 +54,7 @@ public:
           stack_{scratch.source()},
           ring_{scratch.source()},
           on_path_{scratch.source()},
+          cover_{scratch.source()},
           repair_{scratch.source()}
     {
     }
@@ -55,6 +63,9 @@ public:
     {
         if (error e = begin(r, cap)) return e;
         if (error e = add_joins(how)) return e;
+        given_ = cap;
+        only_cap_ = how.only_cap;
+        front_.speck = time_of(how.speck);
         if (!front_.start(time_of(how.levels.back()) + early) || !open_cells() || !note_edges())
             return error::out_of_memory;
         const auto bands = static_cast<std::uint32_t>(how.levels.size() - 1);
@@ -68,6 +79,7 @@ public:
         out_.events = front_.events();
         out_.schedules = front_.schedules();
         out_.first_loss = front_.first_loss() < 0 ? -1.0 : static_cast<double>(front_.first_loss()) * 0x1p-32;
+        out_.lost = front_.lost();
         const auto triangles = static_cast<std::uint32_t>(out_.triangles.size());
         return out_.levels.append(how.levels) && out_.nodes.append(front_.nodes.view()) &&
                        out_.cells.push_back({0, bands, triangles}) && note_edges_end()
@@ -148,7 +160,7 @@ private:
     [[nodiscard]] error add_joins(const sweep_options& how) noexcept
     {
         reflex_joins joins{front_};
-        return joins.add({how.mitre_limit, how.levels.back(), how.tolerance},
+        return joins.add({how.mitre_limit, how.levels.back(), how.tolerance, how.round},
                          [&](std::uint32_t point, fixed_vector inward) noexcept -> error {
                              const auto share = [](std::int64_t unit) noexcept {
                                  return static_cast<float>(static_cast<double>(unit) * 0x1p-30);
@@ -238,33 +250,28 @@ private:
         return true;
     }
 
-    /// Cuts all cells; where one cannot be cut, it is mended, and they are cut again.
+    /// Cuts all cells; where one cannot be cut, it is mended, and they are cut again. When that does not end, specks
+    /// are covered.
     [[nodiscard]] error cut_cells(std::uint32_t band) noexcept
     {
         constexpr int most_attempts = 64;
         const std::size_t cells = out_.cells.size(), triangles = out_.triangles.size();
         repair_.begin(first_node_);
-        for (int attempt = 0; attempt < most_attempts; ++attempt) {
-            bool mended = false;
-            if (error e = try_to_cut(band, mended)) return e;
-            if (!mended) return error::none;
+        for (int attempt = 1;; attempt = attempt < most_attempts ? attempt + 1 : 0) {
+            changed_ = false;
+            if (error e = try_to_cut(band, attempt != 0)) return e;
+            if (!changed_) return band == 0 ? cover_.add(front_, given_, out_) : error{};
             out_.cells.truncate(cells);
             out_.triangles.truncate(triangles);
         }
-        return error::crossing_contours;
     }
 
-    [[nodiscard]] error try_to_cut(std::uint32_t band, bool& mended) noexcept
+    /// `mends`: rings that cannot be cut are mended first of all; changed_ says whether something has been done.
+    [[nodiscard]] error try_to_cut(std::uint32_t band, bool mends) noexcept
     {
-        const auto is_at_level = [&](std::uint32_t a, std::uint32_t b) noexcept {
-            for (std::size_t k = out_.at_level[band]; k < out_.edges_at.size(); ++k) {
-                const swept_edge_at& e = out_.edges_at[k];
-                if ((e.a == a && e.b == b) || (e.a == b && e.b == a) || (a == b && (e.a == a || e.b == a))) return true;
-            }
-            return false;
-        };
         const auto& corners = front_.outlines.corners;
         for (const auto& c : front_.outlines.cells) {
+            if (!cover_.empty() && cover_.covers(component_of(c))) continue;
             path_.clear();
             std::uint32_t i = c.corner;
             do {
@@ -276,16 +283,39 @@ private:
             const auto first = static_cast<std::uint32_t>(out_.triangles.size());
             if (error e = each_ring([&](const buffer<std::uint32_t>& ring) noexcept {
                     const error cut = cutter_(ring, front_.nodes, out_.triangles);
-                    if (cut.code != error::crossing_contours || !repair_.mend(ring, front_.nodes, is_at_level))
-                        return cut;
-                    mended = true;
-                    return error{};
+                    return cut == error::crossing_contours ? get_round(ring, c, band, mends) : cut;
                 }))
                 return e;
             if (first != out_.triangles.size() && !out_.cells.push_back({c.line, band, first}))
                 return error::out_of_memory;
         }
         return error::none;
+    }
+
+    /// What is done about a ring that cannot be cut.
+    [[nodiscard]] error get_round(const buffer<std::uint32_t>& ring, const cell_outlines::cell& c, std::uint32_t band,
+                                  bool mends) noexcept
+    {
+        const auto is_at_level = [&](std::uint32_t a, std::uint32_t b) noexcept {
+            for (std::size_t k = out_.at_level[band]; k < out_.edges_at.size(); ++k) {
+                const swept_edge_at& e = out_.edges_at[k];
+                if ((e.a == a && e.b == b) || (e.a == b && e.b == a) || (a == b && (e.a == a || e.b == a))) return true;
+            }
+            return false;
+        };
+        if (mends && repair_.mend(ring, front_.nodes, is_at_level)) {
+            changed_ = true;
+            return {};
+        }
+        if (only_cap_) return {};
+        const std::uint32_t component = component_of(c);
+        if (cover_.covers(component)) return {};  // for another of its rings
+        changed_ = true;
+        return band == 0 ? cover_.cover(component, front_) : error{error::crossing_contours};
+    }
+    [[nodiscard]] std::uint32_t component_of(const cell_outlines::cell& c) const noexcept
+    {
+        return front_.mesh.segments[c.line].component;  // the first segment of a line has its number
     }
 
     /// Cuts the closed path where it comes back to a node, and passes on each ring of 3 nodes or more, until `take`
@@ -369,8 +399,11 @@ private:
     buffer<std::uint32_t> level_of_;  // of each vertex: its node at the level
     buffer<std::uint32_t> same_;      // of each node: another one at its place, or itself
     buffer<std::uint32_t> path_, stack_, ring_, on_path_;
+    speck_cover cover_;
     cell_repair repair_;
+    std::span<const triangle> given_;
     std::size_t first_node_ = 0;  // of a band
+    bool only_cap_ = false, changed_ = false;
 };
 
 }  // namespace detail

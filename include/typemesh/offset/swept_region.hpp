@@ -65,7 +65,10 @@ struct swept_region {
     buffer<swept_join> joins;
     contours cap;
     buffer<std::uint32_t> cap_nodes;
-    double first_loss = -1.0;  ///< the distance at which the first connected component was swept wholly; -1: none was
+    /// The distance at which the first connected component was swept wholly that is no speck (sweep_options), or, if
+    /// all were swept and are specks, the last; -1: none was.
+    double first_loss = -1.0;
+    std::uint32_t lost = 0;  ///< how many connected components were swept wholly, specks included
     /// How much work it was, for tests and benchmarks alone.
     std::size_t events = 0;     ///< how often the boundary's topology changed or the triangulation had to
     std::size_t schedules = 0;  ///< how often it was looked for when a triangle collapses: with events, a sweep's work
@@ -96,6 +99,7 @@ struct swept_region {
         cap.clear();
         cap_nodes.clear();
         first_loss = -1.0;
+        lost = 0;
         events = schedules = 0;
     }
 };

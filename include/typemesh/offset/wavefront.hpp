@@ -45,6 +45,7 @@ public:
     buffer<cell_outlines::ends> ends_of;  ///< of each segment
     buffer<std::uint32_t> live;           ///< of each component of the region: how many segments bound it still
     std::size_t flips_a_triangle = 64;    ///< with more they are taken not to end
+    std::int64_t speck = 0;               ///< components that are swept wholly sooner do not count for first_loss()
 
     explicit wavefront(memory source) noexcept
         : mesh{source},
@@ -55,7 +56,8 @@ public:
           live{source},
           times_{mesh},
           queue_{source},
-          history_{source}
+          history_{source},
+          look_{buffer<std::uint32_t>{source}, buffer<std::uint32_t>{source}}
     {
     }
 
@@ -94,8 +96,14 @@ public:
     }
 
     [[nodiscard]] bool has_failed() const noexcept { return failed_ || outlines.failed; }
-    /// The time at which a component of the region had been swept wholly for the first time; negative if none has.
-    [[nodiscard]] std::int64_t first_loss() const noexcept { return first_loss_; }
+    /// The time at which the first component of the region that is no speck had been swept wholly, or, if all are
+    /// specks, the last one; negative if none has.
+    [[nodiscard]] std::int64_t first_loss() const noexcept
+    {
+        return first_loss_ < 0 && lost_ == live.size() ? last_loss_ : first_loss_;
+    }
+    /// How many components have been swept wholly.
+    [[nodiscard]] std::uint32_t lost() const noexcept { return lost_; }
     [[nodiscard]] std::size_t events() const noexcept { return events_; }
     [[nodiscard]] std::size_t schedules() const noexcept { return schedules_; }
 
@@ -419,18 +427,17 @@ private:
         const std::uint32_t around = mesh.set_corner(before, v, after);
         pass(mesh.segments[before].from, at, node);
         pass(mesh.segments[after].to, at, node);
-        if (around > most_around) relieve(after, around);
+        if (around > most_around) relieve(after);
         mesh.around(after, [&](std::uint32_t h) noexcept { schedule(h / 3); });
     }
 
     /// A corner with thousands of triangles that eats a bow edge by edge would have all of them scheduled anew each
     /// time. So it gives them away while it can; the edges of the bow then have O(log n) triangles each.
-    void relieve(std::uint32_t after, std::uint32_t around) noexcept
+    void relieve(std::uint32_t after) noexcept
     {
-        for (std::uint32_t fewer = 1; around > most_around / 2 && fewer != 0; around -= fewer)
-            fewer = mesh.thin_out(
-                after, [&](std::uint32_t h) noexcept { return is_convex(h); },
-                [&](std::uint32_t t) noexcept { schedule(t); });
+        failed_ |= !mesh.thin_out(
+            after, most_around / 2, [&](std::uint32_t h) noexcept { return is_convex(h); },
+            [&](std::uint32_t t) noexcept { schedule(t); }, look_);
     }
     /// Whether the triangle of half-edge h and the next one around its origin make a convex quadrilateral.
     [[nodiscard]] bool is_convex(std::uint32_t h) const noexcept
@@ -459,7 +466,10 @@ private:
     void lose(std::uint32_t s) noexcept
     {
         mesh.segments[s].alive = false;
-        if (--live[mesh.segments[s].component] == 0 && first_loss_ < 0) first_loss_ = times_.now;
+        if (--live[mesh.segments[s].component] != 0) return;
+        ++lost_;
+        last_loss_ = times_.now;
+        if (first_loss_ < 0 && times_.now >= speck) first_loss_ = times_.now;
     }
 
     static constexpr std::uint32_t most_around = 64;
@@ -467,8 +477,10 @@ private:
     collapse_times times_;
     collapse_queue queue_;
     flip_history history_;
+    kinetic_triangles::rounds look_;
     std::int64_t level_ = 0;
-    std::int64_t first_loss_ = -1;
+    std::int64_t first_loss_ = -1, last_loss_ = -1;
+    std::uint32_t lost_ = 0;
     std::size_t most_flips_ = 0, flips_ = 0, events_ = 0, schedules_ = 0;
     bool failed_ = false;
     bool hole_is_lost_ = false;  ///< holes grow, so only rounding can do that, and a point has no place in the topology

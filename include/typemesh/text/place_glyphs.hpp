@@ -49,6 +49,47 @@ namespace detail {
     return static_cast<std::uint32_t>(found);
 }
 
+/// Counts what a report says of glyphs, in whichever order they come, and finds the first of each kind in the run.
+class glyph_counts {
+public:
+    explicit glyph_counts(text_report& report) noexcept : report_{report} {}
+
+    void refused(std::uint32_t i, const error& refusal) noexcept
+    {
+        if (report_.refused++ != 0 && i > first_refused_) return;
+        first_refused_ = i;
+        report_.first_refusal = refusal;
+    }
+    void drawn(std::uint32_t i, cluster_id cluster, const built_glyph& built) noexcept
+    {
+        report_.corners_moved += built.corners_moved();
+        const place at{i, cluster};
+        count(built.is_touching() ? 1 : 0, at, report_.touching, first_touching_, report_.first_touching);
+        count(built.is_narrowed() ? 1 : 0, at, report_.narrowed, first_narrowed_, report_.first_narrowed);
+        count(built.lost_caps(), at, report_.lost_caps, first_lost_, report_.first_lost_cap);
+    }
+
+private:
+    struct place {
+        std::uint32_t glyph;
+        cluster_id cluster;
+    };
+
+    static void count(std::uint32_t how_many, place at, std::uint32_t& all, std::uint32_t& first,
+                      cluster_id& first_cluster) noexcept
+    {
+        if (how_many == 0) return;
+        if (all == 0 || at.glyph < first) {
+            first = at.glyph;
+            first_cluster = at.cluster;
+        }
+        all += how_many;
+    }
+
+    text_report& report_;
+    std::uint32_t first_refused_ = 0, first_touching_ = 0, first_narrowed_ = 0, first_lost_ = 0;
+};
+
 }  // namespace detail
 
 /// Places each glyph of the run, style by style, a group of merged ones where its first member stands; needs
@@ -67,7 +108,8 @@ inline error place_glyphs(text_glyphs& all, const glyph_run& run, bool on_grid =
     if (!all.reserve_records(run.glyphs.size())) return error::out_of_memory;
     if (error e = all.looks.sort(run)) return e;
     const std::span<const std::uint32_t> order = all.looks.order();
-    std::uint32_t line = 0, first_refused = 0, first_narrowed = 0, first_touching = 0;
+    std::uint32_t line = 0;
+    detail::glyph_counts counts{report};
     for (std::uint32_t k = 0; k < run.glyphs.size(); ++k) {
         const std::uint32_t i = order.empty() ? k : order[k];
         if (!order.empty() && !run.lines.empty())
@@ -94,23 +136,12 @@ inline error place_glyphs(text_glyphs& all, const glyph_run& run, bool on_grid =
         if (on_grid && !refusal) s.origin = detail::on_grid(s.origin, s.built->cells());
         if (!refusal) refusal = s.built->refusal();
         if (refusal) {
-            if (report.refused++ == 0 || i < first_refused) {
-                report.first_refusal = refusal.at(glyph.id, glyph.cluster);
-                first_refused = i;
-            }
+            counts.refused(i, refusal.at(glyph.id, glyph.cluster));
         } else if (s.built->is_blank()) {
             ++report.blank;
         } else {
             if (error e = all.place_glyph(s, number)) return e;
-            report.corners_moved += s.built->corners_moved();
-            if (s.built->is_touching() && (report.touching++ == 0 || i < first_touching)) {
-                report.first_touching = glyph.cluster;
-                first_touching = i;
-            }
-            if (s.built->is_narrowed() && (report.narrowed++ == 0 || i < first_narrowed)) {
-                report.first_narrowed = glyph.cluster;
-                first_narrowed = i;
-            }
+            counts.drawn(i, glyph.cluster, *s.built);
         }
     }
     all.number_meshes();

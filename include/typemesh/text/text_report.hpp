@@ -25,7 +25,7 @@ struct text_report {
 
     /// Glyphs of the mesh whose bevels are narrower, or whose edges have moved less, than asked for, because the rest
     /// was not proven; a merged group counts as one. They are those of plan.glyphs() whose built->is_narrowed(). Bevels
-    /// that were to fit do not count.
+    /// that were to fit count where they have become less than half as wide.
     std::uint32_t narrowed = 0;
     cluster_id first_narrowed = no_cluster;
 
@@ -34,6 +34,9 @@ struct text_report {
     std::uint64_t corners_moved = 0;
     std::uint32_t touching = 0;              ///< glyphs in which some could not be
     cluster_id first_touching = no_cluster;  ///< where the first of these stands
+    /// Pieces of glyphs, smaller than the tolerance, whose bevels meet in a ridge although bevels were to fit.
+    std::uint32_t lost_caps = 0;
+    cluster_id first_lost_cap = no_cluster;  ///< where the first of these stands
 
     /// True if nothing was lost: every glyph of the text is in the mesh, and no place of it was read as U+FFFD.
     [[nodiscard]] constexpr bool complete() const noexcept
