@@ -290,8 +290,7 @@ void register_sample(const sample& s)
             if (!mesher.build(s.text, into(vertices, indices))) std::abort();
         const char* names[] = {"shape", "outline", "discretise", "fill", "triangulate", "extrude"};
         for (int i = 0; i < 6; ++i)
-            state.counters[names[i]] =
-                benchmark::Counter(clock.nanoseconds[i], benchmark::Counter::kAvgIterations);
+            state.counters[names[i]] = benchmark::Counter(clock.nanoseconds[i], benchmark::Counter::kAvgIterations);
     });
 }
 

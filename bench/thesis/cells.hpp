@@ -179,8 +179,7 @@ private:
             for (std::size_t i = 0; i < of_text.size(); ++i) {
                 clock = {};
                 if (!staged.build(group_.texts[i], into(vertices_, indices_), options())) std::abort();
-                for (std::size_t s = 0; run >= 0 && s < stages; ++s)
-                    of_text[i][s].push_back(clock.microseconds[s]);
+                for (std::size_t s = 0; run >= 0 && s < stages; ++s) of_text[i][s].push_back(clock.microseconds[s]);
             }
         start_row("thesis_stages");
         for (std::size_t s = 0; s < stages; ++s) {

@@ -168,8 +168,7 @@ private:
     {
         const std::string text = read_letters(in_, 12);
         const text_options how = read_options(in_);
-        auto one = text_mesher{font_}.with(mesher.solid()),
-             many = text_mesher{font_}.with(mesher.solid());
+        auto one = text_mesher{font_}.with(mesher.solid()), many = text_mesher{font_}.with(mesher.solid());
         test::scrambled_workers several{1 + in_.below(4), in_.byte()};
         auto pool =
             workers_of(several, [](std::size_t) noexcept -> result<test::toy_font> { return test::toy_font{}; });
@@ -226,10 +225,9 @@ private:
     test::counting_memory cache_memory_, memory_;
     glyph_cache<> cache_;
     test::toy_font font_, own_font_;
-    text_mesher<extruded<>> walls_{font_, cached_in{cache_, 1}},
-        holder_{font_, cached_in{cache_, 1}};
-    text_mesher<bevelled<round_profile>> bevels_{
-        font_, cached_in{cache_, 1}, bevelled<round_profile>{.profile = {.steps = 3}}};
+    text_mesher<extruded<>> walls_{font_, cached_in{cache_, 1}}, holder_{font_, cached_in{cache_, 1}};
+    text_mesher<bevelled<round_profile>> bevels_{font_, cached_in{cache_, 1},
+                                                 bevelled<round_profile>{.profile = {.steps = 3}}};
     std::optional<text_plan<extruded<>>> held_;
     test::full_mesh held_mesh_;
 };

@@ -19,8 +19,6 @@ using namespace typemesh;
 
 namespace {
 
-struct first_empty {};
-struct second_empty {};
 struct with_option : two_lines {
     double amount = 1.0;
     explicit with_option(double a = 1.0) : amount{a} {}
@@ -89,15 +87,6 @@ TEST_CASE("equal contexts have one hash, and each of these another", "[glyph][gl
         hashes.insert(all[i].hash());
     }
     CHECK(hashes.size() == all.size());
-}
-
-TEST_CASE("policies of different types have different keys, whatever they hold", "[glyph][glyph_context]")
-{
-    CHECK(key_of(first_empty{}) == key_of(first_empty{}));
-    CHECK_FALSE(key_of(first_empty{}) == key_of(second_empty{}));
-    CHECK(key_of(with_option{3.0}) == key_of(with_option{3.0}));
-    CHECK_FALSE(key_of(with_option{3.0}) == key_of(with_option{4.0}));
-    CHECK_FALSE(key_of(with_option{3.0}) == key_of(with_the_same_option{3.0}));
 }
 
 TEST_CASE("what changes time alone, or writing alone, is no part of a key", "[glyph][glyph_context]")

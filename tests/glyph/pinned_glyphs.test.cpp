@@ -30,10 +30,7 @@ const built_glyph* pinned(cache_type& cache, glyph_id id)
 }
 
 /// How many calls it has had since the last time.
-int calls()
-{
-    return std::exchange(counting_lock::calls, 0);
-}
+int calls() { return std::exchange(counting_lock::calls, 0); }
 
 }  // namespace
 

@@ -92,7 +92,8 @@ public:
     template <class Font, class... Option>
         requires shaper<Font> && outline_source<Font>
     explicit d3dx_text(Font& font, Option... options) noexcept
-        : font_{font}, mesher_{font, in_a_box(Solid{}), taken(std::move(options))...},
+        : font_{font},
+          mesher_{font, in_a_box(Solid{}), taken(std::move(options))...},
           features_{detail::memory_among(options...)}
     {
     }

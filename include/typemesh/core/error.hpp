@@ -111,7 +111,8 @@ struct [[nodiscard]] error {
         case not_a_shaper: return "The font only draws: text needs a font that shapes it, or a glyph_run.";
         case unlocked_cache:
             return "A glyph_workers needs a glyph_cache with a lock: glyph_cache<mutex_lock>, or one of your own.";
-        case no_cache_key: return "A policy with data members needs a cache_key() for its glyphs to be kept in a cache.";
+        case no_cache_key:
+            return "A policy with data members needs a cache_key() for its glyphs to be kept in a cache.";
         case no_outlines: return "The font has no outlines (it holds bitmaps only).";
         case unknown_glyph: return "The font has no such glyph, or its outline cannot be loaded.";
         case unknown_variation: return "The font has no such variation axis.";

@@ -79,7 +79,8 @@ private:
     {
         static_assert(sizeof(Policy) <= room,
                       "typemesh: a mesher stores a policy of at most 64 bytes: let a larger one refer to its data.");
-        static_assert(alignof(Policy) <= alignof(std::max_align_t), "typemesh: a policy is aligned to 16 bytes at most.");
+        static_assert(alignof(Policy) <= alignof(std::max_align_t),
+                      "typemesh: a policy is aligned to 16 bytes at most.");
         static_assert(std::is_nothrow_move_constructible_v<Policy>, "typemesh: a policy is moved without exceptions.");
         new (bytes_) Policy(std::move(policy));
         life_ = &life_of<Policy>;

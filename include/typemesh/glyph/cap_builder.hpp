@@ -19,8 +19,8 @@
 #include <typemesh/fill/orient.hpp>
 #include <typemesh/fill/resolve.hpp>
 #include <typemesh/fill/touching_cycles.hpp>
-#include <typemesh/glyph/crossing_refinement.hpp>
 #include <typemesh/glyph/cap_policies.hpp>
+#include <typemesh/glyph/crossing_refinement.hpp>
 #include <typemesh/sweep/sweep_order.hpp>
 #include <typemesh/triangulate/triangulator_ref.hpp>
 

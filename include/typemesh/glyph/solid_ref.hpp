@@ -20,8 +20,8 @@ public:
         error (*refused_options)(const void* how) noexcept;
         policy_key (*key)(const void* how) noexcept;
         height_range (*heights)(const void* how) noexcept;
-        height_range (*heights_of)(const void* how, const built_glyph& built) noexcept;  // null: those of all
-        solid_outline (*outline_of)(const void* how, const built_glyph& built) noexcept; // null: the region's own
+        height_range (*heights_of)(const void* how, const built_glyph& built) noexcept;   // null: those of all
+        solid_outline (*outline_of)(const void* how, const built_glyph& built) noexcept;  // null: the region's own
         const char* heights_name;
     };
     template <extruder E>

@@ -46,9 +46,7 @@ constinit const shaper_ref::calls shaper_ref::table<Shaper>::of = {
     [](void* shaper, direction d) noexcept { return static_cast<Shaper*>(shaper)->metrics(d); },
     [](void* shaper) noexcept { return column_middle_of(*static_cast<Shaper*>(shaper)); },
     [](void* shaper, text_view text, std::size_t first, std::size_t last, const shape_options& how,
-       glyph_run& run) noexcept {
-        return static_cast<Shaper*>(shaper)->shape(text, first, last, how, run);
-    }};
+       glyph_run& run) noexcept { return static_cast<Shaper*>(shaper)->shape(text, first, last, how, run); }};
 static_assert(shaper<shaper_ref>);
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -12,13 +12,12 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Refers to an outline_source of any type, which must outlive it: to its faces, and to its shaper if it is one. A glyph
-/// is recorded, and a line is shaped, behind one call.
+/// Refers to an outline_source of any type, which must outlive it: to its faces, and to its shaper if it is one. A
+/// glyph is recorded, and a line is shaped, behind one call.
 class font_ref {
 public:
     template <outline_source Font>
-    font_ref(Font& font) noexcept
-        : font_{const_cast<std::remove_const_t<Font>*>(&font)}, does_{&table<Font>::of}
+    font_ref(Font& font) noexcept : font_{const_cast<std::remove_const_t<Font>*>(&font)}, does_{&table<Font>::of}
     {
     }
 

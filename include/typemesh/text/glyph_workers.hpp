@@ -52,7 +52,7 @@ class glyph_workers {
         block(executor_ref workers, memory source) noexcept : team{workers, {}, shared_layout{source}} {}
     };
     static constexpr std::size_t alignment = alignof(team_member) > alignof(own_source) ? alignof(team_member)
-                                                                                         : alignof(own_source);
+                                                                                        : alignof(own_source);
     static constexpr std::size_t header = (sizeof(block) + alignment - 1) / alignment * alignment;
 
 public:

@@ -59,13 +59,13 @@ public:
 
     /// Options follow the font: policies, cached_in, and where memory comes from.
     template <outline_source Font, class... Option>
-    explicit text_mesher(Font& font, Option... options) noexcept
-        : planner_{detail::memory_among(options...)}
+    explicit text_mesher(Font& font, Option... options) noexcept : planner_{detail::memory_among(options...)}
     {
-        static_assert(!(std::same_as<Option, cached_in> || ...) || (detail::cacheable_option<Option> && ...),
-                      "typemesh: a policy with data members needs `typemesh::option_bits cache_key() const noexcept` "
-                      "before its glyphs can be kept in a glyph_cache, which otherwise could not tell those of different "
-                      "options apart; see typemesh/core/option_bits.hpp.");
+        static_assert(
+            !(std::same_as<Option, cached_in> || ...) || (detail::cacheable_option<Option> && ...),
+            "typemesh: a policy with data members needs `typemesh::option_bits cache_key() const noexcept` "
+            "before its glyphs can be kept in a glyph_cache, which otherwise could not tell those of different "
+            "options apart; see typemesh/core/option_bits.hpp.");
         planner_.font = font_ref{font};
         (take(std::move(options)), ...);
     }
@@ -74,8 +74,7 @@ public:
     template <outline_source Font, class... Option>
     explicit text_mesher(const Font&&, Option..., detail::keep_the_font_in_a_variable = {}) = delete;
     template <class Font, class... Option>
-    explicit text_mesher(const result<Font>&, Option... options) noexcept
-        : planner_{detail::memory_among(options...)}
+    explicit text_mesher(const result<Font>&, Option... options) noexcept : planner_{detail::memory_among(options...)}
     {
         (void)refuse_result<Font>();
     }

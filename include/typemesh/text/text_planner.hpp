@@ -27,11 +27,11 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// All of a text_mesher that does not depend on the type of its solid: shapes and lays out a text, builds its glyphs and
-/// places them. Each policy is called once per glyph or outline, through a table.
+/// All of a text_mesher that does not depend on the type of its solid: shapes and lays out a text, builds its glyphs
+/// and places them. Each policy is called once per glyph or outline, through a table.
 ///
-/// A team, where one is given, shapes and builds in parallel; null: one worker, the caller. It is a glyph_team: its type
-/// is a parameter only so that typemesh::compiled can keep the functions out of other units.
+/// A team, where one is given, shapes and builds in parallel; null: one worker, the caller. It is a glyph_team: its
+/// type is a parameter only so that typemesh::compiled can keep the functions out of other units.
 class text_planner {
 public:
     std::optional<font_ref> font;
@@ -114,8 +114,7 @@ error text_planner::layout(text_view text, const text_options& options, const po
 }
 
 template <class Find, class Keep>
-error text_planner::each_glyph(const call& now, const glyph_settings& how, const Find& find,
-                               const Keep& keep) noexcept
+error text_planner::each_glyph(const call& now, const glyph_settings& how, const Find& find, const Keep& keep) noexcept
 {
     const auto keys = glyphs_.different.keys();
     const auto build = [&, keys](std::size_t k, font_ref from, glyph_builder& builder, glyph_store& store,
@@ -136,11 +135,11 @@ error text_planner::each_glyph(const call& now, const glyph_settings& how, const
             if (error e = build(k, *font, builder_, glyphs_.store, now.with)) return e;
         return {};
     }
-    return now.team->each(keys.size(), [&](std::size_t k, font_ref from, glyph_builder& builder,
-                                           glyph_store& store) noexcept {
-        no_observer nobody;
-        return build(k, from, builder, store, {now.with.flatten, now.with.cut, now.with.raise, nobody});
-    });
+    return now.team->each(
+        keys.size(), [&](std::size_t k, font_ref from, glyph_builder& builder, glyph_store& store) noexcept {
+            no_observer nobody;
+            return build(k, from, builder, store, {now.with.flatten, now.with.cut, now.with.raise, nobody});
+        });
 }
 
 // Where floats are to tell cells apart, letters that reach farther from their pens than was thought are built again.
