@@ -45,7 +45,8 @@ struct cap_settings {
 ///                  +-- these curves finer --- refine ----+  chords cross where curves do not
 ///
 ///     cap_builder caps;
-///     auto filled = caps.build(curves, tolerance, cells, {fill_rule::even_odd}, {certified{}, monotone{}, nobody});   // all of it
+///     auto filled = caps.build(curves, tolerance, cells, {fill_rule::even_odd},
+///                              {certified{}, monotone{}, nobody});     // all of it
 ///     caps.loops() = ...;                                                                          // or from here on
 ///     auto filled = caps.fill({fill_rule::even_odd}, monotone{});
 ///
