@@ -97,7 +97,7 @@ count() {  # count PASSED FAILED
 # How long a first build takes on two cores of 2023, without ccache.
 minutes_of() {  # minutes_of PRESET
     case $1 in
-        gcc) say "15 minutes" ;;
+        gcc) say "20 minutes" ;;
         clang | sanitize) say "7 minutes" ;;
         *) say "2 to 4 minutes" ;;
     esac

@@ -82,7 +82,7 @@ esac
 words_for() {  # words_for _WIN32_WINNT NTDDI_VERSION
     # shellcheck disable=SC2086  # a list of words
     "$work/clang-cl" --target=x86_64-pc-windows-msvc $flags /std:c++20 "/D_WIN32_WINNT=$1" "/DNTDDI_VERSION=$2" "/I$here/../../include" \
-        /E "$work/build/adapters.cpp" 2>"$work/words.log" |
+        /E -- "$work/build/adapters.cpp" 2>"$work/words.log" |
         awk '/^# *[0-9]+ "/ { ours = index($0, "include/typemesh/") > 0; next } /^#line/ { exit 1 } ours && NF' || {
         cat "$work/words.log"
         exit 1
