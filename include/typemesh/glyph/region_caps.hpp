@@ -24,6 +24,7 @@ public:
         return is_on_grid(r.points()) ? caps_.cap(r, cut_, out) : error{error::outline_beyond_grid};
     }
     [[nodiscard]] contours& loops() noexcept { return further_.loops(); }
+    /// See cap_maker.
     result<region> fill(triangle_list& out) noexcept
     {
         if (!is_on_grid(loops().points.view())) return error::outline_beyond_grid;
@@ -31,6 +32,7 @@ public:
         if (made && !out.append(further_.triangles().view())) return error::out_of_memory;
         return made;
     }
+    /// Scratch memory, shared with the stages.
     [[nodiscard]] workspace& space() noexcept { return caps_.space(); }
 
 private:

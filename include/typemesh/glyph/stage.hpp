@@ -34,6 +34,7 @@ public:
     struct calls {
         void (*observe)(void* observer, stage now) noexcept;
     };
+    /// The table of O.
     template <stage_observer O>
     struct table {
         static const calls of;
