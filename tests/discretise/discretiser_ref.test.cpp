@@ -24,7 +24,7 @@ TEMPLATE_TEST_CASE("a discretiser flattens through its reference as by itself", 
     CHECK(refers.key() == key_of(how));
     for (const double tolerance : {0.1, 10.0}) {
         std::vector<std::uint8_t> halvings(drawn.curves.size());
-        for (const std::uint8_t times : {0, 2}) {
+        for (const std::uint8_t times : {std::uint8_t{0}, std::uint8_t{2}}) {
             halvings.assign(halvings.size(), times);
             contours own, by_ref;
             REQUIRE_FALSE(discretise(drawn, how, tolerance, *cells, own, halvings));

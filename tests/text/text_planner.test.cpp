@@ -34,7 +34,8 @@ TEST_CASE("what a mesher lacks is said when it is to plan", "[text][text_planner
 {
     hud owns;
     CHECK(owns.mesher.plan("o").error() == error::no_font);
-    CHECK(owns.titles.plan(glyph_run{}, {}).error() == error::no_font);
+    const glyph_run nothing;
+    CHECK(owns.titles.plan(nothing).error() == error::no_font);
     recorded_outlines icons{1000.0};
     owns.mesher.use(icons);
     CHECK(owns.mesher.plan("o").error() == error::not_a_shaper);
