@@ -122,7 +122,8 @@ public:
     template <class Font, class... Option>
     explicit d3dx_text(const Font&&, Option..., detail::keep_the_font_in_a_variable = {}) = delete;
     template <class Made, class... Option>
-    explicit d3dx_text(const result<Made>& font, Option...) noexcept : font_{refuse_result<Made>()}, mesher_{font}
+    explicit d3dx_text(const result<Made>& font, Option...) noexcept
+        : d3dx_text{refuse_result(const_cast<result<Made>&>(font))}
     {
     }
 

@@ -109,8 +109,7 @@ public:
         triangles_.clear();
         const auto proven = prove(how.rule, cut, observe);
         if (proven || proven.error().code != error::crossing_contours) return proven;
-        accept_all_intersections all;
-        return resolve(how, cut, all, observe);
+        return resolve(how, cut, {}, observe);
     }
     [[nodiscard]] result<region> fill(const cap_settings& how, triangulator_ref cut) noexcept
     {
@@ -194,8 +193,7 @@ private:
     }
 
     /// What loops() fill, however they cross, with its triangles; a region without points if the filter rejects one.
-    template <intersection_filter Filter>
-    [[nodiscard]] result<region> resolve(const cap_settings& how, triangulator_ref cut, Filter& filter,
+    [[nodiscard]] result<region> resolve(const cap_settings& how, triangulator_ref cut, intersection_filter_ref filter,
                                          observer_ref observe) noexcept
     {
         observe(stage::fill);
@@ -223,12 +221,11 @@ private:
         if (!refinement.open(scratch, curves, tolerance, cells)) return error::out_of_memory;
         std::uint64_t first = 0;  // pieces of the first round
         for (;;) {
-            accept_all_intersections all;
             const std::uint64_t spent = effort_.pieces;
             const bool last =
                 effort_.rounds == most_rounds || spent > times_as_many * first + few_pieces || spent > how.most_pieces;
-            const auto made =
-                last ? resolve(how, with.cut, all, with.observe) : resolve(how, with.cut, refinement, with.observe);
+            const auto filter = last ? intersection_filter_ref{} : intersection_filter_ref{refinement};
+            const auto made = resolve(how, with.cut, filter, with.observe);
             if (spent == 0) first = resolved_.pieces;
             const bool content = refinement.is_content();
             effort_ = refinement.effort();

@@ -64,12 +64,7 @@ public:
         if (count != 0 && (next == nullptr || last == nullptr || first_of == nullptr)) return error::out_of_memory;
         if (error e = find_groups(all, run, with.raise, {first_of, count})) return e;
 
-        const auto region_of = [&](const placed_glyph& glyph, std::uint32_t& corners) noexcept {
-            auto face = all.looks.face_of(font, glyph.look);
-            const auto made = builder.build_region(face, glyph.id, how, with);
-            corners += builder.parting().corners;
-            return made;
-        };
+        const member_builder members{builder, font, how, with};
         const auto none = static_cast<std::uint32_t>(count);
         for (std::uint32_t i = 0; i < count; ++i) {
             next[i] = none;
@@ -84,14 +79,21 @@ public:
             merged_group made;
             made.first_member = first_member;
             made.member_count = static_cast<std::uint32_t>(all.merged.members.size()) - first_member;
-            if (error e = join(made, all, run, region_of, how, with))
-                return e.at(run.glyphs[i].id, run.glyphs[i].cluster);
+            if (error e = join(made, all, run, members)) return e.at(run.glyphs[i].id, run.glyphs[i].cluster);
             if (!all.merged.groups.push_back(made)) return error::out_of_memory;
         }
         return {};
     }
 
 private:
+    /// What builds the regions of a group's members.
+    struct member_builder {
+        glyph_builder& by;
+        font_ref font;
+        const glyph_settings& how;
+        const policies& with;
+    };
+
     struct pen {
         std::int64_t x = 0;
         std::int64_t y = 0;
@@ -166,11 +168,9 @@ private:
     }
 
     /// try_to_join(); a group that cannot be built is refused, as a glyph is, and the text continues without it.
-    template <class Region>
-    error join(merged_group& made, text_glyphs& all, const glyph_run& run, const Region& region_of,
-               const glyph_settings& how, const policies& with) noexcept
+    error join(merged_group& made, text_glyphs& all, const glyph_run& run, const member_builder& members) noexcept
     {
-        const error e = try_to_join(made, all, run, region_of, how, with);
+        const error e = try_to_join(made, all, run, members);
         if (!e || !glyph_builder::concerns_the_glyph_alone(e)) return e;
         glyph_draft none;
         none.refusal = e;
@@ -178,11 +178,10 @@ private:
         return made.built == nullptr ? error{error::out_of_memory} : error{};
     }
 
-    /// Makes one glyph of the group's members, whose regions region_of(placed_glyph, corners) builds.
-    template <class Region>
-    error try_to_join(merged_group& made, text_glyphs& all, const glyph_run& run, const Region& region_of,
-                      const glyph_settings& how, const policies& with) noexcept
+    /// Makes one glyph of the group's members.
+    error try_to_join(merged_group& made, text_glyphs& all, const glyph_run& run, const member_builder& build) noexcept
     {
+        const auto& [by, font, how, with] = build;
         const std::span<const std::uint32_t> members = all.merged.members_of(made);
         const auto onto = grid_for(all, run, members);
         if (!onto) return onto.error();
@@ -191,7 +190,9 @@ private:
         std::uint32_t corners = 0;  // parted or joined, of the members and of all together
         const pen first = snapped(run.glyphs[members[0]].origin, onto->cells);
         for (const std::uint32_t m : members) {
-            const auto filled = region_of(run.glyphs[m], corners);
+            auto face = all.looks.face_of(font, run.glyphs[m].look);
+            const auto filled = by.build_region(face, run.glyphs[m].id, how, with);
+            corners += by.parting().corners;
             if (!filled) return filled.error();
             const pen at = snapped(run.glyphs[m].origin, onto->cells);
             if (error e = union_.add(*filled, onto->cells / filled->grid().cells, at.x - first.x, at.y - first.y))
