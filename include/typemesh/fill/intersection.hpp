@@ -47,6 +47,7 @@ public:
     {
     }
 
+    /// Whether it is one by itself.
     [[nodiscard]] bool accepts_all() const noexcept { return accepts_ == nullptr; }
     [[nodiscard]] bool operator()(const intersection& m) const noexcept
     {
