@@ -48,7 +48,8 @@ flags_for() {  # flags_for SOURCE FLAG...
 object_of() { say "$objects/$(basename "$1").o"; }
 is_compiled() {  # is_compiled SOURCE: its object is newer than all that it is made of
     [ -e "$(object_of "$1")" ] && [ -z "$(find "$1" "$typemesh_root/include" "$web" "$typemesh_root/examples/text_to_mesh" \
-        "${BASH_SOURCE[0]}" -name '*.[hcs]*' -newer "$(object_of "$1")" -print -quit)" ]
+        "${BASH_SOURCE[0]}" \( -name '*.[hc]pp' -o -name '*.[hc]' -o -name '*.cc' -o -name build.sh \) \
+        -newer "$(object_of "$1")" -print -quit)" ]
 }
 compile() {  # compile SOURCE FLAG...
     local source=$1 object
@@ -91,6 +92,7 @@ if [ ${#changed[@]} -gt 0 ]; then
     say "  ${#changed[@]} of ${#changed[@]} are compiled"
 fi
 
+say "Linking, usually half a minute"
 exports=$(sed -nE 's/^TYPEMESH_WEB_EXPORT [^(]*[ *](web_[a-z_]+)\(.*/_\1/p' "$web/exports.cpp" | tr '\n' ,)
 smaller=  # linked for speed and then optimised for size: both alone are larger or slower
 [ $# -gt 0 ] || { set -- -O3 && smaller=yes; }

@@ -15,8 +15,8 @@ sha512=422bbb47e0a687c0acb59b18d6e24e4969d595fa3b66d34b57b985f0996d9372c1dc0b43b
 mkdir -p "$1"
 folder=$(cd "$1" && pwd)
 [ "$(cat "$folder/three/fetched" 2>/dev/null)" != "$version" ] || exit 0
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+fresh=$(mktemp -d)
+trap 'rm -rf "$fresh"' EXIT
 
 set_registry() {  # prints nothing where none is set
     [ -z "${NPM_CONFIG_REGISTRY:-${npm_config_registry:-}}" ] || { say "${NPM_CONFIG_REGISTRY:-$npm_config_registry}" && return; }
@@ -27,18 +27,18 @@ set_registry() {  # prints nothing where none is set
 registry_of_debian() {
     local options
     command -v apt-get >/dev/null 2>&1 && command -v dpkg-deb >/dev/null 2>&1 || return 0
-    mkdir -p "$scratch/lists/partial" "$scratch/cache/archives/partial"
+    mkdir -p "$fresh/lists/partial" "$fresh/cache/archives/partial"
     options=(-o APT::Sandbox::User="$(id -un)")
     (
-        cd "$scratch" && { apt-get "${options[@]}" download npm || {
-            options+=(-o "Dir::State::lists=$scratch/lists" -o "Dir::Cache=$scratch/cache" -o Acquire::Retries=1)
+        cd "$fresh" && { apt-get "${options[@]}" download npm || {
+            options+=(-o "Dir::State::lists=$fresh/lists" -o "Dir::Cache=$fresh/cache" -o Acquire::Retries=1)
             apt-get "${options[@]}" update && apt-get "${options[@]}" download npm
         }; } && dpkg-deb -x npm_*.deb npm
-    ) >"$scratch/log" 2>&1 || return 0
-    grep -rhE --include='*.js' "^ *registry: 'https://[^']+'," "$scratch/npm" | head -n 1 | cut -d "'" -f 2
+    ) >"$fresh/log" 2>&1 || return 0
+    grep -rhE --include='*.js' "^ *registry: 'https://[^']+'," "$fresh/npm" | head -n 1 | cut -d "'" -f 2
 }
 # Fetches an address, if one is given, and compares the file with the sum. Environment variables name proxies, as for other programs.
-cat >"$scratch/fetch.py" <<'END'
+cat >"$fresh/fetch.py" <<'END'
 import hashlib, shutil, sys, urllib.request
 file, wanted, address = sys.argv[1:4]
 try:
@@ -53,24 +53,24 @@ except (OSError, ValueError) as error:
 END
 
 say "Fetching three.js $version"
-file=$scratch/three-$version.tgz
+file=$fresh/three-$version.tgz
 address=
 if command -v npm >/dev/null 2>&1; then
-    if ! (cd "$scratch" && npm pack "three@$version" --silent) >"$scratch/log" 2>&1; then
-        explain_failure "$scratch/log" "npm's registry"
+    if ! (cd "$fresh" && npm pack "three@$version" --silent) >"$fresh/log" 2>&1; then
+        explain_failure "$fresh/log" "npm's registry"
         stop "npm could not fetch three.js."
     fi
 else
     registry=$(set_registry)
     [ -n "$registry" ] || registry=$(registry_of_debian)
     if [ -z "$registry" ]; then
-        [ ! -e "$scratch/log" ] || explain_failure "$scratch/log" "The package servers"
+        [ ! -e "$fresh/log" ] || explain_failure "$fresh/log" "The package servers"
         stop "three.js comes from npm's registry, whose address is not known here: set NPM_CONFIG_REGISTRY to it, or install npm."
     fi
     address=${registry%/}/three/-/three-$version.tgz
 fi
-python3 "$scratch/fetch.py" "$file" $sha512 "$address" || exit 1
-tar -xzf "$file" -C "$scratch"
-say "$version" >"$scratch/package/fetched"
+python3 "$fresh/fetch.py" "$file" $sha512 "$address" || exit 1
+tar -xzf "$file" -C "$fresh"
+say "$version" >"$fresh/package/fetched"
 rm -rf "$folder/three"
-mv "$scratch/package" "$folder/three"
+mv "$fresh/package" "$folder/three"
