@@ -6,7 +6,7 @@ import re
 
 from conan import ConanFile
 from conan.tools.build import check_min_cppstd
-from conan.tools.files import copy, load
+from conan.tools.files import copy, get, load
 
 required_conan_version = ">=2.0"
 
@@ -35,14 +35,23 @@ class TypemeshConan(ConanFile):
     def _root(self):
         return os.path.join(self.recipe_folder, "..", "..", "..")
 
+    # A registry has the sources of a version in conandata.yml, and the tree is not around its recipe.
     def set_version(self):
+        if self.version:
+            return
         header = load(self, os.path.join(self._root, "include", "typemesh", "core", "version.hpp"))
         parts = (re.search(f"TYPEMESH_VERSION_{part} ([0-9]+)", header) for part in ("MAJOR", "MINOR", "PATCH"))
         self.version = ".".join(part.group(1) for part in parts)
 
     def export_sources(self):
+        if self.conan_data:
+            return
         copy(self, "LICENSE", self._root, self.export_sources_folder)
         copy(self, "include/*", self._root, self.export_sources_folder)
+
+    def source(self):
+        if self.conan_data:
+            get(self, **self.conan_data["sources"][self.version], strip_root=True)
 
     def requirements(self):
         for name, (package, _) in self.adapters.items():

@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: MIT
 #
 # A port of this source tree, for an overlay: vcpkg install typemesh --overlay-ports=cmake/packaging/vcpkg
-# The features install the libraries of the adapters; the headers are the same.
+# Each feature is an adapter, whose library must then be there when the port is made.
+set(source "${CMAKE_CURRENT_LIST_DIR}/../../..")  # registry.sh: the archive of a release
 set(VCPKG_BUILD_TYPE release)  # headers only
 
+set(adapters "${FEATURES}")
+list(REMOVE_ITEM adapters core)
 vcpkg_cmake_configure(
-    SOURCE_PATH "${CMAKE_CURRENT_LIST_DIR}/../../.."
+    SOURCE_PATH "${source}"
     OPTIONS
+        "-DTYPEMESH_ADAPTERS=${adapters}"
         -DTYPEMESH_BUILD_TESTS=OFF
         -DTYPEMESH_BUILD_BENCH=OFF
         -DTYPEMESH_BUILD_EXAMPLES=OFF)
@@ -16,4 +20,4 @@ vcpkg_fixup_pkgconfig()
 
 file(REMOVE_RECURSE "${CURRENT_PACKAGES_DIR}/lib")
 file(INSTALL "${CMAKE_CURRENT_LIST_DIR}/usage" DESTINATION "${CURRENT_PACKAGES_DIR}/share/${PORT}")
-vcpkg_install_copyright(FILE_LIST "${CMAKE_CURRENT_LIST_DIR}/../../../LICENSE")
+vcpkg_install_copyright(FILE_LIST "${source}/LICENSE")
