@@ -59,7 +59,8 @@ TEST_CASE("a lambda makes the vertices that a trait makes", "[vertex][vertex_lam
     build_into(into(by_lambda, of_lambda, make));
     CHECK(same_bytes(by_trait, by_lambda));
     CHECK(indices == of_lambda);
-    build_into(into(by_value, of_value, [](surface_point<lit> s) noexcept { return lit_vertex{s.position, s.normal}; }));
+    build_into(
+        into(by_value, of_value, [](surface_point<lit> s) noexcept { return lit_vertex{s.position, s.normal}; }));
     CHECK(same_bytes(by_trait, by_value));
 
     std::vector<lit_vertex> held(by_trait.size());

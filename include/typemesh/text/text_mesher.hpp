@@ -43,6 +43,8 @@ concept run_edit = std::is_nothrow_invocable_v<E&, glyph_run&>;
 ///         mesher.use(font);
 ///         mesher.use(constrained_delaunay{});
 ///
+/// A solid chosen while the program runs: one_of.hpp.
+///
 /// `font` is an outline source and, for plan(text), a shaper as well; it must outlive the mesher. A glyph that occurs
 /// more than once in a text is built once. Memory grows to what the largest text needs and is kept: after warm-up a
 /// text of the same size allocates nothing here. Policies lie in the mesher: stored_policy::room bytes each.
@@ -245,9 +247,12 @@ private:
             triangulator_ = std::move(option);
         else if constexpr (kind == policy_kind::observer)
             observer_ = std::move(option);
-        else if constexpr (kind == policy_kind::extruder)
-            solid_ = std::move(option);
-        else if constexpr (std::same_as<Option, cached_in>)
+        else if constexpr (kind == policy_kind::extruder) {
+            static_assert(std::is_convertible_v<Option, Solid>,
+                          "typemesh: this mesher makes another solid, which its type names. To choose one while the "
+                          "program runs, name all of them: text_mesher<one_of<flat, extruded<>>>.");
+            if constexpr (std::is_convertible_v<Option, Solid>) solid_ = std::move(option);
+        } else if constexpr (std::same_as<Option, cached_in>)
             planner_.cache = option;
         else if constexpr (std::same_as<Option, no_cache>)
             planner_.cache.reset();

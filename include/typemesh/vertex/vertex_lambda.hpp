@@ -27,12 +27,10 @@ struct lambda_call<V (F::*)(const surface_point<Wants>&) const noexcept>
     static constexpr bool is_noexcept = true;
 };
 template <class F, class V, attribute Wants>
-struct lambda_call<V (F::*)(surface_point<Wants>) const> : lambda_call<V (F::*)(const surface_point<Wants>&) const> {
-};
+struct lambda_call<V (F::*)(surface_point<Wants>) const> : lambda_call<V (F::*)(const surface_point<Wants>&) const> {};
 template <class F, class V, attribute Wants>
 struct lambda_call<V (F::*)(surface_point<Wants>) const noexcept>
-    : lambda_call<V (F::*)(const surface_point<Wants>&) const noexcept> {
-};
+    : lambda_call<V (F::*)(const surface_point<Wants>&) const noexcept> {};
 
 /// Stands in for what was refused.
 template <class Vertex>
@@ -42,12 +40,10 @@ struct no_writer {
 };
 
 template <class F>
-struct call_of : lambda_call<void> {
-};
+struct call_of : lambda_call<void> {};
 template <class F>
     requires requires { &F::operator(); }
-struct call_of<F> : lambda_call<decltype(&F::operator())> {
-};
+struct call_of<F> : lambda_call<decltype(&F::operator())> {};
 
 }  // namespace detail
 
