@@ -30,7 +30,7 @@ Solid odd()
     if constexpr (std::same_as<Solid, flat>)
         return {.texture = texture_mapping::box};
     else if constexpr (std::same_as<Solid, bevelled<>>)
-        return {.depth = 0.3f, .width = 0.04f, .bevel_depth = 0.05f, .mode = bevel_mode::fit_text};
+        return {.depth = 0.3f, .width = 0.06f, .bevel_depth = 0.05f, .mode = bevel_mode::fit_text};
     else if constexpr (std::same_as<Solid, bold>)
         return {.by = 0.02f, .solid = {.width = 0.01f}};
     else if constexpr (std::same_as<Solid, hollow>)
@@ -93,11 +93,12 @@ TEMPLATE_TEST_CASE("a solid chosen at run time makes what it makes alone", "[ext
         CHECK(test::written(*plan) == mesh);
     }
 
-    // Another extruder's solid: moved by nothing it is what it was, but for the contours that cross.
+    // The same as another extruder's solid.
     if constexpr (std::same_as<TestType, extruded<>> || std::same_as<TestType, bevelled<>>) {
         text_mesher inner{font, emboldened<any>{.by = 0.01f, .solid = odd<TestType>()}};
         text_mesher outer{font, emboldened<TestType>{.by = 0.01f, .solid = odd<TestType>()}};
-        const auto a = inner.plan(word, how), b = outer.plan(word, how);
+        const auto a = inner.plan(word, how);
+        const auto b = outer.plan(word, how);
         REQUIRE(a);
         REQUIRE(b);
         CHECK(test::written(*a) == test::written(*b));
@@ -131,6 +132,26 @@ TEST_CASE("a cache tells the choices apart, and keeps no more bytes for a chosen
     REQUIRE(own.plan(word));
     REQUIRE(chosen.plan(word));
     CHECK(chosen_cache.statistics().bytes == own_cache.statistics().bytes);
+}
+
+TEST_CASE("letters that meet when a chosen solid has grown are merged as those of it alone", "[extrude][one_of]")
+{
+    test::toy_font font;  // o is 0.5 em wide, its advance 0.6
+    const text_options how{.merge = true};
+    const auto check = [&](const auto& solid, std::size_t apart) {
+        text_mesher alone{font, solid};
+        text_mesher<any> chosen{font, solid};
+        const auto a = alone.plan("oooo", how);
+        const auto b = chosen.plan("oooo", how);
+        REQUIRE(a);
+        REQUIRE(b);
+        CHECK(a->glyphs().size() == apart);
+        CHECK(test::written(*a) == test::written(*b));
+    };
+    check(bevelled<>{.width = 0.06f, .outward = true}, 1);
+    check(bevelled<>{.width = 0.04f, .outward = true}, 4);
+    check(bold{.by = 0.06f}, 1);
+    check(hollow{.width = 0.06f, .place = outline_place::outer}, 1);
 }
 
 TEST_CASE("a plan goes on with the solid that it was made with", "[extrude][one_of]")

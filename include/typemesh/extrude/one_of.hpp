@@ -169,8 +169,8 @@ public:
     [[nodiscard]] solid_outline outline(const solid& s) const noexcept
         requires(tells_outline<Solids> || ...)
     {
-        return visit([&s](auto at, const auto& how) noexcept {
-            if constexpr (requires { how.outline(of<at>(s)); })
+        return visit([&s]<class Solid>(auto at, const Solid& how) noexcept {
+            if constexpr (tells_outline<Solid>)
                 return how.outline(of<at>(s));
             else
                 return solid_outline{s.points, s.starts};
@@ -179,8 +179,8 @@ public:
     [[nodiscard]] std::uint64_t hard_edges(const solid& s) const noexcept
         requires(tells_hard_edges<Solids> || ...)
     {
-        return visit([&s](auto at, const auto& how) noexcept -> std::uint64_t {
-            if constexpr (requires { how.hard_edges(of<at>(s)); })
+        return visit([&s]<class Solid>(auto at, const Solid& how) noexcept -> std::uint64_t {
+            if constexpr (tells_hard_edges<Solid>)
                 return how.hard_edges(of<at>(s));
             else
                 return 0;
@@ -189,8 +189,8 @@ public:
     [[nodiscard]] bool refit(const solid& s) noexcept
         requires(refitting_extruder<Solids> || ...)
     {
-        return visit([&](auto at, auto& how) noexcept {
-            if constexpr (requires { how.refit(of<at>(s)); })
+        return visit([&s]<class Solid>(auto at, Solid& how) noexcept {
+            if constexpr (refitting_extruder<Solid>)
                 return how.refit(of<at>(s));
             else
                 return false;
