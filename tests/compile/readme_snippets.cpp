@@ -7,6 +7,7 @@
 #include <typemesh/adapt/threads.hpp>
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/emboldened.hpp>
+#include <typemesh/extrude/one_of.hpp>
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/extrude/polyline_profile.hpp>
 #include <typemesh/inspect/closedness.hpp>
@@ -164,6 +165,10 @@ auto initial = mesher.plan(run);
 if (!initial) return std::puts(initial.error().message()), 1;
 auto its_front = initial->range(typemesh::style_id{7}, typemesh::part::front);
     use(its_front);
+    }
+    {
+typemesh::text_mesher<typemesh::one_of<typemesh::flat, typemesh::extruded<>, typemesh::bevelled<>>> any{*font};
+any.use(typemesh::bevelled<>{.width = 0.03f});
     }
     {
 auto wave = mesher.plan("wave", {}, [](typemesh::glyph_run& run) noexcept {

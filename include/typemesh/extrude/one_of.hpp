@@ -166,6 +166,7 @@ public:
     {
         visit([&](auto at, const auto& how) noexcept { each_seen_from_front(how, of<at>(s), put); });
     }
+    /// The chosen one's, or the region's own.
     [[nodiscard]] solid_outline outline(const solid& s) const noexcept
         requires(tells_outline<Solids> || ...)
     {
@@ -176,6 +177,7 @@ public:
                 return solid_outline{s.points, s.starts};
         });
     }
+    /// Of the chosen one; none if it does not count them.
     [[nodiscard]] std::uint64_t hard_edges(const solid& s) const noexcept
         requires(tells_hard_edges<Solids> || ...)
     {
