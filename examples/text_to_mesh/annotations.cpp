@@ -76,8 +76,7 @@ void add_moved_loops(overlay& to, const options& o, const model& mesh)
 }  // namespace
 
 overlay annotate(const options& o, font_set& font, const typemesh::glyph_run& run,
-                 std::span<const typemesh::drawn_glyph> shapes, const chosen_discretiser& discretiser,
-                 const model& mesh)
+                 std::span<const typemesh::drawn_glyph> shapes, const model& mesh)
 {
     overlay drawn;
     if (o.show_normals) {
@@ -102,8 +101,11 @@ overlay annotate(const options& o, font_set& font, const typemesh::glyph_run& ru
         typemesh::mapped_face own{font, drawn_so.face, &map, upem};
         if (glyph.missing || record(own, glyph.id, shape) || shape.curves.empty()) continue;
         const auto grid = typemesh::grid::fitting(upem, shape.bounds);
-        const auto lines = [&](const auto& d) { return discretise(shape, d, o.tolerance * upem, *grid, loops); };
-        if (!grid || std::visit(lines, discretiser)) continue;
+        if (!grid) continue;
+        typemesh::error failed;
+        with_discretiser(o, upem,
+                         [&](const auto& d) { failed = discretise(shape, d, o.tolerance * upem, *grid, loops); });
+        if (failed) continue;
 
         const auto put = [&](typemesh::point p) {
             return place{{static_cast<float>((glyph.origin.x + p.x) / upem),

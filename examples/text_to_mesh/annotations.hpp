@@ -14,7 +14,6 @@ namespace text_to_mesh {
 /// stages themselves, called one by one for each glyph of the run; normals from the finished mesh. With --merge
 /// contours and points are those of the merged glyphs; where edges have moved (--embolden, --outline), those of the mesh.
 [[nodiscard]] overlay annotate(const options& o, font_set& font, const typemesh::glyph_run& run,
-                               std::span<const typemesh::drawn_glyph> shapes, const chosen_discretiser& discretiser,
-                               const model& mesh);
+                               std::span<const typemesh::drawn_glyph> shapes, const model& mesh);
 
 }  // namespace text_to_mesh

@@ -29,7 +29,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
 template <>
@@ -44,8 +43,8 @@ struct typemesh::vertex_traits<text_to_mesh::model_vertex> {
 namespace text_to_mesh {
 namespace {
 
-constexpr const char* part_names[] = {"front", "back", "side", "front_bevel", "back_bevel"};
-constexpr const char* letter_part_names[] = {"letter_front", "letter_back", "letter_side"};
+constexpr const char* part_names[typemesh::part_count_of<chosen_solid>] = {
+    "front", "back", "side", "front_bevel", "back_bevel", "letter_front", "letter_back", "letter_side"};
 
 typemesh::text_options text_options_of(const options& o)
 {
@@ -61,26 +60,20 @@ typemesh::text_options text_options_of(const options& o)
     return how;
 }
 
-/// How many parts come before those of the letter within a ring.
-std::size_t ring_parts(const options& o) { return o.bevel.width > 0.0f ? 5 : o.outline.width > 0.0f ? 3 : 5; }
-
 void add_part(const options& o, model& out, typemesh::part p, const typemesh::mesh_range& r,
               typemesh::style_id style = {})
 {
     if (r.index_count == 0) return;
-    const auto number = static_cast<std::size_t>(p), own = ring_parts(o);
-    if (number < own)
-        out.parts.push_back({part_names[number], r.first_index, r.index_count});
-    else
-        out.parts.push_back({letter_part_names[number - own], r.first_index, r.index_count, 1});
+    const auto number = static_cast<std::size_t>(p);
+    constexpr std::size_t of_the_letter = typemesh::part_count_of<letter_solid>;  // within a ring: behind the ring's
+    out.parts.push_back({part_names[number], r.first_index, r.index_count, number < of_the_letter ? 0u : 1u});
     const auto styled = static_cast<std::size_t>(style);
     out.parts.back().colour = styled != 0 ? o.styles[styled - 1].colour : o.colour;
     if (out.parts.back().colour) out.parts.back().name += "_" + name_of(*out.parts.back().colour);
 }
 
 /// The whole mesh of a plan, part by part.
-template <class Plan>
-typemesh::error write_model(const options& o, const Plan& plan, model& out)
+typemesh::error write_model(const options& o, const chosen_plan& plan, model& out)
 {
     if (const typemesh::error e = plan.write(typemesh::into(out.vertices, out.indices))) return e;
     for (const typemesh::part p : plan.parts())
@@ -89,8 +82,7 @@ typemesh::error write_model(const options& o, const Plan& plan, model& out)
 }
 
 /// The font's name for a letter.
-template <class Plan>
-std::string name_of_letter(const Plan& plan, const font_set& fonts, const typemesh::glyph_mesh& letter)
+std::string name_of_letter(const chosen_plan& plan, const font_set& fonts, const typemesh::glyph_mesh& letter)
 {
     const typemesh::glyph_run& all = plan.run();
     const std::uint32_t look = all.glyphs[plan.glyphs()[letter.first_glyph].glyph].look;
@@ -123,8 +115,7 @@ private:
 };
 
 /// Each different letter of a plan once, by the font's name for it, in each of its colours, and where it stands.
-template <class Plan>
-typemesh::error write_letters(const options& o, const Plan& plan, const font_set& fonts, model& out)
+typemesh::error write_letters(const options& o, const chosen_plan& plan, const font_set& fonts, model& out)
 {
     if (const typemesh::error e = plan.write_meshes(typemesh::into(out.vertices, out.indices))) return e;
     std::map<std::pair<std::size_t, typemesh::style_id>, std::size_t> numbers;  // of the letters
@@ -159,8 +150,7 @@ typemesh::error write_letters(const options& o, const Plan& plan, const font_set
 /// The indices glyph by glyph instead of part by part: STL has no indices, so a reader welds corners by their places.
 /// Letters are merged by default; with --no-merge two that touch in an edge are told apart only by which facets come
 /// together.
-template <class Plan>
-std::vector<std::uint32_t> solid_by_solid(const Plan& plan, const std::vector<std::uint32_t>& indices)
+std::vector<std::uint32_t> solid_by_solid(const chosen_plan& plan, const std::vector<std::uint32_t>& indices)
 {
     std::vector<std::uint32_t> ordered;
     ordered.reserve(indices.size());
@@ -174,8 +164,7 @@ std::vector<std::uint32_t> solid_by_solid(const Plan& plan, const std::vector<st
 }
 
 /// Gives an empty string, or one sentence.
-template <class Plan>
-std::string write_output(const options& o, const Plan& plan, model& mesh, file_set& files)
+std::string write_output(const options& o, const chosen_plan& plan, model& mesh, file_set& files)
 {
     switch (o.kind) {
     case file_kind::glb: return write_glb(mesh, o.output, files);
@@ -213,9 +202,7 @@ double picture_tolerance(const options& o, const typemesh::bounds3& bounds, cons
 }
 
 /// Draws the text, one em large, and prepares the picture. Gives an empty string, or one sentence.
-template <class Extruder, class Discretiser>
-std::string draw_picture(const options& o, font_set& font, const typemesh::glyph_run& page,
-                         const Discretiser& discretiser, file_set& files)
+std::string draw_picture(const options& o, font_set& font, const typemesh::glyph_run& page, file_set& files)
 {
     picture_options look;
     look.shading = o.shading;
@@ -223,8 +210,8 @@ std::string draw_picture(const options& o, font_set& font, const typemesh::glyph
     look.wireframe = o.show_triangles;
     look.texture = o.checker ? texture::checker : texture::none;
 
-    const auto extruder = std::get<Extruder>(extruder_of(o));
-    auto mesher = typemesh::text_mesher{font}.with(discretiser).with(triangulator_of(o)).with(extruder);
+    chosen_mesher mesher{font};
+    choose_policies(o, font.units_per_em(), mesher);
     typemesh::text_options how = text_options_of(o);
     how.size = 1.0;
     typemesh::bounds3 bounds;  // of a mesh of the picture's size: those of the file's may be too small to be told apart
@@ -238,7 +225,7 @@ std::string draw_picture(const options& o, font_set& font, const typemesh::glyph
     model mesh;
     if (const typemesh::error e = write_model(o, *plan, mesh)) return in_words(e);
     int width = 0, height = 0;
-    const overlay over = annotate(o, font, plan->run(), plan->glyphs(), discretiser, mesh);
+    const overlay over = annotate(o, font, plan->run(), plan->glyphs(), mesh);
     const auto pixels = draw(mesh, over, look, width, height);
     return write_png(pixels, width, height, o.picture, files);
 }
@@ -258,8 +245,7 @@ std::string refusal_in_words(const options& o, const typemesh::error& e)
 }
 
 /// Warns the user about a plan. Gives why nothing is written, or an empty string.
-template <class Plan>
-std::string name_warnings(const options& o, const Plan& plan, const font_set& fonts)
+std::string name_warnings(const options& o, const chosen_plan& plan, const font_set& fonts)
 {
     bool warned = name_missing_features(fonts, o.features, o.who);
     warned = name_losses(plan.report(), o.family || !o.fallback.empty(), o.who) || warned;
@@ -299,9 +285,8 @@ private:
 
 /// Plans the text as large as the box of --fit has it, and where --anchor and --origin put it: for that it is planned
 /// again. `up` is by how much the mesh has to be lifted then.
-template <class Mesher>
-auto placed_plan(const options& o, Mesher& mesher, const typemesh::glyph_run& page, typemesh::text_options& how,
-                 moved_run& moved, double& up)
+typemesh::result<chosen_plan> placed_plan(const options& o, chosen_mesher& mesher, const typemesh::glyph_run& page,
+                                          typemesh::text_options& how, moved_run& moved, double& up)
 {
     auto plan = mesher.plan(page, how);
     if (!plan || plan->glyphs().empty()) return plan;
@@ -331,13 +316,9 @@ std::string heights_lost(const options& o)
 }
 
 /// One text with open fonts. Every call gives an empty string, or one sentence.
-template <class Discretiser, class Extruder>
 class one_text {
 public:
-    one_text(const options& o, progress& tell, font_set& font, const Discretiser& discretiser, const Extruder& extruder)
-        : o_{o}, tell_{tell}, font_{font}, discretiser_{discretiser}, extruder_{extruder}
-    {
-    }
+    one_text(const options& o, progress& tell, font_set& font) : o_{o}, tell_{tell}, font_{font} {}
 
     std::string make()
     {
@@ -350,14 +331,15 @@ public:
         const std::vector<typemesh::look> looks(page_.looks.begin(), page_.looks.end());
         if (!holds_colours(o_.kind))  // else letters of different colours would not merge
             for (typemesh::look& l : page_.looks) l.style = {};
-        typemesh::text_mesher mesher{font_, discretiser_, triangulator_of(o_), extruder_,
-                                     typemesh::observer_ref{clock}};
+        chosen_mesher mesher{font_, typemesh::observer_ref{clock}};
+        options of_file = o_;
+        if (o_.kind == file_kind::three_mf) of_file.normals = normals_name::shared;  // see write_3mf()
+        choose_policies(of_file, font_.units_per_em(), mesher);
         if (std::string trouble = make_mesh(mesher, how, clock); !trouble.empty()) return trouble;
         if (!o_.picture.empty()) {
             tell_.begin("drawing " + o_.picture);
             std::copy(looks.begin(), looks.end(), page_.looks.begin());
-            if (std::string trouble = draw_picture<Extruder>(o_, font_, page_, discretiser_, files_); !trouble.empty())
-                return trouble;
+            if (std::string trouble = draw_picture(o_, font_, page_, files_); !trouble.empty()) return trouble;
         }
         tell_.clear();
         if (o_.stats && !stats_.empty() && (std::fputs(stats_.c_str(), stdout) < 0 || std::fflush(stdout) != 0))
@@ -369,8 +351,7 @@ public:
     }
 
 private:
-    template <class Mesher>
-    std::string make_mesh(Mesher& mesher, typemesh::text_options& how, stage_clock& clock)
+    std::string make_mesh(chosen_mesher& mesher, typemesh::text_options& how, stage_clock& clock)
     {
         moved_run moved{page_};
         double up = 0.0;
@@ -397,8 +378,6 @@ private:
     const options& o_;
     progress& tell_;
     font_set& font_;
-    const Discretiser& discretiser_;
-    const Extruder& extruder_;
     typemesh::glyph_run page_;
     file_set files_;
     mesh_facts facts_;
@@ -410,10 +389,7 @@ std::string run(const options& o, progress& tell, font_set& fonts)
 {
     if (const std::string trouble = refused_ranges(o.styles, o.text); !trouble.empty())
         return "--style: " + trouble + ".";
-    options of_file = o;
-    if (o.kind == file_kind::three_mf) of_file.normals = normals_name::shared;  // see write_3mf()
-    return std::visit([&](const auto& d, const auto& e) { return one_text{o, tell, fonts, d, e}.make(); },
-                      discretiser_of(o, fonts.units_per_em()), extruder_of(of_file));
+    return one_text{o, tell, fonts}.make();
 }
 
 /// All texts, one after the other. Gives the program's exit status.

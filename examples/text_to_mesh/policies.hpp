@@ -5,121 +5,35 @@
 #include "progress.hpp"
 
 #include <typemesh/core/option_hash.hpp>
+#include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/emboldened.hpp>
+#include <typemesh/extrude/one_of.hpp>
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/extrude/polyline_profile.hpp>
+#include <typemesh/typemesh.hpp>
 
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
 #include <variant>
 
 namespace text_to_mesh {
 
-// Policies are compile-time types; a program that reads them from a command line makes policies which choose. Each
-// stage chooses for itself, so the stages add up: 3 + 2 + 6 instantiations instead of 3 x 2 x 6. But what a policy says
-// of itself at compile time must hold for all it may choose; where it cannot, a variant of policies is visited.
+// Solids are compile-time types; a program that reads one from a command line names them all, and so has one type of mesher.
+// The other policies are exchanged in it.
 
-/// The key of a choice and its options, for caches.
-template <class... Policies>
-[[nodiscard]] typemesh::option_bits key_of_choice(const std::variant<Policies...>& choice) noexcept
-{
-    typemesh::option_hash all;
-    all.add(choice.index());
-    std::visit([&](const auto& p) { all.add_key_of(p); }, choice);
-    return {all.first, all.second};
-}
-
-/// One of the discretisers that keep no tolerance, chosen at run time.
-struct unbounded_discretiser {
-    static constexpr bool keeps_no_tolerance = true;
-    std::variant<typemesh::two_lines, typemesh::thesis_quality> choice;
-
-    [[nodiscard]] typemesh::option_bits cache_key() const noexcept { return key_of_choice(choice); }
-
-    template <class Curve, class Put>
-    void operator()(const Curve& curve, double tolerance, Put&& put) const noexcept
-    {
-        std::visit([&](const auto& d) { d(curve, tolerance, put); }, choice);
-    }
-};
-
-/// For std::visit: a mesher for what keeps a tolerance, and one for what keeps none.
-using chosen_discretiser = std::variant<typemesh::certified, unbounded_discretiser>;
-
-/// One of the triangulators, chosen at run time. Both prove, and so does the choice; the diagonals of both are final.
-struct chosen_triangulator {
-    static constexpr bool has_final_diagonals = true;
-    std::variant<typemesh::monotone, typemesh::constrained_delaunay> choice;
-
-    [[nodiscard]] typemesh::option_bits cache_key() const noexcept { return key_of_choice(choice); }
-
-    [[nodiscard]] typemesh::error operator()(const typemesh::region& r, typemesh::workspace& space,
-                                             typemesh::triangle_list& out) const noexcept
-    {
-        return std::visit([&](const auto& t) { return t(r, space, out); }, choice);
-    }
-    [[nodiscard]] typemesh::result<typemesh::region> prove(const typemesh::contours& loops, typemesh::workspace& space,
-                                                           typemesh::triangle_list& out) const noexcept
-    {
-        return std::visit([&](const auto& t) { return t.prove(loops, space, out); }, choice);
-    }
-};
-
-/// One of the extruders without bevels, chosen at run time.
-struct unbevelled_extruder {
-    std::variant<typemesh::extruded<typemesh::curve_normals>, typemesh::extruded<typemesh::creased_normals>,
-                 typemesh::extruded<typemesh::averaged_normals>, typemesh::extruded<typemesh::shared_normals>,
-                 typemesh::extruded<typemesh::cap_normals>, typemesh::flat>
-        choice;
-
-    using plan_data = typemesh::extruded<>::plan_data;  // that of all but flat, which has none
-
-    [[nodiscard]] typemesh::option_bits cache_key() const noexcept { return key_of_choice(choice); }
-
-    [[nodiscard]] typemesh::result<typemesh::part_sizes> plan(const typemesh::region& r, plan_data& data) const noexcept
-    {
-        const auto plan = [&](const auto& e) {
-            if constexpr (requires { e.plan(r, data); })
-                return e.plan(r, data);
-            else
-                return e.plan(r);
-        };
-        return std::visit(plan, choice);
-    }
-    [[nodiscard]] typemesh::height_range heights() const noexcept
-    {
-        return std::visit([](const auto& e) { return e.heights(); }, choice);
-    }
-    template <typemesh::attribute Wants, class Put>
-    void vertices(typemesh::part p, const typemesh::solid_with<plan_data>& s, const typemesh::placement& at,
-                  Put&& put) const noexcept
-    {
-        std::visit([&](const auto& e) { e.template vertices<Wants>(p, s, at, put); }, choice);
-    }
-    template <class Put>
-    void triangles(typemesh::part p, const typemesh::solid_with<plan_data>& s, const typemesh::first_vertices& first,
-                   Put&& put) const noexcept
-    {
-        std::visit([&](const auto& e) { e.triangles(p, s, first, put); }, choice);
-    }
-    [[nodiscard]] std::uint64_t hard_edges(const typemesh::solid_with<plan_data>& s) const noexcept
-    {
-        const auto count = [&](const auto& e) -> std::uint64_t {
-            if constexpr (requires { e.hard_edges(s); })
-                return e.hard_edges(s);
-            else
-                return 0;
-        };
-        return std::visit(count, choice);
-    }
-};
-
-/// One of the profiles of a bevel, chosen at run time.
+/// One of the profiles of a bevel.
 struct chosen_profile {
     std::variant<typemesh::chamfer_profile, typemesh::round_profile, typemesh::concave_profile,
                  typemesh::stepped_profile, typemesh::engraved_profile, typemesh::polyline_profile>
         choice;
 
-    [[nodiscard]] typemesh::option_bits cache_key() const noexcept { return key_of_choice(choice); }
+    [[nodiscard]] typemesh::option_bits cache_key() const noexcept
+    {
+        typemesh::option_hash all;
+        std::visit([&](const auto& p) { all.add_key_of(p); }, choice);
+        return {all.first, all.second, std::uint64_t{choice.index()}};
+    }
 
     void operator()(const typemesh::profile_scale& scale, typemesh::profile_points& out) const noexcept
     {
@@ -127,24 +41,38 @@ struct chosen_profile {
     }
 };
 
-using bevelled_extruder = typemesh::bevelled<chosen_profile>;
+/// Without bevels; flat where there is no depth.
+using plain_solid =
+    typemesh::one_of<typemesh::extruded<typemesh::curve_normals>, typemesh::extruded<typemesh::creased_normals>,
+                     typemesh::extruded<typemesh::averaged_normals>, typemesh::extruded<typemesh::shared_normals>,
+                     typemesh::extruded<typemesh::cap_normals>, typemesh::flat>;
+using bevelled_solid = typemesh::bevelled<chosen_profile>;
+using letter_solid = typemesh::one_of<plain_solid, bevelled_solid>;
 
-/// Bold letters, hollow ones, or both: of an outline without the letter, that is an extruder whose parts are switched
-/// off, and `emboldened` by nothing changes nothing.
-template <class Solid>
-using bold_extruder = typemesh::emboldened<Solid>;
-template <class Ring>
-using hollow_extruder = typemesh::emboldened<typemesh::outlined<Ring, unbevelled_extruder>>;
+/// Letters, bold ones, or hollow ones, which may be bold as well: `emboldened` by nothing changes nothing. Of an outline
+/// without the letter, that is an extruder whose parts are switched off.
+using bold_solid = typemesh::emboldened<letter_solid>;
+using hollow_solid = typemesh::emboldened<typemesh::outlined<letter_solid, plain_solid>>;
+using chosen_solid = typemesh::one_of<letter_solid, bold_solid, hollow_solid>;
 
-/// For std::visit: a mesher for each number of parts and each way to plan them.
-using chosen_extruder = std::variant<unbevelled_extruder, bevelled_extruder, bold_extruder<unbevelled_extruder>,
-                                     bold_extruder<bevelled_extruder>, hollow_extruder<unbevelled_extruder>,
-                                     hollow_extruder<bevelled_extruder>>;
+using chosen_mesher = typemesh::text_mesher<chosen_solid>;
+using chosen_plan = typemesh::text_plan<chosen_solid>;
 
-/// What the options choose.
-[[nodiscard]] chosen_discretiser discretiser_of(const options& o, double units_per_em);
-[[nodiscard]] chosen_triangulator triangulator_of(const options& o);
-[[nodiscard]] chosen_extruder extruder_of(const options& o);
+/// Gives a mesher what the options choose: solid, discretiser, triangulator.
+void choose_policies(const options& o, double units_per_em, chosen_mesher& mesher);
+
+/// take(discretiser) with what the options choose.
+template <class Take>
+void with_discretiser(const options& o, double units_per_em, Take&& take)
+{
+    using typemesh::thesis_quality;
+    switch (o.discretiser) {
+    case discretiser_name::two_lines: return take(typemesh::two_lines{});
+    case discretiser_name::adaptive:
+        return take(thesis_quality{static_cast<thesis_quality::preset>(o.quality), units_per_em});
+    case discretiser_name::certified: return take(typemesh::certified{});
+    }
+}
 
 /// Adds up how long each stage took, and counts the letters begun.
 struct stage_clock {

@@ -16,9 +16,7 @@ void session::set(const settings& how)
 {
     how_ = how;
     options_ = how_.settled();
-    if (maker_ != nullptr && maker_->take(options_)) return;
-    maker_ = nullptr;
-    maker_ = maker_for(options_, set_, cache_);
+    maker_.take(options_);
 }
 
 typemesh::error session::lay_out(std::u16string_view text)
@@ -46,7 +44,7 @@ typemesh::error session::make(std::u16string_view text, bool instances)
         if (const typemesh::error e = lay_out(text)) return e;
         job.page = &page_;
     }
-    const typemesh::error e = maker_->make(job, arrays_);
+    const typemesh::error e = maker_.make(job, arrays_);
     if (e) arrays_.clear();
     return e;
 }

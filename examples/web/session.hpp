@@ -57,7 +57,7 @@ private:
     typemesh::glyph_cache<> cache_;
     page_words words_{set_};
     typemesh::glyph_run page_;
-    std::unique_ptr<text_maker> maker_;
+    text_maker maker_{set_, cache_};
     mesh_arrays arrays_;
 };
 

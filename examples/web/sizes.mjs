@@ -18,7 +18,7 @@ const features = [ // the first that fits
     ['Delaunay triangles', /delaunay|flip|half_edges|in_circle|trapezoid|point_star/],
     ['Flattening', /discretis|certified|chord|flatten|subdivision|two_lines|hodograph|share_table|curve_emitter/],
     ['Monotone triangles', /monotone|chain|low_triangles|raise_low|coarse_loops|triangle_heights|sweep/],
-    ['Walls, caps, normals, writing', /extruded|normals|write_|upright_walls|axes|place|arrange|stream|any_solid|unbevelled/],
+    ['Walls, caps, normals, writing', /extruded|normals|write_|upright_walls|axes|place|arrange|stream|one_of/],
     ['The face: options, checks, exports', /web_|typemesh_web|settings|inspect|weld|closedness/],
     ['The rest of the mesher', /typemesh|text_to_mesh/],
 ];

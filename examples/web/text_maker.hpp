@@ -4,12 +4,12 @@
 #include "fonts.hpp"
 #include "mesh_arrays.hpp"
 #include "settings.hpp"
+#include "text_to_mesh/policies.hpp"
 
 #include <typemesh/glyph/glyph_cache.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <chrono>
-#include <memory>
 #include <string_view>
 
 namespace typemesh_web {
@@ -22,23 +22,21 @@ struct text_job {
     std::chrono::steady_clock::time_point begun = {};
 };
 
-/// A text_mesher whose policies are some of those that the options choose from.
+/// The mesher of a session. Fonts and cache must outlive it.
 class text_maker {
 public:
-    text_maker() = default;
-    text_maker(const text_maker&) = delete;
-    text_maker& operator=(const text_maker&) = delete;
-    virtual ~text_maker() = default;
+    text_maker(font_set& fonts, typemesh::glyph_cache<>& cache);
 
-    /// Takes the options; gives whether these policies are those that they choose, and else changes nothing.
-    [[nodiscard]] virtual bool take(const text_to_mesh::options& o) = 0;
+    /// Takes options for the texts that follow.
+    void take(const text_to_mesh::options& o);
 
     /// Fills `out`. Nothing of the plan outlives the call, so the cache may be cleared behind it.
-    [[nodiscard]] virtual typemesh::error make(const text_job& job, mesh_arrays& out) = 0;
-};
+    [[nodiscard]] typemesh::error make(const text_job& job, mesh_arrays& out);
 
-/// The maker for these options, which has taken them. Fonts and cache must outlive it.
-[[nodiscard]] std::unique_ptr<text_maker> maker_for(const text_to_mesh::options& o, font_set& fonts,
-                                                    typemesh::glyph_cache<>& cache);
+private:
+    font_set* fonts_;
+    text_to_mesh::options options_;  // the texts in them are read while a plan is made
+    text_to_mesh::chosen_mesher mesher_;
+};
 
 }  // namespace typemesh_web

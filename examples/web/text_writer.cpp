@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "text_writer.hpp"
 
-#include "any_solid.hpp"
-
-#include <typemesh/typemesh.hpp>
-
 namespace typemesh_web {
 
 using namespace typemesh;
@@ -36,8 +32,7 @@ auto sink_into(mesh_arrays& out)
 
 }  // namespace
 
-template <extruder Extruder>
-error write_whole(const text_plan<Extruder>& plan, mesh_arrays& out) noexcept
+error write_whole(const text_to_mesh::chosen_plan& plan, mesh_arrays& out) noexcept
 {
     const mesh_size size = plan.size();
     if (!out.make_room(size.vertices, size.indices())) return error::out_of_memory;
@@ -46,8 +41,7 @@ error write_whole(const text_plan<Extruder>& plan, mesh_arrays& out) noexcept
     return plan.write(sink_into(out));
 }
 
-template <extruder Extruder>
-error write_letters(const text_plan<Extruder>& plan, mesh_arrays& out) noexcept
+error write_letters(const text_to_mesh::chosen_plan& plan, mesh_arrays& out) noexcept
 {
     const mesh_size size = plan.meshes_size();
     if (!out.make_room(size.vertices, size.indices())) return error::out_of_memory;
@@ -67,12 +61,5 @@ error write_letters(const text_plan<Extruder>& plan, mesh_arrays& out) noexcept
     });
     return plan.write_meshes(sink_into(out));
 }
-
-template error write_whole(const text_plan<any_solid>&, mesh_arrays&) noexcept;
-template error write_whole(const text_plan<bold_solid>&, mesh_arrays&) noexcept;
-template error write_whole(const text_plan<hollow_solid>&, mesh_arrays&) noexcept;
-template error write_letters(const text_plan<any_solid>&, mesh_arrays&) noexcept;
-template error write_letters(const text_plan<bold_solid>&, mesh_arrays&) noexcept;
-template error write_letters(const text_plan<hollow_solid>&, mesh_arrays&) noexcept;
 
 }  // namespace typemesh_web

@@ -2,18 +2,15 @@
 #pragma once
 
 #include "mesh_arrays.hpp"
-
-#include <typemesh/text/text_plan.hpp>
+#include "text_to_mesh/policies.hpp"
 
 namespace typemesh_web {
 
-/// Writes a plan of one of the extruders of any_solid.hpp. Compiled apart, for speed, as this runs for each vertex of each
-/// text; what builds letters is compiled for size.
-template <typemesh::extruder Extruder>
-[[nodiscard]] typemesh::error write_whole(const typemesh::text_plan<Extruder>& plan, mesh_arrays& out) noexcept;
+/// Writes a plan. Compiled apart, for speed, as this runs for each vertex of each text; what builds letters is compiled for
+/// size.
+[[nodiscard]] typemesh::error write_whole(const text_to_mesh::chosen_plan& plan, mesh_arrays& out) noexcept;
 
 /// The same as different letters and where they stand.
-template <typemesh::extruder Extruder>
-[[nodiscard]] typemesh::error write_letters(const typemesh::text_plan<Extruder>& plan, mesh_arrays& out) noexcept;
+[[nodiscard]] typemesh::error write_letters(const text_to_mesh::chosen_plan& plan, mesh_arrays& out) noexcept;
 
 }  // namespace typemesh_web

@@ -7,6 +7,7 @@
 #include <typemesh/adapt/threads.hpp>
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/emboldened.hpp>
+#include <typemesh/extrude/one_of.hpp>
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/extrude/polyline_profile.hpp>
 #include <typemesh/inspect/closedness.hpp>
@@ -23,6 +24,7 @@
 #endif
 #include <typemesh/unicode/hyphenating.hpp>
 #include <cassert>
+#include <cmath>
 #include <cstdio>
 #include <string_view>
 #include <vector>
@@ -163,6 +165,23 @@ auto initial = mesher.plan(run);
 if (!initial) return std::puts(initial.error().message()), 1;
 auto its_front = initial->range(typemesh::style_id{7}, typemesh::part::front);
     use(its_front);
+    }
+    {
+typemesh::text_mesher<typemesh::one_of<typemesh::flat, typemesh::extruded<>, typemesh::bevelled<>>> any{*font};
+any.use(typemesh::bevelled<>{.width = 0.03f});
+    }
+    {
+auto wave = mesher.plan("wave", {}, [](typemesh::glyph_run& run) noexcept {
+    for (auto& g : run.glyphs) g.origin.y += 200.0 * std::sin(g.origin.x / 500.0);       // in font units
+});
+    use(wave);
+    }
+    {
+constexpr auto wants = typemesh::attribute::position | typemesh::attribute::normal;
+auto half = mesher.build("Hello", typemesh::into(vertices, indices, [](const typemesh::surface_point<wants>& s) noexcept {
+    return vertex{{0.5f * s.position.x, s.position.y, s.position.z}, s.normal, {}};
+}));
+    use(half);
     }
     {
         auto arabic = typemesh::harfbuzz_font::open("Amiri-Regular.ttf"), cjk = typemesh::harfbuzz_font::open("CJK.ttc");

@@ -7,7 +7,9 @@
 #include <typemesh/typemesh.hpp>
 
 #include <cmath>
+#include <concepts>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace typemesh;
@@ -44,6 +46,18 @@ struct equal_steps {
         for (int i = 1; i <= pieces; ++i) put(c.at(double(i) / pieces), double(i) / pieces);
     }
 };
+
+// A mesher's type names its solid alone, whatever else it is given: also with clang 14 to 16, which deduce otherwise.
+template <class Mesher>
+using mesher_of_its_solid = decltype(text_mesher{std::declval<test::toy_font&>(), std::declval<Mesher&>().solid()});
+template <class... Option>
+using mesher_of = decltype(text_mesher{std::declval<test::toy_font&>(), std::declval<Option>()...});
+static_assert(std::same_as<mesher_of<>, text_mesher<extruded<>>>);
+static_assert(std::same_as<mesher_of<flat>, text_mesher<flat>>);
+static_assert(std::same_as<mesher_of<constrained_delaunay, flat, memory>, text_mesher<flat>>);
+static_assert(std::same_as<mesher_of<two_lines, monotone, no_cache>, text_mesher<>>);
+static_assert(std::same_as<decltype(text_mesher{heap()}), text_mesher<>>);
+static_assert(std::same_as<mesher_of_its_solid<text_mesher<flat>>, text_mesher<flat>>);
 
 }  // namespace
 

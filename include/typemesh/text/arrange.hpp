@@ -22,12 +22,12 @@ inline void bound(text_glyphs& all, solid_ref how) noexcept
     at.unit_per_depth = placed.unit_per_depth;
     at.frame = placed.frame;
     float bottom = at.height(how.heights().low), top = at.height(how.heights().high);
-    const bool along_axes = placed.frame.is_along_axes();
+    const bool along_axes = placed.frame.is_along_axes(), each_has_own = how.has_heights_of_each();
     for (const drawn_glyph& s : all.records) {
         at.pen = s.built->cells() * (s.origin - placed.centre);
         at.unit_per_cell = placed.unit_per_font_unit * s.built->font_units_per_cell();
         const box& around = s.built->around();
-        if (how.has_heights_of_each()) {
+        if (each_has_own) {
             const height_range own = how.heights_of(*s.built);
             bottom = at.height(own.low);
             top = at.height(own.high);

@@ -18,6 +18,10 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
+/// What changes a run between layout and meshing: see text_mesher::plan().
+template <class E>
+concept run_edit = std::is_nothrow_invocable_v<E&, glyph_run&>;
+
 /// Connects the stages: text in, mesh out.
 ///
 ///     text_mesher mesher{font};                                 // certified, monotone, extruded with curve normals
@@ -38,6 +42,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///         ...
 ///         mesher.use(font);
 ///         mesher.use(constrained_delaunay{});
+///
+/// A solid chosen while the program runs: one_of.hpp.
 ///
 /// `font` is an outline source and, for plan(text), a shaper as well; it must outlive the mesher. A glyph that occurs
 /// more than once in a text is built once. Memory grows to what the largest text needs and is kept: after warm-up a
@@ -142,6 +148,18 @@ public:
         return plan_text(text, options, nullptr);
     }
 
+    /// The same, and lets `edit` change the run between layout and meshing: move glyphs, take some away, give others a
+    /// style. What layout() reports of the text stays; a run that is broken is refused as one of your own is.
+    ///
+    ///     mesher.plan("wave", {}, [](glyph_run& run) noexcept {
+    ///         for (placed_glyph& g : run.glyphs) g.origin.y += 50.0 * std::sin(g.origin.x / 100.0);
+    ///     });
+    template <run_edit Edit>
+    [[nodiscard]] result<plan_type> plan(text_view text, const text_options& options, Edit&& edit) & noexcept
+    {
+        return plan_text(text, options, nullptr, edit);
+    }
+
     /// The same from shaped text; needs no shaper. The run must not change while the plan is used.
     [[nodiscard]] result<plan_type> plan(const glyph_run& run, const text_options& options = {}) & noexcept
     {
@@ -161,6 +179,12 @@ public:
                                          glyph_workers<Executor, Source>& workers) & noexcept
     {
         return plan_text(text, options, &workers.team());
+    }
+    template <executor Executor, outline_source Source, run_edit Edit>
+    [[nodiscard]] result<plan_type> plan(text_view text, const text_options& options,
+                                         glyph_workers<Executor, Source>& workers, Edit&& edit) & noexcept
+    {
+        return plan_text(text, options, &workers.team(), edit);
     }
     template <executor Executor, outline_source Source>
     [[nodiscard]] result<plan_type> plan(const glyph_run& run, const text_options& options,
@@ -209,6 +233,10 @@ private:
     {
     }
 
+    struct leave_run {
+        void operator()(glyph_run&) const noexcept {}
+    };
+
     template <class Option>
     void take(Option option) noexcept
     {
@@ -219,9 +247,12 @@ private:
             triangulator_ = std::move(option);
         else if constexpr (kind == policy_kind::observer)
             observer_ = std::move(option);
-        else if constexpr (kind == policy_kind::extruder)
-            solid_ = std::move(option);
-        else if constexpr (std::same_as<Option, cached_in>)
+        else if constexpr (kind == policy_kind::extruder) {
+            static_assert(std::is_convertible_v<Option, Solid>,
+                          "typemesh: this mesher makes another solid, which its type names. To choose one while the "
+                          "program runs, name all of them: text_mesher<one_of<flat, extruded<>>>.");
+            if constexpr (std::is_convertible_v<Option, Solid>) solid_ = std::move(option);
+        } else if constexpr (std::same_as<Option, cached_in>)
             planner_.cache = option;
         else if constexpr (std::same_as<Option, no_cache>)
             planner_.cache.reset();
@@ -247,10 +278,13 @@ private:
         return made.report();
     }
 
-    result<plan_type> plan_text(text_view text, const text_options& options, glyph_team* team) noexcept
+    template <class Edit = leave_run>
+    result<plan_type> plan_text(text_view text, const text_options& options, glyph_team* team,
+                                Edit&& edit = {}) noexcept
     {
         if (!planner_.font) return error::no_font;
         if (error e = planner_.layout(text, options, all_policies(), team)) return e;
+        edit(planner_.run());
         return plan_run(planner_.run(), options, team);
     }
 

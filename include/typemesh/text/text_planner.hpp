@@ -42,7 +42,7 @@ public:
     /// What was planned last.
     [[nodiscard]] text_glyphs& glyphs() noexcept { return glyphs_; }
     /// The run that plan(text) has made.
-    [[nodiscard]] const glyph_run& run() const noexcept { return run_; }
+    [[nodiscard]] glyph_run& run() noexcept { return run_; }
 
     /// Ends the previous plan.
     void clear() noexcept { glyphs_.clear(); }

@@ -5,6 +5,7 @@
 #include <typemesh/core/error.hpp>
 #include <typemesh/vertex/index_writer.hpp>
 #include <typemesh/vertex/ranged_sink.hpp>
+#include <typemesh/vertex/vertex_lambda.hpp>
 #include <typemesh/vertex/vertex_traits.hpp>
 
 #include <cstddef>
@@ -102,6 +103,14 @@ template <class Vertex, std::size_t V, class Index, std::size_t I, vertex_writer
                         std::uint32_t base_vertex = 0) noexcept
 {
     return array_sink<Vertex, Index, Writer>{vertices, indices, std::move(writer), base_vertex};
+}
+
+/// The same with a lambda, see lambda_writer.
+template <class Vertex, std::size_t V, class Index, std::size_t I, vertex_lambda Make>
+[[nodiscard]] auto into(std::span<Vertex, V> vertices, std::span<Index, I> indices, Make make,
+                        std::uint32_t base_vertex = 0) noexcept
+{
+    return into(vertices, indices, writer_of<Vertex>(std::move(make)), base_vertex);
 }
 
 // Pointers carry no size.

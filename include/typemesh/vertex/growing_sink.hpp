@@ -118,10 +118,18 @@ template <sizable_array Vertices, sizable_array Indices>
         vertices, indices, {}, base_vertex};
 }
 
+/// The same with a writer of your own, which may have state.
 template <sizable_array Vertices, sizable_array Indices, vertex_writer Writer>
 [[nodiscard]] auto into(Vertices& vertices, Indices& indices, Writer writer, std::uint32_t base_vertex = 0) noexcept
 {
     return growing_sink<Vertices, Indices, Writer>{vertices, indices, std::move(writer), base_vertex};
+}
+
+/// The same with a lambda, see lambda_writer.
+template <sizable_array Vertices, sizable_array Indices, vertex_lambda Make>
+[[nodiscard]] auto into(Vertices& vertices, Indices& indices, Make make, std::uint32_t base_vertex = 0) noexcept
+{
+    return into(vertices, indices, writer_of<typename Vertices::value_type>(std::move(make)), base_vertex);
 }
 
 }  // namespace typemesh::inline TYPEMESH_ABI

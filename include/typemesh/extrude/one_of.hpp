@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/option_hash.hpp>
+#include <typemesh/core/policy_key.hpp>
+#include <typemesh/extrude/extruder.hpp>
+
+#include <algorithm>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+namespace detail {
+
+/// The plan data of one_of: that of the solid which is chosen. As bytes it is no longer than that one alone.
+template <class... Solids>
+class one_of_data {
+public:
+    /// What the chosen solid reads is looked up when it is written.
+    class view {
+        friend class one_of_data;
+
+    public:
+        template <std::size_t Choice>
+        [[nodiscard]] auto of() const noexcept
+        {
+            using data = std::tuple_element_t<Choice, all_data>;
+            return live_ != nullptr ? std::get<Choice>(*live_).read() : data::read_from(stored_);
+        }
+
+    private:
+        const std::tuple<plan_data_of<Solids>...>* live_ = nullptr;  // or else stored
+        const std::byte* stored_ = nullptr;
+    };
+
+    explicit one_of_data(memory source = heap()) noexcept : all_{plan_data_of<Solids>{source}...} {}
+
+    template <std::size_t Choice>
+    [[nodiscard]] auto& become() noexcept
+    {
+        choice_ = Choice;
+        return std::get<Choice>(all_);
+    }
+    void clear() noexcept
+    {
+        std::apply([](auto&... data) noexcept { (data.clear(), ...); }, all_);
+    }
+    [[nodiscard]] view read() const noexcept
+    {
+        view now;
+        now.live_ = &all_;
+        return now;
+    }
+
+    // --- as bytes: see plan_arrays
+
+    [[nodiscard]] std::size_t bytes() const noexcept
+    {
+        std::size_t size = 0;
+        chosen([&size](const auto& data) noexcept { size = data.bytes(); });
+        return size;
+    }
+    void copy_to(std::byte* block) const noexcept
+    {
+        chosen([block](const auto& data) noexcept { data.copy_to(block); });
+    }
+    [[nodiscard]] static view read_from(const std::byte* block) noexcept
+    {
+        view then;
+        then.stored_ = block;
+        return then;
+    }
+
+private:
+    using all_data = std::tuple<plan_data_of<Solids>...>;
+
+    template <class What>
+    void chosen(const What& what) const noexcept
+    {
+        std::apply(
+            [&](const auto&... data) noexcept {
+                std::size_t number = 0;
+                ((number++ == choice_ ? what(data) : void()), ...);
+            },
+            all_);
+    }
+
+    all_data all_;
+    std::size_t choice_ = 0;
+};
+
+}  // namespace detail
+
+/// One of several extruders, chosen while the program runs:
+///
+///     text_mesher<one_of<flat, extruded<>, bevelled<>>> mesher{font};       // flat so far
+///     mesher.solid() = bevelled<>{.width = 0.03f};
+///
+/// It has the parts of all of them; those that the chosen one does not make are empty. The choice is looked at once per
+/// glyph and part, not per vertex. A glyph_cache tells the choices apart.
+template <extruder... Solids>
+class one_of {
+    static_assert(sizeof...(Solids) != 0, "typemesh: one_of needs a solid to choose");
+    template <class Solid>
+    static constexpr int times = (0 + ... + int{std::same_as<Solid, Solids>});
+    static_assert(((times<Solids> == 1) && ...), "typemesh: one_of names each type of solid once");
+
+public:
+    static constexpr std::size_t part_count = (std::max)({part_count_of<Solids>...});
+    using plan_data = detail::one_of_data<Solids...>;
+    using solid = solid_with<plan_data>;
+
+    /// The first one, as it is by default.
+    one_of() noexcept = default;
+    template <class Solid>
+        requires(times<Solid> == 1)
+    one_of(Solid chosen) noexcept : choice_{std::in_place_type<Solid>, std::move(chosen)}
+    {
+    }
+
+    /// Which it is, counted as they are named.
+    [[nodiscard]] std::size_t index() const noexcept { return choice_.index(); }
+    /// The chosen one, to change its options; null if it is of another type.
+    template <class Solid>
+        requires(times<Solid> == 1)
+    [[nodiscard]] Solid* get() noexcept
+    {
+        return std::get_if<Solid>(&choice_);
+    }
+
+    // --- an extruder: see there
+
+    [[nodiscard]] option_bits cache_key() const noexcept
+        requires(cacheable_policy<Solids> && ...)
+    {
+        option_hash all;
+        visit([&all](auto, const auto& how) noexcept { all.add_key_of(how); });
+        return {all.first, all.second, std::uint64_t{index()}};
+    }
+
+    template <cap_maker Caps>
+    [[nodiscard]] result<solid_plan> plan(const region& r, plan_data& data, Caps& caps) const noexcept
+    {
+        return visit(
+            [&](auto at, const auto& how) noexcept { return plan_solid(how, r, data.template become<at>(), caps); });
+    }
+
+    [[nodiscard]] height_range heights() const noexcept
+    {
+        return visit([](auto, const auto& how) noexcept { return how.heights(); });
+    }
+    [[nodiscard]] height_range heights(const solid& s) const noexcept
+        requires(tells_heights<Solids> || ...)
+    {
+        return visit([&s](auto at, const auto& how) noexcept { return heights_of(how, of<at>(s)); });
+    }
+    template <class Put>
+    void seen_from_front(const solid& s, Put&& put) const noexcept
+        requires(makes_own_caps<Solids> || ...)
+    {
+        visit([&](auto at, const auto& how) noexcept { each_seen_from_front(how, of<at>(s), put); });
+    }
+    /// The chosen one's, or the region's own.
+    [[nodiscard]] solid_outline outline(const solid& s) const noexcept
+        requires(tells_outline<Solids> || ...)
+    {
+        return visit([&s]<class Solid>(auto at, const Solid& how) noexcept {
+            if constexpr (tells_outline<Solid>)
+                return how.outline(of<at>(s));
+            else
+                return solid_outline{s.points, s.starts};
+        });
+    }
+    /// Of the chosen one; none if it does not count them.
+    [[nodiscard]] std::uint64_t hard_edges(const solid& s) const noexcept
+        requires(tells_hard_edges<Solids> || ...)
+    {
+        return visit([&s]<class Solid>(auto at, const Solid& how) noexcept -> std::uint64_t {
+            if constexpr (tells_hard_edges<Solid>)
+                return how.hard_edges(of<at>(s));
+            else
+                return 0;
+        });
+    }
+    [[nodiscard]] bool refit(const solid& s) noexcept
+        requires(refitting_extruder<Solids> || ...)
+    {
+        return visit([&s]<class Solid>(auto at, Solid& how) noexcept {
+            if constexpr (refitting_extruder<Solid>)
+                return how.refit(of<at>(s));
+            else
+                return false;
+        });
+    }
+
+    template <attribute Wants, class Put>
+    void vertices(part p, const solid& s, const placement& at, Put&& put) const noexcept
+    {
+        visit([&]<class Solid>(auto number, const Solid& how) noexcept {
+            if (makes<Solid>(p)) how.template vertices<Wants>(p, of<number>(s), at, put);
+        });
+    }
+    template <class Put>
+    void triangles(part p, const solid& s, const first_vertices& first, Put&& put) const noexcept
+    {
+        visit([&]<class Solid>(auto number, const Solid& how) noexcept {
+            if (makes<Solid>(p)) how.triangles(p, of<number>(s), first, put);
+        });
+    }
+
+private:
+    template <class Solid>
+    static constexpr bool makes(part p) noexcept
+    {
+        return static_cast<std::size_t>(p) < part_count_of<Solid>;
+    }
+    /// The solid as the chosen one knows it.
+    template <std::size_t Choice>
+    static auto of(const solid& s) noexcept
+    {
+        using chosen = std::tuple_element_t<Choice, std::tuple<Solids...>>;
+        return solid_of<chosen>{s, s.data.template of<Choice>()};
+    }
+
+    /// what(the number of the chosen one as a type, the chosen one).
+    template <std::size_t Choice = 0, class What>
+    auto visit(const What& what) const noexcept
+    {
+        if constexpr (Choice + 1 < sizeof...(Solids))
+            if (index() != Choice) return visit<Choice + 1>(what);
+        return what(std::integral_constant<std::size_t, Choice>{}, *std::get_if<Choice>(&choice_));
+    }
+    template <std::size_t Choice = 0, class What>
+    auto visit(const What& what) noexcept
+    {
+        if constexpr (Choice + 1 < sizeof...(Solids))
+            if (index() != Choice) return visit<Choice + 1>(what);
+        return what(std::integral_constant<std::size_t, Choice>{}, *std::get_if<Choice>(&choice_));
+    }
+
+    std::variant<Solids...> choice_;
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI
