@@ -55,7 +55,7 @@ constexpr attribute places = attribute::position, lit = places | attribute::norm
 
 struct text {
     harfbuzz_font font;
-    text_mesher<harfbuzz_font> mesher{font};
+    text_mesher<> mesher{font};
     std::string letters{};
     std::vector<std::byte> vertices = std::vector<std::byte>(80u << 20);
     std::vector<std::uint32_t> indices = std::vector<std::uint32_t>(8u << 20);

@@ -38,6 +38,7 @@ lib3mf       header:lib3mf/Model/COM/NMR_DLLInterfaces.h      lib3mf-dev        
 admesh       command:admesh                                   admesh             admesh                 admesh      admesh            -
 openscad     command:openscad                                 openscad           openscad               openscad    openscad          -
 python3      command:python3                                  python3            python3                python      python            -
+certificates command:update-ca-certificates,update-ca-trust,trust,security ca-certificates ca-certificates ca-certificates -    -
 matplotlib   python:matplotlib                                python3-matplotlib python3-matplotlib     python-matplotlib python-matplotlib -
 valgrind     command:valgrind                                 valgrind           valgrind               valgrind    -                 -
 clang-format command:clang-format-19                          clang-format-19    -                      -           -                 -

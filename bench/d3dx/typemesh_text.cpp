@@ -115,7 +115,7 @@ int main(int argc, char** argv)
     m.font = bench::name_of(path);
 
     d3dx_text maker{*font};
-    text_work<d3dx_text<font_type>> work{maker};
+    text_work<d3dx_text<>> work{maker};
     const auto keep = [&](const std::u16string& text, double deviation) {
         work(text, deviation);
         m.text = text, m.deviation = deviation;

@@ -115,7 +115,7 @@ constexpr kernel kernels[] = {
     {"kept_extruded", "byte", "a letter in a glyph_cache, extruded, the average of ASCII",
      [](int) { return kept_bytes(extruded<>{}); }},
     {"kept_bevelled", "byte", "the same with a round bevel", [](int) { return kept_bytes(bevelled<round_profile>{}); }},
-    {"mesher", "byte", "text_mesher over HarfBuzz", [](int) { return sizeof(text_mesher<harfbuzz_font>); }},
+    {"mesher", "byte", "text_mesher over HarfBuzz", [](int) { return sizeof(text_mesher<>); }},
 };
 
 }  // namespace

@@ -172,14 +172,14 @@ private:
     void print_stages()
     {
         constexpr int runs = 7, stages = 6;
-        auto staged = make_().with(stage_clock{});
+        stage_clock clock;
+        auto staged = make_().with(observer_ref{clock});
         std::vector<std::array<std::vector<double>, stages>> of_text(group_.texts.size());
         for (int run = -1; run < runs; ++run)
             for (std::size_t i = 0; i < of_text.size(); ++i) {
-                staged.observer() = {};
+                clock = {};
                 if (!staged.build(group_.texts[i], into(vertices_, indices_), options())) std::abort();
-                for (std::size_t s = 0; run >= 0 && s < stages; ++s)
-                    of_text[i][s].push_back(staged.observer().microseconds[s]);
+                for (std::size_t s = 0; run >= 0 && s < stages; ++s) of_text[i][s].push_back(clock.microseconds[s]);
             }
         start_row("thesis_stages");
         for (std::size_t s = 0; s < stages; ++s) {

@@ -27,7 +27,7 @@ struct writer {
     }
 };
 
-using mesher = typemesh::text_mesher<typemesh::harfbuzz_font>;
+using mesher = typemesh::text_mesher<>;
 
 }  // namespace
 

@@ -350,9 +350,9 @@ public:
         const std::vector<typemesh::look> looks(page_.looks.begin(), page_.looks.end());
         if (!holds_colours(o_.kind))  // else letters of different colours would not merge
             for (typemesh::look& l : page_.looks) l.style = {};
-        auto mesher =
-            typemesh::text_mesher{font_}.with(discretiser_).with(triangulator_of(o_)).with(extruder_).with(clock);
-        if (std::string trouble = make_mesh(mesher, how); !trouble.empty()) return trouble;
+        typemesh::text_mesher mesher{font_, discretiser_, triangulator_of(o_), extruder_,
+                                     typemesh::observer_ref{clock}};
+        if (std::string trouble = make_mesh(mesher, how, clock); !trouble.empty()) return trouble;
         if (!o_.picture.empty()) {
             tell_.begin("drawing " + o_.picture);
             std::copy(looks.begin(), looks.end(), page_.looks.begin());
@@ -370,7 +370,7 @@ public:
 
 private:
     template <class Mesher>
-    std::string make_mesh(Mesher& mesher, typemesh::text_options& how)
+    std::string make_mesh(Mesher& mesher, typemesh::text_options& how, stage_clock& clock)
     {
         moved_run moved{page_};
         double up = 0.0;
@@ -382,13 +382,13 @@ private:
         model mesh;
         mesh.name = o_.text;
         tell_.begin("making " + std::to_string(plan->size().triangles) + " triangles");
-        mesher.observer()(typemesh::stage::extrude);
+        clock(typemesh::stage::extrude);
         const typemesh::error e = o_.instances ? write_letters(o_, *plan, font_, mesh) : write_model(o_, *plan, mesh);
-        mesher.observer()(typemesh::stage::idle);
+        clock(typemesh::stage::idle);
         if (e) return in_words(e);
         if (!lift(mesh, up)) return heights_lost(o_);
         facts_ = facts_of(mesh);
-        if (o_.stats) stats_ = stats_of(*plan, quality_of_front(mesh), facts_, is_printed(o_.kind), mesher.observer());
+        if (o_.stats) stats_ = stats_of(*plan, quality_of_front(mesh), facts_, is_printed(o_.kind), clock);
         if (o_.output.empty()) return {};
         tell_.begin("writing " + o_.output);
         return write_output(o_, *plan, mesh, files_);

@@ -45,35 +45,54 @@ flags_for() {  # flags_for SOURCE FLAG...
     esac
 }
 
-# Compiles what has changed, as many at a time as there are processors.
+object_of() { say "$objects/$(basename "$1").o"; }
+is_compiled() {  # is_compiled SOURCE: its object is newer than all that it is made of
+    [ -e "$(object_of "$1")" ] && [ -z "$(find "$1" "$typemesh_root/include" "$web" "$typemesh_root/examples/text_to_mesh" \
+        "${BASH_SOURCE[0]}" \( -name '*.[hc]pp' -o -name '*.[hc]' -o -name '*.cc' -o -name build.sh \) \
+        -newer "$(object_of "$1")" -print -quit)" ]
+}
 compile() {  # compile SOURCE FLAG...
-    local object=$objects/$(basename "$1").o source=$1 words
+    local source=$1 object
+    object=$(object_of "$1")
     shift
-    if [ -e "$object" ] && [ -z "$(find "$source" "$typemesh_root/include" "$web" "$typemesh_root/examples/text_to_mesh" \
-        "${BASH_SOURCE[0]}" -name '*.[hcs]*' -newer "$object" -print -quit)" ]; then return 0; fi
-    say "  $(basename "$source")"
     # shellcheck disable=SC2046  # a list of words
-    words=$(em++ $(flags_for "$source" "$@") "${compiler[@]}" "${folders[@]}" -c "$source" -o "$object.part" 2>&1) || {
-        say "$words" >&2
-        return 1
+    em++ $(flags_for "$source" "$@") "${compiler[@]}" "${folders[@]}" -c "$source" -o "$object.part" && mv "$object.part" "$object"
+}
+# Takes one source after the other that nobody else has taken, and counts them: "[2/8] settings.cpp".
+compile_further() {  # compile_further FLAG...
+    local source
+    for source in "${changed[@]}"; do
+        mkdir "$taken/$(basename "$source")" 2>/dev/null || continue
+        compile "$source" "$@" || return 1
+        basename "$source" >>"$taken/done"
+        say "[$(grep -nxF "$(basename "$source")" "$taken/done" | cut -d : -f 1)/${#changed[@]}] $(basename "$source")"
+    done
+}
+# As many at a time as there are processors.
+compile_changed() {  # compile_changed FLAG...
+    local job jobs=() status=0
+    while [ ${#jobs[@]} -lt "${TYPEMESH_WEB_JOBS:-$(processors)}" ]; do
+        compile_further "$@" &
+        jobs+=($!)
+    done
+    for job in "${jobs[@]}"; do wait "$job" || status=1; done
+    return $status
+}
+changed=()
+for source in "${sources[@]}"; do is_compiled "$source" || changed+=("$source"); done
+if [ ${#changed[@]} -gt 0 ]; then
+    say "Compiling to WebAssembly${*:+ with $*}, which takes some minutes: ${#changed[@]} files"
+    log=$objects/log taken=$objects/taken
+    rm -rf "$taken" && mkdir "$taken" && : >"$log"
+    with_progress "$log" logged "$log" compile_changed "$@" || {
+        grep -vE '^\[[0-9]+/[0-9]+\] ' "$log" | head -n 60 >&2 || true
+        stop "The build has failed; all its words are in $log"
     }
-    mv "$object.part" "$object"
-}
-say "Compiling to WebAssembly${*:+ with $*}, which takes some minutes"
-running=()
-failed=
-wait_for_first() {
-    wait "${running[0]}" || failed=yes
-    running=("${running[@]:1}")
-}
-for source in "${sources[@]}"; do
-    [ ${#running[@]} -lt "${TYPEMESH_WEB_JOBS:-$(processors)}" ] || wait_for_first
-    compile "$source" "$@" &
-    running+=($!)
-done
-while [ ${#running[@]} -gt 0 ]; do wait_for_first; done
-[ -z "$failed" ] || stop "The build has failed."
+    rm -rf "$taken"
+    say "  ${#changed[@]} of ${#changed[@]} are compiled"
+fi
 
+say "Linking, usually half a minute"
 exports=$(sed -nE 's/^TYPEMESH_WEB_EXPORT [^(]*[ *](web_[a-z_]+)\(.*/_\1/p' "$web/exports.cpp" | tr '\n' ,)
 smaller=  # linked for speed and then optimised for size: both alone are larger or slower
 [ $# -gt 0 ] || { set -- -O3 && smaller=yes; }

@@ -9,8 +9,8 @@ usage() {
 usage: examples/web/run.sh [--build | PORT]
 
 Builds the live page into build/web/site, and serves it at http://localhost:PORT/ (8000) until you press Ctrl-C; --build only builds.
-Installs what is missing if it may: Debian's emscripten, HarfBuzz's source, fonts, node; npm's three. The folder needs no network
-afterwards, and any server of files will do.
+Installs what is missing if it may: Debian's emscripten, HarfBuzz's source, fonts, python3. Fetches three.js from npm's registry,
+with npm or without. The folder needs no network afterwards, and any server of files will do.
 END
 }
 port=8000
@@ -18,28 +18,47 @@ case ${1:-} in
     -h | --help) usage && exit 0 ;;
     --build) port= ;;
     '') ;;
-    *[!0-9]*) usage >&2 && exit 2 ;;
+    *[!0-9]* | ??????* | 0*) usage >&2 && exit 2 ;;
     *) port=$1 ;;
 esac
+[ "${port:-1}" -le 65535 ] || stop "There is no port $port: ports end at 65535."
+
+# Whether nothing answers at a port; once python3 is there, also whether this user may have it.
+is_free() {  # is_free PORT
+    local host
+    for host in 127.0.0.1 ::1; do
+        ! (exec 3<>"/dev/tcp/$host/$1") 2>/dev/null || return 1
+    done
+    python3 -c '' 2>/dev/null || return 0
+    python3 - "$1" 2>/dev/null <<'END'
+import socket, sys
+with socket.socket() as tried:
+    tried.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    tried.bind(("127.0.0.1", int(sys.argv[1])))
+END
+}
+need_port() {
+    local other
+    [ -n "$port" ] && ! is_free "$port" || return 0
+    for other in $((port + 1)) $((port + 2)) 8080 8888; do
+        [ "$other" -gt 65535 ] || ! is_free "$other" || stop "The port $port is not free, but $other is: examples/web/run.sh $other"
+    done
+    stop "The port $port is not free. Please name another one: examples/web/run.sh PORT"
+}
+need_port  # before anything that takes minutes
 
 web=$typemesh_root/examples/web
 site=$typemesh_root/build/web/site
-npm=$typemesh_root/build/web/npm
-three=0.187.0  # the page is tested with this one
-install_missing node npm python3 font
+parts=$typemesh_root/build/web/npm
+install_missing python3 certificates
 install_fonts fonts-dejavu-core fonts-liberation fonts-comic-neue fonts-hosny-amiri fonts-sawarabi-mincho
+"$web/three.sh" "$parts"
 "$web/build.sh"
-if [ ! -d "$npm/node_modules/three" ]; then
-    mkdir -p "$npm"
-    say "Getting three.js from npm"
-    npm install --prefix "$npm" --no-save --no-audit --no-fund "three@$three" >"$npm.log" 2>&1 ||
-        stop "npm could not install three; what it said: $npm.log"
-fi
 
 rm -rf "$site" && mkdir -p "$site/three/addons" "$site/fonts"
 cp "$web/page/"* "$web/package/typemesh.js" "$web/package/typemesh.wasm" "$site/"
-cp "$npm/node_modules/three/build/"three.{module,core}.js "$site/three/"
-for folder in controls exporters utils; do cp -R "$npm/node_modules/three/examples/jsm/$folder" "$site/three/addons/"; done
+cp "$parts/three/build/"three.{module,core}.js "$site/three/"
+for folder in controls exporters utils; do cp -R "$parts/three/examples/jsm/$folder" "$site/three/addons/"; done
 
 # The fonts that are there, the first one being what the page begins with.
 names=
@@ -60,5 +79,6 @@ END
 printf '{%s}\n' "$names" >"$site/fonts.json"
 say "The page: $site"
 [ -n "$port" ] || exit 0
+need_port  # again, for the minutes are over
 say "Serving it at http://localhost:$port/  (Ctrl-C ends)"
 exec python3 -m http.server --bind 127.0.0.1 --directory "$site" "$port"

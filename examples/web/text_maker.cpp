@@ -44,20 +44,11 @@ text_options text_options_of(const text_to_mesh::options& o)
     return how;
 }
 
-/// What all makers have in common; take() sets the policies' options.
-auto cached_mesher(font_set& fonts, glyph_cache<>& cache)
-{
-    return text_mesher{fonts}
-        .with(any_discretiser{})
-        .with(text_to_mesh::chosen_triangulator{})
-        .with(cached_in{cache, 1});
-}
-
 template <extruder Extruder>
 class maker_of final : public text_maker {
 public:
     maker_of(const text_to_mesh::options& o, font_set& fonts, glyph_cache<>& cache)
-        : fonts_{&fonts}, mesher_{cached_mesher(fonts, cache).with(Extruder{})}
+        : fonts_{&fonts}, mesher_{fonts, cached_in{cache, 1}, Extruder{}}
     {
         (void)take(o);
     }
@@ -67,9 +58,9 @@ public:
         const auto raise = typemesh_web::extruder_of(o);
         const auto* own = std::get_if<Extruder>(&raise);
         if (own == nullptr) return false;
-        mesher_.discretiser_policy() = {text_to_mesh::discretiser_of(o, fonts_->units_per_em())};
-        mesher_.extruder_policy() = *own;
-        mesher_.triangulator_policy() = text_to_mesh::triangulator_of(o);
+        mesher_.use(any_discretiser{text_to_mesh::discretiser_of(o, fonts_->units_per_em())});
+        mesher_.use(*own);
+        mesher_.use(text_to_mesh::triangulator_of(o));
         options_ = o;
         return true;
     }
@@ -90,11 +81,9 @@ public:
     }
 
 private:
-    using mesher = decltype(cached_mesher(std::declval<font_set&>(), std::declval<glyph_cache<>&>()).with(Extruder{}));
-
     font_set* fonts_;
     text_to_mesh::options options_;  // the texts in them are read while a plan is made
-    mesher mesher_;
+    text_mesher<Extruder> mesher_;
 };
 
 }  // namespace

@@ -131,6 +131,7 @@ function without_group(h, from, open,   i, c, level) {
 
 function is_function(h,   at) {
     if (h ~ /^ *(using|typedef|friend +(class|struct)|concept|return) |^ *static_assert/) return 0
+    if (h ~ /^[^(]*\( *\*/) return 0  # a pointer to a function
     sub(/operator *\( *\)/, "operator_call", h)
     gsub(/operator *[=!<>]+/, "operator_compare", h)
     at = match(h, /[A-Za-z0-9_>+*\/-] *\(/)

@@ -44,6 +44,7 @@ struct alignas(16) thing {
         }
     }
     static constexpr int n = f(1, 2);
+    const thing* (*pointer)(void* object, int a);
     int a_ = g(1, 2);
     std::array<int, 3> b_{1, 2, 3};
 

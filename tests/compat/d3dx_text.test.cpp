@@ -426,9 +426,9 @@ TEST_CASE("after warm-up nothing is allocated, and failing memory is an error th
 
 namespace {
 template <class Font>
-concept takes_a_temporary = requires { d3dx_text<Font>{Font{}}; };
+concept takes_a_temporary = requires { d3dx_text{Font{}}; };
 template <class Font>
-concept plans_without_a_name = requires(Font& f) { d3dx_text<Font>{f}.plan(u"o"); };
+concept plans_without_a_name = requires(Font& f) { d3dx_text{f}.plan(u"o"); };
 }  // namespace
 
 TEST_CASE("a temporary font and a temporary maker do not compile", "[compat]")
@@ -442,8 +442,7 @@ TEST_CASE("another triangulator changes the caps' triangles and nothing else", "
     test::toy_font font;
     d3dx_text usual{font};
     auto fair = d3dx_text{font}.with(constrained_delaunay{});
-    static_assert(
-        std::is_same_v<decltype(fair), d3dx_text<test::toy_font, extruded<>, no_cache, constrained_delaunay>>);
+    static_assert(std::is_same_v<decltype(fair), d3dx_text<>>);
     for (const auto* text : {u"o", u"Eo i", u""}) {
         const auto a = usual.plan(text), b = fair.plan(text);
         REQUIRE(a);
@@ -495,7 +494,7 @@ TEST_CASE("another extruder stands where Direct3D's text does, all its parts dra
     CHECK(indices == m.indices.size());
 
     CHECK(std::string{maker.plan(u"o", {.extrusion = 0.07}).error().option} == "bevel_depth");
-    maker.extruder_policy().bevel_depth = 0.03f;
+    maker.solid().bevel_depth = 0.03f;
     CHECK(maker.plan(u"o", {.extrusion = 0.07}));
 
     std::vector<d3dx_textured_vertex> textured;

@@ -13,7 +13,7 @@
 
 using namespace typemesh;
 
-void write(text_mesher<test::toy_font>& mesher, d3dx_text<test::toy_font>& maker, std::vector<d3dx_vertex>& vertices,
+void write(text_mesher<>& mesher, d3dx_text<>& maker, std::vector<d3dx_vertex>& vertices,
            std::vector<std::uint32_t>& indices, one_worker& alone)
 {
     const auto plan = mesher.plan("o");

@@ -16,7 +16,7 @@ using namespace typemesh;
 namespace {
 
 template <class Index>
-error everywhere(text_mesher<test::toy_font>& mesher, d3dx_text<test::toy_font>& maker)
+error everywhere(text_mesher<>& mesher, d3dx_text<>& maker)
 {
     std::vector<d3dx_vertex> vertices;
     std::vector<Index> indices;
@@ -35,7 +35,7 @@ error everywhere(text_mesher<test::toy_font>& mesher, d3dx_text<test::toy_font>&
 
 }  // namespace
 
-error every_index(text_mesher<test::toy_font>& mesher, d3dx_text<test::toy_font>& maker)
+error every_index(text_mesher<>& mesher, d3dx_text<>& maker)
 {
     if (error e = everywhere<std::uint8_t>(mesher, maker)) return e;
     if (error e = everywhere<std::uint16_t>(mesher, maker)) return e;

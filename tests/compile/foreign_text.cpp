@@ -14,9 +14,9 @@
 
 using namespace typemesh;
 
-void write(text_mesher<test::toy_font>& mesher, d3dx_text<test::toy_font>& maker,
-           glyph_workers<one_worker, test::toy_font>& team, std::vector<d3dx_vertex>& vertices,
-           std::vector<std::uint32_t>& indices, const std::u32string& code_points, const std::wstring& wide)
+void write(text_mesher<>& mesher, d3dx_text<>& maker, glyph_workers<one_worker, test::toy_font>& team,
+           std::vector<d3dx_vertex>& vertices, std::vector<std::uint32_t>& indices, const std::u32string& code_points,
+           const std::wstring& wide)
 {
     (void)mesher.plan(U"o");
     (void)mesher.plan(code_points);

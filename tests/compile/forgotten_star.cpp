@@ -36,7 +36,7 @@ void paragraphs(result<test::toy_covering_font>& font, result<covering_font>& ot
     font_cascade more{third, fourth};
 }
 
-void plans(text_mesher<toy_font>& mesher, std::span<d3dx_vertex> vertices, std::span<std::uint32_t> indices)
+void plans(text_mesher<>& mesher, std::span<d3dx_vertex> vertices, std::span<std::uint32_t> indices)
 {
     auto plan = mesher.plan("o");
     text_chunks chunks;
@@ -46,8 +46,8 @@ void plans(text_mesher<toy_font>& mesher, std::span<d3dx_vertex> vertices, std::
     (void)flipped_triangles(plan);
 }
 
-void teams(text_mesher<toy_font>& mesher, result<glyph_workers<one_worker, toy_font>>& team,
-           std::span<d3dx_vertex> vertices, std::span<std::uint32_t> indices)
+void teams(text_mesher<>& mesher, result<glyph_workers<one_worker, toy_font>>& team, std::span<d3dx_vertex> vertices,
+           std::span<std::uint32_t> indices)
 {
     (void)mesher.plan("o", {}, team);
     (void)mesher.build("o", into(vertices, indices), {}, team);

@@ -11,7 +11,7 @@
 
 using namespace typemesh;
 
-void refer(test::toy_font& font, text_mesher<test::toy_font>& mesher, glyph_run& run)
+void refer(test::toy_font& font, text_mesher<>& mesher, glyph_run& run)
 {
     text_mesher of_a_temporary{test::toy_font{}};
     (void)mesher.plan(std::move(run));

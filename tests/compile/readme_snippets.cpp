@@ -85,23 +85,30 @@ auto error = plan->write(typemesh::into(mapped_vertices, mapped_indices));      
 auto front = plan->range(typemesh::part::front);            // first_index, index_count, first_vertex, vertex_count
 use(size, error, front);
     }
-auto delaunay = typemesh::text_mesher{*font}.with(typemesh::constrained_delaunay{});
+typemesh::text_mesher delaunay{*font, typemesh::constrained_delaunay{}};
     use(delaunay);
-auto flat_text = typemesh::text_mesher{*font}.with(typemesh::flat{});
-auto blocky    = typemesh::text_mesher{*font}.with(typemesh::extruded<typemesh::creased_normals>{.depth = 0.5f}).with(typemesh::two_lines{});
+typemesh::text_mesher flat_text{*font, typemesh::flat{}};
+typemesh::text_mesher blocky{*font, typemesh::two_lines{}, typemesh::extruded<typemesh::creased_normals>{.depth = 0.5f}};
     use(flat_text, blocky);
-auto chamfered = typemesh::text_mesher{*font}.with(typemesh::bevelled<>{.width = 0.02f, .bevel_depth = 0.02f});
-auto rounded   = typemesh::text_mesher{*font}.with(typemesh::bevelled<typemesh::round_profile>{.profile = {.steps = 4}});
-auto moulded   = typemesh::text_mesher{*font}.with(typemesh::bevelled<typemesh::polyline_profile>{.profile = {{{0, 0}, {0.2f, 0.8f}, {1, 1}}}});
-auto swung = typemesh::text_mesher{*font}.with(typemesh::bevelled<ogee_profile>{.width = 0.04f});
+struct headline {
+    typemesh::text_mesher<typemesh::flat> mesher;              // the same type for any font and triangulator
+};
+headline shown;
+shown.mesher.use(*font);
+shown.mesher.use(typemesh::constrained_delaunay{});           // ends the mesher's plan
+    use(shown);
+auto chamfered = typemesh::text_mesher{*font, typemesh::bevelled<>{.width = 0.02f, .bevel_depth = 0.02f}};
+auto rounded   = typemesh::text_mesher{*font, typemesh::bevelled<typemesh::round_profile>{.profile = {.steps = 4}}};
+auto moulded   = typemesh::text_mesher{*font, typemesh::bevelled<typemesh::polyline_profile>{.profile = {{{0, 0}, {0.2f, 0.8f}, {1, 1}}}}};
+auto swung = typemesh::text_mesher{*font, typemesh::bevelled<ogee_profile>{.width = 0.04f}};
     use(chamfered, rounded, moulded, swung);
-auto bolder = typemesh::text_mesher{*font}.with(typemesh::emboldened<typemesh::bevelled<>>{.by = 0.015f, .solid = {.width = 0.01f}});
-auto hollow = typemesh::text_mesher{*font}.with(typemesh::outlined<>{.width = 0.02f});
-auto framed = typemesh::text_mesher{*font}.with(typemesh::outlined<typemesh::extruded<>, typemesh::extruded<>>{
-    .place = typemesh::outline_place::outer, .letter = {.depth = 0.1f}});
+auto bolder = typemesh::text_mesher{*font, typemesh::emboldened<typemesh::bevelled<>>{.by = 0.015f, .solid = {.width = 0.01f}}};
+auto hollow = typemesh::text_mesher{*font, typemesh::outlined<>{.width = 0.02f}};
+auto framed = typemesh::text_mesher{*font, typemesh::outlined<typemesh::extruded<>, typemesh::extruded<>>{
+    .place = typemesh::outline_place::outer, .letter = {.depth = 0.1f}}};
 auto spaced = bolder.plan("Hamburg", {.layout = {.letter_spacing = 2 * 0.015}});
     use(bolder, hollow, framed, spaced);
-auto over_the_text = typemesh::text_mesher{*font}.with(typemesh::extruded<>{.texture = typemesh::texture_mapping::box});
+typemesh::text_mesher over_the_text{*font, typemesh::extruded<>{.texture = typemesh::texture_mapping::box}};
     use(over_the_text);
 
 auto lines = mesher.plan("one\nanother", {.layout = {.align = typemesh::alignment::centre}});
@@ -175,7 +182,7 @@ auto word = mesher.plan("مرحبا", {.merge = true});
     use(lines, inter, word);
 
 typemesh::glyph_cache<> cache{8u << 20};                     // bytes; the letters not used for longest go first
-auto score = typemesh::text_mesher{*font}.with(typemesh::cached_in{cache, 1});  // 1: your number for this font
+auto score = typemesh::text_mesher{*font, typemesh::cached_in{cache, 1}};  // 1: your number for this font
 auto frame = score.plan("Score 1270");
 auto unique = frame->write_meshes(typemesh::into(vertices, indices));
 frame->write_instances([&](const typemesh::glyph_instance& i) noexcept { draw(i.mesh, i.translation); });

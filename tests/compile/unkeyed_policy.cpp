@@ -15,6 +15,6 @@ struct some_steps {
 
 bool plan(typemesh::recorded_outlines& font, const typemesh::glyph_run& run, typemesh::glyph_cache<>& cache)
 {
-    auto mesher = typemesh::text_mesher{font}.with(some_steps{}).with(typemesh::cached_in{cache, 1});
+    typemesh::text_mesher mesher{font, some_steps{}, typemesh::cached_in{cache, 1}};
     return static_cast<bool>(mesher.plan(run));
 }

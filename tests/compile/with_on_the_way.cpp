@@ -8,7 +8,7 @@
 
 using namespace typemesh;
 
-void exchange(test::toy_font& font, text_mesher<test::toy_font>& mesher, glyph_cache<>& cache)
+void exchange(test::toy_font& font, text_mesher<>& mesher, glyph_cache<>& cache)
 {
     auto flat_text = mesher.with(flat{});
     auto quick_text = text_mesher{font}.with(cache);

@@ -42,7 +42,7 @@ private:
 
 public:
     test::counting_memory memory;
-    text_mesher<harfbuzz_font, certified, monotone, Extruder> mesher;
+    text_mesher<Extruder> mesher;
 };
 
 /// With three parts and with five.

@@ -332,7 +332,7 @@ TEST_CASE("a letter whose bevels meet in a ridge has no primitive for its caps, 
           "[engines]")
 {
     bevelled_bench b;
-    b.mesher.extruder_policy().width = 0.05f;  // wider than half of the stem, less than half of the dot
+    b.mesher.solid().width = 0.05f;  // wider than half of the stem, less than half of the dot
     auto plan = b.mesher.plan("l.", engines::gltf::options());
     REQUIRE(plan);
     REQUIRE(plan->range(0, part::front).index_count == 0);

@@ -9,7 +9,7 @@
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/extrude.hpp>
 #include <typemesh/glyph/cap_builder.hpp>
-#include <typemesh/glyph/plan_region.hpp>
+#include <typemesh/glyph/policies.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <algorithm>
@@ -118,7 +118,7 @@ private:
         using namespace typemesh;
         data_.clear();
         const auto plan = with_triangulator([&](const auto& cut) {
-            detail::region_caps maker{caps_, further_, cut};
+            region_caps maker{caps_, further_, cut};
             return plan_solid(how, region_, data_, maker);
         });
         if (!plan) return plan.error().message();

@@ -44,7 +44,7 @@ struct bevelled_ring {
         const bevelled<> how{.width = 0.1f, .bevel_depth = 0.04f, .sides = bevel_sides::front};
         bevel_data data;
         const monotone cut;
-        detail::region_caps maker{caps, further, cut};
+        region_caps maker{caps, further, cut};
         const auto plan = plan_solid(how, of, data, maker);
         REQUIRE(plan);
         placement at;

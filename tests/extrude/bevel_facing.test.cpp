@@ -6,7 +6,7 @@
 #include <typemesh/extrude/extrude.hpp>
 #include <typemesh/extrude/polyline_profile.hpp>
 #include <typemesh/glyph/cap_builder.hpp>
-#include <typemesh/glyph/plan_region.hpp>
+#include <typemesh/glyph/policies.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <algorithm>
@@ -78,7 +78,7 @@ std::size_t lit_from_behind(cap_builder& caps, const region& r, const Bevel& how
     bevel_data data;
     cap_builder further;
     const monotone cut;
-    detail::region_caps maker{caps, further, cut};
+    region_caps maker{caps, further, cut};
     const auto plan = plan_solid(how, r, data, maker);
     REQUIRE(plan);
     placement at;

@@ -6,7 +6,7 @@
 #include <typemesh/extrude/extruded.hpp>
 #include <typemesh/extrude/polyline_profile.hpp>
 #include <typemesh/glyph/cap_builder.hpp>
-#include <typemesh/glyph/plan_region.hpp>
+#include <typemesh/glyph/policies.hpp>
 #include <typemesh/inspect/mesh_measure.hpp>
 #include <typemesh/inspect/normal_check.hpp>
 #include <typemesh/triangulate/monotone.hpp>
@@ -41,7 +41,7 @@ class monotone_caps {
 public:
     explicit monotone_caps(const region& r) { REQUIRE_FALSE(of_region_.cap(r, monotone{})); }
 
-    [[nodiscard]] auto maker() noexcept { return detail::region_caps{of_region_, further_, cut_}; }
+    [[nodiscard]] auto maker() noexcept { return region_caps{of_region_, further_, cut_}; }
 
 private:
     cap_builder of_region_, further_;

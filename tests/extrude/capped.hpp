@@ -4,7 +4,7 @@
 // Solids of extruders that ask for caps, as the library makes them, and the laws of their meshes.
 
 #include <typemesh/glyph/cap_builder.hpp>
-#include <typemesh/glyph/plan_region.hpp>
+#include <typemesh/glyph/policies.hpp>
 #include <typemesh/inspect/mesh_measure.hpp>
 #include <typemesh/inspect/normal_check.hpp>
 #include <typemesh/triangulate/constrained_delaunay.hpp>
@@ -25,7 +25,7 @@ class caps_by {
 public:
     explicit caps_by(const region& r) { REQUIRE_FALSE(of_region_.cap(r, Triangulator{})); }
 
-    [[nodiscard]] auto maker() noexcept { return detail::region_caps{of_region_, further_, cut_}; }
+    [[nodiscard]] auto maker() noexcept { return region_caps{of_region_, further_, cut_}; }
 
 private:
     cap_builder of_region_, further_;

@@ -255,7 +255,7 @@ TEST_CASE("letters whose loops touch in a point grow together there, or part", "
         const auto touching = caps.fill({}, cut);
         REQUIRE(touching);
         REQUIRE(touching->is_touching());
-        detail::region_caps maker{caps, further, cut};
+        region_caps maker{caps, further, cut};
         capped_mesh<emboldened<>> m;
         const auto plan = plan_solid(emboldened<>{.by = by}, *touching, m.data, maker);
         REQUIRE(plan);

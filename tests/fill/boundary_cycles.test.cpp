@@ -29,7 +29,8 @@ traced trace_boundary(const std::vector<test::polyline>& given, fill_rule rule)
     REQUIRE(sweep.run(space));
     REQUIRE_FALSE(sweep.again);
     detail::boundary_cycles boundary;
-    REQUIRE_FALSE(boundary.trace(a, scratch, [](const auto&, const auto&, grid_point) {}));
+    bool all_accepted = true;
+    REQUIRE_FALSE(boundary.trace(a, scratch, {}, all_accepted));
     REQUIRE_FALSE(boundary.write(a, loops, scratch));
     std::vector<std::uint32_t> sorted(loops.points.size());
     REQUIRE(sweep_order(loops.points.view(), space, sorted.data()));

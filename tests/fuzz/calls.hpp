@@ -26,9 +26,6 @@ namespace call_laws {
 
 using namespace typemesh;
 
-template <class Extruder>
-using cached_mesher = text_mesher<test::toy_font, certified, monotone, Extruder, no_observer, cached_in<no_lock>>;
-
 /// Meshers with two extruders, one with memory of its own that may fail.
 class session {
 public:
@@ -50,17 +47,17 @@ private:
     broken_law call(std::uint32_t what)
     {
         switch (what) {
-        case 0: walls_.extruder_policy().depth = float(in_.between(0.01, 2.0)); return {};
-        case 1: walls_.extruder_policy().texture = in_.flag() ? texture_mapping::box : texture_mapping::em; return {};
-        case 2: bevels_.extruder_policy().width = float(in_.between(0.001, 0.08)); return {};
+        case 0: walls_.solid().depth = float(in_.between(0.01, 2.0)); return {};
+        case 1: walls_.solid().texture = in_.flag() ? texture_mapping::box : texture_mapping::em; return {};
+        case 2: bevels_.solid().width = float(in_.between(0.001, 0.08)); return {};
         case 3: in_.flag() ? walls_.trim() : bevels_.trim(); return {};
         case 4: return hold();
         case 5: return fail();
         case 6: return compare(bevels_);
-        case 7: read_bevels(bevels_.extruder_policy()); return {};
+        case 7: read_bevels(bevels_.solid()); return {};
         case 8: return update(walls_);
         case 9:  // bevels that fit the text may change all letters when one does
-            return bevels_.extruder_policy().mode == bevel_mode::fit_text ? broken_law{} : update(bevels_);
+            return bevels_.solid().mode == bevel_mode::fit_text ? broken_law{} : update(bevels_);
         case 10: return divide(walls_);
         case 11: return divide(bevels_);
         default: return compare(walls_);
@@ -73,7 +70,7 @@ private:
     {
         const std::string text = read_letters(in_, 12);
         const text_options how = read_options(in_);
-        auto fresh = text_mesher{font_}.with(mesher.extruder_policy());
+        text_mesher fresh{font_, mesher.solid()};
         const auto plan = mesher.plan(text, how);
         const auto wanted = fresh.plan(text, how);
         if (!plan || !wanted)
@@ -86,7 +83,7 @@ private:
         if (plan->report().refused != wanted->report().refused || plan->report().blank != wanted->report().blank)
             return "another report than without a cache";
         if (const auto closed = test::examine(m);
-            mesher.extruder_policy().front && (closed.unmatched_edges != 0 || closed.bad_corners != 0))
+            mesher.solid().front && (closed.unmatched_edges != 0 || closed.bad_corners != 0))
             return "the mesh is open";
         std::uint32_t next = 0;
         for (const part p : plan->parts()) {
@@ -171,8 +168,7 @@ private:
     {
         const std::string text = read_letters(in_, 12);
         const text_options how = read_options(in_);
-        auto one = text_mesher{font_}.with(mesher.extruder_policy()),
-             many = text_mesher{font_}.with(mesher.extruder_policy());
+        auto one = text_mesher{font_}.with(mesher.solid()), many = text_mesher{font_}.with(mesher.solid());
         test::scrambled_workers several{1 + in_.below(4), in_.byte()};
         auto pool =
             workers_of(several, [](std::size_t) noexcept -> result<test::toy_font> { return test::toy_font{}; });
@@ -229,10 +225,9 @@ private:
     test::counting_memory cache_memory_, memory_;
     glyph_cache<> cache_;
     test::toy_font font_, own_font_;
-    cached_mesher<extruded<>> walls_{text_mesher{font_}.with(cached_in{cache_, 1})},
-        holder_{text_mesher{font_}.with(cached_in{cache_, 1})};
-    cached_mesher<bevelled<round_profile>> bevels_{
-        text_mesher{font_}.with(cached_in{cache_, 1}).with(bevelled<round_profile>{.profile = {.steps = 3}})};
+    text_mesher<extruded<>> walls_{font_, cached_in{cache_, 1}}, holder_{font_, cached_in{cache_, 1}};
+    text_mesher<bevelled<round_profile>> bevels_{font_, cached_in{cache_, 1},
+                                                 bevelled<round_profile>{.profile = {.steps = 3}}};
     std::optional<text_plan<extruded<>>> held_;
     test::full_mesh held_mesh_;
 };

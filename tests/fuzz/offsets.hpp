@@ -29,7 +29,7 @@ struct made_solid {
         at.unit_per_depth = from.em;
         at.em_per_cell = 1.0 / from.em;
         const monotone cut;
-        detail::region_caps<monotone> maker{from.caps, from.further, cut};
+        region_caps maker{from.caps, from.further, cut};
         const auto planned = plan_solid(how, from.made, data, maker);
         if (!planned) {
             const error e = failed = planned.error();

@@ -15,7 +15,7 @@
 #include <typemesh/extrude/ready_profiles.hpp>
 #include <typemesh/extrude/shared_normals.hpp>
 #include <typemesh/glyph/cap_builder.hpp>
-#include <typemesh/glyph/plan_region.hpp>
+#include <typemesh/glyph/policies.hpp>
 #include <typemesh/inspect/euler_count.hpp>
 #include <typemesh/inspect/normal_check.hpp>
 #include <typemesh/triangulate/constrained_delaunay.hpp>
@@ -218,7 +218,7 @@ inline broken_law of_bevelled(const bevelled<drawn_profile>& how, drawn_region& 
     at.em_per_cell = 1.0 / from.em;
     bevel_data data;
     const monotone cut;
-    detail::region_caps<monotone> maker{from.caps, from.further, cut};
+    region_caps maker{from.caps, from.further, cut};
     const auto plan = plan_solid(how, from.made, data, maker);
     if (!plan) {
         const error e = plan.error();

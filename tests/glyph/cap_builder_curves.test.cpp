@@ -138,7 +138,7 @@ void build(capped& c, const outline& o, double tolerance, fill_rule rule, const 
     const auto fitting = grid::fitting(1000, o.bounds);
     REQUIRE(fitting);
     c.cells = fitting->cells;
-    const auto made = c.builder.build(o, tolerance, *fitting, {rule}, policies{how, cut, flat{}, nobody});
+    const auto made = c.builder.build(o, tolerance, *fitting, {rule}, cap_policies{how, cut, nobody});
     REQUIRE(made);
     c.made = *made;
 }
@@ -402,7 +402,7 @@ TEST_CASE("ninety-six copies of a contour, each moved a little, are made finer i
         const refinement_effort& effort = caps.effort();
         const auto built = [&](std::uint32_t most_pieces) {
             return caps.build(o, usual_tolerance, *fitting, {.most_pieces = most_pieces},
-                              policies{certified{}, monotone{}, flat{}, nobody});
+                              cap_policies{certified{}, monotone{}, nobody});
         };
         REQUIRE(built(default_most_pieces));
         CHECK(effort.rounds >= 1);
@@ -498,7 +498,7 @@ TEST_CASE("memory that fails while curves are made finer gives an error and no t
         cap_builder caps{heap.source()};
         no_observer nobody;
         const auto made = caps.build(o, usual_tolerance, grid{}, {fill_rule::even_odd},
-                                     policies{certified{}, monotone{}, flat{}, nobody});
+                                     cap_policies{certified{}, monotone{}, nobody});
         if (made) break;
         ++failures;
         CHECK(made.error().code == error::out_of_memory);

@@ -248,14 +248,15 @@ TEST_CASE("settings and policies that shape glyphs differently never share them"
     counted_font font;
     glyph_cache cache;
     const auto drawn_by = [&](auto mesher, const text_options& options = {}) {
-        auto with_cache = std::move(mesher).with(cached_in{cache, 1});
-        auto without =
-            std::move(text_mesher{font}.with(with_cache.discretiser_policy()).with(with_cache.triangulator_policy()))
-                .with(with_cache.extruder_policy());
+        auto without = std::move(mesher);
+        const std::size_t unkept = font.drawn;
+        const auto expected = build(without, "ox", options);
+        CHECK(font.drawn - unkept == 2);
+        auto with_cache = std::move(without).with(cached_in{cache, 1});
         const std::size_t before = font.drawn;
         const auto m = build(with_cache, "ox", options);
         const std::size_t drawn = font.drawn - before;
-        CHECK(test::same_bits(m, build(without, "ox", options)));
+        CHECK(test::same_bits(m, expected));
         return drawn;
     };
     const auto plain = [&] { return text_mesher{font}; };
@@ -297,13 +298,13 @@ TEST_CASE("an option that is refused is refused with a full cache as well", "[te
     glyph_cache cache;
     auto mesher = text_mesher{font}.with(cached_in{cache, 1});
     REQUIRE(mesher.plan("o"));
-    mesher.extruder_policy().depth = -1.0f;
+    mesher.solid().depth = -1.0f;
     CHECK(mesher.plan("o").error() == error::bad_option);
     CHECK(cache.statistics().pinned == 0);
-    mesher.extruder_policy().depth = 0.2f;
-    mesher.extruder_policy().normals.crease_degrees = 999.0f;
+    mesher.solid().depth = 0.2f;
+    mesher.solid().normals.crease_degrees = 999.0f;
     CHECK(mesher.plan("o").error() == error::bad_option);
-    mesher.extruder_policy().normals.crease_degrees = 15.0f;
+    mesher.solid().normals.crease_degrees = 15.0f;
     CHECK(mesher.plan("o"));
 }
 
@@ -411,8 +412,11 @@ TEST_CASE("a cache is of use without a mesher", "[text]")
     glyph_builder builder;
     no_observer nobody;
     const glyph_settings how{.tolerance = 0.01};
-    const policies with{certified{}, monotone{}, flat{}, nobody};
-    const glyph_context context = context_of(1, font, how, with);
+    const certified flatten;
+    const monotone cut;
+    const flat raise;
+    const policies with{flatten, cut, raise, nobody};
+    const glyph_context context = context_of(1, 0, how, with);
     const auto parts = builder.build(font, 2, how, with);
     REQUIRE(parts);
     const built_glyph* e = cache.keep(context, 2, *parts);

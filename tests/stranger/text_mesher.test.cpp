@@ -60,8 +60,8 @@ TEST_CASE("each of a stranger's policies works alone, and all together", "[stran
     CHECK(plan->size() == mesh_size{2 * (4 + 16 + 8), 2 * (4 + 16 + 8)});
     REQUIRE_FALSE(plan->write(sink));
     CHECK(sink.count == 56);
-    CHECK(mesher.observer().seen[static_cast<std::size_t>(stage::triangulate)] == 3);
-    CHECK(mesher.observer().seen[static_cast<std::size_t>(stage::discretise)] == 3);
+    CHECK(mesher.policy<stranger::stage_counter>()->seen[static_cast<std::size_t>(stage::triangulate)] == 3);
+    CHECK(mesher.policy<stranger::stage_counter>()->seen[static_cast<std::size_t>(stage::discretise)] == 3);
 }
 
 TEST_CASE("a run made by hand needs no shaper", "[stranger]")

@@ -231,8 +231,8 @@ TEST_CASE("bevels that fit a text are as narrow as its narrowest letter's, with 
     CHECK(same(same_width[0], own[1]));
     CHECK(same(same_width[1], own[1]));
     const test::lit_mesh expected = checked_mesh(*plan);
-    CHECK(same(mesher.extruder_policy().width, 0.2f));  // the next text begins anew
-    CHECK(is_zero(mesher.extruder_policy().wanted));
+    CHECK(same(mesher.solid().width, 0.2f));  // the next text begins anew
+    CHECK(is_zero(mesher.solid().wanted));
     bevelled<round_profile> nearly = fit_text;
     nearly.width = 0.08f;
     auto enough = text_mesher{font}.with(nearly);

@@ -40,7 +40,7 @@ std::vector<std::uint32_t> indices_of(const full_mesh& m, const auto& plan, std:
     return own;
 }
 
-double volume_of(text_mesher<test::toy_font>& mesher, const glyph_run& run, bool merge)
+double volume_of(text_mesher<>& mesher, const glyph_run& run, bool merge)
 {
     auto plan = mesher.plan(run, {.unit = output_unit::font_units, .merge = merge});
     REQUIRE(plan);

@@ -8,7 +8,7 @@ using namespace typemesh;
 
 namespace {
 
-using toy_mesher = text_mesher<test::toy_font>;
+using toy_mesher = text_mesher<>;
 
 template <class Mesher, class Text>
 concept plans = requires(Mesher&& m, Text&& text) { static_cast<Mesher&&>(m).plan(static_cast<Text&&>(text)); };
@@ -31,16 +31,11 @@ TEST_CASE("what refuses takes no room in a mesher", "[text][refusals]")
 {
     STATIC_REQUIRE(std::is_empty_v<detail::mesher_refusals<toy_mesher, toy_mesher::plan_type>>);
     struct members {
-        test::toy_font* font;
-        glyph_builder builder;
-        glyph_merger merger;
-        glyph_run run;
-        text_glyphs glyphs;
-        certified flatten;
-        monotone triangulate;
-        extruded<> raise;
-        no_observer observe;
-        no_cache cache;
+        text_planner planner;
+        stored_policy<discretiser_ref> discretiser;
+        stored_policy<triangulator_ref> triangulator;
+        stored_policy<observer_ref> observer;
+        extruded<> solid;
     };
     STATIC_REQUIRE(sizeof(toy_mesher) == sizeof(members));
 }

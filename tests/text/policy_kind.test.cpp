@@ -26,10 +26,7 @@ struct throwing_observer {
 };
 
 template <class Policy>
-using with_policy = decltype(std::declval<text_mesher<test::toy_font>>().with(std::declval<Policy>()));
-
-template <class D, class T, class E, class O, class C>
-using mesher_of = text_mesher<test::toy_font, D, T, E, O, C>;
+using with_policy = decltype(std::declval<text_mesher<>>().with(std::declval<Policy>()));
 
 }  // namespace
 
@@ -46,7 +43,7 @@ TEST_CASE("a policy is what its one concept says", "[text][policies]")
     STATIC_REQUIRE(kind_of<no_observer>() == policy_kind::observer);
     STATIC_REQUIRE(kind_of<decltype(observer)>() == policy_kind::observer);
     STATIC_REQUIRE(kind_of<no_cache>() == policy_kind::cache);
-    STATIC_REQUIRE(kind_of<cached_in<no_lock>>() == policy_kind::cache);
+    STATIC_REQUIRE(kind_of<cached_in>() == policy_kind::cache);
 
     STATIC_REQUIRE(kind_of<nothing>() == policy_kind::none);
     STATIC_REQUIRE(kind_of<throwing_observer>() == policy_kind::none);
@@ -54,21 +51,20 @@ TEST_CASE("a policy is what its one concept says", "[text][policies]")
     STATIC_REQUIRE(kind_of<cuts_and_observes>() == policy_kind::several);
 }
 
-TEST_CASE("with() exchanges the policy of that kind and no other", "[text][policies]")
+TEST_CASE("the type of a mesher names its solid and nothing else", "[text][policies]")
 {
-    using mesher = mesher_of<certified, monotone, extruded<>, no_observer, no_cache>;
-    STATIC_REQUIRE(std::is_same_v<mesher, text_mesher<test::toy_font>>);
-    STATIC_REQUIRE(
-        std::is_same_v<with_policy<two_lines>, mesher_of<two_lines, monotone, extruded<>, no_observer, no_cache>>);
-    STATIC_REQUIRE(std::is_same_v<with_policy<constrained_delaunay>,
-                                  mesher_of<certified, constrained_delaunay, extruded<>, no_observer, no_cache>>);
-    STATIC_REQUIRE(std::is_same_v<with_policy<flat>, mesher_of<certified, monotone, flat, no_observer, no_cache>>);
+    test::toy_font font;
     const auto observer = [](stage) noexcept {};
     using observing = std::remove_const_t<decltype(observer)>;
-    STATIC_REQUIRE(
-        std::is_same_v<with_policy<observing>, mesher_of<certified, monotone, extruded<>, observing, no_cache>>);
-    STATIC_REQUIRE(std::is_same_v<with_policy<cached_in<no_lock>>,
-                                  mesher_of<certified, monotone, extruded<>, no_observer, cached_in<no_lock>>>);
+    STATIC_REQUIRE(std::is_same_v<decltype(text_mesher{font}), text_mesher<extruded<>>>);
+    STATIC_REQUIRE(std::is_same_v<decltype(text_mesher{font, two_lines{}, heap()}), text_mesher<>>);
+    STATIC_REQUIRE(std::is_same_v<decltype(text_mesher{font, two_lines{}, flat{}, heap()}), text_mesher<flat>>);
+    STATIC_REQUIRE(std::is_same_v<decltype(text_mesher{}), text_mesher<>>);
+    STATIC_REQUIRE(std::is_same_v<with_policy<two_lines>, text_mesher<>>);
+    STATIC_REQUIRE(std::is_same_v<with_policy<constrained_delaunay>, text_mesher<>>);
+    STATIC_REQUIRE(std::is_same_v<with_policy<flat>, text_mesher<flat>>);
+    STATIC_REQUIRE(std::is_same_v<with_policy<observing>, text_mesher<>>);
+    STATIC_REQUIRE(std::is_same_v<with_policy<cached_in>, text_mesher<>>);
 }
 
 TEST_CASE("what is nearly a policy is known for the one that it was meant to be", "[text][policies]")

@@ -315,8 +315,8 @@ static_assert(std::is_nothrow_move_constructible_v<text_plan<flat>> && !std::is_
 // A plan refers to its run, so a run that ends with the line is refused; text of any kind may end.
 template <class M, class Run>
 concept plans = requires(M& mesher, Run&& run) { mesher.plan(std::forward<Run>(run)); };
-static_assert(plans<text_mesher<test::toy_font>, const glyph_run&> && plans<text_mesher<test::toy_font>, std::string>);
-static_assert(!plans<text_mesher<test::toy_font>, glyph_run>);
+static_assert(plans<text_mesher<>, const glyph_run&> && plans<text_mesher<>, std::string>);
+static_assert(!plans<text_mesher<>, glyph_run>);
 
 // Overloads that refuse in a sentence take nothing away from the others: a text that is wide as well, a font that is
 // const and no result.
@@ -324,9 +324,9 @@ struct text_of_an_engine {
     operator std::u16string_view() const noexcept { return u"oo"; }
     operator std::wstring_view() const noexcept { return L"oo"; }
 };
-static_assert(plans<text_mesher<test::toy_font>, text_of_an_engine> && !foreign_text<text_of_an_engine>);
+static_assert(plans<text_mesher<>, text_of_an_engine> && !foreign_text<text_of_an_engine>);
 static_assert(!foreign_text<std::nullptr_t> && !foreign_text<std::string> && foreign_text<std::wstring>);
-static_assert(!std::is_constructible_v<text_mesher<test::toy_font>, const test::toy_font&>);
+static_assert(!std::is_constructible_v<text_mesher<>, const test::toy_font&>);
 
 TEST_CASE("a run made by hand needs no shaper and no lines", "[text]")
 {
@@ -356,7 +356,7 @@ TEST_CASE("a changed policy is used, the others stay", "[text]")
     const auto s = stepped.plan("o");
     CHECK(s->contour_points() == 2 * 4 * 7);
     CHECK(s->bounds().low.z == -1.0f);
-    stepped.discretiser_policy().pieces = 2;
+    stepped.policy<equal_steps>()->pieces = 2;
     CHECK(stepped.plan("o")->contour_points() == 2 * 4 * 2);
 }
 
@@ -375,9 +375,9 @@ TEST_CASE("options out of range are refused in words", "[text]")
     CHECK(mesher.plan("o", {.size = 0x1p30}));
     CHECK_FALSE(mesher.plan("o", {.size = 0x1p31}));
     CHECK_FALSE(mesher.plan("o", {.unit = output_unit::pixels, .size = 0x1p20, .pixels_per_em = 0x1p20}));
-    mesher.extruder_policy().depth = static_cast<float>(nan);
+    mesher.solid().depth = static_cast<float>(nan);
     CHECK(mesher.plan("o").error() == error::bad_option);
-    mesher.extruder_policy().depth = 0.2f;
+    mesher.solid().depth = 0.2f;
     CHECK(mesher.plan("o"));
 }
 

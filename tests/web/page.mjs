@@ -10,11 +10,16 @@ import path from "node:path";
 const [, , site, executablePath, pictures, renew] = process.argv;
 const puppeteer = createRequire(import.meta.url)(path.join(process.env.NODE_PATH, "puppeteer-core"));
 const types = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm", ".json": "application/json" };
+const held = new Map();  // files that arrive when the test says so, and who waits for each
 const server = http.createServer((request, response) => {
     const file = path.join(site, new URL(request.url, "http://x").pathname.replace(/\/$/, "/index.html"));
     if (!file.startsWith(site) || !fs.existsSync(file)) return response.writeHead(404).end();
-    response.writeHead(200, { "content-type": types[path.extname(file)] ?? "application/octet-stream" });
-    fs.createReadStream(file).pipe(response);
+    const answer = () => {
+        response.writeHead(200, { "content-type": types[path.extname(file)] ?? "application/octet-stream" });
+        fs.createReadStream(file).pipe(response);
+    };
+    if (held.has(path.basename(file))) held.get(path.basename(file)).push(answer);
+    else answer();
 });
 await new Promise(done => server.listen(0, "127.0.0.1", done));
 const home = `http://127.0.0.1:${server.address().port}/`;
@@ -178,6 +183,45 @@ await change(() => drop("junk.ttf", Buffer.from("no font at all")));
 check(/^junk\.ttf: .+\.$/.test(await message()), `a file that is no font is refused in words: ${await message()}`);
 check(await hash() === kept && await value("font") === "Dropped.ttf", "and nothing else changes");
 
+// Of two choices the newer one counts, though its font is there and the other's arrives late.
+const bundled = JSON.parse(fs.readFileSync(path.join(site, "fonts.json"))), names = Object.keys(bundled);
+const loading = () => page.$eval("#loading", e => e.hidden ? "" : e.textContent);
+const pick = name => page.$eval("#font", (e, v) => { e.value = v; e.dispatchEvent(new Event("change", { bubbles: true })); }, name);
+await open();
+const first = await hash();
+held.set(path.basename(bundled[names[2]]), []);
+await pick(names[2]);
+check(await loading() === `Loading ${names[2]}…`, `what is awaited is said: ${await loading()}`);
+await change(() => pick(names[0]));
+check(await loading() === "", "nothing is awaited after another choice");
+for (const answer of held.get(path.basename(bundled[names[2]]))) answer();
+held.clear();
+await new Promise(done => setTimeout(done, 700));
+check(await value("font") === names[0] && await hash() === first, `the newer choice counts: ${await value("font")}`);
+await change(() => pick(names[2]));
+check(await value("font") === names[2] && await hash() !== first, "the late font can be chosen afterwards");
+
+// What the chosen font lacks comes from the others of the page.
+await open("#text=" + encodeURIComponent("Aあ"));
+await page.waitForFunction(() => globalThis.page.mesh.statistics.missing === 0);
+check(true, "kana come from another font");
+check(await value("notes").then(words => !/No font/.test(words)), "and are not reported");
+await set("#text", "A\u{10FFFD}");
+await new Promise(done => setTimeout(done, 700));
+check(/No font has a glyph/.test(await value("notes")), "what no font of the page has is reported");
+
+// Empty and long texts; their links.
+await set("#text", "");
+check(/There is no text/.test(await value("notes")) && await message() === "", "an empty text is told");
+await set("#text", "word ".repeat(4000));
+check(await message() === "", "20,000 characters become a mesh");
+await page.click("#link");
+check((await page.evaluate(() => location.href)).length < 2500, "their link is short");
+check(/no text/.test(await page.$eval("#link", e => e.textContent)), "and the button says that it has no text");
+const long = await hash();
+await set("#text", "word ".repeat(40000));
+check(/200,000 characters/.test(await message()) && await hash() === long, `an overlong text is told: ${await message()}`);
+
 // Link.
 await open("#text=Link&bevel.profile=round&depth=0.3&view=normals");
 await page.click("#link");
@@ -257,6 +301,19 @@ await page.waitForFunction(() => Number(document.getElementById("rate").value) >
 figures.push(`1,000 new characters a frame: ${await value("rate")} frames a second, drawn in software`);
 await change(() => page.click("#ticker"));
 check(await message() === "", "the ticker has nothing to say");
+
+// Without WebGL. What three.js says of it on the console is meant.
+const blind = await browser.newPage();
+await blind.evaluateOnNewDocument(() => {
+    const get = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (kind, ...more) { return /webgl/.test(kind) ? null : get.call(this, kind, ...more); };
+});
+blind.on("pageerror", e => check(false, `without WebGL the page throws: ${e.message}`));
+await blind.goto(home, { waitUntil: "domcontentloaded" });
+await blind.waitForFunction(() => Number(document.documentElement.dataset.measured ?? 0) > 0);
+check(/offers no WebGL/.test(await blind.$eval("#notes", e => e.textContent)), "a browser without WebGL is told");
+check(Number((await blind.$eval("#triangles", e => e.value)).replace(/,/g, "")) > 0, "and the mesh is made");
+check(await blind.$eval("#loading", e => e.hidden), "and nothing goes on loading");
 
 await browser.close();
 server.close();

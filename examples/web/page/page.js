@@ -4,56 +4,87 @@
 import load from "typemesh";
 import { Controls } from "./controls.js";
 import { saveGlb, savePng, saveStl } from "./downloads.js";
-import { Stage, views } from "./stage.js";
+import { Fonts } from "./fonts.js";
+import { materials, Stage, views } from "./stage.js";
 
 const at = id => document.getElementById(id);
 const start = { text: "Hello world!", view: "solid" };
-const stage = new Stage(at("canvas"));
+const mostCharacters = 100000, mostInLink = 2000;  // the latter as they stand in an address
+const stage = openStage();
 const controls = new Controls(at("groups"), () => update());
-const fonts = [];  // {name, url or bytes, font}
-let typemesh, mesher, measurer, used = "", mesh, shown = "", later;  // shown: the text of the mesh
+const fonts = new Fonts(bytes => typemesh.font(bytes));
+let typemesh, mesher, measurer, mesh, shown = "", later;  // shown: the text of the mesh
+
+/** Nothing without WebGL: the mesh is then made, counted and saved, but not drawn. */
+function openStage() {
+    try {
+        return new Stage(at("canvas"));
+    } catch {
+        at("canvas").hidden = true;
+        return undefined;
+    }
+}
 
 // --- fonts -------------------------------------------------------------------------------------------------------------------
 
 function offer(entry) {
-    fonts.push(entry);
-    at("font").append(new Option(entry.name, entry.name));
+    if (fonts.offer(entry)) at("font").append(new Option(entry.name, entry.name));
 }
-async function opened(entry) {
-    if (!entry.font) {
-        const answer = entry.bytes ?? await fetch(entry.url).then(r => r.ok ? r.arrayBuffer() : Promise.reject(new Error(`${entry.name} could not be loaded.`)));
-        entry.font = typemesh.font(answer);
-    }
-    return entry.font;
+function loading(words) {
+    at("loading").textContent = words;
+    at("loading").hidden = words === "";
 }
-/** The chosen font; the first one stands in for what it lacks. */
-async function choose(name) {
-    const entry = fonts.find(f => f.name === name) ?? fonts[0];
-    const list = [await opened(entry)];
-    if (entry !== fonts[0]) list.push(await opened(fonts[0]));
+async function fetched(name, url) {
+    const answer = await fetch(url).catch(() => undefined);
+    if (!answer?.ok) throw new Error(`${name} could not be loaded.`);
+    return answer.arrayBuffer();
+}
+function setFonts() {
     mesher?.free();
     measurer?.free();
     mesh = undefined;
-    mesher = typemesh.mesher(list);
-    measurer = typemesh.mesher(list);
-    used = entry.name;
-    at("font").value = used;
+    mesher = typemesh.mesher(fonts.list());
+    measurer = typemesh.mesher(fonts.list());
 }
+/** Sets the text in another font. Of several choices the newest counts, however slowly the others arrive. */
+async function choose(name) {
+    const entry = fonts.find(name);
+    at("font").value = entry.name;
+    if (!entry.font) loading(`Loading ${entry.name}…`);
+    let failed;
+    const chosen = await fonts.choose(entry).catch(e => (failed = e, true));
+    if (!chosen) return;
+    loading("");
+    at("font").value = fonts.used?.name ?? "";
+    if (failed) return say(failed.message);
+    setFonts();
+    update();
+}
+/** Where letters are missing, the fonts that come with the page are fetched one after the other. */
+async function lookFurther() {
+    if (searching) return;
+    searching = true;
+    while (mesh?.statistics.missing > 0 && !ticking) {
+        const before = fonts.used;
+        if (await fonts.openAnother()) {
+            setFonts();
+            update();
+        } else if (fonts.used === before) break;
+    }
+    searching = false;
+}
+let searching = false;
 async function take(files) {
-    let taken = false;
     for (const file of files) {
         try {
             const entry = { name: file.name, bytes: await file.arrayBuffer() };
-            await opened(entry);
-            if (!fonts.some(f => f.name === entry.name)) offer(entry);
-            else fonts.find(f => f.name === entry.name).font = entry.font;
+            entry.font = typemesh.font(entry.bytes);
+            offer(entry);
             await choose(entry.name);
-            taken = true;
         } catch (e) {
             say(`${file.name}: ${e.message}`);
         }
     }
-    if (taken) update();
 }
 
 // --- the mesh ----------------------------------------------------------------------------------------------------------------
@@ -73,9 +104,11 @@ function make(text, options) {
 function update() {
     if (!mesher) return;
     const began = performance.now();
-    const options = controls.options();
+    const options = controls.options(), text = at("text").value;
+    if (text.length > mostCharacters)
+        return say(`This text has ${number(text.length)} characters. The page takes ${number(mostCharacters)}, the library any number.`);
     try {
-        make(at("text").value, options);
+        make(text, options);
         say("");
     } catch (e) {
         say(e.message);
@@ -86,13 +119,17 @@ function update() {
     clearTimeout(later);
     later = setTimeout(() => measure(options), 200);
     remember();
+    lookFurther();
 }
 function show() {
-    stage.show(mesh);
+    stage?.show(mesh);
     const s = mesh.statistics;
     at("vertices").value = number(s.vertices);
     at("triangles").value = number(s.triangles);
-    at("notes").textContent = mesh.warnings.join(" ");
+    const notes = [...mesh.warnings];
+    if (!stage) notes.unshift("This browser offers no WebGL, so the mesh is not drawn. It is made all the same and can be saved.");
+    if (shown.trim() === "") notes.push("There is no text: type one.");
+    at("notes").textContent = notes.join(" ");
     for (const id of ["open-edges", "cold", "cached"]) at(id).value = "…";
 }
 /** What takes longer than a change should: once nothing has changed for a while. */
@@ -125,7 +162,7 @@ function tick() {
             return toggle(false);
         }
         show();
-        stage.drawNow();
+        stage?.drawNow();
         const now = performance.now();
         if (++frames >= 10 && now - since > 500) {
             at("rate").value = (1000 * frames / (now - since)).toFixed(0);
@@ -140,7 +177,7 @@ function toggle(on) {
     ticking = on;
     at("ticker").setAttribute("aria-pressed", String(on));
     at("frames").hidden = !on;
-    stage.moved = false;
+    if (stage) stage.moved = false;
     if (on) tick();
     else update();
 }
@@ -150,11 +187,12 @@ function toggle(on) {
 let view = start.view;
 function link() {
     const kept = new URLSearchParams(controls.changes());
-    if (at("text").value !== start.text) kept.set("text", at("text").value);
+    if (at("text").value !== start.text && fitsLink()) kept.set("text", at("text").value);
     if (view !== start.view) kept.set("view", view);
-    if (used !== fonts[0]?.name && fonts.find(f => f.name === used)?.url) kept.set("font", used);
+    if (fonts.used && fonts.used !== fonts.first && fonts.used.load) kept.set("font", fonts.used.name);
     return kept.toString();
 }
+function fitsLink() { return new URLSearchParams({ text: at("text").value }).toString().length <= mostInLink; }
 let remembering;
 function remember() {  // browsers refuse more than some changes of the address a second
     clearTimeout(remembering);
@@ -169,7 +207,8 @@ function recall() {
     return kept.get("font");
 }
 function look(name) {
-    stage.view = view = name;
+    view = name;
+    if (stage) stage.view = name;
     at("view-" + name).checked = true;
     if (mesh) update();
 }
@@ -185,29 +224,28 @@ for (const name of views) {
     label.firstChild.addEventListener("change", () => look(name));
 }
 at("text").addEventListener("input", update);
-at("font").addEventListener("change", () => choose(at("font").value).then(update, e => say(e.message)));
+at("font").addEventListener("change", () => choose(at("font").value));
 at("file").addEventListener("change", event => take(event.target.files));
-at("fit").addEventListener("click", () => stage.fit());
+at("fit").addEventListener("click", () => stage?.fit());
 at("ticker").addEventListener("click", () => toggle(!ticking));
-at("glb").addEventListener("click", () => saveGlb(mesh, shown, stage.materials).catch(e => say(e.message)));
-at("stl").addEventListener("click", () => saveStl(mesh, stage.materials).catch(e => say(e.message)));
-at("png").addEventListener("click", () => savePng(stage));
+at("glb").addEventListener("click", () => saveGlb(mesh, shown, materials).catch(e => say(e.message)));
+at("stl").addEventListener("click", () => saveStl(mesh, materials).catch(e => say(e.message)));
+at("png").addEventListener("click", () => stage ? savePng(stage) : say("Without WebGL there is no picture to be saved."));
 at("link").addEventListener("click", async () => {
     const address = location.origin + location.pathname + (link() ? "#" + link() : "");
     history.replaceState(null, "", address);
     await navigator.clipboard?.writeText(address).catch(() => {});
-    at("link").textContent = "Link is in the address";
+    at("link").textContent = fitsLink() ? "Link is in the address" : "Link has no text: it is too long for one";
     setTimeout(() => { at("link").textContent = "Copy link"; }, 1500);
 });
 at("reset").addEventListener("click", async () => {
     history.replaceState(null, "", location.pathname);
     recall();
-    stage.moved = false;
-    await choose(fonts[0].name);
-    update();
+    if (stage) stage.moved = false;
+    await choose(fonts.first.name);
 });
 at("panel").addEventListener("submit", event => event.preventDefault());
-addEventListener("hashchange", () => { const font = recall(); choose(font).then(update, e => say(e.message)); });
+addEventListener("hashchange", () => choose(recall()));
 let inside = 0;
 addEventListener("dragenter", event => { event.preventDefault(); ++inside; document.body.classList.add("dropping"); });
 addEventListener("dragleave", () => { if (--inside === 0) document.body.classList.remove("dropping"); });
@@ -222,14 +260,11 @@ addEventListener("drop", event => {
 try {
     const [library, bundled] = await Promise.all([load("typemesh.wasm"), fetch("fonts.json").then(r => r.json())]);
     typemesh = library;
-    for (const [name, url] of Object.entries(bundled)) offer({ name, url });
-    const font = recall();
-    await choose(font);
-    update();
-    stage.drawNow();
+    for (const [name, url] of Object.entries(bundled)) offer({ name, load: () => fetched(name, url) });
+    await choose(recall());
+    stage?.drawNow();
     document.documentElement.dataset.ready = performance.now().toFixed(0);  // ms since the page was asked for
 } catch (e) {
+    loading("");
     say(e.message);
-} finally {
-    at("loading").hidden = true;
 }

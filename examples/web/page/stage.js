@@ -9,6 +9,31 @@ const colours = { front: 0xcf5a2e, back: 0xcf5a2e, side: 0x8a4326, front_bevel: 
                   letter_front: 0xf5efe6, letter_back: 0xf5efe6, letter_side: 0xc9bfae };
 const ink = () => matchMedia("(prefers-color-scheme: dark)").matches ? 0xeceae5 : 0x1d1f23;
 
+function makeMaterials() {
+    const board = document.createElement("canvas");
+    board.width = board.height = 64;
+    const pen = board.getContext("2d");
+    for (let i = 0; i < 4; ++i) {
+        pen.fillStyle = i % 3 === 0 ? "#f5efe6" : "#3c6e71";
+        pen.fillRect(32 * (i & 1), 32 * (i >> 1), 32, 32);
+    }
+    const checker = new THREE.CanvasTexture(board);
+    checker.wrapS = checker.wrapT = THREE.RepeatWrapping;
+    checker.repeat.set(4, 4);
+    checker.colorSpace = THREE.SRGBColorSpace;
+    checker.anisotropy = 8;
+    const faint = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
+    const solid = name => new THREE.MeshStandardMaterial({ name, color: colours[name], roughness: 0.5, ...faint });
+    return {
+        solid: Object.fromEntries(Object.keys(colours).map(name => [name, solid(name)])),
+        normals: new THREE.MeshNormalMaterial(),
+        texture: new THREE.MeshStandardMaterial({ map: checker, roughness: 0.6 }),
+        line: new THREE.LineBasicMaterial({ color: ink(), transparent: true, opacity: 0.75 }),
+        contour: new THREE.LineBasicMaterial({ color: 0x1a6fd0, depthTest: false }),
+    };
+}
+export const materials = makeMaterials();
+
 export class Stage {
     constructor(canvas) {
         this.canvas = canvas;
@@ -28,38 +53,13 @@ export class Stage {
         this.view = "solid";
         this.group = new THREE.Group();
         this.scene.add(this.group);
-        this.materials = this.#materials();
         canvas.addEventListener("keydown", event => this.#key(event));
         new ResizeObserver(() => this.#resize()).observe(canvas);
         matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
-            this.materials.line.color.set(ink());
+            materials.line.color.set(ink());
             this.draw();
         });
         this.#resize();
-    }
-
-    #materials() {
-        const board = document.createElement("canvas");
-        board.width = board.height = 64;
-        const pen = board.getContext("2d");
-        for (let i = 0; i < 4; ++i) {
-            pen.fillStyle = i % 3 === 0 ? "#f5efe6" : "#3c6e71";
-            pen.fillRect(32 * (i & 1), 32 * (i >> 1), 32, 32);
-        }
-        const checker = new THREE.CanvasTexture(board);
-        checker.wrapS = checker.wrapT = THREE.RepeatWrapping;
-        checker.repeat.set(4, 4);
-        checker.colorSpace = THREE.SRGBColorSpace;
-        checker.anisotropy = 8;
-        const faint = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
-        const solid = name => new THREE.MeshStandardMaterial({ name, color: colours[name], roughness: 0.5, ...faint });
-        return {
-            solid: Object.fromEntries(Object.keys(colours).map(name => [name, solid(name)])),
-            normals: new THREE.MeshNormalMaterial(),
-            texture: new THREE.MeshStandardMaterial({ map: checker, roughness: 0.6 }),
-            line: new THREE.LineBasicMaterial({ color: ink(), transparent: true, opacity: 0.75 }),
-            contour: new THREE.LineBasicMaterial({ color: 0x1a6fd0, depthTest: false }),
-        };
     }
 
     /** Shows a mesh of typemesh. Its arrays go to the graphics card from where they are, and are not kept. */
@@ -75,10 +75,10 @@ export class Stage {
             geometry.setAttribute("uv", this.#array(mesh.uv, 2));
             geometry.setIndex(this.#array(mesh.index, 1));
             for (const part of mesh.parts) geometry.addGroup(part.start, part.count, geometry.groups.length);
-            const lone = this.view === "normals" ? this.materials.normals : this.view === "texture" ? this.materials.texture : null;
-            this.group.add(this.#placed(new THREE.Mesh(geometry, mesh.parts.map(p => lone ?? this.materials.solid[p.name]))));
-            if (this.view === "wireframe") this.#lines(mesh.position, edges(mesh.index), this.materials.line);
-            if (this.view === "contours") this.#lines(mesh.contours(), null, this.materials.contour);
+            const lone = this.view === "normals" ? materials.normals : this.view === "texture" ? materials.texture : null;
+            this.group.add(this.#placed(new THREE.Mesh(geometry, mesh.parts.map(p => lone ?? materials.solid[p.name]))));
+            if (this.view === "wireframe") this.#lines(mesh.position, edges(mesh.index), materials.line);
+            if (this.view === "contours") this.#lines(mesh.contours(), null, materials.contour);
         }
         if (!this.moved) this.fit();
         else this.draw();

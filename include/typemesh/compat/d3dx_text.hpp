@@ -83,21 +83,18 @@ concept d3dx_extruder = extruder<E> && requires(E& e) {
 ///     auto moulded = d3dx_text{font}.with(bevelled<>{.width = 0.02f, .bevel_depth = 0.03f});
 ///
 /// The width of a bevel is in em, its depth in output units, as the extrusion is.
-template <class Font, d3dx_extruder Extruder = extruded<>, class Cache = no_cache, triangulator Triangulator = monotone>
-    requires shaper<Font> && outline_source<Font>
+template <d3dx_extruder Solid = extruded<>>
 class d3dx_text {
-    using mesher_type = text_mesher<Font, certified, Triangulator, Extruder, no_observer, Cache>;
-
 public:
-    using plan_type = d3dx_text_plan<Extruder>;
+    using plan_type = d3dx_text_plan<Solid>;
 
-    explicit d3dx_text(Font& font, memory source = heap()) noexcept
-        requires std::is_same_v<Cache, no_cache>
-        : d3dx_text{font, no_cache{}, source}
-    {
-    }
-    d3dx_text(Font& font, Cache cache, memory source = heap()) noexcept
-        : font_{&font}, mesher_{text_mesher{font, source}.with(in_a_box(Extruder{})).with(cache)}, features_{source}
+    /// Options follow the font: a triangulator, an extruder that has a depth, cached_in, and where memory comes from.
+    template <class Font, class... Option>
+        requires shaper<Font> && outline_source<Font>
+    explicit d3dx_text(Font& font, Option... options) noexcept
+        : font_{font},
+          mesher_{font, in_a_box(Solid{}), taken(std::move(options))...},
+          features_{detail::memory_among(options...)}
     {
     }
 
@@ -105,16 +102,10 @@ public:
     template <class Policy>
     [[nodiscard]] auto with(Policy policy) && noexcept
     {
-        if constexpr (triangulator<Policy>) {
-            return d3dx_text<Font, Extruder, Cache, Policy>{font_, std::move(mesher_).with(std::move(policy)),
-                                                            std::move(features_)};
-        } else if constexpr (d3dx_extruder<Policy>) {
-            return d3dx_text<Font, Policy, Cache, Triangulator>{
-                font_, std::move(mesher_).with(in_a_box(std::move(policy))), std::move(features_)};
+        if constexpr (d3dx_extruder<Policy> && !std::same_as<Policy, Solid>) {
+            return d3dx_text<Policy>{font_, std::move(mesher_).with(taken(std::move(policy))), std::move(features_)};
         } else {
-            static_assert(sizeof(Policy) == 0,
-                          "typemesh: with() of a d3dx_text takes a triangulator, or an extruder that has a depth; "
-                          "everything else is as Direct3D has it. A text_mesher takes other policies too.");
+            mesher_.use(taken(std::move(policy)));
             return std::move(*this);
         }
     }
@@ -128,9 +119,11 @@ public:
     }
 
     // The font is referred to: neither a temporary nor a result without its `*` will do.
-    d3dx_text(const Font&&, memory = heap(), detail::keep_the_font_in_a_variable = {}) = delete;
-    template <std::same_as<Font> Made>
-    explicit d3dx_text(const result<Made>& font, memory = heap()) noexcept : mesher_{font}
+    template <class Font, class... Option>
+    explicit d3dx_text(const Font&&, Option..., detail::keep_the_font_in_a_variable = {}) = delete;
+    template <class Made, class... Option>
+    explicit d3dx_text(const result<Made>& font, Option...) noexcept
+        : d3dx_text{refuse_result(const_cast<result<Made>&>(font))}
     {
     }
 
@@ -148,7 +141,7 @@ public:
         const bool is_float = is_finite(options.extrusion) && options.extrusion >= least && options.extrusion <= most;
         if (!is_float) return error::bad("extrusion");
         if (!is_finite(options.deviation) || options.deviation < 0.0) return error::bad_tolerance;
-        mesher_.extruder_policy().depth = static_cast<float>(options.extrusion);
+        mesher_.solid().depth = static_cast<float>(options.extrusion);
 
         features_.clear();
         bool room = options.kerning || features_.push_back({"kern", 0});
@@ -160,7 +153,7 @@ public:
         how.shape.features = features_.view();
         how.layout = options.layout;
         how.tolerance = options.deviation > 0.0 ? d3dx_tolerance(options.deviation / em_size)
-                                                : d3dx_tolerance(1.0 / font_->units_per_em());
+                                                : d3dx_tolerance(1.0 / font_.units_per_em());
         how.unit = output_unit::pixels;
         how.pixels_per_em = em_size;
         how.depth_in = depth_unit::output;
@@ -168,7 +161,7 @@ public:
         how.draw_missing = options.draw_missing;
         auto made = mesher_.plan(text, how);
         if (!made) return made.error();
-        return plan_type{std::move(*made), em_size / font_->units_per_em(), text.size(),
+        return plan_type{std::move(*made), em_size / font_.units_per_em(), text.size(),
                          options.shape.direction == direction::top_to_bottom};
     }
 
@@ -182,26 +175,25 @@ public:
     /// The style of side normals, to change its options between texts: curve_normals' crease angle is 15 degrees,
     /// Direct3D's 45.
     [[nodiscard]] auto& normals_policy() noexcept
-        requires requires(Extruder& e) { e.normals; }
+        requires requires(Solid& e) { e.normals; }
     {
-        return mesher_.extruder_policy().normals;
+        return mesher_.solid().normals;
     }
 
-    /// The extruder, to change its options between texts; its depth is the next plan's extrusion.
-    [[nodiscard]] Extruder& extruder_policy() noexcept { return mesher_.extruder_policy(); }
+    /// The solid, to change its options between texts; its depth is the next plan's extrusion.
+    [[nodiscard]] Solid& solid() noexcept { return mesher_.solid(); }
 
     /// The size of an em in the output.
     [[nodiscard]] double em_size_of(const d3dx_text_options& options) noexcept
     {
         if (options.size == d3dx_size::em) return 1.0;
-        const line_metrics m = font_->metrics(direction::left_to_right);
+        const line_metrics m = font_.shaper().metrics(direction::left_to_right);
         const double cell = m.ascender - m.descender;
-        return is_finite(cell) && cell > 0.0 ? font_->units_per_em() / cell : 1.0;
+        return is_finite(cell) && cell > 0.0 ? font_.units_per_em() / cell : 1.0;
     }
 
 private:
-    template <class OtherFont, d3dx_extruder OtherExtruder, class OtherCache, triangulator OtherTriangulator>
-        requires shaper<OtherFont> && outline_source<OtherFont>
+    template <d3dx_extruder>
     friend class d3dx_text;
 
     template <class E>
@@ -211,25 +203,30 @@ private:
         return how;
     }
 
-    d3dx_text(Font* font, mesher_type&& mesher, buffer<feature>&& features) noexcept
+    /// An option, if it is one.
+    template <class Option>
+    static Option taken(Option option) noexcept
+    {
+        static_assert(triangulator<Option> || d3dx_extruder<Option> || std::same_as<Option, cached_in> ||
+                          std::same_as<Option, no_cache> || std::same_as<Option, memory>,
+                      "typemesh: a d3dx_text takes a triangulator, an extruder that has a depth, a cache and a memory; "
+                      "everything else is as Direct3D has it. A text_mesher takes other policies too.");
+        return in_a_box(std::move(option));
+    }
+
+    d3dx_text(font_ref font, text_mesher<Solid>&& mesher, buffer<feature>&& features) noexcept
         : font_{font}, mesher_{std::move(mesher)}, features_{std::move(features)}
     {
     }
 
-    Font* font_;
-    mesher_type mesher_;
+    font_ref font_;
+    text_mesher<Solid> mesher_;
     buffer<feature> features_;
 };
 
-template <class Font>
-d3dx_text(Font&) -> d3dx_text<Font>;
-template <class Font>
-d3dx_text(Font&, memory) -> d3dx_text<Font>;
-template <class Font>
-d3dx_text(const result<Font>&, memory = heap()) -> d3dx_text<Font>;
-template <class Font, cache_lock Lock>
-d3dx_text(Font&, cached_in<Lock>) -> d3dx_text<Font, extruded<>, cached_in<Lock>>;
-template <class Font, cache_lock Lock>
-d3dx_text(Font&, cached_in<Lock>, memory) -> d3dx_text<Font, extruded<>, cached_in<Lock>>;
+template <class Font, class... Option>
+d3dx_text(Font&, Option...) -> d3dx_text<detail::solid_among<Option...>>;
+template <class Font, class... Option>
+d3dx_text(const Font&&, Option...) -> d3dx_text<detail::solid_among<Option...>>;  // chosen only to be refused
 
 }  // namespace typemesh::inline TYPEMESH_ABI

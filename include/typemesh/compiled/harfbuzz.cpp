@@ -3,18 +3,33 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-template result<harfbuzz_mesher::plan_type> harfbuzz_mesher::plan_text(text_view, const text_options&,
-                                                                       harfbuzz_worker&) noexcept;
-template result<harfbuzz_mesher::plan_type> harfbuzz_mesher::plan_run(const glyph_run&, const text_options&,
-                                                                      harfbuzz_worker&) noexcept;
+template error text_planner::layout(text_view, const text_options&, const policies&, glyph_team*) noexcept;
+template error text_planner::plan(const glyph_run&, const text_options&, const policies&, glyph_team*) noexcept;
 
-template error discretise(const outline&, const certified&, double, const grid&, contours&,
-                          std::span<const std::uint8_t>) noexcept;
-template result<region> cap_builder::prove(const monotone&) noexcept;
-template result<region> resolve(contours&, fill_rule, workspace&, accept_all_intersections&,
-                                const resolve_options&) noexcept;
-template result<region> resolve(contours&, fill_rule, workspace&, crossing_refinement&,
-                                const resolve_options&) noexcept;
-template error cut_region(const region&, const monotone&, workspace&, triangle_list&) noexcept;
+template struct font_ref::table<harfbuzz_font>;
+template struct shaper_ref::table<harfbuzz_font>;
+
+template struct discretiser_ref::table<certified>;
+template struct discretiser_ref::table<adaptive_subdivision>;
+template struct discretiser_ref::table<thesis_quality>;
+template struct discretiser_ref::table<two_lines>;
+
+template struct triangulator_ref::table<monotone>;
+template struct triangulator_ref::table<constrained_delaunay>;
+
+template struct solid_ref::table<flat>;
+template struct solid_ref::table<extruded<>>;
+template struct solid_ref::table<extruded<averaged_normals>>;
+template struct solid_ref::table<extruded<creased_normals>>;
+template struct solid_ref::table<extruded<shared_normals>>;
+template struct solid_ref::table<bevelled<>>;
+template struct solid_ref::table<bevelled<round_profile>>;
+template struct solid_ref::table<bevelled<concave_profile>>;
+template struct solid_ref::table<bevelled<stepped_profile>>;
+template struct solid_ref::table<bevelled<engraved_profile>>;
+template struct solid_ref::table<emboldened<>>;
+template struct solid_ref::table<emboldened<flat>>;
+template struct solid_ref::table<emboldened<bevelled<>>>;
+template struct solid_ref::table<outlined<>>;
 
 }  // namespace typemesh::inline TYPEMESH_ABI

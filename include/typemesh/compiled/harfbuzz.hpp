@@ -5,29 +5,54 @@
 // file, to your own sources, to be compiled with your own flags, and defines TYPEMESH_COMPILED, with which
 // <typemesh/typemesh.hpp> includes this file. Without CMake: do both yourself, the definition for all units of a
 // target.
+//
+// Each policy and solid has a table of what is called once per glyph: the ready ones' are compiled there, whichever are
+// combined. Left to your own units is what depends on your vertices, and policies of your own.
 
 #include <typemesh/adapt/harfbuzz.hpp>
+#include <typemesh/discretise/adaptive_subdivision.hpp>
+#include <typemesh/discretise/thesis_quality.hpp>
+#include <typemesh/discretise/two_lines.hpp>
+#include <typemesh/extrude/averaged_normals.hpp>
+#include <typemesh/extrude/bevelled.hpp>
+#include <typemesh/extrude/creased_normals.hpp>
+#include <typemesh/extrude/emboldened.hpp>
+#include <typemesh/extrude/flat.hpp>
+#include <typemesh/extrude/outlined.hpp>
+#include <typemesh/extrude/ready_profiles.hpp>
+#include <typemesh/extrude/shared_normals.hpp>
 #include <typemesh/text/text_mesher.hpp>
+#include <typemesh/triangulate/constrained_delaunay.hpp>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-using harfbuzz_mesher = text_mesher<harfbuzz_font>;
-using harfbuzz_worker = lone_worker<harfbuzz_font, no_observer>;
+extern template error text_planner::layout(text_view, const text_options&, const policies&, glyph_team*) noexcept;
+extern template error text_planner::plan(const glyph_run&, const text_options&, const policies&, glyph_team*) noexcept;
 
-// The default mesher over HarfBuzz: everything but the writing, which depends on your vertices.
-extern template result<harfbuzz_mesher::plan_type> harfbuzz_mesher::plan_text(text_view, const text_options&,
-                                                                              harfbuzz_worker&) noexcept;
-extern template result<harfbuzz_mesher::plan_type> harfbuzz_mesher::plan_run(const glyph_run&, const text_options&,
-                                                                             harfbuzz_worker&) noexcept;
+extern template struct font_ref::table<harfbuzz_font>;
+extern template struct shaper_ref::table<harfbuzz_font>;
 
-// What other fonts and extruders share: curves to proven regions and triangles, by the default policies.
-extern template error discretise(const outline&, const certified&, double, const grid&, contours&,
-                                 std::span<const std::uint8_t>) noexcept;
-extern template result<region> cap_builder::prove(const monotone&) noexcept;
-extern template result<region> resolve(contours&, fill_rule, workspace&, accept_all_intersections&,
-                                       const resolve_options&) noexcept;
-extern template result<region> resolve(contours&, fill_rule, workspace&, crossing_refinement&,
-                                       const resolve_options&) noexcept;
-extern template error cut_region(const region&, const monotone&, workspace&, triangle_list&) noexcept;
+extern template struct discretiser_ref::table<certified>;
+extern template struct discretiser_ref::table<adaptive_subdivision>;
+extern template struct discretiser_ref::table<thesis_quality>;
+extern template struct discretiser_ref::table<two_lines>;
+
+extern template struct triangulator_ref::table<monotone>;
+extern template struct triangulator_ref::table<constrained_delaunay>;
+
+extern template struct solid_ref::table<flat>;
+extern template struct solid_ref::table<extruded<>>;
+extern template struct solid_ref::table<extruded<averaged_normals>>;
+extern template struct solid_ref::table<extruded<creased_normals>>;
+extern template struct solid_ref::table<extruded<shared_normals>>;
+extern template struct solid_ref::table<bevelled<>>;
+extern template struct solid_ref::table<bevelled<round_profile>>;
+extern template struct solid_ref::table<bevelled<concave_profile>>;
+extern template struct solid_ref::table<bevelled<stepped_profile>>;
+extern template struct solid_ref::table<bevelled<engraved_profile>>;
+extern template struct solid_ref::table<emboldened<>>;
+extern template struct solid_ref::table<emboldened<flat>>;
+extern template struct solid_ref::table<emboldened<bevelled<>>>;
+extern template struct solid_ref::table<outlined<>>;
 
 }  // namespace typemesh::inline TYPEMESH_ABI

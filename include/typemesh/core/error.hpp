@@ -27,6 +27,10 @@ struct [[nodiscard]] error {
         other_units,          ///< a run's units per em are not those of the font that is to draw it
         no_such_family,       ///< no font of that family is installed or in the given collection
         no_such_style,        ///< the family has no font of that style; `option` names the property
+        no_font,              ///< a text_mesher has no font yet
+        not_a_shaper,         ///< a text was given to a font that only draws: give it a glyph_run
+        unlocked_cache,       ///< several workers need a glyph_cache with a lock
+        no_cache_key,         ///< a policy with data members has no cache_key(), which a glyph_cache needs
         no_outlines,          ///< the font holds bitmaps only, or is not scalable
         unknown_glyph,        ///< the font has no such glyph, or its outline cannot be loaded
         unknown_variation,    ///< the font has no such axis
@@ -103,6 +107,12 @@ struct [[nodiscard]] error {
         case other_units: return "The glyph_run was made for a font with other units per em.";
         case no_such_family: return "No font of this family is installed or in the given collection.";
         case no_such_style: return "No installed font of the family has this style.";
+        case no_font: return "The mesher has no font yet.";
+        case not_a_shaper: return "The font only draws: text needs a font that shapes it, or a glyph_run.";
+        case unlocked_cache:
+            return "A glyph_workers needs a glyph_cache with a lock: glyph_cache<mutex_lock>, or one of your own.";
+        case no_cache_key:
+            return "A policy with data members needs a cache_key() for its glyphs to be kept in a cache.";
         case no_outlines: return "The font has no outlines (it holds bitmaps only).";
         case unknown_glyph: return "The font has no such glyph, or its outline cannot be loaded.";
         case unknown_variation: return "The font has no such variation axis.";

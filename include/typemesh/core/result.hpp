@@ -4,43 +4,109 @@
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/error.hpp>
 
-#include <optional>
+#include <concepts>
+#include <new>
+#include <type_traits>
 #include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A value, or the error that prevented it.
+/// A value, or the error that prevented it, with the names of C++23's std::expected.
 ///
 ///     if (auto made = f()) use(*made); else puts(made.error().message());
+///     auto mesh = open(file).and_then([](font& f) noexcept { return f.outline(glyph); });
+///
+/// Using the value of a failed result is the caller's mistake, an assertion. A result whose value was moved from still
+/// has that value.
 template <class T>
 class [[nodiscard]] result {
 public:
-    result(T value) noexcept : value_{std::move(value)} {}
-    result(typemesh::error e) noexcept : error_{e}
+    using value_type = T;
+    using error_type = typemesh::error;  ///< the error, as a type
+
+    result(T value) noexcept : value_{std::move(value)}, has_value_{true} {}
+    result(typemesh::error e) noexcept : nothing_{}, error_{e}
     {
         TYPEMESH_ASSERT(e, "a result without a value must carry an error");
     }
     result(typemesh::error::kind k) noexcept : result{typemesh::error{k}} {}
 
-    [[nodiscard]] explicit operator bool() const noexcept { return value_.has_value(); }
+    result(result&& other) noexcept : nothing_{}, error_{other.error_} { take(std::move(other)); }
+    result(const result& other) noexcept
+        requires std::copy_constructible<T>
+        : nothing_{}, error_{other.error_}
+    {
+        take(other);
+    }
+    result& operator=(result&& other) noexcept
+    {
+        if (this != &other) drop(), error_ = other.error_, take(std::move(other));
+        return *this;
+    }
+    result& operator=(const result& other) noexcept
+        requires std::copy_constructible<T>
+    {
+        if (this != &other) drop(), error_ = other.error_, take(other);
+        return *this;
+    }
+    ~result() { drop(); }
 
+    /// Whether there is a value; otherwise error() says why not.
+    [[nodiscard]] bool has_value() const noexcept { return has_value_; }
+    [[nodiscard]] explicit operator bool() const noexcept { return has_value_; }
+
+    [[nodiscard]] T& value() & noexcept { return *checked(); }
+    [[nodiscard]] const T& value() const& noexcept { return *checked(); }
+    [[nodiscard]] T&& value() && noexcept { return std::move(*checked()); }
     [[nodiscard]] T& operator*() & noexcept { return *checked(); }
-    [[nodiscard]] const T& operator*() const& noexcept { return *const_cast<result*>(this)->checked(); }
+    [[nodiscard]] const T& operator*() const& noexcept { return *checked(); }
     [[nodiscard]] T&& operator*() && noexcept { return std::move(*checked()); }
     [[nodiscard]] T* operator->() noexcept { return checked(); }
-    [[nodiscard]] const T* operator->() const noexcept { return const_cast<result*>(this)->checked(); }
+    [[nodiscard]] const T* operator->() const noexcept { return checked(); }
 
     /// What went wrong; error::none when there is a value.
     [[nodiscard]] typemesh::error error() const noexcept { return error_; }
 
+    /// What `next(value)` returns, which is a result as well; or this error.
+    template <class Next>
+    [[nodiscard]] auto and_then(Next&& next) & noexcept -> std::remove_cvref_t<decltype(next(std::declval<T&>()))>
+    {
+        if (!has_value_) return error_;
+        return next(value_);
+    }
+    template <class Next>
+    [[nodiscard]] auto and_then(Next&& next) && noexcept -> std::remove_cvref_t<decltype(next(std::declval<T>()))>
+    {
+        if (!has_value_) return error_;
+        return next(std::move(value_));
+    }
+
 private:
     T* checked() noexcept
     {
-        TYPEMESH_ASSERT(value_.has_value(), "the value of a failed result was used; test it with `if` first");
-        return &*value_;
+        TYPEMESH_ASSERT(has_value_, "the value of a failed result was used; test it with `if` first");
+        return &value_;
+    }
+    const T* checked() const noexcept { return const_cast<result*>(this)->checked(); }
+
+    template <class Other>
+    void take(Other&& other) noexcept
+    {
+        if (!other.has_value_) return;
+        ::new (static_cast<void*>(&value_)) T(std::forward<Other>(other).value_);
+        has_value_ = true;
+    }
+    void drop() noexcept
+    {
+        if (has_value_) value_.~T();
+        has_value_ = false;
     }
 
-    std::optional<T> value_;
+    union {
+        T value_;
+        char nothing_;  ///< where there is no value
+    };
+    bool has_value_ = false;
     typemesh::error error_;
 };
 

@@ -5,6 +5,7 @@
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/fill/arrangement.hpp>
+#include <typemesh/fill/intersection.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -29,13 +30,14 @@ public:
     std::uint32_t holes = 0;
     std::uint32_t outers = 0;
 
-    /// Traverses all loops once and stores them in `scratch`. Calls watch(s, t, p) for every two consecutive segments,
-    /// s before t, at the point p. Usable once per arrangement: what has been traversed is marked.
+    /// Traverses all loops once and stores them in `scratch`. Passes to the filter all intersections where they go from
+    /// one segment to another; all_accepted becomes false if it rejects one. Usable once per arrangement: what has been
+    /// traversed is marked.
     ///
     /// Fails with error::out_of_memory. Links that do not close, which a finished arrangement cannot have, would be
     /// error::crossing_contours.
-    template <class Watch>
-    [[nodiscard]] error trace(const arrangement& a, workspace::scope& scratch, Watch&& watch) noexcept
+    [[nodiscard]] error trace(const arrangement& a, workspace::scope& scratch, intersection_filter_ref filter,
+                              bool& all_accepted) noexcept
     {
         steps_ = scratch.take<std::uint32_t>(a.count);
         places_ = scratch.take<std::uint32_t>(a.count);
@@ -60,7 +62,8 @@ public:
                     static_cast<std::uint64_t>(std::int64_t{s.from.x} * s.to.y - std::int64_t{s.from.y} * s.to.x);
                 area += along ? term : std::uint64_t{0} - term;
                 k = s.next;
-                watch(s, all[k], along ? s.to : s.from);
+                if (!filter.accepts_all() && !filter_change(a, s, all[k], along ? s.to : s.from, filter))
+                    all_accepted = false;
             } while (k != i);
             if (size - begin < 3) return error::crossing_contours;
             ++(static_cast<std::int64_t>(area) > 0 ? outers : holes);

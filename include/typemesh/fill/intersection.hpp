@@ -35,9 +35,28 @@ concept intersection_filter = requires(J& filter, const intersection& m) {
     { filter(m) } noexcept -> std::same_as<bool>;
 };
 
-/// The filter that accepts all.
-struct accept_all_intersections {
-    constexpr bool operator()(const intersection&) const noexcept { return true; }
+/// Refers to a filter of any type, which must outlive it. By itself it accepts all.
+class intersection_filter_ref {
+public:
+    constexpr intersection_filter_ref() noexcept = default;
+    template <intersection_filter Filter>
+        requires(!std::same_as<Filter, intersection_filter_ref>)
+    intersection_filter_ref(Filter& filter) noexcept
+        : filter_{&filter},
+          accepts_{[](void* f, const intersection& m) noexcept { return (*static_cast<Filter*>(f))(m); }}
+    {
+    }
+
+    /// Whether it is one by itself.
+    [[nodiscard]] bool accepts_all() const noexcept { return accepts_ == nullptr; }
+    [[nodiscard]] bool operator()(const intersection& m) const noexcept
+    {
+        return accepts_all() || accepts_(filter_, m);
+    }
+
+private:
+    void* filter_ = nullptr;
+    bool (*accepts_)(void* filter, const intersection& m) noexcept = nullptr;
 };
 
 namespace detail {
@@ -49,18 +68,16 @@ namespace detail {
 }
 
 /// Edges that only share an end need no filter.
-template <intersection_filter Filter>
-[[nodiscard]] bool may_intersect(const arrangement& a, const segment& s, const segment& t, grid_point at,
-                                 Filter& filter) noexcept
+[[nodiscard]] inline bool may_intersect(const arrangement& a, const segment& s, const segment& t, grid_point at,
+                                        intersection_filter_ref filter) noexcept
 {
     const intersection m{edge_of(a, s), edge_of(a, t), at};
     return (m.a.ends_in(at) && m.b.ends_in(at)) || filter(m);
 }
 
 /// Filters the intersection where the boundary passes from one segment to another, if it is one.
-template <intersection_filter Filter>
-[[nodiscard]] bool filter_change(const arrangement& a, const segment& s, const segment& t, grid_point at,
-                                 Filter& filter) noexcept
+[[nodiscard]] inline bool filter_change(const arrangement& a, const segment& s, const segment& t, grid_point at,
+                                        intersection_filter_ref filter) noexcept
 {
     if (s.origin == t.origin) return true;
     if (s.target == t.origin && a.loops->points[t.origin] == at) return true;  // the contour's next edge: nearly always
@@ -71,8 +88,8 @@ template <intersection_filter Filter>
 ///
 /// Where more than 16 edges pass through one point all are accepted: nothing there is accidental, and there would be
 /// many pairs.
-template <intersection_filter Filter>
-[[nodiscard]] bool filter_touches(const arrangement& a, workspace& space, Filter& filter, bool& all_accepted) noexcept
+[[nodiscard]] inline bool filter_touches(const arrangement& a, workspace& space, intersection_filter_ref filter,
+                                         bool& all_accepted) noexcept
 {
     constexpr std::uint32_t most = 16;
     struct visit {

@@ -16,7 +16,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -55,16 +54,14 @@ public:
     }
 
     /// Traces the boundary of what is filled, and passes all intersections on it to the filter.
-    template <intersection_filter Filter>
-    [[nodiscard]] error trace(Filter& filter, bool& all_accepted) noexcept
+    [[nodiscard]] error trace(intersection_filter_ref filter, bool& all_accepted) noexcept
     {
-        constexpr bool filters = !std::is_same_v<Filter, accept_all_intersections>;
-        const bool changing = filters && !a_.is_touching;
         all_accepted = true;
-        if (filters && a_.is_touching && !filter_touches(a_, space_, filter, all_accepted)) return error::out_of_memory;
-        return boundary_.trace(a_, scratch_, [&](const auto& s, const auto& t, grid_point at) noexcept {
-            if (changing && !filter_change(a_, s, t, at, filter)) all_accepted = false;
-        });
+        if (a_.is_touching && !filter.accepts_all()) {
+            if (!filter_touches(a_, space_, filter, all_accepted)) return error::out_of_memory;
+            filter = {};
+        }
+        return boundary_.trace(a_, scratch_, filter, all_accepted);
     }
 
     /// Replaces the contours by that boundary.
@@ -168,9 +165,8 @@ private:
 /// `filter` is called where edges of the contours cross, or one ends on the other, on the boundary of what they fill
 /// (see intersection.hpp). If it rejects one, the result is a region without points, and `loops` is unchanged. About 15
 /// instructions per point, plus the filter's own.
-template <intersection_filter Filter>
-[[nodiscard]] result<region> resolve(contours& loops, fill_rule rule, workspace& space, Filter& filter,
-                                     const resolve_options& how = {}) noexcept
+[[nodiscard]] inline result<region> resolve(contours& loops, fill_rule rule, workspace& space,
+                                            intersection_filter_ref filter, const resolve_options& how = {}) noexcept
 {
     const std::size_t n = loops.points.size();
     if (n > std::size_t{1} << 29) return error::too_large;
@@ -183,12 +179,10 @@ template <intersection_filter Filter>
     return work.write();
 }
 
-template <class = void>  // compiled only where it is called, and so is what it calls
-[[nodiscard]] result<region> resolve(contours& loops, fill_rule rule, workspace& space,
-                                     const resolve_options& how = {}) noexcept
+[[nodiscard]] inline result<region> resolve(contours& loops, fill_rule rule, workspace& space,
+                                            const resolve_options& how = {}) noexcept
 {
-    accept_all_intersections all;
-    return resolve(loops, rule, space, all, how);
+    return resolve(loops, rule, space, intersection_filter_ref{}, how);
 }
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -13,16 +13,16 @@
 #include <typemesh/core/touching.hpp>
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/core/workspace.hpp>
-#include <typemesh/discretise/discretise.hpp>
+#include <typemesh/discretise/discretiser_ref.hpp>
 #include <typemesh/fill/corner_parting.hpp>
 #include <typemesh/fill/nest.hpp>
 #include <typemesh/fill/orient.hpp>
 #include <typemesh/fill/resolve.hpp>
 #include <typemesh/fill/touching_cycles.hpp>
+#include <typemesh/glyph/cap_policies.hpp>
 #include <typemesh/glyph/crossing_refinement.hpp>
-#include <typemesh/glyph/policies.hpp>
 #include <typemesh/sweep/sweep_order.hpp>
-#include <typemesh/triangulate/cut_region.hpp>
+#include <typemesh/triangulate/triangulator_ref.hpp>
 
 #include <cstdint>
 #include <span>
@@ -45,7 +45,8 @@ struct cap_settings {
 ///                  +-- these curves finer --- refine ----+  chords cross where curves do not
 ///
 ///     cap_builder caps;
-///     auto filled = caps.build(curves, tolerance, cells, {fill_rule::even_odd}, policies{...});    // all of it
+///     auto filled = caps.build(curves, tolerance, cells, {fill_rule::even_odd},
+///                              {certified{}, monotone{}, nobody});     // all of it
 ///     caps.loops() = ...;                                                                          // or from here on
 ///     auto filled = caps.fill({fill_rule::even_odd}, monotone{});
 ///
@@ -65,9 +66,8 @@ public:
     ///
     /// Fails  as discretise(), resolve() and the triangulator do
     /// Cost   theirs; where chords cross, that of refine()
-    template <discretiser Discretiser, class... Policy>
     [[nodiscard]] result<region> build(const outline& curves, double tolerance, const grid& cells,
-                                       const cap_settings& how, const policies<Discretiser, Policy...>& with) noexcept
+                                       const cap_settings& how, const cap_policies& with) noexcept
     {
         effort_ = {};
         triangles_.clear();
@@ -76,13 +76,10 @@ public:
         with.observe(stage::discretise);
         if (error e = flatten(curves, with.flatten, tolerance, cells)) return e;
         if (loops_.points.empty()) return region{};
-        if constexpr (!keeps_tolerance<Discretiser>) {
-            return fill(how, with.cut, with.observe);
-        } else {
-            const auto proven = prove(how.rule, with.cut, with.observe);
-            if (proven || proven.error().code != error::crossing_contours) return proven;
-            return refine(curves, tolerance, cells, how, with);
-        }
+        if (!with.flatten.keeps_tolerance()) return fill(how, with.cut, with.observe);
+        const auto proven = prove(how.rule, with.cut, with.observe);
+        if (proven || proven.error().code != error::crossing_contours) return proven;
+        return refine(curves, tolerance, cells, how, with);
     }
 
     /// What becomes of the region that build() made where its corners touch, if loops() say so: see corner_parting.
@@ -90,9 +87,8 @@ public:
     ///     curves    those that build() had; more may be appended
     ///
     /// Fails  as corner_parting and the triangulator do
-    template <class... Policy>
     [[nodiscard]] result<region> part(const region& built, buffer<curve>& curves, const cap_settings& how,
-                                      const policies<Policy...>& with, corner_parting& parting) noexcept
+                                      const cap_policies& with, corner_parting& parting) noexcept
     {
         parting = {};
         if (!built.is_touching() || loops_.corners == touching::keep) return built;
@@ -108,28 +104,24 @@ public:
     /// The region that loops() fill, with its triangles.
     ///
     /// Fails  as resolve() and the triangulator do
-    template <triangulator Triangulator, stage_observer Observer>
-    [[nodiscard]] result<region> fill(const cap_settings& how, const Triangulator& cut, Observer& observe) noexcept
+    [[nodiscard]] result<region> fill(const cap_settings& how, triangulator_ref cut, observer_ref observe) noexcept
     {
         triangles_.clear();
         const auto proven = prove(how.rule, cut, observe);
         if (proven || proven.error().code != error::crossing_contours) return proven;
-        accept_all_intersections all;
-        return resolve(how, cut, all, observe);
+        return resolve(how, cut, {}, observe);
     }
-    template <triangulator Triangulator>
-    [[nodiscard]] result<region> fill(const cap_settings& how, const Triangulator& cut) noexcept
+    [[nodiscard]] result<region> fill(const cap_settings& how, triangulator_ref cut) noexcept
     {
         no_observer nobody;
         return fill(how, cut, nobody);
     }
 
     /// Flattens the outline's curves into loops(), into no more than loops().most_points: see discretise().
-    template <discretiser Discretiser>
-    [[nodiscard]] error flatten(const outline& curves, const Discretiser& how, double tolerance, const grid& cells,
+    [[nodiscard]] error flatten(const outline& curves, discretiser_ref how, double tolerance, const grid& cells,
                                 std::span<const std::uint8_t> halvings = {}) noexcept
     {
-        return discretise(curves, how, tolerance, cells, loops_, halvings);
+        return how.flatten(curves, tolerance, cells, loops_, halvings);
     }
 
     /// Proves that loops() bound a region: as they are, or, if they only touch in points, once relinked there.
@@ -140,20 +132,21 @@ public:
     /// Fails with error::crossing_contours (the rest is for resolve()) and error::out_of_memory; loops() are then
     /// reversed at most, and there are no triangles.
     template <proving_triangulator Triangulator>
-    [[nodiscard]] result<region> prove(const Triangulator& cut) noexcept;
+    [[nodiscard]] result<region> prove(const Triangulator& cut) noexcept
+    {
+        return prove_by(cut);
+    }
 
     /// Triangulates any region, into triangles().
-    template <triangulator Triangulator>
-    [[nodiscard]] error cap(const region& r, const Triangulator& how) noexcept
+    [[nodiscard]] error cap(const region& r, triangulator_ref how) noexcept
     {
         triangles_.clear();
         return cap(r, how, triangles_);
     }
     /// The same, appended to `out`; triangles() stay. See cut_region().
-    template <triangulator Triangulator>
-    [[nodiscard]] error cap(const region& r, const Triangulator& how, triangle_list& out) noexcept
+    [[nodiscard]] error cap(const region& r, triangulator_ref how, triangle_list& out) noexcept
     {
-        return cut_region(r, how, space_, out);
+        return how.cut(r, space_, out);
     }
 
     /// The contours: your own, or those of the last outline.
@@ -181,28 +174,27 @@ public:
     }
 
 private:
+    [[nodiscard]] result<region> prove_by(triangulator_ref cut) noexcept;
+
     /// prove(), or, for triangulators that do not prove, nest() and cap().
-    template <triangulator Triangulator, stage_observer Observer>
-    [[nodiscard]] result<region> prove(fill_rule rule, const Triangulator& cut, Observer& observe) noexcept
+    [[nodiscard]] result<region> prove(fill_rule rule, triangulator_ref cut, observer_ref observe) noexcept
     {
-        if constexpr (proving_triangulator<Triangulator>) {
+        if (cut.proves()) {
             observe(stage::triangulate);
-            return prove(cut);
-        } else {
-            observe(stage::fill);
-            loops_.forget_order();
-            const auto nested = nest(loops_, rule, space_);
-            if (!nested) return nested;
-            observe(stage::triangulate);
-            if (error e = cap(*nested, cut)) return e;
-            return nested;
+            return prove_by(cut);
         }
+        observe(stage::fill);
+        loops_.forget_order();
+        const auto nested = nest(loops_, rule, space_);
+        if (!nested) return nested;
+        observe(stage::triangulate);
+        if (error e = cap(*nested, cut)) return e;
+        return nested;
     }
 
     /// What loops() fill, however they cross, with its triangles; a region without points if the filter rejects one.
-    template <triangulator Triangulator, intersection_filter Filter, stage_observer Observer>
-    [[nodiscard]] result<region> resolve(const cap_settings& how, const Triangulator& cut, Filter& filter,
-                                         Observer& observe) noexcept
+    [[nodiscard]] result<region> resolve(const cap_settings& how, triangulator_ref cut, intersection_filter_ref filter,
+                                         observer_ref observe) noexcept
     {
         observe(stage::fill);
         resolved_ = {};
@@ -220,9 +212,8 @@ private:
     /// Cost   each round as much as the first; there are hardly ever two, and never more than 12. The last one begins
     ///        when the contours have been cut into more pieces than `most_pieces`, or than four times those of the
     ///        first round and 2,048. Doubtful intersections are then accepted.
-    template <class... Policy>
     [[nodiscard]] result<region> refine(const outline& curves, double tolerance, const grid& cells,
-                                        const cap_settings& how, const policies<Policy...>& with) noexcept
+                                        const cap_settings& how, const cap_policies& with) noexcept
     {
         constexpr std::uint32_t most_rounds = 12, few_pieces = 2048, times_as_many = 4;
         workspace::scope scratch{space_};
@@ -230,12 +221,11 @@ private:
         if (!refinement.open(scratch, curves, tolerance, cells)) return error::out_of_memory;
         std::uint64_t first = 0;  // pieces of the first round
         for (;;) {
-            accept_all_intersections all;
             const std::uint64_t spent = effort_.pieces;
             const bool last =
                 effort_.rounds == most_rounds || spent > times_as_many * first + few_pieces || spent > how.most_pieces;
-            const auto made =
-                last ? resolve(how, with.cut, all, with.observe) : resolve(how, with.cut, refinement, with.observe);
+            const auto filter = last ? intersection_filter_ref{} : intersection_filter_ref{refinement};
+            const auto made = resolve(how, with.cut, filter, with.observe);
             if (spent == 0) first = resolved_.pieces;
             const bool content = refinement.is_content();
             effort_ = refinement.effort();
@@ -255,26 +245,23 @@ private:
     refinement_effort effort_;
 };
 
-// Behind the class, so that typemesh::compiled can keep it out of other units.
-template <proving_triangulator Triangulator>
-result<region> cap_builder::prove(const Triangulator& cut) noexcept
+inline result<region> cap_builder::prove_by(triangulator_ref cut) noexcept
 {
     triangles_.clear();
     loops_.forget_order();  // it may be of points that the caller has moved
     orient(loops_);
     if (!sort_points(loops_, space_)) return error::out_of_memory;
     auto proven = cut.prove(loops_, space_, triangles_);
-    if constexpr (touching_triangulator<Triangulator>) {
-        if (!proven && proven.error().code == error::crossing_contours && proven.error().count != 0) {
-            workspace::scope linking{space_};
-            touching_cycles cycles;
-            if (error e = cycles.link(loops_, linking, space_)) return e;
-            proven = cut.prove_touching(loops_, space_, triangles_);
-            if (!proven) cycles.undo(loops_);
-        }
+    if (!proven && cut.proves_touching() && proven.error().code == error::crossing_contours &&
+        proven.error().count != 0) {
+        workspace::scope linking{space_};
+        touching_cycles cycles;
+        if (error e = cycles.link(loops_, linking, space_)) return e;
+        proven = cut.prove_touching(loops_, space_, triangles_);
+        if (!proven) cycles.undo(loops_);
     }
     if (proven)
-        if (error e = detail::settle_triangles<Triangulator>(*proven, triangles_, 0, space_)) return e;
+        if (error e = detail::settle_triangles(*proven, triangles_, 0, space_, cut.has_final_diagonals())) return e;
     return proven;
 }
 

@@ -9,10 +9,10 @@
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/glyph/built_glyph.hpp>
 #include <typemesh/glyph/cap_builder.hpp>
-#include <typemesh/glyph/plan_region.hpp>
 #include <typemesh/glyph/policies.hpp>
 #include <typemesh/outline/outline_recorder.hpp>
 
+#include <concepts>
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
@@ -33,6 +33,13 @@ struct glyph_settings {
     double most_cells = 0x1p40;
 };
 
+/// What a glyph is recorded from: an outline_source, or what else has a record(), as font_ref's faces have.
+template <class F>
+concept recordable = requires(F& font, glyph_id id, outline& out) {
+    { font.units_per_em() } noexcept -> std::convertible_to<double>;
+    { record(font, id, out, default_most_points) } noexcept -> std::same_as<error>;
+};
+
 /// Builds one glyph from its outline: record, discretise, fill, triangulate, and the extruder's plan. Owns the scratch
 /// memory for this, which is kept for the next glyph. A builder serves one thread at a time.
 ///
@@ -50,12 +57,14 @@ public:
     /// here: its draft is empty and carries the reason.
     ///
     /// Fails  with what concerns more than the glyph: error::out_of_memory, bad_option, bad_tolerance, too_large
-    template <outline_source Font, class... Policy>
+    template <recordable Font>
     [[nodiscard]] result<glyph_draft> build(Font& font, glyph_id id, const glyph_settings& how,
-                                            const policies<Policy...>& with) noexcept
+                                            const policies& with) noexcept
     {
         glyph_draft made;
-        error e = try_to_build(font, id, how, with, made);
+        with.observe(stage::outline);
+        error e = record(font, id, outline_, how.most_points);
+        if (!e) e = try_to_build(font.units_per_em(), how, with, made);
         if (e && !concerns_the_glyph_alone(e)) return e;
         if (e) made = {};
         made.refusal = e;
@@ -65,22 +74,14 @@ public:
     /// The region that the glyph fills, in this builder until its next call; empty for a blank glyph.
     ///
     /// Fails  with any error of the glyph
-    template <outline_source Font, class... Policy>
+    template <recordable Font>
     [[nodiscard]] result<region> build_region(Font& font, glyph_id id, const glyph_settings& how,
-                                              const policies<Policy...>& with) noexcept
+                                              const cap_policies& with) noexcept
     {
         parting_ = {};
         with.observe(stage::outline);
         if (error e = record(font, id, outline_, how.most_points)) return e;
-        if (outline_.curves.empty()) return region{};
-        const double units_per_em = font.units_per_em();
-        const auto fitting = grid::fitting(units_per_em, outline_.bounds);
-        if (!fitting) return fitting.error();
-        grid cells = *fitting;
-        if (how.corners != touching::keep) cells.coarsen(how.most_cells);
-        const cap_settings filled{how.fill.value_or(outline_.rule), how.most_pieces, how.most_points, how.corners};
-        const auto made = caps_.build(outline_, how.tolerance * units_per_em, cells, filled, with);
-        return made ? caps_.part(*made, outline_.curves, filled, with, parting_) : made;
+        return fill_outline(font.units_per_em(), how, with);
     }
 
     /// What was done to corners that touch, by the last build_region().
@@ -107,16 +108,28 @@ public:
     }
 
 private:
-    template <class Font, class... Policy>
-    error try_to_build(Font& font, glyph_id id, const glyph_settings& how, const policies<Policy...>& with,
-                       glyph_draft& made) noexcept
+    /// The region of the outline that was recorded.
+    result<region> fill_outline(double units_per_em, const glyph_settings& how, const cap_policies& with) noexcept
     {
-        const auto filled = build_region(font, id, how, with);
+        parting_ = {};
+        if (outline_.curves.empty()) return region{};
+        const auto fitting = grid::fitting(units_per_em, outline_.bounds);
+        if (!fitting) return fitting.error();
+        grid cells = *fitting;
+        if (how.corners != touching::keep) cells.coarsen(how.most_cells);
+        const cap_settings filled{how.fill.value_or(outline_.rule), how.most_pieces, how.most_points, how.corners};
+        const auto made = caps_.build(outline_, how.tolerance * units_per_em, cells, filled, with);
+        return made ? caps_.part(*made, outline_.curves, filled, with, parting_) : made;
+    }
+
+    error try_to_build(double units_per_em, const glyph_settings& how, const policies& with, glyph_draft& made) noexcept
+    {
+        const auto filled = fill_outline(units_per_em, how, with);
         if (!filled) return filled.error();
         if (filled->points().empty()) return {};
 
         with.observe(stage::extrude);
-        const auto plan = plan_region(*filled, with, caps_, further_, plan_);
+        const auto plan = with.raise.plan(*filled, plan_, {caps_, further_, with.cut});
         if (!plan) return plan.error();
         made.form = {filled->points(), filled->starts(), caps_.triangles().view()};
         made.plan = *plan;

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <new>
 #include <span>
+#include <type_traits>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -262,27 +263,69 @@ private:
     mutable Lock lock_;
 };
 
-/// What text_mesher's with() takes to use a cache: the cache, and the caller's number for the font. Fonts of your own
-/// that share a cache need different numbers; the adapters' (all that have variation_key()) are distinguished
-/// automatically, axes included. The cache must outlive the mesher.
-template <cache_lock Lock>
-struct cached_in {
-    glyph_cache<Lock>* cache;
-    std::uint64_t font;
+/// Refers to a glyph_cache with any lock, which must outlive it.
+class cache_ref {
+public:
+    template <cache_lock Lock>
+    cache_ref(glyph_cache<Lock>& cache) noexcept : cache_{&cache}, does_{&calls_of<Lock>}
+    {
+    }
 
-    cached_in(glyph_cache<Lock>& c, std::uint64_t font_number) noexcept : cache{&c}, font{font_number} {}
+    /// See glyph_cache.
+    [[nodiscard]] const built_glyph* find(const glyph_context& context, std::uint64_t hash, glyph_id id) const noexcept
+    {
+        return does_->find(cache_, context, hash, id);
+    }
+    [[nodiscard]] const built_glyph* keep(const glyph_context& context, std::uint64_t hash, glyph_id id,
+                                          const glyph_draft& draft) const noexcept
+    {
+        return does_->keep(cache_, context, hash, id, draft);
+    }
+    void release(std::span<const built_glyph* const> glyphs) const noexcept { does_->release(cache_, glyphs); }
+
+    /// Whether several threads may use it at once.
+    [[nodiscard]] bool has_lock() const noexcept { return does_->has_lock; }
+
+private:
+    struct calls {
+        const built_glyph* (*find)(void* cache, const glyph_context& context, std::uint64_t hash, glyph_id id) noexcept;
+        const built_glyph* (*keep)(void* cache, const glyph_context& context, std::uint64_t hash, glyph_id id,
+                                   const glyph_draft& draft) noexcept;
+        void (*release)(void* cache, std::span<const built_glyph* const> glyphs) noexcept;
+        bool has_lock;
+    };
+    template <cache_lock Lock>
+    static constexpr calls calls_of = {
+        [](void* cache, const glyph_context& context, std::uint64_t hash, glyph_id id) noexcept {
+            return static_cast<glyph_cache<Lock>*>(cache)->find(context, hash, id);
+        },
+        [](void* cache, const glyph_context& context, std::uint64_t hash, glyph_id id,
+           const glyph_draft& draft) noexcept {
+            return static_cast<glyph_cache<Lock>*>(cache)->keep(context, hash, id, draft);
+        },
+        [](void* cache, std::span<const built_glyph* const> glyphs) noexcept {
+            static_cast<glyph_cache<Lock>*>(cache)->release(glyphs);
+        },
+        !std::is_same_v<Lock, no_lock>};
+
+    void* cache_;
+    const calls* does_;
 };
 
-/// Stands in for the cache of a mesher without one.
-struct no_cache {};
+/// What a text_mesher takes to use a cache: the cache, and the caller's number for the font. Fonts of your own that
+/// share a cache need different numbers; the adapters' (all that have variation_key()) are distinguished
+/// automatically, axes included. The cache must outlive the mesher.
+struct cached_in {
+    cache_ref cache;
+    std::uint64_t font;
 
-namespace detail {
-template <class T>
-inline constexpr bool is_cache = false;
-template <>
-inline constexpr bool is_cache<no_cache> = true;
-template <cache_lock Lock>
-inline constexpr bool is_cache<cached_in<Lock>> = true;
-}  // namespace detail
+    template <cache_lock Lock>
+    cached_in(glyph_cache<Lock>& c, std::uint64_t font_number) noexcept : cache{c}, font{font_number}
+    {
+    }
+};
+
+/// Says that a mesher is to have no cache.
+struct no_cache {};
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -3,9 +3,10 @@
 
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/glyph/built_glyph.hpp>
+#include <typemesh/glyph/glyph_cache.hpp>
 
 #include <cstddef>
-#include <span>
+#include <optional>
 #include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI {
@@ -15,28 +16,23 @@ class pinned_glyphs {
 public:
     explicit pinned_glyphs(memory source = heap()) noexcept : glyphs_{source} {}
     pinned_glyphs(pinned_glyphs&& other) noexcept
-        : glyphs_{std::move(other.glyphs_)}, cache_{std::exchange(other.cache_, nullptr)}, release_{other.release_}
+        : glyphs_{std::move(other.glyphs_)}, cache_{std::exchange(other.cache_, std::nullopt)}
     {
     }
     pinned_glyphs& operator=(pinned_glyphs&& other) noexcept
     {
         glyphs_.swap(other.glyphs_);
         std::swap(cache_, other.cache_);
-        std::swap(release_, other.release_);
         return *this;
     }
     ~pinned_glyphs() { release(); }
 
     /// Reserves `count` entries, all null at first. Those that are set must be pinned in `cache`, which outlives this.
     /// False when memory runs out.
-    template <class Cache>
-    [[nodiscard]] bool reserve(std::size_t count, Cache* cache) noexcept
+    [[nodiscard]] bool reserve(std::size_t count, cache_ref cache) noexcept
     {
         if (!reserve(count)) return false;
         cache_ = cache;
-        release_ = [](void* held, std::span<const built_glyph* const> glyphs) noexcept {
-            static_cast<Cache*>(held)->release(glyphs);
-        };
         return true;
     }
     /// The same for glyphs that are not pinned.
@@ -54,7 +50,7 @@ public:
     /// Gives the pins back; the glyphs must no longer be read.
     void release() noexcept
     {
-        if (cache_ != nullptr) release_(std::exchange(cache_, nullptr), glyphs_.view());
+        if (cache_) std::exchange(cache_, std::nullopt)->release(glyphs_.view());
     }
 
     void clear() noexcept
@@ -65,8 +61,7 @@ public:
 
 private:
     buffer<const built_glyph*> glyphs_;
-    void* cache_ = nullptr;
-    void (*release_)(void* cache, std::span<const built_glyph* const> glyphs) noexcept = nullptr;
+    std::optional<cache_ref> cache_;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

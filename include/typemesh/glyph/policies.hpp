@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/discretise/discretiser.hpp>
-#include <typemesh/extrude/extruder.hpp>
-#include <typemesh/glyph/stage.hpp>
-#include <typemesh/triangulate/triangulator.hpp>
+#include <typemesh/glyph/cap_policies.hpp>
+#include <typemesh/glyph/solid_ref.hpp>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -15,16 +13,14 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     flat raise;
 ///     no_observer nobody;
 ///     const policies with{flatten, cut, raise, nobody};
-template <discretiser Discretiser, triangulator Triangulator, extruder Extruder, stage_observer Observer>
 struct policies {
-    const Discretiser& flatten;
-    const Triangulator& cut;
-    const Extruder& raise;
-    Observer& observe;
-};
+    discretiser_ref flatten;
+    triangulator_ref cut;
+    solid_ref raise;
+    observer_ref observe;
 
-template <class Discretiser, class Triangulator, class Extruder, class Observer>
-policies(const Discretiser&, const Triangulator&, const Extruder&, Observer&)
-    -> policies<Discretiser, Triangulator, Extruder, Observer>;
+    /// Those that caps need.
+    operator cap_policies() const noexcept { return {flatten, cut, observe}; }
+};
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -23,7 +23,7 @@ class shared_layout {
 public:
     explicit shared_layout(memory source = heap()) noexcept : lines_{source}, blocks_{source} {}
 
-    /// `shaper_of(worker)` and `run_of(worker)` return references to what the worker shapes with and into; the content
+    /// `shaper_of(worker)` and `run_of(worker)` return what the worker shapes with and into; the content
     /// of the latter is meaningless before and after. `shaper` is used for units and metrics only.
     ///
     /// Fails  as layout() does
@@ -52,7 +52,8 @@ public:
                 l.worker = static_cast<std::uint32_t>(worker);
                 l.first = own.glyphs.size();
                 if (l.begin == l.end) continue;
-                const auto advance = shape_line(shaper_of(worker), text, l.begin, l.end, how, options, own);
+                auto&& with = shaper_of(worker);
+                const auto advance = shape_line(with, text, l.begin, l.end, how, options, own);
                 if (!advance) {
                     l.failure = advance.error();
                     return;  // later lines of this block do not matter

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <typemesh/core/error.hpp>
-#include <typemesh/extrude/extruder.hpp>
 #include <typemesh/extrude/placed_bounds.hpp>
+#include <typemesh/glyph/solid_ref.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/text/text_glyphs.hpp>
 #include <typemesh/text/text_options.hpp>
@@ -15,8 +15,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 namespace detail {
 
 /// Finds the bounds of all vertices, once the text is placed.
-template <extruder Extruder>
-void bound(text_glyphs& all, const Extruder& how) noexcept
+inline void bound(text_glyphs& all, solid_ref how) noexcept
 {
     const text_placement& placed = all.placed;
     placement at;
@@ -28,8 +27,8 @@ void bound(text_glyphs& all, const Extruder& how) noexcept
         at.pen = s.built->cells() * (s.origin - placed.centre);
         at.unit_per_cell = placed.unit_per_font_unit * s.built->font_units_per_cell();
         const box& around = s.built->around();
-        if constexpr (tells_heights<Extruder>) {
-            const height_range own = how.heights(s.built->template planned<Extruder>().form);
+        if (how.has_heights_of_each()) {
+            const height_range own = how.heights_of(*s.built);
             bottom = at.height(own.low);
             top = at.height(own.high);
         }
@@ -47,9 +46,8 @@ void bound(text_glyphs& all, const Extruder& how) noexcept
 /// its unit, and the bounds of its vertices.
 ///
 /// Fails  error::out_of_memory
-template <extruder Extruder>
-error arrange(text_glyphs& all, const glyph_run& run, const text_options& options, double units_per_em,
-              const Extruder& how) noexcept
+inline error arrange(text_glyphs& all, const glyph_run& run, const text_options& options, double units_per_em,
+                     solid_ref how) noexcept
 {
     const bool by_line = options.texture_over == texture_box::line;
     if (by_line) {

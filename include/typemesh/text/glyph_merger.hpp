@@ -6,7 +6,7 @@
 #include <typemesh/fill/region_union.hpp>
 #include <typemesh/glyph/cap_builder.hpp>
 #include <typemesh/glyph/glyph_builder.hpp>
-#include <typemesh/glyph/plan_region.hpp>
+#include <typemesh/glyph/policies.hpp>
 #include <typemesh/text/text_glyphs.hpp>
 
 #include <cmath>
@@ -52,9 +52,8 @@ public:
     /// Cost   as group_intersection() for n glyphs. For every group its members' outlines are flattened and filled once
     ///        more, and resolve(), the triangulator and the extruder work on the points of all of them. Glyphs that
     ///        meet no other cost the comparison alone
-    template <outline_source Font, class... Policy>
-    error operator()(text_glyphs& all, const glyph_run& run, glyph_builder& builder, Font& font,
-                     const glyph_settings& how, const policies<Policy...>& with) noexcept
+    error operator()(text_glyphs& all, const glyph_run& run, glyph_builder& builder, font_ref font,
+                     const glyph_settings& how, const policies& with) noexcept
     {
         with.observe(stage::fill);
         const std::size_t count = run.glyphs.size();
@@ -65,12 +64,7 @@ public:
         if (count != 0 && (next == nullptr || last == nullptr || first_of == nullptr)) return error::out_of_memory;
         if (error e = find_groups(all, run, with.raise, {first_of, count})) return e;
 
-        const auto region_of = [&](const placed_glyph& glyph, std::uint32_t& corners) noexcept {
-            auto face = all.looks.face_of(font, glyph.look);
-            const auto made = builder.build_region(face, glyph.id, how, with);
-            corners += builder.parting().corners;
-            return made;
-        };
+        const member_builder members{builder, font, how, with};
         const auto none = static_cast<std::uint32_t>(count);
         for (std::uint32_t i = 0; i < count; ++i) {
             next[i] = none;
@@ -85,14 +79,21 @@ public:
             merged_group made;
             made.first_member = first_member;
             made.member_count = static_cast<std::uint32_t>(all.merged.members.size()) - first_member;
-            if (error e = join(made, all, run, region_of, how, with))
-                return e.at(run.glyphs[i].id, run.glyphs[i].cluster);
+            if (error e = join(made, all, run, members)) return e.at(run.glyphs[i].id, run.glyphs[i].cluster);
             if (!all.merged.groups.push_back(made)) return error::out_of_memory;
         }
         return {};
     }
 
 private:
+    /// What builds the regions of a group's members.
+    struct member_builder {
+        glyph_builder& by;
+        font_ref font;
+        const glyph_settings& how;
+        const policies& with;
+    };
+
     struct pen {
         std::int64_t x = 0;
         std::int64_t y = 0;
@@ -115,8 +116,7 @@ private:
         return cells;
     }
 
-    template <class Extruder>
-    error find_groups(const text_glyphs& all, const glyph_run& run, const Extruder& how,
+    error find_groups(const text_glyphs& all, const glyph_run& run, solid_ref how,
                       std::span<std::uint32_t> first_of) noexcept
     {
         workspace::scope scratch{caps_.space()};
@@ -133,13 +133,9 @@ private:
             if (!is_finite(origin.x) || !is_finite(origin.y) || !stands || !same(s.cells(), cells)) continue;
             const pen at = snapped(origin, cells);
             const auto kind = static_cast<std::uint32_t>(all.looks.style_of(run.glyphs[i].look));
-            loops[i] = {s.form().points, s.form().starts, at.x, at.y, kind};
-            if constexpr (tells_outline<Extruder>) {
-                if (s.form().points.empty()) continue;  // blank or refused: no plan data
-                const solid_outline grown = how.outline(s.planned<Extruder>().form);
-                loops[i].points = grown.points;
-                loops[i].starts = grown.starts;
-            }
+            // A blank or refused one has no plan data.
+            const solid_outline grown = s.form().points.empty() ? solid_outline{} : how.outline_of(s);
+            loops[i] = {grown.points, grown.starts, at.x, at.y, kind};
         }
         return group_intersection({loops, first_of.size()}, first_of, caps_.space());
     }
@@ -172,11 +168,9 @@ private:
     }
 
     /// try_to_join(); a group that cannot be built is refused, as a glyph is, and the text continues without it.
-    template <class Region, class... Policy>
-    error join(merged_group& made, text_glyphs& all, const glyph_run& run, const Region& region_of,
-               const glyph_settings& how, const policies<Policy...>& with) noexcept
+    error join(merged_group& made, text_glyphs& all, const glyph_run& run, const member_builder& members) noexcept
     {
-        const error e = try_to_join(made, all, run, region_of, how, with);
+        const error e = try_to_join(made, all, run, members);
         if (!e || !glyph_builder::concerns_the_glyph_alone(e)) return e;
         glyph_draft none;
         none.refusal = e;
@@ -184,11 +178,10 @@ private:
         return made.built == nullptr ? error{error::out_of_memory} : error{};
     }
 
-    /// Makes one glyph of the group's members, whose regions region_of(placed_glyph, corners) builds.
-    template <class Region, class... Policy>
-    error try_to_join(merged_group& made, text_glyphs& all, const glyph_run& run, const Region& region_of,
-                      const glyph_settings& how, const policies<Policy...>& with) noexcept
+    /// Makes one glyph of the group's members.
+    error try_to_join(merged_group& made, text_glyphs& all, const glyph_run& run, const member_builder& build) noexcept
     {
+        const auto& [by, font, how, with] = build;
         const std::span<const std::uint32_t> members = all.merged.members_of(made);
         const auto onto = grid_for(all, run, members);
         if (!onto) return onto.error();
@@ -197,7 +190,9 @@ private:
         std::uint32_t corners = 0;  // parted or joined, of the members and of all together
         const pen first = snapped(run.glyphs[members[0]].origin, onto->cells);
         for (const std::uint32_t m : members) {
-            const auto filled = region_of(run.glyphs[m], corners);
+            auto face = all.looks.face_of(font, run.glyphs[m].look);
+            const auto filled = by.build_region(face, run.glyphs[m].id, how, with);
+            corners += by.parting().corners;
             if (!filled) return filled.error();
             const pen at = snapped(run.glyphs[m].origin, onto->cells);
             if (error e = union_.add(*filled, onto->cells / filled->grid().cells, at.x - first.x, at.y - first.y))
@@ -210,7 +205,7 @@ private:
         with.observe(stage::triangulate);
         if (error e = caps_.cap(*joined, with.cut)) return e;
         with.observe(stage::extrude);
-        auto plan = plan_region(*joined, with, caps_, further_, plan_);
+        auto plan = with.raise.plan(*joined, plan_, {caps_, further_, with.cut});
         if (!plan) return plan.error();
         plan->corners_moved += corners + parting.corners;
         plan->touching = plan->touching || parting.still_touching;

@@ -4,16 +4,11 @@
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/executor.hpp>
 #include <typemesh/core/result.hpp>
-#include <typemesh/glyph/glyph_builder.hpp>
-#include <typemesh/glyph/glyph_store.hpp>
-#include <typemesh/glyph/stage.hpp>
-#include <typemesh/layout/layout.hpp>
-#include <typemesh/layout/shared_layout.hpp>
 #include <typemesh/outline/outline_source.hpp>
+#include <typemesh/text/glyph_team.hpp>
 
 #include <concepts>
 #include <cstddef>
-#include <cstdint>
 #include <new>
 #include <type_traits>
 #include <utility>
@@ -47,42 +42,42 @@ concept source_maker = requires(C& clone, std::size_t worker) {
 ///          built most of what there is.
 template <executor Executor, outline_source Source>
 class glyph_workers {
-    struct alignas(64) member {  // a cache line of its own: no false sharing between workers
+    struct alignas(64) own_source {  // likewise, for what a font changes when it is read
         Source font;
-        glyph_builder builder;
-        glyph_store store;
-        glyph_run lines;
-        error failure;
-        std::size_t failed_at;
     };
     struct block {
-        std::uint64_t plans = 0;  // begun so far
         std::size_t count = 0;
-        shared_layout lines;
+        glyph_team team;
 
-        explicit block(memory source) noexcept : lines{source} {}
+        block(executor_ref workers, memory source) noexcept : team{workers, {}, shared_layout{source}} {}
     };
-    static constexpr std::size_t header = (sizeof(block) + alignof(member) - 1) / alignof(member) * alignof(member);
+    static constexpr std::size_t alignment = alignof(team_member) > alignof(own_source) ? alignof(team_member)
+                                                                                        : alignof(own_source);
+    static constexpr std::size_t header = (sizeof(block) + alignment - 1) / alignment * alignment;
 
 public:
-    static constexpr bool is_alone = false;  ///< see plan_workers
-
     /// Fails  with the first error of clone(); error::out_of_memory
     template <source_maker Clone>
     [[nodiscard]] static result<glyph_workers> make(Executor& workers, Clone&& clone, memory source = heap()) noexcept
     {
         const std::size_t count = workers.workers();
         TYPEMESH_ASSERT(count != 0, "an executor without workers was given");
-        const std::size_t bytes = header + count * sizeof(member);
-        void* raw = source.allocate(source.user, bytes, alignof(member));
+        const std::size_t bytes = header + count * (sizeof(team_member) + sizeof(own_source));
+        void* raw = source.allocate(source.user, bytes, alignment);
         if (raw == nullptr) return error::out_of_memory;
-        glyph_workers all{workers, source, new (raw) block{source}, bytes};
-        for (; all.block_->count < count; ++all.block_->count) {
-            const std::size_t worker = all.block_->count;
-            auto made = clone(worker);
+        glyph_workers all{workers, source, new (raw) block{workers, source}, bytes};
+        std::byte* members = static_cast<std::byte*>(raw) + header;
+        std::byte* sources = members + count * sizeof(team_member);
+        for (std::size_t& k = all.block_->count; k < count; ++k) {
+            auto made = clone(std::size_t{k});
             if (!made) return made.error();
-            new (all.members() + worker)
-                member{std::move(*made), glyph_builder{source}, glyph_store{source}, glyph_run{source}, {}, 0};
+            auto* own = new (sources + k * sizeof(own_source)) own_source{std::move(*made)};
+            auto* member = new (members + k * sizeof(team_member)) team_member{own->font, source};
+            if (k == 0) {
+                all.sources_ = own;
+                all.block_->team.members = {member, 0};
+            }
+            all.block_->team.members = {all.block_->team.members.data(), k + 1};
         }
         return result<glyph_workers>{std::move(all)};
     }
@@ -91,6 +86,7 @@ public:
         : executor_{other.executor_},
           source_{other.source_},
           block_{std::exchange(other.block_, nullptr)},
+          sources_{other.sources_},
           bytes_{other.bytes_}
     {
     }
@@ -99,76 +95,34 @@ public:
         std::swap(executor_, other.executor_);
         std::swap(source_, other.source_);
         std::swap(block_, other.block_);
+        std::swap(sources_, other.sources_);
         std::swap(bytes_, other.bytes_);
         return *this;
     }
     ~glyph_workers()
     {
         if (block_ == nullptr) return;
-        for (std::size_t i = block_->count; i-- > 0;) members()[i].~member();
+        for (std::size_t i = block_->count; i-- > 0;) {
+            block_->team.members[i].~team_member();
+            sources_[i].~own_source();
+        }
         block_->~block();
-        source_.deallocate(source_.user, block_, bytes_, alignof(member));
+        source_.deallocate(source_.user, block_, bytes_, alignment);
     }
 
     /// The executor, for writing the plan with the same workers.
     [[nodiscard]] Executor& pool() noexcept { return *executor_; }
 
     /// The font units per em of its sources.
-    [[nodiscard]] double units_per_em() noexcept { return members()[0].font.units_per_em(); }
+    [[nodiscard]] double units_per_em() noexcept { return sources_[0].font.units_per_em(); }
 
-    /// layout(), with the same result: lines are shaped by all workers if the sources are shapers of the mesher's own
-    /// type, else by its font.
-    template <shaper Shaper>
-    error layout(Shaper& font, text_view text, const shape_options& how, const layout_options& options,
-                 glyph_run& run) noexcept
-    {
-        if constexpr (std::is_same_v<Shaper, Source>) {
-            member* all = members();
-            if (block_->count > 1)
-                return block_->lines(
-                    *executor_, [all](std::size_t worker) noexcept -> Source& { return all[worker].font; },
-                    [all](std::size_t worker) noexcept -> glyph_run& { return all[worker].lines; }, font, text, how,
-                    options, run);
-        }
-        return typemesh::layout(font, text, how, options, run);
-    }
-
-    /// Removes the glyphs of the previous plan, and returns the number that identifies the new one. Its address stays
-    /// the same when the workers are moved.
-    const std::uint64_t* begin_plan() noexcept
-    {
-        for (std::size_t i = 0; i < block_->count; ++i) members()[i].store.clear();
-        ++block_->plans;
-        return &block_->plans;
-    }
+    /// What a mesher plans with. Its address stays the same when the workers are moved.
+    [[nodiscard]] glyph_team& team() noexcept { return block_->team; }
 
     /// Gives the scratch memory for building glyphs back to its source. Plans stay as they are.
     void trim() noexcept
     {
-        for (std::size_t i = 0; i < block_->count; ++i) members()[i].builder.trim();
-    }
-
-    /// Calls task(k, font, builder, store, observer) for each k < n, with the per-worker state of whoever runs it.
-    /// Returns the error of the lowest k that has one; above it not all may have been called. The observer is the null
-    /// observer.
-    template <class Task>
-    error each(std::size_t n, const Task& task) noexcept
-    {
-        member* all = members();
-        for (std::size_t i = 0; i < block_->count; ++i) all[i].failure = {};
-        executor_->run(n, [all, &task](std::size_t k, std::size_t worker) noexcept {
-            member& own = all[worker];
-            if (own.failure && own.failed_at < k) return;
-            no_observer nobody;
-            if (error e = task(k, own.font, own.builder, own.store, nobody)) {
-                own.failure = e;
-                own.failed_at = k;
-            }
-        });
-        const member* first = nullptr;
-        for (std::size_t i = 0; i < block_->count; ++i)
-            if (all[i].failure && (first == nullptr || all[i].failed_at < first->failed_at)) first = all + i;
-        return first == nullptr ? error{} : first->failure;
+        for (team_member& m : block_->team.members) m.builder.trim();
     }
 
 private:
@@ -177,14 +131,10 @@ private:
     {
     }
 
-    [[nodiscard]] member* members() const noexcept
-    {
-        return std::launder(reinterpret_cast<member*>(reinterpret_cast<std::byte*>(block_) + header));
-    }
-
     Executor* executor_;
     memory source_;
-    block* block_;  // and the members after it
+    block* block_;  // and the members after it, and the sources after these
+    own_source* sources_ = nullptr;
     std::size_t bytes_;
 };
 

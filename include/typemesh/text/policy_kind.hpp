@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/memory.hpp>
+#include <typemesh/core/policy_key.hpp>
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/discretise/discretiser.hpp>
+#include <typemesh/extrude/extruded.hpp>
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/glyph/glyph_cache.hpp>
 #include <typemesh/glyph/stage.hpp>
 #include <typemesh/triangulate/triangulator.hpp>
 
 #include <cstdint>
+#include <type_traits>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -27,11 +31,41 @@ template <class P>
     models(triangulator<P>, policy_kind::triangulator);
     models(extruder<P>, policy_kind::extruder);
     models(stage_observer<P>, policy_kind::observer);
-    models(detail::is_cache<P>, policy_kind::cache);
+    models(std::is_same_v<P, cached_in> || std::is_same_v<P, no_cache>, policy_kind::cache);
     return kind;
 }
 
 namespace detail {
+
+/// The extruder among a mesher's options, or else the default.
+template <class... Option>
+struct find_solid {
+    using type = extruded<>;
+};
+template <class First, class... Option>
+struct find_solid<First, Option...>
+    : std::conditional_t<kind_of<First>() == policy_kind::extruder, std::type_identity<First>, find_solid<Option...>> {
+};
+template <class... Option>
+using solid_among = typename find_solid<Option...>::type;
+
+/// The memory source among a mesher's options, or else the heap.
+template <class... Option>
+[[nodiscard]] memory memory_among(const Option&... options) noexcept
+{
+    memory found = heap();
+    [[maybe_unused]] const auto look = [&found](const auto& option) noexcept {
+        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(option)>, memory>) found = option;
+    };
+    (look(options), ...);
+    return found;
+}
+
+/// Whether a glyph_cache can hold what is built with an option.
+template <class Option>
+inline constexpr bool cacheable_option =
+    cacheable_policy<Option> || std::is_same_v<Option, memory> || kind_of<Option>() == policy_kind::cache ||
+    kind_of<Option>() == policy_kind::observer;
 
 // A type that models no concept, but was meant to model one: it can be called like such a policy, but promises less.
 template <class P>

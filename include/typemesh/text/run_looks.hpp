@@ -6,8 +6,9 @@
 #include <typemesh/core/finite.hpp>
 #include <typemesh/glyph/glyph_context.hpp>
 #include <typemesh/layout/glyph_run.hpp>
-#include <typemesh/outline/face_source.hpp>
+#include <typemesh/outline/variation_key.hpp>
 #include <typemesh/sweep/sweep_order.hpp>
+#include <typemesh/text/font_ref.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -46,19 +47,18 @@ public:
     /// Fails  error::no_such_face (count = how many faces there are); error::bad_option: a face's units per em;
     ///        error::out_of_memory
     /// Cost   O(looks log looks)
-    template <outline_source Font>
-    error read(const glyph_run& run, Font& font) noexcept
+    error read(const glyph_run& run, font_ref font) noexcept
     {
         units_per_em_ = font.units_per_em();
         const std::size_t count = run.looks.size();
         if (count == 0) return {};
         drawn_look* out = drawn_.append(count);
         if (out == nullptr) return error::out_of_memory;
-        const std::uint32_t faces = face_count_of(font);
+        const std::uint32_t faces = font.face_count();
         for (std::size_t i = 0; i < count; ++i) {
             const look& l = run.looks[i];
             if (l.face >= faces && l.face != bar_face) return {error::no_such_face, faces};
-            const double units = units_per_em_of(font, l.face);
+            const double units = font.units_per_em(l.face);
             if (!is_finite(units) || !(units > 0.0)) return error::bad("units_per_em");
             const double factor = units_per_em_ / units;
             out[i] = {same(factor, 1.0) ? l.map : scaled_before(l.map, factor), l.style, l.face, 0, 0};
@@ -80,8 +80,7 @@ public:
     [[nodiscard]] double units_per_em() const noexcept { return units_per_em_; }
 
     /// The source that glyphs of this look are drawn from.
-    template <outline_source Font>
-    [[nodiscard]] mapped_face<Font> face_of(Font& font, std::uint32_t look) const noexcept
+    [[nodiscard]] drawn_face face_of(font_ref font, std::uint32_t look) const noexcept
     {
         if (drawn_.empty()) return {font, 0, nullptr, units_per_em_};
         const drawn_look& l = drawn_[look];
@@ -91,8 +90,7 @@ public:
     /// Finds the context of each look's glyphs, given that of the first face as it is; at least one.
     ///
     /// Fails  error::out_of_memory
-    template <class Font>
-    error find_contexts(const glyph_context& plain, const Font& font) noexcept
+    error find_contexts(const glyph_context& plain, font_ref font) noexcept
     {
         hashed_context* out = contexts_.append(drawn_.empty() ? 1 : drawn_.size());
         if (out == nullptr) return error::out_of_memory;
@@ -100,7 +98,7 @@ public:
         for (const drawn_look& l : drawn_) {
             *out = {plain, 0};
             if (!l.is_plain()) {
-                std::uint64_t key = mixed_key(variation_of(font, l.face), l.face + std::uint64_t{1});
+                std::uint64_t key = mixed_key(font.variation(l.face), l.face + std::uint64_t{1});
                 key = mixed_key(key, l.map);
                 out->context.variation = mixed_key(key, option_bits{units_per_em_}.words[0]);
             }

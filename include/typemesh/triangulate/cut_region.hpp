@@ -18,19 +18,13 @@ namespace detail {
 /// Checks what a triangulator promises about the triangles that it has appended for a region after the first `before`,
 /// and flips edges of those too low for 32-bit floats, unless its diagonals are final. The rule depends on the region
 /// alone, wherever it will stand. After an error `out` is unchanged.
-template <triangulator Triangulator>
-[[nodiscard]] error settle_triangles(const region& r, triangle_list& out, std::size_t before, workspace& space) noexcept
+[[nodiscard]] inline error settle_triangles(const region& r, triangle_list& out, std::size_t before, workspace& space,
+                                            bool has_final_diagonals) noexcept
 {
-    const bool is_kept = assert_triangles(r, out, before);
-    if constexpr (!has_final_diagonals<Triangulator>) {
-        if (is_kept) {
-            if (error e = raise_low_triangles(r, out.view().subspan(before), space)) {
-                out.truncate(before);
-                return e;
-            }
-        }
-    }
-    return {};
+    if (!assert_triangles(r, out, before) || has_final_diagonals) return {};
+    error e = raise_low_triangles(r, out.view().subspan(before), space);
+    if (e) out.truncate(before);
+    return e;
 }
 
 }  // namespace detail
@@ -44,7 +38,7 @@ template <triangulator Triangulator>
 {
     const std::size_t before = out.size();
     if (error e = how(r, space, out)) return e;
-    return detail::settle_triangles<Triangulator>(r, out, before, space);
+    return detail::settle_triangles(r, out, before, space, has_final_diagonals<Triangulator>);
 }
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -2,24 +2,18 @@
 #pragma once
 
 #include <typemesh/extrude/cap_maker.hpp>
-#include <typemesh/extrude/extruder.hpp>
-#include <typemesh/extrude/plan_scratch.hpp>
 #include <typemesh/glyph/cap_builder.hpp>
-#include <typemesh/glyph/policies.hpp>
 
 #include <cstdint>
 #include <span>
-#include <type_traits>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-namespace detail {
-
-/// The caps that an extruder's plan() asks for, made by the text's own triangulator.
-template <triangulator Triangulator>
+/// The caps that an extruder's plan() asks for, made by the text's own triangulator: the cap_maker of the library.
 class region_caps {
 public:
-    region_caps(cap_builder& caps, cap_builder& further, const Triangulator& cut) noexcept
+    /// For a region that `caps` has built; `further` makes regions of the loops that plan() finds.
+    region_caps(cap_builder& caps, cap_builder& further, triangulator_ref cut) noexcept
         : caps_{caps}, further_{further}, cut_{cut}
     {
     }
@@ -30,6 +24,7 @@ public:
         return is_on_grid(r.points()) ? caps_.cap(r, cut_, out) : error{error::outline_beyond_grid};
     }
     [[nodiscard]] contours& loops() noexcept { return further_.loops(); }
+    /// See cap_maker.
     result<region> fill(triangle_list& out) noexcept
     {
         if (!is_on_grid(loops().points.view())) return error::outline_beyond_grid;
@@ -37,6 +32,7 @@ public:
         if (made && !out.append(further_.triangles().view())) return error::out_of_memory;
         return made;
     }
+    /// Scratch memory, shared with the stages.
     [[nodiscard]] workspace& space() noexcept { return caps_.space(); }
 
 private:
@@ -50,24 +46,8 @@ private:
 
     cap_builder& caps_;
     cap_builder& further_;
-    const Triangulator& cut_;
+    triangulator_ref cut_;
 };
-
-}  // namespace detail
-
-/// The extruder's plan for a region that `caps` has built; its plan data is then in `data`. `further` makes regions of
-/// the loops that it finds.
-///
-/// Fails  error::out_of_memory, and with what its plan() fails with
-template <class... Policy>
-[[nodiscard]] result<solid_plan> plan_region(const region& filled, const policies<Policy...>& with, cap_builder& caps,
-                                             cap_builder& further, plan_scratch& data) noexcept
-{
-    using extruder_type = std::remove_cvref_t<decltype(with.raise)>;
-    auto* fresh = data.fresh<plan_data_of<extruder_type>>();
-    if (fresh == nullptr) return error::out_of_memory;
-    detail::region_caps maker{caps, further, with.cut};
-    return plan_solid(with.raise, filled, *fresh, maker);
-}
+static_assert(cap_maker<region_caps>);
 
 }  // namespace typemesh::inline TYPEMESH_ABI

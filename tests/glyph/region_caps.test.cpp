@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/glyph/plan_region.hpp>
+#include <typemesh/glyph/policies.hpp>
+#include <typemesh/glyph/region_caps.hpp>
 
 #include <typemesh/inspect/cap_check.hpp>
 #include <typemesh/typemesh.hpp>
@@ -19,7 +20,9 @@ TEMPLATE_TEST_CASE("caps that an extruder asks for are cut by the glyph's own tr
     test::toy_font font;
     no_observer nobody;
     const stranger::flared raise;
-    const policies with{certified{}, TestType{}, raise, nobody};
+    const certified flatten;
+    const TestType cut;
+    const policies with{flatten, cut, raise, nobody};
     cap_builder caps, further;
     outline drawn;
     REQUIRE_FALSE(record(font, 1, drawn));  // a ring
@@ -28,7 +31,7 @@ TEMPLATE_TEST_CASE("caps that an extruder asks for are cut by the glyph's own tr
     const auto filled = caps.build(drawn, 1.0, *cells, {}, with);
     REQUIRE(filled);
     plan_scratch data;
-    const auto plan = plan_region(*filled, with, caps, further, data);
+    const auto plan = with.raise.plan(*filled, data, {caps, further, with.cut});
     REQUIRE(plan);
     CHECK(plan->sizes.triangles[part::front] == filled->triangle_count());
     CHECK(plan->around.width() == 2.0 * 500.0 * cells->cells);
@@ -37,17 +40,19 @@ TEMPLATE_TEST_CASE("caps that an extruder asks for are cut by the glyph's own tr
     std::vector<std::uint64_t> block(data.bytes() / 8);
     data.copy_to(reinterpret_cast<std::byte*>(block.data()));
     const auto kept = stranger::flared::plan_data::read_from(reinterpret_cast<const std::byte*>(block.data()));
-    const auto cut = kept.of<triangle>();
-    CHECK(std::string{inspect::check_cap(*filled, cut).broken()} == "");
-    REQUIRE(cut.size() == caps.triangles().size());
-    for (std::size_t i = 0; i < cut.size(); ++i) CHECK(cut[i] == caps.triangles()[i]);
+    const auto made = kept.of<triangle>();
+    CHECK(std::string{inspect::check_cap(*filled, made).broken()} == "");
+    REQUIRE(made.size() == caps.triangles().size());
+    for (std::size_t i = 0; i < made.size(); ++i) CHECK(made[i] == caps.triangles()[i]);
 }
 
 TEST_CASE("a cap of a region beyond the grid is refused", "[glyph]")
 {
     no_observer nobody;
     const stranger::flared raise;  // asks for the cap of the region at twice its size
-    const policies with{certified{}, monotone{}, raise, nobody};
+    const certified flatten;
+    const monotone cut;
+    const policies with{flatten, cut, raise, nobody};
     cap_builder caps, further;
     const auto planned = [&](grid_point low, grid_point high) {
         contours& loops = caps.loops();
@@ -58,7 +63,7 @@ TEST_CASE("a cap of a region beyond the grid is refused", "[glyph]")
         const auto filled = caps.fill({}, monotone{});
         REQUIRE(filled);
         plan_scratch data;
-        return plan_region(*filled, with, caps, further, data).error();
+        return with.raise.plan(*filled, data, {caps, further, with.cut}).error();
     };
     constexpr std::int32_t half = 1 << 27;
     CHECK_FALSE(planned({-half, -half}, {half, half}));
@@ -66,15 +71,4 @@ TEST_CASE("a cap of a region beyond the grid is refused", "[glyph]")
     CHECK(planned({-half, -half - 1}, {half, half}) == error::outline_beyond_grid);
     CHECK(planned({-half, -half}, {half + 1, half}) == error::outline_beyond_grid);
     CHECK(planned({-half, -half}, {half, half + 1}) == error::outline_beyond_grid);
-}
-
-TEST_CASE("where memory gives no plan data, planning a region tells so", "[glyph]")
-{
-    no_observer nobody;
-    const policies with{certified{}, monotone{}, extruded<>{}, nobody};
-    const memory nothing = {nullptr, [](void*, std::size_t, std::size_t) noexcept -> void* { return nullptr; },
-                            [](void*, void*, std::size_t, std::size_t) noexcept {}};
-    plan_scratch data{nothing};
-    cap_builder caps, further;
-    CHECK(plan_region(region{}, with, caps, further, data).error() == error::out_of_memory);
 }

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/discretise/discretiser_ref.hpp>
+#include <typemesh/glyph/stage.hpp>
+#include <typemesh/triangulate/triangulator_ref.hpp>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// What caps are built with: one policy of each kind, and the observer of stages. It refers to them; none is copied.
+///
+///     certified flatten;
+///     monotone cut;
+///     no_observer nobody;
+///     const cap_policies with{flatten, cut, nobody};
+struct cap_policies {
+    discretiser_ref flatten;
+    triangulator_ref cut;
+    observer_ref observe;
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/policy_key.hpp>
+#include <typemesh/extrude/extruder.hpp>
+#include <typemesh/extrude/plan_scratch.hpp>
+#include <typemesh/glyph/built_glyph.hpp>
+#include <typemesh/glyph/region_caps.hpp>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// Refers to an extruder of any type, which must outlive it, for all that is done once per glyph. Writing, which is
+/// done per vertex, needs the type: see extrude.hpp.
+class solid_ref {
+public:
+    /// One table for each type of extruder.
+    struct calls {
+        result<solid_plan> (*plan)(const void* how, const region& filled, plan_scratch& data,
+                                   region_caps& caps) noexcept;
+        error (*refused_options)(const void* how) noexcept;
+        policy_key (*key)(const void* how) noexcept;
+        height_range (*heights)(const void* how) noexcept;
+        height_range (*heights_of)(const void* how, const built_glyph& built) noexcept;   // null: those of all
+        solid_outline (*outline_of)(const void* how, const built_glyph& built) noexcept;  // null: the region's own
+        const char* heights_name;
+    };
+    template <extruder E>
+    struct table {
+        static const calls of;
+    };
+
+    template <extruder E>
+    solid_ref(const E& how) noexcept : how_{&how}, does_{&table<E>::of}
+    {
+    }
+
+    /// plan_solid() for a region that has been built with these caps; its plan data is then in `data`.
+    ///
+    /// Fails  error::out_of_memory, and with what its plan() fails with
+    [[nodiscard]] result<solid_plan> plan(const region& filled, plan_scratch& data, region_caps caps) const noexcept
+    {
+        return does_->plan(how_, filled, data, caps);
+    }
+    [[nodiscard]] error refused_options() const noexcept { return does_->refused_options(how_); }
+    [[nodiscard]] policy_key key() const noexcept { return does_->key(how_); }
+    [[nodiscard]] height_range heights() const noexcept { return does_->heights(how_); }
+
+    /// Of a glyph that it has planned.
+    [[nodiscard]] height_range heights_of(const built_glyph& built) const noexcept
+    {
+        return does_->heights_of == nullptr ? heights() : does_->heights_of(how_, built);
+    }
+    [[nodiscard]] bool has_heights_of_each() const noexcept { return does_->heights_of != nullptr; }
+
+    /// The loops of all that it covers in the plane, of a glyph with points that it has planned.
+    [[nodiscard]] solid_outline outline_of(const built_glyph& built) const noexcept
+    {
+        if (does_->outline_of == nullptr) return {built.form().points, built.form().starts};
+        return does_->outline_of(how_, built);
+    }
+
+    /// The name of the option to blame for heights that cannot be written.
+    [[nodiscard]] const char* heights_name() const noexcept { return does_->heights_name; }
+
+private:
+    const void* how_;
+    const calls* does_;
+};
+
+template <extruder E>
+constinit const solid_ref::calls solid_ref::table<E>::of = [] {
+    calls made{[](const void* how, const region& filled, plan_scratch& data,
+                  region_caps& caps) noexcept -> result<solid_plan> {
+                   auto* fresh = data.fresh<plan_data_of<E>>();
+                   if (fresh == nullptr) return error::out_of_memory;
+                   return plan_solid(*static_cast<const E*>(how), filled, *fresh, caps);
+               },
+               [](const void* how) noexcept { return typemesh::refused_options(*static_cast<const E*>(how)); },
+               [](const void* how) noexcept { return key_of(*static_cast<const E*>(how)); },
+               [](const void* how) noexcept { return static_cast<const E*>(how)->heights(); },
+               nullptr,
+               nullptr,
+               "heights"};
+    if constexpr (tells_heights<E>)
+        made.heights_of = [](const void* how, const built_glyph& built) noexcept {
+            return static_cast<const E*>(how)->heights(built.planned<E>().form);
+        };
+    if constexpr (tells_outline<E>)
+        made.outline_of = [](const void* how, const built_glyph& built) noexcept {
+            return static_cast<const E*>(how)->outline(built.planned<E>().form);
+        };
+    if constexpr (requires(const E& e) { e.depth; }) made.heights_name = "depth";
+    return made;
+}();
+
+}  // namespace typemesh::inline TYPEMESH_ABI

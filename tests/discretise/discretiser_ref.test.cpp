@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "support/catch.hpp"
+#include "support/toy_font.hpp"
+
+#include <typemesh/discretise/certified.hpp>
+#include <typemesh/discretise/discretiser_ref.hpp>
+#include <typemesh/discretise/two_lines.hpp>
+#include <typemesh/outline/outline_recorder.hpp>
+
+#include <vector>
+
+using namespace typemesh;
+
+TEMPLATE_TEST_CASE("a discretiser flattens through its reference as by itself", "[discretise]", certified, two_lines)
+{
+    test::toy_font font;
+    outline drawn;
+    REQUIRE_FALSE(record(font, 1, drawn));
+    const auto cells = grid::fitting(1000.0, drawn.bounds);
+    REQUIRE(cells);
+    const TestType how;
+    const discretiser_ref refers{how};
+    CHECK(refers.keeps_tolerance() == keeps_tolerance<TestType>);
+    CHECK(refers.key() == key_of(how));
+    for (const double tolerance : {0.1, 10.0}) {
+        std::vector<std::uint8_t> halvings(drawn.curves.size());
+        for (const std::uint8_t times : {std::uint8_t{0}, std::uint8_t{2}}) {
+            halvings.assign(halvings.size(), times);
+            contours own, by_ref;
+            REQUIRE_FALSE(discretise(drawn, how, tolerance, *cells, own, halvings));
+            REQUIRE_FALSE(refers.flatten(drawn, tolerance, *cells, by_ref, halvings));
+            CHECK(own.tolerance == by_ref.tolerance);
+            REQUIRE(own.points.size() == by_ref.points.size());
+            for (std::size_t i = 0; i < own.points.size(); ++i) CHECK(own.points[i] == by_ref.points[i]);
+        }
+    }
+    contours none;
+    CHECK(refers.flatten(drawn, -1.0, *cells, none) == error::bad_tolerance);
+}

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "support/catch.hpp"
+#include "support/toy_font.hpp"
+
+#include <typemesh/extrude/bevelled.hpp>
+#include <typemesh/extrude/emboldened.hpp>
+#include <typemesh/extrude/outlined.hpp>
+#include <typemesh/glyph/glyph_builder.hpp>
+#include <typemesh/glyph/solid_ref.hpp>
+#include <typemesh/typemesh.hpp>
+
+using namespace typemesh;
+
+TEMPLATE_TEST_CASE("a solid is planned through its reference as by itself", "[glyph]", flat, extruded<>, bevelled<>,
+                   emboldened<>, outlined<>)
+{
+    const TestType how;
+    const solid_ref refers{how};
+    CHECK(refers.key() == key_of(how));
+    CHECK(refers.heights().low == how.heights().low);
+    CHECK(refers.heights().high == how.heights().high);
+    CHECK(refers.refused_options() == refused_options(how).code);
+    CHECK(refers.has_heights_of_each() == tells_heights<TestType>);
+}
+
+TEST_CASE("where memory gives no plan data, planning a region tells so", "[glyph]")
+{
+    no_observer nobody;
+    const certified flatten;
+    const monotone cut;
+    const extruded<> raise;
+    const policies with{flatten, cut, raise, nobody};
+    const memory nothing = {nullptr, [](void*, std::size_t, std::size_t) noexcept -> void* { return nullptr; },
+                            [](void*, void*, std::size_t, std::size_t) noexcept {}};
+    plan_scratch data{nothing};
+    cap_builder caps, further;
+    CHECK(with.raise.plan(region{}, data, {caps, further, with.cut}).error() == error::out_of_memory);
+}

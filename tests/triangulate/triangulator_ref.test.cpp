@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "support/catch.hpp"
+#include "support/regions.hpp"
+#include "support/unproving.hpp"
+
+#include <typemesh/fill/fill.hpp>
+#include <typemesh/triangulate/constrained_delaunay.hpp>
+#include <typemesh/triangulate/monotone.hpp>
+#include <typemesh/triangulate/triangulator_ref.hpp>
+
+using namespace typemesh;
+
+TEMPLATE_TEST_CASE("a triangulator cuts and proves through its reference as by itself", "[triangulate]", monotone,
+                   constrained_delaunay)
+{
+    contours loops = test::contours_of({{{0, 0}, {4000, 0}, {4000, 3000}, {1000, 1000}}});
+    workspace space;
+    const auto filled = fill(loops, fill_rule::non_zero, space);
+    REQUIRE(filled);
+    const TestType how;
+    const triangulator_ref refers{how};
+    triangle_list own, by_ref;
+    REQUIRE_FALSE(cut_region(*filled, how, space, own));
+    REQUIRE_FALSE(refers.cut(*filled, space, by_ref));
+    REQUIRE(own.size() == by_ref.size());
+    for (std::size_t i = 0; i < own.size(); ++i) CHECK(own[i] == by_ref[i]);
+    CHECK(refers.proves() == proving_triangulator<TestType>);
+    CHECK(refers.proves_touching() == touching_triangulator<TestType>);
+    CHECK(refers.has_final_diagonals() == has_final_diagonals<TestType>);
+    CHECK(refers.key() == key_of(how));
+}
