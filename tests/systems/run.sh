@@ -29,7 +29,8 @@ while [ $# -gt 0 ]; do
     esac
     shift
 done
-for part in ${parts:=$all}; do
+parts=${parts:-$all}
+for part in $parts; do
     case " $all " in *" $part "*) ;; *) stop "There is no part $part: $all" ;; esac
 done
 suites=${suites:-bookworm trixie forky}
@@ -65,7 +66,7 @@ make_system() {  # make_system SUITE FOLDER
     debootstrap --variant=minbase --include=ca-certificates,git,ccache "$1" "$2" "${mirror% *}" \
         "/usr/share/debootstrap/scripts/$script" >"$2.bootstrap.log" 2>&1 || { tail -n 5 "$2.bootstrap.log" && return 1; }
     cp /etc/resolv.conf "$2/etc/" 2>/dev/null || true
-    [ ! -d /etc/apt/apt.conf.d ] || cp -r /etc/apt/apt.conf.d/*proxy* "$2/etc/apt/apt.conf.d/" 2>/dev/null || true
+    apt-config dump | grep '^Acquire::' >"$2/etc/apt/apt.conf.d/90this-machine"  # its way to the servers
     touch "$2/made"
 }
 
