@@ -11,6 +11,7 @@
 #include <typemesh/discretise/two_lines.hpp>
 #include <typemesh/extrude/flat.hpp>
 #include <typemesh/glyph/cap_builder.hpp>
+#include <typemesh/glyph/policies.hpp>
 #include <typemesh/inspect/curve_distance.hpp>
 #include <typemesh/outline/outline_recorder.hpp>
 #include <typemesh/triangulate/constrained_delaunay.hpp>

@@ -4,6 +4,7 @@
 
 #include "support/workload.hpp"
 #include "support/catch.hpp"
+#include "support/font_file.hpp"
 #include "support/mesh_laws.hpp"
 #include "support/oracle.hpp"
 

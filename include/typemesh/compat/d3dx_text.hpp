@@ -89,7 +89,7 @@ public:
     using plan_type = d3dx_text_plan<Solid>;
 
     /// Options follow the font: a triangulator, an extruder that has a depth, cached_in, and where memory comes from.
-    template <class Font, class... Option>
+    template <class Font, class... Option, detail::takes<Solid, Option...> = 0>
         requires shaper<Font> && outline_source<Font>
     explicit d3dx_text(Font& font, Option... options) noexcept
         : font_{font},

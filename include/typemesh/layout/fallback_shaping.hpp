@@ -140,29 +140,30 @@ private:
         if (of.item.to_the_left()) reverse(now_.view());
         if (error e = find_graphemes(of)) return e;
 
-        result<bool> open = true;  // whether there may be holes
-        for (std::uint32_t face = 0; face < known && open && *open; ++face)
-            if (face != of.item.face) open = fill_with(faces, of, face);
+        bool open = true;  // whether there may be holes
+        for (std::uint32_t face = 0; face < known && open; ++face)
+            if (face != of.item.face)
+                if (error e = fill_with(faces, of, face, open)) return e;
         if constexpr (finds)
-            while (open && *open) {
+            while (open) {
                 if (error e = ask(faces, of, known)) return e;
                 const std::uint32_t from = known;
                 known = faces.face_count();
                 if (from == known) break;
-                for (std::uint32_t face = from; face < known && open && *open; ++face)
-                    open = fill_with(faces, of, face);
+                for (std::uint32_t face = from; face < known && open; ++face)
+                    if (error e = fill_with(faces, of, face, open)) return e;
             }
-        if (open && *open) open = fill_with(faces, of, of.item.face);
-        if (!open) return open.error();
+        if (open)
+            if (error e = fill_with(faces, of, of.item.face, open)) return e;
 
         if (of.item.to_the_left()) reverse(now_.view());
         glyphs.truncate(before);
         return glyphs.append(now_.view()) ? error{} : error{error::out_of_memory};
     }
 
-    /// Shapes all holes with one face; with the item's own, also what was given up. Returns whether there were any.
+    /// Shapes all holes with one face; with the item's own, also what was given up. `open`: whether there were any.
     template <class Faces>
-    result<bool> fill_with(Faces& faces, const job& of, std::uint32_t face) noexcept
+    error fill_with(Faces& faces, const job& of, std::uint32_t face, bool& open) noexcept
     {
         if (error e = find_clusters(of, face == of.item.face)) return e;
         made_.clear();
@@ -172,10 +173,11 @@ private:
             if (error e = fill(faces, of, h, face)) return e;
             kept = h.last;
         }
-        if (kept == 0) return false;
+        open = kept != 0;
+        if (!open) return {};
         if (!keep(kept, clusters_.size())) return error::out_of_memory;
         now_.swap(made_);
-        return true;
+        return {};
     }
 
     /// Shapes one hole with one face.

@@ -49,6 +49,13 @@ struct find_solid<First, Option...>
 template <class... Option>
 using solid_among = typename find_solid<Option...>::type;
 
+/// An int if no option is another solid than the mesher's. Before clang 17 class templates are deduced from
+/// constructors without their requires clauses, but with their template parameters.
+template <class Solid, class... Option>
+using takes =
+    std::enable_if_t<((kind_of<Option>() != policy_kind::extruder || std::is_same_v<Option, Solid>) && ... && true),
+                     int>;
+
 /// The memory source among a mesher's options, or else the heap.
 template <class... Option>
 [[nodiscard]] memory memory_among(const Option&... options) noexcept

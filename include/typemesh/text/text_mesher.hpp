@@ -58,7 +58,7 @@ public:
     explicit text_mesher(memory source = heap()) noexcept : planner_{source} {}
 
     /// Options follow the font: policies, cached_in, and where memory comes from.
-    template <outline_source Font, class... Option>
+    template <outline_source Font, class... Option, detail::takes<Solid, Option...> = 0>
     explicit text_mesher(Font& font, Option... options) noexcept : planner_{detail::memory_among(options...)}
     {
         static_assert(
