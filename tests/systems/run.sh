@@ -95,7 +95,7 @@ run_suite() {  # run_suite SUITE; leaves SUITE.PART, "passed" or what failed, an
         status=0
         inside "$folder" "cd /typemesh && { $(command_of "$part"); }" >"$log" 2>&1 </dev/null || status=$?
         if [ $part = tests ]; then
-            tail -n 1 "$log"
+            say "$(tail -n 1 "$log")${quick:+ (--quick)}"
         elif [ $status = 0 ]; then
             say passed
         else
