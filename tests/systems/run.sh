@@ -70,12 +70,12 @@ make_system() {  # make_system SUITE FOLDER
     touch "$2/made"
 }
 
-# The tree, what git does not know left out. What was built there before stays.
+# The tree, what git does not know left out. What was built there before stays, and is older than the tree.
 copy_tree() {  # copy_tree FOLDER
     local tree=$1/typemesh
     mkdir -p "$tree"
     (cd "$tree" && find . -mindepth 1 -maxdepth 1 ! -name build -exec rm -rf {} +)
-    (cd "$typemesh_root" && git ls-files -z | tar c --null -T - --ignore-failed-read) | tar x -C "$tree"
+    (cd "$typemesh_root" && git ls-files -z | tar c --null -T - --ignore-failed-read) | tar xm -C "$tree"
 }
 
 # NAME VERSION of what matters, one a line.
