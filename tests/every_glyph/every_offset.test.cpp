@@ -25,7 +25,7 @@ TEST_CASE("every 1600th glyph of the smoke fonts can be swept inwards at every w
         CHECK(f.wrong == "");
     });
     CHECK(sweeps > 1'000);
-    CHECK(refused * 1000 < compared);  // one glyph of Inter 4.1, none of 4.0
+    CHECK(refused == 0);
 }
 
 TEST_CASE("letters swept inwards are where the slow wavefront is", "[every_glyph][offset]")
