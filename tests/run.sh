@@ -22,6 +22,7 @@ Installs what is missing, builds and runs the tests, those of the tier gcc by de
   packages   the Debian packages on a bare system, the source archive, the single headers, the recipes of vcpkg and Conan
   machines   the same meshes on every machine: hashes of all stages, and tests of some rooms, by other compilers and on other
              processors, under qemu, Wine and node
+  systems    the README's commands on bare systems of Debian 12, 13 and the next one; three hours. Not among --all
 --with adds tiers, --only takes these alone, --quick takes quick, --all takes every other tier. --fail-fast ends the run
 with the first test that fails.
 END
@@ -42,12 +43,12 @@ refuse() {
 name_tiers() {  # name_tiers OPTION TIER,TIER...
     local tier
     for tier in $(say "$2" | tr , ' '); do
-        case " quick $all_tiers " in
+        case " quick systems $all_tiers " in
             *" $tier "*) named="$named $tier" ;;
-            *) refuse "There is no tier \"$tier\". The tiers are: quick $all_tiers" ;;
+            *) refuse "There is no tier \"$tier\". The tiers are: quick $all_tiers systems" ;;
         esac
     done
-    [ -n "$named" ] || refuse "$1 wants one or more tiers, with commas between: quick $all_tiers"
+    [ -n "$named" ] || refuse "$1 wants one or more tiers, with commas between: quick $all_tiers systems"
 }
 
 only=
@@ -270,6 +271,14 @@ tier_machines() {
     words=$(sed -nE 's,^([^ ]+) +(skipped: )(.*),\2machines/\1: \3,p' "$log")
     [ -z "$words" ] || skipped="$skipped$words
 "
+}
+
+# Each command on each system counts as one test; those of the next Debian are none.
+tier_systems() {
+    local log=$typemesh_root/build/systems.log
+    bash "$typemesh_root/tests/systems/run.sh" 2>&1 | tee "$log" || true
+    count "$(grep -cE '^(passed|[0-9]+ passed, 0 failed)$' "$log")" "$(grep -cE '^failed: (bookworm|trixie)' "$log")"
+    grep -q '^The table: ' "$log" || count 0 1  # it has not come to its end
 }
 
 trap finish EXIT

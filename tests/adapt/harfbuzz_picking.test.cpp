@@ -87,6 +87,7 @@ TEST_CASE("a triangle of a ligature leads to the letter that it belongs to", "[h
     const bool merge = GENERATE(false, true);
     const double size = GENERATE(1.0, 37.0);
     INFO(file << (merge ? " merged " : " ") << size);
+    if (!has_font(file)) return;
     auto font = harfbuzz_font::open(font_file(file).c_str());
     REQUIRE(font);
     const text_options how{.size = size, .frame = right_handed_z_up, .merge = merge};

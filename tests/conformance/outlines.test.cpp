@@ -7,7 +7,8 @@
 //   start       A contour may begin at another of its points: HarfBuzz and FreeType choose differently where TrueType
 //               leaves the choice. The curves must agree in order.
 //   fractions   FreeType (2.12, psft.c) draws unhinted CFF at "unity scale" and rounds down to whole units: each
-//               coordinate may lie up to one unit below HarfBuzz's. Fonts: David CLM and Nachlieli CLM (culmus).
+//               coordinate may lie up to one unit below HarfBuzz's, and what becomes a line of no length is gone. Fonts:
+//               those of culmus (with Debian 12, David CLM and Nachlieli CLM alone).
 //   components  FreeType (2.12, ttgload.c) rounds the place of a component to whole units after it has varied it. Each
 //               contour of a varied font must agree up to a shift of at most one unit (half a unit for each of two
 //               levels of components). Fonts: Inter, away from its masters.
@@ -72,21 +73,22 @@ bool agree(std::span<const curve> a, std::span<const curve> b, law holds)
     return a.empty();
 }
 
-/// A contour's curves, if asked without lines of at most 1/64 unit: sums of CFF's decimals may miss the contour's
-/// start by so much, and it is then closed with a line.
-std::vector<curve> contour(const outline& o, std::uint32_t k, bool without_specks)
+/// A contour's curves. `whole`: without the lines that have no length in whole units. Such are also those that close a
+/// contour whose decimals (CFF) do not add up to nothing.
+std::vector<curve> contour(const outline& o, std::uint32_t k, bool whole)
 {
+    const auto down = [](point p) { return point{std::floor(p.x + tolerance), std::floor(p.y + tolerance)}; };
     std::vector<curve> kept;
     for (const curve& c : o.curves.view().subspan(o.starts[k], o.starts[k + 1] - o.starts[k]))
-        if (!without_specks || c.degree != 1 || length(c.end() - c.start()) > tolerance) kept.push_back(c);
+        if (!whole || c.degree != 1 || down(c.start()) != down(c.end())) kept.push_back(c);
     return kept;
 }
 
-bool agree(const outline& a, const outline& b, law holds, bool without_specks = false)
+bool agree(const outline& a, const outline& b, law holds, bool whole = false)
 {
     if (a.contour_count() != b.contour_count()) return false;
     for (std::uint32_t k = 0; k < a.contour_count(); ++k)
-        if (!agree(contour(a, k, without_specks), contour(b, k, without_specks), holds)) return false;
+        if (!agree(contour(a, k, whole), contour(b, k, whole), holds)) return false;
     return true;
 }
 
@@ -184,7 +186,7 @@ TEST_CASE("HarfBuzz and FreeType draw every glyph of the smoke fonts alike, to 1
     CHECK(seen.sums * 50 < seen.varied);
     for (const std::string& name : seen.fractions) {
         INFO(name);
-        CHECK((name.rfind("DavidCLM", 0) == 0 || name.rfind("NachlieliCLM", 0) == 0));
+        CHECK(name.find("CLM") != std::string::npos);
     }
     for (const std::string& name : seen.components) {
         INFO(name);

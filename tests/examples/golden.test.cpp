@@ -2,6 +2,7 @@
 #include "support/catch.hpp"
 
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -39,12 +40,15 @@ picture read(const std::string& path)
 // pictures are compared with a tolerance; a missing triangle or a wrong normal is far beyond it.
 TEST_CASE("the picture of the README is what text_to_mesh draws today", "[golden]")
 {
+    const char* const font = "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf";
+    if (std::filesystem::file_size(font) != 139512) {
+        WARN("left out: " << font << " is not the one that the picture was drawn with (Debian 12's, 139512 bytes)");
+        return;
+    }
     scratch_folder folder;
     const std::string drawn = folder.file("hello.png");
-    const std::string command = "'" TYPEMESH_TEXT_TO_MESH
-                                "' 'Hello world!' --font "
-                                "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf --picture '" +
-                                drawn + "'";
+    const std::string command =
+        std::string{"'" TYPEMESH_TEXT_TO_MESH "' 'Hello world!' --font "} + font + " --picture '" + drawn + "'";
     REQUIRE(std::system(command.c_str()) == 0);
 
     const picture today = read(drawn), golden = read(TYPEMESH_TEST_DATA "/../docs/pictures/hello.png");
