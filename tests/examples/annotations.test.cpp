@@ -30,7 +30,7 @@ overlay of(const text_to_mesh::options& o, const model& m)
     REQUIRE(font);
     text_to_mesh::installed_fallback nothing;
     text_to_mesh::font_set fonts{*font, nothing};
-    return text_to_mesh::annotate(o, fonts, typemesh::glyph_run{}, {}, {}, m);
+    return text_to_mesh::annotate(o, fonts, typemesh::glyph_run{}, {}, m);
 }
 
 }  // namespace shown_outline

@@ -17,23 +17,23 @@ using namespace typemesh;
 
 namespace {
 
-using bold = emboldened<bevelled<>>;
-using hollow = outlined<extruded<>, extruded<>>;
-using any = one_of<flat, extruded<creased_normals>, extruded<>, bevelled<>, bold, hollow>;
+using bold_letters = emboldened<bevelled<>>;
+using hollow_letters = outlined<extruded<>, extruded<>>;
+using any_solid = one_of<flat, extruded<creased_normals>, extruded<>, bevelled<>, bold_letters, hollow_letters>;
 
-constexpr const char* word = "oExi Eo";  // x has contours that cross
+constexpr const char* chosen_word = "oExi Eo";  // x has contours that cross
 
 /// A solid of a type with options that are not those by default.
 template <class Solid>
-Solid odd()
+Solid odd_options()
 {
     if constexpr (std::same_as<Solid, flat>)
         return {.texture = texture_mapping::box};
     else if constexpr (std::same_as<Solid, bevelled<>>)
         return {.depth = 0.3f, .width = 0.06f, .bevel_depth = 0.05f, .mode = bevel_mode::fit_text};
-    else if constexpr (std::same_as<Solid, bold>)
+    else if constexpr (std::same_as<Solid, bold_letters>)
         return {.by = 0.02f, .solid = {.width = 0.01f}};
-    else if constexpr (std::same_as<Solid, hollow>)
+    else if constexpr (std::same_as<Solid, hollow_letters>)
         return {.width = 0.02f, .place = outline_place::outer, .letter = {.depth = 0.1f}};
     else
         return {.depth = 0.4f};
@@ -45,7 +45,7 @@ bool are_alike(const A& a, const B& b)
 {
     bool alike = a.size() == b.size() && a.bounds().low == b.bounds().low && a.bounds().high == b.bounds().high &&
                  a.report().refused == b.report().refused && a.report().narrowed == b.report().narrowed;
-    for (const part p : parts_of<bold>) {
+    for (const part p : parts_of<bold_letters>) {
         const mesh_range x = a.range(p), y = b.range(p);
         alike = alike && x.first_vertex == y.first_vertex && x.vertex_count == y.vertex_count &&
                 x.first_index == y.first_index && x.index_count == y.index_count;
@@ -55,39 +55,41 @@ bool are_alike(const A& a, const B& b)
 
 }  // namespace
 
-static_assert(extruder<any> && cacheable_policy<any> && any::part_count == 6);
-static_assert(tells_heights<any> && makes_own_caps<any> && tells_outline<any> && refitting_extruder<any>);
+static_assert(extruder<any_solid> && cacheable_policy<any_solid> && any_solid::part_count == 6);
+static_assert(tells_heights<any_solid> && makes_own_caps<any_solid> && tells_outline<any_solid> &&
+              refitting_extruder<any_solid>);
 
 // It says of itself what one of its solids says, and no more.
-using plain = one_of<flat, extruded<>>;
-static_assert(plain::part_count == 3 && tells_hard_edges<plain>);
-static_assert(!tells_heights<plain> && !makes_own_caps<plain> && !tells_outline<plain> && !refitting_extruder<plain>);
+using plain_choice = one_of<flat, extruded<>>;
+static_assert(plain_choice::part_count == 3 && tells_hard_edges<plain_choice>);
+static_assert(!tells_heights<plain_choice> && !makes_own_caps<plain_choice> && !tells_outline<plain_choice> &&
+              !refitting_extruder<plain_choice>);
 
 TEMPLATE_TEST_CASE("a solid chosen at run time makes what it makes alone", "[extrude][one_of]", flat,
-                   extruded<creased_normals>, extruded<>, bevelled<>, bold, hollow)
+                   extruded<creased_normals>, extruded<>, bevelled<>, bold_letters, hollow_letters)
 {
     test::toy_font font;
     const text_options how{.size = 2.0, .merge = GENERATE(false, true)};
-    text_mesher alone{font, odd<TestType>()};
-    const auto expected = alone.plan(word, how);
+    text_mesher alone{font, odd_options<TestType>()};
+    const auto expected = alone.plan(chosen_word, how);
     REQUIRE(expected);
     const test::lit_mesh mesh = test::written(*expected);
     REQUIRE(mesh.indices.size() > 100);
 
-    text_mesher<any> chosen{font, odd<TestType>()};
-    const auto first = chosen.plan(word, how);
+    text_mesher<any_solid> chosen{font, odd_options<TestType>()};
+    const auto first = chosen.plan(chosen_word, how);
     REQUIRE(first);
     CHECK(are_alike(*first, *expected));
     CHECK(test::written(*first) == mesh);
 
-    text_mesher<any> mesher{font};
+    text_mesher<any_solid> mesher{font};
     glyph_cache<> cache;
     mesher.use(cached_in{cache, 1});
-    REQUIRE(mesher.plan(word, how));
-    mesher.use(odd<TestType>());
+    REQUIRE(mesher.plan(chosen_word, how));
+    mesher.use(odd_options<TestType>());
     CHECK(mesher.solid().template get<TestType>() != nullptr);
     for (int round = 0; round < 2; ++round) {
-        const auto plan = mesher.plan(word, how);
+        const auto plan = mesher.plan(chosen_word, how);
         REQUIRE(plan);
         CHECK(are_alike(*plan, *expected));
         CHECK(test::written(*plan) == mesh);
@@ -95,10 +97,10 @@ TEMPLATE_TEST_CASE("a solid chosen at run time makes what it makes alone", "[ext
 
     // The same as another extruder's solid.
     if constexpr (std::same_as<TestType, extruded<>> || std::same_as<TestType, bevelled<>>) {
-        text_mesher inner{font, emboldened<any>{.by = 0.01f, .solid = odd<TestType>()}};
-        text_mesher outer{font, emboldened<TestType>{.by = 0.01f, .solid = odd<TestType>()}};
-        const auto a = inner.plan(word, how);
-        const auto b = outer.plan(word, how);
+        text_mesher inner{font, emboldened<any_solid>{.by = 0.01f, .solid = odd_options<TestType>()}};
+        text_mesher outer{font, emboldened<TestType>{.by = 0.01f, .solid = odd_options<TestType>()}};
+        const auto a = inner.plan(chosen_word, how);
+        const auto b = outer.plan(chosen_word, how);
         REQUIRE(a);
         REQUIRE(b);
         CHECK(test::written(*a) == test::written(*b));
@@ -109,16 +111,17 @@ TEST_CASE("a cache tells the choices apart, and keeps no more bytes for a chosen
 {
     test::toy_font font;
     glyph_cache<> cache;
-    text_mesher<any> mesher{font, cached_in{cache, 1}};
-    const auto of = [&](any solid) {
+    text_mesher<any_solid> mesher{font, cached_in{cache, 1}};
+    const auto of = [&](any_solid solid) {
         mesher.solid() = solid;
-        const auto plan = mesher.plan(word);
+        const auto plan = mesher.plan(chosen_word);
         REQUIRE(plan);
         return test::written(*plan);
     };
     std::vector<test::lit_mesh> first;
-    const any choices[] = {flat{}, extruded<>{}, extruded<creased_normals>{}, bevelled<>{}, bevelled<>{.width = 0.01f}};
-    for (const any& solid : choices) first.push_back(of(solid));
+    const any_solid choices[] = {flat{}, extruded<>{}, extruded<creased_normals>{}, bevelled<>{},
+                                 bevelled<>{.width = 0.01f}};
+    for (const any_solid& solid : choices) first.push_back(of(solid));
     const auto after_one = cache.statistics();
     for (std::size_t k = 0; k < first.size(); ++k) {
         CHECK(of(choices[k]) == first[k]);
@@ -128,9 +131,9 @@ TEST_CASE("a cache tells the choices apart, and keeps no more bytes for a chosen
 
     glyph_cache<> own_cache, chosen_cache;
     text_mesher own{font, bevelled<>{}, cached_in{own_cache, 1}};
-    text_mesher<any> chosen{font, bevelled<>{}, cached_in{chosen_cache, 1}};
-    REQUIRE(own.plan(word));
-    REQUIRE(chosen.plan(word));
+    text_mesher<any_solid> chosen{font, bevelled<>{}, cached_in{chosen_cache, 1}};
+    REQUIRE(own.plan(chosen_word));
+    REQUIRE(chosen.plan(chosen_word));
     CHECK(chosen_cache.statistics().bytes == own_cache.statistics().bytes);
 }
 
@@ -140,7 +143,7 @@ TEST_CASE("letters that meet when a chosen solid has grown are merged as those o
     const text_options how{.merge = true};
     const auto check = [&](const auto& solid, std::size_t apart) {
         text_mesher alone{font, solid};
-        text_mesher<any> chosen{font, solid};
+        text_mesher<any_solid> chosen{font, solid};
         const auto a = alone.plan("oooo", how);
         const auto b = chosen.plan("oooo", how);
         REQUIRE(a);
@@ -150,20 +153,20 @@ TEST_CASE("letters that meet when a chosen solid has grown are merged as those o
     };
     check(bevelled<>{.width = 0.06f, .outward = true}, 1);
     check(bevelled<>{.width = 0.04f, .outward = true}, 4);
-    check(bold{.by = 0.06f}, 1);
-    check(hollow{.width = 0.06f, .place = outline_place::outer}, 1);
+    check(bold_letters{.by = 0.06f}, 1);
+    check(hollow_letters{.width = 0.06f, .place = outline_place::outer}, 1);
 }
 
 TEST_CASE("a plan goes on with the solid that it was made with", "[extrude][one_of]")
 {
     test::toy_font font;
-    text_mesher<any> mesher{font, bevelled<>{}};
-    const auto plan = mesher.plan(word);
+    text_mesher<any_solid> mesher{font, bevelled<>{}};
+    const auto plan = mesher.plan(chosen_word);
     REQUIRE(plan);
     const test::lit_mesh before = test::written(*plan);
     mesher.solid() = flat{};
     CHECK(test::written(*plan) == before);
-    const auto next = mesher.plan(word);
+    const auto next = mesher.plan(chosen_word);
     REQUIRE(next);
     CHECK(test::written(*next).vertices.size() < before.vertices.size());
 }
@@ -171,10 +174,10 @@ TEST_CASE("a plan goes on with the solid that it was made with", "[extrude][one_
 TEST_CASE("a chosen solid refuses its own options by their names", "[extrude][one_of]")
 {
     test::toy_font font;
-    text_mesher<any> mesher{font, bevelled<>{.width = -1.0f}};
-    const auto refused = mesher.plan(word);
+    text_mesher<any_solid> mesher{font, bevelled<>{.width = -1.0f}};
+    const auto refused = mesher.plan(chosen_word);
     CHECK(refused.error() == error::bad_option);
     CHECK(std::string{refused.error().option} == "width");
     mesher.use(extruded<>{});
-    CHECK(mesher.plan(word));
+    CHECK(mesher.plan(chosen_word));
 }
