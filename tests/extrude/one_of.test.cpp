@@ -17,9 +17,9 @@ using namespace typemesh;
 
 namespace {
 
-using bold = emboldened<bevelled<>>;
+using bold = emboldened<bevelled>;
 using hollow = outlined<extruded<>, extruded<>>;
-using any = one_of<flat, extruded<creased_normals>, extruded<>, bevelled<>, bold, hollow>;
+using any = one_of<flat, extruded<creased_normals>, extruded<>, bevelled, bold, hollow>;
 
 constexpr const char* word = "oExi Eo";  // x has contours that cross
 
@@ -29,7 +29,7 @@ Solid odd()
 {
     if constexpr (std::same_as<Solid, flat>)
         return {.texture = texture_mapping::box};
-    else if constexpr (std::same_as<Solid, bevelled<>>)
+    else if constexpr (std::same_as<Solid, bevelled>)
         return {.depth = 0.3f, .width = 0.06f, .bevel_depth = 0.05f, .mode = bevel_mode::fit_text};
     else if constexpr (std::same_as<Solid, bold>)
         return {.by = 0.02f, .solid = {.width = 0.01f}};
@@ -64,7 +64,7 @@ static_assert(plain::part_count == 3 && tells_hard_edges<plain>);
 static_assert(!tells_heights<plain> && !makes_own_caps<plain> && !tells_outline<plain> && !refitting_extruder<plain>);
 
 TEMPLATE_TEST_CASE("a solid chosen at run time makes what it makes alone", "[extrude][one_of]", flat,
-                   extruded<creased_normals>, extruded<>, bevelled<>, bold, hollow)
+                   extruded<creased_normals>, extruded<>, bevelled, bold, hollow)
 {
     test::toy_font font;
     const text_options how{.size = 2.0, .merge = GENERATE(false, true)};
@@ -94,7 +94,7 @@ TEMPLATE_TEST_CASE("a solid chosen at run time makes what it makes alone", "[ext
     }
 
     // The same as another extruder's solid.
-    if constexpr (std::same_as<TestType, extruded<>> || std::same_as<TestType, bevelled<>>) {
+    if constexpr (std::same_as<TestType, extruded<>> || std::same_as<TestType, bevelled>) {
         text_mesher inner{font, emboldened<any>{.by = 0.01f, .solid = odd<TestType>()}};
         text_mesher outer{font, emboldened<TestType>{.by = 0.01f, .solid = odd<TestType>()}};
         const auto a = inner.plan(word, how);
@@ -117,7 +117,7 @@ TEST_CASE("a cache tells the choices apart, and keeps no more bytes for a chosen
         return test::written(*plan);
     };
     std::vector<test::lit_mesh> first;
-    const any choices[] = {flat{}, extruded<>{}, extruded<creased_normals>{}, bevelled<>{}, bevelled<>{.width = 0.01f}};
+    const any choices[] = {flat{}, extruded<>{}, extruded<creased_normals>{}, bevelled{}, bevelled{.width = 0.01f}};
     for (const any& solid : choices) first.push_back(of(solid));
     const auto after_one = cache.statistics();
     for (std::size_t k = 0; k < first.size(); ++k) {
@@ -127,8 +127,8 @@ TEST_CASE("a cache tells the choices apart, and keeps no more bytes for a chosen
     CHECK(cache.statistics().misses == after_one.misses);
 
     glyph_cache<> own_cache, chosen_cache;
-    text_mesher own{font, bevelled<>{}, cached_in{own_cache, 1}};
-    text_mesher<any> chosen{font, bevelled<>{}, cached_in{chosen_cache, 1}};
+    text_mesher own{font, bevelled{}, cached_in{own_cache, 1}};
+    text_mesher<any> chosen{font, bevelled{}, cached_in{chosen_cache, 1}};
     REQUIRE(own.plan(word));
     REQUIRE(chosen.plan(word));
     CHECK(chosen_cache.statistics().bytes == own_cache.statistics().bytes);
@@ -148,8 +148,8 @@ TEST_CASE("letters that meet when a chosen solid has grown are merged as those o
         CHECK(a->glyphs().size() == apart);
         CHECK(test::written(*a) == test::written(*b));
     };
-    check(bevelled<>{.width = 0.06f, .outward = true}, 1);
-    check(bevelled<>{.width = 0.04f, .outward = true}, 4);
+    check(bevelled{.width = 0.06f, .outward = true}, 1);
+    check(bevelled{.width = 0.04f, .outward = true}, 4);
     check(bold{.by = 0.06f}, 1);
     check(hollow{.width = 0.06f, .place = outline_place::outer}, 1);
 }
@@ -157,7 +157,7 @@ TEST_CASE("letters that meet when a chosen solid has grown are merged as those o
 TEST_CASE("a plan goes on with the solid that it was made with", "[extrude][one_of]")
 {
     test::toy_font font;
-    text_mesher<any> mesher{font, bevelled<>{}};
+    text_mesher<any> mesher{font, bevelled{}};
     const auto plan = mesher.plan(word);
     REQUIRE(plan);
     const test::lit_mesh before = test::written(*plan);
@@ -171,7 +171,7 @@ TEST_CASE("a plan goes on with the solid that it was made with", "[extrude][one_
 TEST_CASE("a chosen solid refuses its own options by their names", "[extrude][one_of]")
 {
     test::toy_font font;
-    text_mesher<any> mesher{font, bevelled<>{.width = -1.0f}};
+    text_mesher<any> mesher{font, bevelled{.width = -1.0f}};
     const auto refused = mesher.plan(word);
     CHECK(refused.error() == error::bad_option);
     CHECK(std::string{refused.error().option} == "width");
