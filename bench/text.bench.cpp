@@ -253,7 +253,7 @@ void register_sample(const sample& s)
     benchmark::RegisterBenchmark((std::string{"text/"} + s.name).c_str(),
                                  [&font, s](benchmark::State& state) { run_text(state, font, s.text, extruded<>{}); });
     benchmark::RegisterBenchmark((std::string{"bevelled/"} + s.name).c_str(),
-                                 [&font, s](benchmark::State& state) { run_text(state, font, s.text, bevelled<>{}); });
+                                 [&font, s](benchmark::State& state) { run_text(state, font, s.text, bevelled{}); });
     benchmark::RegisterBenchmark((std::string{"plan_only/"} + s.name).c_str(), [&font, s](benchmark::State& state) {
         text_mesher mesher{font};
         for (auto _ : state) benchmark::DoNotOptimize(mesher.plan(s.text)->size());

@@ -24,19 +24,6 @@ struct typemesh::vertex_traits<vertex> {
     }
 };
 
-/// An S, from the wall (0, 0) to the cap (1, 1): share of the width, share of the bevel's depth. Options of a profile
-/// would go into a cache_key(); see typemesh/extrude/bevel_profile.hpp.
-struct ogee_profile {
-    void operator()(const typemesh::profile_scale&, typemesh::profile_points& out) const noexcept
-    {
-        constexpr int steps = 8;
-        for (int i = 0; i <= steps; ++i) {
-            const float t = static_cast<float>(i) / steps;
-            out.add({t, t * t * (3.0f - 2.0f * t)});
-        }
-    }
-};
-
 int main(int argc, char** argv)
 {
     using namespace typemesh;
@@ -45,7 +32,10 @@ int main(int argc, char** argv)
     if (!font) return std::puts(font.error().message()), 1;
 
     // fit: where a letter would lose a cap, its bevels become narrower. clip, the default, closes them in a ridge.
-    const bevelled<ogee_profile> bevels{.width = 0.06f, .bevel_depth = 0.03f, .mode = bevel_mode::fit};
+    const bevelled bevels{.width = 0.06f,
+                          .bevel_depth = 0.03f,
+                          .mode = bevel_mode::fit,
+                          .profile = sampled_profile([](float t) noexcept { return t * t * (3 - 2 * t); }, 8)};  // an S
     auto mesher = text_mesher{*font}.with(bevels);
     auto plan = mesher.plan("Bevelled", {.merge = true});
     if (!plan) return std::puts(plan.error().message()), 1;
@@ -58,7 +48,7 @@ int main(int argc, char** argv)
         std::printf("%11s: %u indices\n", names[static_cast<int>(p)], plan->range(p).index_count);
 
     for (const drawn_glyph& glyph : plan->glyphs()) {
-        const float width = bevels.width_of(glyph.built->planned<bevelled<ogee_profile>>().form);
+        const float width = bevels.width_of(glyph.built->planned<bevelled>().form);
         std::printf("the letter at character %u has bevels %.4f em wide%s\n", glyph.cluster, static_cast<double>(width),
                     glyph.built->is_narrowed() ? ", because wider ones were refused" : "");
     }

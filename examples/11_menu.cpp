@@ -25,7 +25,7 @@ int main(int argc, char** argv)
         fonts.push_back(std::move(*font));
     }
 
-    text_mesher<one_of<flat, extruded<>, bevelled<>>> mesher{fonts.front()};
+    text_mesher<one_of<flat, extruded<>, bevelled>> mesher{fonts.front()};
     std::vector<vec3> positions;
     std::vector<std::uint32_t> indices;
     std::puts("f flat  e extruded  b bevelled  m monotone  d Delaunay  1 to 9 font  q quit");
@@ -33,7 +33,7 @@ int main(int argc, char** argv)
         switch (choice) {
         case 'f': mesher.use(flat{}); break;
         case 'e': mesher.use(extruded<>{.depth = 0.3f}); break;
-        case 'b': mesher.use(bevelled<>{.width = 0.03f}); break;
+        case 'b': mesher.use(bevelled{.width = 0.03f}); break;
         case 'm': mesher.use(monotone{}); break;
         case 'd': mesher.use(constrained_delaunay{}); break;
         default:

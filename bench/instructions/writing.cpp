@@ -8,7 +8,6 @@
 
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/extrude/bevelled.hpp>
-#include <typemesh/extrude/ready_profiles.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <cstddef>
@@ -110,11 +109,12 @@ constexpr kernel kernels[] = {
     {"write_tilted", "text", "the same without tangents, in a frame along no axis",
      [](int n) { return writes<full_vertex>(extruded<>{}, {.frame = tilted}, n); }},
     {"write_bevelled", "text", "the same in the usual frame, with round bevels",
-     [](int n) { return writes<full_vertex>(bevelled<round_profile>{}, {}, n); }},
+     [](int n) { return writes<full_vertex>(bevelled{.profile = round_profile()}, {}, n); }},
     {"write_chunks", "text", "extruded, in chunks of at most 4,096 vertices, 16-bit indices", chunked_writes},
     {"kept_extruded", "byte", "a letter in a glyph_cache, extruded, the average of ASCII",
      [](int) { return kept_bytes(extruded<>{}); }},
-    {"kept_bevelled", "byte", "the same with a round bevel", [](int) { return kept_bytes(bevelled<round_profile>{}); }},
+    {"kept_bevelled", "byte", "the same with a round bevel",
+     [](int) { return kept_bytes(bevelled{.profile = round_profile()}); }},
     {"mesher", "byte", "text_mesher over HarfBuzz", [](int) { return sizeof(text_mesher<>); }},
 };
 

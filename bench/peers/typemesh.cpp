@@ -123,8 +123,7 @@ int main(int argc, char** argv)
         if (times) ways.push_back(floor_of(font));
         add_ways(ways, font, name_of(quality::high), "extruded", quality::high, extruded<>{.depth = depth});
         const float width = peers::bevel_width;
-        const bevelled<round_profile> bevel{
-            .depth = depth, .width = width, .bevel_depth = width, .profile = {.steps = 3}};
+        const bevelled bevel{.depth = depth, .width = width, .bevel_depth = width, .profile = round_profile(3)};
         add_ways(ways, font, name_of(quality::high), "bevelled", quality::high, bevel);
         const extruded<> plain{.depth = depth};
         static glyph_cache<> cache;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/extrude/bevel_profile.hpp>
+#include <typemesh/extrude/profile_points.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <optional>

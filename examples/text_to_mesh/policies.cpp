@@ -4,22 +4,22 @@
 namespace text_to_mesh {
 namespace {
 
-chosen_profile profile_of(const bevel_options& o)
+typemesh::bevel_profile profile_of(const bevel_options& o)
 {
     switch (o.profile) {
-    case profile_name::round: return {typemesh::round_profile{o.steps}};
-    case profile_name::concave: return {typemesh::concave_profile{o.steps}};
-    case profile_name::stepped: return {typemesh::stepped_profile{}};
-    case profile_name::engraved: return {typemesh::engraved_profile{}};
-    case profile_name::points: return {typemesh::polyline_profile{o.points}};
+    case profile_name::round: return typemesh::round_profile(o.steps);
+    case profile_name::concave: return typemesh::concave_profile(o.steps);
+    case profile_name::stepped: return typemesh::stepped_profile();
+    case profile_name::engraved: return typemesh::engraved_profile();
+    case profile_name::points: return o.points;
     case profile_name::chamfer: break;
     }
-    return {typemesh::chamfer_profile{}};
+    return typemesh::chamfer_profile();
 }
 
-bevelled_solid bevelled_of(const options& o)
+typemesh::bevelled bevelled_of(const options& o)
 {
-    bevelled_solid solid{.depth = o.depth, .width = o.bevel.width, .bevel_depth = o.bevel.depth};
+    typemesh::bevelled solid{.depth = o.depth, .width = o.bevel.width, .bevel_depth = o.bevel.depth};
     solid.sides = o.bevel.sides;
     solid.mode = o.bevel.mode;
     solid.outward = o.bevel.outward;

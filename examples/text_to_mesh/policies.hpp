@@ -4,50 +4,27 @@
 #include "options.hpp"
 #include "progress.hpp"
 
-#include <typemesh/core/option_hash.hpp>
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/emboldened.hpp>
 #include <typemesh/extrude/one_of.hpp>
 #include <typemesh/extrude/outlined.hpp>
-#include <typemesh/extrude/polyline_profile.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <variant>
 
 namespace text_to_mesh {
 
 // Solids are compile-time types; a program that reads one from a command line names them all, and so has one type of mesher.
 // The other policies are exchanged in it.
 
-/// One of the profiles of a bevel.
-struct chosen_profile {
-    std::variant<typemesh::chamfer_profile, typemesh::round_profile, typemesh::concave_profile,
-                 typemesh::stepped_profile, typemesh::engraved_profile, typemesh::polyline_profile>
-        choice;
-
-    [[nodiscard]] typemesh::option_bits cache_key() const noexcept
-    {
-        typemesh::option_hash all;
-        std::visit([&](const auto& p) { all.add_key_of(p); }, choice);
-        return {all.first, all.second, std::uint64_t{choice.index()}};
-    }
-
-    void operator()(const typemesh::profile_scale& scale, typemesh::profile_points& out) const noexcept
-    {
-        std::visit([&](const auto& p) { p(scale, out); }, choice);
-    }
-};
-
 /// Without bevels; flat where there is no depth.
 using plain_solid =
     typemesh::one_of<typemesh::extruded<typemesh::curve_normals>, typemesh::extruded<typemesh::creased_normals>,
                      typemesh::extruded<typemesh::averaged_normals>, typemesh::extruded<typemesh::shared_normals>,
                      typemesh::extruded<typemesh::cap_normals>, typemesh::flat>;
-using bevelled_solid = typemesh::bevelled<chosen_profile>;
-using letter_solid = typemesh::one_of<plain_solid, bevelled_solid>;
+using letter_solid = typemesh::one_of<plain_solid, typemesh::bevelled>;
 
 /// Letters, bold ones, or hollow ones, which may be bold as well: `emboldened` by nothing changes nothing. Of an outline
 /// without the letter, that is an extruder whose parts are switched off.

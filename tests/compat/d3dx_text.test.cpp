@@ -470,7 +470,7 @@ TEST_CASE("another extruder stands where Direct3D's text does, all its parts dra
     test::toy_font font;
     const double extrusion = GENERATE(0.1, 5.0);
     // The cell of the toy font is as large as its em, so widths and depths have the same unit.
-    auto maker = d3dx_text{font}.with(bevelled<>{.width = 0.02f, .bevel_depth = 0.04f});
+    auto maker = d3dx_text{font}.with(bevelled{.width = 0.02f, .bevel_depth = 0.04f});
     const auto plan = maker.plan(all_glyphs, {.extrusion = extrusion});
     REQUIRE(plan);
     const full_mesh m = write(*plan);

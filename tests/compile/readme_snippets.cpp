@@ -9,7 +9,6 @@
 #include <typemesh/extrude/emboldened.hpp>
 #include <typemesh/extrude/one_of.hpp>
 #include <typemesh/extrude/outlined.hpp>
-#include <typemesh/extrude/polyline_profile.hpp>
 #include <typemesh/inspect/closedness.hpp>
 #include <typemesh/inspect/normal_check.hpp>
 #include <typemesh/paragraph/fit_size.hpp>
@@ -56,13 +55,6 @@ int main()
 void draw(std::uint32_t, typemesh::vec3) noexcept {}
 void draw(std::uint32_t, std::uint32_t, std::uint32_t) noexcept {}
 
-struct ogee_profile {  // an S; options of a profile go into its cache_key()
-    void operator()(const typemesh::profile_scale&, typemesh::profile_points& out) const noexcept
-    {
-        for (float t = 0.0f; t <= 1.0f; t += 0.125f) out.add({t, t * t * (3.0f - 2.0f * t)});
-    }
-};
-
 struct my_patterns {
     void hyphenate(typemesh::text_view text, typemesh::text_range word, std::string_view language, auto put) noexcept;  // put(place) ...
 };
@@ -99,12 +91,13 @@ headline shown;
 shown.mesher.use(*font);
 shown.mesher.use(typemesh::constrained_delaunay{});           // ends the mesher's plan
     use(shown);
-auto chamfered = typemesh::text_mesher{*font, typemesh::bevelled<>{.width = 0.02f, .bevel_depth = 0.02f}};
-auto rounded   = typemesh::text_mesher{*font, typemesh::bevelled<typemesh::round_profile>{.profile = {.steps = 4}}};
-auto moulded   = typemesh::text_mesher{*font, typemesh::bevelled<typemesh::polyline_profile>{.profile = {{{0, 0}, {0.2f, 0.8f}, {1, 1}}}}};
-auto swung = typemesh::text_mesher{*font, typemesh::bevelled<ogee_profile>{.width = 0.04f}};
+auto chamfered = typemesh::text_mesher{*font, typemesh::bevelled{.width = 0.02f, .bevel_depth = 0.02f}};
+auto rounded   = typemesh::text_mesher{*font, typemesh::bevelled{.profile = typemesh::round_profile(4)}};
+auto moulded   = typemesh::text_mesher{*font, typemesh::bevelled{.profile = {{0, 0}, {0.2f, 0.8f}, {1, 1}}}};
+auto ogee      = typemesh::sampled_profile([](float t) noexcept { return t * t * (3 - 2 * t); }, 8);        // an S
+auto swung     = typemesh::text_mesher{*font, typemesh::bevelled{.width = 0.04f, .profile = ogee}};
     use(chamfered, rounded, moulded, swung);
-auto bolder = typemesh::text_mesher{*font, typemesh::emboldened<typemesh::bevelled<>>{.by = 0.015f, .solid = {.width = 0.01f}}};
+auto bolder = typemesh::text_mesher{*font, typemesh::emboldened<typemesh::bevelled>{.by = 0.015f, .solid = {.width = 0.01f}}};
 auto hollow = typemesh::text_mesher{*font, typemesh::outlined<>{.width = 0.02f}};
 auto framed = typemesh::text_mesher{*font, typemesh::outlined<typemesh::extruded<>, typemesh::extruded<>>{
     .place = typemesh::outline_place::outer, .letter = {.depth = 0.1f}}};
@@ -167,8 +160,8 @@ auto its_front = initial->range(typemesh::style_id{7}, typemesh::part::front);
     use(its_front);
     }
     {
-typemesh::text_mesher<typemesh::one_of<typemesh::flat, typemesh::extruded<>, typemesh::bevelled<>>> any{*font};
-any.use(typemesh::bevelled<>{.width = 0.03f});
+typemesh::text_mesher<typemesh::one_of<typemesh::flat, typemesh::extruded<>, typemesh::bevelled>> any{*font};
+any.use(typemesh::bevelled{.width = 0.03f});
     }
     {
 auto wave = mesher.plan("wave", {}, [](typemesh::glyph_run& run) noexcept {

@@ -7,4 +7,4 @@
 
 using namespace typemesh;
 
-const outlined<bevelled<>, bevelled<>> both{.width = 0.02f};
+const outlined<bevelled, bevelled> both{.width = 0.02f};

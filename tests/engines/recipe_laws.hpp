@@ -47,7 +47,7 @@ public:
 
 /// With three parts and with five.
 using bench = bench_of<extruded<>>;
-using bevelled_bench = bench_of<bevelled<>>;
+using bevelled_bench = bench_of<bevelled>;
 inline constexpr double bevel = 0.02;  // as wide and as deep
 
 /// A mesh read back from an engine's buffers.

@@ -69,8 +69,8 @@ public:
         using namespace typemesh;
         bevel_findings f;
         oracle_.reset();
-        examine(bevelled<>{}, chamfer_, width, f);
-        examine(bevelled<round_profile>{.profile = {.steps = 4}}, round_, width, f);
+        examine(bevelled{}, chamfer_, width, f);
+        examine(bevelled{.profile = round_profile(4)}, round_, width, f);
         return f;
     }
 

@@ -55,7 +55,7 @@ public:
     [[nodiscard]] double em() const { return em_; }
     [[nodiscard]] const region& filled() const { return region_; }
 
-    void raise(const bevelled<>& how)
+    void raise(const bevelled& how)
     {
         how_ = how;
         data_.clear();
@@ -64,10 +64,10 @@ public:
         REQUIRE(plan);
         CHECK_FALSE(plan->narrowed);
         mesh_.sizes = plan->sizes;
-        const solid_of<bevelled<>> form{{region_.points(), region_.starts(), caps_.triangles().view()}, data_.read()};
+        const solid_of<bevelled> form{{region_.points(), region_.starts(), caps_.triangles().view()}, data_.read()};
         placement at;
         at.unit_per_depth = em_;
-        REQUIRE_FALSE(write_solid<bevelled<>>({form, *plan}, how, at, mesh_));
+        REQUIRE_FALSE(write_solid<bevelled>({form, *plan}, how, at, mesh_));
     }
 
     /// What the edges sweep, in the order that the sweep follows: of an outward bevel the loops of its surroundings.
@@ -137,7 +137,7 @@ private:
     cap_builder caps_, further_, around_;
     region region_;
     double em_ = 0.0;
-    bevelled<> how_;
+    bevelled how_;
     bevel_data data_;
     test::bevel_surface mesh_;
 };

@@ -41,7 +41,7 @@ struct bevelled_ring {
         const auto made = caps.fill({}, monotone{});
         REQUIRE(made);
         of = *made;
-        const bevelled<> how{.width = 0.1f, .bevel_depth = 0.04f, .sides = bevel_sides::front};
+        const bevelled how{.width = 0.1f, .bevel_depth = 0.04f, .sides = bevel_sides::front};
         bevel_data data;
         const monotone cut;
         region_caps maker{caps, further, cut};
@@ -51,8 +51,8 @@ struct bevelled_ring {
         at.unit_per_depth = 100'000.0;
         at.em_per_cell = 1e-5;
         mesh.sizes = plan->sizes;
-        const solid_of<bevelled<>> form{{of.points(), of.starts(), caps.triangles().view()}, data.read()};
-        REQUIRE_FALSE(write_solid<bevelled<>>({form, *plan}, how, at, mesh));
+        const solid_of<bevelled> form{{of.points(), of.starts(), caps.triangles().view()}, data.read()};
+        REQUIRE_FALSE(write_solid<bevelled>({form, *plan}, how, at, mesh));
     }
     [[nodiscard]] std::string broken(const test::bevel_surface& m) const
     {

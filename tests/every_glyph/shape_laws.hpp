@@ -66,18 +66,16 @@ private:
         static constexpr float limits[] = {1.0f, 1.5f, 2.0f, 4.0f};
         const float limit = limits[d_.roll(4)];
         const auto joins = d_.roll(2) != 0 ? bevel_joins::round : bevel_joins::bevelled;
-        bevelled<round_profile> bevel{.width = distance(), .bevel_depth = 0.05f, .joins = joins, .mitre_limit = limit};
-        bevel.profile.steps = 1 + static_cast<std::uint32_t>(d_.roll(5));
+        bevelled bevel{.width = distance(), .bevel_depth = 0.05f, .joins = joins, .mitre_limit = limit};
+        bevel.profile = round_profile(1 + static_cast<std::uint32_t>(d_.roll(5)));
         examine(bevel, "bevel");
         const float by = distance();
         examine(emboldened<>{.by = d_.roll(2) != 0 ? by : -by, .joins = joins, .mitre_limit = limit}, "emboldened");
         const auto place = static_cast<outline_place>(d_.roll(3));
         examine(outlined<extruded<>, extruded<>>{.width = by, .place = place, .joins = joins, .mitre_limit = limit},
                 "outlined");
-        examine(
-            outlined<bevelled<round_profile>>{
-                .width = by, .place = place, .joins = joins, .mitre_limit = limit, .ring = bevel},
-            "outlined, bevelled");
+        examine(outlined<bevelled>{.width = by, .place = place, .joins = joins, .mitre_limit = limit, .ring = bevel},
+                "outlined, bevelled");
         bevel.outward = true;
         examine(bevel, "outward bevel");
     }

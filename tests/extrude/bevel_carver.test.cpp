@@ -2,7 +2,7 @@
 
 #include <typemesh/extrude/bevel_carver.hpp>
 
-#include <typemesh/extrude/ready_profiles.hpp>
+#include <typemesh/extrude/bevel_profile.hpp>
 
 #include <vector>
 
@@ -27,11 +27,7 @@ outcome carved(double share, bool fits, const std::vector<error>& refusals = {})
     const double all = 400.0 * bar.loops.grid.cells;
     bevel_carver carve{.sweep = {}, .fits = fits, .narrowed = true};
     profile_scale scale{share * all, 4096.0, 0.0};
-    const auto points = [](const profile_scale& at) noexcept {
-        profile_points p;
-        chamfer_profile{}(at, p);
-        return p;
-    };
+    const auto points = [](const profile_scale& at) noexcept { return chamfer_profile().at(at); };
     workspace space;
     swept_region out;
     outcome found{};

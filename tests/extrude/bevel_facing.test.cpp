@@ -4,7 +4,6 @@
 
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/extrude.hpp>
-#include <typemesh/extrude/polyline_profile.hpp>
 #include <typemesh/glyph/cap_builder.hpp>
 #include <typemesh/glyph/policies.hpp>
 #include <typemesh/typemesh.hpp>
@@ -222,17 +221,16 @@ TEST_CASE("no corner of a bevel is lit from behind, at any crease angle, profile
                     for (const bool outward : {false, true}) {
                         INFO(s.name << ", tolerance " << tolerance << ", crease angle " << crease << ", width " << width
                                     << (outward ? ", outward" : ""));
-                        const bevelled<> chamfer{.width = width, .outward = outward, .crease_degrees = crease};
+                        const bevelled chamfer{.width = width, .outward = outward, .crease_degrees = crease};
                         CHECK(lit_from_behind(caps, *made, chamfer) == 0);
-                        const bevelled<round_profile> round{
-                            .width = width, .outward = outward, .crease_degrees = crease, .profile = {.steps = 4}};
+                        const bevelled round{
+                            .width = width, .outward = outward, .crease_degrees = crease, .profile = round_profile(4)};
                         CHECK(lit_from_behind(caps, *made, round) == 0);
-                        const bevelled<polyline_profile> steps{
-                            .width = width,
-                            .outward = outward,
-                            .crease_degrees = crease,
-                            .profile_crease_degrees = 120.0f,
-                            .profile = {{{0, 0}, {0.2f, 0.5f}, {0.2f, 0.8f}, {0.6f, 0.4f}, {1, 1}}}};
+                        const bevelled steps{.width = width,
+                                             .outward = outward,
+                                             .crease_degrees = crease,
+                                             .profile_crease_degrees = 120.0f,
+                                             .profile = {{0, 0}, {0.2f, 0.5f}, {0.2f, 0.8f}, {0.6f, 0.4f}, {1, 1}}};
                         CHECK(lit_from_behind(caps, *made, steps) == 0);
                     }
                 }

@@ -2,7 +2,7 @@
 
 #include <typemesh/extrude/bevel_strips.hpp>
 
-#include <typemesh/extrude/ready_profiles.hpp>
+#include <typemesh/extrude/bevel_profile.hpp>
 
 #include <cmath>
 
@@ -101,9 +101,7 @@ TEST_CASE("strips that differ by less than the crease angle share the mean of th
     CHECK(degrees(soft.slopes().tilt(vertex_at(1, 1.0f))) == Approx(90.0));
     CHECK(degrees(softer.slopes().tilt(vertex_at(0, 0.0f))) == Approx(0.0));
 
-    profile_points round;
-    round_profile{6}(wide_scale, round);
-    const strips_of quarter{round, 30.0f};
+    const strips_of quarter{round_profile(6).at(wide_scale), 30.0f};
     const bevel_slopes slopes = quarter.slopes();
     for (std::uint32_t i = 1; i < 6; ++i) {
         const double below = degrees(tilt_of(quarter.made[i - 1], 4000.0)),
@@ -130,8 +128,7 @@ TEST_CASE("an angle equal to the crease angle is smooth at every width", "[bevel
     for (int i = 0; i < 2000; ++i) {
         const double width = 500.0 + 7.3 * i;
         const profile_scale scale{width, width, 0.0};
-        profile_points points;
-        round_profile{.steps = 3}(scale, points);
+        const profile_points points = round_profile(3).at(scale);
         buffer<bevel_strip> made;
         REQUIRE(add_strips({points, scale}, 30.0f, bevel_shading::by_slope, made));
         REQUIRE(made.size() == 3);

@@ -2,7 +2,7 @@
 
 #include <typemesh/extrude/bevel_sweep.hpp>
 
-#include <typemesh/extrude/ready_profiles.hpp>
+#include <typemesh/extrude/bevel_profile.hpp>
 
 #include "shapes.hpp"
 #include "support/catch.hpp"

@@ -2,9 +2,9 @@
 
 #include <typemesh/extrude/bevel_vertices.hpp>
 
+#include <typemesh/extrude/bevel_profile.hpp>
 #include <typemesh/extrude/bevel_strips.hpp>
 #include <typemesh/extrude/curve_normals.hpp>
-#include <typemesh/extrude/ready_profiles.hpp>
 #include <typemesh/extrude/upright_walls.hpp>
 
 #include <cmath>

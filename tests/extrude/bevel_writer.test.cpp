@@ -97,9 +97,9 @@ TEST_CASE("an empty solid has no bevel to write", "[bevel_writer]")
     const bevel_data data;
     const solid_with<bevel_data> form{{}, data.read()};
     std::uint32_t written = 0;
-    for (const part p : parts_of<bevelled<>>) {
-        bevelled<>{}.vertices<wants>(p, form, in_em(), [&](const surface_point<wants>&) noexcept { ++written; });
-        bevelled<>{}.triangles(p, form, {}, [&](std::uint32_t, std::uint32_t, std::uint32_t) noexcept { ++written; });
+    for (const part p : parts_of<bevelled>) {
+        bevelled{}.vertices<wants>(p, form, in_em(), [&](const surface_point<wants>&) noexcept { ++written; });
+        bevelled{}.triangles(p, form, {}, [&](std::uint32_t, std::uint32_t, std::uint32_t) noexcept { ++written; });
     }
     CHECK(written == 0);
 }

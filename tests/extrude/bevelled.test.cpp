@@ -2,9 +2,7 @@
 
 #include <typemesh/extrude/bevelled.hpp>
 
-#include <typemesh/extrude/bezier_profile.hpp>
 #include <typemesh/extrude/extruded.hpp>
-#include <typemesh/extrude/polyline_profile.hpp>
 #include <typemesh/glyph/cap_builder.hpp>
 #include <typemesh/glyph/policies.hpp>
 #include <typemesh/inspect/mesh_measure.hpp>
@@ -28,11 +26,11 @@ using Catch::Approx;
 
 namespace {
 
-static_assert(extruder<bevelled<>>);
-static_assert(capping_extruder<bevelled<>>);
-static_assert(part_count_of<bevelled<>> == 5);
-static_assert(tells_heights<bevelled<>> && makes_own_caps<bevelled<>> && tells_outline<bevelled<>>);
-static_assert(refitting_extruder<bevelled<>>);
+static_assert(extruder<bevelled>);
+static_assert(capping_extruder<bevelled>);
+static_assert(part_count_of<bevelled> == 5);
+static_assert(tells_heights<bevelled> && makes_own_caps<bevelled> && tells_outline<bevelled>);
+static_assert(refitting_extruder<bevelled>);
 static_assert(!tells_heights<extruded<>> && !makes_own_caps<extruded<>> && !tells_outline<extruded<>>);
 static_assert(!refitting_extruder<extruded<>>);
 
@@ -172,24 +170,22 @@ double cap_area(const bevelled_mesh& m, part p)
     return area;
 }
 
-template <class Profile>
-void check_profile(const Profile& profile, float width = 0.02f, float bevel_depth = 0.05f)
+void check_profile(const bevel_profile& profile, float width = 0.02f, float bevel_depth = 0.05f)
 {
     for (const auto& s : wide_shapes())
         for (const bool outward : {false, true})
             for (const bevel_sides sides : {bevel_sides::both, bevel_sides::front, bevel_sides::back}) {
                 INFO(s.name << (outward ? ", outward" : "") << ", sides " << int(sides));
-                const bevelled<Profile> how{.width = width,
-                                            .bevel_depth = bevel_depth,
-                                            .sides = sides,
-                                            .outward = outward,
-                                            .mitre_limit = 0.0f,
-                                            .profile = profile};
+                const bevelled how{.width = width,
+                                   .bevel_depth = bevel_depth,
+                                   .sides = sides,
+                                   .outward = outward,
+                                   .mitre_limit = 0.0f,
+                                   .profile = profile};
                 const auto m = bevelled_of(s, how);
                 check_laws(m);
 
-                profile_points points;
-                profile({width * 512000.0, bevel_depth * 512000.0, 0.0}, points);
+                const profile_points points = profile.at({width * 512000.0, bevel_depth * 512000.0, 0.0});
                 const expected_bevel e = expected(s, points, double(width), double(bevel_depth), outward);
                 const int bevels = sides == bevel_sides::both ? 2 : 1;
                 const double foot = area_at(s, outward ? -double(width) : 0.0);
@@ -207,25 +203,24 @@ void check_profile(const Profile& profile, float width = 0.02f, float bevel_dept
 
 TEST_CASE("bevelled is closed, lit from outside and as large as the profile makes it, for every profile", "[bevelled]")
 {
-    SECTION("chamfer") { check_profile(chamfer_profile{}); }
-    SECTION("round") { check_profile(round_profile{4}); }
-    SECTION("round by tolerance") { check_profile(round_profile{}); }
-    SECTION("concave") { check_profile(concave_profile{5}); }
-    SECTION("stepped") { check_profile(stepped_profile{}); }
-    SECTION("engraved") { check_profile(engraved_profile{}); }
-    SECTION("bezier") { check_profile(bezier_profile{}); }
-    SECTION("polyline")
+    SECTION("chamfer") { check_profile(chamfer_profile()); }
+    SECTION("round") { check_profile(round_profile(4)); }
+    SECTION("round by tolerance") { check_profile(round_profile()); }
+    SECTION("concave") { check_profile(concave_profile(5)); }
+    SECTION("stepped") { check_profile(stepped_profile()); }
+    SECTION("engraved") { check_profile(engraved_profile()); }
+    SECTION("bezier") { check_profile(bezier_profile({})); }
+    SECTION("points")
     {
-        check_profile(
-            polyline_profile{{{0, 0}, {0, 0.25f}, {0.25f, 1}, {0.25f, 0.5f}, {0.75f, 0.5f}, {1, 0.25f}, {1, 1}}});
+        check_profile({{0, 0}, {0, 0.25f}, {0.25f, 1}, {0.25f, 0.5f}, {0.75f, 0.5f}, {1, 0.25f}, {1, 1}});
     }
-    SECTION("bevels that meet, without a wall between them") { check_profile(chamfer_profile{}, 0.02f, 0.1f); }
+    SECTION("bevels that meet, without a wall between them") { check_profile(chamfer_profile(), 0.02f, 0.1f); }
 }
 
 TEST_CASE("bevelled meshes have exactly the vertices and triangles that their faces need", "[bevelled]")
 {
     // A square: four hard corners, each chamfer's corners alone: 4 vertices and 2 triangles a face.
-    const bevelled_mesh square = bevelled_of(regular(4, 300), bevelled<>{});
+    const bevelled_mesh square = bevelled_of(regular(4, 300), bevelled{});
     for (const part p : {part::front, part::back}) {
         CHECK(square.sizes.vertices[p] == 4);
         CHECK(square.sizes.triangles[p] == 2);
@@ -235,18 +230,17 @@ TEST_CASE("bevelled meshes have exactly the vertices and triangles that their fa
         CHECK(square.sizes.triangles[p] == 8);
     }
     // 64 soft corners: shared, but for the seam. The wall has one more pair for it, the bevel one more at each level.
-    const bevelled_mesh circle = bevelled_of(regular(64, 300), bevelled<>{});
+    const bevelled_mesh circle = bevelled_of(regular(64, 300), bevelled{});
     CHECK(circle.sizes.vertices[part::side] == 2 * 65);
     CHECK(circle.sizes.vertices[part::front_bevel] == 2 * 65);
-    CHECK(
-        bevelled_of(regular(64, 300), bevelled<>{.texture = texture_mapping::box}).sizes.vertices[part::front_bevel] ==
-        2 * 64);
+    CHECK(bevelled_of(regular(64, 300), bevelled{.texture = texture_mapping::box}).sizes.vertices[part::front_bevel] ==
+          2 * 64);
     // Smooth strips share their levels, hard ones do not; risers are pairs of their own.
-    CHECK(bevelled_of(regular(64, 300), bevelled<round_profile>{.profile = {4}}).sizes.vertices[part::front_bevel] ==
+    CHECK(bevelled_of(regular(64, 300), bevelled{.profile = round_profile(4)}).sizes.vertices[part::front_bevel] ==
           5 * 65);
-    CHECK(bevelled_of(regular(64, 300), bevelled<round_profile>{.profile_crease_degrees = 10.0f, .profile = {4}})
+    CHECK(bevelled_of(regular(64, 300), bevelled{.profile_crease_degrees = 10.0f, .profile = round_profile(4)})
               .sizes.vertices[part::front_bevel] == 8 * 65);
-    const bevelled_mesh steps = bevelled_of(regular(64, 300), bevelled<stepped_profile>{});
+    const bevelled_mesh steps = bevelled_of(regular(64, 300), bevelled{.profile = stepped_profile()});
     CHECK(steps.sizes.vertices[part::front_bevel] == 8 * 65);
     CHECK(steps.sizes.triangles[part::front_bevel] == 8 * 64);
 }
@@ -256,10 +250,9 @@ TEST_CASE("a bevelled mesh obeys its laws in every frame, centred or not, in bot
     for (const frame& f : frames())
         for (const auto texture : {texture_mapping::em, texture_mapping::box})
             for (const bool centred : {false, true}) {
-                const bevelled<polyline_profile> how{
-                    .centred = centred,
-                    .texture = texture,
-                    .profile = {{{0, 0}, {0.3f, 0.6f}, {0.3f, 1.0f}, {0.6f, 1.0f}, {1.0f, 0.5f}}}};
+                const bevelled how{.centred = centred,
+                                   .texture = texture,
+                                   .profile = {{0, 0}, {0.3f, 0.6f}, {0.3f, 1.0f}, {0.6f, 1.0f}, {1.0f, 0.5f}}};
                 const shapes::shape two[] = {shapes::letter_e(), shapes::letter_d(8)};
                 for (const auto& s : two) {
                     placement at = in_em(f);
@@ -274,9 +267,9 @@ TEST_CASE("a bevelled mesh obeys its laws in every frame, centred or not, in bot
                     }
                 }
             }
-    CHECK(bevelled<>{.depth = 0.5f}.heights().low == -0.5);
-    CHECK(bevelled<>{.depth = 0.5f}.heights().high == 0.0);
-    CHECK(bevelled<>{.depth = 0.5f, .centred = true}.heights().high == 0.25);
+    CHECK(bevelled{.depth = 0.5f}.heights().low == -0.5);
+    CHECK(bevelled{.depth = 0.5f}.heights().high == 0.0);
+    CHECK(bevelled{.depth = 0.5f, .centred = true}.heights().high == 0.25);
 }
 
 namespace {
@@ -309,8 +302,8 @@ uv_growth growth_on(const bevelled_mesh& m, const std::array<std::uint32_t, 3>& 
     return g;
 }
 
-template <class Profile, class Check>
-void for_bevel_triangles(const shapes::shape& s, const bevelled<Profile>& how, const placement& at, Check&& check)
+template <class Check>
+void for_bevel_triangles(const shapes::shape& s, const bevelled& how, const placement& at, Check&& check)
 {
     const auto m = bevelled_of(s, how, at);
     const part_sizes first = m.sizes.starts();
@@ -332,8 +325,8 @@ TEST_CASE("v goes on from the wall at one tile an em, u along the contour, and t
         const shapes::shape all[] = {regular(4, 300), regular(64, 300), shapes::letter_e(), shapes::letter_d(8)};
         for (const auto& s : all) {
             INFO(s.name);
-            const bevelled<round_profile> how{
-                .bevel_depth = 0.05f, .outward = outward, .mitre_limit = 0.0f, .profile = {4}};
+            const bevelled how{
+                .bevel_depth = 0.05f, .outward = outward, .mitre_limit = 0.0f, .profile = round_profile(4)};
             for_bevel_triangles(s, how, in_em(f), [&](const bevelled_mesh& m, const auto& t, bool) {
                 const uv_growth g = growth_on(m, t);
                 REQUIRE(g.known);
@@ -355,7 +348,7 @@ TEST_CASE("v goes on from the wall at one tile an em, u along the contour, and t
     // Where the wall ends: the same v on both sides, and the lengths of the profile from there.
     frame upwards = right_handed_y_up;
     upwards.uv = uv_origin::bottom_left;
-    const auto m = bevelled_of(shapes::rectangle(), bevelled<>{.width = 0.03f, .bevel_depth = 0.04f}, in_em(upwards));
+    const auto m = bevelled_of(shapes::rectangle(), bevelled{.width = 0.03f, .bevel_depth = 0.04f}, in_em(upwards));
     const part_sizes first = m.sizes.starts();
     for (std::uint32_t i = 0; i < m.sizes.vertices[part::front_bevel]; ++i) {
         const auto& v = m.vertices[first.vertices[part::front_bevel] + i];
@@ -377,7 +370,7 @@ TEST_CASE("in box mapping a bevel shows what lies before it", "[bevelled]")
     f.uv = uv_origin::bottom_left;
     placement at = in_em(f);
     at.texture_per_cell = {1.0 / 512000.0, 1.0 / 512000.0};
-    const auto m = bevelled_of(shapes::letter_d(8), bevelled<>{.texture = texture_mapping::box}, at);
+    const auto m = bevelled_of(shapes::letter_d(8), bevelled{.texture = texture_mapping::box}, at);
     for (const auto& v : m.vertices) {
         CHECK(v.uv.x == Approx(v.position.x).margin(1e-6));
         CHECK(v.uv.y == Approx(v.position.y).margin(1e-6));
@@ -399,14 +392,14 @@ TEST_CASE("a bevel's normals are the curve's, tilted by the profile", "[bevelled
             CHECK((x * v.normal.x + y * v.normal.y) / off > std::cos(1.0 / 57.3));
         }
     };
-    const bevelled<> chamfer{.width = 0.03f, .bevel_depth = 0.04f};
+    const bevelled chamfer{.width = 0.03f, .bevel_depth = 0.04f};
     for_bevel_triangles(circle, chamfer, in_em(), [&](const bevelled_mesh& m, const auto& t, bool in_front) {
         for (const auto c : t) CHECK(tilt(m.vertices[c]) == Approx((in_front ? 1.0 : -1.0) * 36.8699).margin(0.01));
     });
     check_radial(bevelled_of(circle, chamfer));
 
     // Round: smooth into the wall and into the cap, and evenly between.
-    const bevelled<round_profile> round{.width = 0.03f, .bevel_depth = 0.03f, .profile = {6}};
+    const bevelled round{.width = 0.03f, .bevel_depth = 0.03f, .profile = round_profile(6)};
     const auto m = bevelled_of(circle, round);
     check_radial(m);
     const std::uint32_t first = m.sizes.starts().vertices[part::front_bevel];
@@ -417,7 +410,7 @@ TEST_CASE("a bevel's normals are the curve's, tilted by the profile", "[bevelled
     }
 
     // The chamfer that looks round, and hard strips.
-    const bevelled<> looks_round{.shading = bevel_shading::rounded};
+    const bevelled looks_round{.shading = bevel_shading::rounded};
     for_bevel_triangles(circle, looks_round, in_em(), [&](const bevelled_mesh& b, const auto& t, bool in_front) {
         for (const auto c : t) {
             const auto& v = b.vertices[c];
@@ -425,7 +418,7 @@ TEST_CASE("a bevel's normals are the curve's, tilted by the profile", "[bevelled
             CHECK(std::abs(tilt(v)) == Approx(outer ? 0.0 : 90.0).margin(0.05));
         }
     });
-    const bevelled<round_profile> hard{.profile_crease_degrees = 5.0f, .profile = {2}};
+    const bevelled hard{.profile_crease_degrees = 5.0f, .profile = round_profile(2)};
     for_bevel_triangles(circle, hard, in_em(), [&](const bevelled_mesh& b, const auto& t, bool) {
         CHECK(tilt(b.vertices[t[0]]) == Approx(tilt(b.vertices[t[1]])).margin(0.05));
         CHECK(tilt(b.vertices[t[0]]) == Approx(tilt(b.vertices[t[2]])).margin(0.05));
@@ -439,7 +432,7 @@ TEST_CASE("joins shade round from one edge to the next, a single wide one keeps 
         shapes::shape s{
             "notch", {shapes::polygon({{0, 0}, {600, 0}, {600, 600}, {330, 600}, {300, 200}, {270, 600}, {0, 600}})}};
         s.loops.tolerance = 10.0;
-        const bevelled<> how{.joins = joins};
+        const bevelled how{.joins = joins};
         const auto m = bevelled_of(s, how);
         check_laws(m);
         CHECK((joins == bevel_joins::round ? m.data.swept.joins.size() > 3 : m.data.swept.joins.size() == 1));
@@ -462,7 +455,7 @@ TEST_CASE("joins shade round from one edge to the next, a single wide one keeps 
 
 TEST_CASE("a bevel wider than a stroke closes in a ridge, at the height that the profile has there", "[bevelled]")
 {
-    const bevelled<> how{.width = 0.3f, .bevel_depth = 0.06f};
+    const bevelled how{.width = 0.3f, .bevel_depth = 0.06f};
     const auto m = bevelled_of(shapes::rectangle(), how);
     check_laws(m);
     CHECK(m.sizes.vertices[part::front] == 0);
@@ -492,7 +485,7 @@ TEST_CASE("a bevelled solid tells the heights that it reaches, whatever closes b
     for (const bool outward : {false, true}) {
         for (const bevel_sides sides : {bevel_sides::both, bevel_sides::front, bevel_sides::back}) {
             for (const float width : {0.0f, 0.02f, 0.3f}) {
-                bevelled<> how{.width = width, .bevel_depth = 0.06f, .sides = sides, .outward = outward};
+                bevelled how{.width = width, .bevel_depth = 0.06f, .sides = sides, .outward = outward};
                 const bool ridge = width > 0.2f && !outward;
                 const double bevels = sides == bevel_sides::both ? 2.0 : 1.0;
                 CHECK(check(bar, how) == Approx(ridge ? 0.2 - bevels * 0.02 : 0.2));
@@ -502,9 +495,10 @@ TEST_CASE("a bevelled solid tells the heights that it reaches, whatever closes b
         }
     }
     // Engraved: the rim is the highest, if it is reached; else the ridge below it.
-    CHECK(check(bar, bevelled<engraved_profile>{.width = 0.1f}) == Approx(0.2));
-    CHECK(check(bar, bevelled<engraved_profile>{.width = 0.8f, .bevel_depth = 0.06f}) == Approx(0.2 - 2 * 0.03));
-    CHECK(check(shapes::pair(), bevelled<round_profile>{.width = 0.5f, .profile = {4}}) < 0.2);
+    CHECK(check(bar, bevelled{.width = 0.1f, .profile = engraved_profile()}) == Approx(0.2));
+    CHECK(check(bar, bevelled{.width = 0.8f, .bevel_depth = 0.06f, .profile = engraved_profile()}) ==
+          Approx(0.2 - 2 * 0.03));
+    CHECK(check(shapes::pair(), bevelled{.width = 0.5f, .profile = round_profile(4)}) < 0.2);
 }
 
 TEST_CASE("what a bevelled solid shows to the front covers what it stands on, once", "[bevelled]")
@@ -512,7 +506,7 @@ TEST_CASE("what a bevelled solid shows to the front covers what it stands on, on
     const auto s = shapes::letter_d(8);
     for (const bool outward : {false, true}) {
         for (const float width : {0.0f, 0.02f, 0.3f}) {
-            const bevelled<> how{.width = width, .outward = outward};
+            const bevelled how{.width = width, .outward = outward};
             const auto m = bevelled_of(s, how);
             const solid_with<bevel_data> form{{s.loops.points.view(), s.loops.starts.view(), s.cap}, m.data.read()};
             std::int64_t twice = 0;
@@ -529,11 +523,11 @@ TEST_CASE("what a bevelled solid shows to the front covers what it stands on, on
 TEST_CASE("a bevel that fits is 0.9 times as wide as where a part would lose its cap", "[bevelled]")
 {
     const auto reach = [](const shapes::shape& s, float width, bevel_mode mode) {
-        const auto m = bevelled_of(s, bevelled<>{.width = width, .mode = mode});
+        const auto m = bevelled_of(s, bevelled{.width = width, .mode = mode});
         check_laws(m);
         const double reached = m.data.swept.levels.back() / 512000.0;
         const solid_with<bevel_data> form{{s.loops.points.view(), s.loops.starts.view(), s.cap}, m.data.read()};
-        CHECK(as_double(bevelled<>{.width = width, .mode = mode}.width_of(form)) == Approx(reached));
+        CHECK(as_double(bevelled{.width = width, .mode = mode}.width_of(form)) == Approx(reached));
         return reached;
     };
     const auto bar = shapes::rectangle();  // 400 units wide
@@ -580,7 +574,7 @@ TEST_CASE(
         CAPTURE(c.side, c.tolerance, c.width);
         const auto s = with_triangle(c.side, c.tolerance);
         for (const bevel_mode mode : {bevel_mode::fit, bevel_mode::clip}) {
-            const bevelled<> how{.width = c.width, .mode = mode};
+            const bevelled how{.width = c.width, .mode = mode};
             monotone_caps caps{s.made()};
             auto maker = caps.maker();
             bevel_data data;
@@ -620,7 +614,7 @@ TEST_CASE("a bevel whose cap is refused is narrower, closed, and said to be so",
     const auto s = shapes::letter_d(8);
     for (const int refusals : {0, 1, 3}) {
         for (const bevel_mode mode : {bevel_mode::clip, bevel_mode::fit}) {
-            const bevelled<> how{.width = mode == bevel_mode::clip ? 0.02f : 0.3f, .mode = mode};
+            const bevelled how{.width = mode == bevel_mode::clip ? 0.02f : 0.3f, .mode = mode};
             const region r = s.made();
             monotone_caps caps{r};
             auto maker = caps.maker();
@@ -633,13 +627,13 @@ TEST_CASE("a bevel whose cap is refused is narrower, closed, and said to be so",
             const double width = unrefused.data.swept.levels.back();
             CHECK(m.data.swept.levels.back() == Approx(std::ldexp(width, -refusals)));
             m.sizes = plan->sizes;
-            const solid_of<bevelled<>> form{{r.points(), r.starts(), s.cap}, m.data.read()};
-            REQUIRE_FALSE(write_solid<bevelled<>>({form, *plan}, how, in_em(), static_cast<mesh<everything>&>(m)));
+            const solid_of<bevelled> form{{r.points(), r.starts(), s.cap}, m.data.read()};
+            REQUIRE_FALSE(write_solid<bevelled>({form, *plan}, how, in_em(), static_cast<mesh<everything>&>(m)));
             check_laws(m);
         }
     }
     // Of an outward bevel the first region that is filled is what lies around the letter: its refusal is the letter's.
-    const bevelled<> outwards{.sides = bevel_sides::front, .outward = true};
+    const bevelled outwards{.sides = bevel_sides::front, .outward = true};
     const region r = s.made();
     monotone_caps caps{r};
     auto maker = caps.maker();
@@ -667,7 +661,7 @@ TEST_CASE("an outward bevel grows the letter and keeps its front, with walls tha
           "[bevelled]")
 {
     const auto s = shapes::letter_d(8);
-    const bevelled<round_profile> how{.outward = true, .profile = {4}};
+    const bevelled how{.outward = true, .profile = round_profile(4)};
     monotone_caps caps{s.made()};
     auto maker = caps.maker();
     bevel_data data;
@@ -701,18 +695,18 @@ TEST_CASE("an outward bevel grows the letter and keeps its front, with walls tha
     }
 
     // The counter is 450 units wide, and a bevel that fits stays narrower; sharp corners are joined.
-    const auto fitted = bevelled_of(s, bevelled<>{.width = 0.4f, .mode = bevel_mode::fit, .outward = true});
+    const auto fitted = bevelled_of(s, bevelled{.width = 0.4f, .mode = bevel_mode::fit, .outward = true});
     check_laws(fitted);
     CHECK(fitted.data.swept.levels.back() / 512000.0 == Approx(0.9 * 0.225).margin(0.002));
-    check_laws(bevelled_of(s, bevelled<>{.width = 0.4f, .outward = true}));
+    check_laws(bevelled_of(s, bevelled{.width = 0.4f, .outward = true}));
     const shapes::shape star{
         "star",
         {shapes::polygon({{0, 0}, {250, 100}, {500, 0}, {400, 250}, {500, 500}, {250, 400}, {0, 500}, {100, 250}})}};
-    const auto joined = bevelled_of(star, bevelled<>{.outward = true});
+    const auto joined = bevelled_of(star, bevelled{.outward = true});
     check_laws(joined);
     CHECK(joined.data.swept.joins.size() >= 4);
     for (const float narrow : {0.0f, 1e-6f})
-        CHECK(volume_of(bevelled_of(s, bevelled<>{.width = narrow, .outward = true})) == Approx(0.2 * area_at(s, 0.0)));
+        CHECK(volume_of(bevelled_of(s, bevelled{.width = narrow, .outward = true})) == Approx(0.2 * area_at(s, 0.0)));
 }
 
 TEST_CASE("outward bevels round sharp corners reach as far as the mitre limit, whatever that is", "[bevelled]")
@@ -723,7 +717,7 @@ TEST_CASE("outward bevels round sharp corners reach as far as the mitre limit, w
         monotone_caps caps{spike.made()};
         auto maker = caps.maker();
         bevel_data data;
-        const bevelled<> how{.width = 0.05f, .outward = true, .mitre_limit = limit};
+        const bevelled how{.width = 0.05f, .outward = true, .mitre_limit = limit};
         const auto plan = plan_solid(how, spike.made(), data, maker);
         REQUIRE(plan);
         CHECK_FALSE(plan->narrowed);
@@ -739,7 +733,7 @@ TEST_CASE("a bevel narrower than four cells is upright, one less deep is level",
     const double area = area_at(shape, 0.0);
     const auto plain = build(shape, extruded<>{});
     for (const float width : {0.0f, 1e-6f}) {
-        const auto m = bevelled_of(shape, bevelled<round_profile>{.width = width});
+        const auto m = bevelled_of(shape, bevelled{.width = width, .profile = round_profile()});
         check_laws(m);
         CHECK(volume_of(m) == Approx(0.2 * area));
         CHECK(m.sizes.triangles[part::front_bevel] == 2 * shape.points());
@@ -748,14 +742,15 @@ TEST_CASE("a bevel narrower than four cells is upright, one less deep is level",
         CHECK(m.sizes.vertices[part::front] == plain.sizes.vertices[part::front]);
     }
     for (const float depth : {0.0f, 1e-6f}) {
-        const auto m = bevelled_of(shape, bevelled<round_profile>{.bevel_depth = depth, .mitre_limit = 0.0f});
+        const auto m =
+            bevelled_of(shape, bevelled{.bevel_depth = depth, .mitre_limit = 0.0f, .profile = round_profile()});
         check_laws(m);
         CHECK(volume_of(m) == Approx(0.2 * area));
         CHECK(m.sizes.triangles[part::front_bevel] == 2 * shape.points());
         CHECK(cap_area(m, part::front) == Approx(area_at(shape, 0.02)).epsilon(1e-5));
     }
     // Neither: the mesh of extruded, to the bit.
-    const auto neither = bevelled_of(shape, bevelled<>{.width = 0.0f, .bevel_depth = 0.0f});
+    const auto neither = bevelled_of(shape, bevelled{.width = 0.0f, .bevel_depth = 0.0f});
     REQUIRE(neither.vertices.size() == plain.vertices.size());
     CHECK(neither.triangles == plain.triangles);
     for (std::size_t i = 0; i < plain.vertices.size(); ++i) {
@@ -769,9 +764,9 @@ TEST_CASE("a bevel narrower than four cells is upright, one less deep is level",
 TEST_CASE("parts that are switched off are left out, the others stay what they are", "[bevelled]")
 {
     const auto s = shapes::letter_e();
-    const auto all = bevelled_of(s, bevelled<>{});
+    const auto all = bevelled_of(s, bevelled{});
     for (unsigned bits = 0; bits < 8; ++bits) {
-        const bevelled<> how{.front = (bits & 1u) != 0, .back = (bits & 2u) != 0, .side = (bits & 4u) != 0};
+        const bevelled how{.front = (bits & 1u) != 0, .back = (bits & 2u) != 0, .side = (bits & 4u) != 0};
         const auto m = bevelled_of(s, how);
         CHECK(m.sizes.vertices[part::front] == (how.front ? all.sizes.vertices[part::front] : 0));
         CHECK(m.sizes.triangles[part::back] == (how.back ? all.sizes.triangles[part::back] : 0));
@@ -794,46 +789,47 @@ TEST_CASE("bevelled refuses options out of range, each by its name, with or with
         }
     };
     for (const float v : {-0.1f, endless, -endless, nowhere}) {
-        check("depth", bevelled<>{.depth = v});
-        check("width", bevelled<>{.width = v});
-        check("bevel_depth", bevelled<>{.bevel_depth = v});
-        check("mitre_limit", bevelled<>{.mitre_limit = v});
-        check("crease_degrees", bevelled<>{.crease_degrees = v});
-        check("profile_crease_degrees", bevelled<>{.profile_crease_degrees = v});
+        check("depth", bevelled{.depth = v});
+        check("width", bevelled{.width = v});
+        check("bevel_depth", bevelled{.bevel_depth = v});
+        check("mitre_limit", bevelled{.mitre_limit = v});
+        check("crease_degrees", bevelled{.crease_degrees = v});
+        check("profile_crease_degrees", bevelled{.profile_crease_degrees = v});
     }
-    check("depth", bevelled<>{.depth = 0.0f});
-    check("mitre_limit", bevelled<>{.mitre_limit = 0.5f});
-    check("crease_degrees", bevelled<>{.crease_degrees = 180.5f});
-    check("bevel_depth", bevelled<>{.depth = 0.2f, .bevel_depth = 0.11f});
-    check("bevel_depth", bevelled<>{.depth = 0.2f, .bevel_depth = 0.21f, .sides = bevel_sides::back});
-    CHECK_FALSE(refused_options(bevelled<>{.depth = 0.2f, .bevel_depth = 0.1f}));
-    CHECK_FALSE(refused_options(bevelled<>{.depth = 0.2f, .bevel_depth = 0.2f, .sides = bevel_sides::front}));
-    check("bevel_depth", bevelled<stepped_profile>{.depth = 0.2f, .bevel_depth = 0.1f});
-    check("bevel_depth", bevelled<engraved_profile>{.depth = 0.2f, .bevel_depth = 0.2f, .sides = bevel_sides::back});
-    CHECK_FALSE(refused_options(bevelled<engraved_profile>{.depth = 0.2f, .bevel_depth = 0.09f}));
-    check("profile", bevelled<polyline_profile>{});
-    check("profile", bevelled<polyline_profile>{.profile = {{{0, 0}, {0.7f, 1}, {0.5f, 1}, {1, 1}}}});
-    check("profile", bevelled<round_profile>{.profile = {64}});
-    check("shading", bevelled<engraved_profile>{.shading = bevel_shading::rounded});
+    check("depth", bevelled{.depth = 0.0f});
+    check("mitre_limit", bevelled{.mitre_limit = 0.5f});
+    check("crease_degrees", bevelled{.crease_degrees = 180.5f});
+    check("bevel_depth", bevelled{.depth = 0.2f, .bevel_depth = 0.11f});
+    check("bevel_depth", bevelled{.depth = 0.2f, .bevel_depth = 0.21f, .sides = bevel_sides::back});
+    CHECK_FALSE(refused_options(bevelled{.depth = 0.2f, .bevel_depth = 0.1f}));
+    CHECK_FALSE(refused_options(bevelled{.depth = 0.2f, .bevel_depth = 0.2f, .sides = bevel_sides::front}));
+    check("bevel_depth", bevelled{.depth = 0.2f, .bevel_depth = 0.1f, .profile = stepped_profile()});
+    check("bevel_depth",
+          bevelled{.depth = 0.2f, .bevel_depth = 0.2f, .sides = bevel_sides::back, .profile = engraved_profile()});
+    CHECK_FALSE(refused_options(bevelled{.depth = 0.2f, .bevel_depth = 0.09f, .profile = engraved_profile()}));
+    check("profile", bevelled{.profile = profile_points{}});
+    check("profile", bevelled{.profile = {{0, 0}, {0.7f, 1}, {0.5f, 1}, {1, 1}}});
+    check("profile", bevelled{.profile = round_profile(64)});
+    check("shading", bevelled{.shading = bevel_shading::rounded, .profile = engraved_profile()});
 
     bevelled_mesh far;
-    CHECK(std::string{build_bevelled(shapes::rectangle(), bevelled<>{.width = 525.0f}, far).option} == "width");
-    check_laws(bevelled_of(shapes::rectangle(), bevelled<>{.width = 524.0f}));  // 2^28 cells are 524.3 em
-    for (const float v : {65.6f, 2000.0f})                                      // 2^25 cells are 65.5 em of 512,000
-        CHECK(std::string{build_bevelled(shapes::rectangle(), bevelled<>{.width = v, .outward = true}, far).option} ==
+    CHECK(std::string{build_bevelled(shapes::rectangle(), bevelled{.width = 525.0f}, far).option} == "width");
+    check_laws(bevelled_of(shapes::rectangle(), bevelled{.width = 524.0f}));  // 2^28 cells are 524.3 em
+    for (const float v : {65.6f, 2000.0f})                                    // 2^25 cells are 65.5 em of 512,000
+        CHECK(std::string{build_bevelled(shapes::rectangle(), bevelled{.width = v, .outward = true}, far).option} ==
               "width");
-    check_laws(bevelled_of(shapes::rectangle(), bevelled<>{.width = 65.5f, .outward = true}));
+    check_laws(bevelled_of(shapes::rectangle(), bevelled{.width = 65.5f, .outward = true}));
 
     shapes::shape unknown = shapes::rectangle();
     unknown.loops.grid.units_per_em = 0.0;
     bevelled_mesh m;
-    CHECK(std::string{build_bevelled(unknown, bevelled<>{}, m).option} == "units_per_em");
+    CHECK(std::string{build_bevelled(unknown, bevelled{}, m).option} == "units_per_em");
 }
 
 TEST_CASE("bevels that plan differently have different keys", "[bevelled]")
 {
-    const bevelled<round_profile> plain;
-    std::vector<bevelled<round_profile>> others(16, plain);
+    const bevelled plain{.profile = round_profile()};
+    std::vector<bevelled> others(16, plain);
     others[0].width = 0.021f;
     others[1].bevel_depth = 0.021f;
     others[2].sides = bevel_sides::front;
@@ -845,7 +841,7 @@ TEST_CASE("bevels that plan differently have different keys", "[bevelled]")
     others[8].crease_degrees = 16.0f;
     others[9].profile_crease_degrees = 31.0f;
     others[10].texture = texture_mapping::box;
-    others[11].profile.steps = 5;
+    others[11].profile = round_profile(5);
     others[12].depth = 0.01f;  // refused
     others[13].side = false;
     others[14].outward = true;
@@ -855,14 +851,12 @@ TEST_CASE("bevels that plan differently have different keys", "[bevelled]")
         CHECK_FALSE(others[i].cache_key() == plain.cache_key());
         for (std::size_t k = 0; k < i; ++k) CHECK_FALSE(others[i].cache_key() == others[k].cache_key());
     }
-    bevelled<round_profile> deeper = plain;
+    bevelled deeper = plain;
     deeper.depth = 0.3f;
     deeper.centred = true;
     CHECK(deeper.cache_key() == plain.cache_key());
-    CHECK_FALSE(bevelled<>{.bevel_depth = 0.1f}.cache_key() ==
-                bevelled<>{.depth = 0.3f, .bevel_depth = 0.1f}.cache_key());
-    const bevelled<polyline_profile> a{.profile = {{{0, 0}, {0.5f, 0.2f}, {1, 1}}}},
-        b{.profile = {{{0, 0}, {0.5f, 0.3f}, {1, 1}}}};
+    CHECK_FALSE(bevelled{.bevel_depth = 0.1f}.cache_key() == bevelled{.depth = 0.3f, .bevel_depth = 0.1f}.cache_key());
+    const bevelled a{.profile = {{0, 0}, {0.5f, 0.2f}, {1, 1}}}, b{.profile = {{0, 0}, {0.5f, 0.3f}, {1, 1}}};
     CHECK_FALSE(a.cache_key() == b.cache_key());
 }
 
@@ -870,7 +864,7 @@ TEST_CASE("an empty region is bevelled to nothing, and memory that runs out is r
 {
     bevel_data data;
     no_caps nothing;
-    const auto empty = plan_solid(bevelled<>{}, region{}, data, nothing);
+    const auto empty = plan_solid(bevelled{}, region{}, data, nothing);
     REQUIRE(empty);
     CHECK(empty->sizes.total() == mesh_size{});
 
@@ -898,7 +892,7 @@ TEST_CASE("an empty region is bevelled to nothing, and memory that runs out is r
         scarce.swept = swept_region{};  // the test's own sweep cannot do with less
         monotone_caps caps{s.made()};
         auto maker = caps.maker();
-        const auto plan = plan_solid(bevelled<round_profile>{}, s.made(), scarce, maker);
+        const auto plan = plan_solid(bevelled{.profile = round_profile()}, s.made(), scarce, maker);
         done = static_cast<bool>(plan);
         if (!done) CHECK(plan.error() == error::out_of_memory);
         CHECK((done || allowed < 50));
@@ -913,7 +907,7 @@ TEST_CASE("a bevel is planned anew into the memory of the last one", "[bevelled]
     monotone_caps of_large{large.made()}, of_small{small.made()};
     auto large_caps = of_large.maker();
     auto small_caps = of_small.maker();
-    const bevelled<round_profile> how{.profile = {4}};
+    const bevelled how{.profile = round_profile(4)};
     const auto first = plan_solid(how, small.made(), data, small_caps);
     REQUIRE(first);
     data.clear();

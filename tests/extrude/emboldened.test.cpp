@@ -27,7 +27,7 @@ namespace {
 
 static_assert(extruder<emboldened<>> && capping_extruder<emboldened<>> && tells_hard_edges<emboldened<>>);
 static_assert(extruder<emboldened<flat>> && !tells_hard_edges<emboldened<flat>>);
-static_assert(part_count_of<emboldened<>> == 3 && part_count_of<emboldened<bevelled<>>> == 5);
+static_assert(part_count_of<emboldened<>> == 3 && part_count_of<emboldened<bevelled>> == 5);
 
 constexpr double cells = 512000.0;  // in an em
 
@@ -111,8 +111,9 @@ TEST_CASE("emboldened solids are closed and lit from outside, bolder and thinner
             check_laws(capped<constrained_delaunay>(s, emboldened<>{.by = by}));
             check_laws(capped(s, emboldened<extruded<creased_normals>>{.by = by}));
             for (const bool outward : {false, true})
-                check_laws(capped(s, emboldened<bevelled<round_profile>>{
-                                         .by = by, .solid = {.width = 0.01f, .outward = outward, .profile = {3}}}));
+                check_laws(capped(
+                    s, emboldened<bevelled>{
+                           .by = by, .solid = {.width = 0.01f, .outward = outward, .profile = round_profile(3)}}));
         }
 }
 
@@ -314,8 +315,8 @@ TEST_CASE("emboldened refuses options out of range by their names, its own and t
     }
     for (const float v : {0.5f, -1.0f}) check("emboldened::mitre_limit", emboldened<>{.mitre_limit = v});
     check("depth", emboldened<>{.solid = {.depth = 0.0f}});
-    check("width", emboldened<bevelled<>>{.solid = {.width = -1.0f}});
-    check("mitre_limit", emboldened<bevelled<>>{.solid = {.mitre_limit = 0.5f}});
+    check("width", emboldened<bevelled>{.solid = {.width = -1.0f}});
+    check("mitre_limit", emboldened<bevelled>{.solid = {.mitre_limit = 0.5f}});
     CHECK_FALSE(refused_options(emboldened<>{.mitre_limit = 0.0f}));
 
     capped_mesh<emboldened<>> far;
@@ -374,8 +375,8 @@ TEST_CASE("an empty region is emboldened to nothing, and memory that runs out is
 
 TEST_CASE("a bolder letter is planned anew into the memory of the last one", "[emboldened]")
 {
-    plan_data_of<emboldened<bevelled<>>> data;
-    const emboldened<bevelled<>> how{.by = 0.01f};
+    plan_data_of<emboldened<bevelled>> data;
+    const emboldened<bevelled> how{.by = 0.01f};
     const auto large = shapes::ring(8), small = shapes::rectangle();
     caps_by<> of_large{large.made()}, of_small{small.made()};
     auto large_caps = of_large.maker();
@@ -416,13 +417,17 @@ TEST_CASE("with a mitre limit of 1 nested solids have not many more triangles th
     }
     shapes::shape s{"spikes", {shapes::polygon(spikes)}};
     s.loops.tolerance = 640.0;
-    using nested = emboldened<bevelled<round_profile>>;
+    using nested = emboldened<bevelled>;
     for (const float by : {-0.0003f, 0.02f}) {
         for (const bevel_joins joins : {bevel_joins::round, bevel_joins::bevelled}) {
             std::uint64_t triangles[2];
             for (const float limit : {1.0f, 2.0f}) {
                 nested how{.by = by, .joins = joins, .mitre_limit = limit};
-                how.solid = {.width = 0.05f, .bevel_depth = 0.05f, .joins = joins, .mitre_limit = limit};
+                how.solid = {.width = 0.05f,
+                             .bevel_depth = 0.05f,
+                             .joins = joins,
+                             .mitre_limit = limit,
+                             .profile = round_profile()};
                 const auto m = capped(s, how);
                 check_laws(m);
                 CHECK_FALSE(m.plan.narrowed);

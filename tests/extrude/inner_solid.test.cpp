@@ -83,5 +83,5 @@ TEST_CASE("an inner solid is planned for its own region, and read alike from its
 {
     SECTION("of flat, which has no plan data") { check_round_trip(flat{}); }
     SECTION("of extruded") { check_round_trip(extruded<>{}); }
-    SECTION("of bevelled, which asks for caps") { check_round_trip(bevelled<>{}); }
+    SECTION("of bevelled, which asks for caps") { check_round_trip(bevelled{}); }
 }

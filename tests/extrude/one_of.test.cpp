@@ -17,9 +17,9 @@ using namespace typemesh;
 
 namespace {
 
-using bold_letters = emboldened<bevelled<>>;
+using bold_letters = emboldened<bevelled>;
 using hollow_letters = outlined<extruded<>, extruded<>>;
-using any_solid = one_of<flat, extruded<creased_normals>, extruded<>, bevelled<>, bold_letters, hollow_letters>;
+using any_solid = one_of<flat, extruded<creased_normals>, extruded<>, bevelled, bold_letters, hollow_letters>;
 
 constexpr const char* chosen_word = "oExi Eo";  // x has contours that cross
 
@@ -29,7 +29,7 @@ Solid odd_options()
 {
     if constexpr (std::same_as<Solid, flat>)
         return {.texture = texture_mapping::box};
-    else if constexpr (std::same_as<Solid, bevelled<>>)
+    else if constexpr (std::same_as<Solid, bevelled>)
         return {.depth = 0.3f, .width = 0.06f, .bevel_depth = 0.05f, .mode = bevel_mode::fit_text};
     else if constexpr (std::same_as<Solid, bold_letters>)
         return {.by = 0.02f, .solid = {.width = 0.01f}};
@@ -66,7 +66,7 @@ static_assert(!tells_heights<plain_choice> && !makes_own_caps<plain_choice> && !
               !refitting_extruder<plain_choice>);
 
 TEMPLATE_TEST_CASE("a solid chosen at run time makes what it makes alone", "[extrude][one_of]", flat,
-                   extruded<creased_normals>, extruded<>, bevelled<>, bold_letters, hollow_letters)
+                   extruded<creased_normals>, extruded<>, bevelled, bold_letters, hollow_letters)
 {
     test::toy_font font;
     const text_options how{.size = 2.0, .merge = GENERATE(false, true)};
@@ -96,7 +96,7 @@ TEMPLATE_TEST_CASE("a solid chosen at run time makes what it makes alone", "[ext
     }
 
     // The same as another extruder's solid.
-    if constexpr (std::same_as<TestType, extruded<>> || std::same_as<TestType, bevelled<>>) {
+    if constexpr (std::same_as<TestType, extruded<>> || std::same_as<TestType, bevelled>) {
         text_mesher inner{font, emboldened<any_solid>{.by = 0.01f, .solid = odd_options<TestType>()}};
         text_mesher outer{font, emboldened<TestType>{.by = 0.01f, .solid = odd_options<TestType>()}};
         const auto a = inner.plan(chosen_word, how);
@@ -119,8 +119,8 @@ TEST_CASE("a cache tells the choices apart, and keeps no more bytes for a chosen
         return test::written(*plan);
     };
     std::vector<test::lit_mesh> first;
-    const any_solid choices[] = {flat{}, extruded<>{}, extruded<creased_normals>{}, bevelled<>{},
-                                 bevelled<>{.width = 0.01f}};
+    const any_solid choices[] = {flat{}, extruded<>{}, extruded<creased_normals>{}, bevelled{},
+                                 bevelled{.width = 0.01f}};
     for (const any_solid& solid : choices) first.push_back(of(solid));
     const auto after_one = cache.statistics();
     for (std::size_t k = 0; k < first.size(); ++k) {
@@ -130,8 +130,8 @@ TEST_CASE("a cache tells the choices apart, and keeps no more bytes for a chosen
     CHECK(cache.statistics().misses == after_one.misses);
 
     glyph_cache<> own_cache, chosen_cache;
-    text_mesher own{font, bevelled<>{}, cached_in{own_cache, 1}};
-    text_mesher<any_solid> chosen{font, bevelled<>{}, cached_in{chosen_cache, 1}};
+    text_mesher own{font, bevelled{}, cached_in{own_cache, 1}};
+    text_mesher<any_solid> chosen{font, bevelled{}, cached_in{chosen_cache, 1}};
     REQUIRE(own.plan(chosen_word));
     REQUIRE(chosen.plan(chosen_word));
     CHECK(chosen_cache.statistics().bytes == own_cache.statistics().bytes);
@@ -151,8 +151,8 @@ TEST_CASE("letters that meet when a chosen solid has grown are merged as those o
         CHECK(a->glyphs().size() == apart);
         CHECK(test::written(*a) == test::written(*b));
     };
-    check(bevelled<>{.width = 0.06f, .outward = true}, 1);
-    check(bevelled<>{.width = 0.04f, .outward = true}, 4);
+    check(bevelled{.width = 0.06f, .outward = true}, 1);
+    check(bevelled{.width = 0.04f, .outward = true}, 4);
     check(bold_letters{.by = 0.06f}, 1);
     check(hollow_letters{.width = 0.06f, .place = outline_place::outer}, 1);
 }
@@ -160,7 +160,7 @@ TEST_CASE("letters that meet when a chosen solid has grown are merged as those o
 TEST_CASE("a plan goes on with the solid that it was made with", "[extrude][one_of]")
 {
     test::toy_font font;
-    text_mesher<any_solid> mesher{font, bevelled<>{}};
+    text_mesher<any_solid> mesher{font, bevelled{}};
     const auto plan = mesher.plan(chosen_word);
     REQUIRE(plan);
     const test::lit_mesh before = test::written(*plan);
@@ -174,7 +174,7 @@ TEST_CASE("a plan goes on with the solid that it was made with", "[extrude][one_
 TEST_CASE("a chosen solid refuses its own options by their names", "[extrude][one_of]")
 {
     test::toy_font font;
-    text_mesher<any_solid> mesher{font, bevelled<>{.width = -1.0f}};
+    text_mesher<any_solid> mesher{font, bevelled{.width = -1.0f}};
     const auto refused = mesher.plan(chosen_word);
     CHECK(refused.error() == error::bad_option);
     CHECK(std::string{refused.error().option} == "width");

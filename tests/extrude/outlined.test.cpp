@@ -28,7 +28,7 @@ using filled_outline = outlined<extruded<>, extruded<>>;
 
 static_assert(extruder<outlined<>> && capping_extruder<outlined<>> && tells_hard_edges<outlined<>>);
 static_assert(part_count_of<outlined<>> == 3 && part_count_of<filled_outline> == 6);
-static_assert(part_count_of<outlined<bevelled<>, extruded<>>> == 8 && part_count_of<outlined<flat, flat>> == 6);
+static_assert(part_count_of<outlined<bevelled, extruded<>>> == 8 && part_count_of<outlined<flat, flat>> == 6);
 static_assert(tells_hard_edges<filled_outline> && !tells_hard_edges<outlined<extruded<>, flat>>);
 static_assert(extruder<emboldened<filled_outline>>);
 
@@ -92,9 +92,9 @@ TEST_CASE("hollow letters are closed and lit from outside, with and without the 
                 CHECK(both.sizes().triangles.of[0] != 0);
                 check_laws(capped<constrained_delaunay>(s, filled_outline{.width = width, .place = place}));
                 check_laws(capped(
-                    s, outlined<bevelled<>, extruded<>>{.width = width, .place = place, .ring = {.width = 0.004f}}));
+                    s, outlined<bevelled, extruded<>>{.width = width, .place = place, .ring = {.width = 0.004f}}));
                 check_laws(capped(
-                    s, outlined<extruded<>, bevelled<>>{.width = width, .place = place, .letter = {.width = 0.01f}}));
+                    s, outlined<extruded<>, bevelled>{.width = width, .place = place, .letter = {.width = 0.01f}}));
             }
 }
 
@@ -197,7 +197,7 @@ TEST_CASE("outlined refuses options out of range by their names, its own and the
     for (const float v : {infinite, nowhere, 0.5f, -1.0f}) check("outlined::mitre_limit", outlined<>{.mitre_limit = v});
     check("depth", outlined<>{.ring = {.depth = 0.0f}});
     check("depth", filled_outline{.letter = {.depth = -1.0f}});
-    using nested = emboldened<outlined<bevelled<>>>;
+    using nested = emboldened<outlined<bevelled>>;
     check("emboldened::mitre_limit", nested{.mitre_limit = 0.5f});
     check("outlined::mitre_limit", nested{.solid = {.mitre_limit = 0.5f}});
     check("mitre_limit", nested{.solid = {.ring = {.mitre_limit = 0.5f}}});

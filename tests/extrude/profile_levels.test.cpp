@@ -2,7 +2,7 @@
 
 #include <typemesh/extrude/profile_levels.hpp>
 
-#include <typemesh/extrude/ready_profiles.hpp>
+#include <typemesh/extrude/bevel_profile.hpp>
 
 #include <cstdint>
 #include <random>

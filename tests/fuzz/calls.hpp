@@ -7,7 +7,6 @@
 #include "support/counting_memory.hpp"
 
 #include <typemesh/extrude/bevelled.hpp>
-#include <typemesh/extrude/ready_profiles.hpp>
 #include <typemesh/glyph/glyph_cache.hpp>
 #include <typemesh/text/glyph_workers.hpp>
 
@@ -93,7 +92,7 @@ private:
         return plan_laws::of_writing(*plan, in_);
     }
 
-    void read_bevels(bevelled<round_profile>& how)
+    void read_bevels(bevelled& how)
     {
         const std::uint32_t bits = in_.byte();
         how.sides = static_cast<bevel_sides>((bits & 3) % 3);
@@ -102,7 +101,7 @@ private:
         how.joins = (bits & 32) != 0 ? bevel_joins::bevelled : bevel_joins::round;
         how.shading = (bits & 64) != 0 ? bevel_shading::rounded : bevel_shading::by_slope;
         how.front = (bits & 128) == 0;
-        how.profile.steps = in_.below(9);
+        how.profile = round_profile(in_.below(9));
     }
 
     /// What a glyph of a plan draws, and where: what must be written again where this has changed.
@@ -226,8 +225,7 @@ private:
     glyph_cache<> cache_;
     test::toy_font font_, own_font_;
     text_mesher<extruded<>> walls_{font_, cached_in{cache_, 1}}, holder_{font_, cached_in{cache_, 1}};
-    text_mesher<bevelled<round_profile>> bevels_{font_, cached_in{cache_, 1},
-                                                 bevelled<round_profile>{.profile = {.steps = 3}}};
+    text_mesher<bevelled> bevels_{font_, cached_in{cache_, 1}, bevelled{.profile = round_profile(3)}};
     std::optional<text_plan<extruded<>>> held_;
     test::full_mesh held_mesh_;
 };

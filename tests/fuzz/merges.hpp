@@ -163,7 +163,7 @@ inline broken_law merges(values in)
     how.merge = true;
     const auto width = float(in.between(-0.05, 0.2));
     if (kind < 14) return of_grown(text_mesher{faces}.with(emboldened<>{.by = width}), run, how, in);
-    const bevelled<> bevels{.width = std::fabs(width), .outward = true};
+    const bevelled bevels{.width = std::fabs(width), .outward = true};
     return of_grown(text_mesher{faces}.with(bevels), run, how, in);
 }
 

@@ -142,7 +142,7 @@ inline broken_law offsets(values in)
     const float limit = in.one_of({0.0f, 1.0f, 1.5f, 2.0f, 4.0f, 100.0f});
     const float by = (bits & 16) != 0 ? 0.0f - width : width;
     const auto place = static_cast<outline_place>((bits >> 5) % 3);
-    const bevelled<drawn_profile> bevel = read_bevel(in, bits >> 5);
+    const bevelled bevel = read_bevel(in, bits >> 5);
     drawn_region from;
     if (broken_law broken = from.fill(in); !broken.empty()) return broken;
     if (from.made.points().empty()) return {};
@@ -154,12 +154,9 @@ inline broken_law offsets(values in)
     case 4: return of_hollow({.width = width, .place = place, .joins = joins, .mitre_limit = limit}, from);
     case 5:
         return of_any(
-            outlined<bevelled<drawn_profile>>{
-                .width = width, .place = place, .joins = joins, .mitre_limit = limit, .ring = bevel},
+            outlined<bevelled>{.width = width, .place = place, .joins = joins, .mitre_limit = limit, .ring = bevel},
             from);
-    default:
-        return of_any(
-            emboldened<bevelled<drawn_profile>>{.by = by, .joins = joins, .mitre_limit = limit, .solid = bevel}, from);
+    default: return of_any(emboldened<bevelled>{.by = by, .joins = joins, .mitre_limit = limit, .solid = bevel}, from);
     }
 }
 

@@ -7,12 +7,9 @@
 
 #include <typemesh/extrude/averaged_normals.hpp>
 #include <typemesh/extrude/bevelled.hpp>
-#include <typemesh/extrude/bezier_profile.hpp>
 #include <typemesh/extrude/creased_normals.hpp>
 #include <typemesh/extrude/extrude.hpp>
 #include <typemesh/extrude/extruded.hpp>
-#include <typemesh/extrude/polyline_profile.hpp>
-#include <typemesh/extrude/ready_profiles.hpp>
 #include <typemesh/extrude/shared_normals.hpp>
 #include <typemesh/glyph/cap_builder.hpp>
 #include <typemesh/glyph/policies.hpp>
@@ -150,51 +147,40 @@ broken_law of_extruded(const Extruder& how, drawn_region& from)
 }
 
 /// One of the ready profiles by its number, 1 to 6, with options of some bytes; or else one of points of some bytes.
-struct drawn_profile {
-    std::uint32_t ready = 0, steps = 0;
-    bezier_profile curve;
+inline bevel_profile read_profile(values& in, std::uint32_t ready)
+{
+    const std::uint32_t steps = ready >= 1 && ready <= 6 ? in.byte() % 67 : 0;
+    switch (ready) {
+    case 1: return chamfer_profile();
+    case 2: return round_profile(steps);
+    case 3: return concave_profile(steps);
+    case 4: return stepped_profile();
+    case 5: return engraved_profile();
+    case 6: {
+        const auto number_below = [&](float most) { return most * float(in.below(9)) / 8.0f; };
+        bezier_section curve{{number_below(1.0f), number_below(1.5f)}, {number_below(1.0f), number_below(1.5f)}};
+        curve.end = number_below(1.0f);
+        return bezier_profile(curve, steps);
+    }
+    default: break;
+    }
     profile_points points;
-
-    drawn_profile(values& in, std::uint32_t number) : ready{number}
-    {
-        if (ready >= 1 && ready <= 6) steps = in.byte() % 67;
-        if (ready == 6) {
-            const auto number_below = [&](float most) { return most * float(in.below(9)) / 8.0f; };
-            curve = {{number_below(1.0f), number_below(1.5f)}, {number_below(1.0f), number_below(1.5f)}};
-            curve.end = number_below(1.0f);
-            curve.steps = steps;
-        }
-        if (ready >= 1 && ready <= 6) return;
-        float t = 0.0f;
-        points.add({0.0f, 0.0f});
-        for (std::uint32_t left = in.below(6); left > 0; --left) {
-            t = (std::min)(1.0f, t + float(in.below(5)) / 8.0f);
-            points.add({t, float(in.below(9)) / 8.0f});
-        }
-        points.add({1.0f, in.flag() ? 1.0f : float(in.below(5)) / 4.0f});
+    float t = 0.0f;
+    points.add({0.0f, 0.0f});
+    for (std::uint32_t left = in.below(6); left > 0; --left) {
+        t = (std::min)(1.0f, t + float(in.below(5)) / 8.0f);
+        points.add({t, float(in.below(9)) / 8.0f});
     }
-    void operator()(const profile_scale& scale, profile_points& out) const noexcept
-    {
-        switch (ready) {
-        case 1: return chamfer_profile{}(scale, out);
-        case 2: return round_profile{steps}(scale, out);
-        case 3: return concave_profile{steps}(scale, out);
-        case 4: return stepped_profile{}(scale, out);
-        case 5: return engraved_profile{}(scale, out);
-        case 6: return curve(scale, out);
-        default: return polyline_profile{points}(scale, out);
-        }
-    }
-    [[nodiscard]] option_bits cache_key() const noexcept { return {0u}; }
-};
-static_assert(bevel_profile<drawn_profile>);
+    points.add({1.0f, in.flag() ? 1.0f : float(in.below(5)) / 4.0f});
+    return points;
+}
 
-inline bevelled<drawn_profile> read_bevel(values& in, std::uint32_t ready)
+inline bevelled read_bevel(values& in, std::uint32_t ready)
 {
     static constexpr float widths[] = {0.0f, 2e-6f, 1e-5f, 0.001f, 0.005f, 0.02f, 0.05f, 0.1f, 0.3f, 1.0f, 4.0f},
                            mitres[] = {0.0f, 1.0f, 1.5f, 2.0f, 100.0f}, creases[] = {0.0f, 15.0f, 44.0f, 90.0f, 180.0f};
     const std::uint32_t bits = in.byte();
-    bevelled<drawn_profile> how{.profile = drawn_profile{in, ready}};
+    bevelled how{.profile = read_profile(in, ready)};
     how.width = in.one_of(widths) * float(in.between(0.5, 1.5));
     how.bevel_depth = float(in.between(0.0, 0.099));
     how.sides = static_cast<bevel_sides>((bits & 3) % 3);
@@ -211,7 +197,7 @@ inline bevelled<drawn_profile> read_bevel(values& in, std::uint32_t ready)
 }
 
 /// Closed, and never larger than the letter, which an outward bevel only adds to.
-inline broken_law of_bevelled(const bevelled<drawn_profile>& how, drawn_region& from)
+inline broken_law of_bevelled(const bevelled& how, drawn_region& from)
 {
     placement at;
     at.unit_per_depth = from.em;
@@ -225,7 +211,7 @@ inline broken_law of_bevelled(const bevelled<drawn_profile>& how, drawn_region& 
         const bool refused = e == error::bad_option || e == error::outline_beyond_grid;
         return refused || (how.outward && e == error::crossing_contours) ? "" : e.message();
     }
-    using type = bevelled<drawn_profile>;
+    using type = bevelled;
     mesh m;
     const solid_of<type> form{{from.made.points(), from.made.starts(), from.caps.triangles().view()}, data.read()};
     if (const error e = write_solid<type>({form, *plan}, how, at, m)) return e.message();
@@ -247,7 +233,7 @@ inline broken_law solids(values in)
     using namespace typemesh;
     using namespace solid_laws;
     const std::uint32_t what = in.byte(), kind = what >> 3;
-    const bevelled<drawn_profile> bevel = read_bevel(in, kind);
+    const bevelled bevel = read_bevel(in, kind);
     drawn_region from;
     if (broken_law broken = from.fill(in); !broken.empty()) return broken;
     if (from.made.points().empty()) return {};

@@ -11,7 +11,7 @@
 
 using namespace typemesh;
 
-TEMPLATE_TEST_CASE("a solid is planned through its reference as by itself", "[glyph]", flat, extruded<>, bevelled<>,
+TEMPLATE_TEST_CASE("a solid is planned through its reference as by itself", "[glyph]", flat, extruded<>, bevelled,
                    emboldened<>, outlined<>)
 {
     const TestType how;

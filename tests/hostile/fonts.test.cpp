@@ -121,7 +121,7 @@ std::size_t try_bevels(std::span<const std::byte> bytes, std::uint32_t most, tal
 {
     auto font = Font::open(bytes, {});
     if (!font) return 0;
-    auto mesher = text_mesher{*font}.with(bevelled<round_profile>{.width = 0.03f, .profile = {.steps = 4}});
+    auto mesher = text_mesher{*font}.with(bevelled{.width = 0.03f, .profile = round_profile(4)});
     std::size_t wrong = 0;
     const std::uint32_t count = font->glyph_count(), step = count / most + 1;
     for (glyph_id id = 0; id < count; id += step) {

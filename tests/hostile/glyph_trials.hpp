@@ -7,7 +7,6 @@
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/emboldened.hpp>
 #include <typemesh/extrude/outlined.hpp>
-#include <typemesh/extrude/ready_profiles.hpp>
 #include <typemesh/outline/outline_recorder.hpp>
 #include <typemesh/typemesh.hpp>
 
@@ -163,10 +162,9 @@ inline void try_policies(held_glyph& font, trials& seen)
                  .policies = "thesis_quality, extruded", .flatten = thesis_quality{thesis_quality::high, em}},
              seen);
     try_mesh(font,
-             way<bevelled<round_profile>, certified, constrained_delaunay>{"bevelled",
-                                                                           {.width = 0.03f, .profile = {.steps = 4}}},
+             way<bevelled, certified, constrained_delaunay>{"bevelled", {.width = 0.03f, .profile = round_profile(4)}},
              seen);
-    try_mesh(font, way<bevelled<>>{"bevelled outwards", {.outward = true}}, seen);
+    try_mesh(font, way<bevelled>{"bevelled outwards", {.outward = true}}, seen);
     try_mesh(font, way<emboldened<extruded<cap_normals>>>{"emboldened"}, seen);
     try_mesh(font, way<emboldened<>>{"emboldened inwards", {.by = -0.02f}}, seen);
     try_mesh(font, way<outlined<>>{"outlined"}, seen);

@@ -14,7 +14,6 @@
 #include <typemesh/extrude/emboldened.hpp>
 #include <typemesh/extrude/flat.hpp>
 #include <typemesh/extrude/outlined.hpp>
-#include <typemesh/extrude/ready_profiles.hpp>
 #include <typemesh/paragraph/paragraph.hpp>
 #include <typemesh/paragraph/total_fit.hpp>
 #include <typemesh/triangulate/constrained_delaunay.hpp>
@@ -296,9 +295,9 @@ inline std::vector<stage_hash> hash_stages(const faces& all)
     stage("mesh: extruded", [&](hash& h) { hash_mesh(h, all, extruded<>{}); });
     stage("mesh: extruded, merged", [&](hash& h) { hash_mesh(h, all, extruded<>{}, {.merge = true}); });
     stage("mesh: constrained_delaunay", [&](hash& h) { hash_mesh(h, all, constrained_delaunay{}); });
-    stage("mesh: bevelled, chamfer", [&](hash& h) { hash_mesh(h, all, bevelled<>{.depth = 0.2f}); });
+    stage("mesh: bevelled, chamfer", [&](hash& h) { hash_mesh(h, all, bevelled{.depth = 0.2f}); });
     stage("mesh: bevelled, round",
-          [&](hash& h) { hash_mesh(h, all, bevelled<round_profile>{.depth = 0.2f, .width = 0.05f}); });
+          [&](hash& h) { hash_mesh(h, all, bevelled{.depth = 0.2f, .width = 0.05f, .profile = round_profile()}); });
     stage("mesh: emboldened", [&](hash& h) { hash_mesh(h, all, emboldened<>{.by = 0.02f}); });
     stage("mesh: outlined", [&](hash& h) { hash_mesh(h, all, outlined<>{}); });
     stage("text: levels, graphemes, breaks, scripts", [](hash& h) { hash_analysis(h); });

@@ -62,8 +62,8 @@ TEST_CASE("after warm-up a text asks nobody for memory, in any layout of the out
             CHECK(asked_by(text_mesher{font}, options) == 0);
             CHECK(asked_by(text_mesher{font}.with(flat{}).with(constrained_delaunay{}), options) == 0);
             CHECK(asked_by(text_mesher{font}.with(extruded<shared_normals>{}), options) == 0);
-            CHECK(asked_by(text_mesher{font}.with(bevelled<round_profile>{}), options) == 0);
-            CHECK(asked_by(text_mesher{font}.with(emboldened<bevelled<>>{}), options) == 0);
+            CHECK(asked_by(text_mesher{font}.with(bevelled{.profile = round_profile()}), options) == 0);
+            CHECK(asked_by(text_mesher{font}.with(emboldened<bevelled>{}), options) == 0);
             CHECK(asked_by(text_mesher{font}.with(outlined<extruded<>, extruded<>>{}), options) == 0);
             CHECK(asked_by(text_mesher{font}.with(cached_in{cache, 1}), options) == 0);
         }

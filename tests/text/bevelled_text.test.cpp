@@ -27,7 +27,7 @@ namespace {
 
 constexpr const char* bevelled_word = "oExi Eo";  // x has contours that cross
 
-const bevelled<round_profile> rounding{.width = 0.02f, .bevel_depth = 0.03f, .profile = {4}};
+const bevelled rounding{.width = 0.02f, .bevel_depth = 0.03f, .profile = round_profile(4)};
 
 /// A lawful mesh with five parts.
 template <class Plan>
@@ -57,7 +57,7 @@ TEST_CASE("bevelled letters come out of caches, teams and constrained Delaunay a
         CHECK(checked_mesh(*again) == expected);
     }
     CHECK(cache.statistics().hits >= 5);
-    bevelled<round_profile> wider = rounding;
+    bevelled wider = rounding;
     wider.width = 0.03f;
     auto other = text_mesher{font}.with(wider).with(cached_in{cache, 1});
     const auto wide = other.plan(bevelled_word);
@@ -135,7 +135,7 @@ TEST_CASE("bevelled letters are merged, cut into chunks, instanced and written i
 TEST_CASE("a bevel keeps its slope where depths are in output units", "[text]")
 {
     test::toy_font font;
-    const bevelled<> how{.depth = 20.0f, .width = 0.02f, .bevel_depth = 2.0f};
+    const bevelled how{.depth = 20.0f, .width = 0.02f, .bevel_depth = 2.0f};
     auto mesher = text_mesher{font}.with(how);
     const text_options options{.unit = output_unit::pixels, .pixels_per_em = 100.0, .depth_in = depth_unit::output};
     const auto plan = mesher.plan("i", options);
@@ -204,14 +204,14 @@ TEST_CASE("a bevelled text reports memory that fails at any request, and can be 
 TEST_CASE("bevels that fit a text are as narrow as its narrowest letter's, with caches, teams and merging", "[text]")
 {
     test::toy_font font;
-    const bevelled<round_profile> clip{.width = 0.2f, .bevel_depth = 0.03f, .profile = {4}};
-    bevelled<round_profile> fit = clip, fit_text = clip;
+    const bevelled clip{.width = 0.2f, .bevel_depth = 0.03f, .profile = round_profile(4)};
+    bevelled fit = clip, fit_text = clip;
     fit.mode = bevel_mode::fit;
     fit_text.mode = bevel_mode::fit_text;
     const auto widths_of = [](const auto& plan, const auto& how) {
         std::vector<float> widths;
         for (const drawn_glyph& g : plan.glyphs())
-            widths.push_back(how.width_of(g.built->template planned<bevelled<round_profile>>().form));
+            widths.push_back(how.width_of(g.built->template planned<bevelled>().form));
         return widths;
     };
 
@@ -233,7 +233,7 @@ TEST_CASE("bevels that fit a text are as narrow as its narrowest letter's, with 
     const test::lit_mesh expected = checked_mesh(*plan);
     CHECK(same(mesher.solid().width, 0.2f));  // the next text begins anew
     CHECK(is_zero(mesher.solid().wanted));
-    bevelled<round_profile> nearly = fit_text;
+    bevelled nearly = fit_text;
     nearly.width = 0.08f;
     auto enough = text_mesher{font}.with(nearly);
     const auto not_by_half = enough.plan("oE");
@@ -243,7 +243,7 @@ TEST_CASE("bevels that fit a text are as narrow as its narrowest letter's, with 
     REQUIRE(other);
     CHECK(same(widths_of(*other, fit_text)[0], own[0]));
 
-    bevelled<round_profile> at_once = clip;
+    bevelled at_once = clip;
     at_once.width = own[1];
     auto clipped = text_mesher{font}.with(at_once);
     const auto by_hand = clipped.plan("oE");
@@ -282,7 +282,7 @@ TEST_CASE("bevels that fit a text are as narrow as its narrowest letter's, with 
     (void)checked_mesh(*joined);
 
     for (const bevel_mode mode : {bevel_mode::clip, bevel_mode::fit_text}) {
-        bevelled<round_profile> bad = clip;
+        bevelled bad = clip;
         bad.mode = mode;
         bad.width = -1.0f;
         auto refused = text_mesher{font}.with(bad);
@@ -294,7 +294,7 @@ TEST_CASE("the bounds of a bevelled text are those of its vertices, in height as
 {
     test::toy_font font;
     for (const float width : {0.02f, 0.3f}) {
-        auto mesher = text_mesher{font}.with(bevelled<>{.width = width, .bevel_depth = 0.09f});
+        auto mesher = text_mesher{font}.with(bevelled{.width = width, .bevel_depth = 0.09f});
         for (const char* text : {"o", "i", "oExi"}) {
             const auto plan = mesher.plan(text);
             REQUIRE(plan);
@@ -312,7 +312,7 @@ TEST_CASE("the bounds of a bevelled text are those of its vertices, in height as
 TEST_CASE("triangles of bevels that floats turn over are counted, far from the origin", "[text]")
 {
     test::toy_font font;
-    auto mesher = text_mesher{font}.with(bevelled<round_profile>{.width = 0.02f, .profile = {16}});
+    auto mesher = text_mesher{font}.with(bevelled{.width = 0.02f, .profile = round_profile(16)});
     auto plain = text_mesher{font};
     const auto flipped_at = [](auto& made, double x) {
         glyph_run run;
@@ -352,13 +352,13 @@ TEST_CASE("letters that meet when outward bevels have grown are merged: one surf
     const double depth = 0.2, height = 0.5;
     for (const bevel_sides sides : {bevel_sides::both, bevel_sides::front, bevel_sides::back}) {
         for (const float width : {0.01f, 0.03f}) {
-            const bevelled<> how{.width = width, .bevel_depth = 0.05f, .sides = sides, .outward = true};
+            const bevelled how{.width = width, .bevel_depth = 0.05f, .sides = sides, .outward = true};
             const bool meet = width > 0.02f;
             auto mesher = text_mesher{font}.with(how);
             const auto plan = mesher.plan(run, {.merge = true});
             REQUIRE(plan);
             REQUIRE(plan->glyphs().size() == (meet ? 2u : 3u));
-            const bevelled<> inward{.width = width, .bevel_depth = 0.05f, .sides = sides};
+            const bevelled inward{.width = width, .bevel_depth = 0.05f, .sides = sides};
             auto carved = text_mesher{font}.with(inward);
             const auto apart = carved.plan(run, {.merge = true});
             REQUIRE(apart);
@@ -405,7 +405,7 @@ TEST_CASE("bolder letters are merged where they have grown together, thinner one
                 i, [&](grid_point a, grid_point b, grid_point c) noexcept { twice += orientation(a, b, c); });
         return std::pair{plan->glyphs().size(), 0.5 * static_cast<double>(twice) / 512000.0 / 512000.0};
     };
-    using bold = emboldened<bevelled<>>;
+    using bold = emboldened<bevelled>;
     const auto grown = glyphs_at(bold{.by = 0.03f, .solid = {.width = 0.01f}}, 140.0);
     CHECK(grown.first == 1);
     CHECK(grown.second == Catch::Approx((0.24 + 0.06) * (0.5 + 0.06)));

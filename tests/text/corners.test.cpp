@@ -11,7 +11,6 @@
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/emboldened.hpp>
 #include <typemesh/extrude/outlined.hpp>
-#include <typemesh/extrude/polyline_profile.hpp>
 #include <typemesh/inspect/manifoldness.hpp>
 #include <typemesh/inspect/normal_check.hpp>
 #include <typemesh/text/flipped_triangles.hpp>
@@ -168,14 +167,14 @@ TEST_CASE("corners are parted and joined in plain letters, and counted", "[text]
 
 TEST_CASE("corners are parted and joined in bevelled letters", "[text]")
 {
-    check_extruder(bevelled<>{});
-    check_extruder(bevelled<round_profile>{.width = 0.03f, .profile = {3}});
+    check_extruder(bevelled{});
+    check_extruder(bevelled{.width = 0.03f, .profile = round_profile(3)});
 }
 
 TEST_CASE("steps of a bevel lean, so that those of a ring have two faces an edge", "[text]")
 {
-    check_extruder(bevelled<stepped_profile>{.width = 0.05f});
-    check_extruder(bevelled<engraved_profile>{.width = 0.05f});
+    check_extruder(bevelled{.width = 0.05f, .profile = stepped_profile()});
+    check_extruder(bevelled{.width = 0.05f, .profile = engraved_profile()});
     // Within a ring of uneven width both sides of a step touch where it is as wide as twice the step's distance.
     recorded_outlines uneven{1000.0};
     REQUIRE(uneven.add([](auto& pen) { circle(pen, {400, 400}, 400, 1), circle(pen, {430, 400}, 300, -1); }));
@@ -185,8 +184,8 @@ TEST_CASE("steps of a bevel lean, so that those of a ring have two faces an edge
     std::size_t crowded = 0;
     for (int i = 0; i < 20; ++i) {
         const float t = 0.4325f + 0.0005f * static_cast<float>(i);
-        auto mesher = text_mesher{uneven}.with(
-            bevelled<polyline_profile>{.width = 0.08f, .profile = {{{0, 0}, {t, 0.3f}, {t, 0.7f}, {1, 1}}}});
+        auto mesher =
+            text_mesher{uneven}.with(bevelled{.width = 0.08f, .profile = {{0, 0}, {t, 0.3f}, {t, 0.7f}, {1, 1}}});
         const auto plan = mesher.plan(run);
         REQUIRE(plan);
         crowded += faces_of(*plan).crowded_edges;
@@ -197,7 +196,7 @@ TEST_CASE("steps of a bevel lean, so that those of a ring have two faces an edge
 
 TEST_CASE("corners are parted and joined in letters with outward bevels", "[text]")
 {
-    check_extruder(bevelled<>{.width = 0.01f, .outward = true});
+    check_extruder(bevelled{.width = 0.01f, .outward = true});
     // Squares half of whose distance is the width would touch all along their sides.
     recorded_outlines pair{1000.0};
     REQUIRE(pair.add([](auto& pen) { square(pen, 0, 0, 300), square(pen, 340, 0, 300); }));
@@ -205,7 +204,7 @@ TEST_CASE("corners are parted and joined in letters with outward bevels", "[text
     run.units_per_em = 1000.0;
     REQUIRE(run.glyphs.push_back({0, 0, {}}));
     for (const float width : {0.02f, 0.01999f, 0.02001f}) {
-        auto mesher = text_mesher{pair}.with(bevelled<>{.width = width, .outward = true, .mitre_limit = 0.0f});
+        auto mesher = text_mesher{pair}.with(bevelled{.width = width, .outward = true, .mitre_limit = 0.0f});
         for (const touching way : {touching::part, touching::join}) check_manifold(mesher.plan(run, {.corners = way}));
     }
 }
@@ -217,7 +216,7 @@ TEST_CASE("corners are parted and joined in bold, thin and hollow letters", "[te
     check_extruder(outlined<>{.width = 0.01f});
     check_extruder(outlined<extruded<>, extruded<>>{.width = 0.02f, .place = outline_place::centre});
     check_extruder(outlined<extruded<>, extruded<>>{.width = 0.02f, .place = outline_place::outer});
-    check_extruder(outlined<bevelled<>, extruded<>>{.width = 0.02f, .ring = {.width = 0.004f}});
+    check_extruder(outlined<bevelled, extruded<>>{.width = 0.02f, .ring = {.width = 0.004f}});
 }
 
 TEST_CASE("letters that touch each other are merged first", "[text]")
@@ -226,7 +225,7 @@ TEST_CASE("letters that touch each other are merged first", "[text]")
     for (const double apart : {0.625, 0.75, 0.9375, 1.0, 1.0 / 3.0}) {
         const glyph_run run = all_of(font, apart, {1.0 / 3.0, 0.1});
         auto mesher = text_mesher{font};
-        auto bevels = text_mesher{font}.with(bevelled<>{.width = 0.01f});
+        auto bevels = text_mesher{font}.with(bevelled{.width = 0.01f});
         for (const touching way : {touching::part, touching::join}) {
             const text_options options{.merge = true, .corners = way};
             check_manifold(mesher.plan(run, options));

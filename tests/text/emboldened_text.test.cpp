@@ -56,7 +56,7 @@ namespace {
 
 constexpr const char* bold_word = "oExi Eo";  // x has contours that cross
 
-const emboldened<bevelled<>> bold{.by = 0.02f, .solid = {.width = 0.01f}};
+const emboldened<bevelled> bold{.by = 0.02f, .solid = {.width = 0.01f}};
 const outlined<extruded<>, extruded<>> hollow{.width = 0.02f, .place = outline_place::outer, .letter = {.depth = 0.1f}};
 
 /// Closed, right side out, lit from outside, each part where the plan says, within its bounds.
@@ -231,7 +231,7 @@ TEST_CASE("rings that meet when they have grown are one ring round both letters"
         CHECK(plan_of(ring{.width = width, .place = place}, 140.0).second == 0);
     }
     CHECK(plan_of(ring{.width = 0.03f}, 140.0).first == 2);  // within the letters
-    const outlined<bevelled<>> grown{.width = 0.02f, .ring = {.width = 0.03f, .outward = true}};
+    const outlined<bevelled> grown{.width = 0.02f, .ring = {.width = 0.03f, .outward = true}};
     CHECK(plan_of(grown, 140.0).first == 1);
     CHECK(plan_of(grown, 170.0).first == 2);
 }
@@ -239,7 +239,7 @@ TEST_CASE("rings that meet when they have grown are one ring round both letters"
 TEST_CASE("a ring that would grow into the letter within it is refused", "[text]")
 {
     test::toy_font font;
-    using ring = outlined<bevelled<>, extruded<>>;
+    using ring = outlined<bevelled, extruded<>>;
     auto mesher = text_mesher{font}.with(ring{.width = 0.02f, .ring = {.width = 0.01f, .outward = true}});
     const auto plan = mesher.plan("o");
     REQUIRE_FALSE(plan);
@@ -252,7 +252,7 @@ TEST_CASE("a ring that would grow into the letter within it is refused", "[text]
 TEST_CASE("bevels of rings have one width in a text, and their bounds are exact", "[text]")
 {
     test::toy_font font;
-    using ring = outlined<bevelled<>>;
+    using ring = outlined<bevelled>;
     auto mesher = text_mesher{font}.with(
         ring{.width = 0.03f, .ring = {.width = 0.1f, .bevel_depth = 0.05f, .mode = bevel_mode::fit_text}});
     const auto plan = mesher.plan("oi");

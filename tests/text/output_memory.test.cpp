@@ -35,7 +35,7 @@ void write_between_guards(const Plan& plan, bool at_end)
 }  // namespace
 
 TEMPLATE_TEST_CASE("writing stays within its arrays: the pages before and behind them cannot be touched",
-                   "[text][memory]", extruded<>, bevelled<>)
+                   "[text][memory]", extruded<>, bevelled)
 {
     test::toy_font font;
     auto mesher = text_mesher{font}.with(TestType{});
@@ -48,7 +48,7 @@ TEMPLATE_TEST_CASE("writing stays within its arrays: the pages before and behind
 }
 
 TEMPLATE_TEST_CASE("what is written does not depend on what lay there, and all of it is written", "[text][memory]",
-                   extruded<>, bevelled<>)
+                   extruded<>, bevelled)
 {
     test::toy_font font;
     auto mesher = text_mesher{font}.with(TestType{});

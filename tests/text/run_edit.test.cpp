@@ -35,7 +35,7 @@ void scatter(glyph_run& run) noexcept
 }  // namespace
 
 TEMPLATE_TEST_CASE("a run that is changed on the way is meshed as one that was changed before", "[text][edit]", flat,
-                   extruded<>, bevelled<>)
+                   extruded<>, bevelled)
 {
     const char* const text = GENERATE("oEi x\nEoo ixE", "oE", "", " ");
     const bool merge = GENERATE(false, true);

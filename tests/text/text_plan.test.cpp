@@ -354,7 +354,7 @@ TEST_CASE("100,000 characters draw each glyph once and need memory in proportion
 TEST_CASE("each triangle's hit is the glyph and the cluster that it was written for", "[text]")
 {
     test::toy_font font;
-    auto mesher = text_mesher{font}.with(bevelled<>{.width = 0.01f});
+    auto mesher = text_mesher{font}.with(bevelled{.width = 0.01f});
     for (const bool merge : {false, true}) {
         auto plan = mesher.plan("oEi x~o\noEq oooo", {.merge = merge});
         REQUIRE(plan);

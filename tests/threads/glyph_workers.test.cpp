@@ -110,7 +110,7 @@ struct shared_memory {
 
 TEMPLATE_TEST_CASE("HarfBuzz: any number of workers makes the same mesh", "[threads][harfbuzz]", flat,
                    extruded<curve_normals>, extruded<creased_normals>, extruded<averaged_normals>,
-                   extruded<shared_normals>, extruded<cap_normals>, bevelled<round_profile>)
+                   extruded<shared_normals>, extruded<cap_normals>, bevelled)
 {
     auto font = open("truetype/dejavu/DejaVuSans.ttf");
     auto mesher = text_mesher{font}.with(TestType{});

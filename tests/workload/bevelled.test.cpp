@@ -88,7 +88,7 @@ TEST_CASE("bevelled letters of real fonts are closed and lit from outside at eve
         auto font = harfbuzz_font::open(file.path.c_str());
         REQUIRE(font);
         for (const float width : {0.01f, 0.03f, 0.05f, 0.3f}) {
-            const bevelled<round_profile> how{.width = width, .bevel_depth = 0.05f, .profile = {.steps = 4}};
+            const bevelled how{.width = width, .bevel_depth = 0.05f, .profile = round_profile(4)};
             auto mesher = text_mesher{*font}.with(how);
             for (const char* const script : scripts) {
                 if (!file.serves(script)) continue;
@@ -117,7 +117,7 @@ TEST_CASE("bevelled texts are the same from caches, workers and every order of t
         auto font = harfbuzz_font::open(subject.font.c_str());
         REQUIRE(font);
         INFO(subject.font << ", " << subject.script);
-        const bevelled<> how{.width = 0.04f, .bevel_depth = 0.04f};
+        const bevelled how{.width = 0.04f, .bevel_depth = 0.04f};
         auto mesher = text_mesher{*font}.with(how);
         const text_options options{.unit = output_unit::font_units};
         const auto plan = mesher.plan(subject.text, options);
@@ -153,7 +153,7 @@ TEST_CASE("bevelled letters that meet are merged first: one bevel around them", 
         REQUIRE(font);
         for (const std::string& phrase : test::workload_texts("arabic")) {
             INFO(subject.font << ": " << phrase);
-            auto mesher = text_mesher{*font}.with(bevelled<>{.width = 0.01f, .bevel_depth = 0.01f});
+            auto mesher = text_mesher{*font}.with(bevelled{.width = 0.01f, .bevel_depth = 0.01f});
             const auto plan = mesher.plan(phrase, {.unit = output_unit::font_units, .merge = true});
             REQUIRE(plan);
             CHECK(plan->report().refused == 0);

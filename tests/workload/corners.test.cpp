@@ -45,7 +45,7 @@ TEST_CASE("every edge of a text has two faces, in all fonts and scripts of the w
         auto font = harfbuzz_font::open(file.path.c_str());
         REQUIRE(font);
         auto plain = text_mesher{*font};
-        auto stepped = text_mesher{*font}.with(bevelled<stepped_profile>{.width = 0.03f});
+        auto stepped = text_mesher{*font}.with(bevelled{.width = 0.03f, .profile = stepped_profile()});
         auto hollow =
             text_mesher{*font}.with(outlined<extruded<>, extruded<>>{.width = 0.02f, .place = outline_place::centre});
         for (const char* const script : {"latin", "arabic", "chinese", "japanese"}) {

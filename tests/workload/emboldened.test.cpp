@@ -171,7 +171,7 @@ TEST_CASE("bold bevelled and hollow texts of real fonts are the same from caches
             if (!file.serves(script) || !file.available()) continue;
             const std::string text = test::workload_texts(script).back();
             INFO(file.path << ": " << text);
-            check(emboldened<bevelled<>>{.by = 0.015f, .solid = {.width = 0.01f}}, file.path, text);
+            check(emboldened<bevelled>{.by = 0.015f, .solid = {.width = 0.01f}}, file.path, text);
             check(framed{.width = 0.015f, .place = outline_place::outer}, file.path, text);
             ++texts;
         }

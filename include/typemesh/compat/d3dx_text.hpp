@@ -80,7 +80,7 @@ concept d3dx_extruder = extruder<E> && requires(E& e) {
 /// whose member `depth` is set to the extrusion, and which maps textures onto a box if it has a member `texture`:
 ///
 ///     auto fair = d3dx_text{font}.with(constrained_delaunay{});
-///     auto moulded = d3dx_text{font}.with(bevelled<>{.width = 0.02f, .bevel_depth = 0.03f});
+///     auto moulded = d3dx_text{font}.with(bevelled{.width = 0.02f, .bevel_depth = 0.03f});
 ///
 /// The width of a bevel is in em, its depth in output units, as the extrusion is.
 template <d3dx_extruder Solid = extruded<>>

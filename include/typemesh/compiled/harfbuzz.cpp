@@ -22,14 +22,10 @@ template struct solid_ref::table<extruded<>>;
 template struct solid_ref::table<extruded<averaged_normals>>;
 template struct solid_ref::table<extruded<creased_normals>>;
 template struct solid_ref::table<extruded<shared_normals>>;
-template struct solid_ref::table<bevelled<>>;
-template struct solid_ref::table<bevelled<round_profile>>;
-template struct solid_ref::table<bevelled<concave_profile>>;
-template struct solid_ref::table<bevelled<stepped_profile>>;
-template struct solid_ref::table<bevelled<engraved_profile>>;
+template struct solid_ref::table<bevelled>;
 template struct solid_ref::table<emboldened<>>;
 template struct solid_ref::table<emboldened<flat>>;
-template struct solid_ref::table<emboldened<bevelled<>>>;
+template struct solid_ref::table<emboldened<bevelled>>;
 template struct solid_ref::table<outlined<>>;
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -19,7 +19,6 @@
 #include <typemesh/extrude/emboldened.hpp>
 #include <typemesh/extrude/flat.hpp>
 #include <typemesh/extrude/outlined.hpp>
-#include <typemesh/extrude/ready_profiles.hpp>
 #include <typemesh/extrude/shared_normals.hpp>
 #include <typemesh/text/text_mesher.hpp>
 #include <typemesh/triangulate/constrained_delaunay.hpp>
@@ -45,14 +44,10 @@ extern template struct solid_ref::table<extruded<>>;
 extern template struct solid_ref::table<extruded<averaged_normals>>;
 extern template struct solid_ref::table<extruded<creased_normals>>;
 extern template struct solid_ref::table<extruded<shared_normals>>;
-extern template struct solid_ref::table<bevelled<>>;
-extern template struct solid_ref::table<bevelled<round_profile>>;
-extern template struct solid_ref::table<bevelled<concave_profile>>;
-extern template struct solid_ref::table<bevelled<stepped_profile>>;
-extern template struct solid_ref::table<bevelled<engraved_profile>>;
+extern template struct solid_ref::table<bevelled>;
 extern template struct solid_ref::table<emboldened<>>;
 extern template struct solid_ref::table<emboldened<flat>>;
-extern template struct solid_ref::table<emboldened<bevelled<>>>;
+extern template struct solid_ref::table<emboldened<bevelled>>;
 extern template struct solid_ref::table<outlined<>>;
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -5,9 +5,9 @@
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/core/workspace.hpp>
-#include <typemesh/extrude/bevel_profile.hpp>
 #include <typemesh/extrude/bevel_sweep.hpp>
 #include <typemesh/extrude/profile_levels.hpp>
+#include <typemesh/extrude/profile_points.hpp>
 #include <typemesh/offset/swept_region.hpp>
 
 #include <span>

@@ -1,97 +1,116 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/core/finite.hpp>
 #include <typemesh/core/option_bits.hpp>
-#include <typemesh/core/point.hpp>
-#include <typemesh/core/same.hpp>
+#include <typemesh/core/option_hash.hpp>
+#include <typemesh/extrude/bezier_section.hpp>
+#include <typemesh/extrude/profile_points.hpp>
+#include <typemesh/extrude/quarter_ellipse.hpp>
 
 #include <concepts>
-#include <cstddef>
+#include <cstdint>
 #include <initializer_list>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A point of a bevel's profile: t = distance from the wall as a share of the width, h = height as a share of the
-/// bevel's depth.
+/// The section of a bevel: a value, which is either points or a curve whose points depend on how large it is drawn.
 ///
-///     h = 1  ..........______  cap       t never decreases. Where it stays, a riser stands, which is upright; where h
-///                 ,--'                   stays, the bevel is level.
-///               ,'
-///     h = 0    |'
-///        wall  |
-///            t = 0    t = 1
-struct profile_point {
-    float t = 0.0f;
-    float h = 0.0f;
-};
-
-/// A profile's points, from the wall inwards: at most 64.
-class profile_points {
+///     bevelled{.profile = round_profile(4)}
+///     bevelled{.profile = {{0, 0}, {0.2f, 0.8f}, {1, 1}}}                 your own points, see profile_points
+///     bevelled{.profile = sampled_profile([](float t) { return t * t; })}
+///
+/// One that is not valid (profile_points) is error::bad_option when it is used.
+class bevel_profile {
 public:
-    static constexpr std::size_t most = 64;
+    /// One straight slope.
+    bevel_profile() noexcept = default;
+    bevel_profile(std::initializer_list<profile_point> points) noexcept : points_{points} {}
+    bevel_profile(const profile_points& points) noexcept : points_{points} {}
 
-    constexpr profile_points() noexcept = default;
-    constexpr profile_points(std::initializer_list<profile_point> points) noexcept
+    /// Its points on one glyph; more or fewer by the scale, if it is a curve without a number of steps.
+    [[nodiscard]] profile_points at(const profile_scale& scale) const noexcept
     {
-        for (const profile_point p : points) add(p);
-    }
-    explicit constexpr profile_points(std::span<const profile_point> points) noexcept
-    {
-        for (const profile_point p : points) add(p);
-    }
-
-    /// Points beyond 64 are not kept, and the profile is then not valid.
-    constexpr void add(profile_point p) noexcept
-    {
-        if (count_ < most)
-            at_[count_++] = p;
+        if (is_ == kind::points) return points_;
+        profile_points out;
+        if (is_ == kind::bezier)
+            curve_.add(steps_ != 0 ? steps_ : curve_.steps_for(scale), out);
         else
-            fits_ = false;
+            quarter_ellipse::add(steps_ != 0 ? steps_ : quarter_ellipse::steps_for(scale), is_ == kind::round, out);
+        return out;
     }
 
-    [[nodiscard]] constexpr std::span<const profile_point> view() const noexcept { return {at_, count_}; }
-
-    /// Whether they make a profile: from (0, 0) to t = 1, t never decreasing, h between 0 and 1, everything finite, at
-    /// most 64 points.
-    [[nodiscard]] bool is_valid() const noexcept
+    /// Two that differ have one key with odds of about 2^-128.
+    [[nodiscard]] option_bits cache_key() const noexcept
     {
-        if (!fits_ || count_ < 2 || !is_zero(at_[0].t) || !is_zero(at_[0].h) || !same(at_[count_ - 1].t, 1.0f))
-            return false;
-        float t = 0.0f;
-        for (const profile_point p : view()) {
-            if (!is_finite(as_double(p.t)) || !is_finite(as_double(p.h))) return false;
-            if (p.t < t || p.h < 0.0f || p.h > 1.0f) return false;
-            t = p.t;
-        }
-        return true;
+        option_hash all;
+        all.add(std::uint64_t{steps_} << 8 | static_cast<std::uint64_t>(is_));
+        if (is_ == kind::points)
+            for (const profile_point p : points_.view()) all.add(option_bits{p.t, p.h});
+        if (is_ == kind::bezier) all.add(curve_.key());
+        return {all.first, all.second};
     }
+
+    friend bevel_profile round_profile(std::uint32_t steps) noexcept;
+    friend bevel_profile concave_profile(std::uint32_t steps) noexcept;
+    friend bevel_profile bezier_profile(const bezier_section& curve, std::uint32_t steps) noexcept;
 
 private:
-    profile_point at_[most] = {};
-    std::size_t count_ = 0;
-    bool fits_ = true;
+    enum class kind : std::uint8_t { points, round, concave, bezier };
+
+    bevel_profile(kind is, std::uint32_t steps) noexcept : is_{is}, steps_{steps} {}
+
+    kind is_ = kind::points;
+    std::uint32_t steps_ = 0;  // 0: by the text's tolerance
+    bezier_section curve_;
+    profile_points points_{{0.0f, 0.0f}, {1.0f, 1.0f}};
 };
 
-/// How large a profile is drawn on one glyph, in cells.
-struct profile_scale {
-    double width = 0.0;
-    double depth = 0.0;
-    double tolerance = 0.0;  ///< the text's; 0: unknown
-    bool leans = false;      ///< risers lean by four cells: see profile_levels
-};
+/// One straight slope: the default.
+[[nodiscard]] inline bevel_profile chamfer_profile() noexcept { return {}; }
 
-/// The section of a bevel.
-///
-///     p(scale, out)       adds its points to `out`, which is empty; fewer or more by the scale, if it likes. A profile
-///                         that is not valid (profile_points) is error::bad_option, for any scale
-///     p.cache_key()       all of its options: option_bits.hpp; one without data members needs none
-///
-/// Ready ones: ready_profiles.hpp; polyline_profile, bezier_profile.
-template <class P>
-concept bevel_profile = requires(const P& p, const profile_scale& scale, profile_points& out) {
-    { p(scale, out) } noexcept;
-};
+/// A quarter ellipse, convex: it leaves the wall upright and meets the cap level. At most 63 steps; 0: by the text's
+/// tolerance.
+[[nodiscard]] inline bevel_profile round_profile(std::uint32_t steps = 0) noexcept
+{
+    return {bevel_profile::kind::round, steps};
+}
+/// A quarter ellipse, concave: it leaves the wall level and meets the cap upright.
+[[nodiscard]] inline bevel_profile concave_profile(std::uint32_t steps = 0) noexcept
+{
+    return {bevel_profile::kind::concave, steps};
+}
+
+/// Two equal steps: a level tread, then an upright riser, twice.
+[[nodiscard]] inline bevel_profile stepped_profile() noexcept
+{
+    return {{0.0f, 0.0f}, {0.5f, 0.0f}, {0.5f, 0.5f}, {1.0f, 0.5f}, {1.0f, 1.0f}};
+}
+
+/// Up to full height at half the width and down again, so that a rim surrounds the cap.
+[[nodiscard]] inline bevel_profile engraved_profile() noexcept { return {{0.0f, 0.0f}, {0.5f, 1.0f}, {1.0f, 0.0f}}; }
+
+/// A cubic with your own control points. At most 63 steps; 0: by the text's tolerance.
+[[nodiscard]] inline bevel_profile bezier_profile(const bezier_section& curve, std::uint32_t steps = 0) noexcept
+{
+    bevel_profile made{bevel_profile::kind::bezier, steps};
+    made.curve_ = curve;
+    return made;
+}
+
+/// Your own function: height(t) at `steps` + 1 equal distances, from the wall, where it is to be 0. At most 63 steps;
+/// the points are taken at once, the function is not kept.
+template <class Height>
+    requires requires(const Height& height) {
+        { height(0.0f) } noexcept -> std::convertible_to<float>;
+    }
+[[nodiscard]] bevel_profile sampled_profile(const Height& height, std::uint32_t steps = 16) noexcept
+{
+    profile_points points;
+    for (std::uint32_t i = 0; i <= steps; ++i) {
+        const float t = i == steps ? 1.0f : static_cast<float>(i) / static_cast<float>(steps);
+        points.add({t, height(t)});
+    }
+    return points;
+}
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -8,6 +8,7 @@
 #include <typemesh/extrude/bevel_data.hpp>
 #include <typemesh/extrude/bevel_heights.hpp>
 #include <typemesh/extrude/bevel_light.hpp>
+#include <typemesh/extrude/bevel_profile.hpp>
 #include <typemesh/extrude/bevel_strips.hpp>
 #include <typemesh/extrude/bevel_vertices.hpp>
 #include <typemesh/extrude/bevel_writer.hpp>
@@ -15,7 +16,6 @@
 #include <typemesh/extrude/curve_normals.hpp>
 #include <typemesh/extrude/exact_fill.hpp>
 #include <typemesh/extrude/extruder.hpp>
-#include <typemesh/extrude/ready_profiles.hpp>
 #include <typemesh/extrude/surroundings.hpp>
 #include <typemesh/extrude/texture.hpp>
 #include <typemesh/extrude/upright_walls.hpp>
@@ -54,9 +54,9 @@ enum class bevel_mode : std::uint8_t {
 /// A bevel's height over a point depends only on how far the edges had moved when they reached it, so it cannot cut
 /// itself. Where a stroke is thinner than twice the width, its bevels meet in a ridge (bevel_mode).
 ///
-///     bevelled<>{.depth = 0.2f, .width = 0.03f, .bevel_depth = 0.03f}
-///     bevelled<round_profile>{.profile = {.steps = 4}}
-///     bevelled<polyline_profile>{.profile = {{{0, 0}, {0.2f, 0.8f}, {1, 1}}}}
+///     bevelled{.depth = 0.2f, .width = 0.03f, .bevel_depth = 0.03f}
+///     bevelled{.profile = round_profile(4)}                                bevel_profile.hpp
+///     bevelled{.profile = {{0, 0}, {0.2f, 0.8f}, {1, 1}}}
 ///
 /// A bevel that is not proven at its width becomes narrower for that glyph (solid_plan::narrowed): bevel_carver.hpp. So
 /// does the plan say of one that had to be less than half as wide to fit.
@@ -71,7 +71,6 @@ enum class bevel_mode : std::uint8_t {
 ///        error::crossing_contours, too_many_pieces, outline_beyond_grid: the surroundings of an outward bevel are not
 ///        proven, or reach beyond the grid; the glyph is left out
 ///        error::out_of_memory
-template <bevel_profile Profile = chamfer_profile>
 struct bevelled {
     float depth = 0.2f;         ///< of the whole; in em, or in output units: see text_options::depth_in
     float width = 0.02f;        ///< how far a bevel reaches; always in em, below 2^28 cells, outwards 2^25
@@ -90,7 +89,7 @@ struct bevelled {
     bool back = true;
     bool side = true;
     texture_mapping texture = texture_mapping::em;
-    Profile profile = {};
+    bevel_profile profile = {};
     float wanted = 0.0f;  ///< the width before refit() has made it less; leave it at 0
 
     static constexpr std::size_t part_count = 5;
@@ -98,9 +97,6 @@ struct bevelled {
 
     /// See option_bits. What does not fit beside the two lengths and the switches is hashed to 128 bits.
     [[nodiscard]] option_bits cache_key() const noexcept
-        requires std::is_empty_v<Profile> || requires(const Profile& p) {
-            { p.cache_key() } noexcept;
-        }
     {
         option_bits bits{width, std::uint64_t{0}};
         bits.words[0] |= option_bits{bevel_depth}.words[0] << 32;
@@ -155,7 +151,7 @@ struct bevelled {
     {
         const bevel_heights own = own_heights();
         if (s.points.empty()) return heights();
-        const float top = s.data.template of<bevel_rims>()[0].top;
+        const float top = s.data.of<bevel_rims>()[0].top;
         return {own.rim(false, top), own.rim(true, top)};
     }
 
@@ -164,13 +160,13 @@ struct bevelled {
     void seen_from_front(const solid_with<plan_data>& s, Put&& put) const noexcept
     {
         if (s.points.empty()) return;
-        const auto strips = s.data.template of<bevel_strip>();
-        const auto vertices = s.data.template of<bevel_vertex>();
-        const bevel_rims& rims = s.data.template of<bevel_rims>()[0];
-        for (const auto& [t] : s.data.template of<bevel_triangle>().first(rims.triangles))
+        const auto strips = s.data.of<bevel_strip>();
+        const auto vertices = s.data.of<bevel_vertex>();
+        const bevel_rims& rims = s.data.of<bevel_rims>()[0];
+        for (const auto& [t] : s.data.of<bevel_triangle>().first(rims.triangles))
             if (!is_zero(strips[vertices[t.a].strip].run)) put(vertices[t.a].at, vertices[t.b].at, vertices[t.c].at);
-        const auto within = s.data.template of<grid_point>();
-        for (const triangle t : s.data.template of<triangle>()) put(within[t.a], within[t.b], within[t.c]);
+        const auto within = s.data.of<grid_point>();
+        for (const triangle t : s.data.of<triangle>()) put(within[t.a], within[t.b], within[t.c]);
         if (rims.has_own_cap(own_heights().is_bevelled(true)) || rims.has_own_cap(own_heights().is_bevelled(false)))
             for (const triangle t : s.triangles) put(s.points[t.a], s.points[t.b], s.points[t.c]);
     }
@@ -178,14 +174,14 @@ struct bevelled {
     /// Of outward bevels that of the walls.
     [[nodiscard]] solid_outline outline(const solid_with<plan_data>& s) const noexcept
     {
-        if (s.points.empty() || !s.data.template of<bevel_rims>()[0].outward) return {s.points, s.starts};
-        return {s.data.template of<grid_point>(), s.data.template of<std::uint32_t>()};
+        if (s.points.empty() || !s.data.of<bevel_rims>()[0].outward) return {s.points, s.starts};
+        return {s.data.of<grid_point>(), s.data.of<std::uint32_t>()};
     }
 
     /// How wide the bevels of a planned solid are, in em: narrower than asked for where they fit, or are narrowed.
     [[nodiscard]] float width_of(const solid_with<plan_data>& s) const noexcept
     {
-        return s.points.empty() ? 0.0f : s.data.template of<bevel_rims>()[0].width;
+        return s.points.empty() ? 0.0f : s.data.of<bevel_rims>()[0].width;
     }
 
     /// For bevel_mode::fit_text: takes the width of a solid, if that is narrower.
@@ -200,7 +196,7 @@ struct bevelled {
     /// As extruded counts them.
     [[nodiscard]] std::uint64_t hard_edges(const solid_with<plan_data>& s) const noexcept
     {
-        return count_hard(s.data.template of<side_point>());
+        return count_hard(s.data.of<side_point>());
     }
 
     template <attribute Wants, class Put>
@@ -254,7 +250,7 @@ private:
         if (!corner_rule{joins, mitre_limit}.is_valid()) return error::bad("mitre_limit");
         if (!is_crease_angle(crease_degrees)) return error::bad("crease_degrees");
         if (!is_crease_angle(profile_crease_degrees)) return error::bad("profile_crease_degrees");
-        const profile_points points = points_of({1.0, 1.0, 0.0});
+        const profile_points points = profile.at({1.0, 1.0, 0.0});
         if (!points.is_valid()) return error::bad("profile");
         const bool takes_all = bevels * as_double(bevel_depth) >= as_double(depth);
         float h = 0.0f;
@@ -264,13 +260,6 @@ private:
             h = p.h;
         }
         return {};
-    }
-
-    [[nodiscard]] profile_points points_of(const profile_scale& scale) const noexcept
-    {
-        profile_points points;
-        profile(scale, points);
-        return points;
     }
 
     [[nodiscard]] bevel_carver carver_of(const region& filled, bool outwards) const noexcept
@@ -286,11 +275,11 @@ private:
         const auto doubled = plan_sides(filled, curve_normals{crease_degrees}, texture, data.of<side_point>());
         if (!doubled) return doubled.error();
         const auto make = [&](const swept_region&) noexcept { return make_cap(data, caps); };
-        const auto profile_at = [this](const profile_scale& at) noexcept { return points_of(at); };
+        const auto profile_at = [this](const profile_scale& at) noexcept { return profile.at(at); };
         bevel_carver carve = carver_of(filled, false);
         if (error e = carve({filled, caps.triangles()}, profile_at, scale, caps.space(), data.swept, make)) return e;
         made.narrowed = made.narrowed || carve.narrowed;
-        if (error e = make_bevel({points_of(scale), scale}, filled, none, data, caps.space())) return e;
+        if (error e = make_bevel({profile.at(scale), scale}, filled, none, data, caps.space())) return e;
         made.sizes = sizes(filled, *doubled, data);
         return {};
     }
@@ -323,7 +312,7 @@ private:
             }
             return sides == bevel_sides::both ? keep_outline(data) : make_cap(data, caps);
         };
-        const auto profile_at = [this](const profile_scale& at) noexcept { return points_of(at); };
+        const auto profile_at = [this](const profile_scale& at) noexcept { return profile.at(at); };
         const region_to_carve given{*around, data.triangles.view()};
         if (error e = carve(given, profile_at, scale, caps.space(), data.swept, make)) return e;
         made.narrowed = carve.narrowed;
@@ -332,7 +321,7 @@ private:
             return plan_inward(filled, scale, data, caps, made);
         }
         const std::uint32_t frame = frame_of(*around);
-        if (error e = make_bevel({points_of(scale), scale}, *around, frame, data, caps.space())) return e;
+        if (error e = make_bevel({profile.at(scale), scale}, *around, frame, data, caps.space())) return e;
         for (std::uint32_t i = 0; i < 4; ++i) data.of<side_point>()[frame + i].doubled = false;
         made.sizes = sizes(filled, 0, data);
         for (const bevel_vertex& b : data.of<bevel_vertex>()) made.around.add(placement::exact(b.at));

@@ -38,7 +38,7 @@ struct emboldened_data : inner_solid<Solid> {
 ///      ||     | |
 ///
 ///     emboldened<>{.by = 0.02f}
-///     emboldened<bevelled<>>{.by = 0.02f, .solid = {.width = 0.01f}}
+///     emboldened<bevelled>{.by = 0.02f, .solid = {.width = 0.01f}}
 ///
 /// Corners stay as sharp as they are drawn, up to the mitre limit: at 4, which is that of strokes in SVG, those of 29
 /// degrees and more. Sharper ones, which would grow spikes, become round.

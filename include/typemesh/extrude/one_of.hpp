@@ -99,8 +99,8 @@ private:
 
 /// One of several extruders, chosen while the program runs:
 ///
-///     text_mesher<one_of<flat, extruded<>, bevelled<>>> mesher{font};       // flat so far
-///     mesher.solid() = bevelled<>{.width = 0.03f};
+///     text_mesher<one_of<flat, extruded<>, bevelled>> mesher{font};       // flat so far
+///     mesher.solid() = bevelled{.width = 0.03f};
 ///
 /// It has the parts of all of them; those that the chosen one does not make are empty. The choice is looked at once per
 /// glyph and part, not per vertex. A glyph_cache tells the choices apart.

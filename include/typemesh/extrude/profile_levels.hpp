@@ -2,7 +2,7 @@
 #pragma once
 
 #include <typemesh/core/assert.hpp>
-#include <typemesh/extrude/bevel_profile.hpp>
+#include <typemesh/extrude/profile_points.hpp>
 #include <typemesh/offset/swept_region.hpp>
 
 #include <cmath>

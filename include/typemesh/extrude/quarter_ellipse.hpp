@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/extrude/profile_points.hpp>
+
+#include <cmath>
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// A quarter ellipse in steps of equal angles. Convex, it leaves the wall upright and meets the cap level; concave, it
+/// leaves the wall level and meets the cap upright.
+///
+/// As many as the text's tolerance asks for, if it is to choose: no chord is then farther from the ellipse. At least 4,
+/// so that neighbours differ by less than 30 degrees if it is about as wide as it is deep; 8 if the tolerance is
+/// unknown; at most 63.
+///
+/// A chord of n is off by 1 - cos(a) <= a^2 / 2 of the unit circle, a = pi / (4 n); an ellipse stretches that by its
+/// longer radius at most.
+class quarter_ellipse {
+public:
+    /// How many steps the tolerance asks for.
+    [[nodiscard]] static std::uint32_t steps_for(const profile_scale& scale) noexcept
+    {
+        if (!(scale.tolerance > 0.0)) return 8;
+        const double radius = scale.width > scale.depth ? scale.width : scale.depth;
+        const double steps = std::ceil(quarter / 2.0 / std::sqrt(2.0 * scale.tolerance / radius));
+        return steps < 4.0 ? 4u : steps > most_steps ? most_steps : static_cast<std::uint32_t>(steps);
+    }
+
+    /// Adds the points; a convex one's t is 1 - cos, its h sin of the angle, and a concave one's sin and 1 - cos.
+    static void add(std::uint32_t steps, bool convex, profile_points& out) noexcept
+    {
+        out.add({0.0f, 0.0f});
+        for (std::uint32_t i = 1; i < steps && i <= most_steps; ++i) {
+            const double angle = quarter * i / steps;
+            const auto high = static_cast<float>(std::sin(angle)), low = static_cast<float>(1.0 - std::cos(angle));
+            out.add(convex ? profile_point{low, high} : profile_point{high, low});
+        }
+        out.add({1.0f, 1.0f});
+    }
+
+private:
+    static constexpr double quarter = 1.57079632679489661923;
+    static constexpr std::uint32_t most_steps = profile_points::most - 1;
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI
