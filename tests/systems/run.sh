@@ -67,6 +67,8 @@ make_system() {  # make_system SUITE FOLDER
         "/usr/share/debootstrap/scripts/$script" >"$2.bootstrap.log" 2>&1 || { tail -n 5 "$2.bootstrap.log" && return 1; }
     cp /etc/resolv.conf "$2/etc/" 2>/dev/null || true
     apt-config dump | grep '^Acquire::' >"$2/etc/apt/apt.conf.d/90this-machine"  # its way to the servers
+    cp -r /usr/local/share/ca-certificates/. "$2/usr/local/share/ca-certificates/" 2>/dev/null || true  # whom it trusts
+    inside "$2" update-ca-certificates >>"$2.bootstrap.log" 2>&1
     touch "$2/made"
 }
 
