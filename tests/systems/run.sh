@@ -115,6 +115,7 @@ write_table() {
         say "| | $(for suite in $suites; do printf '%s | ' "$suite"; done)"
         say "|---|$(for suite in $suites; do printf -- '---|'; done)"
         for name in g++ clang catch2 harfbuzz freetype icu cmake; do
+            (cd "$work" && cat $(printf '%s.versions ' $suites) 2>/dev/null) | grep -q "^$name " || continue
             say "| $name | $(for suite in $suites; do
                 printf '%s | ' "$(sed -n "s/^$name //p" "$work/$suite.versions" 2>/dev/null)"
             done)"
