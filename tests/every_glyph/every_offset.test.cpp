@@ -48,7 +48,7 @@ TEST_CASE("joins change glyphs that are swept inwards within 4 widths of their c
           "[every_glyph][offset][joins]")
 {
     test::offset_laws laws;
-    std::size_t corners = 0, compared = 0, refused = 0;
+    std::size_t corners = 0, compared = 0;
     test::each_smoke_glyph(400, [&](auto& font, typemesh::glyph_id g, const std::string& name) {
         const typemesh::region r = laws.region_of(font, g, typemesh::quality::high);
         if (r.points().empty()) return;
@@ -56,7 +56,10 @@ TEST_CASE("joins change glyphs that are swept inwards within 4 widths of their c
             const test::joined_offsets both{r, std::floor(width * r.grid().units_per_em * r.grid().cells)};
             corners += both.corners;
             compared += both.compared;
-            refused += both.refused;
+            if (both.refused) {  // by the grid; of all the smoke fonts, one glyph of Inter 4.1, which Debian 13 has
+                INFO(name);
+                CHECK(name.find("InterVariable.ttf@0:1995 ") != std::string::npos);
+            }
             if (both.failed.empty() && both.farthest <= 2.0) continue;
             CAPTURE(name, width, both.where.x, both.where.y);
             CHECK(both.failed == "");
@@ -65,5 +68,4 @@ TEST_CASE("joins change glyphs that are swept inwards within 4 widths of their c
     });
     CHECK(corners > 50);
     CHECK(compared > 10'000);
-    CHECK(refused * 1000 < compared);  // one glyph of Inter 4.1, none of 4.0
 }

@@ -18,7 +18,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// The plan data of one_of: that of the solid which is chosen. As bytes it is no longer than that one alone.
+/// The plan data of the chosen solid. Stored as bytes, it takes no more room than that solid's own data.
 template <class... Solids>
 class one_of_data {
 public:
