@@ -51,12 +51,11 @@ chosen_solid solid_of(const options& o)
 {
     const letter_solid letter = o.bevel.width > 0.0f ? letter_solid{bevelled_of(o)} : letter_solid{plain_of(o)};
     if (o.outline.width > 0.0f) {
-        typemesh::outlined<letter_solid, plain_solid> hollow{
+        hollow_solid hollow{
             .width = o.outline.width, .place = o.outline.place, .ring = letter, .letter = plain_of(o)};
         if (!o.outline.letter) hollow.letter = typemesh::extruded<>{.front = false, .back = false, .side = false};
-        return hollow_solid{.by = o.embolden, .solid = hollow};
+        return hollow;
     }
-    if (o.embolden != 0.0f) return bold_solid{.by = o.embolden, .solid = letter};
     return letter;
 }
 
@@ -65,6 +64,10 @@ chosen_solid solid_of(const options& o)
 void choose_policies(const options& o, double units_per_em, chosen_mesher& mesher)
 {
     mesher.use(solid_of(o));
+    if (o.embolden != 0.0f)
+        mesher.use(typemesh::embolden{.by = o.embolden});
+    else
+        mesher.use(typemesh::no_step{});
     with_discretiser(o, units_per_em, [&mesher](const auto& discretiser) { mesher.use(discretiser); });
     if (o.triangulator == triangulator_name::delaunay)
         mesher.use(typemesh::constrained_delaunay{});

@@ -5,7 +5,7 @@
 #include "progress.hpp"
 
 #include <typemesh/extrude/bevelled.hpp>
-#include <typemesh/extrude/emboldened.hpp>
+#include <typemesh/extrude/embolden.hpp>
 #include <typemesh/extrude/one_of.hpp>
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/typemesh.hpp>
@@ -26,16 +26,14 @@ using plain_solid =
                      typemesh::extruded<typemesh::cap_normals>, typemesh::flat>;
 using letter_solid = typemesh::one_of<plain_solid, typemesh::bevelled>;
 
-/// Letters, bold ones, or hollow ones, which may be bold as well: `emboldened` by nothing changes nothing. Of an outline
-/// without the letter, that is an extruder whose parts are switched off.
-using bold_solid = typemesh::emboldened<letter_solid>;
-using hollow_solid = typemesh::emboldened<typemesh::outlined<letter_solid, plain_solid>>;
-using chosen_solid = typemesh::one_of<letter_solid, bold_solid, hollow_solid>;
+/// Letters, or hollow ones. Of an outline without the letter, that is an extruder whose parts are switched off.
+using hollow_solid = typemesh::outlined<letter_solid, plain_solid>;
+using chosen_solid = typemesh::one_of<letter_solid, hollow_solid>;
 
 using chosen_mesher = typemesh::text_mesher<chosen_solid>;
 using chosen_plan = typemesh::text_plan<chosen_solid>;
 
-/// Gives a mesher what the options choose: solid, discretiser, triangulator.
+/// Gives a mesher what the options choose: solid, step before it, discretiser, triangulator.
 void choose_policies(const options& o, double units_per_em, chosen_mesher& mesher);
 
 /// take(discretiser) with what the options choose.

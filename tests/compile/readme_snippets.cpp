@@ -6,7 +6,7 @@
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/adapt/threads.hpp>
 #include <typemesh/extrude/bevelled.hpp>
-#include <typemesh/extrude/emboldened.hpp>
+#include <typemesh/extrude/embolden.hpp>
 #include <typemesh/extrude/one_of.hpp>
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/inspect/closedness.hpp>
@@ -97,7 +97,7 @@ auto moulded   = typemesh::text_mesher{*font, typemesh::bevelled{.profile = {{0,
 auto ogee      = typemesh::sampled_profile([](float t) noexcept { return t * t * (3 - 2 * t); }, 8);        // an S
 auto swung     = typemesh::text_mesher{*font, typemesh::bevelled{.width = 0.04f, .profile = ogee}};
     use(chamfered, rounded, moulded, swung);
-auto bolder = typemesh::text_mesher{*font, typemesh::emboldened<typemesh::bevelled>{.by = 0.015f, .solid = {.width = 0.01f}}};
+auto bolder = typemesh::text_mesher{*font, typemesh::embolden{.by = 0.015f}, typemesh::bevelled{.width = 0.01f}};
 auto hollow = typemesh::text_mesher{*font, typemesh::outlined<>{.width = 0.02f}};
 auto framed = typemesh::text_mesher{*font, typemesh::outlined<typemesh::extruded<>, typemesh::extruded<>>{
     .place = typemesh::outline_place::outer, .letter = {.depth = 0.1f}}};

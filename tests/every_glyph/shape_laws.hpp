@@ -4,6 +4,7 @@
 // What must be true of the bevels, the bolder and the hollow letters of one random outline.
 
 #include "fuzz/offsets.hpp"
+#include "support/emboldened.hpp"
 #include "support/random_outlines.hpp"
 
 #include <typemesh/discretise/certified.hpp>
@@ -70,7 +71,7 @@ private:
         bevel.profile = round_profile(1 + static_cast<std::uint32_t>(d_.roll(5)));
         examine(bevel, "bevel");
         const float by = distance();
-        examine(emboldened<>{.by = d_.roll(2) != 0 ? by : -by, .joins = joins, .mitre_limit = limit}, "emboldened");
+        examine(test::emboldened<>{.by = d_.roll(2) != 0 ? by : -by, .joins = joins, .mitre_limit = limit}, "emboldened");
         const auto place = static_cast<outline_place>(d_.roll(3));
         examine(outlined<extruded<>, extruded<>>{.width = by, .place = place, .joins = joins, .mitre_limit = limit},
                 "outlined");

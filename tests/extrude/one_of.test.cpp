@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
+#include "support/emboldened.hpp"
 #include "support/lit_mesh.hpp"
 #include "support/toy_font.hpp"
 
 #include <typemesh/extrude/bevelled.hpp>
-#include <typemesh/extrude/emboldened.hpp>
 #include <typemesh/extrude/one_of.hpp>
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/typemesh.hpp>
@@ -17,7 +17,7 @@ using namespace typemesh;
 
 namespace {
 
-using bold_letters = emboldened<bevelled>;
+using bold_letters = test::emboldened<bevelled>;
 using hollow_letters = outlined<extruded<>, extruded<>>;
 using any_solid = one_of<flat, extruded<creased_normals>, extruded<>, bevelled, bold_letters, hollow_letters>;
 
@@ -97,8 +97,8 @@ TEMPLATE_TEST_CASE("a solid chosen at run time makes what it makes alone", "[ext
 
     // The same as another extruder's solid.
     if constexpr (std::same_as<TestType, extruded<>> || std::same_as<TestType, bevelled>) {
-        text_mesher inner{font, emboldened<any_solid>{.by = 0.01f, .solid = odd_options<TestType>()}};
-        text_mesher outer{font, emboldened<TestType>{.by = 0.01f, .solid = odd_options<TestType>()}};
+        text_mesher inner{font, test::emboldened<any_solid>{.by = 0.01f, .solid = odd_options<TestType>()}};
+        text_mesher outer{font, test::emboldened<TestType>{.by = 0.01f, .solid = odd_options<TestType>()}};
         const auto a = inner.plan(chosen_word, how);
         const auto b = outer.plan(chosen_word, how);
         REQUIRE(a);

@@ -11,7 +11,7 @@
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/cap_normals.hpp>
 #include <typemesh/extrude/creased_normals.hpp>
-#include <typemesh/extrude/emboldened.hpp>
+#include <typemesh/extrude/embolden.hpp>
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/extrude/shared_normals.hpp>
 #include <typemesh/typemesh.hpp>
@@ -114,13 +114,11 @@ TEST_CASE("every option of bevelled is in the key, or changes the mesh with the 
          {"wanted", seen_by::plan, [](bevelled& s) { s.wanted = 1.0f; }}});
 }
 
-TEST_CASE("every option of emboldened and outlined is in the key", "[option_keys]")
+TEST_CASE("every option of embolden and outlined is in the key", "[option_keys]")
 {
-    using bold = emboldened<>;
-    check_keys<bold>({{"by", seen_by::plan, [](bold& s) { s.by = 0.03f; }},
-                      {"joins", seen_by::plan, [](bold& s) { s.joins = bevel_joins::bevelled; }},
-                      {"mitre_limit", seen_by::plan, [](bold& s) { s.mitre_limit = 3.0f; }},
-                      {"solid", seen_by::plan, [](bold& s) { s.solid.front = false; }}});
+    check_keys<embolden>({{"by", seen_by::plan, [](embolden& s) { s.by = 0.03f; }},
+                          {"joins", seen_by::plan, [](embolden& s) { s.joins = bevel_joins::bevelled; }},
+                          {"mitre_limit", seen_by::plan, [](embolden& s) { s.mitre_limit = 3.0f; }}});
     using framed = outlined<extruded<>, extruded<>>;
     check_keys<framed>({{"width", seen_by::plan, [](framed& s) { s.width = 0.03f; }},
                         {"place", seen_by::plan, [](framed& s) { s.place = outline_place::outer; }},

@@ -3,7 +3,6 @@
 #include <typemesh/extrude/outlined.hpp>
 
 #include <typemesh/extrude/bevelled.hpp>
-#include <typemesh/extrude/emboldened.hpp>
 #include <typemesh/extrude/flat.hpp>
 
 #include <array>
@@ -16,6 +15,7 @@
 
 #include "capped.hpp"
 #include "support/catch.hpp"
+#include "support/emboldened.hpp"
 #include "support/counting_memory.hpp"
 
 using namespace typemesh;
@@ -30,7 +30,7 @@ static_assert(extruder<outlined<>> && capping_extruder<outlined<>> && tells_hard
 static_assert(part_count_of<outlined<>> == 3 && part_count_of<filled_outline> == 6);
 static_assert(part_count_of<outlined<bevelled, extruded<>>> == 8 && part_count_of<outlined<flat, flat>> == 6);
 static_assert(tells_hard_edges<filled_outline> && !tells_hard_edges<outlined<extruded<>, flat>>);
-static_assert(extruder<emboldened<filled_outline>>);
+static_assert(extruder<test::emboldened<filled_outline>>);
 
 constexpr outline_place places[] = {outline_place::inner, outline_place::centre, outline_place::outer};
 
@@ -73,7 +73,7 @@ std::multiset<std::array<std::int32_t, 4>> edges_of(const solid& s, bool reverse
 /// The letter whose edges have moved, as emboldened has it.
 std::int64_t area_moved(const shapes::shape& s, double by)
 {
-    const auto m = capped(s, emboldened<>{.by = static_cast<float>(by)});
+    const auto m = capped(s, test::emboldened<>{.by = static_cast<float>(by)});
     return area_of(m.data.read());
 }
 
@@ -197,8 +197,8 @@ TEST_CASE("outlined refuses options out of range by their names, its own and the
     for (const float v : {infinite, nowhere, 0.5f, -1.0f}) check("outlined::mitre_limit", outlined<>{.mitre_limit = v});
     check("depth", outlined<>{.ring = {.depth = 0.0f}});
     check("depth", filled_outline{.letter = {.depth = -1.0f}});
-    using nested = emboldened<outlined<bevelled>>;
-    check("emboldened::mitre_limit", nested{.mitre_limit = 0.5f});
+    using nested = test::emboldened<outlined<bevelled>>;
+    check("embolden::mitre_limit", nested{.mitre_limit = 0.5f});
     check("outlined::mitre_limit", nested{.solid = {.mitre_limit = 0.5f}});
     check("mitre_limit", nested{.solid = {.ring = {.mitre_limit = 0.5f}}});
     check("outlined::width", nested{.solid = {.width = -1.0f}});

@@ -8,7 +8,7 @@
 #include "support/toy_font.hpp"
 
 #include <typemesh/extrude/bevelled.hpp>
-#include <typemesh/extrude/emboldened.hpp>
+#include <typemesh/extrude/embolden.hpp>
 #include <typemesh/inspect/closedness.hpp>
 #include <typemesh/inspect/mesh_measure.hpp>
 #include <typemesh/text/font_faces.hpp>
@@ -162,7 +162,7 @@ inline broken_law merges(values in)
     if (kind < 11) return of_plain(faces, run, how, in);
     how.merge = true;
     const auto width = float(in.between(-0.05, 0.2));
-    if (kind < 14) return of_grown(text_mesher{faces}.with(emboldened<>{.by = width}), run, how, in);
+    if (kind < 14) return of_grown(text_mesher{faces}.with(embolden{.by = width}), run, how, in);
     const bevelled bevels{.width = std::fabs(width), .outward = true};
     return of_grown(text_mesher{faces}.with(bevels), run, how, in);
 }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "solids.hpp"
+#include "support/emboldened.hpp"
 
-#include <typemesh/extrude/emboldened.hpp>
 #include <typemesh/extrude/outlined.hpp>
 
 /// Closed polylines -> region -> bolder, thinner and hollow letters, extruded or bevelled.
@@ -92,9 +92,9 @@ inline broken_law of_volume(const mesh& m, const std::vector<inspect::loop>& loo
                : "the volume is not area times depth";
 }
 
-inline broken_law of_bolder(const emboldened<>& how, drawn_region& from)
+inline broken_law of_bolder(const test::emboldened<>& how, drawn_region& from)
 {
-    made_solid<emboldened<>> s;
+    made_solid<test::emboldened<>> s;
     if (broken_law broken = s.make(how, from); !broken.empty() || !s.exists) return broken;
     const auto view = s.data.read();
     const auto loops = inspect::loops_of(view.points, view.starts);
@@ -156,7 +156,7 @@ inline broken_law offsets(values in)
         return of_any(
             outlined<bevelled>{.width = width, .place = place, .joins = joins, .mitre_limit = limit, .ring = bevel},
             from);
-    default: return of_any(emboldened<bevelled>{.by = by, .joins = joins, .mitre_limit = limit, .solid = bevel}, from);
+    default: return of_any(test::emboldened<bevelled>{.by = by, .joins = joins, .mitre_limit = limit, .solid = bevel}, from);
     }
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
+#include "support/emboldened.hpp"
 #include "support/toy_font.hpp"
 
 #include <typemesh/extrude/bevelled.hpp>
-#include <typemesh/extrude/emboldened.hpp>
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/glyph/glyph_builder.hpp>
 #include <typemesh/glyph/solid_ref.hpp>
@@ -12,7 +12,7 @@
 using namespace typemesh;
 
 TEMPLATE_TEST_CASE("a solid is planned through its reference as by itself", "[glyph]", flat, extruded<>, bevelled,
-                   emboldened<>, outlined<>)
+                   test::emboldened<>, outlined<>)
 {
     const TestType how;
     const solid_ref refers{how};

@@ -5,7 +5,7 @@
 #include "support/mesh_laws.hpp"
 
 #include <typemesh/extrude/bevelled.hpp>
-#include <typemesh/extrude/emboldened.hpp>
+#include <typemesh/extrude/embolden.hpp>
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/outline/outline_recorder.hpp>
 #include <typemesh/typemesh.hpp>
@@ -112,6 +112,7 @@ struct way {
     double tolerance = quality::normal;
     Discretiser flatten{};
     Triangulator cut{};
+    embolden step = {.by = 0.0f};
 };
 
 template <class Extruder, class... Policy>
@@ -120,7 +121,8 @@ void try_mesh(held_glyph& font, const way<Extruder, Policy...>& how, trials& see
     const char* policies = how.policies;
     test::counting_memory counted;
     {
-        auto mesher = text_mesher{font, counted.source()}.with(how.raise).with(how.flatten).with(how.cut);
+        text_mesher mesher{font, counted.source(), how.raise, how.flatten, how.cut};
+        if (how.step.by != 0.0f) mesher.use(how.step);
         glyph_run run;
         run.units_per_em = font.em;
         if (!run.glyphs.push_back({0, 0, {}})) return seen.breaks("the tests' memory ends", policies);
@@ -165,8 +167,8 @@ inline void try_policies(held_glyph& font, trials& seen)
              way<bevelled, certified, constrained_delaunay>{"bevelled", {.width = 0.03f, .profile = round_profile(4)}},
              seen);
     try_mesh(font, way<bevelled>{"bevelled outwards", {.outward = true}}, seen);
-    try_mesh(font, way<emboldened<extruded<cap_normals>>>{"emboldened"}, seen);
-    try_mesh(font, way<emboldened<>>{"emboldened inwards", {.by = -0.02f}}, seen);
+    try_mesh(font, way<extruded<cap_normals>>{.policies = "embolden, extruded", .step = {.by = 0.02f}}, seen);
+    try_mesh(font, way<extruded<>>{.policies = "embolden inwards, extruded", .step = {.by = -0.02f}}, seen);
     try_mesh(font, way<outlined<>>{"outlined"}, seen);
 }
 

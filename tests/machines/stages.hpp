@@ -11,7 +11,7 @@
 #include <typemesh/discretise/thesis_quality.hpp>
 #include <typemesh/discretise/two_lines.hpp>
 #include <typemesh/extrude/bevelled.hpp>
-#include <typemesh/extrude/emboldened.hpp>
+#include <typemesh/extrude/embolden.hpp>
 #include <typemesh/extrude/flat.hpp>
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/paragraph/paragraph.hpp>
@@ -298,7 +298,7 @@ inline std::vector<stage_hash> hash_stages(const faces& all)
     stage("mesh: bevelled, chamfer", [&](hash& h) { hash_mesh(h, all, bevelled{.depth = 0.2f}); });
     stage("mesh: bevelled, round",
           [&](hash& h) { hash_mesh(h, all, bevelled{.depth = 0.2f, .width = 0.05f, .profile = round_profile()}); });
-    stage("mesh: emboldened", [&](hash& h) { hash_mesh(h, all, emboldened<>{.by = 0.02f}); });
+    stage("mesh: emboldened", [&](hash& h) { hash_mesh(h, all, embolden{.by = 0.02f}); });
     stage("mesh: outlined", [&](hash& h) { hash_mesh(h, all, outlined<>{}); });
     stage("text: levels, graphemes, breaks, scripts", [](hash& h) { hash_analysis(h); });
     stage("text: lines, first_fit", [](hash& h) { hash_lines(h, {}, first_fit{}); });

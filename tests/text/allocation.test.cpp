@@ -8,7 +8,7 @@
 #include "support/toy_font.hpp"
 
 #include <typemesh/extrude/bevelled.hpp>
-#include <typemesh/extrude/emboldened.hpp>
+#include <typemesh/extrude/embolden.hpp>
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/typemesh.hpp>
 
@@ -63,7 +63,7 @@ TEST_CASE("after warm-up a text asks nobody for memory, in any layout of the out
             CHECK(asked_by(text_mesher{font}.with(flat{}).with(constrained_delaunay{}), options) == 0);
             CHECK(asked_by(text_mesher{font}.with(extruded<shared_normals>{}), options) == 0);
             CHECK(asked_by(text_mesher{font}.with(bevelled{.profile = round_profile()}), options) == 0);
-            CHECK(asked_by(text_mesher{font}.with(emboldened<bevelled>{}), options) == 0);
+            CHECK(asked_by(text_mesher{font}.with(embolden{}).with(bevelled{}), options) == 0);
             CHECK(asked_by(text_mesher{font}.with(outlined<extruded<>, extruded<>>{}), options) == 0);
             CHECK(asked_by(text_mesher{font}.with(cached_in{cache, 1}), options) == 0);
         }

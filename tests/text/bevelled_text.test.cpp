@@ -3,7 +3,7 @@
 // Bevelled letters go wherever all others do: into caches, merged letters, chunks, instances, teams and partial writes.
 
 #include <typemesh/extrude/bevelled.hpp>
-#include <typemesh/extrude/emboldened.hpp>
+#include <typemesh/extrude/embolden.hpp>
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/inspect/closedness.hpp>
 #include <typemesh/inspect/mesh_measure.hpp>
@@ -389,11 +389,11 @@ TEST_CASE("bolder letters are merged where they have grown together, thinner one
           "[text]")
 {
     test::toy_font font;
-    const auto glyphs_at = [&](const auto& how, double second) {
+    const auto glyphs_at = [&](const auto& how, double second, embolden step = {.by = 0.0f}) {
         glyph_run run;
         run.units_per_em = 1000.0;
         for (const double x : {0.0, second}) REQUIRE(run.glyphs.push_back({5, 0, {x, 0.0}}));  // bars, 100 wide
-        auto mesher = text_mesher{font}.with(how);
+        text_mesher mesher{font, step, how};
         const auto plan = mesher.plan(run, {.merge = true});
         REQUIRE(plan);
         test::lit_mesh m;
@@ -405,24 +405,24 @@ TEST_CASE("bolder letters are merged where they have grown together, thinner one
                 i, [&](grid_point a, grid_point b, grid_point c) noexcept { twice += orientation(a, b, c); });
         return std::pair{plan->glyphs().size(), 0.5 * static_cast<double>(twice) / 512000.0 / 512000.0};
     };
-    using bold = emboldened<bevelled>;
-    const auto grown = glyphs_at(bold{.by = 0.03f, .solid = {.width = 0.01f}}, 140.0);
+    const embolden little{.by = 0.01f};
+    const auto grown = glyphs_at(bevelled{.width = 0.01f}, 140.0, {.by = 0.03f});
     CHECK(grown.first == 1);
     CHECK(grown.second == Catch::Approx((0.24 + 0.06) * (0.5 + 0.06)));
-    CHECK(glyphs_at(bold{.by = 0.01f, .solid = {.width = 0.01f}}, 140.0).first == 2);
-    CHECK(glyphs_at(bold{.by = 0.01f, .solid = {.width = 0.02f, .outward = true}}, 140.0).first == 1);
-    const auto thinned = glyphs_at(emboldened<>{.by = -0.01f}, 100.0);  // drawn side by side
+    CHECK(glyphs_at(bevelled{.width = 0.01f}, 140.0, little).first == 2);
+    CHECK(glyphs_at(bevelled{.width = 0.02f, .outward = true}, 140.0, little).first == 1);
+    const auto thinned = glyphs_at(extruded<>{}, 100.0, {.by = -0.01f});  // drawn side by side
     CHECK(thinned.first == 1);
     CHECK(thinned.second == Catch::Approx((0.2 - 0.02) * (0.5 - 0.02)));
     const auto hollow = glyphs_at(outlined<>{.width = 0.01f}, 140.0);
     CHECK(hollow.first == 2);
     CHECK(hollow.second == Catch::Approx(2.0 * (0.1 * 0.5 - 0.08 * 0.48)));
 
-    bold fitting{.by = 0.01f, .solid = {.width = 0.2f, .mode = bevel_mode::fit_text}};
-    auto mesher = text_mesher{font}.with(fitting);
+    const bevelled fitting{.width = 0.2f, .mode = bevel_mode::fit_text};
+    text_mesher mesher{font, little, fitting};
     const auto plan = mesher.plan("Ei");
     REQUIRE(plan);
     REQUIRE(plan->glyphs().size() == 2);
     for (const drawn_glyph& g : plan->glyphs())
-        CHECK(fitting.solid.width_of(g.built->planned<bold>().form.data) == Catch::Approx(0.9 * 0.06f).margin(1e-4));
+        CHECK(fitting.width_of(g.built->planned<bevelled>().form.data) == Catch::Approx(0.9 * 0.06f).margin(1e-4));
 }

@@ -9,7 +9,7 @@
 #include "support/lit_mesh.hpp"
 
 #include <typemesh/extrude/bevelled.hpp>
-#include <typemesh/extrude/emboldened.hpp>
+#include <typemesh/extrude/embolden.hpp>
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/inspect/manifoldness.hpp>
 #include <typemesh/inspect/normal_check.hpp>
@@ -211,8 +211,8 @@ TEST_CASE("corners are parted and joined in letters with outward bevels", "[text
 
 TEST_CASE("corners are parted and joined in bold, thin and hollow letters", "[text]")
 {
-    check_extruder(emboldened<>{.by = 0.01f});
-    check_extruder(emboldened<>{.by = -0.0625f});  // squares of 1/8 em vanish, those that touch keep a bridge or none
+    check_extruder(embolden{.by = 0.01f});
+    check_extruder(embolden{.by = -0.0625f});  // squares of 1/8 em vanish, those that touch keep a bridge or none
     check_extruder(outlined<>{.width = 0.01f});
     check_extruder(outlined<extruded<>, extruded<>>{.width = 0.02f, .place = outline_place::centre});
     check_extruder(outlined<extruded<>, extruded<>>{.width = 0.02f, .place = outline_place::outer});

@@ -4,7 +4,7 @@
 // thinning leaves nothing of is reported.
 
 #include <typemesh/extrude/bevelled.hpp>
-#include <typemesh/extrude/emboldened.hpp>
+#include <typemesh/extrude/embolden.hpp>
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/inspect/closedness.hpp>
 #include <typemesh/inspect/mesh_measure.hpp>
@@ -13,9 +13,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "support/catch.hpp"
+#include "support/emboldened.hpp"
 #include "support/executors.hpp"
 #include "support/toy_font.hpp"
 
@@ -56,7 +58,26 @@ namespace {
 
 constexpr const char* bold_word = "oExi Eo";  // x has contours that cross
 
-const emboldened<bevelled> bold{.by = 0.02f, .solid = {.width = 0.01f}};
+/// A step and a solid.
+struct bold_letters {
+    embolden step;
+    bevelled solid;
+
+    static constexpr std::size_t part_count = part_count_of<bevelled>;
+};
+
+template <class Font>
+auto mesher_of(Font& font, const bold_letters& how)
+{
+    return text_mesher{font, how.solid, how.step};
+}
+template <class Font, extruder E>
+auto mesher_of(Font& font, const E& how)
+{
+    return text_mesher{font, how};
+}
+
+const bold_letters bold{{.by = 0.02f}, {.width = 0.01f}};
 const outlined<extruded<>, extruded<>> hollow{.width = 0.02f, .place = outline_place::outer, .letter = {.depth = 0.1f}};
 
 /// Closed, right side out, lit from outside, each part where the plan says, within its bounds.
@@ -87,7 +108,7 @@ void check_everywhere(const E& how, const E& other)
 {
     constexpr std::size_t parts = part_count_of<E>;
     test::toy_font font;
-    auto mesher = text_mesher{font}.with(how);
+    auto mesher = mesher_of(font, how);
     const auto plan = mesher.plan(bold_word);
     REQUIRE(plan);
     CHECK(plan->report().complete());
@@ -95,14 +116,14 @@ void check_everywhere(const E& how, const E& other)
     const bold_mesh expected = checked_mesh(*plan, parts);
 
     glyph_cache<> cache;
-    auto cached = text_mesher{font}.with(how).with(cached_in{cache, 1});
+    auto cached = mesher_of(font, how).with(cached_in{cache, 1});
     for (int i = 0; i < 2; ++i) {
         const auto again = cached.plan(bold_word);
         REQUIRE(again);
         CHECK(checked_mesh(*again, parts) == expected);
     }
     CHECK(cache.statistics().hits >= 5);
-    auto unlike = text_mesher{font}.with(other).with(cached_in{cache, 1});
+    auto unlike = mesher_of(font, other).with(cached_in{cache, 1});
     const auto different = unlike.plan(bold_word);
     REQUIRE(different);
     CHECK_FALSE(checked_mesh(*different, parts) == expected);
@@ -118,7 +139,7 @@ void check_everywhere(const E& how, const E& other)
         CHECK(m == expected);
     }
 
-    auto delaunay = text_mesher{font}.with(how).with(constrained_delaunay{});
+    auto delaunay = mesher_of(font, how).with(constrained_delaunay{});
     const auto cut = delaunay.plan(bold_word);
     REQUIRE(cut);
     CHECK(volume_of(checked_mesh(*cut, parts)) == Catch::Approx(volume_of(expected)).epsilon(1e-5));
@@ -129,7 +150,7 @@ template <class E>
 void check_pieces(const E& how)
 {
     test::toy_font font;
-    auto mesher = text_mesher{font}.with(how);
+    auto mesher = mesher_of(font, how);
     const auto plan = mesher.plan(bold_word);
     REQUIRE(plan);
     const bold_mesh whole = checked_mesh(*plan, part_count_of<E>);
@@ -170,7 +191,7 @@ void check_pieces(const E& how)
 TEST_CASE("bold letters come out of caches, teams and constrained Delaunay as they are built alone", "[text]")
 {
     auto bolder = bold;
-    bolder.by = 0.03f;
+    bolder.step.by = 0.03f;
     check_everywhere(bold, bolder);
     auto other_bevel = bold;
     other_bevel.solid.width = 0.015f;
@@ -194,7 +215,7 @@ TEST_CASE("bold and hollow letters that meet as they are drawn are merged first"
     for (const double x : {0.0, 300.0, 1500.0}) REQUIRE(run.glyphs.push_back({1, 0, {x, 0.0}}));  // two rings that meet
     run.units_per_em = 1000.0;
     const text_options merging{.merge = true};
-    auto bolder = text_mesher{font}.with(bold);
+    auto bolder = mesher_of(font, bold);
     const auto joined = bolder.plan(run, merging);
     REQUIRE(joined);
     CHECK(joined->glyphs().size() == 2);
@@ -217,7 +238,7 @@ TEST_CASE("rings that meet when they have grown are one ring round both letters"
         glyph_run run;
         run.units_per_em = 1000.0;
         for (const double x : {0.0, second}) REQUIRE(run.glyphs.push_back({5, 0, {x, 0.0}}));  // bars, 100 wide
-        auto mesher = text_mesher{font}.with(how);
+        auto mesher = mesher_of(font, how);
         auto plan = mesher.plan(run, {.merge = true});
         REQUIRE(plan);
         (void)checked_mesh(*plan, part_count_of<decltype(how)>);
@@ -276,7 +297,7 @@ TEST_CASE("a glyph that thinning leaves nothing of is left out and named, from a
     for (const glyph_id id : {2u, 0u, 5u})
         REQUIRE(run.glyphs.push_back({id, static_cast<cluster_id>(run.glyphs.size()), {0.0, 0.0}}));
     run.units_per_em = 1000.0;
-    auto thinner = text_mesher{font}.with(emboldened<>{.by = -0.03f}).with(cached_in{cache, 1});
+    auto thinner = text_mesher{font}.with(embolden{.by = -0.03f}).with(cached_in{cache, 1});
     for (int i = 0; i < 2; ++i) {
         const auto plan = thinner.plan(run);
         REQUIRE(plan);
@@ -294,7 +315,7 @@ TEST_CASE("letter spacing of twice the distance keeps bold letters as far apart 
 {
     test::toy_font font;
     auto plain = text_mesher{font}.with(extruded<>{});
-    auto bolder = text_mesher{font}.with(emboldened<>{.by = 0.03f});
+    auto bolder = text_mesher{font}.with(embolden{.by = 0.03f});
     const auto thin = plain.plan("EEE");
     const auto wide = bolder.plan("EEE", {.layout = {.letter_spacing = 2 * 0.03}});
     REQUIRE(thin);
@@ -302,4 +323,78 @@ TEST_CASE("letter spacing of twice the distance keeps bold letters as far apart 
     const double ink = thin->bounds().high.x - thin->bounds().low.x,
                  grown = wide->bounds().high.x - wide->bounds().low.x;
     CHECK(grown == Catch::Approx(ink + 6 * 0.03).margin(1e-5));
+}
+
+TEMPLATE_TEST_CASE("a step before a solid makes what an extruder makes that moves the edges itself", "[text]", flat,
+                   extruded<>, bevelled, (outlined<extruded<>, extruded<>>))
+{
+    test::toy_font font;
+    for (const float by : {0.02f, -0.02f, 0.0f})
+        for (const bool merge : {false, true}) {
+            text_mesher stepped{font, embolden{.by = by}, TestType{}};
+            text_mesher nested{font, test::emboldened<TestType>{.by = by}};
+            const auto a = stepped.plan(bold_word, {.merge = merge});
+            const auto b = nested.plan(bold_word, {.merge = merge});
+            REQUIRE(a);
+            REQUIRE(b);
+            CHECK(a->glyphs().size() == b->glyphs().size());
+            bold_mesh m, n;
+            REQUIRE_FALSE(a->write(into(m.vertices, m.indices)));
+            REQUIRE_FALSE(b->write(into(n.vertices, n.indices)));
+            CHECK(m == n);
+        }
+}
+
+TEST_CASE("a step is exchanged while the program runs, and refuses its options by their names", "[text]")
+{
+    test::toy_font font;
+    text_mesher mesher{font, extruded<>{}};
+    const auto written = [&] {
+        const auto plan = mesher.plan(bold_word);
+        REQUIRE(plan);
+        bold_mesh m;
+        REQUIRE_FALSE(plan->write(into(m.vertices, m.indices)));
+        return m;
+    };
+    const bold_mesh plain = written();
+    CHECK(mesher.policy<embolden>() == nullptr);
+    mesher.use(embolden{.by = 0.02f});
+    REQUIRE(mesher.policy<embolden>() != nullptr);
+    const bold_mesh bolder = written();
+    CHECK_FALSE(bolder == plain);
+    mesher.policy<embolden>()->by = 0.03f;
+    CHECK_FALSE(written() == bolder);
+    mesher.use(embolden{.mitre_limit = 0.5f});
+    CHECK(std::string{mesher.plan("").error().option} == "embolden::mitre_limit");
+    mesher.use(no_step{});
+    CHECK(written() == plain);
+}
+
+TEST_CASE("merged bold letters tell whose outline each wall stands on", "[text]")
+{
+    test::toy_font font;
+    glyph_run run;
+    for (const double x : {0.0, 300.0}) REQUIRE(run.glyphs.push_back({1, 0, {x, 0.0}}));
+    run.units_per_em = 1000.0;
+    text_mesher mesher{font, embolden{.by = 0.01f}, extruded<>{}};
+    const auto plan = mesher.plan(run, {.merge = true});
+    REQUIRE(plan);
+    REQUIRE(plan->glyphs().size() == 1);
+    bold_mesh m;
+    REQUIRE_FALSE(plan->write(into(m.vertices, m.indices)));
+    const mesh_range side = plan->range(0, part::side);
+    std::size_t owned[2] = {};
+    for (std::uint32_t t = 0; t < side.index_count / 3; ++t) {
+        const std::uint32_t owner = plan->owner(0, part::side, t);
+        if (owner == shared_glyph) continue;
+        REQUIRE(owner < 2);
+        ++owned[owner];
+        float x = 0.0f;  // its walls stand within its own box, 0.4 em wide, and the distance
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            x = m.vertices[m.indices[side.first_index + 3 * t + k]].place.x;
+            CHECK(x > (owner == 0 ? -0.011f : 0.289f));
+        }
+    }
+    CHECK(owned[0] > 10);
+    CHECK(owned[1] > 10);
 }

@@ -17,15 +17,14 @@ template struct discretiser_ref::table<two_lines>;
 template struct triangulator_ref::table<monotone>;
 template struct triangulator_ref::table<constrained_delaunay>;
 
+template struct region_step_ref::table<embolden>;
+
 template struct solid_ref::table<flat>;
 template struct solid_ref::table<extruded<>>;
 template struct solid_ref::table<extruded<averaged_normals>>;
 template struct solid_ref::table<extruded<creased_normals>>;
 template struct solid_ref::table<extruded<shared_normals>>;
 template struct solid_ref::table<bevelled>;
-template struct solid_ref::table<emboldened<>>;
-template struct solid_ref::table<emboldened<flat>>;
-template struct solid_ref::table<emboldened<bevelled>>;
 template struct solid_ref::table<outlined<>>;
 
 }  // namespace typemesh::inline TYPEMESH_ABI

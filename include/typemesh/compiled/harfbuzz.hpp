@@ -16,7 +16,7 @@
 #include <typemesh/extrude/averaged_normals.hpp>
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/creased_normals.hpp>
-#include <typemesh/extrude/emboldened.hpp>
+#include <typemesh/extrude/embolden.hpp>
 #include <typemesh/extrude/flat.hpp>
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/extrude/shared_normals.hpp>
@@ -39,15 +39,14 @@ extern template struct discretiser_ref::table<two_lines>;
 extern template struct triangulator_ref::table<monotone>;
 extern template struct triangulator_ref::table<constrained_delaunay>;
 
+extern template struct region_step_ref::table<embolden>;
+
 extern template struct solid_ref::table<flat>;
 extern template struct solid_ref::table<extruded<>>;
 extern template struct solid_ref::table<extruded<averaged_normals>>;
 extern template struct solid_ref::table<extruded<creased_normals>>;
 extern template struct solid_ref::table<extruded<shared_normals>>;
 extern template struct solid_ref::table<bevelled>;
-extern template struct solid_ref::table<emboldened<>>;
-extern template struct solid_ref::table<emboldened<flat>>;
-extern template struct solid_ref::table<emboldened<bevelled>>;
 extern template struct solid_ref::table<outlined<>>;
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -2,19 +2,15 @@
 #pragma once
 
 #include <typemesh/core/box.hpp>
-#include <typemesh/core/buffer.hpp>
 #include <typemesh/core/contours.hpp>
-#include <typemesh/core/curve.hpp>
 #include <typemesh/core/memory.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/result.hpp>
-#include <typemesh/core/touching.hpp>
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/extrude/cap_maker.hpp>
-#include <typemesh/extrude/exact_fill.hpp>
 #include <typemesh/extrude/extruder.hpp>
-#include <typemesh/fill/corner_parting.hpp>
+#include <typemesh/extrude/inner_region.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -50,46 +46,17 @@ private:
 ///     inner.plan(other_extruder, caps)
 ///     other_extruder.vertices<Wants>(p, s.data, at, put)     when it writes: the view is what the other one reads
 template <class E>
-struct inner_solid {
+struct inner_solid : inner_region {
     using view = solid_of<E>;
 
-    contours loops;
-    triangle_list triangles;
     plan_data_of<E> data;
-    buffer<curve> parted_curves;  // those of loops, if corners have been parted or joined
-    corner_parting parting;       // what was done to them
 
-    explicit inner_solid(memory source = heap()) noexcept
-        : loops{source}, triangles{source}, data{source}, parted_curves{source}
-    {
-    }
+    explicit inner_solid(memory source = heap()) noexcept : inner_region{source}, data{source} {}
 
     void clear() noexcept
     {
-        loops.clear();
-        triangles.clear();
+        inner_region::clear();
         data.clear();
-        parting = {};
-    }
-
-    /// Makes the region of `loops`, which refers to them, and its triangles. Where they touch themselves, their corners
-    /// become what `loops` say.
-    ///
-    /// Fails  as fill_exactly() and corner_parting do
-    template <cap_maker Caps>
-    [[nodiscard]] result<region> fill(Caps& caps) noexcept
-    {
-        triangles.clear();
-        parting = {};
-        auto made = fill_exactly(loops, caps, triangles);
-        if (!made || !made->is_touching() || loops.corners == touching::keep) return made;
-        parted_curves.clear();
-        if (!parted_curves.append(loops.curves)) return error::out_of_memory;
-        made = parting(loops, parted_curves, caps.space());
-        triangles.clear();
-        if (!made || made->points().empty()) return made;
-        if (error e = caps(*made, triangles)) return e;
-        return made;
     }
 
     /// What the other extruder plans for that region; its box is never left out.

@@ -107,7 +107,7 @@ struct outlined_data {
 /// the letter keeps 8 cells away from its ring.
 ///
 /// Corners, advances, letters that meet when they have grown, and distances that are not proven are as with
-/// `emboldened`.
+/// `embolden`.
 ///
 /// A ring that grows, by outward bevels for example, would grow into a letter within it: error::bad_option "ring".
 ///

@@ -10,8 +10,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The plan data of one glyph after another, of whichever extruder plans it. Its storage is kept for the next glyph; if
-/// that is planned with data of another type, the old data goes.
+/// The plan data of one glyph after another, of whichever extruder plans it, or the scratch of a region_step. Its
+/// storage is kept for the next glyph; if that is planned with data of another type, the old data goes.
 class plan_scratch {
 public:
     explicit plan_scratch(memory source = heap()) noexcept : source_{source} {}
@@ -76,8 +76,18 @@ private:
             static_cast<Data*>(data)->~Data();
             source.deallocate(source.user, data, sizeof(Data), alignof(Data));
         },
-        [](const void* data) noexcept { return static_cast<const Data*>(data)->bytes(); },
-        [](const void* data, std::byte* block) noexcept { static_cast<const Data*>(data)->copy_to(block); }};
+        [](const void* data) noexcept -> std::size_t {
+            if constexpr (requires(const Data& d) { d.bytes(); })
+                return static_cast<const Data*>(data)->bytes();
+            else
+                return 0 * sizeof data;
+        },
+        [](const void* data, std::byte* block) noexcept {
+            if constexpr (requires(const Data& d) { d.copy_to(block); })
+                static_cast<const Data*>(data)->copy_to(block);
+            else
+                (void)data, (void)block;
+        }};
 
     memory source_;
     const void* type_ = nullptr;

@@ -18,6 +18,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// The result of building one glyph, while it is still in the builder's scratch memory: see glyph_builder.
 struct glyph_draft {
     solid form;                          ///< all empty for a blank glyph and for a refused one
+    solid_outline drawn;                 ///< the glyph as it is drawn, where a step has changed it; else empty
+    bool merged_as_drawn = false;        ///< whether drawn tells which glyphs are merged with it: see stepped_region
     solid_plan plan;                     ///< what the extruder will write of it
     double cells = 512.0;                ///< its grid's cells per font unit
     error refusal;                       ///< why the glyph cannot be built; none if it can, or is blank
@@ -26,7 +28,8 @@ struct glyph_draft {
 
 /// Everything about one glyph that does not depend on where it stands, in one block of memory, never changed once made.
 ///
-///     block   [ built_glyph | plan data | points | starts | triangles ]      form() refers to the rest of the block
+///     block   [ built_glyph | plan data | points | starts | triangles | drawn points | drawn starts ]
+///                                                     form() and merged_as_drawn() refer to the rest of it
 ///
 /// A blank glyph has no points, a refused one carries its error: requesting it again costs no more than any other.
 /// Built glyphs may be read from any number of threads.
@@ -36,8 +39,10 @@ public:
     [[nodiscard]] static std::size_t bytes_for(const glyph_draft& draft) noexcept
     {
         const solid& s = draft.form;
+        const solid_outline drawn = draft.merged_as_drawn ? draft.drawn : solid_outline{};
         const std::size_t data = draft.data == nullptr ? 0 : draft.data->bytes();
-        return sizeof(built_glyph) + data + s.points.size_bytes() + s.starts.size_bytes() + s.triangles.size_bytes();
+        return sizeof(built_glyph) + data + s.points.size_bytes() + s.starts.size_bytes() + s.triangles.size_bytes() +
+               drawn.points.size_bytes() + drawn.starts.size_bytes();
     }
 
     /// Copies a draft into a block of bytes_for(draft) bytes. Nothing needs to be destroyed later.
@@ -50,6 +55,8 @@ public:
     built_glyph& operator=(const built_glyph&) = delete;
 
     [[nodiscard]] const solid& form() const noexcept { return form_; }
+    /// The loops of the glyph as it is drawn, where it is these that tell which glyphs are merged with it; else empty.
+    [[nodiscard]] const solid_outline& merged_as_drawn() const noexcept { return drawn_; }
     [[nodiscard]] const part_sizes& sizes() const noexcept { return plan_.sizes; }
 
     /// As passed back to its extruder, the one that planned it.
@@ -75,7 +82,7 @@ public:
     [[nodiscard]] const box& around() const noexcept { return plan_.around; }
     /// The same in font units.
     [[nodiscard]] const box& ink() const noexcept { return ink_; }
-    /// The bounding box of its region's points, in cells.
+    /// The bounding box of its points as it is drawn, in cells.
     [[nodiscard]] grid_point low() const noexcept { return low_; }
     [[nodiscard]] grid_point high() const noexcept { return high_; }
 
@@ -96,16 +103,24 @@ private:
         form_.points = copied(draft.form.points, free);
         form_.starts = copied(draft.form.starts, free);
         form_.triangles = copied(draft.form.triangles, free);
+        if (draft.merged_as_drawn)
+            drawn_ = {copied(draft.drawn.points, free), copied(draft.drawn.starts, free)};
         if (form_.points.empty()) return;
-        grid_point low = form_.points.front(), high = low;
-        for (const grid_point& p : form_.points) {
+        set_box_of(form_.points);
+        if (plan_.around.empty()) plan_.around = {placement::exact(low_), placement::exact(high_)};
+        if (!draft.drawn.points.empty()) set_box_of(draft.drawn.points);
+        ink_ = {font_units_per_cell_ * plan_.around.low, font_units_per_cell_ * plan_.around.high};
+    }
+
+    void set_box_of(std::span<const grid_point> points) noexcept
+    {
+        grid_point low = points.front(), high = low;
+        for (const grid_point& p : points) {
             low = {p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y};
             high = {p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y};
         }
         low_ = low;
         high_ = high;
-        if (plan_.around.empty()) plan_.around = {placement::exact(low_), placement::exact(high_)};
-        ink_ = {font_units_per_cell_ * plan_.around.low, font_units_per_cell_ * plan_.around.high};
     }
 
     [[nodiscard]] const std::byte* data() const noexcept { return reinterpret_cast<const std::byte*>(this + 1); }
@@ -122,6 +137,7 @@ private:
     }
 
     solid form_;
+    solid_outline drawn_;
     solid_plan plan_;
     double cells_;
     double font_units_per_cell_;

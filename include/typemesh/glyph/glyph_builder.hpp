@@ -10,6 +10,7 @@
 #include <typemesh/glyph/built_glyph.hpp>
 #include <typemesh/glyph/cap_builder.hpp>
 #include <typemesh/glyph/policies.hpp>
+#include <typemesh/glyph/solid_planner.hpp>
 #include <typemesh/outline/outline_recorder.hpp>
 
 #include <concepts>
@@ -49,7 +50,7 @@ concept recordable = requires(F& font, glyph_id id, outline& out) {
 class glyph_builder {
 public:
     explicit glyph_builder(memory source = heap()) noexcept
-        : outline_{source}, caps_{source}, further_{source}, plan_{source}
+        : outline_{source}, caps_{source}, planner_{source}
     {
     }
 
@@ -91,9 +92,8 @@ public:
     void trim() noexcept
     {
         caps_.trim();
-        further_.trim();
+        planner_.trim();
         outline_ = outline{caps_.source()};
-        plan_.release();
     }
 
     /// Whether a text may continue without the glyph that has this error.
@@ -129,21 +129,15 @@ private:
         if (filled->points().empty()) return {};
 
         with.observe(stage::extrude);
-        const auto plan = with.raise.plan(*filled, plan_, {caps_, further_, with.cut});
-        if (!plan) return plan.error();
-        made.form = {filled->points(), filled->starts(), caps_.triangles().view()};
-        made.plan = *plan;
-        made.plan.corners_moved += parting_.corners;
-        made.plan.touching = made.plan.touching || parting_.still_touching;
-        made.data = &plan_;
-        made.cells = filled->grid().cells;
+        const auto planned = planner_.plan(*filled, caps_, with, parting_);
+        if (!planned) return planned.error();
+        made = planned->draft;
         return {};
     }
 
     outline outline_;
     cap_builder caps_;
-    cap_builder further_;  // for regions that the extruder asks for
-    plan_scratch plan_;
+    solid_planner planner_;
     corner_parting parting_;
 };
 

@@ -21,12 +21,13 @@ struct glyph_context {
     std::uint64_t most_pieces = 0;
     std::uint64_t most_points = 0;
     std::uint64_t corners = 0;  ///< 0: as they are drawn; else which way, and the bits of glyph_settings::most_cells
-    policy_key discretiser, triangulator, extruder;
+    policy_key discretiser, triangulator, extruder, step;
 
     /// Whether all policies can be told from others of their types: see cacheable_policy.
     [[nodiscard]] bool is_complete() const noexcept
     {
-        return discretiser.type != nullptr && triangulator.type != nullptr && extruder.type != nullptr;
+        return discretiser.type != nullptr && triangulator.type != nullptr && extruder.type != nullptr &&
+               step.type != nullptr;
     }
 
     friend bool operator==(const glyph_context&, const glyph_context&) noexcept = default;
@@ -43,7 +44,7 @@ struct glyph_context {
         mix(most_pieces);
         mix(most_points);
         mix(corners);
-        for (const policy_key* p : {&discretiser, &triangulator, &extruder}) {
+        for (const policy_key* p : {&discretiser, &triangulator, &extruder, &step}) {
             mix(reinterpret_cast<std::uintptr_t>(p->type));
             for (const std::uint64_t word : p->options.words) mix(word);
         }
@@ -69,6 +70,7 @@ struct glyph_context {
     c.discretiser = with.flatten.key();
     c.triangulator = with.cut.key();
     c.extruder = with.raise.key();
+    c.step = with.step.key();
     return c;
 }
 

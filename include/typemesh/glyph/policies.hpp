@@ -2,11 +2,13 @@
 #pragma once
 
 #include <typemesh/glyph/cap_policies.hpp>
+#include <typemesh/glyph/region_step_ref.hpp>
 #include <typemesh/glyph/solid_ref.hpp>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What a glyph is built with: one policy of each kind, and the observer of stages. It refers to them; none is copied.
+/// What a glyph is built with: one policy of each kind, the observer of stages, and the step before the solid, if there
+/// is one. It refers to them; none is copied.
 ///
 ///     certified flatten;
 ///     monotone cut;
@@ -18,6 +20,7 @@ struct policies {
     triangulator_ref cut;
     solid_ref raise;
     observer_ref observe;
+    region_step_ref step = {};
 
     /// Those that caps need.
     operator cap_policies() const noexcept { return {flatten, cut, observe}; }

@@ -14,11 +14,17 @@ class region_caps {
 public:
     /// For a region that `caps` has built; `further` makes regions of the loops that plan() finds.
     region_caps(cap_builder& caps, cap_builder& further, triangulator_ref cut) noexcept
-        : caps_{caps}, further_{further}, cut_{cut}
+        : region_caps{caps, further, cut, caps.triangles().view()}
+    {
+    }
+    /// For another region, which has these triangles.
+    region_caps(cap_builder& caps, cap_builder& further, triangulator_ref cut,
+                std::span<const triangle> triangles) noexcept
+        : caps_{caps}, further_{further}, cut_{cut}, triangles_{triangles}
     {
     }
 
-    [[nodiscard]] std::span<const triangle> triangles() const noexcept { return caps_.triangles().view(); }
+    [[nodiscard]] std::span<const triangle> triangles() const noexcept { return triangles_; }
     error operator()(const region& r, triangle_list& out) noexcept
     {
         return is_on_grid(r.points()) ? caps_.cap(r, cut_, out) : error{error::outline_beyond_grid};
@@ -47,6 +53,7 @@ private:
     cap_builder& caps_;
     cap_builder& further_;
     triangulator_ref cut_;
+    std::span<const triangle> triangles_;
 };
 static_assert(cap_maker<region_caps>);
 

@@ -52,9 +52,11 @@ public:
     }
     [[nodiscard]] bool has_heights_of_each() const noexcept { return does_->heights_of != nullptr; }
 
-    /// The loops of all that it covers in the plane, of a glyph with points that it has planned.
+    /// The loops that tell which glyphs are merged with one that it has planned, which has points: those of all that it
+    /// covers in the plane, or those that are drawn.
     [[nodiscard]] solid_outline outline_of(const built_glyph& built) const noexcept
     {
+        if (!built.merged_as_drawn().points.empty()) return built.merged_as_drawn();
         if (does_->outline_of == nullptr) return {built.form().points, built.form().starts};
         return does_->outline_of(how_, built);
     }

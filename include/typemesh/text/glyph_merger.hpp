@@ -7,6 +7,7 @@
 #include <typemesh/glyph/cap_builder.hpp>
 #include <typemesh/glyph/glyph_builder.hpp>
 #include <typemesh/glyph/policies.hpp>
+#include <typemesh/glyph/solid_planner.hpp>
 #include <typemesh/text/text_glyphs.hpp>
 
 #include <cmath>
@@ -16,8 +17,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Merges the glyphs of a text whose outlines meet, group by group; where the extruder makes them grow (tells_outline
-/// in extruder.hpp), those that meet when they have grown:
+/// Merges the glyphs of a text whose outlines meet, group by group; where a step or the extruder makes them grow
+/// (tells_outline in extruder.hpp), those that meet when they have grown:
 ///
 ///      .--..-.     .--.                    .-----.     .--.        A group is a chain of glyphs of which each
 ///      |a ||b| ..  |d |        ->          |     | ..  |d |        shares a point with the next; all others are
@@ -31,7 +32,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 class glyph_merger {
 public:
     explicit glyph_merger(memory source = heap()) noexcept
-        : caps_{source}, further_{source}, union_{source}, plan_{source}
+        : caps_{source}, planner_{source}, union_{source}
     {
     }
 
@@ -39,9 +40,8 @@ public:
     void trim() noexcept
     {
         caps_.trim();
-        further_.trim();
+        planner_.trim();
         union_ = region_union{caps_.source()};
-        plan_.release();
     }
 
     /// Fills in all.merged; needs all.pinned and all.numbers.
@@ -205,16 +205,14 @@ private:
         with.observe(stage::triangulate);
         if (error e = caps_.cap(*joined, with.cut)) return e;
         with.observe(stage::extrude);
-        auto plan = with.raise.plan(*joined, plan_, {caps_, further_, with.cut});
-        if (!plan) return plan.error();
-        plan->corners_moved += corners + parting.corners;
-        plan->touching = plan->touching || parting.still_touching;
+        parting.corners += corners;
+        const auto planned = planner_.plan(*joined, caps_, with, parting);
+        if (!planned) return planned.error();
 
-        made.built = all.store.keep(
-            {{joined->points(), joined->starts(), caps_.triangles().view()}, *plan, onto->cells, {}, &plan_});
+        made.built = all.store.keep(planned->draft);
         made.origin = {static_cast<double>(first.x) / onto->cells, static_cast<double>(first.y) / onto->cells};
         made.first_owner = static_cast<std::uint32_t>(all.merged.owners.size());
-        const auto edges = joined->edges();
+        const auto edges = planned->filled.edges();
         std::uint32_t* owners = all.merged.owners.append(edges.size());
         if (made.built == nullptr || (owners == nullptr && !edges.empty())) return error::out_of_memory;
         for (std::size_t i = 0; i < edges.size(); ++i)
@@ -223,9 +221,8 @@ private:
     }
 
     cap_builder caps_;
-    cap_builder further_;  // for regions that the extruder asks for
+    solid_planner planner_;
     region_union union_;
-    plan_scratch plan_;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

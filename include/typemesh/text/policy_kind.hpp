@@ -7,6 +7,7 @@
 #include <typemesh/discretise/discretiser.hpp>
 #include <typemesh/extrude/extruded.hpp>
 #include <typemesh/extrude/extruder.hpp>
+#include <typemesh/extrude/region_step.hpp>
 #include <typemesh/glyph/glyph_cache.hpp>
 #include <typemesh/glyph/stage.hpp>
 #include <typemesh/triangulate/triangulator.hpp>
@@ -17,7 +18,7 @@
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// Which of the concepts of text_mesher::with() a type models.
-enum class policy_kind : std::uint8_t { none, discretiser, triangulator, extruder, observer, cache, several };
+enum class policy_kind : std::uint8_t { none, discretiser, triangulator, step, extruder, observer, cache, several };
 
 /// Of which kind a policy is.
 template <class P>
@@ -29,6 +30,7 @@ template <class P>
     };
     models(discretiser<P>, policy_kind::discretiser);
     models(triangulator<P>, policy_kind::triangulator);
+    models(region_step<P> || std::is_same_v<P, no_step>, policy_kind::step);
     models(extruder<P>, policy_kind::extruder);
     models(stage_observer<P>, policy_kind::observer);
     models(std::is_same_v<P, cached_in> || std::is_same_v<P, no_cache>, policy_kind::cache);
@@ -96,7 +98,7 @@ constexpr void refuse_policy() noexcept
     constexpr bool several = kind_of<P>() == policy_kind::several;
     static_assert(!several,
                   "typemesh: with() cannot tell what this type is for, which models several of discretiser, "
-                  "triangulator, extruder and stage_observer: a call operator that takes anything does. "
+                  "triangulator, region_step, extruder and stage_observer: a call operator that takes anything does. "
                   "Name the types of its parameters.");
     if constexpr (several)
         return;
@@ -118,7 +120,7 @@ constexpr void refuse_policy() noexcept
                       "says what the concept misses.");
     else
         static_assert(sizeof(P) == 0,
-                      "typemesh: with() takes a discretiser, a triangulator, an extruder, a "
+                      "typemesh: with() takes a discretiser, a triangulator, a region_step, an extruder, a "
                       "stage_observer or cached_in, and this type is none of them; static_assert the "
                       "concept that it should model to see what it lacks.");
 }

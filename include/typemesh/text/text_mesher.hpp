@@ -32,6 +32,7 @@ concept run_edit = std::is_nothrow_invocable_v<E&, glyph_run&>;
 ///
 ///     text_mesher flat_text{font, flat{}};
 ///     text_mesher deep_text{font, extruded<>{.depth = 0.5f}, two_lines{}};
+///     text_mesher bold_text{font, embolden{.by = 0.02f}};       // a step before the solid, see region_step.hpp
 ///     text_mesher quick_text{font, cached_in{cache, 1}};        // see glyph_cache.hpp
 ///
 /// The type names the solid alone, which writes each vertex; all else is called once per glyph, and may be exchanged at
@@ -116,8 +117,8 @@ public:
     /// The solid, to change its options between texts. The plan goes on with those that it was made with.
     [[nodiscard]] Solid& solid() noexcept { return solid_; }
 
-    /// The discretiser, triangulator or observer, to change its options between texts or to read what it has gathered;
-    /// null if the mesher's is of another type.
+    /// The discretiser, triangulator, step or observer, to change its options between texts or to read what it has
+    /// gathered; null if the mesher's is of another type.
     template <class Policy>
     [[nodiscard]] Policy* policy() noexcept
     {
@@ -126,6 +127,8 @@ public:
             return discretiser_.template get<Policy>();
         else if constexpr (kind == policy_kind::triangulator)
             return triangulator_.template get<Policy>();
+        else if constexpr (kind == policy_kind::step)
+            return step_.template get<Policy>();
         else if constexpr (kind == policy_kind::observer)
             return observer_.template get<Policy>();
         else
@@ -228,6 +231,7 @@ private:
         : planner_{std::move(before.planner_)},
           discretiser_{std::move(before.discretiser_)},
           triangulator_{std::move(before.triangulator_)},
+          step_{std::move(before.step_)},
           observer_{std::move(before.observer_)},
           solid_{std::move(solid)}
     {
@@ -245,6 +249,8 @@ private:
             discretiser_ = std::move(option);
         else if constexpr (kind == policy_kind::triangulator)
             triangulator_ = std::move(option);
+        else if constexpr (kind == policy_kind::step)
+            step_ = std::move(option);
         else if constexpr (kind == policy_kind::observer)
             observer_ = std::move(option);
         else if constexpr (kind == policy_kind::extruder) {
@@ -262,7 +268,7 @@ private:
 
     [[nodiscard]] policies all_policies() noexcept
     {
-        return {discretiser_.ref(), triangulator_.ref(), solid_, observer_.ref()};
+        return {discretiser_.ref(), triangulator_.ref(), solid_, observer_.ref(), step_.ref()};
     }
 
     template <class Sink>
@@ -309,6 +315,7 @@ private:
     text_planner planner_;
     stored_policy<discretiser_ref> discretiser_{certified{}};
     stored_policy<triangulator_ref> triangulator_{monotone{}};
+    stored_policy<region_step_ref> step_{no_step{}};
     stored_policy<observer_ref> observer_{no_observer{}};
     Solid solid_{};
 };

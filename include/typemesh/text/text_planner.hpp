@@ -164,7 +164,8 @@ inline error text_planner::plan_once(const call& now, double reach) noexcept
     error e = refused(now);
     if (e) return stop(e, with);
     report(run);
-    e = with.raise.refused_options();
+    e = with.step.refused_options();
+    if (!e) e = with.raise.refused_options();
     if (!e) e = glyphs_.looks.read(run, *font);
     if (!e) e = collect(run, options);
     const glyph_settings how = settings_of(options, reach);

@@ -19,7 +19,7 @@ error every_solid(directwrite_font& font)
     test::toy_font toy;
     if (error e = everything(text_mesher{toy}.with(bevelled{.profile = round_profile()}).with(constrained_delaunay{})))
         return e;
-    if (error e = everything(text_mesher{toy}.with(emboldened<>{}))) return e;
+    if (error e = everything(text_mesher{toy}.with(embolden{}))) return e;
     if (error e = everything(text_mesher{toy}.with(outlined<>{}))) return e;
     return everything(text_mesher{font}.with(bevelled{}));
 }

@@ -9,7 +9,7 @@
 
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/extrude/bevelled.hpp>
-#include <typemesh/extrude/emboldened.hpp>
+#include <typemesh/extrude/embolden.hpp>
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/inspect/closedness.hpp>
 #include <typemesh/inspect/normal_check.hpp>
@@ -104,14 +104,14 @@ TEST_CASE("bold letters of real fonts are closed and lit from outside, bolder an
     tally all;
     for (const float by : {0.01f, 0.03f, 0.1f, -0.01f}) {
         INFO("by " << by);
-        check_letters(emboldened<>{.by = by}, all);
+        check_letters(embolden{.by = by}, all);
     }
     CHECK(all.letters >= 1000);
     CHECK(all.refused == 0);
     CHECK(all.narrowed == 0);
 
     tally thinnest;
-    check_letters(emboldened<>{.by = -0.05f}, thinnest);
+    check_letters(embolden{.by = -0.05f}, thinnest);
     CHECK(thinnest.gone > 20);
     CHECK(thinnest.letters > 20);
     CHECK(thinnest.refused == 0);
@@ -132,10 +132,10 @@ TEST_CASE("hollow letters of real fonts are closed and lit from outside, whereve
 
 TEST_CASE("bold bevelled and hollow texts of real fonts are the same from caches and workers, and merged", "[workload]")
 {
-    const auto check = [](const auto& how, const std::string& path, const std::string& text) {
+    const auto check = [](const auto& how, const std::string& path, const std::string& text, auto... step) {
         auto font = harfbuzz_font::open(path.c_str());
         REQUIRE(font);
-        auto mesher = text_mesher{*font}.with(how);
+        text_mesher mesher{*font, how, step...};
         const text_options options{.unit = output_unit::font_units};
         const auto plan = mesher.plan(text, options);
         REQUIRE(plan);
@@ -171,7 +171,7 @@ TEST_CASE("bold bevelled and hollow texts of real fonts are the same from caches
             if (!file.serves(script) || !file.available()) continue;
             const std::string text = test::workload_texts(script).back();
             INFO(file.path << ": " << text);
-            check(emboldened<bevelled>{.by = 0.015f, .solid = {.width = 0.01f}}, file.path, text);
+            check(bevelled{.width = 0.01f}, file.path, text, embolden{.by = 0.015f});
             check(framed{.width = 0.015f, .place = outline_place::outer}, file.path, text);
             ++texts;
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/extrude/emboldened.hpp>
+
+#include <typemesh/extrude/embolden.hpp>
 
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/creased_normals.hpp>
@@ -17,6 +18,7 @@
 
 #include "capped.hpp"
 #include "support/catch.hpp"
+#include "support/emboldened.hpp"
 #include "support/counting_memory.hpp"
 
 using namespace typemesh;
@@ -25,9 +27,9 @@ using Catch::Approx;
 
 namespace {
 
-static_assert(extruder<emboldened<>> && capping_extruder<emboldened<>> && tells_hard_edges<emboldened<>>);
-static_assert(extruder<emboldened<flat>> && !tells_hard_edges<emboldened<flat>>);
-static_assert(part_count_of<emboldened<>> == 3 && part_count_of<emboldened<bevelled>> == 5);
+static_assert(extruder<test::emboldened<>> && capping_extruder<test::emboldened<>> && tells_hard_edges<test::emboldened<>>);
+static_assert(extruder<test::emboldened<flat>> && !tells_hard_edges<test::emboldened<flat>>);
+static_assert(part_count_of<test::emboldened<>> == 3 && part_count_of<test::emboldened<bevelled>> == 5);
 
 constexpr double cells = 512000.0;  // in an em
 
@@ -103,16 +105,16 @@ TEST_CASE("emboldened solids are closed and lit from outside, bolder and thinner
     for (const auto& s : all_shapes())
         for (const float by : {0.003f, 0.02f, 0.05f, 0.4f, -0.003f, -0.01f}) {
             INFO(s.name << " by " << by);
-            const auto plain = capped(s, emboldened<>{.by = by});
+            const auto plain = capped(s, test::emboldened<>{.by = by});
             check_laws(plain);
             CHECK(volume_of(plain) ==
                   Approx(0.2 * area_of(loops_of(plain.data.loops.points.view(), plain.data.loops.starts.view())))
                       .epsilon(1e-5));
-            check_laws(capped<constrained_delaunay>(s, emboldened<>{.by = by}));
-            check_laws(capped(s, emboldened<extruded<creased_normals>>{.by = by}));
+            check_laws(capped<constrained_delaunay>(s, test::emboldened<>{.by = by}));
+            check_laws(capped(s, test::emboldened<extruded<creased_normals>>{.by = by}));
             for (const bool outward : {false, true})
                 check_laws(capped(
-                    s, emboldened<bevelled>{
+                    s, test::emboldened<bevelled>{
                            .by = by, .solid = {.width = 0.01f, .outward = outward, .profile = round_profile(3)}}));
         }
 }
@@ -123,7 +125,7 @@ TEST_CASE("a bolder letter holds what lies within the distance, and no more beyo
         for (const float limit : {1.0f, 2.0f, 4.0f})
             for (const float by : {0.02f, 0.05f, -0.01f}) {
                 INFO(s.name << " by " << by << ", limit " << limit);
-                const bolder loops = bolder_of(s, emboldened<>{.by = by, .mitre_limit = limit});
+                const bolder loops = bolder_of(s, test::emboldened<>{.by = by, .mitre_limit = limit});
                 const double wide = std::abs(double(by)), slack = (100.0 + 3.0) / cells;
                 std::size_t sampled = 0;
                 for (double x = -0.2; x < 1.3; x += 0.0342)
@@ -152,7 +154,7 @@ TEST_CASE("a bolder ring has the area between two circles, and its walls are lit
     const double pi = 3.14159265358979;
     for (const float by : {0.05f, 0.02f, -0.03f}) {
         INFO("by " << by);
-        const auto m = capped(ring, emboldened<>{.by = by});
+        const auto m = capped(ring, test::emboldened<>{.by = by});
         const double outer = 0.3 + double(by), inner = 0.15 - double(by);
         CHECK(volume_of(m) == Approx(0.2 * pi * (outer * outer - inner * inner)).epsilon(0.005));
         CHECK(m.sizes().vertices[part::side] == 2 * (m.sizes().vertices[part::front] + 2));  // a seam each
@@ -170,7 +172,7 @@ TEST_CASE("a bolder ring has the area between two circles, and its walls are lit
 TEST_CASE("an edge that is cut short is lit like the part of its curve that is left", "[emboldened]")
 {
     const shapes::shape drop = shapes::drop(12);  // thinner, its pointed end is cut short
-    const auto m = capped(drop, emboldened<>{.by = -0.02f, .solid = {.texture = texture_mapping::box}});
+    const auto m = capped(drop, test::emboldened<>{.by = -0.02f, .solid = {.texture = texture_mapping::box}});
     const curve whole = drop.curves[0];
     const std::uint32_t first = m.sizes().starts().vertices[part::side];
     for (std::uint32_t i = 0; i < m.sizes().vertices[part::side]; ++i) {
@@ -194,7 +196,7 @@ TEST_CASE("a sharp corner that grows becomes round and shades round, a blunt one
     spike.loops.tolerance = 20.0;
     for (const auto joins : {bevel_joins::round, bevel_joins::bevelled}) {
         const auto m =
-            capped(spike, emboldened<>{.by = 0.05f, .joins = joins, .solid = {.texture = texture_mapping::box}});
+            capped(spike, test::emboldened<>{.by = 0.05f, .joins = joins, .solid = {.texture = texture_mapping::box}});
         check_laws(m);
         std::size_t hard = 0, near = 0;
         const auto arrays = m.data.data.read();
@@ -203,8 +205,8 @@ TEST_CASE("a sharp corner that grows becomes round and shades round, a blunt one
         CHECK((joins == bevel_joins::round ? near > 6 : near == 2));
         CHECK(hard == (joins == bevel_joins::round ? 2 : 4));
     }
-    CHECK(capped(spike, emboldened<>{.by = 0.05f, .mitre_limit = 0.0f}).data.loops.points.size() == 3);
-    CHECK(capped(shapes::rectangle(), emboldened<>{.by = 0.05f}).data.loops.points.size() == 4);
+    CHECK(capped(spike, test::emboldened<>{.by = 0.05f, .mitre_limit = 0.0f}).data.loops.points.size() == 3);
+    CHECK(capped(shapes::rectangle(), test::emboldened<>{.by = 0.05f}).data.loops.points.size() == 4);
 }
 
 TEST_CASE("a bolder letter's narrow counters close, and of a thinner one thin parts vanish, or all of it",
@@ -215,14 +217,14 @@ TEST_CASE("a bolder letter's narrow counters close, and of a thinner one thin pa
         return inspect::count_euler(inspect::mesh_view{m.vertices, indices}).characteristic();
     };
     const shapes::shape ring = shapes::ring(16);
-    CHECK(euler(capped(ring, emboldened<>{.by = 0.14f})) == 0);
-    CHECK(euler(capped(ring, emboldened<>{.by = 0.16f})) == 2);
-    CHECK(euler(capped(shapes::pair(), emboldened<>{.by = -0.03f})) == 2);  // both, the second with a hole: 2 + 0
-    const auto pair = capped(shapes::pair(), emboldened<>{.by = -0.06f});   // the triangle is gone
+    CHECK(euler(capped(ring, test::emboldened<>{.by = 0.14f})) == 0);
+    CHECK(euler(capped(ring, test::emboldened<>{.by = 0.16f})) == 2);
+    CHECK(euler(capped(shapes::pair(), test::emboldened<>{.by = -0.03f})) == 2);  // both, the second with a hole: 2 + 0
+    const auto pair = capped(shapes::pair(), test::emboldened<>{.by = -0.06f});   // the triangle is gone
     for (const grid_point p : pair.data.loops.points) CHECK(p.x / cells > 0.4);
-    capped_mesh<emboldened<>> none;
-    CHECK(build_capped(ring, emboldened<>{.by = -0.08f}, none) == error::nothing_left);
-    CHECK(build_capped(shapes::rectangle(), emboldened<>{.by = -0.21f}, none) == error::nothing_left);
+    capped_mesh<test::emboldened<>> none;
+    CHECK(build_capped(ring, test::emboldened<>{.by = -0.08f}, none) == error::nothing_left);
+    CHECK(build_capped(shapes::rectangle(), test::emboldened<>{.by = -0.21f}, none) == error::nothing_left);
 }
 
 TEST_CASE("a letter that is moved less than four cells is the letter itself", "[emboldened]")
@@ -230,7 +232,7 @@ TEST_CASE("a letter that is moved less than four cells is the letter itself", "[
     const auto s = shapes::letter_d(8);
     const auto plain = build(s, extruded<>{});
     for (const float by : {0.0f, 5e-6f, -5e-6f}) {
-        const auto m = capped(s, emboldened<>{.by = by});
+        const auto m = capped(s, test::emboldened<>{.by = by});
         REQUIRE(m.vertices.size() == plain.vertices.size());
         CHECK(m.triangles.size() == plain.triangles.size());
         for (std::size_t i = 0; i < plain.vertices.size(); ++i) {
@@ -257,13 +259,13 @@ TEST_CASE("letters whose loops touch in a point grow together there, or part", "
         REQUIRE(touching);
         REQUIRE(touching->is_touching());
         region_caps maker{caps, further, cut};
-        capped_mesh<emboldened<>> m;
-        const auto plan = plan_solid(emboldened<>{.by = by}, *touching, m.data, maker);
+        capped_mesh<test::emboldened<>> m;
+        const auto plan = plan_solid(test::emboldened<>{.by = by}, *touching, m.data, maker);
         REQUIRE(plan);
         CHECK_FALSE(plan->narrowed);
-        const solid_of<emboldened<>> form{{touching->points(), touching->starts(), caps.triangles().view()},
+        const solid_of<test::emboldened<>> form{{touching->points(), touching->starts(), caps.triangles().view()},
                                           m.data.read()};
-        REQUIRE_FALSE(write_solid<emboldened<>>({form, *plan}, emboldened<>{.by = by}, in_em(),
+        REQUIRE_FALSE(write_solid<test::emboldened<>>({form, *plan}, test::emboldened<>{.by = by}, in_em(),
                                                 static_cast<mesh<everything>&>(m)));
         CHECK(open_edges(m) == 0);
         CHECK(m.data.loops.contour_count() == (by > 0.0f ? 1u : 2u));
@@ -278,20 +280,20 @@ TEST_CASE("an emboldened solid obeys its laws in every frame, and its box holds 
         for (const auto texture : {texture_mapping::em, texture_mapping::box}) {
             placement at = in_em(f);
             at.texture_per_cell = {1.0 / cells, 1.0 / cells};
-            const emboldened<> how{.by = 0.03f, .solid = {.centred = true, .texture = texture}};
+            const test::emboldened<> how{.by = 0.03f, .solid = {.centred = true, .texture = texture}};
             const auto m = capped(shapes::letter_d(8), how, at);
             check_laws(m, f);
             CHECK(m.plan.around.low.x == Approx(-0.03 * cells).margin(2.0));
             CHECK(m.plan.around.high.y == Approx((0.7 + 0.03) * cells).margin(2.0));
         }
-    CHECK(emboldened<>{.solid = {.depth = 0.5f}}.heights().low == -0.5);
+    CHECK(test::emboldened<>{.solid = {.depth = 0.5f}}.heights().low == -0.5);
 }
 
 TEST_CASE("bold letters may be made bolder again", "[emboldened]")
 {
     const auto s = shapes::ring(16);
-    const auto twice = capped(s, emboldened<emboldened<>>{.by = 0.02f, .solid = {.by = 0.03f}});
-    const auto once = capped(s, emboldened<>{.by = 0.05f});
+    const auto twice = capped(s, test::emboldened<test::emboldened<>>{.by = 0.02f, .solid = {.by = 0.03f}});
+    const auto once = capped(s, test::emboldened<>{.by = 0.05f});
     check_laws(twice);
     CHECK(volume_of(twice) == Approx(volume_of(once)).epsilon(1e-4));
 }
@@ -310,27 +312,27 @@ TEST_CASE("emboldened refuses options out of range by their names, its own and t
         }
     };
     for (const float v : {infinite, -infinite, nowhere}) {
-        check("by", emboldened<>{.by = v});
-        check("emboldened::mitre_limit", emboldened<>{.mitre_limit = v});
+        check("by", test::emboldened<>{.by = v});
+        check("embolden::mitre_limit", test::emboldened<>{.mitre_limit = v});
     }
-    for (const float v : {0.5f, -1.0f}) check("emboldened::mitre_limit", emboldened<>{.mitre_limit = v});
-    check("depth", emboldened<>{.solid = {.depth = 0.0f}});
-    check("width", emboldened<bevelled>{.solid = {.width = -1.0f}});
-    check("mitre_limit", emboldened<bevelled>{.solid = {.mitre_limit = 0.5f}});
-    CHECK_FALSE(refused_options(emboldened<>{.mitre_limit = 0.0f}));
+    for (const float v : {0.5f, -1.0f}) check("embolden::mitre_limit", test::emboldened<>{.mitre_limit = v});
+    check("depth", test::emboldened<>{.solid = {.depth = 0.0f}});
+    check("width", test::emboldened<bevelled>{.solid = {.width = -1.0f}});
+    check("mitre_limit", test::emboldened<bevelled>{.solid = {.mitre_limit = 0.5f}});
+    CHECK_FALSE(refused_options(test::emboldened<>{.mitre_limit = 0.0f}));
 
-    capped_mesh<emboldened<>> far;
-    CHECK(std::string{build_capped(shapes::rectangle(), emboldened<>{.by = 600.0f}, far).option} == "by");
-    CHECK(build_capped(shapes::rectangle(), emboldened<>{.by = 500.0f}, far) == error::outline_beyond_grid);
+    capped_mesh<test::emboldened<>> far;
+    CHECK(std::string{build_capped(shapes::rectangle(), test::emboldened<>{.by = 600.0f}, far).option} == "by");
+    CHECK(build_capped(shapes::rectangle(), test::emboldened<>{.by = 500.0f}, far) == error::outline_beyond_grid);
     shapes::shape unknown = shapes::rectangle();
     unknown.loops.grid.units_per_em = 0.0;
-    CHECK(std::string{build_capped(unknown, emboldened<>{}, far).option} == "units_per_em");
+    CHECK(std::string{build_capped(unknown, test::emboldened<>{}, far).option} == "units_per_em");
 }
 
 TEST_CASE("emboldened letters that differ have different keys", "[emboldened]")
 {
-    const emboldened<> plain;
-    std::vector<emboldened<>> others(6, plain);
+    const test::emboldened<> plain;
+    std::vector<test::emboldened<>> others(6, plain);
     others[0].by = 0.03f;
     others[1].by = -0.02f;
     others[2].mitre_limit = 2.0f;
@@ -342,16 +344,16 @@ TEST_CASE("emboldened letters that differ have different keys", "[emboldened]")
         CHECK_FALSE(others[i].cache_key() == plain.cache_key());
         for (std::size_t k = 0; k < i; ++k) CHECK_FALSE(others[i].cache_key() == others[k].cache_key());
     }
-    emboldened<> deeper = plain;
+    test::emboldened<> deeper = plain;
     deeper.solid.depth = 0.3f;
     CHECK(deeper.cache_key() == plain.cache_key());
 }
 
 TEST_CASE("an empty region is emboldened to nothing, and memory that runs out is reported", "[emboldened]")
 {
-    plan_data_of<emboldened<>> data;
+    plan_data_of<test::emboldened<>> data;
     no_caps nothing;
-    const auto empty = plan_solid(emboldened<>{}, region{}, data, nothing);
+    const auto empty = plan_solid(test::emboldened<>{}, region{}, data, nothing);
     REQUIRE(empty);
     CHECK(empty->sizes.total() == mesh_size{});
 
@@ -361,10 +363,10 @@ TEST_CASE("an empty region is emboldened to nothing, and memory that runs out is
         for (std::size_t allowed = 0; !done && allowed < 100; ++allowed) {
             test::counting_memory memory;
             memory.fail_at = allowed + 1;
-            plan_data_of<emboldened<>> scarce{memory.source()};
+            plan_data_of<test::emboldened<>> scarce{memory.source()};
             caps_by<> caps{s.made()};
             auto maker = caps.maker();
-            const auto plan = plan_solid(emboldened<>{.by = by}, s.made(), scarce, maker);
+            const auto plan = plan_solid(test::emboldened<>{.by = by}, s.made(), scarce, maker);
             done = static_cast<bool>(plan);
             if (!done) CHECK(plan.error() == error::out_of_memory);
             CHECK((done || allowed < 60));
@@ -375,8 +377,8 @@ TEST_CASE("an empty region is emboldened to nothing, and memory that runs out is
 
 TEST_CASE("a bolder letter is planned anew into the memory of the last one", "[emboldened]")
 {
-    plan_data_of<emboldened<bevelled>> data;
-    const emboldened<bevelled> how{.by = 0.01f};
+    plan_data_of<test::emboldened<bevelled>> data;
+    const test::emboldened<bevelled> how{.by = 0.01f};
     const auto large = shapes::ring(8), small = shapes::rectangle();
     caps_by<> of_large{large.made()}, of_small{small.made()};
     auto large_caps = of_large.maker();
@@ -396,16 +398,16 @@ TEST_CASE("where new edges are not proven, a letter grows by half as much, and t
     const auto s = shapes::letter_d(8);
     caps_by<> caps{s.made()};
     auto maker = caps.maker();
-    const auto narrow = plan_solid_of(s, emboldened<>{.by = 0.01f}, maker);
+    const auto narrow = plan_solid_of(s, test::emboldened<>{.by = 0.01f}, maker);
     CHECK_FALSE(narrow.plan.narrowed);
     refusing_caps<decltype(maker)> refusing{maker, 1};
-    const auto narrowed = plan_solid_of(s, emboldened<>{.by = 0.02f}, refusing);
+    const auto narrowed = plan_solid_of(s, test::emboldened<>{.by = 0.02f}, refusing);
     CHECK(narrowed.plan.narrowed);
     CHECK(narrowed.plan.sizes == narrow.plan.sizes);
     CHECK(narrowed.plan.around.low == narrow.plan.around.low);
     refusing.refusals = 1000;
-    plan_data_of<emboldened<>> data;
-    CHECK(plan_solid(emboldened<>{}, s.made(), data, refusing).error() == error::edges_not_moved);
+    plan_data_of<test::emboldened<>> data;
+    CHECK(plan_solid(test::emboldened<>{}, s.made(), data, refusing).error() == error::edges_not_moved);
 }
 
 TEST_CASE("with a mitre limit of 1 nested solids have not many more triangles than with one of 2", "[emboldened]")
@@ -417,7 +419,7 @@ TEST_CASE("with a mitre limit of 1 nested solids have not many more triangles th
     }
     shapes::shape s{"spikes", {shapes::polygon(spikes)}};
     s.loops.tolerance = 640.0;
-    using nested = emboldened<bevelled>;
+    using nested = test::emboldened<bevelled>;
     for (const float by : {-0.0003f, 0.02f}) {
         for (const bevel_joins joins : {bevel_joins::round, bevel_joins::bevelled}) {
             std::uint64_t triangles[2];
@@ -451,7 +453,7 @@ TEST_CASE("needles whose corners have no mitre limit are moved as far as they sh
     s.loops.tolerance = 640.0;
     for (const float limit : {0.0f, 1000.0f, 4.0f}) {
         CAPTURE(limit);
-        const auto m = capped(s, emboldened<>{.by = 0.0004f, .mitre_limit = limit});
+        const auto m = capped(s, test::emboldened<>{.by = 0.0004f, .mitre_limit = limit});
         CHECK_FALSE(m.plan.narrowed);
         check_laws(m);
     }

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/curve.hpp>
+#include <typemesh/core/finite.hpp>
+#include <typemesh/core/memory.hpp>
+#include <typemesh/core/option_bits.hpp>
+#include <typemesh/extrude/boundary_mover.hpp>
+#include <typemesh/extrude/corner_rule.hpp>
+#include <typemesh/extrude/inner_region.hpp>
+#include <typemesh/extrude/region_step.hpp>
+
+#include <cmath>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// Bolder or thinner letters: a step before any solid.
+///
+///       .-->--.       All edges move outwards by the same distance, so that strokes become twice that wider, and
+///      | ,-->-. |     counters that are narrower close. With a negative distance they move inwards.
+///      ||     | |
+///
+///     text_mesher mesher{font, embolden{.by = 0.02f}, bevelled{.width = 0.01f}};
+///
+/// Corners stay as sharp as they are drawn, up to the mitre limit: at 4, which is that of strokes in SVG, those of 29
+/// degrees and more. Sharper ones, which would grow spikes, become round.
+///
+/// Advances are the layout's: layout_options::letter_spacing of twice the distance keeps the letters' own spacing.
+/// Letters are merged (text_options::merge) where they meet when they have grown; thinner ones where they meet as they
+/// are drawn.
+///
+/// A distance at which the new edges are not proven is halved for that glyph (solid_plan::narrowed). Where corners meet
+/// and grow a spike beyond the limit, that glyph is moved with a limit of 1.5 first.
+///
+/// Fails  error::bad_option: `by` is not finite or 2^28 cells or more, the mitre limit is below 1 and not 0
+///        ("embolden::mitre_limit")
+///        error::nothing_left: the glyph is nowhere as thick as what is taken off
+///        error::edges_not_moved: at none of these distances are the new edges proven
+///        error::outline_beyond_grid, error::out_of_memory
+struct embolden {
+    float by = 0.02f;  ///< how far edges move outwards, always in em; negative: inwards
+    bevel_joins joins = bevel_joins::round;
+    float mitre_limit = 4.0f;  ///< at least 1; 0: none
+
+    /// The bolder letter and what it is made with.
+    struct scratch : inner_region {
+        boundary_mover mover;
+        buffer<curve> curves;
+
+        explicit scratch(memory source = heap()) noexcept : inner_region{source}, mover{source}, curves{source} {}
+    };
+
+    /// See option_bits.
+    [[nodiscard]] option_bits cache_key() const noexcept { return {by, mitre_limit, joins}; }
+
+    [[nodiscard]] error refused_options() const noexcept
+    {
+        if (!is_finite(as_double(by))) return error::bad("by");
+        if (!corner_rule{joins, mitre_limit}.is_valid()) return error::bad("embolden::mitre_limit");
+        return {};
+    }
+
+    template <cap_maker Caps>
+    [[nodiscard]] result<stepped_region> operator()(const region& drawn, scratch& made, Caps& caps) const noexcept
+    {
+        if (error e = refused_options()) return e;
+        const double em = drawn.grid().cells * drawn.grid().units_per_em;
+        if (!(em > 0.0)) return error::bad("units_per_em");
+        double distance = as_double(by) * em;
+        if (!(std::fabs(distance) < grid::reach)) return error::bad("by");
+        auto moved = move(drawn, distance, made, caps);
+        bool narrowed = false;
+        while (moved.error() == error::crossing_contours && std::fabs(distance) >= boundary_mover::finest) {
+            distance *= 0.5;
+            narrowed = true;
+            moved = move(drawn, distance, made, caps);
+        }
+        if (moved.error() == error::crossing_contours) return error::edges_not_moved;
+        if (!moved) return moved.error();
+        if (moved->points().empty()) return error::nothing_left;
+        return stepped_region{*moved,   made.triangles.view(),       by > 0.0f,
+                              narrowed, made.parting.still_touching, made.parting.corners};
+    }
+
+private:
+    /// The region that the letter becomes; without points if nothing is left of it.
+    template <cap_maker Caps>
+    [[nodiscard]] result<region> move(const region& drawn, double distance, scratch& made, Caps& caps) const noexcept
+    {
+        made.curves.clear();
+        if (!made.curves.append(drawn.curves())) return error::out_of_memory;
+        if (error e = made.mover(drawn, distance, {joins, mitre_limit}, caps, made.curves, made.loops)) return e;
+        made.loops.curves = made.curves.view();
+        return made.fill(caps);
+    }
+};
+static_assert(region_step<embolden>);
+
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/contours.hpp>
+#include <typemesh/core/curve.hpp>
+#include <typemesh/core/memory.hpp>
+#include <typemesh/core/region.hpp>
+#include <typemesh/core/result.hpp>
+#include <typemesh/core/touching.hpp>
+#include <typemesh/core/triangle.hpp>
+#include <typemesh/extrude/cap_maker.hpp>
+#include <typemesh/extrude/exact_fill.hpp>
+#include <typemesh/fill/corner_parting.hpp>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// A region made of loops that a step or an extruder has found, with its triangles. Fit for region_step's scratch.
+///
+///     inner.loops = ...                loops that bound a region as they are: points, edges, starts, grid, tolerance
+///     auto filled = inner.fill(caps)   it refers to them; inner.triangles are its cap
+struct inner_region {
+    contours loops;
+    triangle_list triangles;
+    buffer<curve> parted_curves;  // those of loops, if corners have been parted or joined
+    corner_parting parting;       // what was done to them
+
+    explicit inner_region(memory source = heap()) noexcept : loops{source}, triangles{source}, parted_curves{source} {}
+
+    void clear() noexcept
+    {
+        loops.clear();
+        triangles.clear();
+        parting = {};
+    }
+
+    /// Makes the region of `loops`, which refers to them, and its triangles. Where they touch themselves, their corners
+    /// become what `loops` say.
+    ///
+    /// Fails  as fill_exactly() and corner_parting do
+    template <cap_maker Caps>
+    [[nodiscard]] result<region> fill(Caps& caps) noexcept
+    {
+        triangles.clear();
+        parting = {};
+        auto made = fill_exactly(loops, caps, triangles);
+        if (!made || !made->is_touching() || loops.corners == touching::keep) return made;
+        parted_curves.clear();
+        if (!parted_curves.append(loops.curves)) return error::out_of_memory;
+        made = parting(loops, parted_curves, caps.space());
+        triangles.clear();
+        if (!made || made->points().empty()) return made;
+        if (error e = caps(*made, triangles)) return e;
+        return made;
+    }
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/memory.hpp>
+#include <typemesh/core/region.hpp>
+#include <typemesh/core/result.hpp>
+#include <typemesh/core/triangle.hpp>
+#include <typemesh/extrude/cap_maker.hpp>
+
+#include <concepts>
+#include <cstdint>
+#include <span>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// What a step makes of a region.
+struct stepped_region {
+    region filled;
+    std::span<const triangle> triangles;  ///< its cap
+    bool grown = false;                   ///< it covers the drawn one: glyphs are merged where they meet as grown,
+                                          ///< and otherwise where they meet as drawn
+    bool narrowed = false;                ///< it has changed less than wanted: see solid_plan
+    bool touching = false;                ///< corners touch that should have been parted or joined
+    std::uint32_t corners_moved = 0;      ///< that the step has parted or joined
+};
+
+/// A step before the solid: makes another region of each glyph's, whatever extruder makes a solid of it then.
+///
+///     S::scratch                       what it works in, made with a memory source; clear() empties it:
+///                                      inner_region.hpp, or what derives from it
+///     s(region, scratch, caps)         the new region, which refers to the scratch, or the same one; never for an
+///                                      empty one. Fails as an extruder's plan() does
+///     s.refused_options()              why it refuses its options, or none
+///     s.cache_key()                    its options, if there are any: option_bits.hpp
+///
+/// A simple step gives back the same region where it has nothing to change.
+template <class S>
+concept region_step =
+    std::constructible_from<typename S::scratch, memory> &&
+    requires(const S& s, const region& r, typename S::scratch& scratch, no_caps& caps) {
+        { s(r, scratch, caps) } noexcept -> std::same_as<result<stepped_region>>;
+        { s.refused_options() } noexcept -> std::same_as<error>;
+        { scratch.clear() } noexcept;
+    };
+
+/// No step: the solid is made of the glyph as it is drawn.
+struct no_step {};
+
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/grid.hpp>
+#include <typemesh/core/region.hpp>
+#include <typemesh/core/result.hpp>
+#include <typemesh/extrude/plan_scratch.hpp>
+#include <typemesh/fill/corner_parting.hpp>
+#include <typemesh/glyph/built_glyph.hpp>
+#include <typemesh/glyph/cap_builder.hpp>
+#include <typemesh/glyph/policies.hpp>
+#include <typemesh/glyph/region_caps.hpp>
+
+#include <cstdint>
+#include <span>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// A glyph's draft, and the region that it is a solid of.
+struct planned_draft {
+    glyph_draft draft;
+    region filled;
+};
+
+/// Has an extruder plan the solid of a region, after the step before it, if there is one. Owns the scratch memory for
+/// this, which is kept for the next glyph.
+///
+///     region + its caps -- step --> region + caps -- raise --> draft
+class solid_planner {
+public:
+    explicit solid_planner(memory source = heap()) noexcept : further_{source}, stepped_{source}, plan_{source} {}
+
+    /// Gives its scratch memory back to its source.
+    void trim() noexcept
+    {
+        further_.trim();
+        stepped_.release();
+        plan_.release();
+    }
+
+    /// The draft of a region that has points, which refers to the region, to its caps, and to this planner until its
+    /// next call.
+    ///
+    ///     caps      that have built the region
+    ///     parted    how many of its corners have been parted or joined so far, and whether some still touch
+    ///
+    /// Fails  as the step and the extruder do
+    [[nodiscard]] result<planned_draft> plan(const region& drawn, cap_builder& caps, const policies& with,
+                                             const corner_parting& parted) noexcept
+    {
+        stepped_region made{drawn, caps.triangles().view()};
+        if (!with.step.is_none()) {
+            region_caps own{caps, further_, with.cut};
+            const auto stepped = with.step(drawn, stepped_, own);
+            if (!stepped) return stepped.error();
+            made = *stepped;
+        }
+        const auto plan = with.raise.plan(made.filled, plan_, {caps, further_, with.cut, made.triangles});
+        if (!plan) return plan.error();
+        planned_draft out;
+        out.filled = made.filled;
+        out.draft.form = {made.filled.points(), made.filled.starts(), made.triangles};
+        if (made.filled.points().data() != drawn.points().data()) {
+            out.draft.drawn = {drawn.points(), drawn.starts()};
+            out.draft.merged_as_drawn = !made.grown;
+        }
+        out.draft.plan = *plan;
+        out.draft.plan.narrowed = plan->narrowed || made.narrowed;
+        out.draft.plan.corners_moved += parted.corners + made.corners_moved;
+        out.draft.plan.touching = plan->touching || parted.still_touching || made.touching;
+        out.draft.data = &plan_;
+        out.draft.cells = made.filled.grid().cells;
+        return out;
+    }
+
+private:
+    cap_builder further_;   // for regions that the step and the extruder ask for
+    plan_scratch stepped_;  // what the step works in
+    plan_scratch plan_;
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "support/catch.hpp"
+#include "support/toy_font.hpp"
+
+#include <typemesh/extrude/embolden.hpp>
+#include <typemesh/glyph/glyph_builder.hpp>
+#include <typemesh/glyph/region_step_ref.hpp>
+#include <typemesh/typemesh.hpp>
+
+using namespace typemesh;
+
+TEST_CASE("a reference to no step is none, and has a key of its own", "[glyph]")
+{
+    const region_step_ref none;
+    const embolden bolder, boldest{.by = 0.03f};
+    const region_step_ref one{bolder}, other{boldest};
+    CHECK(none.is_none());
+    CHECK_FALSE(one.is_none());
+    CHECK(none.key().type != nullptr);
+    CHECK_FALSE(none.key() == one.key());
+    CHECK_FALSE(one.key() == other.key());
+    CHECK(one.key() == key_of(bolder));
+    CHECK_FALSE(none.refused_options());
+    CHECK_FALSE(one.refused_options());
+    const embolden bad{.mitre_limit = 0.5f};
+    CHECK(region_step_ref{bad}.refused_options() == error::bad_option);
+}
+
+TEST_CASE("where memory gives no scratch, a step tells so", "[glyph]")
+{
+    const embolden bolder;
+    const memory nothing = {nullptr, [](void*, std::size_t, std::size_t) noexcept -> void* { return nullptr; },
+                            [](void*, void*, std::size_t, std::size_t) noexcept {}};
+    plan_scratch scratch{nothing};
+    cap_builder caps, further;
+    const monotone cut;
+    region_caps maker{caps, further, cut};
+    CHECK(region_step_ref{bolder}(region{}, scratch, maker).error() == error::out_of_memory);
+}

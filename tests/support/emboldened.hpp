@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/option_hash.hpp>
+#include <typemesh/extrude/embolden.hpp>
+#include <typemesh/extrude/extruded.hpp>
+#include <typemesh/extrude/extruder.hpp>
+#include <typemesh/extrude/inner_solid.hpp>
+
+#include <cstddef>
+
+namespace test {
+
+/// embolden as an extruder that has another one make the solid: for laws about regions that no mesher has planned, and
+/// to compare the step in a mesher with.
+template <typemesh::extruder Solid = typemesh::extruded<>>
+struct emboldened {
+    float by = 0.02f;
+    typemesh::bevel_joins joins = typemesh::bevel_joins::round;
+    float mitre_limit = 4.0f;
+    Solid solid = {};
+
+    struct plan_data : typemesh::inner_solid<Solid> {
+        typemesh::embolden::scratch step;
+
+        explicit plan_data(typemesh::memory source = typemesh::heap()) noexcept
+            : typemesh::inner_solid<Solid>{source}, step{source}
+        {
+        }
+    };
+    using solid_type = typemesh::solid_with<plan_data>;
+
+    static constexpr std::size_t part_count = typemesh::part_count_of<Solid>;
+
+    [[nodiscard]] typemesh::embolden step() const noexcept { return {by, joins, mitre_limit}; }
+
+    [[nodiscard]] typemesh::option_bits cache_key() const noexcept
+    {
+        typemesh::option_hash both;
+        both.add_key_of(step());
+        both.add_key_of(solid);
+        return {both.first, both.second};
+    }
+
+    template <typemesh::cap_maker Caps>
+    [[nodiscard]] typemesh::result<typemesh::solid_plan> plan(const typemesh::region& filled, plan_data& data,
+                                                              Caps& caps) const noexcept
+    {
+        using namespace typemesh;
+        if (error e = step().refused_options()) return e;
+        if (filled.points().empty()) return data.plan(solid, filled, caps);
+        const auto bolder = step()(filled, data.step, caps);
+        if (!bolder) return bolder.error();
+        if (!append_loops(bolder->filled, data.loops) || !data.triangles.append(bolder->triangles))
+            return error::out_of_memory;
+        auto made = data.inner_solid<Solid>::plan(solid, bolder->filled, caps);
+        if (!made) return made;
+        made->narrowed = made->narrowed || bolder->narrowed;
+        made->touching = made->touching || bolder->touching;
+        made->corners_moved += bolder->corners_moved;
+        return made;
+    }
+
+    [[nodiscard]] typemesh::height_range heights() const noexcept { return solid.heights(); }
+    [[nodiscard]] typemesh::height_range heights(const solid_type& s) const noexcept
+        requires typemesh::tells_heights<Solid>
+    {
+        return s.points.empty() ? solid.heights() : solid.heights(s.data);
+    }
+    template <class Put>
+    void seen_from_front(const solid_type& s, Put&& put) const noexcept
+    {
+        if (!s.points.empty()) typemesh::each_seen_from_front(solid, s.data, put);
+    }
+    [[nodiscard]] bool refit(const solid_type& s) noexcept
+        requires typemesh::refitting_extruder<Solid>
+    {
+        return !s.points.empty() && solid.refit(s.data);
+    }
+    [[nodiscard]] typemesh::solid_outline outline(const solid_type& s) const noexcept
+    {
+        if (s.points.empty() || !(by > 0.0f)) return {s.points, s.starts};
+        if constexpr (typemesh::tells_outline<Solid>)
+            return solid.outline(s.data);
+        else
+            return {s.data.points, s.data.starts};
+    }
+    [[nodiscard]] std::uint64_t hard_edges(const solid_type& s) const noexcept
+        requires typemesh::tells_hard_edges<Solid>
+    {
+        return solid.hard_edges(s.data);
+    }
+
+    template <typemesh::attribute Wants, class Put>
+    void vertices(typemesh::part p, const solid_type& s, const typemesh::placement& at, Put&& put) const noexcept
+    {
+        solid.template vertices<Wants>(p, s.data, at, put);
+    }
+    template <class Put>
+    void triangles(typemesh::part p, const solid_type& s, const typemesh::first_vertices& first,
+                   Put&& put) const noexcept
+    {
+        solid.triangles(p, s.data, first, put);
+    }
+};
+
+}  // namespace test
