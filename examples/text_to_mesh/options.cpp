@@ -291,8 +291,8 @@ void add_mesh_options(CLI::App& app, options& out, raw_values& raw)
         [&out](double n) { out.crease = static_cast<float>(n); })
         ->type_name("DEGREES");
     app.add_option("--fill", raw.fill, "instead of the font's own rule")->check(one_of({"nonzero", "evenodd"}));
-    app.add_option("--uv", raw.uv, "texture coordinates: over the text's box, or in em (default)")
-        ->check(one_of({"box", "em"}));
+    app.add_option("--uv", raw.uv, "texture coordinates: over the text's box, in em (default), or once round each edge")
+        ->check(one_of({"box", "em", "cylindrical"}));
     auto* merged = app.add_flag("--merge", out.merge,
                                 "letters that meet become one solid without inner walls (default but for plain .glb)");
     app.add_flag("--no-merge", raw.no_merge, "each letter stays a solid of its own")->excludes(merged);
@@ -614,6 +614,7 @@ std::string settle(options& out, const raw_values& raw)
     if (!out.script.empty() && out.script.size() != 4)
         return "--script: must be four letters, such as Latn, not " + out.script;
     if (raw.uv == "box") out.uv = texture_mapping::box;
+    if (raw.uv == "cylindrical") out.uv = texture_mapping::cylindrical;
     if (!raw.fill.empty()) out.fill = raw.fill == "nonzero" ? fill_rule::non_zero : fill_rule::even_odd;
     const auto shown = [&](const char* what) {
         return std::find(raw.show.begin(), raw.show.end(), what) != raw.show.end();

@@ -67,7 +67,10 @@ void set_normals(settings& to, double value)  // the best first, unlike the enum
 
 void set_mapping(settings& to, double value)
 {
-    to.chosen.uv = value > 0.0 ? typemesh::texture_mapping::box : typemesh::texture_mapping::em;
+    using typemesh::texture_mapping;
+    to.chosen.uv = value > 1.0   ? texture_mapping::cylindrical
+                   : value > 0.0 ? texture_mapping::box
+                                 : texture_mapping::em;
 }
 
 void set_place(settings& to, double value)
@@ -96,7 +99,7 @@ constexpr option table[] = {
     {"fill", kind::choice, "font|non_zero|even_odd", "", set_fill},
     {"normals", kind::choice, "curve|creased|averaged|shared|cap", "", set_normals},
     {"crease", kind::number, "", "", [](settings& to, double n) { to.chosen.crease = static_cast<float>(n); }},
-    {"uv", kind::choice, "em|box", "", set_mapping},
+    {"uv", kind::choice, "em|box|cylindrical", "", set_mapping},
     {"bevel.width", kind::number, "", "0", set_inner_number<&options::bevel, &bevel_options::width>},
     {"bevel.depth", kind::number, "", "", [](settings& to, double n) { to.bevel_depth = static_cast<float>(n); }},
     {"bevel.profile", kind::choice, "chamfer|round|concave|stepped|engraved|points", "",

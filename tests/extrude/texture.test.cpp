@@ -164,7 +164,7 @@ TEST_CASE("any point gets the texture coordinates of a grid point, to the bit, a
           "[extrude]")
 {
     for (const auto origin : {uv_origin::top_left, uv_origin::bottom_left}) {
-        for (const auto mapping : {texture_mapping::box, texture_mapping::em}) {
+        for (const auto mapping : {texture_mapping::box, texture_mapping::em, texture_mapping::cylindrical}) {
             const auto s = shapes::letter_d();
             const placement at = mapping == texture_mapping::box ? over_box(s, origin) : with_origin(origin);
             const planar_texture texture{mapping, at};
@@ -175,9 +175,45 @@ TEST_CASE("any point gets the texture coordinates of a grid point, to the bit, a
         at.em_per_depth = 2.0;
         const wall_texture walls{at};
         const bool down = origin == uv_origin::top_left;
-        CHECK(walls(512000.0f, 0.0) == vec2{1.0f, down ? 0.0f : 1.0f});
-        CHECK(walls(0.0f, 0.25) == vec2{0.0f, 0.5f});
-        CHECK(walls(-256000.0f, 0.5).x == -0.5f);
-        CHECK(walls(-256000.0f, 0.5).y == (down ? 1.0f : 0.0f));
+        CHECK(walls.v(0.0) == (down ? 0.0f : 1.0f));
+        CHECK(walls.v(0.25) == 0.5f);
+        CHECK(walls.v(0.5) == (down ? 1.0f : 0.0f));
+        wall_place place{};
+        place.at = {512000.0, 0.0};
+        place.along = -256000.0f;
+        place.v = 0.25f;
+        CHECK(em_mapping{at}.uv(place) == vec2{-0.5f, 0.25f});
+        CHECK(box_mapping{at}.uv(place) == planar_texture{texture_mapping::box, at}(place.at));
+        place.along = 0.75f;
+        CHECK(cylindrical_mapping{at}.uv(place) == vec2{0.75f, 0.25f});
+    }
+}
+
+TEST_CASE("cylindrical mapping runs once from 0 to 1 along each contour, and is em mapping otherwise", "[extrude]")
+{
+    for (const auto& s : shapes::all()) {
+        INFO(s.name);
+        const placement at = with_origin(uv_origin::bottom_left);
+        const built b = build(s, extruded<>{.texture = texture_mapping::cylindrical}, at),
+                    em = build(s, extruded<>{.texture = texture_mapping::em}, at);
+        REQUIRE(b.vertices.size() == em.vertices.size());
+        CHECK(b.triangles == em.triangles);
+        for (std::uint32_t v = 0; v < 2 * s.points(); ++v) CHECK(b.vertices[v].uv == em.vertices[v].uv);
+        std::uint32_t v = b.first_vertex(part::side);
+        for (std::uint32_t k = 0; k < s.contour_count(); ++k) {
+            double length = 0.0;
+            for (std::uint32_t i = s.loops.starts[k]; i < s.loops.starts[k + 1]; ++i)
+                length += typemesh::length(delta(s.loops.points[i], s.loops.points[s.next(i)])) / 512000.0;
+            float least = 2.0f, most = -1.0f;
+            for (std::uint32_t i = s.loops.starts[k]; i < s.loops.starts[k + 1]; ++i)
+                for (int twice = 0; twice < 2 * (1 + int(b.sides[i].doubled)); ++twice, ++v) {
+                    least = (std::min)(least, b.vertices[v].uv.x);
+                    most = (std::max)(most, b.vertices[v].uv.x);
+                    CHECK(b.vertices[v].uv.x * length == Approx(em.vertices[v].uv.x).margin(1e-6));
+                    CHECK(b.vertices[v].uv.y == em.vertices[v].uv.y);
+                }
+            CHECK(least == 0.0f);
+            CHECK(most == 1.0f);
+        }
     }
 }

@@ -103,8 +103,8 @@ export interface MeshOptions {
     normals?: "curve" | "creased" | "averaged" | "shared" | "cap";
     /** The smallest angle, in degrees, that makes a crease; by default as the style of normals has it. */
     crease?: number;
-    /** What texture coordinates are: em along the faces (default), or [0, 1] over the text's box. */
-    uv?: "em" | "box";
+    /** What texture coordinates are: em along the faces (default), [0, 1] over the text's box, or once round each edge. */
+    uv?: "em" | "box" | "cylindrical";
     bevel?: {
         /** 0, the default: no bevel. */
         width?: number;

@@ -36,7 +36,7 @@ export const groups = [
         choice("triangulator", "Triangles", "monotone", "delaunay"),
         choice("fill", "Fill rule", "font", "non_zero", "even_odd"),
         choice("normals", "Wall normals", "curve", "creased", "averaged", "shared", "cap"),
-        choice("uv", "Texture", "em", "box"),
+        choice("uv", "Texture", "em", "box", "cylindrical"),
         check("merge", "Merge letters", true),
     ] },
 ];

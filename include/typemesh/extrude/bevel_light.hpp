@@ -28,7 +28,7 @@ class bevel_light {
 public:
     struct lit {
         point outward;  ///< unit vector in the plane, out of the edge
-        double along;   ///< in cells
+        double along;   ///< side_point::along
         point face;     ///< the outward unit vector of the flat face that the edge sweeps
     };
 

@@ -88,11 +88,11 @@ public:
     template <attribute Wants, class Axes, class Put>
     void bevel(const Axes& axes, const placement& at, bool in_front, Put& put) const noexcept
     {
-        if constexpr (has(Wants, attribute::uv | attribute::tangent)) {
-            if (texture_ == texture_mapping::box)
-                return mapped_bevel<Wants, texture_mapping::box>(axes, at, in_front, put);
-        }
-        mapped_bevel<Wants, texture_mapping::em>(axes, at, in_front, put);
+        if constexpr (has(Wants, attribute::uv | attribute::tangent))
+            with_mapping(texture_,
+                         [&]<class Mapping>() noexcept { mapped_bevel<Wants, Mapping>(axes, at, in_front, put); });
+        else
+            mapped_bevel<Wants, em_mapping>(axes, at, in_front, put);
     }
 
 private:
@@ -103,7 +103,7 @@ private:
         float out, up;  ///< the normal: along `outward`, and towards the reader
     };
 
-    template <attribute Wants, texture_mapping Mapping, class Axes, class Put>
+    template <attribute Wants, class Mapping, class Axes, class Put>
     void mapped_bevel(const Axes& axes, const placement& at, bool in_front, Put& put) const noexcept
     {
         const auto strips = solid_.data.of<bevel_strip>();
@@ -137,13 +137,12 @@ private:
     }
 
     /// Makes surface points of a bevel's vertices. The mapping is a parameter, so that their loop does not ask for it.
-    template <attribute Wants, texture_mapping Mapping, class Axes>
+    template <attribute Wants, class Mapping, class Axes>
     class bevel_surface {
     public:
         bevel_surface(const Axes& axes, const placement& at, const bevel_slopes& slopes, float facing) noexcept
-            : axes_{axes}, planar_{Mapping, at}, walls_{at}, slopes_{slopes}, facing_{facing}
+            : axes_{axes}, mapping_{at}, slopes_{slopes}, facing_{facing}
         {
-            if constexpr (has(Wants, attribute::tangent)) tangents_ = texture_tangent{at.frame};
         }
 
         [[nodiscard]] surface_point<Wants> operator()(const bevel_vertex& b, const across& here) const noexcept
@@ -154,41 +153,46 @@ private:
             if constexpr (has(Wants, attribute::normal | attribute::tangent))
                 normal = {here.out * b.outward.x, here.out * b.outward.y, here.up};
             if constexpr (has(Wants, attribute::normal)) v.normal = axes_.direction(normal.x, normal.y, normal.z);
-            if constexpr (has(Wants, attribute::uv))
-                v.uv = Mapping == texture_mapping::em ? vec2{walls_.u(b.along), here.v} : planar_(b.at);
-            if constexpr (has(Wants, attribute::tangent))
-                v.tangent = Mapping == texture_mapping::em || slopes_.is_riser(b)
-                                ? tangents_.on_wall(axes_, b.outward)
-                                : tangents_.on_rim(axes_, normal, facing_);
+            if constexpr (has(Wants, attribute::uv | attribute::tangent)) {
+                const wall_place place{placement::exact(b.at), b.along, here.v, b.outward, normal, facing_,
+                                       slopes_.is_riser(b)};
+                if constexpr (has(Wants, attribute::uv)) v.uv = mapping_.uv(place);
+                if constexpr (has(Wants, attribute::tangent)) v.tangent = mapping_.tangent(axes_, place);
+            }
             return v;
         }
 
     private:
         Axes axes_;  // copies: writing vertices cannot alias them
-        planar_texture planar_;
-        wall_texture walls_;
+        Mapping mapping_;
         const bevel_slopes& slopes_;
         float facing_;
-        texture_tangent tangents_;
     };
 
     /// The walls of an outward bevel.
     template <attribute Wants, class Axes, class Put>
     void outer_walls(const Axes& axes, const placement& at, Put& put) const noexcept
     {
+        if constexpr (has(Wants, attribute::uv | attribute::tangent))
+            with_mapping(texture_,
+                         [&]<class Mapping>() noexcept { mapped_outer_walls<Wants>(Mapping{at}, axes, at, put); });
+        else
+            mapped_outer_walls<Wants>(em_mapping{at}, axes, at, put);
+    }
+    template <attribute Wants, class Mapping, class Axes, class Put>
+    void mapped_outer_walls(const Mapping& mapping, const Axes& axes, const placement& at, Put& put) const noexcept
+    {
         const double ends[] = {heights_.rim(false, rims_.wall), heights_.rim(true, rims_.wall)};
         const wall_texture walls{at};
-        const planar_texture planar{texture_, at};
-        texture_tangent tangents;
-        if constexpr (has(Wants, attribute::tangent)) tangents = texture_tangent{at.frame};
         for (const bevel_vertex& b : solid_.data.of<bevel_vertex>().subspan(rims_.vertices)) {
             const double z = ends[b.share > 0.0f ? 1 : 0];
             surface_point<Wants> v;
             if constexpr (has(Wants, attribute::position)) v.position = axes.position(axes.foot(b.at), at.height(z));
             if constexpr (has(Wants, attribute::normal)) v.normal = axes.direction(b.outward.x, b.outward.y, 0.0f);
-            if constexpr (has(Wants, attribute::uv))
-                v.uv = texture_ == texture_mapping::em ? walls(b.along, heights_.high() - z) : planar(b.at);
-            if constexpr (has(Wants, attribute::tangent)) v.tangent = tangents.on_wall(axes, b.outward);
+            const wall_place place{
+                placement::exact(b.at), b.along, walls.v(heights_.high() - z), b.outward, {}, 1.0f, true};
+            if constexpr (has(Wants, attribute::uv)) v.uv = mapping.uv(place);
+            if constexpr (has(Wants, attribute::tangent)) v.tangent = mapping.tangent(axes, place);
             put(v);
         }
     }

@@ -105,8 +105,9 @@ struct bevelled {
             for (const bool flag : flags) bits.words[1] |= std::uint64_t{flag} << bit++;
         };
         note({front, back, side, own_heights().is_bevelled(true), own_heights().is_bevelled(false), outward});
-        note({texture == texture_mapping::em, mode != bevel_mode::clip, joins == bevel_joins::round});
+        note({mode != bevel_mode::clip, joins == bevel_joins::round});
         note({shading == bevel_shading::rounded, !refused(), own_heights().has_walls(0.0f), is_narrow(width)});
+        bits.words[1] |= static_cast<std::uint64_t>(texture) << bit;
         bits.words[1] |= option_bits{mitre_limit}.words[0] << 32;
         option_hash rest;
         rest.add(option_bits{crease_degrees, profile_crease_degrees});
@@ -359,7 +360,8 @@ private:
         const auto sides_of = data.of<side_point>().view();
         if (!light.prepare(filled, sides_of, data.swept, scratch)) return error::out_of_memory;
         const double em = filled.grid().cells * filled.grid().units_per_em;
-        const double most_apart = texture == texture_mapping::em ? em / 1024.0 : -1.0;
+        const double most_apart =
+            with_mapping(texture, [em]<class Mapping>() noexcept { return Mapping::most_apart(em); });
         bevel_vertices vertices{data, light, {crease_cosine(crease_degrees), most_apart}};
         bevel_rims rims{levels.view().front().arrives, levels.view().back().leaves};
         rims.own_cap = levels.view().size() == 1;

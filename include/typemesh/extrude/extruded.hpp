@@ -25,9 +25,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     +----------+                                   with shared_normals the walls have none of their own
 ///     |\         |\      walls:        triangles     front and back n + 2h - 2c each (region.hpp), walls 2 per edge
 ///     | +--------|-+     two triangles
-///     | |        | |     per edge      doubled       the H hard points that the style of normals finds; in em mapping
-///     +-|--------+ |                                 also one point of each contour without a hard one: its seam
-///      \|         \|
+///     | |        | |     per edge      doubled       the H hard points that the style of normals finds; and one point
+///     +-|--------+ |                                 of each contour without a hard one, its seam, unless the mapping
+///      \|         \|                                 is box
 ///       +----------+  back  z = -depth
 ///
 /// A part that is switched off has no vertices and triangles; only shared_normals and cap_normals keep the vertices of
@@ -67,8 +67,9 @@ struct extruded {
         if constexpr (requires { normals.cache_key(); }) bits = normals.cache_key();
         TYPEMESH_ASSERT(bits.words[3] == 0, "the normals of an extruded{} may use three of the four option_bits");
         const bool deep = is_finite(as_double(depth)) && depth > 0.0f;
-        const bool flags[] = {front, back, side, texture == texture_mapping::em, deep};
-        for (int i = 0; i < 5; ++i) bits.words[3] |= std::uint64_t{flags[i]} << i;
+        const bool flags[] = {front, back, side, deep};
+        for (int i = 0; i < 4; ++i) bits.words[3] |= std::uint64_t{flags[i]} << i;
+        bits.words[3] |= static_cast<std::uint64_t>(texture) << 4;
         return bits;
     }
 

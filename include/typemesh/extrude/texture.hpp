@@ -1,22 +1,32 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/region.hpp>
 #include <typemesh/extrude/placement.hpp>
+#include <typemesh/extrude/side_point.hpp>
+#include <typemesh/extrude/texture_tangent.hpp>
 
 #include <cstdint>
+#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// Where texture coordinates come from. v grows upwards, or downwards as 1 - v if the frame says uv_origin::top_left.
 ///
-///     box    the text's (or line's, or glyph's) box becomes the square [0, 1], for caps and walls alike: walls show
-///            the caps' rim, drawn out into lines. For pictures made for one text, and for formats limited to [0, 1]
-///     em     the default: one texture tile is one em wide and high, everywhere, so coordinates go beyond [0, 1]:
-///            caps    x and y from the text's origin
-///            walls   u = distance along the contour from its seam, in its own direction; v runs from 1 at the front
-///                    down to 1 - depth (in em), so that an upright image is upright on a wall whose front edge is its
-///                    top
-enum class texture_mapping : std::uint8_t { box, em };
+///     box           the text's (or line's, or glyph's) box becomes the square [0, 1], for caps and walls alike: walls
+///                   show the caps' rim, drawn out into lines. For pictures made for one text, and for formats limited
+///                   to [0, 1]
+///     em            the default: one texture tile is one em wide and high, everywhere, so coordinates go beyond [0, 1]
+///                   caps    x and y from the text's origin
+///                   walls   u = distance along the contour from its seam, in its own direction; v runs from 1 at the
+///                           front down to 1 - depth (in em), so that an upright image is upright on a wall whose front
+///                           edge is its top
+///     cylindrical   as em, but u runs from 0 to 1 once along each contour, as a label goes round a can: a picture that
+///                   closes on itself has no seam on any letter
+///
+/// Each is a small type below, which says where walls have seams, when they are planned, and what u, v and tangent are,
+/// when they are written: wall_mapping. A new one is such a type, its name here, and its line in with_mapping().
+enum class texture_mapping : std::uint8_t { box, em, cylindrical };
 
 /// Texture coordinates of points by their position in the plane.
 ///
@@ -50,19 +60,15 @@ private:
     float sign_;
 };
 
-/// Texture coordinates of walls, and of all that takes their place, in em mapping: by the distance along the contour,
-/// in cells, and the distance down from its front edge, in the unit of an extruder's heights.
+/// v of walls, and of all that takes their place, where u runs along the contour: by the distance down from the front
+/// edge, in the unit of an extruder's heights.
 class wall_texture {
 public:
     explicit wall_texture(const placement& at) noexcept
-        : planar_{texture_mapping::em, at},
-          per_cell_{static_cast<float>(at.em_per_cell)},
-          em_per_depth_{at.em_per_depth}
+        : planar_{texture_mapping::em, at}, em_per_depth_{at.em_per_depth}
     {
     }
 
-    [[nodiscard]] vec2 operator()(float along, double down) const noexcept { return {u(along), v(down)}; }
-    [[nodiscard]] float u(float along) const noexcept { return along * per_cell_; }
     [[nodiscard]] float v(double down) const noexcept
     {
         return planar_.turned(1.0f - static_cast<float>(down * em_per_depth_));
@@ -70,8 +76,112 @@ public:
 
 private:
     planar_texture planar_;
-    float per_cell_;
     double em_per_depth_;
 };
+
+/// What of a wall's or bevel's vertex a mapping needs.
+struct wall_place {
+    point at;              ///< in the plane, in cells
+    float along;           ///< side_point::along
+    float v;               ///< wall_texture's
+    vec2 outward;          ///< the normal in the plane
+    vec3 normal;           ///< the whole, in the text's own axes: for bevels alone
+    float facing = 1.0f;   ///< 1 on the front's bevel, -1 on the back's
+    bool upright = false;  ///< a wall's, or a riser's
+};
+
+// A wall_mapping M:
+//
+//     M::has_seams                     whether each contour gets one, and side_point::along from there
+//     M::measure(filled, sides)        changes `along`, which is the length from the seam, to what its u needs
+//     M::most_apart(em)                how far apart in `along` corners that share a vertex may be; negative: any way.
+//                                      em: in cells
+//     M{at}.uv(place)                  when written
+//     M{at}.tangent(axes, place)
+
+/// texture_mapping::box
+class box_mapping {
+public:
+    static constexpr bool has_seams = false;
+    static void measure(const region&, std::span<side_point>) noexcept {}
+    [[nodiscard]] static constexpr double most_apart(double) noexcept { return -1.0; }
+
+    explicit box_mapping(const placement& at) noexcept : planar_{texture_mapping::box, at}, tangents_{at.frame} {}
+
+    [[nodiscard]] vec2 uv(const wall_place& p) const noexcept { return planar_(p.at); }
+    template <class Axes>
+    [[nodiscard]] vec4 tangent(const Axes& axes, const wall_place& p) const noexcept
+    {
+        return p.upright ? tangents_.on_wall(axes, p.outward) : tangents_.on_rim(axes, p.normal, p.facing);
+    }
+
+private:
+    planar_texture planar_;
+    texture_tangent tangents_;
+};
+
+/// texture_mapping::em
+class em_mapping {
+public:
+    static constexpr bool has_seams = true;
+    static void measure(const region&, std::span<side_point>) noexcept {}
+    [[nodiscard]] static constexpr double most_apart(double em) noexcept { return em / 1024.0; }
+
+    explicit em_mapping(const placement& at) noexcept
+        : tangents_{at.frame}, per_cell_{static_cast<float>(at.em_per_cell)}
+    {
+    }
+
+    [[nodiscard]] vec2 uv(const wall_place& p) const noexcept { return {p.along * per_cell_, p.v}; }
+    template <class Axes>
+    [[nodiscard]] vec4 tangent(const Axes& axes, const wall_place& p) const noexcept
+    {
+        return tangents_.on_wall(axes, p.outward);
+    }
+
+private:
+    texture_tangent tangents_;
+    float per_cell_;
+};
+
+/// texture_mapping::cylindrical
+class cylindrical_mapping {
+public:
+    static constexpr bool has_seams = true;
+    static void measure(const region& filled, std::span<side_point> sides) noexcept
+    {
+        for (std::uint32_t loop = 0; loop < filled.loop_count(); ++loop) {
+            const auto own = sides.subspan(filled.starts()[loop], filled.starts()[loop + 1] - filled.starts()[loop]);
+            float whole = 0.0f;
+            for (const side_point& s : own) whole = s.along > whole ? s.along : whole;
+            for (side_point& s : own) s.along /= whole;
+        }
+    }
+    [[nodiscard]] static constexpr double most_apart(double) noexcept { return 0x1p-10; }
+
+    explicit cylindrical_mapping(const placement& at) noexcept : tangents_{at.frame} {}
+
+    [[nodiscard]] vec2 uv(const wall_place& p) const noexcept { return {p.along, p.v}; }
+    template <class Axes>
+    [[nodiscard]] vec4 tangent(const Axes& axes, const wall_place& p) const noexcept
+    {
+        return tangents_.on_wall(axes, p.outward);
+    }
+
+private:
+    texture_tangent tangents_;
+};
+
+/// Calls what.template operator()<M>() with a mapping's type: once for a part, so that no loop over vertices asks.
+template <class What>
+decltype(auto) with_mapping(texture_mapping mapping, What&& what) noexcept
+{
+    switch (mapping) {
+    case texture_mapping::box: return what.template operator()<box_mapping>();
+    case texture_mapping::cylindrical: return what.template operator()<cylindrical_mapping>();
+    case texture_mapping::em: break;
+    }
+    return what.template operator()<em_mapping>();
+}
 
 }  // namespace typemesh::inline TYPEMESH_ABI

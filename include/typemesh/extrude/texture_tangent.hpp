@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/extrude/texture.hpp>
+#include <typemesh/extrude/placement.hpp>
 
 #include <cmath>
 
@@ -13,7 +13,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     w         +1 or -1: w * cross(normal, tangent), computed in the caller's own coordinates, is the direction in
 ///               which v grows, as v is written. So it changes with uv_origin, and with a frame that mirrors
 ///
-///          caps       u grows along the text, in both mappings; also on the back, where the text is seen from behind.
+///          caps       u grows along the text, in all mappings; also on the back, where the text is seen from behind.
 ///                     With shared_normals they lean: the tangent is the text's direction without its component along
 ///                     the normal
 ///          walls      u grows along the contour, in its own direction (the interior on the left): a quarter turn from

@@ -32,55 +32,18 @@ namespace typemesh::inline TYPEMESH_ABI {
 struct upright_walls {
     double top = 0.0;  ///< heights, in the extruder's unit
     double bottom = 0.0;
-    double front = 0.0;  ///< where v is 1 in em mapping
+    double front = 0.0;  ///< where v is 1, except in box mapping
     texture_mapping texture = texture_mapping::em;
 
     template <attribute Wants, class Axes, class Put>
     void vertices(std::span<const grid_point> points, std::span<const side_point> side_points, const Axes& axes,
                   const placement& at, Put& put) const noexcept
     {
-        const bool by_length = texture == texture_mapping::em;
-        const float upper = at.height(top), lower = at.height(bottom);
-        const planar_texture planar{texture, at};
-        const wall_texture wall{at};
-        const float v_top = wall.v(front - top), v_bottom = wall.v(front - bottom);
-        texture_tangent tangents;
-        if constexpr (has(Wants, attribute::tangent)) tangents = texture_tangent{at.frame};
-        const side_point* sides = side_points.data();
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const grid_point g = points[i];
-            const side_point& here = sides[i];
-            surface_point<Wants> front_point, back_point;
-            if constexpr (has(Wants, attribute::position)) {
-                const auto foot = axes.foot(g);
-                front_point.position = axes.position(foot, upper);
-                back_point.position = axes.position(foot, lower);
-            }
-            if constexpr (has(Wants, attribute::normal)) {
-                front_point.normal = back_point.normal = axes.direction(here.before.x, here.before.y, 0.0f);
-            }
-            if constexpr (has(Wants, attribute::uv)) {
-                front_point.uv = back_point.uv = by_length ? vec2{wall.u(here.along), v_top} : planar(g);
-                if (by_length) back_point.uv.y = v_bottom;
-            }
-            if constexpr (has(Wants, attribute::tangent)) {
-                front_point.tangent = back_point.tangent = tangents.on_wall(axes, here.before);
-            }
-            put(front_point);
-            put(back_point);
-            if (!here.doubled) continue;
-            if constexpr (has(Wants, attribute::normal)) {
-                front_point.normal = back_point.normal = axes.direction(here.after.x, here.after.y, 0.0f);
-            }
-            if constexpr (has(Wants, attribute::uv)) {
-                if (here.seam) front_point.uv.x = back_point.uv.x = 0.0f;
-            }
-            if constexpr (has(Wants, attribute::tangent)) {
-                front_point.tangent = back_point.tangent = tangents.on_wall(axes, here.after);
-            }
-            put(front_point);
-            put(back_point);
-        }
+        if constexpr (has(Wants, attribute::uv | attribute::tangent))
+            with_mapping(texture,
+                         [&]<class Mapping>() noexcept { write<Wants, Mapping>(points, side_points, axes, at, put); });
+        else
+            write<Wants, em_mapping>(points, side_points, axes, at, put);
     }
 
     template <class Put>
@@ -109,6 +72,68 @@ struct upright_walls {
     [[nodiscard]] static constexpr std::uint32_t vertex_count(std::uint32_t points, std::uint32_t doubled) noexcept
     {
         return 2 * (points + doubled);
+    }
+
+private:
+    template <attribute Wants, class Mapping, class Axes, class Put>
+    void write(std::span<const grid_point> points, std::span<const side_point> side_points, const Axes& axes,
+               const placement& at, Put& put) const noexcept
+    {
+        const float upper = at.height(top), lower = at.height(bottom);
+        const Mapping mapping{at};
+        const wall_texture wall{at};
+        const float v_top = wall.v(front - top), v_bottom = wall.v(front - bottom);
+        const side_point* sides = side_points.data();
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const grid_point g = points[i];
+            const side_point& here = sides[i];
+            surface_point<Wants> front_point, back_point;
+            if constexpr (has(Wants, attribute::position)) {
+                const auto foot = axes.foot(g);
+                front_point.position = axes.position(foot, upper);
+                back_point.position = axes.position(foot, lower);
+            }
+            if constexpr (has(Wants, attribute::normal)) {
+                front_point.normal = back_point.normal = axes.direction(here.before.x, here.before.y, 0.0f);
+            }
+            if constexpr (has(Wants, attribute::uv)) {
+                front_point.uv = mapping.uv(place(g, here.along, v_top));
+                back_point.uv = mapping.uv(place(g, here.along, v_bottom));
+            }
+            if constexpr (has(Wants, attribute::tangent)) {
+                front_point.tangent = back_point.tangent = mapping.tangent(axes, lit(here.before));
+            }
+            put(front_point);
+            put(back_point);
+            if (!here.doubled) continue;
+            if constexpr (has(Wants, attribute::normal)) {
+                front_point.normal = back_point.normal = axes.direction(here.after.x, here.after.y, 0.0f);
+            }
+            if constexpr (has(Wants, attribute::uv)) {
+                if (here.seam) front_point.uv.x = back_point.uv.x = 0.0f;
+            }
+            if constexpr (has(Wants, attribute::tangent)) {
+                front_point.tangent = back_point.tangent = mapping.tangent(axes, lit(here.after));
+            }
+            put(front_point);
+            put(back_point);
+        }
+    }
+
+    static wall_place place(grid_point g, float along, float v) noexcept
+    {
+        wall_place p{};
+        p.at = placement::exact(g);
+        p.along = along;
+        p.v = v;
+        return p;
+    }
+    static wall_place lit(vec2 outward) noexcept
+    {
+        wall_place p{};
+        p.outward = outward;
+        p.upright = true;
+        return p;
     }
 };
 
@@ -164,8 +189,8 @@ inline std::uint32_t measure_sides(const region& filled, side_point* sides) noex
 }
 
 /// Fills `out`, which is empty, with a side_point for each point of the region, lit by `normals`, and returns how many
-/// are doubled (with styles that share the caps' vertices: 0). In em mapping a contour without a doubled point gets one
-/// for its seam.
+/// are doubled (with styles that share the caps' vertices: 0). Where the mapping has seams, a contour without a doubled
+/// point gets one for it.
 ///
 /// Fails  error::out_of_memory, and as `normals` does
 template <side_normals Normals>
@@ -178,10 +203,16 @@ template <side_normals Normals>
     detail::clear_sides(sides, n);
     if (error e = normals(filled, {sides, n})) return e;
     if constexpr (Normals::shares_caps) return 0u;
-    if (texture == texture_mapping::em) return detail::measure_sides(filled, sides);
-    std::uint32_t doubled = 0;
-    for (std::size_t i = 0; i < n; ++i) doubled += sides[i].doubled;
-    return doubled;
+    return with_mapping(texture, [&]<class Mapping>() noexcept -> std::uint32_t {
+        std::uint32_t doubled = 0;
+        if constexpr (Mapping::has_seams) {
+            doubled = detail::measure_sides(filled, sides);
+            Mapping::measure(filled, {sides, n});
+        } else {
+            for (std::size_t i = 0; i < n; ++i) doubled += sides[i].doubled;
+        }
+        return doubled;
+    });
 }
 
 }  // namespace typemesh::inline TYPEMESH_ABI
