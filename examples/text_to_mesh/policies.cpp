@@ -51,8 +51,7 @@ chosen_solid solid_of(const options& o)
 {
     const letter_solid letter = o.bevel.width > 0.0f ? letter_solid{bevelled_of(o)} : letter_solid{plain_of(o)};
     if (o.outline.width > 0.0f) {
-        hollow_solid hollow{
-            .width = o.outline.width, .place = o.outline.place, .ring = letter, .letter = plain_of(o)};
+        hollow_solid hollow{.width = o.outline.width, .place = o.outline.place, .ring = letter, .letter = plain_of(o)};
         if (!o.outline.letter) hollow.letter = typemesh::extruded<>{.front = false, .back = false, .side = false};
         return hollow;
     }

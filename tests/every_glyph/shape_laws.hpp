@@ -71,7 +71,8 @@ private:
         bevel.profile = round_profile(1 + static_cast<std::uint32_t>(d_.roll(5)));
         examine(bevel, "bevel");
         const float by = distance();
-        examine(test::emboldened<>{.by = d_.roll(2) != 0 ? by : -by, .joins = joins, .mitre_limit = limit}, "emboldened");
+        examine(test::emboldened<>{.by = d_.roll(2) != 0 ? by : -by, .joins = joins, .mitre_limit = limit},
+                "emboldened");
         const auto place = static_cast<outline_place>(d_.roll(3));
         examine(outlined<extruded<>, extruded<>>{.width = by, .place = place, .joins = joins, .mitre_limit = limit},
                 "outlined");

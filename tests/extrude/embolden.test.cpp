@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 
-
 #include <typemesh/extrude/embolden.hpp>
 
 #include <typemesh/extrude/bevelled.hpp>
@@ -18,8 +17,8 @@
 
 #include "capped.hpp"
 #include "support/catch.hpp"
-#include "support/emboldened.hpp"
 #include "support/counting_memory.hpp"
+#include "support/emboldened.hpp"
 
 using namespace typemesh;
 using namespace meshes;
@@ -27,7 +26,8 @@ using Catch::Approx;
 
 namespace {
 
-static_assert(extruder<test::emboldened<>> && capping_extruder<test::emboldened<>> && tells_hard_edges<test::emboldened<>>);
+static_assert(extruder<test::emboldened<>> && capping_extruder<test::emboldened<>> &&
+              tells_hard_edges<test::emboldened<>>);
 static_assert(extruder<test::emboldened<flat>> && !tells_hard_edges<test::emboldened<flat>>);
 static_assert(part_count_of<test::emboldened<>> == 3 && part_count_of<test::emboldened<bevelled>> == 5);
 
@@ -264,9 +264,9 @@ TEST_CASE("letters whose loops touch in a point grow together there, or part", "
         REQUIRE(plan);
         CHECK_FALSE(plan->narrowed);
         const solid_of<test::emboldened<>> form{{touching->points(), touching->starts(), caps.triangles().view()},
-                                          m.data.read()};
+                                                m.data.read()};
         REQUIRE_FALSE(write_solid<test::emboldened<>>({form, *plan}, test::emboldened<>{.by = by}, in_em(),
-                                                static_cast<mesh<everything>&>(m)));
+                                                      static_cast<mesh<everything>&>(m)));
         CHECK(open_edges(m) == 0);
         CHECK(m.data.loops.contour_count() == (by > 0.0f ? 1u : 2u));
         const double side = 0.2 + 2.0 * double(by), shared = by > 0.0f ? 0.04 * 0.04 : 0.0;

@@ -15,8 +15,8 @@
 
 #include "capped.hpp"
 #include "support/catch.hpp"
-#include "support/emboldened.hpp"
 #include "support/counting_memory.hpp"
+#include "support/emboldened.hpp"
 
 using namespace typemesh;
 using namespace meshes;

@@ -156,7 +156,8 @@ inline broken_law offsets(values in)
         return of_any(
             outlined<bevelled>{.width = width, .place = place, .joins = joins, .mitre_limit = limit, .ring = bevel},
             from);
-    default: return of_any(test::emboldened<bevelled>{.by = by, .joins = joins, .mitre_limit = limit, .solid = bevel}, from);
+    default:
+        return of_any(test::emboldened<bevelled>{.by = by, .joins = joins, .mitre_limit = limit, .solid = bevel}, from);
     }
 }
 

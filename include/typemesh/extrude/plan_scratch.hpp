@@ -71,23 +71,22 @@ private:
         void (*copy)(const void* data, std::byte* block) noexcept;
     };
     template <class Data>
-    static constexpr operations operations_on = {
-        [](void* data, const memory& source) noexcept {
-            static_cast<Data*>(data)->~Data();
-            source.deallocate(source.user, data, sizeof(Data), alignof(Data));
-        },
-        [](const void* data) noexcept -> std::size_t {
-            if constexpr (requires(const Data& d) { d.bytes(); })
-                return static_cast<const Data*>(data)->bytes();
-            else
-                return 0 * sizeof data;
-        },
-        [](const void* data, std::byte* block) noexcept {
-            if constexpr (requires(const Data& d) { d.copy_to(block); })
-                static_cast<const Data*>(data)->copy_to(block);
-            else
-                (void)data, (void)block;
-        }};
+    static constexpr operations operations_on = {[](void* data, const memory& source) noexcept {
+                                                     static_cast<Data*>(data)->~Data();
+                                                     source.deallocate(source.user, data, sizeof(Data), alignof(Data));
+                                                 },
+                                                 [](const void* data) noexcept -> std::size_t {
+                                                     if constexpr (requires(const Data& d) { d.bytes(); })
+                                                         return static_cast<const Data*>(data)->bytes();
+                                                     else
+                                                         return 0 * sizeof data;
+                                                 },
+                                                 [](const void* data, std::byte* block) noexcept {
+                                                     if constexpr (requires(const Data& d) { d.copy_to(block); })
+                                                         static_cast<const Data*>(data)->copy_to(block);
+                                                     else
+                                                         (void)data, (void)block;
+                                                 }};
 
     memory source_;
     const void* type_ = nullptr;

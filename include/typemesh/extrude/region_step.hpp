@@ -35,13 +35,12 @@ struct stepped_region {
 ///
 /// A simple step gives back the same region where it has nothing to change.
 template <class S>
-concept region_step =
-    std::constructible_from<typename S::scratch, memory> &&
-    requires(const S& s, const region& r, typename S::scratch& scratch, no_caps& caps) {
-        { s(r, scratch, caps) } noexcept -> std::same_as<result<stepped_region>>;
-        { s.refused_options() } noexcept -> std::same_as<error>;
-        { scratch.clear() } noexcept;
-    };
+concept region_step = std::constructible_from<typename S::scratch, memory> &&
+                      requires(const S& s, const region& r, typename S::scratch& scratch, no_caps& caps) {
+                          { s(r, scratch, caps) } noexcept -> std::same_as<result<stepped_region>>;
+                          { s.refused_options() } noexcept -> std::same_as<error>;
+                          { scratch.clear() } noexcept;
+                      };
 
 /// No step: the solid is made of the glyph as it is drawn.
 struct no_step {};

@@ -103,8 +103,7 @@ private:
         form_.points = copied(draft.form.points, free);
         form_.starts = copied(draft.form.starts, free);
         form_.triangles = copied(draft.form.triangles, free);
-        if (draft.merged_as_drawn)
-            drawn_ = {copied(draft.drawn.points, free), copied(draft.drawn.starts, free)};
+        if (draft.merged_as_drawn) drawn_ = {copied(draft.drawn.points, free), copied(draft.drawn.starts, free)};
         if (form_.points.empty()) return;
         set_box_of(form_.points);
         if (plan_.around.empty()) plan_.around = {placement::exact(low_), placement::exact(high_)};

@@ -49,10 +49,7 @@ concept recordable = requires(F& font, glyph_id id, outline& out) {
 ///                                policies{certified{}, monotone{}, flat{}, nobody});
 class glyph_builder {
 public:
-    explicit glyph_builder(memory source = heap()) noexcept
-        : outline_{source}, caps_{source}, planner_{source}
-    {
-    }
+    explicit glyph_builder(memory source = heap()) noexcept : outline_{source}, caps_{source}, planner_{source} {}
 
     /// The glyph's draft, which lies in this builder until its next call. A glyph that cannot be built is no failure
     /// here: its draft is empty and carries the reason.

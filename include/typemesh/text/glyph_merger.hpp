@@ -31,10 +31,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// the text's origin.
 class glyph_merger {
 public:
-    explicit glyph_merger(memory source = heap()) noexcept
-        : caps_{source}, planner_{source}, union_{source}
-    {
-    }
+    explicit glyph_merger(memory source = heap()) noexcept : caps_{source}, planner_{source}, union_{source} {}
 
     /// Gives its scratch memory back to its source.
     void trim() noexcept
