@@ -24,7 +24,11 @@ namespace {
 struct boxes {
     std::int32_t margin = 0;  ///< in cells
 
-    using scratch = inner_region;
+    struct scratch : inner_region {
+        buffer<curve> curves;  // that walls are lit by
+
+        explicit scratch(memory source = heap()) noexcept : inner_region{source}, curves{source} {}
+    };
 
     [[nodiscard]] option_bits cache_key() const noexcept { return {margin}; }
     [[nodiscard]] error refused_options() const noexcept { return margin < 0 ? error::bad("margin") : error{}; }
@@ -40,8 +44,15 @@ struct boxes {
         low = {low.x - margin, low.y - margin}, high = {high.x + margin, high.y + margin};
         made.loops.grid = drawn.grid();
         made.loops.tolerance = drawn.tolerance();
-        for (const grid_point p : {low, {high.x, low.y}, high, {low.x, high.y}})
-            if (!made.loops.points.push_back(p) || !made.loops.edges.push_back({})) return error::out_of_memory;
+        made.curves.clear();
+        const grid_point corners[] = {low, {high.x, low.y}, high, {low.x, high.y}};
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            const point from = placement::exact(corners[i]), to = placement::exact(corners[(i + 1) % 4]);
+            if (!made.loops.points.push_back(corners[i]) || !made.loops.edges.push_back({i, 0.0f, 1.0f}) ||
+                !made.curves.push_back(curve::from(from, to)))
+                return error::out_of_memory;
+        }
+        made.loops.curves = made.curves.view();
         if (!made.loops.starts.push_back(0) || !made.loops.starts.push_back(4)) return error::out_of_memory;
         const auto filled = made.fill(caps);
         if (!filled) return filled.error();

@@ -17,7 +17,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// A region made of loops that a step or an extruder has found, with its triangles. Fit for region_step's scratch.
 ///
-///     inner.loops = ...                loops that bound a region as they are: points, edges, starts, grid, tolerance
+///     inner.loops = ...                loops that bound a region as they are: points, edges with their curves, starts,
+///                                      grid, tolerance
 ///     auto filled = inner.fill(caps)   it refers to them; inner.triangles are its cap
 struct inner_region {
     contours loops;
