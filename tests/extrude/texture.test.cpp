@@ -175,9 +175,9 @@ TEST_CASE("any point gets the texture coordinates of a grid point, to the bit, a
         at.em_per_depth = 2.0;
         const wall_texture walls{at};
         const bool down = origin == uv_origin::top_left;
-        CHECK(walls.v(0.0) == (down ? 0.0f : 1.0f));
-        CHECK(walls.v(0.25) == 0.5f);
-        CHECK(walls.v(0.5) == (down ? 1.0f : 0.0f));
+        CHECK(walls(512000.0f, 0.0) == vec2{1.0f, down ? 0.0f : 1.0f});
+        CHECK(walls(0.0f, 0.25) == vec2{0.0f, 0.5f});
+        CHECK(walls(-256000.0f, 0.5) == vec2{-0.5f, down ? 1.0f : 0.0f});
         wall_place place{};
         place.at = {512000.0, 0.0};
         place.along = -256000.0f;

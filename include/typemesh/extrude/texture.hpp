@@ -60,15 +60,19 @@ private:
     float sign_;
 };
 
-/// v of walls, and of all that takes their place, where u runs along the contour: by the distance down from the front
-/// edge, in the unit of an extruder's heights.
+/// Texture coordinates of walls, and of all that takes their place, in em mapping: by the distance along the contour,
+/// in cells, and the distance down from its front edge, in the unit of an extruder's heights.
 class wall_texture {
 public:
     explicit wall_texture(const placement& at) noexcept
-        : planar_{texture_mapping::em, at}, em_per_depth_{at.em_per_depth}
+        : planar_{texture_mapping::em, at},
+          per_cell_{static_cast<float>(at.em_per_cell)},
+          em_per_depth_{at.em_per_depth}
     {
     }
 
+    [[nodiscard]] vec2 operator()(float along, double down) const noexcept { return {u(along), v(down)}; }
+    [[nodiscard]] float u(float along) const noexcept { return along * per_cell_; }
     [[nodiscard]] float v(double down) const noexcept
     {
         return planar_.turned(1.0f - static_cast<float>(down * em_per_depth_));
@@ -76,6 +80,7 @@ public:
 
 private:
     planar_texture planar_;
+    float per_cell_;
     double em_per_depth_;
 };
 
@@ -127,12 +132,9 @@ public:
     static void measure(const region&, std::span<side_point>) noexcept {}
     [[nodiscard]] static constexpr double most_apart(double em) noexcept { return em / 1024.0; }
 
-    explicit em_mapping(const placement& at) noexcept
-        : tangents_{at.frame}, per_cell_{static_cast<float>(at.em_per_cell)}
-    {
-    }
+    explicit em_mapping(const placement& at) noexcept : tangents_{at.frame}, walls_{at} {}
 
-    [[nodiscard]] vec2 uv(const wall_place& p) const noexcept { return {p.along * per_cell_, p.v}; }
+    [[nodiscard]] vec2 uv(const wall_place& p) const noexcept { return {walls_.u(p.along), p.v}; }
     template <class Axes>
     [[nodiscard]] vec4 tangent(const Axes& axes, const wall_place& p) const noexcept
     {
@@ -141,7 +143,7 @@ public:
 
 private:
     texture_tangent tangents_;
-    float per_cell_;
+    wall_texture walls_;
 };
 
 /// texture_mapping::cylindrical
