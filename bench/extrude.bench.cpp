@@ -49,10 +49,10 @@ std::deque<glyph>& glyphs()
         for (glyph_id id = 0; id < font->glyph_count(); ++id) {
             glyph& g = some.emplace_back();
             const double upem = font->units_per_em();
-            bool good = !record(*font, id, g.shape) && !g.shape.curves.empty();
+            bool good = record(*font, id, g.shape).has_value() && !g.shape.curves.empty();
             if (good) {
                 const auto grid_of = grid::fitting(upem, g.shape.bounds);
-                good = grid_of && !g.caps.flatten(g.shape, certified{}, quality::high * upem, *grid_of);
+                good = grid_of && g.caps.flatten(g.shape, certified{}, quality::high * upem, *grid_of).has_value();
             }
             if (good) {
                 const auto filled = g.caps.fill({g.shape.rule}, monotone{});
@@ -88,7 +88,7 @@ void extrude_font(benchmark::State& state)
         auto place = places.begin();
         for (const glyph& g : glyphs()) {
             auto sink = into(std::span{vertices}.subspan(place->first), std::span{indices}.subspan(place->second));
-            if (extrude(g.filled, g.caps.triangles().view(), how, at, sides, sink)) std::abort();
+            if (!extrude(g.filled, g.caps.triangles().view(), how, at, sides, sink)) std::abort();
             ++place;
         }
     };

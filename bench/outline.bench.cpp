@@ -107,7 +107,7 @@ template <class Font>
 glyph_run shape_or_skip(benchmark::State& state, Font& font, const std::string& text)
 {
     glyph_run run;
-    if (error e = layout(font, text, {}, {}, run)) state.SkipWithError(e.message());
+    if (const auto done = layout(font, text, {}, {}, run); !done) state.SkipWithError(done.error().message());
     return run;
 }
 
@@ -118,7 +118,7 @@ void shape(benchmark::State& state, const std::string& path, const std::string& 
     if (!font) return state.SkipWithError(font.error().message());
     glyph_run run = shape_or_skip(state, *font, text);
     for (auto _ : state) {
-        if (layout(*font, text, {}, {}, run)) break;
+        if (!layout(*font, text, {}, {}, run)) break;
         benchmark::DoNotOptimize(run.glyphs.data());
     }
     state.SetItemsProcessed(static_cast<std::int64_t>(run.glyphs.size()) *
@@ -197,7 +197,7 @@ void record_all(benchmark::State& state, const std::string& path, const std::str
 {
     outline kept;
     each_glyph<Font>(state, path, text, [&](Font& font, glyph_id id) {
-        if (!record(font, id, kept)) benchmark::DoNotOptimize(kept.curves.data());
+        if (record(font, id, kept).has_value()) benchmark::DoNotOptimize(kept.curves.data());
     });
 }
 

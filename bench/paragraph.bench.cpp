@@ -47,7 +47,7 @@ void lay_out(benchmark::State& state, const sample& s, wrap_mode wrap, line_alig
     const auto seconds = [](std::clock_t from) { return static_cast<double>(std::clock() - from) / CLOCKS_PER_SEC; };
     const auto set = [&](std::size_t times) {
         for (std::size_t k = 0; k < times; ++k)
-            if (words.set(text) || words.lay_out({.width = 20.0, .wrap = wrap}, run)) return false;
+            if (!words.set(text) || !words.lay_out({.width = 20.0, .wrap = wrap}, run)) return false;
         return true;
     };
     if (!set(2)) return state.SkipWithError("no lines");
@@ -62,7 +62,7 @@ void lay_out(benchmark::State& state, const sample& s, wrap_mode wrap, line_alig
     for (auto unused : state) {
         (void)unused;
         width = width < 40.0 ? width + 0.7 : 20.0;
-        if (words.lay_out({.width = width, .wrap = wrap, .align = align}, run)) return state.SkipWithError("no lines");
+        if (!words.lay_out({.width = width, .wrap = wrap, .align = align}, run)) return state.SkipWithError("no lines");
         ++times;
     }
     const double once = seconds(laying) / static_cast<double>(times);
@@ -77,11 +77,11 @@ double seconds_of(benchmark::State& state, harfbuzz_font& font, const std::strin
     paragraph words{font, heap(), unicode_analyser{}, breaker};
     glyph_run run;
     const auto least = static_cast<double>(state.range(0));
-    if (words.set(text) || words.lay_out({.width = least}, run)) return 0.0;
+    if (!words.set(text) || !words.lay_out({.width = least}, run)) return 0.0;
     constexpr int times = 20;
     const std::clock_t from = std::clock();
     for (int k = 0; k < times; ++k)
-        if (words.lay_out({.width = least * (1.0 + 0.02 * k), .align = line_alignment::justify}, run)) return 0.0;
+        if (!words.lay_out({.width = least * (1.0 + 0.02 * k), .align = line_alignment::justify}, run)) return 0.0;
     return static_cast<double>(std::clock() - from) / CLOCKS_PER_SEC / times;
 }
 

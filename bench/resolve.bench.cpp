@@ -215,12 +215,12 @@ bool glyphs_of(const char* file, double tolerance, std::uint32_t most, set& s)
     cap_builder caps;
     const contours& loops = caps.loops();
     std::uint32_t count = 0;
-    while (count < 0xFFFF && !record(*font, count, drawn)) ++count;
+    while (count < 0xFFFF && record(*font, count, drawn).has_value()) ++count;
     const std::uint32_t step = count > most ? count / most : 1;
     for (std::uint32_t g = 0; g < count; g += step) {
-        if (record(*font, g, drawn) || drawn.curves.empty()) continue;
+        if (!record(*font, g, drawn) || drawn.curves.empty()) continue;
         const auto cells = grid::fitting(font->units_per_em(), drawn.bounds);
-        if (!cells || caps.flatten(drawn, certified{}, tolerance * font->units_per_em(), *cells)) continue;
+        if (!cells || !caps.flatten(drawn, certified{}, tolerance * font->units_per_em(), *cells)) continue;
         if (loops.points.empty()) continue;
         const polygon p{{loops.points.begin(), loops.points.end()},
                         {loops.edges.begin(), loops.edges.end()},

@@ -88,7 +88,7 @@ std::string path_of(const char* font)
 void floor_of(harfbuzz_font& font, const std::string& text, glyph_run& run)
 {
     ignore_outline sink;
-    if (layout(font, text, {}, {}, run)) std::abort();
+    if (!layout(font, text, {}, {}, run)) std::abort();
     for (const placed_glyph& g : run.glyphs)
         if (font.outline(g.id, sink)) std::abort();
 }
@@ -118,7 +118,7 @@ public:
     template <class Plan>
     explicit by_hand(const Plan& plan)
     {
-        if (plan.write_meshes(into(vertices_, indices_))) std::abort();
+        if (!plan.write_meshes(into(vertices_, indices_))) std::abort();
         letters_.resize(plan.glyphs().size());
         plan.write_instances([&](const glyph_instance& i) noexcept {
             const glyph_mesh& m = plan.meshes()[i.mesh];
@@ -193,7 +193,7 @@ void run_text(benchmark::State& state, harfbuzz_font& font, const std::string& t
     auto warm = text_mesher{font}.with(raise).with(cached_in{cache, 1});
     const double floor = nanoseconds_each([&] { floor_of(font, text, run); });
     const double shaping = nanoseconds_each([&] {
-        if (layout(font, text, {}, {}, run)) std::abort();
+        if (!layout(font, text, {}, {}, run)) std::abort();
     });
     if (!warm.build(text, into(vertices, indices))) std::abort();
     const by_hand loop{*warm.plan(text)};
@@ -264,7 +264,7 @@ void register_sample(const sample& s)
         std::vector<vertex> vertices(plan->size().vertices);
         std::vector<std::uint32_t> indices(plan->size().indices());
         for (auto _ : state) {
-            if (plan->write(into(std::span{vertices}, std::span{indices}))) std::abort();
+            if (!plan->write(into(std::span{vertices}, std::span{indices}))) std::abort();
             benchmark::ClobberMemory();
         }
     });

@@ -109,11 +109,11 @@ void layout_of(const char* name, SinkOf sink_of)
         auto plan = t.mesher.plan(t.letters);
         if (!plan) std::abort();
         const auto work = [&] {
-            if (plan->write(sink_of(t))) std::abort();
+            if (!plan->write(sink_of(t))) std::abort();
             benchmark::ClobberMemory();
         };
         const auto usual = [&] {
-            if (plan->write(array_of(t, vertex_traits<bench::full_vertex>{}))) std::abort();
+            if (!plan->write(array_of(t, vertex_traits<bench::full_vertex>{}))) std::abort();
             benchmark::ClobberMemory();
         };
         usual();
@@ -156,7 +156,7 @@ void fresh(benchmark::State& state)
         auto* i = static_cast<std::uint32_t*>(std::malloc(indices * sizeof(std::uint32_t)));
         if (v == nullptr || i == nullptr) std::abort();
         floor.push_back(busy([&] {
-            if (plan->write(into(std::span{v, count}, std::span{i, indices}))) std::abort();
+            if (!plan->write(into(std::span{v, count}, std::span{i, indices}))) std::abort();
             benchmark::ClobberMemory();
         }));
         std::free(v);
@@ -164,7 +164,7 @@ void fresh(benchmark::State& state)
         std::vector<vertex, Allocator<vertex>> vertices;
         std::vector<std::uint32_t, Allocator<std::uint32_t>> triangles;
         own.push_back(busy([&] {
-            if (plan->write(into(vertices, triangles))) std::abort();
+            if (!plan->write(into(vertices, triangles))) std::abort();
             benchmark::ClobberMemory();
         }));
     }

@@ -39,7 +39,8 @@ int main(int argc, char** argv)
     // read.
     std::vector<vertex> vertices(plan->size().vertices);
     std::vector<std::uint32_t> indices(plan->size().indices());
-    if (error e = plan->write(into(std::span{vertices}, std::span{indices}))) return std::puts(e.message()), 1;
+    if (const auto written = plan->write(into(std::span{vertices}, std::span{indices})); !written)
+        return std::puts(written.error().message()), 1;
 
     const char* names[] = {"front", "back", "side"};
     for (const part p : plan->parts()) {

@@ -37,7 +37,8 @@ int main(int argc, char** argv)
 
     stream_sink sink{std::span{indices}, stream<attribute::position, float3>{positions},
                      stream<attribute::normal, float3>{normals}, stream<attribute::uv, float2>{uvs}};
-    if (error e = plan->write(sink)) return std::puts(e.message()), 1;  // error::index_overflow past 65,535 vertices
+    if (const auto written = plan->write(sink); !written)
+        return std::puts(written.error().message()), 1;  // error::index_overflow past 65,535 vertices
 
     std::printf("%zu vertices in three arrays, %zu indices of 16 bits\n", positions.size(), indices.size());
 }

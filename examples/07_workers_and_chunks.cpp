@@ -44,11 +44,11 @@ int main(int argc, char** argv)
     if (!plan) return std::puts(plan.error().message()), 1;
 
     text_chunks chunks;
-    if (error e = chunks.cut(*plan)) return std::puts(e.message()), 1;
+    if (const auto written = chunks.cut(*plan); !written) return std::puts(written.error().message()), 1;
     std::vector<vertex> vertices(chunks.size().vertices);
     std::vector<std::uint16_t> indices(chunks.size().indices());
-    if (error e = chunks.write(*plan, into(std::span{vertices}, std::span{indices}), pool))
-        return std::puts(e.message()), 1;
+    if (const auto written = chunks.write(*plan, into(std::span{vertices}, std::span{indices}), pool); !written)
+        return std::puts(written.error().message()), 1;
 
     std::printf("%zu vertices in %zu chunks by %zu workers\n", vertices.size(), chunks.view().size(), pool.workers());
     for (const text_chunk& c : chunks.view()) {

@@ -47,7 +47,8 @@ int main(int argc, char** argv)
 
     std::vector<vertex> vertices;
     std::vector<std::uint32_t> indices;
-    if (auto e = plan->write_meshes(typemesh::into(vertices, indices))) return std::puts(e.message()), 1;
+    if (const auto written = plan->write_meshes(typemesh::into(vertices, indices)); !written)
+        return std::puts(written.error().message()), 1;
     std::vector<glm::mat4> models;  // those of mesh 0 first, then those of mesh 1
     models.reserve(plan->glyphs().size());
     plan->write_instances([&](const typemesh::glyph_instance& i) noexcept {

@@ -42,7 +42,8 @@ int main(int argc, char** argv)
 
     std::vector<vertex> vertices;
     std::vector<std::uint32_t> indices;
-    if (error e = plan->write(into(vertices, indices))) return std::puts(e.message()), 1;
+    if (const auto written = plan->write(into(vertices, indices)); !written)
+        return std::puts(written.error().message()), 1;
     const char* const names[] = {"front", "back", "side", "front bevel", "back bevel"};
     for (const part p : {part::front, part::back, part::side, part::front_bevel, part::back_bevel})
         std::printf("%11s: %u indices\n", names[static_cast<int>(p)], plan->range(p).index_count);

@@ -59,12 +59,12 @@ std::vector<segment> drawn(harfbuzz_font& font, char16_t letter, double scale)
 {
     hb_codepoint_t id = 0;
     outline o;
-    if (!hb_font_get_nominal_glyph(font.handle(), letter, &id) || record(font, id, o)) return {};
+    if (!hb_font_get_nominal_glyph(font.handle(), letter, &id) || !record(font, id, o)) return {};
     contours loops;
     workspace space;
     triangle_list triangles;
     const auto fitting = grid::fitting(font.units_per_em(), o.bounds);
-    if (!fitting || discretise(o, certified{}, 1e-4 * font.units_per_em(), *fitting, loops)) return {};
+    if (!fitting || !discretise(o, certified{}, 1e-4 * font.units_per_em(), *fitting, loops)) return {};
     orient(loops);
     if (!monotone{}.prove(loops, space, triangles)) return {};
 

@@ -94,7 +94,7 @@ struct text_work {
         if (!plan) fail(plan.error());
         vertices.resize(static_cast<std::size_t>(plan->size().vertices));
         indices.resize(static_cast<std::size_t>(plan->size().indices()));
-        if (error e = plan->write(std::span{vertices}, std::span{indices})) fail(e);
+        if (const auto done = plan->write(std::span{vertices}, std::span{indices}); !done) fail(done.error());
     }
 };
 

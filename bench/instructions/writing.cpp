@@ -60,7 +60,7 @@ std::size_t writes(const Solid& solid, const text_options& options, int times)
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices;
     for (int i = 0; i < times + 1; ++i)
-        if (plan->write(into(vertices, indices))) std::abort();
+        if (!plan->write(into(vertices, indices))) std::abort();
     return 1;
 }
 
@@ -73,9 +73,9 @@ std::size_t chunked_writes(int times)
     text_chunks chunks;
     std::vector<full_vertex> vertices;
     std::vector<std::uint16_t> indices;
-    if (!plan || chunks.cut(*plan, 4096)) std::abort();
+    if (!plan || !chunks.cut(*plan, 4096)) std::abort();
     for (int i = 0; i < times + 1; ++i)
-        if (chunks.write(*plan, into(vertices, indices))) std::abort();
+        if (!chunks.write(*plan, into(vertices, indices))) std::abort();
     return 1;
 }
 

@@ -84,7 +84,8 @@ peers::way wrapped(const std::shared_ptr<harfbuzz_font>& font, const char* state
     const auto to = std::make_shared<output>();
     return {name_of(quality::high), "wrapped", state,
             [=, keep = font](const std::string& text) {
-                return !words->set(text) && !words->lay_out({.width = 12.0, .align = line_alignment::justify}, *run) &&
+                return words->set(text).has_value() &&
+                       words->lay_out({.width = 12.0, .align = line_alignment::justify}, *run).has_value() &&
                        bool(mesher->build(*run, into(to->vertices, to->indices)));
             },
             [to] { return to->made(); }};
@@ -98,7 +99,7 @@ peers::way floor_of(const std::shared_ptr<harfbuzz_font>& font)
             "cold",
             [=](const std::string& text) {
                 ignore_outline sink;
-                if (layout(*font, text, {}, {}, *run)) return false;
+                if (!layout(*font, text, {}, {}, *run)) return false;
                 for (const placed_glyph& g : run->glyphs)
                     if (font->outline(g.id, sink)) return false;
                 return true;

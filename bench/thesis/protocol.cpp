@@ -94,7 +94,7 @@ void print_floors(protocol_font& f, const text_group& group, const quality_prese
     glyph_run run;
     ignore_outline sink;
     const double outline = microseconds_each(group, runs, [&](const std::string& text) {
-        if (layout(f.font, text, {}, {}, run)) std::abort();
+        if (!layout(f.font, text, {}, {}, run)) std::abort();
         for (const placed_glyph& g : run.glyphs)
             if (f.font.outline(g.id, sink)) std::abort();
     });

@@ -9,8 +9,8 @@
 // Include <d3d11.h> first.
 //
 //     D3D11_MAPPED_SUBRESOURCE v, i;                  // dynamic buffers: Map(..., D3D11_MAP_WRITE_DISCARD, 0, &v)
-//     if (typemesh::error e = engines::direct3d11::fill<engines::direct3d11::packed_vertex>(
-//             *plan, v.pData, vertex_bytes, i.pData, index_bytes, DXGI_FORMAT_R32_UINT)) return e;
+//     if (const auto written = engines::direct3d11::fill<engines::direct3d11::packed_vertex>(
+//             *plan, v.pData, vertex_bytes, i.pData, index_bytes, DXGI_FORMAT_R32_UINT); !written) return written.error();
 
 #include <typemesh/text/text_options.hpp>
 #include <typemesh/vertex/array_sink.hpp>
@@ -90,8 +90,8 @@ namespace engines::direct3d11 {
 
 /// Writes a plan into mapped memory of so many bytes; format is DXGI_FORMAT_R16_UINT or DXGI_FORMAT_R32_UINT.
 template <class Vertex, class Plan>
-[[nodiscard]] typemesh::error fill(const Plan& plan, void* vertices, std::size_t vertex_bytes, void* indices,
-                                   std::size_t index_bytes, DXGI_FORMAT format) noexcept
+[[nodiscard]] typemesh::result<void> fill(const Plan& plan, void* vertices, std::size_t vertex_bytes, void* indices,
+                                          std::size_t index_bytes, DXGI_FORMAT format) noexcept
 {
     const std::span where{static_cast<Vertex*>(vertices), vertex_bytes / sizeof(Vertex)};
     if (format == DXGI_FORMAT_R16_UINT) {

@@ -9,7 +9,7 @@
 //     auto plan = mesher.plan("Hello world!", engines::direct3d9::options());
 //     device->CreateVertexBuffer(UINT(32 * plan->size().vertices), D3DUSAGE_WRITEONLY, engines::direct3d9::fvf, D3DPOOL_DEFAULT, &vb, nullptr);
 //     device->CreateIndexBuffer(UINT(2 * plan->size().indices()), D3DUSAGE_WRITEONLY, D3DFMT_INDEX16, D3DPOOL_DEFAULT, &ib, nullptr);
-//     if (typemesh::error e = engines::direct3d9::fill(*plan, *vb, *ib)) return e;
+//     if (const auto written = engines::direct3d9::fill(*plan, *vb, *ib); !written) return written.error();
 
 #include <typemesh/text/text_options.hpp>
 #include <typemesh/vertex/array_sink.hpp>
@@ -61,8 +61,8 @@ namespace engines::direct3d9 {
 ///
 /// Fails  as array_sink does; error::refused_by_user if a buffer cannot be locked. Nothing is written then.
 template <class Plan>
-[[nodiscard]] typemesh::error fill(const Plan& plan, IDirect3DVertexBuffer9& vertices,
-                                   IDirect3DIndexBuffer9& indices) noexcept
+[[nodiscard]] typemesh::result<void> fill(const Plan& plan, IDirect3DVertexBuffer9& vertices,
+                                          IDirect3DIndexBuffer9& indices) noexcept
 {
     D3DVERTEXBUFFER_DESC vertices_are{};
     D3DINDEXBUFFER_DESC indices_are{};
@@ -78,11 +78,11 @@ template <class Plan>
     const auto write = [&]<class Index>(Index* at) noexcept {
         return plan.write(typemesh::into(where, std::span{at, indices_are.Size / sizeof(Index)}));
     };
-    const typemesh::error e = indices_are.Format == D3DFMT_INDEX16 ? write(static_cast<std::uint16_t*>(indices_at))
-                                                                   : write(static_cast<std::uint32_t*>(indices_at));
+    const auto written = indices_are.Format == D3DFMT_INDEX16 ? write(static_cast<std::uint16_t*>(indices_at))
+                                                              : write(static_cast<std::uint32_t*>(indices_at));
     (void)indices.Unlock();
     (void)vertices.Unlock();
-    return e;
+    return written;
 }
 
 }  // namespace engines::direct3d9

@@ -9,7 +9,7 @@
 //
 //     Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> v, n;      // or Eigen::Matrix3Xf
 //     Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor> f;           // or Eigen::Matrix3Xi
-//     if (typemesh::error e = engines::eigen::write(*plan, v, n, f)) return e;
+//     if (const auto written = engines::eigen::write(*plan, v, n, f); !written) return written.error();
 
 #include <typemesh/text/text_options.hpp>
 #include <typemesh/vertex/stream_sink.hpp>
@@ -34,7 +34,7 @@ inline constexpr bool holds_triples_in_one_piece = (Matrix::ColsAtCompileTime ==
 
 /// Resizes the three matrices and fills them: positions, normals, triangles. float, and any integer.
 template <class Plan, class Places, class Normals, class Triangles>
-[[nodiscard]] typemesh::error write(const Plan& plan, Places& places, Normals& normals, Triangles& triangles)
+[[nodiscard]] typemesh::result<void> write(const Plan& plan, Places& places, Normals& normals, Triangles& triangles)
 {
     using namespace typemesh;
     static_assert(holds_triples_in_one_piece<Places> && holds_triples_in_one_piece<Normals> &&

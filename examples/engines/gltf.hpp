@@ -24,7 +24,7 @@
 // Indices are unsigned short up to 65,535 vertices (65,535 itself is left out by the format), else unsigned int.
 //
 //     std::vector<std::byte> glb;
-//     if (typemesh::error e = engines::gltf::write(*plan, engines::gltf::layout::quantised, glb)) return e;
+//     if (const auto written = engines::gltf::write(*plan, engines::gltf::layout::quantised, glb); !written) return written.error();
 
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/extrude/part_sizes.hpp>
@@ -179,8 +179,8 @@ template <class Plan>
 
 /// Where the vertices and indices go, whatever the layout.
 template <class Index, class Plan>
-[[nodiscard]] typemesh::error write_buffer(const Plan& plan, layout how, const uv_range& uv,
-                                           std::span<std::byte> vertices, std::span<Index> indices) noexcept
+[[nodiscard]] typemesh::result<void> write_buffer(const Plan& plan, layout how, const uv_range& uv,
+                                                  std::span<std::byte> vertices, std::span<Index> indices) noexcept
 {
     using namespace typemesh;
     const auto turned = []<class T>(T) noexcept {
@@ -196,7 +196,7 @@ template <class Index, class Plan>
     }
     for (std::size_t i = 0; i < plan.glyphs().size(); ++i) {
         const position_box box = box_of(plan, i);
-        const error e = plan.write(
+        const auto written = plan.write(
             glyph_span{i, i + 1},
             stream_sink{
                 indices,
@@ -207,7 +207,7 @@ template <class Index, class Plan>
                 computed_stream<attribute::tangent, snorm8x4>(vertices, 12, 20, turned(snorm8x4{})),
                 computed_stream<attribute::uv, unorm16x2>(
                     vertices, 16, 20, [uv](const surface_point<attribute::uv>& s) noexcept { return uv(s.uv); })});
-        if (e) return e;
+        if (!written) return written;
     }
     return {};
 }
@@ -249,7 +249,7 @@ void say_letters(std::string& json, const Plan& plan)
 
 /// Replaces `out`, a container of bytes, by the file; an empty text gives a scene without nodes.
 template <class Plan, class Bytes>
-[[nodiscard]] typemesh::error write(const Plan& plan, layout how, Bytes& out)
+[[nodiscard]] typemesh::result<void> write(const Plan& plan, layout how, Bytes& out)
 {
     using namespace typemesh;
     const mesh_size size = plan.size();
@@ -259,7 +259,7 @@ template <class Plan, class Bytes>
     const auto low = plan.bounds().low, high = plan.bounds().high;
     uv_range uv;
     if (packed) {
-        if (error e = plan.write(uv)) return e;
+        if (const auto written = plan.write(uv); !written) return written.error();
     }
     const std::size_t pixel_bytes = uv.is_unit() ? 0 : sizeof white_pixel, pixel_at = vertex_bytes + index_bytes,
                       bytes = (pixel_at + pixel_bytes + 3) / 4 * 4;

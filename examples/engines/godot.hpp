@@ -8,7 +8,7 @@
 // Include godot_cpp/classes/array_mesh.hpp and the packed arrays' headers first.
 //
 //     godot::Array arrays;
-//     if (typemesh::error e = engines::godot_mesh::write(*plan, arrays)) return e;
+//     if (const auto written = engines::godot_mesh::write(*plan, arrays); !written) return written.error();
 //     mesh->add_surface_from_arrays(godot::Mesh::PRIMITIVE_TRIANGLES, arrays);
 //     // or one surface per part, for materials of their own: the same vertices, and slices of ARRAY_INDEX by plan->range(part)
 
@@ -31,7 +31,7 @@ namespace engines::godot_mesh {
 
 /// Fills ARRAY_VERTEX, ARRAY_NORMAL, ARRAY_TANGENT, ARRAY_TEX_UV and ARRAY_INDEX.
 template <class Plan>
-[[nodiscard]] typemesh::error write(const Plan& plan, godot::Array& arrays)
+[[nodiscard]] typemesh::result<void> write(const Plan& plan, godot::Array& arrays)
 {
     using namespace typemesh;
     const mesh_size size = plan.size();
@@ -50,15 +50,16 @@ template <class Plan>
     };
     const std::span all_tangents{reinterpret_cast<float4*>(tangents.ptrw()), size.vertices};
     const std::span indices{numbers.ptrw(), size.indices()};
-    if (error e = plan.write(stream_sink{
+    if (const auto written = plan.write(stream_sink{
             indices, stream<attribute::position, godot::Vector3>{places.ptrw(), size.vertices},
             stream<attribute::normal, godot::Vector3>{normals.ptrw(), size.vertices},
             computed_stream<attribute::tangent>(all_tangents,
                                                 [](const surface_point<attribute::tangent>& s) noexcept {
                                                     return float4{s.tangent.x, s.tangent.y, s.tangent.z, -s.tangent.w};
                                                 }),
-            stream<attribute::uv, godot::Vector2>{uvs.ptrw(), size.vertices}}))
-        return e;
+            stream<attribute::uv, godot::Vector2>{uvs.ptrw(), size.vertices}});
+        !written)
+        return written.error();
 
     arrays.resize(godot::Mesh::ARRAY_MAX);
     arrays[godot::Mesh::ARRAY_VERTEX] = places;

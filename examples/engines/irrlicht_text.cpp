@@ -41,9 +41,9 @@ struct text::made {
     {
         if (!plan) return "no text was planned";
         const typemesh::mesh_size size = plan->size();
-        const typemesh::error e = plan->write(
+        const auto written = plan->write(
             typemesh::into(std::span{vertices, size.vertices}, std::span{indices, size.indices()}, writer{colour}));
-        return e ? e.message() : nullptr;
+        return written ? nullptr : written.error().message();
     }
 };
 

@@ -39,7 +39,7 @@ struct buffer_geometry {
 }
 
 template <class Plan, class Index>
-[[nodiscard]] typemesh::error write(const Plan& plan, const buffer_geometry<Index>& to) noexcept
+[[nodiscard]] typemesh::result<void> write(const Plan& plan, const buffer_geometry<Index>& to) noexcept
 {
     using namespace typemesh;
     struct float2 {

@@ -66,9 +66,9 @@ static_assert(sizeof(snorm16x4) == 8 && sizeof(half2) == 4);
 
 /// Writes a plan; parts have different colours.
 template <class Plan>
-[[nodiscard]] typemesh::error write(const Plan& plan, const mesh_data& to,
-                                    const typemesh::part_colours<>& colours = {
-                                        {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}) noexcept
+[[nodiscard]] typemesh::result<void> write(const Plan& plan, const mesh_data& to,
+                                           const typemesh::part_colours<>& colours = {
+                                               {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}) noexcept
 {
     using namespace typemesh;
     struct float3 {

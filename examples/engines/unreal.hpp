@@ -83,7 +83,7 @@ private:
 };
 
 template <class Plan, class Buffers, class Indices>
-[[nodiscard]] typemesh::error write(const Plan& plan, Buffers& buffers, Indices& indices) noexcept
+[[nodiscard]] typemesh::result<void> write(const Plan& plan, Buffers& buffers, Indices& indices) noexcept
 {
     return plan.write(static_mesh_sink<Buffers, Indices>{buffers, indices});
 }

@@ -88,9 +88,10 @@ typemesh::result<engines::vulkan::room::drawn> engines::vulkan::room::add(const 
 {
     const std::span all_vertices{reinterpret_cast<vertex*>(vertices.data()), vertices.size() / sizeof(vertex)};
     const std::span all_indices{reinterpret_cast<std::uint32_t*>(indices.data()), indices.size() / 4};
-    if (typemesh::error e = plan.write(
-            typemesh::into(all_vertices.subspan(vertex_count), all_indices.subspan(index_count), vertex_count)))
-        return e;
+    if (const auto written = plan.write(
+            typemesh::into(all_vertices.subspan(vertex_count), all_indices.subspan(index_count), vertex_count));
+        !written)
+        return written.error();
     const drawn here{index_count, static_cast<std::uint32_t>(plan.size().indices())};
     vertex_count += static_cast<std::uint32_t>(plan.size().vertices);
     index_count += here.index_count;

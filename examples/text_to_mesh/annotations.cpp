@@ -99,13 +99,13 @@ overlay annotate(const options& o, font_set& font, const typemesh::glyph_run& ru
         const double scale = upem / typemesh::units_per_em_of(font, drawn_so.face);
         const typemesh::affine map = typemesh::scaled_before(drawn_so.map, scale);
         typemesh::mapped_face own{font, drawn_so.face, &map, upem};
-        if (glyph.missing || record(own, glyph.id, shape) || shape.curves.empty()) continue;
+        if (glyph.missing || !record(own, glyph.id, shape) || shape.curves.empty()) continue;
         const auto grid = typemesh::grid::fitting(upem, shape.bounds);
         if (!grid) continue;
-        typemesh::error failed;
+        typemesh::result<void> flattened;
         with_discretiser(o, upem,
-                         [&](const auto& d) { failed = discretise(shape, d, o.tolerance * upem, *grid, loops); });
-        if (failed) continue;
+                         [&](const auto& d) { flattened = discretise(shape, d, o.tolerance * upem, *grid, loops); });
+        if (!flattened) continue;
 
         const auto put = [&](typemesh::point p) {
             return place{{static_cast<float>((glyph.origin.x + p.x) / upem),

@@ -120,11 +120,11 @@ std::string find_family(const std::string& name, font_file& out)
     const auto fonts = typemesh::fontconfig_fonts::open();
     if (!fonts) return name + " cannot be looked for: fontconfig finds no configuration.";
     typemesh::installed_font found;
-    const typemesh::error e = fonts->find(words.c_str(), found, typemesh::family_names::aliases);
-    if (e == typemesh::error::no_such_style)
-        return name + ": no installed font of this family has that " + e.option + "; `fc-list \"" +
+    const auto match = fonts->find(words.c_str(), found, typemesh::family_names::aliases);
+    if (match == typemesh::error::no_such_style)
+        return name + ": no installed font of this family has that " + match.error().option + "; `fc-list \"" +
                name.substr(0, name.find(':')) + "\" style` lists the styles.";
-    if (e) return name + " is neither a file nor an installed family; `fc-list : family` lists those.";
+    if (!match) return name + " is neither a file nor an installed family; `fc-list : family` lists those.";
     out.path = found.path();
     const typemesh::font_options options = found.options();
     out.face = options.face;

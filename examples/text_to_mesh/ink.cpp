@@ -19,7 +19,7 @@ typemesh::box ink::of(const typemesh::glyph_run& run)
         if (fresh) {
             const typemesh::affine plain{};
             typemesh::mapped_face own{*font_, drawn.face, &plain, typemesh::units_per_em_of(*font_, drawn.face)};
-            if (!record(own, g.id, shape) && !shape.curves.empty()) found->second = shape.bounds;
+            if (record(own, g.id, shape).has_value() && !shape.curves.empty()) found->second = shape.bounds;
         }
         const typemesh::box& b = found->second;
         if (b.empty()) continue;

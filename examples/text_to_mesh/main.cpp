@@ -73,9 +73,9 @@ void add_part(const options& o, model& out, typemesh::part p, const typemesh::me
 }
 
 /// The whole mesh of a plan, part by part.
-typemesh::error write_model(const options& o, const chosen_plan& plan, model& out)
+typemesh::result<void> write_model(const options& o, const chosen_plan& plan, model& out)
 {
-    if (const typemesh::error e = plan.write(typemesh::into(out.vertices, out.indices))) return e;
+    if (const auto done = plan.write(typemesh::into(out.vertices, out.indices)); !done) return done.error();
     for (const typemesh::part p : plan.parts())
         for (const typemesh::style_id style : plan.styles()) add_part(o, out, p, plan.range(style, p), style);
     return {};
@@ -115,9 +115,9 @@ private:
 };
 
 /// Each different letter of a plan once, by the font's name for it, in each of its colours, and where it stands.
-typemesh::error write_letters(const options& o, const chosen_plan& plan, const font_set& fonts, model& out)
+typemesh::result<void> write_letters(const options& o, const chosen_plan& plan, const font_set& fonts, model& out)
 {
-    if (const typemesh::error e = plan.write_meshes(typemesh::into(out.vertices, out.indices))) return e;
+    if (const auto done = plan.write_meshes(typemesh::into(out.vertices, out.indices)); !done) return done.error();
     std::map<std::pair<std::size_t, typemesh::style_id>, std::size_t> numbers;  // of the letters
     for (std::size_t m = 0; m < plan.meshes().size(); ++m) {
         bool again = false;
@@ -223,7 +223,7 @@ std::string draw_picture(const options& o, font_set& font, const typemesh::glyph
     auto plan = mesher.plan(page, how);
     if (!plan) return in_words(plan.error());
     model mesh;
-    if (const typemesh::error e = write_model(o, *plan, mesh)) return in_words(e);
+    if (const auto done = write_model(o, *plan, mesh); !done) return in_words(done.error());
     int width = 0, height = 0;
     const overlay over = annotate(o, font, plan->run(), plan->glyphs(), mesh);
     const auto pixels = draw(mesh, over, look, width, height);
@@ -364,9 +364,9 @@ private:
         mesh.name = o_.text;
         tell_.begin("making " + std::to_string(plan->size().triangles) + " triangles");
         clock(typemesh::stage::extrude);
-        const typemesh::error e = o_.instances ? write_letters(o_, *plan, font_, mesh) : write_model(o_, *plan, mesh);
+        const auto written = o_.instances ? write_letters(o_, *plan, font_, mesh) : write_model(o_, *plan, mesh);
         clock(typemesh::stage::idle);
-        if (e) return in_words(e);
+        if (!written) return in_words(written.error());
         if (!lift(mesh, up)) return heights_lost(o_);
         facts_ = facts_of(mesh);
         if (o_.stats) stats_ = stats_of(*plan, quality_of_front(mesh), facts_, is_printed(o_.kind), clock);

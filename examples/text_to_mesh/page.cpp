@@ -87,7 +87,7 @@ private:
         lines_.width = width * (1.0 + 1e-9);
         trial t;
         t.width = width;
-        t.error = words_.lay_out(lines_, page);
+        t.error = words_.lay_out(lines_, page).error();
         if (t.error) return t;
         t.whole = words_.lines().empty() || words_.lines().back().last == words_.shaped().text().size();
         const typemesh::box seen = ink_.of(page);
@@ -110,7 +110,7 @@ private:
 bool name_ellipsis_losses(const options& o, font_set& font)
 {
     typemesh::glyph_run run;
-    if (typemesh::layout(font, o.ellipsis, shape_options_of(o), {}, run)) return false;  // the page fails likewise
+    if (!typemesh::layout(font, o.ellipsis, shape_options_of(o), {}, run)) return false;  // the page fails likewise
     if (run.invalid_units > 0) std::fprintf(stderr, "%s--ellipsis: is not valid UTF-8.\n", o.who.c_str());
     if (run.missing > 0)
         std::fprintf(stderr, "%s--ellipsis: the font has no glyph for it; three full stops are drawn instead.\n",
@@ -125,13 +125,13 @@ std::string lay_out_lines(const options& o, const Breaker& breaker, font_set& fo
     typemesh::paragraph words{font, typemesh::heap(), analyser{}, breaker};
     typemesh::paragraph_options lines = o.lines;
     lines.ellipsis = o.ellipsis;
-    typemesh::error e = words.set(o.text, shape_options_of(o), spans_of(o.styles, o.text), o.letter_spacing);
-    if (!e && o.fit_width > 0.0) {
+    auto set = words.set(o.text, shape_options_of(o), spans_of(o.styles, o.text), o.letter_spacing);
+    if (set && o.fit_width > 0.0) {
         if (std::string trouble = box_filling{o, font, words, lines}.fill(page, size); !trouble.empty()) return trouble;
-    } else if (!e) {
-        e = words.lay_out(lines, page);
+    } else if (set) {
+        set = words.lay_out(lines, page);
     }
-    if (e) return in_words(e);
+    if (!set) return in_words(set.error());
     bool warned = !o.ellipsis.empty() && name_ellipsis_losses(o, font);
     if (const std::uint32_t moved = words.shaped().styles.moved(); moved != 0) {
         std::fprintf(stderr, "%s--style: %u %s inside a character or a combined number; the whole of it is styled.\n",
@@ -148,8 +148,8 @@ std::string lay_out(const options& o, font_set& font, typemesh::glyph_run& page,
     if (!o.page) {
         const typemesh::layout_options lines{
             .align = o.align, .line_spacing = o.line_spacing, .letter_spacing = o.letter_spacing};
-        const typemesh::error e = typemesh::layout(font, o.text, shape_options_of(o), lines, page);
-        return e ? in_words(e) : std::string{};
+        const auto laid = typemesh::layout(font, o.text, shape_options_of(o), lines, page);
+        return laid ? std::string{} : in_words(laid.error());
     }
     if (!o.even_lines) return lay_out_lines(o, typemesh::first_fit{}, font, page, size);
     const typemesh::total_fit even{.emergency_stretch = 0.5};  // lines of few words have few spaces to stretch

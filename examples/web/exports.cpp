@@ -222,7 +222,7 @@ TYPEMESH_WEB_EXPORT void web_take(web_mesher* m) { m->made.set(m->next); }
 TYPEMESH_WEB_EXPORT std::uint32_t web_make(web_mesher* m, const char16_t* text, std::uint32_t size,
                                            std::uint32_t instances)
 {
-    if (const typemesh::error e = m->made.make({text, size}, instances != 0)) return fail(e);
+    if (const auto done = m->made.make({text, size}, instances != 0); !done) return fail(done.error());
     return 0;
 }
 

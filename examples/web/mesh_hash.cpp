@@ -95,7 +95,7 @@ int main(int argc, char** argv)
     session made{std::move(fonts)};
     made.set(how);
     const std::u16string units = utf16(text);
-    if (const typemesh::error e = made.make(units, false)) return refuse(e.message());
+    if (const auto done = made.make(units, false); !done) return refuse(done.error().message());
     std::printf("{\"hash\":\"%016llx\",\"vertices\":%zu,\"triangles\":%zu,\"openEdges\":%u",
                 static_cast<unsigned long long>(hash_of(made.arrays())), made.arrays().vertices(),
                 made.arrays().triangles(), open_edges(made.arrays()));

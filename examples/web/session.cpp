@@ -19,7 +19,7 @@ void session::set(const settings& how)
     maker_.take(options_);
 }
 
-typemesh::error session::lay_out(std::u16string_view text)
+typemesh::result<void> session::lay_out(std::u16string_view text)
 {
     const text_to_mesh::options& o = options_;
     const typemesh::shape_options how{.direction = o.direction,
@@ -30,23 +30,23 @@ typemesh::error session::lay_out(std::u16string_view text)
     typemesh::paragraph_options lines = o.lines;
     lines.ellipsis = how_.ellipsis;
     words_.breaker().is_even = o.even_lines;
-    if (const typemesh::error e = words_.set(text, how, o.letter_spacing)) return e;
+    if (const auto done = words_.set(text, how, o.letter_spacing); !done) return done.error();
     return words_.lay_out(lines, page_);
 }
 
-typemesh::error session::make(std::u16string_view text, bool instances)
+typemesh::result<void> session::make(std::u16string_view text, bool instances)
 {
     const auto begun = std::chrono::steady_clock::now();
     arrays_.clear();
     if (!how_.cached) cache_.clear();
     text_job job{.text = text, .page = nullptr, .instances = instances, .begun = begun};
     if (options_.page) {
-        if (const typemesh::error e = lay_out(text)) return e;
+        if (const auto done = lay_out(text); !done) return done.error();
         job.page = &page_;
     }
-    const typemesh::error e = maker_.make(job, arrays_);
-    if (e) arrays_.clear();
-    return e;
+    const auto made = maker_.make(job, arrays_);
+    if (!made) arrays_.clear();
+    return made;
 }
 
 }  // namespace typemesh_web

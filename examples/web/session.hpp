@@ -40,7 +40,7 @@ public:
     void set(const settings& how);
 
     /// Fills arrays().
-    [[nodiscard]] typemesh::error make(std::u16string_view text, bool instances);
+    [[nodiscard]] typemesh::result<void> make(std::u16string_view text, bool instances);
 
     [[nodiscard]] const mesh_arrays& arrays() const noexcept { return arrays_; }
     void clear_cache() noexcept { cache_.clear(); }
@@ -48,7 +48,7 @@ public:
 private:
     using page_words = typemesh::paragraph<font_set, typemesh::unicode_analyser, chosen_breaker>;
 
-    [[nodiscard]] typemesh::error lay_out(std::u16string_view text);
+    [[nodiscard]] typemesh::result<void> lay_out(std::u16string_view text);
 
     std::vector<shared_font> fonts_;
     font_set set_;

@@ -32,7 +32,7 @@ void text_maker::take(const text_to_mesh::options& o)
     text_to_mesh::choose_policies(options_, fonts_->units_per_em(), mesher_);
 }
 
-error text_maker::make(const text_job& job, mesh_arrays& out)
+result<void> text_maker::make(const text_job& job, mesh_arrays& out)
 {
     text_options how = text_options_of(options_);
     if (job.instances) how.merge = false;

@@ -31,7 +31,7 @@ public:
     void take(const text_to_mesh::options& o);
 
     /// Fills `out`. Nothing of the plan outlives the call, so the cache may be cleared behind it.
-    [[nodiscard]] typemesh::error make(const text_job& job, mesh_arrays& out);
+    [[nodiscard]] typemesh::result<void> make(const text_job& job, mesh_arrays& out);
 
 private:
     font_set* fonts_;

@@ -32,7 +32,7 @@ auto sink_into(mesh_arrays& out)
 
 }  // namespace
 
-error write_whole(const text_to_mesh::chosen_plan& plan, mesh_arrays& out) noexcept
+result<void> write_whole(const text_to_mesh::chosen_plan& plan, mesh_arrays& out) noexcept
 {
     const mesh_size size = plan.size();
     if (!out.make_room(size.vertices, size.indices())) return error::out_of_memory;
@@ -41,7 +41,7 @@ error write_whole(const text_to_mesh::chosen_plan& plan, mesh_arrays& out) noexc
     return plan.write(sink_into(out));
 }
 
-error write_letters(const text_to_mesh::chosen_plan& plan, mesh_arrays& out) noexcept
+result<void> write_letters(const text_to_mesh::chosen_plan& plan, mesh_arrays& out) noexcept
 {
     const mesh_size size = plan.meshes_size();
     if (!out.make_room(size.vertices, size.indices())) return error::out_of_memory;

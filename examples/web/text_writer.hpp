@@ -8,9 +8,9 @@ namespace typemesh_web {
 
 /// Writes a plan. Compiled apart, for speed, as this runs for each vertex of each text; what builds letters is compiled for
 /// size.
-[[nodiscard]] typemesh::error write_whole(const text_to_mesh::chosen_plan& plan, mesh_arrays& out) noexcept;
+[[nodiscard]] typemesh::result<void> write_whole(const text_to_mesh::chosen_plan& plan, mesh_arrays& out) noexcept;
 
 /// The same as different letters and where they stand.
-[[nodiscard]] typemesh::error write_letters(const text_to_mesh::chosen_plan& plan, mesh_arrays& out) noexcept;
+[[nodiscard]] typemesh::result<void> write_letters(const text_to_mesh::chosen_plan& plan, mesh_arrays& out) noexcept;
 
 }  // namespace typemesh_web

@@ -34,7 +34,7 @@ harfbuzz_font opened(const char* name, const font_options& options = {})
 glyph_run shaped(harfbuzz_font& font, text_view text, const shape_options& how = {})
 {
     glyph_run run;
-    const error e = layout(font, text, how, {}, run);
+    const error e = layout(font, text, how, {}, run).error();
     INFO(e.message());
     REQUIRE(!e);
     return run;
@@ -43,7 +43,7 @@ glyph_run shaped(harfbuzz_font& font, text_view text, const shape_options& how =
 error refusal(harfbuzz_font& font, text_view text, const shape_options& how = {})
 {
     glyph_run run;
-    return layout(font, text, how, {}, run);
+    return layout(font, text, how, {}, run).error();
 }
 
 std::vector<cluster_id> clusters(const glyph_run& run)
@@ -63,7 +63,7 @@ std::vector<glyph_id> ids(const glyph_run& run)
 std::vector<point> points_of(harfbuzz_font& font, glyph_id id)
 {
     outline o;
-    REQUIRE(!record(font, id, o));
+    REQUIRE(record(font, id, o));
     std::vector<point> all;
     for (const curve& c : o.curves) all.insert(all.end(), c.p, c.p + c.degree + 1);
     return all;
@@ -178,7 +178,7 @@ TEST_CASE("spaced letters have no ligatures unless they are asked for by name", 
     harfbuzz_font font = opened(dejavu);
     glyph_run run;
     shape_options how;
-    REQUIRE_FALSE(layout(font, "office", how, {.letter_spacing = 0.1}, run));
+    REQUIRE(layout(font, "office", how, {.letter_spacing = 0.1}, run));
     REQUIRE(run.glyphs.size() == 6);
     how.ligatures = false;
     const glyph_run apart = shaped(font, "office", how);
@@ -190,7 +190,7 @@ TEST_CASE("spaced letters have no ligatures unless they are asked for by name", 
     how.features = on;
     CHECK(shaped(font, "office", how).glyphs.size() < 6);
     const glyph_run joined = shaped(font, u"سلام");
-    REQUIRE_FALSE(layout(font, u"سلام", {}, {.letter_spacing = 0.1}, run));
+    REQUIRE(layout(font, u"سلام", {}, {.letter_spacing = 0.1}, run));
     CHECK(run.lines[0].advance == joined.lines[0].advance);
 }
 
@@ -360,7 +360,7 @@ TEST_CASE("Japanese runs down in columns, centred on the pen", "[adapt][harfbuzz
         for (std::uint32_t i = 1; i < line.glyph_count; ++i)
             CHECK(run.glyphs[line.first_glyph + i].origin.y < run.glyphs[line.first_glyph + i - 1].origin.y);
     outline o;
-    REQUIRE(!record(font, run.glyphs[0].id, o));
+    REQUIRE(record(font, run.glyphs[0].id, o));
     const double middle = run.glyphs[0].origin.x + (o.bounds.low.x + o.bounds.high.x) / 2;
     CHECK(std::fabs(middle) < 0.1 * font.units_per_em());
     CHECK(run.glyphs[0].origin.y + o.bounds.high.y <= 0.02 * font.units_per_em());
@@ -469,7 +469,7 @@ TEST_CASE("blank glyphs draw nothing, glyphs that do not exist are an error", "[
     harfbuzz_font font = opened(dejavu);
     CHECK(points_of(font, shaped(font, " ").glyphs[0].id).empty());
     outline o;
-    const error e = record(font, font.glyph_count(), o);
+    const error e = record(font, font.glyph_count(), o).error();
     CHECK(e == error::unknown_glyph);
     CHECK(e.glyph == font.glyph_count());
     CHECK(record(font, no_glyph, o) == error::unknown_glyph);

@@ -104,8 +104,8 @@ TEST_CASE("a cascade whose first font has all is that font, glyph for glyph", "[
     paragraph alone{*sans};
     for (const char16_t* text : {u"office AVAT fi", u"\u0643\u064F\u062A\u064F\u0628 12 x", u"\u05D0\u05D1 (x) 12"}) {
         glyph_run found, expected;
-        REQUIRE_FALSE(layout(fonts, text, {}, {}, found));
-        REQUIRE_FALSE(layout(*sans, text, {}, {}, expected));
+        REQUIRE(layout(fonts, text, {}, {}, found));
+        REQUIRE(layout(*sans, text, {}, {}, expected));
         for (int way = 0; way < 2; ++way) {
             REQUIRE(found.glyphs.size() == expected.glyphs.size());
             for (std::size_t i = 0; i < found.glyphs.size(); ++i) {
@@ -113,10 +113,10 @@ TEST_CASE("a cascade whose first font has all is that font, glyph for glyph", "[
                 CHECK(found.glyphs[i].origin == expected.glyphs[i].origin);
             }
             CHECK(found.looks.empty());
-            REQUIRE_FALSE(words.set(text));
-            REQUIRE_FALSE(alone.set(text));
-            REQUIRE_FALSE(words.lay_out({.width = 3.0}, found));
-            REQUIRE_FALSE(alone.lay_out({.width = 3.0}, expected));
+            REQUIRE(words.set(text));
+            REQUIRE(alone.set(text));
+            REQUIRE(words.lay_out({.width = 3.0}, found));
+            REQUIRE(alone.lay_out({.width = 3.0}, expected));
         }
     }
 }
@@ -129,10 +129,10 @@ TEST_CASE("every line of a paragraph in several fonts holds the glyphs of its te
     const wrap_mode wrap = GENERATE(wrap_mode::word, wrap_mode::word_or_grapheme, wrap_mode::grapheme);
     paragraph words{fonts};
     glyph_run run;
-    REQUIRE_FALSE(words.set(mixed));
+    REQUIRE(words.set(mixed));
     for (double width = 0.4; width < 40.0; width *= 1.25) {
         INFO("width " << width);
-        REQUIRE_FALSE(words.lay_out({.width = width, .wrap = wrap}, run));
+        REQUIRE(words.lay_out({.width = width, .wrap = wrap}, run));
         std::uint32_t at = 0;
         for (std::size_t k = 0; k < run.lines.size(); ++k) {
             const laid_line& line = words.lines()[k];
@@ -172,12 +172,12 @@ TEST_CASE("no grapheme of random texts comes from two fonts, and what is missing
     for (int round = 0; round < 400; ++round) {
         std::u16string text;
         for (int i = 0; i < 12; ++i) text.append(parts[random() % std::size(parts)]);
-        REQUIRE_FALSE(words.set(text));
+        REQUIRE(words.set(text));
         const bool wrapped = round % 2 == 0;
         if (wrapped)
-            REQUIRE_FALSE(words.lay_out({.width = 2.0}, run));
+            REQUIRE(words.lay_out({.width = 2.0}, run));
         else
-            REQUIRE_FALSE(layout(fonts, text, {}, {}, run));
+            REQUIRE(layout(fonts, text, {}, {}, run));
         lines += run.lines.size();
         missing += run.missing;
 

@@ -35,7 +35,7 @@ void check(Font& font, const emoji_text& t)
 {
     for (const direction way : {direction::automatic, direction::top_to_bottom}) {
         glyph_run run;
-        REQUIRE_FALSE(layout(font, t.text, {.direction = way}, {}, run));
+        REQUIRE(layout(font, t.text, {.direction = way}, {}, run));
         CHECK(run.missing == 0);
         CHECK(run.parted == t.parted);
         CHECK(run.first_parted == t.first);
@@ -48,8 +48,8 @@ void check(Font& font, const emoji_text& t)
         CHECK(plan->report().complete() == (t.parted == 0));
 
         paragraph words{font};
-        REQUIRE_FALSE(words.set(t.text, {.direction = way}));
-        REQUIRE_FALSE(words.lay_out({}, run));
+        REQUIRE(words.set(t.text, {.direction = way}));
+        REQUIRE(words.lay_out({}, run));
         CHECK(run.parted == t.parted);
         CHECK(run.first_parted == t.first);
     }
@@ -77,9 +77,9 @@ TEST_CASE("an emoji that a line has dropped is not reported", "[harfbuzz][emoji]
     REQUIRE(font);
     paragraph words{*font};
     glyph_run run;
-    REQUIRE_FALSE(words.set("one two \U0001F44D\U0001F3FD"));
-    REQUIRE_FALSE(words.lay_out({.width = 4.0, .most_lines = 1}, run));
+    REQUIRE(words.set("one two \U0001F44D\U0001F3FD"));
+    REQUIRE(words.lay_out({.width = 4.0, .most_lines = 1}, run));
     CHECK(run.parted == 0);
-    REQUIRE_FALSE(words.lay_out({.width = 4.0}, run));
+    REQUIRE(words.lay_out({.width = 4.0}, run));
     CHECK(run.parted == 1);
 }

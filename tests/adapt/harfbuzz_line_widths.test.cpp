@@ -74,12 +74,12 @@ std::size_t too_wide(Words& words, std::mt19937& random, const std::u16string& t
         spans.push_back({middle, static_cast<std::uint32_t>(text.size()), {.letter_spacing = 0.25}});
     }
     const shape_options how{.direction = static_cast<direction>(random() % 4)};
-    REQUIRE_FALSE(words.set(text, how, spans, random() % 4 == 0 ? 0.1 : 0.0));
+    REQUIRE(words.set(text, how, spans, random() % 4 == 0 ? 0.1 : 0.0));
     std::size_t wrong = 0;
     for (int k = 0; k < 6; ++k) {
         const paragraph_options options = random_options(random);
         glyph_run run;
-        REQUIRE_FALSE(words.lay_out(options, run));
+        REQUIRE(words.lay_out(options, run));
         bool begins = true;
         const double em = run.units_per_em;
         for (const laid_line& line : words.lines()) {
@@ -128,10 +128,10 @@ TEST_CASE("white space at a line's end hangs beyond every edge, whatever is not 
         for (const char16_t* end : {u" \u200F", u" \u200E ", u"\u200F \u061C", u" \u034F", u" \u200D\u200F"})
             for (const line_alignment align : {line_alignment::left, line_alignment::centre, line_alignment::right}) {
                 const std::u16string text = std::u16string{word} + end;
-                REQUIRE_FALSE(words.set(text));
-                REQUIRE_FALSE(plain.set(std::u16string_view{word}));
-                REQUIRE_FALSE(words.lay_out({.width = 8.0, .align = align}, run));
-                REQUIRE_FALSE(plain.lay_out({.width = 8.0, .align = align}, bare));
+                REQUIRE(words.set(text));
+                REQUIRE(plain.set(std::u16string_view{word}));
+                REQUIRE(words.lay_out({.width = 8.0, .align = align}, run));
+                REQUIRE(plain.lay_out({.width = 8.0, .align = align}, bare));
                 CHECK(words.lines()[0].width == Approx(plain.lines()[0].width));
                 for (const placed_glyph& g : bare.glyphs) {
                     bool found = false;
@@ -150,8 +150,8 @@ TEST_CASE("the marks of a letter may be any number: all are drawn, with the lett
         const std::u16string text = u"x" + std::u16string{letter} + std::u16string(100000, u'\u0316') + letter;
         paragraph words{*font};
         glyph_run run;
-        REQUIRE_FALSE(words.set(text));
-        REQUIRE_FALSE(words.lay_out({.width = 3.0}, run));
+        REQUIRE(words.set(text));
+        REQUIRE(words.lay_out({.width = 3.0}, run));
         CHECK(run.glyphs.size() == text.size());
         CHECK(run.missing == 0);
         for (const auto& glyphs : {&run}) {
@@ -159,7 +159,7 @@ TEST_CASE("the marks of a letter may be any number: all are drawn, with the lett
             for (const placed_glyph& g : glyphs->glyphs) marks += g.cluster == 1 ? 1u : 0u;
             CHECK(marks == 100001);
         }
-        REQUIRE_FALSE(layout(*font, text, {}, {}, run));
+        REQUIRE(layout(*font, text, {}, {}, run));
         CHECK(run.glyphs.size() == text.size());
         for (const placed_glyph& g : run.glyphs) CHECK((g.cluster <= 1 || g.cluster == text.size() - 1));
     }

@@ -89,11 +89,11 @@ TEST_CASE("every line holds the glyphs of its text shaped afresh, at any width a
     REQUIRE(font);
     paragraph words{*font};
     glyph_run run;
-    REQUIRE_FALSE(words.set(s.text));
+    REQUIRE(words.set(s.text));
     const text_view text{s.text};
     for (double width = 0.4; width < 60.0; width *= 1.3) {
         INFO("width " << width);
-        REQUIRE_FALSE(words.lay_out({.width = width, .wrap = wrap}, run));
+        REQUIRE(words.lay_out({.width = width, .wrap = wrap}, run));
         REQUIRE(run.lines.size() == words.lines().size());
         std::uint32_t at = 0;
         for (std::size_t k = 0; k < run.lines.size(); ++k) {
@@ -131,8 +131,8 @@ TEST_CASE("lines of both directions are drawn as UAX #9 orders them", "[adapt][h
     const auto clusters = [&](std::u16string_view text, direction d) {
         shape_options how;
         how.direction = d;
-        REQUIRE_FALSE(words.set(text, how));
-        REQUIRE_FALSE(words.lay_out({}, run));
+        REQUIRE(words.set(text, how));
+        REQUIRE(words.lay_out({}, run));
         std::vector<cluster_id> all;
         for (const placed_glyph& g : run.glyphs) all.push_back(g.cluster);
         return all;
@@ -164,9 +164,9 @@ TEST_CASE("a line is drawn in the same order whether it is laid out alone or as 
             shape_options how;
             how.direction = d;
             glyph_run alone, laid;
-            REQUIRE_FALSE(layout(*font, text, how, {}, alone));
-            REQUIRE_FALSE(words.set(text, how));
-            REQUIRE_FALSE(words.lay_out({}, laid));
+            REQUIRE(layout(*font, text, how, {}, alone));
+            REQUIRE(words.set(text, how));
+            REQUIRE(words.lay_out({}, laid));
             CHECK(clusters(alone) == clusters(laid));
         }
 }
@@ -180,17 +180,17 @@ TEST_CASE("a paragraph's first line can be no wider than its text, nor a word th
     REQUIRE(font);
     paragraph words{*font};
     glyph_run run;
-    REQUIRE_FALSE(words.set(s.text));
+    REQUIRE(words.set(s.text));
     const paragraph_widths widths = words.widths();
     REQUIRE(widths.narrowest > 0.0);
     REQUIRE(widths.narrowest < widths.widest);
-    REQUIRE_FALSE(words.lay_out({.width = widths.widest}, run));
+    REQUIRE(words.lay_out({.width = widths.widest}, run));
     CHECK(run.lines.size() == 1);
-    REQUIRE_FALSE(words.lay_out({.width = 0.99 * widths.widest}, run));
+    REQUIRE(words.lay_out({.width = 0.99 * widths.widest}, run));
     CHECK(run.lines.size() > 1);
-    REQUIRE_FALSE(words.lay_out({.width = widths.narrowest, .wrap = wrap_mode::word}, run));
+    REQUIRE(words.lay_out({.width = widths.narrowest, .wrap = wrap_mode::word}, run));
     const std::size_t lines = run.lines.size();
-    REQUIRE_FALSE(words.lay_out({.width = widths.narrowest, .wrap = wrap_mode::word_or_grapheme}, run));
+    REQUIRE(words.lay_out({.width = widths.narrowest, .wrap = wrap_mode::word_or_grapheme}, run));
     CHECK(run.lines.size() == lines);  // nothing was broken
 }
 
@@ -233,10 +233,10 @@ TEST_CASE("words with strokes are drawn as their text with U+0640, shaped afresh
     REQUIRE(font);
     paragraph words{*font};
     glyph_run run;
-    REQUIRE_FALSE(words.set(text));
+    REQUIRE(words.set(text));
     std::size_t strokes = 0;
     for (double width = 4.0; width < 16.0; width += 0.37) {
-        REQUIRE_FALSE(
+        REQUIRE(
             words.lay_out({.width = width, .align = line_alignment::justify, .justify = justification::kashida}, run));
         for (std::size_t k = 0; k + 1 < run.lines.size(); ++k) {
             const laid_line& line = words.lines()[k];
@@ -345,10 +345,10 @@ TEST_CASE("whatever text is laid out in whatever way, all of it is drawn once, a
         glyph_run run;
         shape_options how;
         how.direction = static_cast<direction>(random() % 3);
-        REQUIRE_FALSE(words.set(text, how));
+        REQUIRE(words.set(text, how));
         for (const std::uint8_t level : words.shaped().analysis.levels) deepest = std::max(deepest, level);
         for (int layouts = 0; layouts < 2; ++layouts) {
-            REQUIRE_FALSE(words.lay_out(random_options(random), run));
+            REQUIRE(words.lay_out(random_options(random), run));
             std::uint32_t at = 0;
             for (std::size_t k = 0; k < run.lines.size(); ++k) {
                 const laid_line& line = words.lines()[k];

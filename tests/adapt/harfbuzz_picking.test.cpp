@@ -40,7 +40,7 @@ void each_middle(const Plan& plan, const With& with)
 {
     std::vector<vertex> vertices;
     std::vector<std::uint32_t> indices;
-    REQUIRE_FALSE(plan.write(into(vertices, indices)));
+    REQUIRE(plan.write(into(vertices, indices)));
     for (const part p : plan.parts()) {
         const mesh_range r = plan.range(p);
         for (std::uint32_t t = 0; t < r.index_count / 3; ++t) {
@@ -105,9 +105,9 @@ TEST_CASE("a triangle of a ligature leads to the letter that it belongs to", "[h
     check_all(plain, width);
 
     paragraph words{*font};
-    REQUIRE_FALSE(words.set(word));
+    REQUIRE(words.set(word));
     glyph_run page;
-    REQUIRE_FALSE(words.lay_out({.width = 50.0}, page));
+    REQUIRE(words.lay_out({.width = 50.0}, page));
     auto styled = mesher.plan(page, how);
     REQUIRE(styled);
     each_middle(*styled, [&](const mesh_hit& hit, vec3 at) {
@@ -130,8 +130,8 @@ TEST_CASE("a triangle leads to its letter where text is read to the left", "[har
     text_mesher mesher{*font};
     paragraph words{*font};
     glyph_run page;
-    REQUIRE_FALSE(words.set(alef_lam));
-    REQUIRE_FALSE(words.lay_out({}, page));
+    REQUIRE(words.set(alef_lam));
+    REQUIRE(words.lay_out({}, page));
     auto plan = mesher.plan(page);
     REQUIRE(plan);
     REQUIRE(plan->glyphs().size() == 1);

@@ -56,12 +56,12 @@ TEST_CASE("kerning, ligatures and joined letters survive a change of colour", "[
         harfbuzz_font font = styled_font(s.font);
         paragraph words{font};
         glyph_run plain, coloured;
-        REQUIRE_FALSE(words.set(s.text));
-        REQUIRE_FALSE(words.lay_out({.width = 4.0}, plain));
+        REQUIRE(words.set(s.text));
+        REQUIRE(words.lay_out({.width = 4.0}, plain));
         std::vector<style_span> spans;  // a colour for every unit
         for (std::uint32_t u = 0; u < s.text.size(); ++u) spans.push_back({u, u + 1, {.style = style_id{u}}});
-        REQUIRE_FALSE(words.set(s.text, {}, spans));
-        REQUIRE_FALSE(words.lay_out({.width = 4.0}, coloured));
+        REQUIRE(words.set(s.text, {}, spans));
+        REQUIRE(words.lay_out({.width = 4.0}, coloured));
         REQUIRE(coloured.glyphs.size() == plain.glyphs.size());
         for (std::size_t i = 0; i < plain.glyphs.size(); ++i) {
             CHECK(coloured.glyphs[i].id == plain.glyphs[i].id);
@@ -82,9 +82,9 @@ TEST_CASE("a recoloured letter is built once, and styles part the mesh", "[adapt
     const style_span spans[] = {{0, 3, {.style = style_id{4}}},
                                 {4, 7, {.decorations = both, .style = style_id{2}}},
                                 {8, 9, {.size = 1.5, .decorations = both, .style = style_id{9}}}};
-    REQUIRE_FALSE(words.set("ooo ooo o", {}, spans));
+    REQUIRE(words.set("ooo ooo o", {}, spans));
     glyph_run run;
-    REQUIRE_FALSE(words.lay_out({}, run));
+    REQUIRE(words.lay_out({}, run));
     const bool merge = GENERATE(false, true);
     auto plan = mesher.plan(run, {.merge = merge});
     REQUIRE(plan);
@@ -92,7 +92,7 @@ TEST_CASE("a recoloured letter is built once, and styles part the mesh", "[adapt
     if (!merge) CHECK(plan->meshes().size() == 2 + 2);  // the o of either size; bars of two sizes, twice each
     std::vector<styled_vertex> vertices;
     std::vector<std::uint32_t> indices, styles_of(plan->size().vertices);
-    REQUIRE_FALSE(plan->write(into(vertices, indices)));
+    REQUIRE(plan->write(into(vertices, indices)));
     std::size_t named = 0;
     for (const style_id style : plan->styles())
         for (const part p : plan->parts()) {
@@ -114,14 +114,14 @@ TEST_CASE("decorated text is closed, and its bars are as wide as its letters' ad
     paragraph words{font};
     text_mesher mesher{font};
     const style_span spans[] = {{2, 8, {.slant = 0.2, .decorations = decoration::underline}}};
-    REQUIRE_FALSE(words.set("gypsy quay", {}, spans));
+    REQUIRE(words.set("gypsy quay", {}, spans));
     glyph_run run;
-    REQUIRE_FALSE(words.lay_out({}, run));
+    REQUIRE(words.lay_out({}, run));
     auto plan = mesher.plan(run, {});
     REQUIRE(plan);
     std::vector<test::full_vertex> vertices;
     std::vector<std::uint32_t> indices;
-    REQUIRE_FALSE(plan->write(into(vertices, indices)));
+    REQUIRE(plan->write(into(vertices, indices)));
     for (std::size_t g = 0; g < plan->glyphs().size(); ++g) {
         std::vector<std::uint32_t> own;
         for (const part p : plan->parts()) {
@@ -157,8 +157,8 @@ TEST_CASE("carets stand within ligatures where the font says, and lead back to t
     harfbuzz_font font = styled_font("opentype/fonts-hosny-amiri/Amiri-Regular.ttf");
     paragraph words{font};
     glyph_run run;
-    REQUIRE_FALSE(words.set("ffi"));
-    REQUIRE_FALSE(words.lay_out({}, run));
+    REQUIRE(words.set("ffi"));
+    REQUIRE(words.lay_out({}, run));
     REQUIRE(run.glyphs.size() == 1);
     CHECK(std::fabs(words.laid().caret_at(1).at.x - 0.269) < 1e-3);
     CHECK(std::fabs(words.laid().caret_at(2).at.x - 0.537) < 1e-3);
@@ -167,9 +167,8 @@ TEST_CASE("carets stand within ligatures where the font says, and lead back to t
     const style_span large[] = {{1, 5, {.size = 2.0}}};
     for (const double width : {3.0, 5.0, 100.0})
         for (const bool styled : {false, true}) {
-            REQUIRE_FALSE(
-                words.set(mixed, {}, styled ? std::span<const style_span>{large} : std::span<const style_span>{}));
-            REQUIRE_FALSE(words.lay_out({.width = width, .align = line_alignment::justify}, run));
+            REQUIRE(words.set(mixed, {}, styled ? std::span<const style_span>{large} : std::span<const style_span>{}));
+            REQUIRE(words.lay_out({.width = width, .align = line_alignment::justify}, run));
             const laid_text laid = words.laid();
             for (std::uint32_t unit = 0; unit <= mixed.size(); ++unit)
                 for (const affinity side : {affinity::downstream, affinity::upstream}) {
@@ -189,9 +188,9 @@ TEST_CASE("a span names its face, with that face's metrics and carets", "[adapt]
     font_cascade fonts{sans, naskh};
     paragraph words{fonts};
     const style_span spans[] = {{2, 5, {.face = 1, .decorations = decoration::underline}}};
-    REQUIRE_FALSE(words.set("a ffi", {}, spans));
+    REQUIRE(words.set("a ffi", {}, spans));
     glyph_run run;
-    REQUIRE_FALSE(words.lay_out({}, run));
+    REQUIRE(words.lay_out({}, run));
     REQUIRE(run.glyphs.size() == 4);
     CHECK(run.looks[run.glyphs[2].look].face == 1);
     const double unit = sans.units_per_em() / naskh.units_per_em();
@@ -210,9 +209,9 @@ TEST_CASE("superscripts are of the size and at the height that the font names", 
     harfbuzz_font font = styled_font("truetype/liberation/LiberationSans-Regular.ttf");
     paragraph words{font};
     const style_span spans[] = {{4, 5, {.position = script_position::superscript}}};
-    REQUIRE_FALSE(words.set("E=mc2", {}, spans));
+    REQUIRE(words.set("E=mc2", {}, spans));
     glyph_run run;
-    REQUIRE_FALSE(words.lay_out({}, run));
+    REQUIRE(words.lay_out({}, run));
     REQUIRE(run.glyphs.size() == 5);
     CHECK(std::fabs(run.glyphs[4].origin.y - 977.0) < 1e-9);
     CHECK(std::fabs(run.looks[run.glyphs[4].look].map.yy - 1331.0 / 2048) < 1e-12);

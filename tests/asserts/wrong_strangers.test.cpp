@@ -195,7 +195,7 @@ TEST_CASE("a wrong shaper gets its sentence, wrong drawings and full disks their
     std::FILE* file = std::fopen(TYPEMESH_TEST_DATA "/corpus/regions.txt", "rb");  // it takes nothing, as a full disk
     REQUIRE(file != nullptr);
     stranger::ply_sink sink{file};
-    const error e = plan->write(sink);
+    const error e = plan->write(sink).error();
     CHECK(e == error::not_written);
     char words[200];
     CHECK(std::string{describe(e, words)} == "The mesh could not be written to its end: the disk may be full.");

@@ -23,14 +23,14 @@ error everywhere(text_mesher<>& mesher, d3dx_text<>& maker)
     const auto plan = mesher.plan("o");
     if (!plan) return plan.error();
     text_chunks chunks;
-    if (error e = chunks.cut(*plan)) return e;
-    if (error e = chunks.write(*plan, into(vertices, indices))) return e;
-    if (error e = plan->write(into(vertices, indices))) return e;
-    if (error e = plan->write(into(std::span{vertices}, std::span{indices}))) return e;
-    if (error e = plan->write(stream_sink{std::span{indices}})) return e;
+    if (const auto done = chunks.cut(*plan); !done) return done.error();
+    if (const auto done = chunks.write(*plan, into(vertices, indices)); !done) return done.error();
+    if (const auto done = plan->write(into(vertices, indices)); !done) return done.error();
+    if (const auto done = plan->write(into(std::span{vertices}, std::span{indices})); !done) return done.error();
+    if (const auto done = plan->write(stream_sink{std::span{indices}}); !done) return done.error();
     const auto made = maker.plan("o");
     if (!made) return made.error();
-    return made->write(std::span{vertices}, std::span{indices});
+    return made->write(std::span{vertices}, std::span{indices}).error();
 }
 
 }  // namespace

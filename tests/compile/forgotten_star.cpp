@@ -25,6 +25,10 @@ void fonts(result<toy_font>& font, result<other_font>& other)
     d3dx_text maker{other};
 }
 
+struct used_font : toy_font {};
+
+void exchanged(text_mesher<>& mesher, result<used_font>& font) { mesher.use(font); }
+
 struct covering_font : test::toy_covering_font {};
 struct foreign_font : test::toy_covering_font {};
 

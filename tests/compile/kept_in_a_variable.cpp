@@ -14,6 +14,7 @@ using namespace typemesh;
 void refer(test::toy_font& font, text_mesher<>& mesher, glyph_run& run)
 {
     text_mesher of_a_temporary{test::toy_font{}};
+    mesher.use(test::toy_font{});
     (void)mesher.plan(std::move(run));
     (void)text_mesher{font}.plan("o");
     (void)d3dx_text{font}.plan("o");

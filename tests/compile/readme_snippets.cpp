@@ -24,6 +24,7 @@
 #include <typemesh/unicode/hyphenating.hpp>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <string_view>
 #include <vector>
@@ -48,6 +49,7 @@ int main()
     std::vector<std::uint32_t> indices;
     auto made = mesher.build("Hello world!", typemesh::into(vertices, indices));
     if (!made) return std::puts(made.error().message()), 1;
+    if (!made->complete()) std::printf("%u characters are not in the font\n", made->missing);
     std::printf("%zu vertices, %zu triangles\n", vertices.size(), indices.size() / 3);
     return 0;
 }
@@ -75,9 +77,9 @@ int more(typemesh::result<typemesh::harfbuzz_font>& font, std::span<vertex> mapp
 auto plan = mesher.plan(u8"مرحبا بالعالم!", {.tolerance = typemesh::quality::best, .frame = typemesh::left_handed_y_up});
 if (!plan) return std::puts(plan.error().message()), 1;     // the plan refers to its mesher: keep both
 auto size = plan->size();                                   // exact: map buffers of size.vertices and size.indices()
-auto error = plan->write(typemesh::into(mapped_vertices, mapped_indices));      // two spans
+auto written = plan->write(typemesh::into(mapped_vertices, mapped_indices));    // two spans
 auto front = plan->range(typemesh::part::front);            // first_index, index_count, first_vertex, vertex_count
-use(size, error, front);
+use(size, written, front);
     }
 typemesh::text_mesher delaunay{*font, typemesh::constrained_delaunay{}};
     use(delaunay);
@@ -112,13 +114,13 @@ auto inter = typemesh::harfbuzz_font::open("Inter.var.ttf", {.face = 0, .variati
 
     {
 typemesh::paragraph words{*font};
-if (auto e = words.set("In the beginning the Universe was created.")) return std::puts(e.message()), 1;
+if (auto set = words.set("In the beginning the Universe was created."); !set) return std::puts(set.error().message()), 1;
 typemesh::glyph_run page;
-if (auto e = words.lay_out({.width = 9.0, .align = typemesh::line_alignment::justify}, page)) return std::puts(e.message()), 1;
+if (auto laid = words.lay_out({.width = 9.0, .align = typemesh::line_alignment::justify}, page); !laid) return std::puts(laid.error().message()), 1;
 auto column = mesher.plan(page);
 auto em = fit_size(words, 30.0, 10.0);                                          // of a box in the mesh: 30 along the lines, 10 across
 if (!em) return std::puts(em.error().message()), 1;
-if (auto e = words.lay_out({.width = 30.0 / *em}, page)) return std::puts(e.message()), 1;
+if (auto laid = words.lay_out({.width = 30.0 / *em}, page); !laid) return std::puts(laid.error().message()), 1;
 auto sign = mesher.plan(page, {.size = *em});
     use(sign);
 typemesh::paragraph even{*font, typemesh::heap(), typemesh::unicode_analyser{}, typemesh::total_fit{.tolerance = 0.8}};
@@ -129,8 +131,8 @@ const typemesh::style_span spans[] = {
     {6, 11, {.decorations = typemesh::decoration::underline, .style = typemesh::style_id{1}}},
     {11, 12, {.size = 1.5, .style = typemesh::style_id{2}}},
 };
-if (auto e = words.set("Hello world!", {}, spans)) return std::puts(e.message()), 1;
-if (auto e = words.lay_out({.width = 9.0}, page)) return std::puts(e.message()), 1;
+if (auto set = words.set("Hello world!", {}, spans); !set) return std::puts(set.error().message()), 1;
+if (auto laid = words.lay_out({.width = 9.0}, page); !laid) return std::puts(laid.error().message()), 1;
 auto styled = mesher.plan(page);
 if (!styled) return std::puts(styled.error().message()), 1;
     const std::uint32_t triangle = 0;
@@ -150,7 +152,7 @@ auto plan = mesher.plan("Hello", {.merge = true, .corners = typemesh::touching::
     }
     {
 typemesh::glyph_run run;
-if (auto e = layout(*font, "Hello", {}, {}, run)) return std::puts(e.message()), 1;
+if (auto laid = layout(*font, "Hello", {}, {}, run); !laid) return std::puts(laid.error().message()), 1;
 auto slanted = run.number_of({.map = {.xy = 0.2}, .style = typemesh::style_id{7}});   // 7: your number for a material
 if (!slanted) return std::puts(slanted.error().message()), 1;
 run.glyphs[0].look = *slanted;
@@ -210,7 +212,7 @@ auto error = plan->write(typemesh::into(vertices, indices), pool);
     use(error);
         {
 typemesh::text_chunks chunks;
-if (auto e = chunks.cut(*plan)) return std::puts(e.message()), 1;               // at most 65,535 vertices each
+if (auto cut = chunks.cut(*plan); !cut) return std::puts(cut.error().message()), 1;               // at most 65,535 vertices each
 auto size = chunks.size();                                                      // exact, as ever
 auto trouble = chunks.write(*plan, typemesh::into(mapped_vertices, mapped_short_indices));
 for (const auto& c : chunks.view()) draw(c.range().first_index, c.range().index_count, c.first_vertex);

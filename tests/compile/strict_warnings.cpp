@@ -63,11 +63,12 @@ error everything(Mesher&& mesher)
     std::array<packed_vertex, 3> three{};
     std::array<vec3, 3> places{};
     std::array<box_position, 3> boxed{};
-    error e = plan->write(into(vertices, indices));
     one_worker alone;
-    if (!e) e = plan->write(into(std::span{three}, std::span{short_indices}), alone);
-    if (!e) e = plan->write(glyph_span{0, 1}, into(vertices, indices));
-    if (!e) e = plan->write_meshes(into(vertices, indices));
+    auto done = plan->write(into(vertices, indices)).and_then([&]() noexcept {
+        return plan->write(into(std::span{three}, std::span{short_indices}), alone);
+    });
+    if (done) done = plan->write(glyph_span{0, 1}, into(vertices, indices));
+    if (done) done = plan->write_meshes(into(vertices, indices));
     plan->write_instances([](const glyph_instance&) noexcept {});
     const bounds3 bounds = plan->bounds();
     const position_box box = position_box::around(bounds.low, bounds.high);
@@ -76,10 +77,10 @@ error everything(Mesher&& mesher)
         std::span{indices}, stream<attribute::position, vec3>{std::span{places}},
         computed_stream<attribute::position>(
             std::span{boxed}, [box](const surface_point<attribute::position>& s) noexcept { return box(s.position); })};
-    if (!e) e = plan->write(streams);
+    if (done) done = plan->write(streams);
     text_chunks chunks;
-    if (!e) e = chunks.cut(*plan);
-    if (!e) e = chunks.write(*plan, into(vertices, indices));
+    if (done) done = chunks.cut(*plan);
+    if (done) done = chunks.write(*plan, into(vertices, indices));
     (void)flipped_triangles(*plan);
     (void)plan->position_step();
     if constexpr (requires { plan->hard_edges(); }) (void)plan->hard_edges();
@@ -89,7 +90,7 @@ error everything(Mesher&& mesher)
     (void)unorm10{0.0f, 0.0f, 1.0f}.decoded();
     (void)octahedral16{0.0f, 0.0f, 1.0f}.decoded();
     (void)octahedral_tangent16{1.0f, 0.0f, 0.0f, 1.0f}.decoded();
-    return e;
+    return done.error();
 }
 
 template <class Font>
@@ -110,7 +111,7 @@ error every_policy(Font& font)
     auto plan = compatible.plan("text");
     if (!plan) return plan.error();
     std::array<d3dx_glyph_metrics, 4> metrics;
-    if (error e = plan->metrics(metrics)) return e;
+    if (const auto done = plan->metrics(metrics); !done) return done.error();
     one_worker alone;
     auto team = workers_of(alone, [&](std::size_t) noexcept { return result{transformed_outlines{font, affine{}}}; });
     if (!team) return team.error();

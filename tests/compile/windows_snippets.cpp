@@ -29,7 +29,7 @@ namespace readme {
 int on_windows(IDWriteTextLayout* layout, std::vector<vertex>& vertices, std::vector<std::uint32_t>& indices)
 {
 typemesh::directwrite_text text;
-if (auto e = text.read(layout)) return std::puts(e.message()), 1;
+if (auto read = text.read(layout); !read) return std::puts(read.error().message()), 1;
 typemesh::text_mesher mesher{text};
 auto made = mesher.build(text.run(), typemesh::into(vertices, indices), {.frame = typemesh::left_handed_y_up});
     return made ? 0 : 1;
@@ -48,7 +48,7 @@ auto word = mesher.build(u"Hello world!", typemesh::into(vertices, indices));
 if (!word) return std::puts(word.error().message()), 1;
 
 typemesh::directwrite_text text;                       // layout: your IDWriteTextLayout, with all that was set on it
-if (auto e = text.read(layout)) return std::puts(e.message()), 1;
+if (auto read = text.read(layout); !read) return std::puts(read.error().message()), 1;
 typemesh::text_mesher laid_out{text};
 auto page = laid_out.build(text.run(), typemesh::into(vertices, indices));
 if (!page) return std::puts(page.error().message()), 1;
@@ -81,8 +81,8 @@ if (!plan) return plan.error();
 std::vector<typemesh::d3dx_vertex> vertices(plan->size().vertices);
 std::vector<std::uint16_t> indices(plan->size().indices());
 std::vector<typemesh::d3dx_glyph_metrics> metrics(plan->metrics_size());
-if (auto e = plan->write(std::span{vertices}, std::span{indices})) return e;
-if (auto e = plan->metrics(metrics)) return e;
+if (auto written = plan->write(std::span{vertices}, std::span{indices}); !written) return written.error();
+if (auto known = plan->metrics(metrics); !known) return known.error();
 device->SetFVF(D3DFVF_XYZ | D3DFVF_NORMAL);
 device->DrawIndexedPrimitiveUP(D3DPT_TRIANGLELIST, 0, UINT(vertices.size()), UINT(plan->size().triangles), indices.data(),
                                D3DFMT_INDEX16, vertices.data(), sizeof(typemesh::d3dx_vertex));

@@ -29,7 +29,7 @@ std::vector<d3dx_glyph_metrics> metrics_of(harfbuzz_font& font, const std::u16st
     const auto plan = maker.plan(text, options);
     REQUIRE(plan);
     std::vector<d3dx_glyph_metrics> m(plan->metrics_size());
-    REQUIRE_FALSE(plan->metrics(m));
+    REQUIRE(plan->metrics(m));
     return m;
 }
 
@@ -108,7 +108,7 @@ TEST_CASE("fonts of both orientations make closed, outward meshes through either
         test::full_mesh m;
         m.vertices.resize(plan->size().vertices);
         m.indices.resize(plan->size().indices());
-        REQUIRE_FALSE(plan->write(std::span{m.vertices}, std::span{m.indices}));
+        REQUIRE(plan->write(std::span{m.vertices}, std::span{m.indices}));
         const auto closed = test::examine(m);
         CHECK(closed.unmatched_edges == 0);
         CHECK(closed.zero_area == 0);

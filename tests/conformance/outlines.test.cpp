@@ -119,7 +119,7 @@ void compare(const std::string& path, const font_options& options, bool varied, 
     outline a, b;
     std::uint32_t wrong = 0, first_wrong = 0;
     for (glyph_id id = 0; id < harfbuzz->glyph_count(); ++id) {
-        const error ea = record(*harfbuzz, id, a), eb = record(*freetype, id, b);
+        const error ea = record(*harfbuzz, id, a).error(), eb = record(*freetype, id, b).error();
         ++seen.compared;
         seen.varied += varied ? 1 : 0;
         bool fine = !ea && !eb && agree(a, b, equal);

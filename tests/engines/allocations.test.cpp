@@ -57,9 +57,9 @@ void takes_nothing(bench& b, const text_options& o, Write write)
 {
     needs_no_memory_again(b, o, [&](const auto& plan) {
         const std::size_t before = test::allocations;
-        const error e = write(plan);
+        const result<void> written = write(plan);
         CHECK(test::allocations == before);
-        return e;
+        return written.error();
     });
 }
 
@@ -78,7 +78,7 @@ TEST_CASE("after warm-up a real font's text is planned and written without opera
     room r;
     const auto made = [&] {
         auto plan = mesher.plan(word);
-        return plan && !plan->write(into(r.vertices<engines::opengl::vertex>(), r.indices<std::uint32_t>()));
+        return plan && plan->write(into(r.vertices<engines::opengl::vertex>(), r.indices<std::uint32_t>())).has_value();
     };
     bool warm = made();
     warm = made() && warm;
@@ -100,8 +100,9 @@ TEST_CASE("no layout in memory of the caller's takes any other memory", "[engine
                   [&](const auto& plan) { return engines::direct3d9::fill(plan, vertices9, indices9); });
     takes_nothing(b, engines::direct3d11::options(), [&](const auto& plan) {
         using namespace engines::direct3d11;
-        if (error e = fill<vertex>(plan, r.a.data(), r.a.size(), r.b.data(), r.b.size(), DXGI_FORMAT_R16_UINT))
-            return e;
+        if (const auto done = fill<vertex>(plan, r.a.data(), r.a.size(), r.b.data(), r.b.size(), DXGI_FORMAT_R16_UINT);
+            !done)
+            return done;
         return fill<packed_vertex>(plan, r.a.data(), r.a.size(), r.b.data(), r.b.size(), DXGI_FORMAT_R32_UINT);
     });
     takes_nothing(b, engines::opengl::options(), [&](const auto& plan) {
@@ -112,7 +113,7 @@ TEST_CASE("no layout in memory of the caller's takes any other memory", "[engine
         return buffers.add(plan).error();
     });
     takes_nothing(b, engines::unity::options(), [&](const auto& plan) {
-        if (error e = engines::unity::write(plan, {r.a, r.c, r.b, true})) return e;
+        if (const auto done = engines::unity::write(plan, {r.a, r.c, r.b, true}); !done) return done;
         return engines::unity::write(plan, {r.a, r.c, r.b, false});
     });
     takes_nothing(b, engines::three::options(), [&](const auto& plan) {
@@ -123,9 +124,10 @@ TEST_CASE("no layout in memory of the caller's takes any other memory", "[engine
     });
     takes_nothing(b, engines::gltf::options(), [&](const auto& plan) {
         using namespace engines::gltf;
-        if (error e = write_buffer(plan, engines::gltf::layout::plain, {}, std::span<std::byte>{r.a},
-                                   r.indices<std::uint16_t>()))
-            return e;
+        if (const auto done = write_buffer(plan, engines::gltf::layout::plain, {}, std::span<std::byte>{r.a},
+                                           r.indices<std::uint16_t>());
+            !done)
+            return done;
         return write_buffer(plan, engines::gltf::layout::quantised, {}, std::span<std::byte>{r.a},
                             r.indices<std::uint32_t>());
     });
@@ -157,16 +159,18 @@ TEST_CASE("engines' own containers are all that is allocated where a recipe fill
     FStaticMeshVertexBuffers buffers;
     TArray<std::uint32_t> indices;
     needs_no_memory_again(b, engines::unreal::options(100.0), [&](const auto& plan) {
-        if (error e = engines::unreal::write(plan, buffers, indices)) return e;  // sizes them, the first time
+        if (const auto done = engines::unreal::write(plan, buffers, indices); !done)
+            return done.error();  // sizes them, the first time
         const std::size_t before = test::allocations;
-        const error e = engines::unreal::write(plan, buffers, indices);
+        const error e = engines::unreal::write(plan, buffers, indices).error();
         CHECK(test::allocations == before);
         return e;
     });
     Eigen::Matrix3Xf places, normals;
     Eigen::Matrix3Xi triangles;
-    needs_no_memory_again(b, engines::eigen::options(),
-                          [&](const auto& plan) { return engines::eigen::write(plan, places, normals, triangles); });
+    needs_no_memory_again(b, engines::eigen::options(), [&](const auto& plan) {
+        return engines::eigen::write(plan, places, normals, triangles).error();
+    });
     needs_no_memory_again(b, engines::godot_mesh::options(), [&](const auto& plan) {
         ::godot::Array arrays;
         return engines::godot_mesh::write(plan, arrays);

@@ -48,7 +48,7 @@ public:
     {
         using namespace typemesh;
         region_ = {};
-        if (record(font, id, outline_) || outline_.curves.empty()) return false;
+        if (!record(font, id, outline_) || outline_.curves.empty()) return false;
         const auto cells = grid::fitting(font.units_per_em(), outline_.bounds);
         if (!cells) return false;
         const double tolerance = tolerance_em * font.units_per_em();
@@ -129,7 +129,7 @@ private:
         at.em_per_cell = 1.0 / em();
         mesh_.sizes = plan->sizes;
         const solid_of<Bevel> form{{region_.points(), region_.starts(), caps_.triangles().view()}, data_.read()};
-        if (const error e = write_solid<Bevel>({form, *plan}, how, at, mesh_)) return e.message();
+        if (const auto done = write_solid<Bevel>({form, *plan}, how, at, mesh_); !done) return done.error().message();
         return {};
     }
 

@@ -42,7 +42,7 @@ public:
     bevelled_shape(const recorded_outlines& font, double tolerance)
     {
         outline drawn;
-        REQUIRE_FALSE(record(font, 0, drawn));
+        REQUIRE(record(font, 0, drawn));
         curves_ = std::move(drawn);
         const auto cells = grid::fitting(font.units_per_em(), curves_.bounds);
         REQUIRE(cells);
@@ -67,7 +67,7 @@ public:
         const solid_of<bevelled> form{{region_.points(), region_.starts(), caps_.triangles().view()}, data_.read()};
         placement at;
         at.unit_per_depth = em_;
-        REQUIRE_FALSE(write_solid<bevelled>({form, *plan}, how, at, mesh_));
+        REQUIRE(write_solid<bevelled>({form, *plan}, how, at, mesh_));
     }
 
     /// What the edges sweep, in the order that the sweep follows: of an outward bevel the loops of its surroundings.

@@ -44,7 +44,7 @@ public:
     {
         using namespace typemesh;
         glyph_findings f;
-        if (const error e = record(font, id, outline_)) return f.wrong = e.message(), f;
+        if (const auto done = record(font, id, outline_); !done) return f.wrong = done.error().message(), f;
         if (outline_.curves.empty()) return f.blank = true, f;
         const auto cells = grid::fitting(font.units_per_em(), outline_.bounds);
         if (!cells) return f.wrong = cells.error().message(), f;
@@ -113,7 +113,7 @@ public:
         const auto built = mesher.plan(alone, {.tolerance = tolerance_em, .unit = output_unit::font_units});
         if (!built) return f.wrong = built.error().message(), f;
         if (built->report().refused != 0) return f.wrong = "refused by the mesher", f;
-        if (built->write(into(mesh_.vertices, mesh_.indices))) return f.wrong = "cannot be written", f;
+        if (!built->write(into(mesh_.vertices, mesh_.indices))) return f.wrong = "cannot be written", f;
         const closedness law = test::examine(mesh_);
         f.crowded = law.crowded_edges;
         if (law.unmatched_edges != 0) return f.wrong = "the solid is not closed", f;

@@ -35,7 +35,7 @@ public:
     typemesh::region region_of(Font& font, typemesh::glyph_id id, double tolerance_em)
     {
         using namespace typemesh;
-        if (record(font, id, outline_) || outline_.curves.empty()) return {};
+        if (!record(font, id, outline_) || outline_.curves.empty()) return {};
         const auto cells = grid::fitting(font.units_per_em(), outline_.bounds);
         if (!cells) return {};
         no_observer nobody;

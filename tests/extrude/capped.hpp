@@ -23,7 +23,7 @@ namespace meshes {
 template <class Triangulator = monotone>
 class caps_by {
 public:
-    explicit caps_by(const region& r) { REQUIRE_FALSE(of_region_.cap(r, Triangulator{})); }
+    explicit caps_by(const region& r) { REQUIRE(of_region_.cap(r, Triangulator{})); }
 
     [[nodiscard]] auto maker() noexcept { return region_caps{of_region_, further_, cut_}; }
 
@@ -84,7 +84,7 @@ error build_capped(const shapes::shape& s, const E& how, capped_mesh<E>& to, con
     if (!plan) return plan.error();
     to.plan = *plan;
     const solid_of<E> form{{r.points(), r.starts(), s.cap}, to.data.read()};
-    return write_solid<E>({form, *plan}, how, at, static_cast<mesh<everything>&>(to));
+    return write_solid<E>({form, *plan}, how, at, static_cast<mesh<everything>&>(to)).error();
 }
 
 template <class Triangulator = monotone, class E>

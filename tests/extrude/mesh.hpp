@@ -104,7 +104,7 @@ built build(const shapes::shape& s, const E& how, const placement& at = in_em())
         b.sizes = plan->sizes;
     else
         std::abort();
-    if (extrude(r, s.cap, how, at, data, static_cast<mesh<everything>&>(b))) std::abort();
+    if (!extrude(r, s.cap, how, at, data, static_cast<mesh<everything>&>(b))) std::abort();
     if constexpr (requires { data.template of<side_point>(); }) {
         const auto sides = data.read().template of<side_point>();
         b.sides.assign(sides.begin(), sides.end());

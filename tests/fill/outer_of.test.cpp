@@ -54,7 +54,7 @@ bool is_outer(const region& r, std::uint32_t k)
 void check(const region& r, workspace& space)
 {
     std::vector<std::uint32_t> outer(r.loop_count());
-    REQUIRE_FALSE(outer_of(r, space, outer));
+    REQUIRE(outer_of(r, space, outer));
     const pieces same_piece{r, space};
     for (std::uint32_t k = 0; k < r.loop_count(); ++k) {
         CHECK(is_outer(r, outer[k]));
@@ -127,11 +127,11 @@ TEST_CASE("outer loops are told without memory of their own but for some bytes a
     const auto filled = fill(loops, fill_rule::even_odd, space);
     REQUIRE(filled);
     std::vector<std::uint32_t> outer(2);
-    REQUIRE_FALSE(outer_of(*filled, space, outer));
+    REQUIRE(outer_of(*filled, space, outer));
     const std::size_t before = memory.requests;
-    REQUIRE_FALSE(outer_of(*filled, space, outer));
+    REQUIRE(outer_of(*filled, space, outer));
     CHECK(memory.requests == before);
-    CHECK_FALSE(outer_of(region{}, space, {}));
+    CHECK(outer_of(region{}, space, {}));
 
     test::counting_memory none{.fail_at = 1};
     workspace empty{none.source()};

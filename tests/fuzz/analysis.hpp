@@ -167,7 +167,7 @@ inline broken_law of_order(const text_analysis& found)
     buffer<visual_run> runs;
     for (const text_paragraph& p : found.paragraphs) {
         if (p.first == p.last) continue;
-        if (visual_runs(found, {p.first, p.last}, runs)) return "visual_runs() failed";
+        if (!visual_runs(found, {p.first, p.last}, runs)) return "visual_runs() failed";
         std::vector<std::uint32_t> times(p.last - p.first, 0);
         for (const visual_run& r : runs)
             for (std::uint32_t i = r.first; i < r.last; ++i) ++times.at(i - p.first);

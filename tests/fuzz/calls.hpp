@@ -75,7 +75,7 @@ private:
         if (!plan || !wanted)
             return plan.error().code == wanted.error().code ? "" : "another error than without a cache";
         test::full_mesh m, n;
-        if (plan->write(into(m.vertices, m.indices)) || wanted->write(into(n.vertices, n.indices)))
+        if (!plan->write(into(m.vertices, m.indices)) || !wanted->write(into(n.vertices, n.indices)))
             return "write failed";
         if (!(mesh_size{m.vertices.size(), m.indices.size() / 3} == plan->size())) return "another size than planned";
         if (!same_bits(m, n)) return "another mesh than without a cache";
@@ -133,7 +133,7 @@ private:
         if (how.unit == output_unit::unit_box) how.unit = output_unit::em;
         glyph_run before, after;
         for (glyph_run* run : {&before, &after})
-            if (layout(font_, text, how.shape, how.layout, *run)) return "a text of toy letters has no layout";
+            if (!layout(font_, text, how.shape, how.layout, *run)) return "a text of toy letters has no layout";
         for (std::uint32_t left = in_.below(4); left > 0 && !after.glyphs.empty(); --left) {
             placed_glyph& g = after.glyphs[in_.below(static_cast<std::uint32_t>(after.glyphs.size()))];
             if (in_.flag()) g.origin = g.origin + point{in_.between(-2000.0, 2000.0), in_.between(-1000.0, 1000.0)};
@@ -144,19 +144,19 @@ private:
         {
             const auto plan = mesher.plan(before, how);
             if (!plan) return plan.error() == error::bad_option ? "" : plan.error().message();
-            if (plan->write(into(shown.vertices, shown.indices))) return "write failed";
+            if (!plan->write(into(shown.vertices, shown.indices))) return "write failed";
             for (std::size_t g = 0; g < plan->glyphs().size(); ++g) were.emplace_back(*plan, g);
         }
         const auto plan = mesher.plan(after, how);
         if (!plan) return plan.error() == error::bad_option ? "" : plan.error().message();
-        if (plan->write(into(wanted.vertices, wanted.indices))) return "write failed";
+        if (!plan->write(into(wanted.vertices, wanted.indices))) return "write failed";
         if (plan->glyphs().size() != were.size() || wanted.vertices.size() != shown.vertices.size()) return {};
         const auto sink = [&shown] { return into(std::span{shown.vertices}, std::span{shown.indices}); };
         for (std::size_t g = 0; g < were.size(); ++g) {
             const drawn now{*plan, g};
             if (now.ranges != were[g].ranges) return {};
             if (now.draws_the_same(were[g])) continue;
-            if (plan->write(glyph_span{g, g + 1}, sink())) return "a glyph cannot be written anew";
+            if (!plan->write(glyph_span{g, g + 1}, sink())) return "a glyph cannot be written anew";
         }
         return same_bits(shown, wanted) ? "" : "a text that is updated is not the text";
     }
@@ -176,7 +176,7 @@ private:
         const auto wanted = one.plan(text, how);
         if (!plan || !wanted) return plan.error().code == wanted.error().code ? "" : "another error than of one worker";
         test::full_mesh m, n;
-        if (plan->write(into(m.vertices, m.indices)) || wanted->write(into(n.vertices, n.indices)))
+        if (!plan->write(into(m.vertices, m.indices)) || !wanted->write(into(n.vertices, n.indices)))
             return "write failed";
         return same_bits(m, n) ? "" : "several workers plan another mesh";
     }
@@ -186,7 +186,7 @@ private:
     {
         if (held_) {
             test::full_mesh m;
-            if (held_->write(into(m.vertices, m.indices))) return "a plan that is held cannot be written";
+            if (!held_->write(into(m.vertices, m.indices))) return "a plan that is held cannot be written";
             const bool same = same_bits(m, held_mesh_);
             held_.reset();
             return same ? "" : "a plan writes another mesh later";
@@ -195,7 +195,7 @@ private:
         auto plan = holder_.plan(text, read_options(in_));
         if (!plan) return {};
         held_mesh_ = {};
-        if (plan->write(into(held_mesh_.vertices, held_mesh_.indices))) return "write failed";
+        if (!plan->write(into(held_mesh_.vertices, held_mesh_.indices))) return "write failed";
         held_.emplace(std::move(*plan));
         return {};
     }

@@ -44,7 +44,7 @@ broken_law of_text(Mesher& mesher, const Text& text, const text_options& how)
     const auto plan = mesher.plan(text, how);
     if (!plan) return is_an_answer(plan.error()) || plan.error() == error::bad_option ? "" : plan.error().message();
     test::full_mesh m;
-    if (plan->write(into(m.vertices, m.indices))) return "write failed";
+    if (!plan->write(into(m.vertices, m.indices))) return "write failed";
     if (!(mesh_size{m.vertices.size(), m.indices.size() / 3} == plan->size())) return "another size than planned";
     const auto closed = test::examine(m);
     if (closed.unmatched_edges != 0 || closed.bad_corners != 0) return "the mesh is open";
@@ -68,7 +68,7 @@ broken_law of_front(Font& font, glyph_id id)
     if (!plan) return plan.error().message();
     if (plan->report().refused != 0) return {};
     test::full_mesh m;
-    if (plan->write(into(m.vertices, m.indices))) return "write failed";
+    if (!plan->write(into(m.vertices, m.indices))) return "write failed";
     const front_cap front{m, plan->range(part::front)};
     constexpr int rows = 9;
     const double slack = 1.05 * tolerance + 1.0;  // their chords are no curves, either
@@ -92,7 +92,8 @@ broken_law of_glyphs(Font& font, Mesher& mesher, const std::vector<glyph_id>& gl
     run.units_per_em = font.units_per_em();
     for (const glyph_id id : glyphs) {
         outline o;
-        if (const error e = record(font, id, o)) return is_an_answer(e) || e == error::unknown_glyph ? "" : e.message();
+        if (const auto done = record(font, id, o); !done)
+            return is_an_answer(done.error()) || done.error() == error::unknown_glyph ? "" : done.error().message();
         if (broken_law broken = of_contours(o); !broken.empty()) return broken;
         if (broken_law broken = of_front(font, id); !broken.empty()) return broken;
         const double pen = 500.0 * static_cast<double>(run.glyphs.size());
@@ -134,8 +135,8 @@ broken_law of_font(const damaged_font& given, text_view text, const request& ask
     if constexpr (item_shaper<Font>) {
         paragraph<Font> words{*font};
         glyph_run run;
-        error e = words.set(text, asked.how.shape);
-        if (!e) e = words.lay_out({.width = asked.width, .align = line_alignment::justify}, run);
+        error e = words.set(text, asked.how.shape).error();
+        if (!e) e = words.lay_out({.width = asked.width, .align = line_alignment::justify}, run).error();
         if (e) return is_an_answer(e) ? "" : e.message();
         for (const placed_glyph& g : run.glyphs)
             if (g.cluster >= text.size() && !text.empty()) return "a cluster beyond the text";

@@ -114,7 +114,7 @@ broken_law of_grown(Mesher mesher, const glyph_run& run, const text_options& how
     const auto plan = mesher.plan(run, how);
     if (!plan) return plan.error().message();
     test::full_mesh m;
-    if (plan->write(into(m.vertices, m.indices))) return "write failed";
+    if (!plan->write(into(m.vertices, m.indices))) return "write failed";
     std::size_t drawn = 0;
     for (std::size_t g = 0; g < plan->glyphs().size(); ++g) drawn += plan->members(g).size();
     if (broken_law broken = of_groups(*plan, drawn, m); !broken.empty()) return broken;
@@ -132,7 +132,8 @@ broken_law of_plain(Font& font, const glyph_run& run, text_options how, values& 
     if (!apart || !merged) return apart ? merged.error().message() : apart.error().message();
     if (merged->report().refused != 0) return "a group is refused";
     test::full_mesh m, n;
-    if (apart->write(into(m.vertices, m.indices)) || merged->write(into(n.vertices, n.indices))) return "write failed";
+    if (!apart->write(into(m.vertices, m.indices)) || !merged->write(into(n.vertices, n.indices)))
+        return "write failed";
     if (broken_law broken = of_groups(*merged, apart->glyphs().size(), n); !broken.empty()) return broken;
     double area = 0.0;
     for (const style_id s : merged->styles()) {

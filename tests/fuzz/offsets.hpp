@@ -42,7 +42,7 @@ struct made_solid {
         plan = *planned;
         const solid_of<Extruder> form{{from.made.points(), from.made.starts(), from.caps.triangles().view()},
                                       data.read()};
-        if (const error e = write_solid<Extruder>({form, plan}, how, at, m)) return e.message();
+        if (const auto done = write_solid<Extruder>({form, plan}, how, at, m); !done) return done.error().message();
         return of_mesh(m, how, from, plan.sizes);
     }
 };

@@ -266,14 +266,14 @@ template <class Words, class Font>
 broken_law of_layout(Words& words, Words& fresh, Font& font, const layout_settings& how, values& in)
 {
     glyph_run run, again;
-    if (const error e = words.lay_out(how.options, run)) return e.message();
+    if (const auto done = words.lay_out(how.options, run); !done) return done.error().message();
     if (broken_law broken = of_lines(words, how, run); !broken.empty()) return broken;
     if (how.shows_all())
         if (broken_law broken = of_glyphs(words, font, run); !broken.empty()) return broken;
     if (how.shows_all() && words.shaped().text().size() < 80)
         if (broken_law broken = of_carets(words); !broken.empty()) return broken;
     if (broken_law broken = of_boxes(words, in); !broken.empty()) return broken;
-    if (fresh.lay_out(how.options, again)) return "what can be laid out cannot be laid out afresh";
+    if (!fresh.lay_out(how.options, again)) return "what can be laid out cannot be laid out afresh";
     if (!equal(run, again)) return "a layout depends on those before, or on the order of the spans";
     const paragraph_widths widths = words.widths();
     if (!(widths.narrowest <= widths.widest)) return "the narrowest width is wider than the widest";
@@ -321,12 +321,12 @@ broken_law of_paragraph(values& in, Font& font, const Breaker& breaker)
     using words_type = paragraph<Font, analyser, Breaker>;
     const auto make = [&] { return words_type{font, heap(), analyser{unicode_analyser{}, hyphens}, breaker}; };
     words_type words = make();
-    const error e = words.set(text.view(), how.how, how.spans, how.letter_spacing);
+    const error e = words.set(text.view(), how.how, how.spans, how.letter_spacing).error();
     std::reverse(how.spans.begin(), how.spans.end());
     for (int k = 0; k < 3; ++k) {
         const layout_settings layout{in};
         words_type fresh = make();
-        if (fresh.set(text.view(), how.how, how.spans, how.letter_spacing).code != e.code)
+        if (fresh.set(text.view(), how.how, how.spans, how.letter_spacing).error().code != e.code)
             return "an error depends on the order of the spans";
         if (e) return e == error::overlapping_spans || e == error::font_library_failed ? "" : e.message();
         if (broken_law broken = of_layout(words, fresh, font, layout, in); !broken.empty()) return broken;
@@ -349,7 +349,7 @@ broken_law of_cascade(values& in, const Breaker& breaker)
         const read_text text{copy, 300};
         paragraph words{fonts};
         glyph_run run;
-        if (words.set(text.view()) || words.lay_out({}, run)) return "toy fonts cannot be laid out";
+        if (!words.set(text.view()) || !words.lay_out({}, run)) return "toy fonts cannot be laid out";
         const test::toy_covering_font* const all[] = {&latin, &hebrew, &rest};
         for (const placed_glyph& g : run.glyphs) {
             const std::uint32_t face = run.looks.empty() ? 0 : run.looks[g.look].face;

@@ -81,13 +81,13 @@ broken_law of_pieces(const Plan& plan, const told_mesh& whole, values& in)
     told_mesh pieces = whole.blotted();
     for (std::size_t last = plan.glyphs().size(); last > 0;) {
         const std::size_t first = last - (std::min)(last, std::size_t{1} + in.below(4));
-        if (plan.write(glyph_span{first, last}, pieces.sink())) return "some glyphs cannot be written";
+        if (!plan.write(glyph_span{first, last}, pieces.sink())) return "some glyphs cannot be written";
         last = first;
     }
     if (!pieces.equals(whole)) return "glyphs one by one are not the mesh";
     told_mesh shares = whole.blotted();
     test::scrambled_workers several{1 + in.below(5), in.byte()};
-    if (plan.write(shares.sink(), several)) return "several workers cannot write";
+    if (!plan.write(shares.sink(), several)) return "several workers cannot write";
     return shares.equals(whole) ? "" : "several workers write another mesh";
 }
 
@@ -109,7 +109,7 @@ broken_law of_streams(const Plan& plan, const told_mesh& whole)
                      stream<attribute::tangent, vec4>{tangents},
                      stream<attribute::cluster, std::uint32_t>{clusters},
                      stream<attribute::part, std::uint8_t>{parts}};
-    const error e = plan.write(sink);
+    const error e = plan.write(sink).error();
     if (count > 0x1'0000) return e == error::index_overflow ? "" : "16-bit indices have numbered more than they can";
     if (e) return "streams cannot be written";
     for (std::size_t i = 0; i < count; ++i) {
@@ -152,7 +152,7 @@ template <class Plan>
 broken_law of_instances(const Plan& plan, const told_mesh& whole)
 {
     told_mesh once;
-    if (plan.write_meshes(into(once.vertices, once.indices))) return "meshes cannot be written";
+    if (!plan.write_meshes(into(once.vertices, once.indices))) return "meshes cannot be written";
     if (once.vertices.size() != plan.meshes_size().vertices) return "meshes are of another size than said";
     double farthest = 0.0;
     for (const told_mesh* m : {&whole, static_cast<const told_mesh*>(&once)})
@@ -205,18 +205,18 @@ broken_law of_chunks(const Plan& plan, const told_mesh& whole, values& in)
 {
     text_chunks chunks;
     const std::uint32_t most = 3 + in.below(600);
-    if (chunks.cut(plan, most)) return "a plan cannot be cut";
+    if (!chunks.cut(plan, most)) return "a plan cannot be cut";
     told_mesh all;
     std::vector<std::uint16_t> small(chunks.size().indices());
     all.vertices.resize(chunks.size().vertices);
-    if (chunks.write(plan, into(std::span{all.vertices}, std::span{small}))) return "chunks cannot be written";
+    if (!chunks.write(plan, into(std::span{all.vertices}, std::span{small}))) return "chunks cannot be written";
     all.indices.assign(small.begin(), small.end());
     told_triangles drawn, wanted;
     std::uint32_t vertex = 0, index = 0;
     for (std::size_t k = 0; k < chunks.view().size(); ++k) {
         const text_chunk& c = chunks.view()[k];
         told_mesh one, same;
-        if (chunks.write(plan, k, into(one.vertices, one.indices))) return "a chunk cannot be written";
+        if (!chunks.write(plan, k, into(one.vertices, one.indices))) return "a chunk cannot be written";
         if (one.vertices.size() > most) return "a chunk is too large";
         if (c.range().first_vertex != vertex || c.range().first_index != index) return "chunks leave a gap";
         if (!(mesh_size{one.vertices.size(), one.indices.size() / 3} == c.size()))
@@ -245,7 +245,7 @@ template <class Plan>
 broken_law of_writing(const Plan& plan, values& in)
 {
     told_mesh whole;
-    if (plan.write(into(whole.vertices, whole.indices))) return "write failed";
+    if (!plan.write(into(whole.vertices, whole.indices))) return "write failed";
     switch (in.byte() & 7) {
     case 0:
     case 1: return of_pieces(plan, whole, in);

@@ -129,7 +129,7 @@ broken_law of_extruded(const Extruder& how, drawn_region& from)
     const auto plan = plan_solid(how, from.made, data, nothing);
     if (!plan) return plan.error().message();
     const solid_of<Extruder> form{{from.made.points(), from.made.starts(), from.caps.triangles().view()}, data.read()};
-    if (const error e = write_solid<Extruder>({form, *plan}, how, at, m)) return e.message();
+    if (const auto done = write_solid<Extruder>({form, *plan}, how, at, m); !done) return done.error().message();
     if (broken_law broken = of_mesh(m, how, from, plan->sizes); !broken.empty()) return broken;
     if (!from.is_small) return {};
     const double depth = double(static_cast<float>(double(how.depth) * from.em)),
@@ -214,7 +214,7 @@ inline broken_law of_bevelled(const bevelled& how, drawn_region& from)
     using type = bevelled;
     mesh m;
     const solid_of<type> form{{from.made.points(), from.made.starts(), from.caps.triangles().view()}, data.read()};
-    if (const error e = write_solid<type>({form, *plan}, how, at, m)) return e.message();
+    if (const auto done = write_solid<type>({form, *plan}, how, at, m); !done) return done.error().message();
     if (broken_law broken = of_mesh(m, how, from, plan->sizes); !broken.empty()) return broken;
     if (!from.is_small || how.outward) return {};
     const double depth = double(how.depth) * from.em,

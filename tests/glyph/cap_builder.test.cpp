@@ -385,11 +385,11 @@ TEST_CASE("cap() cuts a region of others, beside the builder's own or in its pla
     REQUIRE(made);
     triangle_list out;
     REQUIRE(out.push_back({7, 8, 9}));
-    REQUIRE_FALSE(caps.cap(*made, constrained_delaunay{}, out));
+    REQUIRE(caps.cap(*made, constrained_delaunay{}, out));
     CHECK(test::oracle::broken_law(*made, out.view().subspan(1)) == "");
     CHECK(caps.triangles().size() == 2);
     CHECK(caps.loops().points.size() == 4);
-    REQUIRE_FALSE(caps.cap(*made, monotone{}));
+    REQUIRE(caps.cap(*made, monotone{}));
     CHECK(test::oracle::broken_law(*made, caps.triangles().view()) == "");
 }
 

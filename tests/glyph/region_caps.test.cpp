@@ -25,7 +25,7 @@ TEMPLATE_TEST_CASE("caps that an extruder asks for are cut by the glyph's own tr
     const policies with{flatten, cut, raise, nobody};
     cap_builder caps, further;
     outline drawn;
-    REQUIRE_FALSE(record(font, 1, drawn));  // a ring
+    REQUIRE(record(font, 1, drawn));  // a ring
     const auto cells = grid::fitting(1000.0, drawn.bounds);
     REQUIRE(cells);
     const auto filled = caps.build(drawn, 1.0, *cells, {}, with);

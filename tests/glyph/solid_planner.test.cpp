@@ -20,7 +20,7 @@ struct ring {
     explicit ring(const policies& with)
     {
         test::toy_font font;
-        REQUIRE_FALSE(record(font, 1, drawn));
+        REQUIRE(record(font, 1, drawn));
         const auto cells = grid::fitting(1000.0, drawn.bounds);
         REQUIRE(cells);
         const auto made = caps.build(drawn, 1.0, *cells, {}, with);

@@ -55,9 +55,11 @@ template <class Font>
 std::size_t try_glyph(Font& font, glyph_id id, outline& out, tally& seen)
 {
     ++seen.glyphs;
-    if (const error e = record(font, id, out)) {
+    if (const auto done = record(font, id, out); !done) {
         ++seen.refused;
-        return e == error::unknown_glyph || e == error::outline_not_finite || e == error::out_of_memory ? 0 : 1;
+        const bool known =
+            done == error::unknown_glyph || done == error::outline_not_finite || done == error::out_of_memory;
+        return known ? 0 : 1;
     }
     seen.drawn += out.curves.empty() ? 0 : 1;
     std::size_t wrong = 0;
@@ -73,7 +75,7 @@ std::size_t try_text(Font& font, const char* text, direction d, glyph_run& run)
 {
     shape_options how;
     how.direction = d;
-    if (layout(font, text, how, {}, run)) return run.glyphs.empty() && run.lines.empty() ? 0 : 1;
+    if (!layout(font, text, how, {}, run)) return run.glyphs.empty() && run.lines.empty() ? 0 : 1;
     const std::size_t size = std::char_traits<char>::length(text);
     std::size_t wrong = 0;
     for (const placed_glyph& g : run.glyphs)
@@ -136,7 +138,7 @@ std::size_t try_bevels(std::span<const std::byte> bytes, std::uint32_t most, tal
         seen.refused += plan->report().refused;
         if (plan->size().vertices == 0) continue;
         test::lit_mesh m;
-        wrong += plan->write(into(m.vertices, m.indices)) ? 1 : 0;
+        wrong += !plan->write(into(m.vertices, m.indices)) ? 1 : 0;
         const inspect::closedness c = inspect::check_closedness(m.view());  // far out floats cannot tell points apart
         wrong += c.unmatched_edges + c.bad_corners;
         ++seen.bevelled;

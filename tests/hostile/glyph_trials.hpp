@@ -91,7 +91,7 @@ template <class Plan>
 void check_mesh(const Plan& plan, bool is_flat, const char* policies, trials& seen)
 {
     test::full_mesh m;
-    if (plan.write(into(m.vertices, m.indices))) return seen.breaks("write() fails", policies);
+    if (!plan.write(into(m.vertices, m.indices))) return seen.breaks("write() fails", policies);
     if (!(mesh_size{m.vertices.size(), m.indices.size() / 3} == plan.size()))
         return seen.breaks("another size than planned", policies);
     const auto closed = test::examine(m);
@@ -188,7 +188,7 @@ void try_glyphs(std::span<const std::byte> bytes, const std::string& name, std::
         ++seen.glyphs;
         seen.place = name + ", glyph " + std::to_string(id);
         const auto begin = std::chrono::steady_clock::now();
-        const error e = record(*font, id, held.shape, most_points);
+        const error e = record(*font, id, held.shape, most_points).error();
         const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
         seen.seconds.add(taken.count(), seen.place + ", its outline");
         if (e) {

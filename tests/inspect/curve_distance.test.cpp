@@ -28,11 +28,11 @@ struct ring {
 
     ring()
     {
-        REQUIRE_FALSE(record(font, 1, drawn));
+        REQUIRE(record(font, 1, drawn));
         const auto g = grid::fitting(font.units_per_em(), drawn.bounds);
         REQUIRE(g);
         cells = g->cells;
-        REQUIRE_FALSE(discretise(drawn, certified{}, tolerance, *g, loops));
+        REQUIRE(discretise(drawn, certified{}, tolerance, *g, loops));
         const auto r = fill(loops, drawn.rule, space);
         REQUIRE(r);
         filled = *r;

@@ -163,7 +163,7 @@ TEST_CASE("columns of lines stand below one another", "[layout][tab]")
 {
     one_way_shaper font;
     glyph_run run;
-    REQUIRE_FALSE(layout(font, "a\t1\nabc\t2\n\t3", {}, {.line_spacing = 1.0, .tab_width = 6.0}, run));
+    REQUIRE(layout(font, "a\t1\nabc\t2\n\t3", {}, {.line_spacing = 1.0, .tab_width = 6.0}, run));
     std::vector<double> columns;
     for (const placed_glyph& g : run.glyphs)
         if (g.id >= '1' && g.id <= '3') columns.push_back(g.origin.x);
@@ -274,7 +274,7 @@ TEST_CASE("tabs count in a line's length, by which it is aligned", "[layout][tab
     for (const auto align : {alignment::left, alignment::centre, alignment::right}) {
         one_way_shaper font;
         glyph_run run;
-        REQUIRE_FALSE(layout(font, "a\tb\t", {}, {.align = align}, run));
+        REQUIRE(layout(font, "a\tb\t", {}, {.align = align}, run));
         CHECK(run.lines[0].advance == 2000.0);
         const double start = align == alignment::left ? 0.0 : align == alignment::centre ? -1000.0 : -2000.0;
         CHECK(run.lines[0].origin.x == start);
@@ -287,7 +287,7 @@ TEST_CASE("a width of tabs out of range is refused by its name", "[layout][tab]"
     one_way_shaper font;
     glyph_run run;
     for (const double bad : {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
-        const error e = layout(font, "a", {}, {.tab_width = bad}, run);
+        const error e = layout(font, "a", {}, {.tab_width = bad}, run).error();
         CHECK(e == error::bad_option);
         CHECK(std::string{e.option} == "tab_width");
     }

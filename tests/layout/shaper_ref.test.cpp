@@ -14,8 +14,8 @@ TEST_CASE("a text is laid out by a shaper's reference as by the shaper", "[layou
     for (const direction way : {direction::left_to_right, direction::top_to_bottom}) {
         glyph_run own, by_ref;
         const shape_options how{.direction = way};
-        REQUIRE_FALSE(layout(font, "oE\nx", how, {}, own));
-        REQUIRE_FALSE(layout(refers, "oE\nx", how, {}, by_ref));
+        REQUIRE(layout(font, "oE\nx", how, {}, own));
+        REQUIRE(layout(refers, "oE\nx", how, {}, by_ref));
         REQUIRE(own.glyphs.size() == by_ref.glyphs.size());
         for (std::size_t i = 0; i < own.glyphs.size(); ++i) {
             CHECK(own.glyphs[i].id == by_ref.glyphs[i].id);

@@ -111,7 +111,7 @@ void each_letter(const faces& all, const Discretiser& how, double quality, const
         for (typemesh::glyph_id g = 0; g < f->letters.size(); ++g) {
             const typemesh::outline curves = curves_of(*f, g);
             const auto cells = typemesh::grid::fitting(em, curves.bounds);
-            if (!cells || typemesh::discretise(curves, how, em / quality, *cells, flattened))
+            if (!cells || !typemesh::discretise(curves, how, em / quality, *cells, flattened))
                 stop("a letter is not flattened");
             of(*f, curves, *cells, flattened);
         }
@@ -256,11 +256,11 @@ void hash_lines(hash& h, const typemesh::paragraph_options& how, const Breaker& 
     for (std::string text : texts()) {
         for (char& c : text)
             if (c == '!') c = '?';  // which the toy font refuses
-        if (words.set(text)) stop("a text is not set");
+        if (!words.set(text)) stop("a text is not set");
         for (const double width : {3.0, 7.5, 20.0}) {
             typemesh::paragraph_options options = how;
             options.width = width;
-            if (words.lay_out(options, run)) stop("a text is not laid out");
+            if (!words.lay_out(options, run)) stop("a text is not laid out");
             for (const typemesh::laid_line& line : words.lines()) h.add(line.first, 4), h.add(line.last, 4);
             for (const typemesh::placed_glyph& g : run.glyphs) h.add(g.id, 4), h.add(g.origin.x), h.add(g.origin.y);
         }

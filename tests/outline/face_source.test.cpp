@@ -78,7 +78,7 @@ TEST_CASE("a mapped face draws one face through a map, in the units that it was 
         REQUIRE_FALSE(both.outline(face, 0, by_hand));
         REQUIRE_FALSE(by_hand.finish());
         expected.rule = both.fill(face);
-        REQUIRE_FALSE(record(plain, 0, found));
+        REQUIRE(record(plain, 0, found));
         CHECK(same_curves(found, expected));
         CHECK(plain.units_per_em() == 100.0);
         CHECK(record(plain, 1, found) == error::unknown_glyph);
@@ -86,8 +86,8 @@ TEST_CASE("a mapped face draws one face through a map, in the units that it was 
     const affine map{0.5, 0.25, 3, 0.125, 2, -7};
     mapped_face mapped{both, 0, &map, 100.0};
     transformed_outlines transformed{both, map};
-    REQUIRE_FALSE(record(transformed, 0, expected));
-    REQUIRE_FALSE(record(mapped, 0, found));
+    REQUIRE(record(transformed, 0, expected));
+    REQUIRE(record(mapped, 0, found));
     CHECK(same_curves(found, expected));
     outline_recorder recorder{found};
     REQUIRE_FALSE(mapped.outline(0, recorder));
@@ -109,8 +109,8 @@ TEST_CASE("a map that shrinks curves to points drops them, contour by contour, a
         outline expected, found;
         transformed_outlines transformed{drawings, map};
         mapped_face mapped{drawings, 0, &map, 1000.0};
-        REQUIRE_FALSE(record(transformed, 0, expected));
-        REQUIRE_FALSE(record(mapped, 0, found));
+        REQUIRE(record(transformed, 0, expected));
+        REQUIRE(record(mapped, 0, found));
         CHECK(same_curves(found, expected));
     }
     const affine nowhere{.dx = std::nan("")};

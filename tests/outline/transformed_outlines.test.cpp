@@ -32,12 +32,12 @@ TEST_CASE("transformed outlines are the other source's, point by point", "[outli
 {
     recorded_outlines source = drawing();
     outline plain;
-    REQUIRE_FALSE(record(source, 0, plain));
+    REQUIRE(record(source, 0, plain));
     for (const affine& map : {affine{}, affine{.xy = 0.2}, affine{.xx = -1.0}, affine{.dx = 40.0, .dy = -7.0},
                               affine{0.6, -0.8, 3.0, 0.8, 0.6, -5.0}}) {
         transformed_outlines moved{source, map};
         outline made;
-        REQUIRE_FALSE(record(moved, 0, made));
+        REQUIRE(record(moved, 0, made));
         REQUIRE(made.curves.size() == plain.curves.size());
         for (std::size_t k = 0; k < made.curves.size(); ++k) {
             REQUIRE(made.curves[k].degree == plain.curves[k].degree);

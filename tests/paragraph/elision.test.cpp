@@ -19,8 +19,8 @@ struct shown_lines {
 
     shown_lines(text_view text, const paragraph_options& options, double letter_spacing = 0.0)
     {
-        REQUIRE_FALSE(words.set(text, {}, letter_spacing));
-        REQUIRE_FALSE(words.lay_out(options, run));
+        REQUIRE(words.set(text, {}, letter_spacing));
+        REQUIRE(words.lay_out(options, run));
     }
     [[nodiscard]] std::u16string line(std::size_t k) const
     {
@@ -137,8 +137,8 @@ TEST_CASE("a column gives way, too", "[paragraph]")
     test::toy_item_shaper font;
     paragraph words{font};
     glyph_run run;
-    REQUIRE_FALSE(words.set("abcdef", {.direction = direction::top_to_bottom}));
-    REQUIRE_FALSE(words.lay_out({.width = 2.0, .wrap = wrap_mode::none, .ellipsis = ".:"}, run));
+    REQUIRE(words.set("abcdef", {.direction = direction::top_to_bottom}));
+    REQUIRE(words.lay_out({.width = 2.0, .wrap = wrap_mode::none, .ellipsis = ".:"}, run));
     REQUIRE(run.glyphs.size() == 4);
     const glyph_id shown[] = {'a', 'b', '.', ':'};
     for (std::size_t i = 0; i < 4; ++i) {

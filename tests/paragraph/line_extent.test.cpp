@@ -35,9 +35,9 @@ std::vector<line_metrics> line_heights(Font& font, text_view text, const std::ve
                                        const paragraph_options& options = {})
 {
     paragraph<Font> words{font};
-    REQUIRE_FALSE(words.set(text, {}, spans));
+    REQUIRE(words.set(text, {}, spans));
     glyph_run run;
-    REQUIRE_FALSE(words.lay_out(options, run));
+    REQUIRE(words.lay_out(options, run));
     std::vector<line_metrics> all;
     for (const laid_line& line : words.lines()) all.push_back(line.metrics);
     return all;
@@ -83,9 +83,9 @@ TEST_CASE("baselines are as far apart as their lines ask for", "[paragraph][styl
     test::toy_item_shaper font;
     paragraph<test::toy_item_shaper> words{font};
     const style_span large[] = {{2, 3, {.size = 2.0}}};
-    REQUIRE_FALSE(words.set("a\nb\nc", {}, large));
+    REQUIRE(words.set("a\nb\nc", {}, large));
     glyph_run run;
-    REQUIRE_FALSE(words.lay_out({}, run));
+    REQUIRE(words.lay_out({}, run));
     REQUIRE(run.lines.size() == 3);
     CHECK(std::fabs(run.lines[1].origin.y - -(200.0 + 1400.0 + 150.0)) < 1e-9);
     CHECK(std::fabs(run.lines[2].origin.y - (run.lines[1].origin.y - (400.0 + 700.0 + 150.0))) < 1e-9);

@@ -276,11 +276,11 @@ TEST_CASE("a paragraph keeps the memory that total_fit needs", "[paragraph]")
     test::counting_memory counted;
     paragraph words{font, counted.source(), unicode_analyser{counted.source()}, total_fit{.emergency_stretch = 0.1}};
     glyph_run run{counted.source()};
-    REQUIRE_FALSE(words.set(text));
-    REQUIRE_FALSE(words.lay_out({.width = 6.0, .align = line_alignment::justify}, run));
+    REQUIRE(words.set(text));
+    REQUIRE(words.lay_out({.width = 6.0, .align = line_alignment::justify}, run));
     const std::size_t before = counted.requests, lines = run.lines.size(), glyphs = run.glyphs.size();
     for (const double width : {20.0, 9.0, 31.0, 12.3, 6.0})
-        REQUIRE_FALSE(words.lay_out({.width = width, .align = line_alignment::justify}, run));
+        REQUIRE(words.lay_out({.width = width, .align = line_alignment::justify}, run));
     CHECK(counted.requests == before);
     CHECK(run.lines.size() == lines);
     CHECK(run.glyphs.size() == glyphs);
@@ -291,10 +291,10 @@ TEST_CASE("words are parted with hyphens, as hyphen_penalty allows", "[paragraph
     test::toy_item_shaper font;
     paragraph words{font, heap(), hyphenating{unicode_analyser{}, in_the_middle{}}, total_fit{.tolerance = 5.0}};
     glyph_run run;
-    REQUIRE_FALSE(words.set("a b cdef gh ij"));
+    REQUIRE(words.set("a b cdef gh ij"));
     const auto hyphens = [&](double penalty) {
         words.breaker().hyphen_penalty = penalty;
-        REQUIRE_FALSE(words.lay_out({.width = 3.3}, run));
+        REQUIRE(words.lay_out({.width = 3.3}, run));
         std::size_t count = 0;
         for (const placed_glyph& g : run.glyphs) count += g.id == 0x2010 ? 1u : 0u;
         for (const text_line& line : run.lines) CHECK(line.advance <= 3300.0);

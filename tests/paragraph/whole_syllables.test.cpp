@@ -44,17 +44,17 @@ TEST_CASE("no line, no ellipsis and no caret parts a stack of Khmer or Burmese",
         test::toy_item_shaper font;
         paragraph words{font};
         glyph_run run;
-        REQUIRE_FALSE(words.set(text));
+        REQUIRE(words.set(text));
         for (const wrap_mode wrap : {wrap_mode::word_or_grapheme, wrap_mode::grapheme})
             for (double width = 0.1; width < 8.0; width += 0.1) {
-                REQUIRE_FALSE(words.lay_out({.width = width, .wrap = wrap}, run));
+                REQUIRE(words.lay_out({.width = width, .wrap = wrap}, run));
                 for (const laid_line& line : words.lines()) CHECK_FALSE(is_inner(line.first));
-                REQUIRE_FALSE(words.lay_out({.width = width, .wrap = wrap, .most_lines = 1, .ellipsis = "."}, run));
+                REQUIRE(words.lay_out({.width = width, .wrap = wrap, .most_lines = 1, .ellipsis = "."}, run));
                 std::size_t shown = 0;
                 for (const placed_glyph& g : run.glyphs) shown += g.id != '.' ? 1u : 0u;
                 if (shown < text.size()) CHECK_FALSE(is_inner(shown));
             }
-        REQUIRE_FALSE(words.lay_out({}, run));
+        REQUIRE(words.lay_out({}, run));
         for (std::uint32_t i = 0; i < text.size(); ++i)
             if (is_inner(i)) CHECK(words.laid().caret_at(i).at == words.laid().caret_at(i - 1).at);
     }

@@ -52,7 +52,7 @@ template <class Plan>
 lit_mesh written(const Plan& plan)
 {
     lit_mesh m;
-    REQUIRE_FALSE(plan.write(typemesh::into(m.vertices, m.indices)));
+    REQUIRE(plan.write(typemesh::into(m.vertices, m.indices)));
     CHECK(typemesh::mesh_size{m.vertices.size(), m.indices.size() / 3} == plan.size());
     return m;
 }

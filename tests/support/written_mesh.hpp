@@ -18,7 +18,7 @@ template <class Mesh>
 Mesh written(const auto& plan)
 {
     Mesh m;
-    REQUIRE_FALSE(plan.write(typemesh::into(m.vertices, m.indices)));
+    REQUIRE(plan.write(typemesh::into(m.vertices, m.indices)));
     REQUIRE(m.vertices.size() == plan.size().vertices);
     return m;
 }

@@ -43,7 +43,7 @@ command_of() {  # command_of PART
         example) say './examples/run.sh "Hello world!" && test -s hello.glb && test -s hello.png' ;;
         page) say './examples/web/run.sh --build && test -s build/web/site/index.html' ;;
         bench) say './bench/run.sh --quick' ;;
-        pictures) say 'sh docs/pictures/make.sh' ;;
+        pictures) say 'bash docs/pictures/make.sh' ;;
     esac
 }
 

@@ -45,12 +45,12 @@ TEST_CASE("after warm-up a text asks nobody for memory, in any layout of the out
             stream_sink streams{std::span{short_indices}, stream<attribute::position, vec3>{std::span{positions}},
                                 stream<attribute::uv, vec2>{std::span{uvs}}};
             bool failed = false;
-            failed |= bool(plan->write(into(std::span{vertices}, std::span{indices})));
-            failed |= bool(plan->write(into(std::span{vertices}, std::span{short_indices})));
-            failed |= bool(plan->write(into(vertices, indices)));
-            failed |= bool(plan->write(streams));
-            failed |= bool(plan->write(glyph_span{1, 2}, streams));
-            failed |= bool(plan->write_meshes(into(std::span{vertices}, std::span{indices})));
+            failed |= !plan->write(into(std::span{vertices}, std::span{indices}));
+            failed |= !plan->write(into(std::span{vertices}, std::span{short_indices}));
+            failed |= !plan->write(into(vertices, indices));
+            failed |= !plan->write(streams);
+            failed |= !plan->write(glyph_span{1, 2}, streams);
+            failed |= !plan->write_meshes(into(std::span{vertices}, std::span{indices}));
             plan->write_instances([&](const glyph_instance&) noexcept {});
             if (failed) std::abort();
         }

@@ -18,7 +18,7 @@ TEST_CASE("a font is recorded through its reference as by itself, face by face, 
     CHECK(refers.units_per_em() == 1000.0);
     CHECK(refers.units_per_em(1) == 500.0);
     outline own, by_ref;
-    REQUIRE_FALSE(record(letters, 1, own));
+    REQUIRE(record(letters, 1, own));
     REQUIRE_FALSE(refers.record(0, 1, by_ref, 1000));
     CHECK(own.curves.size() == by_ref.curves.size());
     REQUIRE_FALSE(refers.record(1, 0, by_ref, 1000));
@@ -27,7 +27,7 @@ TEST_CASE("a font is recorded through its reference as by itself, face by face, 
     CHECK(refers.record(0, 99, by_ref, 1000) == error::unknown_glyph);
     const affine twice{2.0, 0.0, 0.0, 0.0, 2.0, 0.0};
     drawn_face face{refers, 1, &twice, 1000.0};
-    REQUIRE_FALSE(record(face, 0, by_ref));
+    REQUIRE(record(face, 0, by_ref));
     CHECK(by_ref.bounds.high == point{18.0, 18.0});
 }
 

@@ -39,7 +39,7 @@ template <class Plan>
 std::vector<seen_triangle> look_of(const Plan& plan)
 {
     full_mesh m;
-    REQUIRE_FALSE(plan.write(into(m.vertices, m.indices)));
+    REQUIRE(plan.write(into(m.vertices, m.indices)));
     std::vector<seen_triangle> all;
     see(all, m.vertices.data(), m.indices.data(), m.indices.size());
     std::sort(all.begin(), all.end());
@@ -51,9 +51,9 @@ template <class Plan>
 void check_chunks(const Plan& plan, std::uint32_t most)
 {
     text_chunks chunks;
-    REQUIRE_FALSE(chunks.cut(plan, most));
+    REQUIRE(chunks.cut(plan, most));
     test::counted_output out;
-    REQUIRE_FALSE(chunks.write(plan, test::counted_sink{out}));
+    REQUIRE(chunks.write(plan, test::counted_sink{out}));
     REQUIRE(mesh_size{out.vertices.size(), out.indices.size() / 3} == chunks.size());
     CHECK(out.each_once());
 
@@ -84,7 +84,7 @@ void check_chunks(const Plan& plan, std::uint32_t most)
 
         // The same chunk alone.
         full_mesh m;
-        REQUIRE_FALSE(chunks.write(plan, k, into(m.vertices, m.indices)));
+        REQUIRE(chunks.write(plan, k, into(m.vertices, m.indices)));
         REQUIRE(m.vertices.size() == c.size().vertices);
         CHECK(std::memcmp(m.vertices.data(), out.vertices.data() + c.first_vertex,
                           m.vertices.size() * sizeof(full_vertex)) == 0);
@@ -102,7 +102,7 @@ void check_chunks(const Plan& plan, std::uint32_t most)
     for (const std::size_t workers : {2u, 5u}) {
         test::scrambled_workers several{workers};
         test::counted_output other;
-        REQUIRE_FALSE(chunks.write(plan, test::counted_sink{other}, several));
+        REQUIRE(chunks.write(plan, test::counted_sink{other}, several));
         CHECK(other.each_once());
         CHECK(other.indices == out.indices);
         CHECK(std::memcmp(other.vertices.data(), out.vertices.data(), out.vertices.size() * sizeof(full_vertex)) == 0);
@@ -156,11 +156,11 @@ TEST_CASE("text that fits is one chunk, and glyphs that fit are not split", "[te
     auto plan = mesher.plan("oEi x\nEoo");
     REQUIRE(plan);
     text_chunks chunks;
-    REQUIRE_FALSE(chunks.cut(*plan));
+    REQUIRE(chunks.cut(*plan));
     REQUIRE(chunks.view().size() == 1);
     full_mesh whole, m;
-    REQUIRE_FALSE(plan->write(into(whole.vertices, whole.indices)));
-    REQUIRE_FALSE(chunks.write(*plan, into(m.vertices, m.indices)));
+    REQUIRE(plan->write(into(whole.vertices, whole.indices)));
+    REQUIRE(chunks.write(*plan, into(m.vertices, m.indices)));
     CHECK(m.indices == whole.indices);
     CHECK(std::memcmp(m.vertices.data(), whole.vertices.data(), m.vertices.size() * sizeof(full_vertex)) == 0);
 
@@ -170,7 +170,7 @@ TEST_CASE("text that fits is one chunk, and glyphs that fit are not split", "[te
         for (const part p : all_parts) own += plan->range(g, p).vertex_count;
         largest = std::max(largest, own);
     }
-    REQUIRE_FALSE(chunks.cut(*plan, static_cast<std::uint32_t>(largest)));
+    REQUIRE(chunks.cut(*plan, static_cast<std::uint32_t>(largest)));
     CHECK(chunks.view().size() > 1);
     CHECK(chunks.size() == plan->size());
     for (const text_chunk& c : chunks.view()) CHECK(c.piece == text_chunk::whole_glyphs);
@@ -189,14 +189,14 @@ TEST_CASE("a glyph too large for 16 bits is split, and the greatest index is 65,
     check_chunks(*plan, text_chunks::most_for_16_bits);
 
     text_chunks chunks;
-    REQUIRE_FALSE(chunks.cut(*plan));
+    REQUIRE(chunks.cut(*plan));
     CHECK(chunks.size().vertices > plan->size().vertices);
     CHECK(chunks.size().vertices < plan->size().vertices * 101 / 100);  // few are repeated
     CHECK(chunks.size().triangles == plan->size().triangles);
     std::vector<full_vertex> vertices(chunks.size().vertices + 2);
     std::vector<std::uint16_t> indices(chunks.size().indices() + 2, 0xABCD);
-    REQUIRE_FALSE(chunks.write(*plan, into(std::span{vertices}.subspan(1, vertices.size() - 2),
-                                           std::span{indices}.subspan(1, indices.size() - 2))));
+    REQUIRE(chunks.write(*plan, into(std::span{vertices}.subspan(1, vertices.size() - 2),
+                                     std::span{indices}.subspan(1, indices.size() - 2))));
     CHECK(indices.front() == 0xABCD);
     CHECK(indices.back() == 0xABCD);
     CHECK(*std::max_element(indices.begin() + 1, indices.end() - 1) == 65'534);
@@ -209,21 +209,21 @@ TEST_CASE("every sink over memory takes chunks, and writes the same", "[text][ch
     auto plan = mesher.plan("oEio");
     REQUIRE(plan);
     text_chunks chunks;
-    REQUIRE_FALSE(chunks.cut(*plan, 200));
+    REQUIRE(chunks.cut(*plan, 200));
     REQUIRE(chunks.view().size() > 2);
     const auto size = chunks.size();
 
     std::vector<full_vertex> grown;
     std::vector<std::uint8_t> grown_indices;
-    REQUIRE_FALSE(chunks.write(*plan, into(grown, grown_indices)));
+    REQUIRE(chunks.write(*plan, into(grown, grown_indices)));
     std::vector<full_vertex> array(size.vertices);
     std::vector<std::uint8_t> array_indices(size.indices());
-    REQUIRE_FALSE(chunks.write(*plan, into(std::span{array}, std::span{array_indices})));
+    REQUIRE(chunks.write(*plan, into(std::span{array}, std::span{array_indices})));
     std::vector<vec3> positions(size.vertices);
     std::vector<std::uint8_t> stream_indices(size.indices());
     test::scrambled_workers several{4};
-    REQUIRE_FALSE(chunks.write(
-        *plan, stream_sink{std::span{stream_indices}, stream<attribute::position, vec3>{positions}}, several));
+    REQUIRE(chunks.write(*plan, stream_sink{std::span{stream_indices}, stream<attribute::position, vec3>{positions}},
+                         several));
     CHECK(array_indices == grown_indices);
     CHECK(stream_indices == grown_indices);
     CHECK(std::memcmp(array.data(), grown.data(), size.vertices * sizeof(full_vertex)) == 0);
@@ -238,31 +238,31 @@ TEST_CASE("what cannot be cut or does not fit is refused before anything is writ
     REQUIRE(plan);
     text_chunks chunks;
     for (const std::uint32_t most : {0u, 1u, 2u}) {
-        const error e = chunks.cut(*plan, most);
+        const error e = chunks.cut(*plan, most).error();
         CHECK(e == error::bad_option);
         CHECK(std::string{e.option} == "most");
         CHECK(chunks.view().empty());
         CHECK(chunks.size() == mesh_size{});
     }
-    REQUIRE_FALSE(chunks.cut(*plan, 200));
+    REQUIRE(chunks.cut(*plan, 200));
     const auto size = chunks.size();
     std::vector<full_vertex> vertices(size.vertices);
     std::vector<std::uint8_t> indices(size.indices(), 77);
     const std::vector<std::uint8_t> untouched = indices;
 
-    error e = chunks.write(*plan, into(std::span{vertices}.first(size.vertices - 1), std::span{indices}));
+    error e = chunks.write(*plan, into(std::span{vertices}.first(size.vertices - 1), std::span{indices})).error();
     CHECK(e == error::buffer_too_small);
     CHECK(e.count == size.vertices);
-    e = chunks.write(*plan, into(std::span{vertices}, std::span{indices}.first(size.indices() - 1)));
+    e = chunks.write(*plan, into(std::span{vertices}, std::span{indices}.first(size.indices() - 1))).error();
     CHECK(e == error::buffer_too_small);
     CHECK(e.count == size.indices());
-    e = chunks.write(*plan, into(std::span{vertices}, std::span{indices}, 100u));  // base vertex 100
+    e = chunks.write(*plan, into(std::span{vertices}, std::span{indices}, 100u)).error();  // base vertex 100
     CHECK(e == error::index_overflow);
     CHECK(indices == untouched);
     for (const full_vertex& v : vertices) REQUIRE(v.position == vec3{});
 
-    REQUIRE_FALSE(chunks.cut(*plan, 600));  // some chunk needs more than 8 bits
-    const error too_many = chunks.write(*plan, into(std::span{vertices}, std::span{indices}));
+    REQUIRE(chunks.cut(*plan, 600));  // some chunk needs more than 8 bits
+    const error too_many = chunks.write(*plan, into(std::span{vertices}, std::span{indices})).error();
     CHECK(too_many == error::index_overflow);
     CHECK(too_many.count > 255);
     CHECK(indices == untouched);
@@ -275,10 +275,10 @@ TEST_CASE("a text without glyphs has no chunks, and writes nothing", "[text][chu
     auto plan = mesher.plan("  ");
     REQUIRE(plan);
     text_chunks chunks;
-    REQUIRE_FALSE(chunks.cut(*plan));
+    REQUIRE(chunks.cut(*plan));
     CHECK(chunks.view().empty());
     full_mesh m = {{{}, {}}, {1, 2, 3}};
-    REQUIRE_FALSE(chunks.write(*plan, into(m.vertices, m.indices)));
+    REQUIRE(chunks.write(*plan, into(m.vertices, m.indices)));
     CHECK(m.vertices.empty());
     CHECK(m.indices.empty());
 }
@@ -292,25 +292,25 @@ TEST_CASE("cutting again needs no memory, and memory that fails leaves no chunks
     {
         test::counting_memory counted;
         text_chunks chunks{counted.source()};
-        for (int i = 0; i < 2; ++i) REQUIRE_FALSE(chunks.cut(*plan, 50));
+        for (int i = 0; i < 2; ++i) REQUIRE(chunks.cut(*plan, 50));
         const std::size_t before = counted.requests;
         REQUIRE(before > 0);
         test::counted_output out;
-        REQUIRE_FALSE(chunks.cut(*plan, 50));
-        REQUIRE_FALSE(chunks.write(*plan, test::counted_sink{out}));
+        REQUIRE(chunks.cut(*plan, 50));
+        REQUIRE(chunks.write(*plan, test::counted_sink{out}));
         CHECK(counted.requests == before);
     }
     std::size_t failures = 0;
     for (std::size_t n = 1; n < 100; ++n) {
         test::counting_memory counted{.fail_at = n, .fail_once = true};
         text_chunks chunks{counted.source()};
-        const error e = chunks.cut(*plan, 50);
+        const error e = chunks.cut(*plan, 50).error();
         if (e) {
             ++failures;
             CHECK(e == error::out_of_memory);
             CHECK(chunks.view().empty());
         }
-        REQUIRE_FALSE(chunks.cut(*plan, 50));
+        REQUIRE(chunks.cut(*plan, 50));
         CHECK(chunks.view().size() > 7);
         if (counted.requests < n) break;
     }

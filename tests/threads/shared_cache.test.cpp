@@ -47,7 +47,7 @@ TEMPLATE_TEST_CASE(
                 auto plan = mesher.plan(texts[which]);
                 if (i % 5 == 0) cache.clear();
                 full_mesh m;
-                const bool same = plan && !plan->write(into(m.vertices, m.indices)) &&
+                const bool same = plan && plan->write(into(m.vertices, m.indices)).has_value() &&
                                   m.indices == expected[which].indices &&
                                   std::memcmp(m.vertices.data(), expected[which].vertices.data(),
                                               m.vertices.size() * sizeof(test::full_vertex)) == 0;

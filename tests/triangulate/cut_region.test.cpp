@@ -35,8 +35,8 @@ TEST_CASE("cut_region() appends, and leaves what was there when the triangulator
     const auto r = nest(loops, fill_rule::non_zero, space);
     REQUIRE(r);
     triangle_list out;
-    REQUIRE_FALSE(cut_region(*r, monotone{}, space, out));
-    REQUIRE_FALSE(cut_region(*r, monotone{}, space, out));
+    REQUIRE(cut_region(*r, monotone{}, space, out));
+    REQUIRE(cut_region(*r, monotone{}, space, out));
     CHECK(out.size() == 4);
     CHECK(cut_region(*r, failing{}, space, out) == error::out_of_memory);
     CHECK(out.size() == 4);
@@ -56,7 +56,7 @@ TEST_CASE("cut_region() exchanges the low triangles of any triangulator but one 
         triangle_list out;
         const auto made = nest(loops, fill_rule::non_zero, space);
         REQUIRE(made);
-        REQUIRE_FALSE(cut_region(*made, how, space, out));
+        REQUIRE(cut_region(*made, how, space, out));
         CHECK(test::oracle::broken_law(*made, out.view()) == "");
         const triangle_heights heights{loops.grid};
         std::size_t low = 0;

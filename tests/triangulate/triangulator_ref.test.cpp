@@ -20,7 +20,7 @@ TEMPLATE_TEST_CASE("a triangulator cuts and proves through its reference as by i
     const TestType how;
     const triangulator_ref refers{how};
     triangle_list own, by_ref;
-    REQUIRE_FALSE(cut_region(*filled, how, space, own));
+    REQUIRE(cut_region(*filled, how, space, own));
     REQUIRE_FALSE(refers.cut(*filled, space, by_ref));
     REQUIRE(own.size() == by_ref.size());
     for (std::size_t i = 0; i < own.size(); ++i) CHECK(own[i] == by_ref[i]);

@@ -38,7 +38,7 @@ public:
                              : removed || bidi_classes{ws, lri, rli, fsi, pdi}.holds(c) ? text_mark::trailing
                                                                                         : text_mark::none);
         }
-        if (visual_runs(levels_.data(), marks_.data(), base_, {0, static_cast<std::uint32_t>(text.size())}, runs_))
+        if (!visual_runs(levels_.data(), marks_.data(), base_, {0, static_cast<std::uint32_t>(text.size())}, runs_))
             return false;
         order_.clear();
         for (const visual_run& run : runs_)

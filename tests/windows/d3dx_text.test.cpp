@@ -40,14 +40,14 @@ TEST_CASE("D3DXCreateText's stand-in makes closed meshes of TrueType and of CFF 
     test::full_mesh m;
     m.vertices.resize(static_cast<std::size_t>(plan->size().vertices));
     m.indices.resize(static_cast<std::size_t>(plan->size().indices()));
-    REQUIRE_FALSE(plan->write(std::span{m.vertices}, std::span{m.indices}));
+    REQUIRE(plan->write(std::span{m.vertices}, std::span{m.indices}));
     const auto closed = test::examine(m);
     CHECK(closed.unmatched_edges == 0);
     CHECK(closed.zero_area == 0);
     CHECK(test::volume(m.vertices, m.indices) > 0.1);
 
     std::vector<d3dx_glyph_metrics> metrics(plan->metrics_size());
-    REQUIRE_FALSE(plan->metrics(metrics));
+    REQUIRE(plan->metrics(metrics));
     CHECK(metrics[2].advance_x == metrics[3].advance_x);
     CHECK(metrics[0].box_height > metrics[1].box_height);
     CHECK(metrics[5].box_width == 0.0f);

@@ -32,7 +32,7 @@ result<directwrite_font> opened(const std::string& path, const font_options& opt
 glyph_run shaped(directwrite_font& font, text_view text, const shape_options& how = {})
 {
     glyph_run run;
-    REQUIRE_FALSE(layout(font, text, how, {}, run));
+    REQUIRE(layout(font, text, how, {}, run));
     return run;
 }
 
@@ -206,7 +206,7 @@ TEST_CASE("an outline comes y up, at one unit per font unit", "[windows]")
     REQUIRE(fake.font);
     fake.face.draws = [](auto& to) { return square(to, D2D1_FIGURE_END_CLOSED), S_OK; };
     outline o;
-    REQUIRE_FALSE(record(*fake.font, 3, o));
+    REQUIRE(record(*fake.font, 3, o));
     CHECK(fake.face.asked_em_size == 1000.0f);
     CHECK(o.bounds.low == point{0.0, 0.0});
     CHECK(o.bounds.high == point{100.0, 100.0});
@@ -218,9 +218,9 @@ TEST_CASE("a figure that is left open is closed, one that is hollow is not drawn
     REQUIRE(fake.font);
     outline closed, o;
     fake.face.draws = [](auto& to) { return square(to, D2D1_FIGURE_END_CLOSED), S_OK; };
-    REQUIRE_FALSE(record(*fake.font, 3, closed));
+    REQUIRE(record(*fake.font, 3, closed));
     fake.face.draws = [](auto& to) { return square(to, D2D1_FIGURE_END_OPEN), S_OK; };
-    REQUIRE_FALSE(record(*fake.font, 3, o));
+    REQUIRE(record(*fake.font, 3, o));
     CHECK(o.curves.size() == closed.curves.size());
     CHECK(o.contour_count() == 1);
     fake.face.draws = [](auto& to) {
@@ -228,7 +228,7 @@ TEST_CASE("a figure that is left open is closed, one that is hollow is not drawn
         square(to, D2D1_FIGURE_END_CLOSED);
         return S_OK;
     };
-    REQUIRE_FALSE(record(*fake.font, 3, o));
+    REQUIRE(record(*fake.font, 3, o));
     CHECK(o.contour_count() == 1);
 }
 
@@ -241,16 +241,16 @@ TEST_CASE("the fill mode of each glyph is honoured, and does not outlive it", "[
         to.SetFillMode(D2D1_FILL_MODE_ALTERNATE);
         return square(to, D2D1_FIGURE_END_CLOSED), S_OK;
     };
-    REQUIRE_FALSE(record(*fake.font, 3, o));
+    REQUIRE(record(*fake.font, 3, o));
     CHECK(o.rule == fill_rule::even_odd);
     fake.face.draws = [](auto& to) {
         to.SetFillMode(D2D1_FILL_MODE_WINDING);
         return square(to, D2D1_FIGURE_END_CLOSED), S_OK;
     };
-    REQUIRE_FALSE(record(*fake.font, 3, o));
+    REQUIRE(record(*fake.font, 3, o));
     CHECK(o.rule == fill_rule::non_zero);
     fake.face.draws = [](auto& to) { return square(to, D2D1_FIGURE_END_CLOSED), S_OK; };
-    REQUIRE_FALSE(record(*fake.font, 3, o));
+    REQUIRE(record(*fake.font, 3, o));
     CHECK(o.rule == fill_rule::non_zero);
 }
 
@@ -269,7 +269,7 @@ TEST_CASE("elevated quadratics are lowered, true cubics and CFF's curves are not
             return S_OK;
         };
         outline o;
-        REQUIRE_FALSE(record(*font, 1, o));
+        REQUIRE(record(*font, 1, o));
         return curve{o.curves[0]};
     };
     for (int k = 0; k < 200; ++k) {
@@ -420,7 +420,7 @@ TEST_CASE("plain text is shaped: clusters of either encoding, kerning on and off
     CHECK(layout(*font, "x", {.features = bad}, {}, run) == error::bad_feature);
     CHECK(layout(*font, "x", {.script = "Lat"}, {}, run) == error::bad_option);
     CHECK(layout(*font, "x", {.script = "Qqqq"}, {}, run) == error::bad_option);
-    CHECK_FALSE(layout(*font, "x", {.script = "Latn"}, {}, run));
+    CHECK(layout(*font, "x", {.script = "Latn"}, {}, run));
     CHECK(shaped(*font, "").glyphs.empty());
     CHECK(shaped(*font, "a\nb\r\nc").lines.size() == 3);
 }
@@ -430,7 +430,7 @@ TEST_CASE("spaced letters have no ligatures unless they are asked for by name, a
     auto font = opened(dejavu);
     REQUIRE(font);
     glyph_run run;
-    REQUIRE_FALSE(layout(*font, "office", {}, {.letter_spacing = 0.125}, run));
+    REQUIRE(layout(*font, "office", {}, {.letter_spacing = 0.125}, run));
     REQUIRE(run.glyphs.size() == 6);
     const glyph_run single = shaped(*font, "office", {.ligatures = false});
     REQUIRE(single.glyphs.size() == 6);
@@ -530,7 +530,7 @@ TEST_CASE("a word through DirectWrite is a closed mesh, inside in, from TrueType
         auto plan = mesher.plan("oO&");
         REQUIRE(plan);
         test::full_mesh again;
-        REQUIRE_FALSE(plan->write(into(again.vertices, again.indices)));
+        REQUIRE(plan->write(into(again.vertices, again.indices)));
         for (std::size_t g = 0; g < plan->glyphs().size(); ++g) {
             const mesh_range front = plan->range(g, part::front);
             for (std::uint32_t i = front.first_vertex; i < front.first_vertex + front.vertex_count; ++i)

@@ -33,7 +33,7 @@ test::full_mesh meshed(directwrite_text& text)
     REQUIRE(plan);
     CHECK(plan->report().refused == 0);
     test::full_mesh m;
-    REQUIRE_FALSE(plan->write(into(m.vertices, m.indices)));
+    REQUIRE(plan->write(into(m.vertices, m.indices)));
     for (std::size_t g = 0; g < plan->glyphs().size(); ++g) {
         std::vector<std::uint32_t> own;
         for (const part p : plan->parts()) {
@@ -109,7 +109,7 @@ TEST_CASE("a layout of one font keeps the font's own glyph ids, its baseline and
     UINT32 count = 0;
     REQUIRE(SUCCEEDED(layout->GetLineMetrics(&line, 1, &count)));
     glyph_run plain;
-    REQUIRE_FALSE(typemesh::layout(*font, u"Hello", {}, {}, plain));
+    REQUIRE(typemesh::layout(*font, u"Hello", {}, {}, plain));
     for (std::size_t i = 0; i < 5; ++i) {
         CHECK(run.glyphs[i].id == plain.glyphs[i].id);
         CHECK(run.glyphs[i].cluster == i);
@@ -124,8 +124,8 @@ TEST_CASE("a layout of one font keeps the font's own glyph ids, its baseline and
     CHECK(std::fabs(run.lines[0].advance - plain.lines[0].advance) < 0.01);
     CHECK(text.glyph(70000).face == nullptr);
     outline a, b;
-    REQUIRE_FALSE(record(text, run.glyphs[1].id, a));
-    REQUIRE_FALSE(record(*font, plain.glyphs[1].id, b));
+    REQUIRE(record(text, run.glyphs[1].id, a));
+    REQUIRE(record(*font, plain.glyphs[1].id, b));
     REQUIRE(a.curves.size() == b.curves.size());
     for (std::size_t i = 0; i < a.curves.size(); ++i) CHECK(a.curves[i].p[1] == b.curves[i].p[1]);
     CHECK(record(text, 70000, a) == error::unknown_glyph);
@@ -245,9 +245,9 @@ TEST_CASE("fonts and sizes may change inside a layout, and each glyph keeps its 
     CHECK(c.em_size == 60.0);
     CHECK(c.index == a.index);
     outline small_a, large_a, other;
-    REQUIRE_FALSE(record(text, run.glyphs[0].id, small_a));
-    REQUIRE_FALSE(record(text, run.glyphs[4].id, other));
-    REQUIRE_FALSE(record(text, run.glyphs[8].id, large_a));
+    REQUIRE(record(text, run.glyphs[0].id, small_a));
+    REQUIRE(record(text, run.glyphs[4].id, other));
+    REQUIRE(record(text, run.glyphs[8].id, large_a));
     CHECK(large_a.bounds.height() == Catch::Approx(2.0 * small_a.bounds.height()));
     // The x-height of both fonts is about half an em, whatever their units: 2048 and 1000.
     CHECK(other.bounds.height() / small_a.bounds.height() > 0.7);
@@ -291,7 +291,7 @@ TEST_CASE("underlines and strike-throughs are rectangles at their lines' ends", 
         CHECK_FALSE(bar.missing);
         CHECK(text.glyph(bar.id).face == nullptr);
         outline o;
-        REQUIRE_FALSE(record(text, bar.id, o));
+        REQUIRE(record(text, bar.id, o));
         REQUIRE(o.curves.size() == 4);
         CHECK(o.bounds.width() > 4.0 * o.bounds.height());
         const double top = bar.origin.y + o.bounds.high.y - baseline, bottom = bar.origin.y + o.bounds.low.y - baseline;

@@ -64,7 +64,7 @@ bool draw(const std::string& path, std::uint32_t number, const std::string& file
     const std::uint32_t step = (std::max)(1u, face.glyph_count / glyphs_of_a_face);
     outline a, b, c;
     for (glyph_id id = 0; id < face.glyph_count; id += step) {
-        if (record(*harfbuzz, id, a) || record(*freetype, id, b)) continue;
+        if (!record(*harfbuzz, id, a) || !record(*freetype, id, b)) continue;
         if (FT_Load_Glyph(freetype->handle(), id, FT_LOAD_NO_BITMAP) != 0) continue;
         record_slot(freetype->handle(), c);
         face.glyphs.push_back({id, test::contours_of(a), test::contours_of(b), test::contours_of(c)});

@@ -28,7 +28,7 @@ TEST_CASE("styles only sort lines of both directions, merged, in chunks and by w
     REQUIRE(pool);
     glyph_run run;
     const char* text = "الخط العربي\nHello world, WAVE\nمرحبا بالعالم";
-    REQUIRE_FALSE(layout(*font, text, {}, {.align = alignment::centre, .letter_spacing = -0.03}, run));
+    REQUIRE(layout(*font, text, {}, {.align = alignment::centre, .letter_spacing = -0.03}, run));
     for (std::uint32_t seed = 1; seed <= 2; ++seed)
         test::check_styles(mesher, other, *pool, run, {.tolerance = quality::normal}, seed);
 }
@@ -42,8 +42,8 @@ TEST_CASE("lines of two fonts, a face each, are what each font draws alone", "[w
     REQUIRE(arabic);
     REQUIRE(latin->units_per_em() != arabic->units_per_em());
     glyph_run first, second, both;
-    REQUIRE_FALSE(layout(*latin, "Two fonts", {}, {}, first));
-    REQUIRE_FALSE(layout(*arabic, "خطان", {}, {}, second));
+    REQUIRE(layout(*latin, "Two fonts", {}, {}, first));
+    REQUIRE(layout(*arabic, "خطان", {}, {}, second));
     const double scale = latin->units_per_em() / arabic->units_per_em();
     const auto other_face = both.number_of({.face = 1});
     REQUIRE(other_face);

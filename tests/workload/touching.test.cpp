@@ -26,17 +26,17 @@ TEST_CASE("glyphs that only touch in points are the region that resolve() makes 
         contours resolved;
         cap_builder caps;
         for (glyph_id id = 0; id < font->glyph_count(); ++id) {
-            if (record(*font, id, shape) || shape.curves.empty()) continue;
+            if (!record(*font, id, shape) || shape.curves.empty()) continue;
             const double tolerance = quality::normal * font->units_per_em();
             const auto g = grid::fitting(font->units_per_em(), shape.bounds);
-            if (!g || caps.flatten(shape, certified{}, tolerance, *g)) continue;
+            if (!g || !caps.flatten(shape, certified{}, tolerance, *g)) continue;
             const result<region> proven = caps.prove(monotone{});
             if (!proven || !proven->is_touching()) continue;
             ++touching;
             INFO(name << ", glyph " << id);
             CHECK(test::oracle::broken_law(*proven, caps.triangles().view()) == "");
             for (const fill_rule rule : {fill_rule::non_zero, fill_rule::even_odd}) {
-                REQUIRE_FALSE(discretise(shape, certified{}, tolerance, *g, resolved));
+                REQUIRE(discretise(shape, certified{}, tolerance, *g, resolved));
                 const result<region> made = resolve(resolved, rule, space);
                 REQUIRE(made);
                 CHECK(test::cycles_of(*proven) == test::cycles_of(*made));

@@ -27,9 +27,9 @@ TEST_CASE(
         triangle_list by_sweep, delaunay;
         for (const double tolerance : {quality::low, quality::high}) {
             for (glyph_id id = 0; id < count; id += step) {
-                if (record(*font, id, shape) || shape.curves.empty()) continue;
+                if (!record(*font, id, shape) || shape.curves.empty()) continue;
                 const auto g = grid::fitting(font->units_per_em(), shape.bounds);
-                if (!g || discretise(shape, certified{}, tolerance * font->units_per_em(), *g, loops)) continue;
+                if (!g || !discretise(shape, certified{}, tolerance * font->units_per_em(), *g, loops)) continue;
                 orient(loops);
                 by_sweep.clear();
                 delaunay.clear();

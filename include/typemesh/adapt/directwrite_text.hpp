@@ -42,7 +42,7 @@ struct directwrite_glyph {
 /// fonts and sizes, fallback fonts, bidirectional text, wrapping, alignment, trimming, underlines).
 ///
 ///     directwrite_text text;
-///     if (error e = text.read(layout)) return puts(e.message());
+///     if (auto read = text.read(layout); !read) return puts(read.error().message());
 ///     text_mesher mesher{text};
 ///     auto made = mesher.build(text.run(), into(vertices, indices));
 ///
@@ -88,7 +88,7 @@ public:
     ///        error::outline_not_finite: it places something at NaN or infinity
     ///        error::too_large: more than 65535 pairs of face and size, underlines or strike-throughs
     ///        error::out_of_memory, font_library_failed (count = the HRESULT); it then holds nothing
-    error read(IDWriteTextLayout* layout, void* context = nullptr) noexcept
+    result<void> read(IDWriteTextLayout* layout, void* context = nullptr) noexcept
     {
         TYPEMESH_ASSERT(layout != nullptr, "a null IDWriteTextLayout* was read");
         release();

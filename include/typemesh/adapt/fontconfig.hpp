@@ -121,7 +121,7 @@ private:
 ///
 ///     auto fonts = fontconfig_fonts::open();
 ///     installed_font found;
-///     if (error e = fonts->find("Noto Sans:bold", found)) ...
+///     if (auto match = fonts->find("Noto Sans:bold", found); !match) ...
 ///     auto font = harfbuzz_font::open(found.path(), found.options());
 ///
 /// Move-only. Used by one thread at a time.
@@ -155,7 +155,7 @@ public:
     ///
     /// Fails  error::no_such_family; error::no_such_style: the family has no such font, `option` says in what: weight,
     ///        width, slant or style; error::bad_option: the name cannot be read; error::out_of_memory
-    error find(const char* name, installed_font& out, family_names names = family_names::own) const noexcept
+    result<void> find(const char* name, installed_font& out, family_names names = family_names::own) const noexcept
     {
         const void* words = name;
         const detail::fontconfig_pattern asked{FcNameParse(static_cast<const FcChar8*>(words))};

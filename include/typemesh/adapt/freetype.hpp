@@ -54,6 +54,14 @@ public:
         from.pathname = const_cast<char*>(path);  // FreeType only reads it
         return open_face(from, options, library);
     }
+    /// The same for a std::string, or what else has a c_str().
+    template <class Path>
+        requires requires(const Path& path) { static_cast<const char*>(path.c_str()); }
+    static result<freetype_font> open(const Path& path, const font_options& options = {},
+                                      FT_Library library = nullptr) noexcept
+    {
+        return open(static_cast<const char*>(path.c_str()), options, library);
+    }
 
     /// Opens a font in memory. Nothing is copied: the bytes must outlive the font. Fails as the other open() does,
     /// except for unreadable_file; error::too_large for more bytes than FreeType can count.

@@ -57,6 +57,13 @@ public:
         if (blob == nullptr) return error::unreadable_file;
         return from_blob(blob, options);
     }
+    /// The same for a std::string, or what else has a c_str().
+    template <class Path>
+        requires requires(const Path& path) { static_cast<const char*>(path.c_str()); }
+    static result<harfbuzz_font> open(const Path& path, const font_options& options = {}) noexcept
+    {
+        return open(static_cast<const char*>(path.c_str()), options);
+    }
 
     /// Opens a font in memory. Nothing is copied: the bytes must outlive the font and whatever shares its handle().
     /// Fails as the other open() does, except for unreadable_file; error::too_large for 4 GiB and more.
@@ -119,6 +126,7 @@ public:
     template <outline_sink Sink>
     error outline(glyph_id id, Sink& sink) noexcept
     {
+        assert_not_moved();
         if (id >= glyph_count_) return error{error::unknown_glyph}.at(id, no_cluster);
         draw_with(&calls_of<Sink>);
         const point unit = unit_size();
@@ -134,6 +142,7 @@ public:
     /// See shaper. Where the font has no vertical metrics, columns extend half an em to each side.
     [[nodiscard]] line_metrics metrics(direction d) const noexcept
     {
+        assert_not_moved();
         const bool vertical = d == direction::top_to_bottom;
         hb_font_extents_t extents = {};
         hb_font_get_extents_for_direction(font_, vertical ? HB_DIRECTION_TTB : HB_DIRECTION_LTR, &extents);
@@ -166,6 +175,7 @@ public:
     result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& options,
                         glyph_run& run) noexcept
     {
+        assert_not_moved();
         TYPEMESH_ASSERT(first <= last && last <= text.size(), "a shaper was given a range outside its text");
         return shaping_.shape(font_, unit_size(), text, first, last, options, run);
     }
@@ -185,6 +195,12 @@ public:
     [[nodiscard]] double column_middle() const noexcept { return shaping_.column_middle(font_, unit_size()); }
 
 private:
+    void assert_not_moved() const noexcept
+    {
+        TYPEMESH_ASSERT(font_ != nullptr,
+                        "this font was moved from; meshers that refer to it are to use() the new one");
+    }
+
     /// HarfBuzz's callbacks for one type of sink; the table's address tells which are in use.
     struct draw_calls {
         hb_draw_move_to_func_t move;

@@ -57,7 +57,7 @@ concept d3dx_extruder = extruder<E> && requires(E& e) {
 ///     if (!plan) return plan.error();
 ///     vertices.resize(plan->size().vertices);                  // d3dx_vertex, or any vertex with vertex_traits
 ///     indices.resize(plan->size().indices());                  // std::uint16_t as in Direct3D, or std::uint32_t
-///     if (error e = plan->write(std::span{vertices}, std::span{indices})) return e;
+///     auto written = plan->write(std::span{vertices}, std::span{indices});
 ///
 /// The space is Direct3D's:
 ///

@@ -4,6 +4,7 @@
 #include <typemesh/core/box.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/first_where.hpp>
+#include <typemesh/core/result.hpp>
 #include <typemesh/text/text_plan.hpp>
 #include <typemesh/vertex/array_sink.hpp>
 
@@ -77,7 +78,7 @@ public:
     ///        error::index_overflow: 16-bit indices can number 65,535 vertices; use 32-bit ones for more
     /// Nothing is written then.
     template <class Vertex, std::size_t V, class Index, std::size_t I>
-    error write(std::span<Vertex, V> vertices, std::span<Index, I> indices) const noexcept
+    result<void> write(std::span<Vertex, V> vertices, std::span<Index, I> indices) const noexcept
     {
         return plan_.write(into(vertices, indices));
     }
@@ -85,12 +86,12 @@ public:
     /// The same into any sink.
     template <class Sink>
         requires mesh_sink<std::remove_reference_t<Sink>>
-    error write(Sink&& sink) const noexcept
+    result<void> write(Sink&& sink) const noexcept
     {
         return plan_.write(sink);
     }
     template <array_without_sink Vertices, array_without_sink Indices>
-    error write(Vertices&&, Indices&&) const noexcept
+    result<void> write(Vertices&&, Indices&&) const noexcept
     {
         return refuse_arrays<Vertices>();
     }
@@ -100,9 +101,9 @@ public:
     /// next glyph, so it includes kerning.
     ///
     /// Fails  error::buffer_too_small: fewer than metrics_size(), which is `count`; nothing is written then
-    error metrics(std::span<d3dx_glyph_metrics> out) const noexcept
+    result<void> metrics(std::span<d3dx_glyph_metrics> out) const noexcept
     {
-        if (out.size() < text_size_) return {error::buffer_too_small, text_size_};
+        if (out.size() < text_size_) return error{error::buffer_too_small, text_size_};
         for (std::size_t i = 0; i < text_size_; ++i) out[i] = {};
 
         const glyph_run& run = plan_.run();

@@ -11,7 +11,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// What went wrong and where: the only way this library reports failure. Nothing throws.
 ///
-/// `return error::out_of_memory;` makes one; `if (error e = ...)` tests for one; `message()` is a plain sentence.
+/// What you call answers with a result (result.hpp), which is true when all is well and otherwise has an error. What
+/// you write for the library to call (a policy, a font, a sink) returns an error: `return {};` when all is well, else
+/// `return error::out_of_memory;`, say. `message()` is a plain sentence.
 struct [[nodiscard]] error {
     /// What went wrong.
     enum kind : std::uint8_t {

@@ -110,6 +110,44 @@ private:
     typemesh::error error_;
 };
 
+/// Success, or the error that prevented it: what calls answer that have no value to give.
+///
+///     if (auto written = plan->write(sink); !written) puts(written.error().message());
+///
+/// True when all is well, as every result is. The errors that calls returned before were true when something was wrong:
+/// so that code for them does not compile, `if (plan->write(sink))` does not; `if (!plan->write(sink))` does, and
+/// has_value().
+template <>
+class [[nodiscard]] result<void> {
+public:
+    using value_type = void;
+    using error_type = typemesh::error;
+
+    constexpr result() noexcept = default;                       ///< success
+    constexpr result(typemesh::error e) noexcept : error_{e} {}  ///< success for error::none
+    constexpr result(typemesh::error::kind k) noexcept : error_{k} {}
+
+    [[nodiscard]] constexpr bool has_value() const noexcept { return error_.code == typemesh::error::none; }
+    [[nodiscard]] explicit constexpr operator bool() const& noexcept { return has_value(); }
+    [[nodiscard]] constexpr bool operator!() const noexcept { return !has_value(); }
+    explicit operator bool() const&& = delete;
+
+    /// What went wrong; error::none when nothing did.
+    [[nodiscard]] constexpr typemesh::error error() const noexcept { return error_; }
+    friend constexpr bool operator==(const result& r, typemesh::error::kind k) noexcept { return r.error_ == k; }
+
+    /// What `next()` returns, which is a result as well; or this error.
+    template <class Next>
+    [[nodiscard]] auto and_then(Next&& next) const noexcept -> std::remove_cvref_t<decltype(next())>
+    {
+        if (!has_value()) return error_;
+        return next();
+    }
+
+private:
+    typemesh::error error_;
+};
+
 /// For overloads beside those that take a value, so that a forgotten `*` is reported in one sentence.
 template <class T>
 constexpr error refuse_result() noexcept

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#if !(defined(_MSVC_LANG) ? _MSVC_LANG >= 202002L : __cplusplus >= 202002L)
+#error "typemesh needs C++20: give the compiler -std=c++20 (cl: /std:c++20)"
+#endif
+
 #define TYPEMESH_VERSION_MAJOR 0
 #define TYPEMESH_VERSION_MINOR 1
 #define TYPEMESH_VERSION_PATCH 0

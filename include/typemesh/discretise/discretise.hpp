@@ -7,6 +7,7 @@
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/outline.hpp>
+#include <typemesh/core/result.hpp>
 #include <typemesh/discretise/discretiser.hpp>
 
 #include <cmath>
@@ -298,8 +299,8 @@ private:
 ///        and more); `out` is then empty
 /// Cost   the discretiser's, and a few nanoseconds per point; nothing is allocated once `out` has grown
 template <discretiser D>
-error discretise(const outline& curves, const D& how, double tolerance, const grid& g, contours& out,
-                 std::span<const std::uint8_t> halvings = {}) noexcept
+result<void> discretise(const outline& curves, const D& how, double tolerance, const grid& g, contours& out,
+                        std::span<const std::uint8_t> halvings = {}) noexcept
 {
     TYPEMESH_ASSERT(halvings.empty() || halvings.size() == curves.curves.size(),
                     "there must be one number of halvings per curve, or none at all");

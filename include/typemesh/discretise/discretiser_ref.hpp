@@ -52,7 +52,7 @@ constinit const discretiser_ref::calls discretiser_ref::table<D>::of = {
     [](const void* how, const outline& curves, double tolerance, contours& out,
        std::span<const std::uint8_t> halvings) noexcept {
         const grid cells = out.grid;
-        return discretise(curves, *static_cast<const D*>(how), tolerance, cells, out, halvings);
+        return discretise(curves, *static_cast<const D*>(how), tolerance, cells, out, halvings).error();
     },
     [](const void* how) noexcept { return key_of(*static_cast<const D*>(how)); }, typemesh::keeps_tolerance<D>};
 

@@ -39,6 +39,15 @@ public:
         return out;
     }
 
+    /// Whether it makes a profile (profile_points), with however many points it is drawn.
+    [[nodiscard]] bool is_valid() const noexcept
+    {
+        return at(finest).is_valid() && (is_ != kind::bezier || steps_ != 0 || curve_.is_valid());
+    }
+
+    /// A scale that asks for as many points as there can be.
+    static constexpr profile_scale finest{1.0, 1.0, 0x1p-60};
+
     /// Two that differ have one key with odds of about 2^-128.
     [[nodiscard]] option_bits cache_key() const noexcept
     {
@@ -106,7 +115,7 @@ template <class Height>
 [[nodiscard]] bevel_profile sampled_profile(const Height& height, std::uint32_t steps = 16) noexcept
 {
     profile_points points;
-    for (std::uint32_t i = 0; i <= steps; ++i) {
+    for (std::uint32_t i = 0; i <= steps && i <= profile_points::most; ++i) {  // of more points none is valid
         const float t = i == steps ? 1.0f : static_cast<float>(i) / static_cast<float>(steps);
         points.add({t, height(t)});
     }

@@ -114,8 +114,8 @@ public:
                 if (s.smooth_after)
                     after = i + 1 == strips.size() ? bevel_tilt{0.0, 1.0} : middle(own, tilt_of(strips[i + 1], depth));
             }
-            slopes_[i].before = before;
-            slopes_[i].after = after;
+            slopes_[i].before = off_level(before, own);
+            slopes_[i].after = off_level(after, own);
         }
     }
 
@@ -151,6 +151,13 @@ private:
     static bevel_tilt middle(bevel_tilt a, bevel_tilt b) noexcept
     {
         return unit(bevel_tilt{a.out + b.out, a.up + b.up});
+    }
+    /// A normal that stands less than 90 degrees off its strip's own: that of a wall does not at a level strip.
+    static bevel_tilt off_level(bevel_tilt n, bevel_tilt own) noexcept
+    {
+        constexpr double least = 0x1p-6;
+        if (n.out * own.out + n.up * own.up >= least) return n;
+        return unit(bevel_tilt{n.out + 2.0 * least * own.out, n.up + 2.0 * least * own.up});
     }
     static bevel_tilt rounded_at(double share) noexcept { return unit(bevel_tilt{1.0 - share, share}); }
 

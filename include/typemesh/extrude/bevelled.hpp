@@ -140,6 +140,10 @@ struct bevelled {
             made.narrowed = made.narrowed || is_narrow(reached);
             made.lost_caps = data.swept.lost;
         }
+        // Specks stay at height 0, where bevels that take all the depth leave no thickness.
+        const bool takes_all = own_heights().rim(true, 0.0f) <= own_heights().rim(false, 0.0f);
+        if (mode != bevel_mode::clip && takes_all && data.swept.lost != 0 && filled.corners() != touching::keep)
+            made.touching = true;
         const auto within = data.of<grid_point>().size();
         if (data.of<bevel_vertex>().size() > 0x3FFF'FFFFu || within > 0x3FFF'FFFFu) return error::too_large;
         return made;
@@ -251,12 +255,13 @@ private:
         if (!corner_rule{joins, mitre_limit}.is_valid()) return error::bad("mitre_limit");
         if (!is_crease_angle(crease_degrees)) return error::bad("crease_degrees");
         if (!is_crease_angle(profile_crease_degrees)) return error::bad("profile_crease_degrees");
-        const profile_points points = profile.at({1.0, 1.0, 0.0});
-        if (!points.is_valid()) return error::bad("profile");
+        const profile_points points = profile.at(bevel_profile::finest);
+        if (!profile.is_valid()) return error::bad("profile");
         const bool takes_all = bevels * as_double(bevel_depth) >= as_double(depth);
+        constexpr float least = 0x1p-20f;  // that 32-bit heights tell from 0
         float h = 0.0f;
         for (const profile_point p : points.view()) {
-            if (takes_all && p.t > 0.0f && !(p.h > 0.0f)) return error::bad("bevel_depth");  // no thickness there
+            if (takes_all && p.t > 0.0f && p.h < least) return error::bad("bevel_depth");  // no thickness there
             if (shading == bevel_shading::rounded && p.h < h) return error::bad("shading");
             h = p.h;
         }
@@ -306,7 +311,7 @@ private:
             leave_frame(data.swept.cap);
             if (filled.corners() != touching::keep) {
                 std::uint32_t found = 0;
-                if (error e = corner_parting::count(data.swept.cap, caps.space(), found)) return e;
+                if (error e = count_touching_walls(data.swept, caps.space(), found)) return e;
                 made.corners_moved += found;
                 carve.touches = found != 0;
                 if (found != 0) return error{error::crossing_contours};
@@ -337,6 +342,36 @@ private:
         if (!cap) return cap.error();
         const bool kept = data.of<grid_point>().append(cap->points()) && data.of<std::uint32_t>().append(cap->starts());
         return kept ? error{} : error{error::out_of_memory};
+    }
+
+    /// How often the walls at the last level touch: points through which they pass more than once, as the cap's
+    /// boundary may, and walls back to back, where what lies around is thin as a line, which the cap leaves out.
+    static error count_touching_walls(const swept_region& swept, workspace& space, std::uint32_t& found) noexcept
+    {
+        struct wall {
+            grid_point from, to;
+        };
+        const std::size_t first = swept.at_level[swept.at_level.size() - 2], end = swept.at_level.back();
+        workspace::scope scratch{space};
+        auto* const walls = scratch.take<wall>(end - first);
+        if (walls == nullptr && end != first) return error::out_of_memory;
+        std::size_t n = 0;
+        for (std::size_t i = first; i < end; ++i) {
+            const wall w{swept.nodes[swept.edges_at[i].a].at, swept.nodes[swept.edges_at[i].b].at};
+            if (w.from != w.to) walls[n++] = w;
+        }
+        const auto before = [](grid_point p, grid_point q) noexcept { return p.x != q.x ? p.x < q.x : p.y < q.y; };
+        std::sort(walls, walls + n,
+                  [&before](const wall& v, const wall& w) noexcept { return before(v.from, w.from); });
+        for (std::size_t i = 1; i < n; ++i) found += walls[i].from == walls[i - 1].from ? 1u : 0u;
+        for (std::size_t i = 0; i < n; ++i)
+            if (before(walls[i].to, walls[i].from)) std::swap(walls[i].from, walls[i].to);
+        std::sort(walls, walls + n, [&before](const wall& v, const wall& w) noexcept {
+            return v.from != w.from ? before(v.from, w.from) : before(v.to, w.to);
+        });
+        for (std::size_t i = 1; i < n; ++i)
+            found += walls[i].from == walls[i - 1].from && walls[i].to == walls[i - 1].to ? 1u : 0u;
+        return {};
     }
 
     /// Of outward bevels on both sides there is no such cap, but the walls have an outline.

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <typemesh/core/curve.hpp>
+#include <typemesh/core/finite.hpp>
 #include <typemesh/core/option_bits.hpp>
 #include <typemesh/core/point.hpp>
+#include <typemesh/core/same.hpp>
 #include <typemesh/extrude/profile_points.hpp>
 
 #include <cmath>
@@ -42,19 +44,55 @@ struct bezier_section {
         return n >= 1.0 && n < 63.0 ? static_cast<std::uint32_t>(n) : n < 1.0 ? 1u : 63u;
     }
 
+    /// Whether it stays between heights 0 and 1 and its t does not decrease, up to roundings that add() takes away.
+    [[nodiscard]] bool is_valid() const noexcept
+    {
+        const cubic c = curve();
+        if (!is_finite(as_double(end))) return false;
+        for (const point p : {c.p1, c.p2})
+            if (!is_finite(p.x) || !is_finite(p.y)) return false;
+        const point first_leg = c.p1 - c.p0, middle = c.p2 - c.p1, last = c.p3 - c.p2;  // the derivative's points
+        bool valid = true;
+        const auto look = [&](double s) noexcept {
+            if (!(s >= 0.0 && s <= 1.0)) return;
+            const double r = 1.0 - s;
+            const point p = c.at(s);
+            const double grows = r * r * first_leg.x + 2.0 * r * s * middle.x + s * s * last.x;
+            valid = valid && grows >= -slack && p.y >= -slack && p.y <= 1.0 + slack;
+        };
+        look(0.0);
+        look(1.0);
+        const double bend = first_leg.x - 2.0 * middle.x + last.x;  // where t grows least
+        if (!is_zero(bend)) look((first_leg.x - middle.x) / bend);
+        const double a = first_leg.y - 2.0 * middle.y + last.y, b = first_leg.y - middle.y, d = b * b - a * first_leg.y;
+        if (d >= 0.0)  // where h turns
+            for (const double root : {b - std::sqrt(d), b + std::sqrt(d)}) {
+                if (!is_zero(a)) look(root / a);
+                if (!is_zero(root)) look(first_leg.y / root);
+            }
+        return valid;
+    }
+
     /// Adds the points of that many steps; beyond 63 they are not valid.
     void add(std::uint32_t steps, profile_points& out) const noexcept
     {
         const cubic c = curve();
+        const auto within = [](double v) noexcept {  // a curve that is_valid() leaves by roundings alone
+            return static_cast<float>(v < 0.0 && v >= -slack ? 0.0 : v > 1.0 && v <= 1.0 + slack ? 1.0 : v);
+        };
         out.add({0.0f, 0.0f});
+        double t = 0.0;
         for (std::uint32_t i = 1; i < steps && i < profile_points::most; ++i) {
             const point p = c.at(static_cast<double>(i) / steps);
-            out.add({static_cast<float>(p.x), static_cast<float>(p.y)});
+            t = p.x < t && p.x >= t - slack ? t : p.x;
+            out.add({within(t), within(p.y)});
         }
         out.add({1.0f, end});
     }
 
 private:
+    static constexpr double slack = 0x1p-30;
+
     [[nodiscard]] cubic curve() const noexcept
     {
         const auto at = [](profile_point p) noexcept { return point{as_double(p.t), as_double(p.h)}; };

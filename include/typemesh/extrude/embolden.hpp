@@ -54,6 +54,7 @@ struct embolden {
     /// See option_bits.
     [[nodiscard]] option_bits cache_key() const noexcept { return {by, mitre_limit, joins}; }
 
+    /// See region_step.
     [[nodiscard]] error refused_options() const noexcept
     {
         if (!is_finite(as_double(by))) return error::bad("by");

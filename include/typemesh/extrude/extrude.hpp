@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/assert.hpp>
+#include <typemesh/core/result.hpp>
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/extrude/placed_bounds.hpp>
 #include <typemesh/extrude/planned_sink.hpp>
@@ -69,7 +70,8 @@ void write_triangles(part p, const planned_solid_of<Extruder>& s, const Extruder
 ///
 /// Fails  error::too_large, or as the sink's begin() does: nothing is written then; or as its end() does
 template <extruder Extruder, mesh_sink Sink>
-error write_solid(const planned_solid_of<Extruder>& s, const Extruder& how, const placement& at, Sink& sink) noexcept
+result<void> write_solid(const planned_solid_of<Extruder>& s, const Extruder& how, const placement& at,
+                         Sink& sink) noexcept
 {
     const mesh_size exact = s.plan.sizes.total();
     if (!exact.fits_32_bits()) return error::too_large;
@@ -92,8 +94,8 @@ error write_solid(const planned_solid_of<Extruder>& s, const Extruder& how, cons
 /// Fails  error::bad_option, error::out_of_memory, error::too_large, or what else the extruder's plan() returns;
 ///        nothing is written then. And as write_solid() does
 template <extruder Extruder, mesh_sink Sink>
-error extrude(const region& filled, std::span<const triangle> cap, const Extruder& how, const placement& at,
-              plan_data_of<Extruder>& data, Sink& sink) noexcept
+result<void> extrude(const region& filled, std::span<const triangle> cap, const Extruder& how, const placement& at,
+                     plan_data_of<Extruder>& data, Sink& sink) noexcept
 {
     static_assert(!capping_extruder<Extruder>,
                   "typemesh: this extruder asks for caps; call plan_solid() and write_solid()");
@@ -107,8 +109,8 @@ error extrude(const region& filled, std::span<const triangle> cap, const Extrude
 
 /// The same for extruders without plan data, or for a single call.
 template <extruder Extruder, mesh_sink Sink>
-error extrude(const region& filled, std::span<const triangle> cap, const Extruder& how, const placement& at,
-              Sink& sink) noexcept
+result<void> extrude(const region& filled, std::span<const triangle> cap, const Extruder& how, const placement& at,
+                     Sink& sink) noexcept
 {
     plan_data_of<Extruder> data{heap()};
     return extrude(filled, cap, how, at, data, sink);

@@ -200,6 +200,28 @@ template <extruder E>
         return how.heights();
 }
 
+/// The option to blame for heights that cannot be written: "depth" of an extruder that has one.
+template <extruder E>
+[[nodiscard]] const char* heights_name_of([[maybe_unused]] const E& how) noexcept
+{
+    if constexpr (requires { how.heights_name(); })
+        return how.heights_name();
+    else if constexpr (requires { how.depth; })
+        return "depth";
+    else
+        return "heights";
+}
+
+/// Whether the triangles of a solid's caps are not the region's own.
+template <extruder E>
+[[nodiscard]] bool has_own_caps([[maybe_unused]] const E& how) noexcept
+{
+    if constexpr (requires { how.has_own_caps(); })
+        return how.has_own_caps();
+    else
+        return makes_own_caps<E>;
+}
+
 /// What seen_from_front() tells of a solid, or else the region's triangles.
 template <extruder E, class Put>
 void each_seen_from_front(const E& how, const solid_of<E>& s, Put&& put) noexcept

@@ -21,10 +21,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///                                      grid, tolerance
 ///     auto filled = inner.fill(caps)   it refers to them; inner.triangles are its cap
 struct inner_region {
-    contours loops;
-    triangle_list triangles;
-    buffer<curve> parted_curves;  // those of loops, if corners have been parted or joined
-    corner_parting parting;       // what was done to them
+    contours loops;               ///< what bounds it
+    triangle_list triangles;      ///< its cap
+    buffer<curve> parted_curves;  ///< those of loops, if corners have been parted or joined
+    corner_parting parting;       ///< what was done to them
 
     explicit inner_region(memory source = heap()) noexcept : loops{source}, triangles{source}, parted_curves{source} {}
 

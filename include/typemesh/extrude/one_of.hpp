@@ -160,6 +160,16 @@ public:
     {
         return visit([&s](auto at, const auto& how) noexcept { return heights_of(how, of<at>(s)); });
     }
+    /// Of the chosen one's options the one to blame for heights.
+    [[nodiscard]] const char* heights_name() const noexcept
+    {
+        return visit([](auto, const auto& how) noexcept { return heights_name_of(how); });
+    }
+    /// Whether the chosen one's triangles are not the region's own.
+    [[nodiscard]] bool has_own_caps() const noexcept
+    {
+        return visit([](auto, const auto& how) noexcept { return typemesh::has_own_caps(how); });
+    }
     template <class Put>
     void seen_from_front(const solid& s, Put&& put) const noexcept
         requires(makes_own_caps<Solids> || ...)

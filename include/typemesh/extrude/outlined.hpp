@@ -104,12 +104,13 @@ struct outlined_data {
 /// The ring's parts come first, then the letter's: with two `extruded` part{0} to part{2} and part{3} to part{5}, with
 /// materials of their own. There may be eight. Edges that both have are the same, point by point, in opposite
 /// directions: nothing gapes between them. Where every edge of the mesh is to have two faces (text_options::corners),
-/// the letter keeps 8 cells away from its ring.
+/// the letter keeps 8 cells away from its ring, and from bridges that join its corners.
 ///
 /// Corners, advances, letters that meet when they have grown, and distances that are not proven are as with
 /// `embolden`.
 ///
-/// A ring that grows, by outward bevels for example, would grow into a letter within it: error::bad_option "ring".
+/// A ring that grows, by outward bevels for example, would grow into a letter within it, and a letter that grows into
+/// its ring: error::bad_option "ring", "letter".
 ///
 /// Fails  error::bad_option: the width is not positive and finite, or on a glyph less than four cells (centre: eight)
 ///        or 2^28 and more, the mitre limit is below 1 and not 0 ("outlined::width", "outlined::mitre_limit"), or as
@@ -195,7 +196,7 @@ struct outlined {
     // What the two extruders tell of the ring and of the letter.
 
     [[nodiscard]] height_range heights(const solid_with<plan_data>& s) const noexcept
-        requires(tells_heights<Ring> || tells_heights<Letter>)
+        requires(has_letter || tells_heights<Ring>)
     {
         const height_range a = heights_of(ring, s.data.ring);
         if (!has_letter || s.data.letter.points.empty()) return a;
@@ -262,6 +263,16 @@ private:
         return how.heights();
     }
 
+    template <class E>
+    static bool grows([[maybe_unused]] const E& how, [[maybe_unused]] const inner_solid<E>& of) noexcept
+    {
+        if constexpr (tells_outline<E>) {
+            const auto made = of.read();
+            return !made.points.empty() && how.outline(made).points.data() != made.points.data();
+        }
+        return false;
+    }
+
     static constexpr bool is_of_ring(part p) noexcept { return static_cast<std::size_t>(p) < ring_parts; }
     static constexpr part of_letter(part p) noexcept
     {
@@ -290,8 +301,11 @@ private:
         const std::uint32_t own = outer.contour_count();
         if (!append_loops(inner, outer)) return error::out_of_memory;
         for (std::uint32_t k = own; k < outer.contour_count(); ++k) turn_loop(outer, k);
-        if (has_letter && filled.corners() != touching::keep)
-            if (error e = data.mover(filled, around - distance - gap, corners, caps, data.curves, inner)) return e;
+        if (has_letter && filled.corners() != touching::keep) {
+            const double bridge = filled.corners() == touching::join ? 2.0 * corner_parting::reach(filled.grid()) : 0.0;
+            if (error e = data.mover(filled, around - distance - gap - bridge, corners, caps, data.curves, inner))
+                return e;
+        }
         outer.curves = inner.curves = data.curves.view();
         return {};
     }
@@ -336,11 +350,8 @@ private:
         all->touching = all->touching || within->touching;
         all->corners_moved += within->corners_moved;
         all->lost_caps += within->lost_caps;
-        if constexpr (tells_outline<Ring>) {
-            const auto made = data.ring.read();
-            const bool grows = !made.points.empty() && ring.outline(made).points.data() != made.points.data();
-            if (grows) return error::bad("ring");
-        }
+        if (grows(ring, data.ring)) return error::bad("ring");
+        if (grows(letter, data.letter)) return error::bad("letter");
         return all;
     }
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/assert.hpp>
 #include <typemesh/vertex/mesh_range.hpp>
 #include <typemesh/vertex/mesh_sink.hpp>
 #include <typemesh/vertex/part.hpp>
@@ -14,8 +15,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 struct part_counts {
     std::uint32_t of[most_parts] = {};  ///< by the part as a number
 
-    [[nodiscard]] constexpr std::uint32_t operator[](part p) const noexcept { return of[static_cast<std::size_t>(p)]; }
-    [[nodiscard]] constexpr std::uint32_t& operator[](part p) noexcept { return of[static_cast<std::size_t>(p)]; }
+    [[nodiscard]] constexpr std::uint32_t operator[](part p) const noexcept { return of[number_of(p)]; }
+    [[nodiscard]] constexpr std::uint32_t& operator[](part p) noexcept { return of[number_of(p)]; }
 
     /// Part by part, modulo 2^32.
     friend constexpr part_counts operator+(const part_counts& a, const part_counts& b) noexcept
@@ -46,6 +47,13 @@ struct part_counts {
         part_counts begin;
         for (std::size_t i = 0; i < most_parts; first += of[i++]) begin.of[i] = first;
         return begin;
+    }
+
+private:
+    static constexpr std::size_t number_of(part p) noexcept
+    {
+        TYPEMESH_ASSERT(static_cast<std::size_t>(p) < most_parts, "there is no part of that number: there are eight");
+        return static_cast<std::size_t>(p);
     }
 };
 

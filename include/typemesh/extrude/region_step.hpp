@@ -15,7 +15,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// What a step makes of a region.
 struct stepped_region {
-    region filled;
+    region filled;                        ///< in the scratch, or the drawn one itself
     std::span<const triangle> triangles;  ///< its cap
     bool grown = false;                   ///< it covers the drawn one: glyphs are merged where they meet as grown,
                                           ///< and otherwise where they meet as drawn

@@ -174,7 +174,8 @@ private:
     texture_tangent tangents_;
 };
 
-/// Calls what.template operator()<M>() with a mapping's type: once for a part, so that no loop over vertices asks.
+/// Calls `what`, a lambda with a type as its parameter, for a mapping's: once for a part, so that no loop over vertices
+/// asks.
 template <class What>
 decltype(auto) with_mapping(texture_mapping mapping, What&& what) noexcept
 {

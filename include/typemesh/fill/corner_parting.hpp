@@ -52,11 +52,14 @@ public:
     /// How many points loops pass through more than once.
     ///
     /// Fails  error::out_of_memory
-    [[nodiscard]] static error count(contours& loops, workspace& space, std::uint32_t& found) noexcept
+    [[nodiscard]] static result<void> count(contours& loops, workspace& space, std::uint32_t& found) noexcept
     {
         workspace::scope scratch{space};
         return find(loops, scratch, space, found) == nullptr ? error{error::out_of_memory} : error{};
     }
+
+    /// How far the diamonds reach, in cells, where they are as small as they can be.
+    [[nodiscard]] static double reach(const grid& g) noexcept { return smallest(g); }
 
     std::uint32_t corners = 0;    ///< afterwards: points through which the boundary has passed more than once
     bool still_touching = false;  ///< afterwards: some could not be treated

@@ -5,6 +5,7 @@
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/region.hpp>
+#include <typemesh/core/result.hpp>
 #include <typemesh/core/workspace.hpp>
 
 #include <cstddef>
@@ -82,7 +83,7 @@ struct loop_extent {
 ///        there is one outer loop
 /// Space  32 bytes per loop from `space`
 /// Exact  in 64 bits
-[[nodiscard]] inline error outer_of(const region& r, workspace& space, std::span<std::uint32_t> out) noexcept
+[[nodiscard]] inline result<void> outer_of(const region& r, workspace& space, std::span<std::uint32_t> out) noexcept
 {
     const std::uint32_t count = r.loop_count();
     TYPEMESH_ASSERT(out.size() == count, "outer_of() gives a number for each loop");

@@ -48,7 +48,7 @@ public:
     /// Fails  error::outline_beyond_grid: a point would be farther than grid::reach from 0
     ///        error::too_large: 2^32 - 1 points or curves and more
     ///        error::out_of_memory; the group is then unchanged
-    [[nodiscard]] error add(const region& r, double scale, std::int64_t x, std::int64_t y) noexcept
+    [[nodiscard]] result<void> add(const region& r, double scale, std::int64_t x, std::int64_t y) noexcept
     {
         const std::size_t points = loops_.points.size(), edges = loops_.edges.size(), starts = loops_.starts.size(),
                           curves = curves_.size();

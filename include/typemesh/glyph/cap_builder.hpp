@@ -74,7 +74,7 @@ public:
         loops_.most_points = how.most_points;
         loops_.corners = how.corners;
         with.observe(stage::discretise);
-        if (error e = flatten(curves, with.flatten, tolerance, cells)) return e;
+        if (const auto done = flatten(curves, with.flatten, tolerance, cells); !done) return done.error();
         if (loops_.points.empty()) return region{};
         if (!with.flatten.keeps_tolerance()) return fill(how, with.cut, with.observe);
         const auto proven = prove(how.rule, with.cut, with.observe);
@@ -97,7 +97,7 @@ public:
         triangles_.clear();
         if (!made || made->points().empty()) return made;
         with.observe(stage::triangulate);
-        if (error e = cap(*made, with.cut)) return e;
+        if (const auto done = cap(*made, with.cut); !done) return done.error();
         return made;
     }
 
@@ -118,8 +118,8 @@ public:
     }
 
     /// Flattens the outline's curves into loops(), into no more than loops().most_points: see discretise().
-    [[nodiscard]] error flatten(const outline& curves, discretiser_ref how, double tolerance, const grid& cells,
-                                std::span<const std::uint8_t> halvings = {}) noexcept
+    [[nodiscard]] result<void> flatten(const outline& curves, discretiser_ref how, double tolerance, const grid& cells,
+                                       std::span<const std::uint8_t> halvings = {}) noexcept
     {
         return how.flatten(curves, tolerance, cells, loops_, halvings);
     }
@@ -138,13 +138,13 @@ public:
     }
 
     /// Triangulates any region, into triangles().
-    [[nodiscard]] error cap(const region& r, triangulator_ref how) noexcept
+    [[nodiscard]] result<void> cap(const region& r, triangulator_ref how) noexcept
     {
         triangles_.clear();
         return cap(r, how, triangles_);
     }
     /// The same, appended to `out`; triangles() stay. See cut_region().
-    [[nodiscard]] error cap(const region& r, triangulator_ref how, triangle_list& out) noexcept
+    [[nodiscard]] result<void> cap(const region& r, triangulator_ref how, triangle_list& out) noexcept
     {
         return how.cut(r, space_, out);
     }
@@ -188,7 +188,7 @@ private:
         const auto nested = nest(loops_, rule, space_);
         if (!nested) return nested;
         observe(stage::triangulate);
-        if (error e = cap(*nested, cut)) return e;
+        if (const auto done = cap(*nested, cut); !done) return done.error();
         return nested;
     }
 
@@ -201,7 +201,7 @@ private:
         const auto made = typemesh::resolve(loops_, how.rule, space_, filter, {how.most_pieces, &resolved_});
         if (!made || made->points().empty()) return made;
         observe(stage::triangulate);
-        if (error e = cap(*made, cut)) return e;
+        if (const auto done = cap(*made, cut); !done) return done.error();
         return made;
     }
 
@@ -232,7 +232,8 @@ private:
             effort_.pieces = spent + resolved_.pieces;
             if (!made || content) return made;
             with.observe(stage::discretise);
-            if (error e = flatten(curves, with.flatten, tolerance, cells, refinement.halvings())) return e;
+            if (const auto done = flatten(curves, with.flatten, tolerance, cells, refinement.halvings()); !done)
+                return done.error();
             const auto proven = prove(how.rule, with.cut, with.observe);
             if (proven || proven.error().code != error::crossing_contours) return proven;
         }

@@ -5,6 +5,7 @@
 #include <typemesh/core/grid.hpp>
 #include <typemesh/core/most_pieces.hpp>
 #include <typemesh/core/outline.hpp>
+#include <typemesh/core/result.hpp>
 #include <typemesh/core/touching.hpp>
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/glyph/built_glyph.hpp>
@@ -38,7 +39,7 @@ struct glyph_settings {
 template <class F>
 concept recordable = requires(F& font, glyph_id id, outline& out) {
     { font.units_per_em() } noexcept -> std::convertible_to<double>;
-    { record(font, id, out, default_most_points) } noexcept -> std::same_as<error>;
+    { record(font, id, out, default_most_points) } noexcept -> std::same_as<result<void>>;
 };
 
 /// Builds one glyph from its outline: record, discretise, fill, triangulate, and the extruder's plan. Owns the scratch
@@ -61,7 +62,7 @@ public:
     {
         glyph_draft made;
         with.observe(stage::outline);
-        error e = record(font, id, outline_, how.most_points);
+        error e = record(font, id, outline_, how.most_points).error();
         if (!e) e = try_to_build(font.units_per_em(), how, with, made);
         if (e && !concerns_the_glyph_alone(e)) return e;
         if (e) made = {};
@@ -78,7 +79,7 @@ public:
     {
         parting_ = {};
         with.observe(stage::outline);
-        if (error e = record(font, id, outline_, how.most_points)) return e;
+        if (const auto done = record(font, id, outline_, how.most_points); !done) return done.error();
         return fill_outline(font.units_per_em(), how, with);
     }
 

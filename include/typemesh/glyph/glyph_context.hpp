@@ -21,7 +21,7 @@ struct glyph_context {
     std::uint64_t most_pieces = 0;
     std::uint64_t most_points = 0;
     std::uint64_t corners = 0;  ///< 0: as they are drawn; else which way, and the bits of glyph_settings::most_cells
-    policy_key discretiser, triangulator, extruder, step;
+    policy_key discretiser, triangulator, extruder, step;  ///< one for each kind of policy
 
     /// Whether all policies can be told from others of their types: see cacheable_policy.
     [[nodiscard]] bool is_complete() const noexcept

@@ -27,7 +27,7 @@ public:
     [[nodiscard]] std::span<const triangle> triangles() const noexcept { return triangles_; }
     error operator()(const region& r, triangle_list& out) noexcept
     {
-        return is_on_grid(r.points()) ? caps_.cap(r, cut_, out) : error{error::outline_beyond_grid};
+        return is_on_grid(r.points()) ? caps_.cap(r, cut_, out).error() : error{error::outline_beyond_grid};
     }
     [[nodiscard]] contours& loops() noexcept { return further_.loops(); }
     /// See cap_maker.

@@ -33,6 +33,7 @@ public:
     }
     region_step_ref(const void* how, const calls& does) noexcept : how_{how}, does_{&does} {}
 
+    /// Whether it refers to no_step.
     [[nodiscard]] bool is_none() const noexcept { return does_->step == nullptr; }
 
     /// Needs a step.
@@ -41,7 +42,9 @@ public:
     {
         return does_->step(how_, drawn, scratch, caps);
     }
+    /// See region_step.
     [[nodiscard]] error refused_options() const noexcept { return does_->refused_options(how_); }
+    /// See policy_key.
     [[nodiscard]] policy_key key() const noexcept { return does_->key(how_); }
 
 private:

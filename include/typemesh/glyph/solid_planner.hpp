@@ -19,7 +19,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// A glyph's draft, and the region that it is a solid of.
 struct planned_draft {
     glyph_draft draft;
-    region filled;
+    region filled;  ///< the step's, if there is one
 };
 
 /// Has an extruder plan the solid of a region, after the step before it, if there is one. Owns the scratch memory for

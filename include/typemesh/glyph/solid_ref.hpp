@@ -22,7 +22,7 @@ public:
         height_range (*heights)(const void* how) noexcept;
         height_range (*heights_of)(const void* how, const built_glyph& built) noexcept;   // null: those of all
         solid_outline (*outline_of)(const void* how, const built_glyph& built) noexcept;  // null: the region's own
-        const char* heights_name;
+        const char* (*heights_name)(const void* how) noexcept;
     };
     template <extruder E>
     struct table {
@@ -53,18 +53,30 @@ public:
     [[nodiscard]] bool has_heights_of_each() const noexcept { return does_->heights_of != nullptr; }
 
     /// The loops that tell which glyphs are merged with one that it has planned, which has points: those of all that it
-    /// covers in the plane, or those that are drawn.
+    /// covers in the plane, or those that are drawn where these are the larger ones.
     [[nodiscard]] solid_outline outline_of(const built_glyph& built) const noexcept
     {
-        if (!built.merged_as_drawn().points.empty()) return built.merged_as_drawn();
-        if (does_->outline_of == nullptr) return {built.form().points, built.form().starts};
-        return does_->outline_of(how_, built);
+        const solid_outline& drawn = built.merged_as_drawn();
+        const solid_outline own{built.form().points, built.form().starts};
+        const solid_outline grown = does_->outline_of == nullptr ? own : does_->outline_of(how_, built);
+        return drawn.points.empty() || covers(box_of(grown), box_of(drawn)) ? grown : drawn;
     }
 
     /// The name of the option to blame for heights that cannot be written.
-    [[nodiscard]] const char* heights_name() const noexcept { return does_->heights_name; }
+    [[nodiscard]] const char* heights_name() const noexcept { return does_->heights_name(how_); }
 
 private:
+    static bool covers(const box& a, const box& b) noexcept
+    {
+        return a.low.x <= b.low.x && a.low.y <= b.low.y && a.high.x >= b.high.x && a.high.y >= b.high.y;
+    }
+    static box box_of(const solid_outline& loops) noexcept
+    {
+        box around;
+        for (const grid_point p : loops.points) around.add(placement::exact(p));
+        return around;
+    }
+
     const void* how_;
     const calls* does_;
 };
@@ -82,7 +94,7 @@ constinit const solid_ref::calls solid_ref::table<E>::of = [] {
                [](const void* how) noexcept { return static_cast<const E*>(how)->heights(); },
                nullptr,
                nullptr,
-               "heights"};
+               [](const void* how) noexcept { return heights_name_of(*static_cast<const E*>(how)); }};
     if constexpr (tells_heights<E>)
         made.heights_of = [](const void* how, const built_glyph& built) noexcept {
             return static_cast<const E*>(how)->heights(built.planned<E>().form);
@@ -91,7 +103,6 @@ constinit const solid_ref::calls solid_ref::table<E>::of = [] {
         made.outline_of = [](const void* how, const built_glyph& built) noexcept {
             return static_cast<const E*>(how)->outline(built.planned<E>().form);
         };
-    if constexpr (requires(const E& e) { e.depth; }) made.heights_name = "depth";
     return made;
 }();
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/result.hpp>
 #include <typemesh/layout/column_progress.hpp>
 #include <typemesh/layout/face_metrics.hpp>
 #include <typemesh/layout/line_break.hpp>
@@ -31,8 +32,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///        error::out_of_memory, and whatever the shaper returns; `run` is then empty
 /// Cost   O(n) besides the shaper's
 template <shaper Shaper>
-error layout(Shaper& shaper, text_view text, const shape_options& how, const layout_options& options,
-             glyph_run& run) noexcept
+result<void> layout(Shaper& shaper, text_view text, const shape_options& how, const layout_options& options,
+                    glyph_run& run) noexcept
 {
     run.clear();
     if (error e = refused_option(options)) return e;

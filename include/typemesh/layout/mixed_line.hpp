@@ -68,7 +68,7 @@ private:
         items.clear();
         const text_range whole{0, static_cast<std::uint32_t>(last - first)};
         join_graphemes();
-        if (error e = visual_runs(found_, whole, runs_)) return e;
+        if (const auto done = visual_runs(found_, whole, runs_); !done) return done.error();
         for (const visual_run& run : runs_)
             if (error e = split_run(run, static_cast<std::uint32_t>(first), items)) return e;
         return {};

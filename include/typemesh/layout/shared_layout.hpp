@@ -3,6 +3,7 @@
 
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/executor.hpp>
+#include <typemesh/core/result.hpp>
 #include <typemesh/layout/column_progress.hpp>
 #include <typemesh/layout/face_metrics.hpp>
 #include <typemesh/layout/glyph_run.hpp>
@@ -28,8 +29,9 @@ public:
     ///
     /// Fails  as layout() does
     template <executor Executor, shaper Shaper, class ShaperOf, class RunOf>
-    error operator()(Executor& workers, const ShaperOf& shaper_of, const RunOf& run_of, Shaper& shaper, text_view text,
-                     const shape_options& how, const layout_options& options, glyph_run& run) noexcept
+    result<void> operator()(Executor& workers, const ShaperOf& shaper_of, const RunOf& run_of, Shaper& shaper,
+                            text_view text, const shape_options& how, const layout_options& options,
+                            glyph_run& run) noexcept
     {
         run.clear();
         if (error e = refused_option(options)) return e;
@@ -77,14 +79,7 @@ public:
         workers.run(blocks_.size(), [&, this](std::size_t b, std::size_t) noexcept {
             for (const line& l : lines_of(b)) copy(l, run_of(l.worker), run);
         });
-        for (const block& b : blocks_) {
-            run.missing += b.missing;
-            run.parted += b.parted;
-            run.invalid_units += b.invalid_units;
-            if (b.first_missing < run.first_missing) run.first_missing = b.first_missing;
-            if (b.first_parted < run.first_parted) run.first_parted = b.first_parted;
-            if (b.first_invalid_unit < run.first_invalid_unit) run.first_invalid_unit = b.first_invalid_unit;
-        }
+        for (const block& b : blocks_) b.report(run);
         return {};
     }
 
@@ -103,6 +98,16 @@ private:
         std::size_t first_line;
         std::uint32_t missing, parted, invalid_units;
         cluster_id first_missing, first_parted, first_invalid_unit;
+
+        void report(glyph_run& run) const noexcept
+        {
+            run.missing += missing;
+            run.parted += parted;
+            run.invalid_units += invalid_units;
+            if (first_missing < run.first_missing) run.first_missing = first_missing;
+            if (first_parted < run.first_parted) run.first_parted = first_parted;
+            if (first_invalid_unit < run.first_invalid_unit) run.first_invalid_unit = first_invalid_unit;
+        }
     };
 
     /// Finds the lines, and groups them into about so many blocks of equal length, none too short to be worthwhile.

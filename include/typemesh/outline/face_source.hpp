@@ -4,6 +4,7 @@
 #include <typemesh/core/affine.hpp>
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/outline.hpp>
+#include <typemesh/core/result.hpp>
 #include <typemesh/outline/bar_face.hpp>
 #include <typemesh/outline/outline_recorder.hpp>
 #include <typemesh/outline/outline_source.hpp>
@@ -154,7 +155,7 @@ private:
 };
 
 template <outline_source Source>
-error record(mapped_face<Source>& face, glyph_id id, outline& out) noexcept
+result<void> record(mapped_face<Source>& face, glyph_id id, outline& out) noexcept
 {
     return face.record(id, out);
 }

@@ -4,6 +4,7 @@
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/outline.hpp>
+#include <typemesh/core/result.hpp>
 #include <typemesh/outline/outline_sink.hpp>
 #include <typemesh/outline/outline_source.hpp>
 
@@ -111,7 +112,7 @@ static_assert(outline_sink<outline_recorder>);
 /// Fails with the source's own error (error::unknown_glyph, ...), else as finish() does; `out` then holds nothing
 /// meaningful.
 template <outline_source Source>
-error record(Source& source, glyph_id id, outline& out, std::uint32_t most = 0xFFFF'FFFFu) noexcept
+result<void> record(Source& source, glyph_id id, outline& out, std::uint32_t most = 0xFFFF'FFFFu) noexcept
 {
     outline_recorder recorder{out, most};
     if (error e = source.outline(id, recorder)) return e;

@@ -43,8 +43,8 @@ struct paragraph_size {
 /// A text that is shaped once and then laid out at any width, as often as wanted: directions mixed, lines broken.
 ///
 ///     paragraph words{font};
-///     if (error e = words.set(text)) ...
-///     if (error e = words.lay_out({.width = 20.0, .align = line_alignment::justify}, run)) ...
+///     if (auto set = words.set(text); !set) puts(set.error().message());
+///     auto laid = words.lay_out({.width = 20.0, .align = line_alignment::justify}, run);
 ///     auto plan = mesher.plan(run);
 ///
 /// The text, and what the options refer to, must stay as they are until the next set(): where a line's end changes
@@ -89,13 +89,13 @@ public:
     /// Fails  error::bad_option: letter_spacing is NaN or infinite; error::too_large; error::out_of_memory; and as the
     ///        analyser and the shaper do. A layout then has no lines.
     /// Cost   O(n), but for the shaper's; places where a line may end and that are unsafe are shaped twice more
-    error set(text_view text, const shape_options& how = {}, double letter_spacing = 0.0) noexcept
+    result<void> set(text_view text, const shape_options& how = {}, double letter_spacing = 0.0) noexcept
     {
         return set(text, how, std::span<const style_span>{}, letter_spacing);
     }
 
     template <dying_text Text>
-    error set(Text&&, const shape_options& = {}, double = 0.0) = delete;  // it refers to its text
+    result<void> set(Text&&, const shape_options& = {}, double = 0.0) = delete;  // it refers to its text
 
     /// The same with styles for parts of the text; how and letter_spacing hold for all of it. What the spans refer to
     /// must stay as it is until the next set(). How many of their ends were moved: shaped().styles.moved().
@@ -103,8 +103,8 @@ public:
     ///     words.set("E = mc2", {}, spans);      // const style_span spans[] = {{6, 7, {.rise = 0.3}}};
     ///
     /// Fails besides  as style_spans::read() does
-    error set(text_view text, const shape_options& how, std::span<const style_span> spans,
-              double letter_spacing = 0.0) noexcept
+    result<void> set(text_view text, const shape_options& how, std::span<const style_span> spans,
+                     double letter_spacing = 0.0) noexcept
     {
         forget_lines();
         const error e = set_text(text, how, spans, letter_spacing);
@@ -113,14 +113,14 @@ public:
     }
 
     template <dying_text Text>
-    error set(Text&&, const shape_options&, std::span<const style_span>, double = 0.0) = delete;
+    result<void> set(Text&&, const shape_options&, std::span<const style_span>, double = 0.0) = delete;
 
     /// Lays the text out: `run` is emptied and gets its glyphs and lines, as layout() gives them.
     ///
     /// Fails  error::bad_option: see refused_option(); error::out_of_memory; and, where glyphs are shaped again, as the
     ///        shaper does; `run` is then empty
     /// Cost   O(n)
-    error lay_out(const paragraph_options& options, glyph_run& run) noexcept
+    result<void> lay_out(const paragraph_options& options, glyph_run& run) noexcept
     {
         run.clear();
         error e = compose_lines(options);

@@ -3,6 +3,7 @@
 
 #include <typemesh/core/affine.hpp>
 #include <typemesh/core/outline.hpp>
+#include <typemesh/core/result.hpp>
 #include <typemesh/layout/shaper_ref.hpp>
 #include <typemesh/outline/face_source.hpp>
 #include <typemesh/outline/outline_recorder.hpp>
@@ -99,7 +100,7 @@ struct drawn_face {
 };
 
 /// Records one of its glyphs: outline_source's record(), mapped.
-inline error record(drawn_face& from, glyph_id id, outline& out, std::uint32_t most = 0xFFFF'FFFFu) noexcept
+inline result<void> record(drawn_face& from, glyph_id id, outline& out, std::uint32_t most = 0xFFFF'FFFFu) noexcept
 {
     if (error e = from.font.record(from.face, id, out, most)) return e;
     return from.map == nullptr ? error{} : map_outline(*from.map, out);

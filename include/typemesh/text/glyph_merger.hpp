@@ -192,15 +192,17 @@ private:
             corners += by.parting().corners;
             if (!filled) return filled.error();
             const pen at = snapped(run.glyphs[m].origin, onto->cells);
-            if (error e = union_.add(*filled, onto->cells / filled->grid().cells, at.x - first.x, at.y - first.y))
-                return e;
+            if (const auto done =
+                    union_.add(*filled, onto->cells / filled->grid().cells, at.x - first.x, at.y - first.y);
+                !done)
+                return done.error();
         }
         with.observe(stage::fill);
         const std::size_t own_curves = union_.curve_count();
         const auto joined = union_.join(caps_.space(), how.most_pieces, parting);
         if (!joined) return joined.error();
         with.observe(stage::triangulate);
-        if (error e = caps_.cap(*joined, with.cut)) return e;
+        if (const auto done = caps_.cap(*joined, with.cut); !done) return done.error();
         with.observe(stage::extrude);
         parting.corners += corners;
         const auto planned = planner_.plan(*joined, caps_, with, parting);

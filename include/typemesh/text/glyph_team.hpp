@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/executor_ref.hpp>
+#include <typemesh/core/result.hpp>
 #include <typemesh/glyph/glyph_builder.hpp>
 #include <typemesh/glyph/glyph_store.hpp>
 #include <typemesh/layout/glyph_run.hpp>
@@ -39,8 +40,8 @@ struct glyph_team {
 
     /// layout(), with the same result: lines are shaped by all workers if the sources are shapers of the type of
     /// `font`, which is a shaper, else by it.
-    error layout(font_ref font, text_view text, const shape_options& how, const layout_options& options,
-                 glyph_run& run) noexcept
+    result<void> layout(font_ref font, text_view text, const shape_options& how, const layout_options& options,
+                        glyph_run& run) noexcept
     {
         shaper_ref shaper = font.shaper();
         if (members.size() < 2 || !members[0].font.is_like(font))

@@ -57,6 +57,16 @@ template <class Solid, class... Option>
 using takes = std::enable_if_t<
     ((kind_of<Option>() != policy_kind::extruder || std::is_convertible_v<Option, Solid>) && ... && true), int>;
 
+/// Whether no two options are of the same kind.
+template <class... Option>
+inline constexpr bool is_given_once = [] {
+    int times[static_cast<int>(policy_kind::several) + 1] = {};
+    (++times[static_cast<int>(kind_of<Option>())], ...);
+    for (int kind = 1; kind < static_cast<int>(policy_kind::several); ++kind)
+        if (times[kind] > 1) return false;
+    return true;
+}();
+
 /// The memory source among a mesher's options, or else the heap.
 template <class... Option>
 [[nodiscard]] memory memory_among(const Option&... options) noexcept
@@ -97,30 +107,30 @@ constexpr void refuse_policy() noexcept
 {
     constexpr bool several = kind_of<P>() == policy_kind::several;
     static_assert(!several,
-                  "typemesh: with() cannot tell what this type is for, which models several of discretiser, "
+                  "typemesh: a mesher cannot tell what this type is for, which models several of discretiser, "
                   "triangulator, region_step, extruder and stage_observer: a call operator that takes anything does. "
                   "Name the types of its parameters.");
     if constexpr (several)
         return;
     else if constexpr (nearly_discretiser<P>)
         static_assert(discretiser<P>,
-                      "typemesh: with() was given what is nearly a discretiser; the compiler says "
+                      "typemesh: a mesher was given what is nearly a discretiser; the compiler says "
                       "what the concept misses.");
     else if constexpr (nearly_triangulator<P>)
         static_assert(triangulator<P>,
-                      "typemesh: with() was given what is nearly a triangulator; the compiler says "
+                      "typemesh: a mesher was given what is nearly a triangulator; the compiler says "
                       "what the concept misses.");
     else if constexpr (nearly_extruder<P>)
         static_assert(extruder<P>,
-                      "typemesh: with() was given what is nearly an extruder; the compiler says what the "
+                      "typemesh: a mesher was given what is nearly an extruder; the compiler says what the "
                       "concept misses.");
     else if constexpr (nearly_observer<P>)
         static_assert(stage_observer<P>,
-                      "typemesh: with() was given what is nearly a stage_observer; the compiler "
+                      "typemesh: a mesher was given what is nearly a stage_observer; the compiler "
                       "says what the concept misses.");
     else
         static_assert(sizeof(P) == 0,
-                      "typemesh: with() takes a discretiser, a triangulator, a region_step, an extruder, a "
+                      "typemesh: a mesher takes a discretiser, a triangulator, a region_step, an extruder, a "
                       "stage_observer or cached_in, and this type is none of them; static_assert the "
                       "concept that it should model to see what it lacks.");
 }

@@ -43,9 +43,9 @@ struct text_chunk {
 ///     indices    [ chunk 0: front | back | side ][ chunk 1: front | back | side ] ...      each from 0
 ///
 ///     text_chunks chunks;                                              // keeps its memory for the next text
-///     if (error e = chunks.cut(*plan)) ...                             // 65,535 vertices: 16-bit indices up to 65,534
+///     auto cut = chunks.cut(*plan);                                    // 65,535 vertices: 16-bit indices up to 65,534
 ///     auto size = chunks.size();                                       // exact, repeated vertices included
-///     if (error e = chunks.write(*plan, into(vertices, short_indices))) ...
+///     auto written = chunks.write(*plan, into(vertices, short_indices));
 ///     for (const text_chunk& c : chunks.view()) draw(c.range(), ...);  // base vertex c.first_vertex
 ///
 /// or one by one, each into buffers of its own: chunks.write(*plan, k, sink).
@@ -66,7 +66,7 @@ public:
     /// Fails  error::bad_option: most < 3; error::too_large: more than 2^32 - 1 vertices or indices;
     ///        error::out_of_memory; there are then no chunks
     template <extruder Extruder>
-    error cut(const text_plan<Extruder>& plan, std::uint32_t most = most_for_16_bits) noexcept
+    result<void> cut(const text_plan<Extruder>& plan, std::uint32_t most = most_for_16_bits) noexcept
     {
         clear();
         if (most < 3) return error::bad("most");
@@ -123,7 +123,7 @@ public:
     /// end(); nothing is allocated. `plan` is the one that was cut.
     template <extruder Extruder, class Sink>
         requires chunked_sink<std::remove_reference_t<Sink>>
-    error write(const text_plan<Extruder>& plan, Sink&& sink) const noexcept
+    result<void> write(const text_plan<Extruder>& plan, Sink&& sink) const noexcept
     {
         one_worker alone;
         return write(plan, std::forward<Sink>(sink), alone);
@@ -132,7 +132,7 @@ public:
     /// The same by several workers, chunk by chunk. The output is identical.
     template <extruder Extruder, class Sink, executor Executor>
         requires chunked_sink<std::remove_reference_t<Sink>>
-    error write(const text_plan<Extruder>& plan, Sink&& sink, Executor& workers) const noexcept
+    result<void> write(const text_plan<Extruder>& plan, Sink&& sink, Executor& workers) const noexcept
     {
         if (error e = sink.begin_chunks(size(), largest_)) return e;
         const text_glyphs& all = fresh(plan);
@@ -146,7 +146,7 @@ public:
     /// Writes only chunk k, as a whole mesh.
     template <extruder Extruder, class Sink>
         requires mesh_sink<std::remove_reference_t<Sink>>
-    error write(const text_plan<Extruder>& plan, std::size_t k, Sink&& sink) const noexcept
+    result<void> write(const text_plan<Extruder>& plan, std::size_t k, Sink&& sink) const noexcept
     {
         const text_chunk& chunk = chunks_[k];
         if (error e = sink.begin(chunk.size())) return e;
@@ -156,17 +156,17 @@ public:
 
     // A result without its `*`, arrays without their into().
     template <class Plan, class... More>
-    error cut(const result<Plan>&, More...) noexcept
+    result<void> cut(const result<Plan>&, More...) noexcept
     {
         return refuse_result<Plan>();
     }
     template <class Plan, class... More>
-    error write(const result<Plan>&, More&&...) const noexcept
+    result<void> write(const result<Plan>&, More&&...) const noexcept
     {
         return refuse_result<Plan>();
     }
     template <extruder Extruder, array_without_sink Vertices, array_without_sink Indices, class... Workers>
-    error write(const text_plan<Extruder>&, Vertices&&, Indices&&, Workers&...) const noexcept
+    result<void> write(const text_plan<Extruder>&, Vertices&&, Indices&&, Workers&...) const noexcept
     {
         return refuse_arrays<Vertices>();
     }

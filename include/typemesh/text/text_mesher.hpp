@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/result.hpp>
 #include <typemesh/core/stored_policy.hpp>
 #include <typemesh/discretise/certified.hpp>
 #include <typemesh/extrude/extruded.hpp>
@@ -73,6 +74,8 @@ public:
             "typemesh: a policy with data members needs `typemesh::option_bits cache_key() const noexcept` "
             "before its glyphs can be kept in a glyph_cache, which otherwise could not tell those of different "
             "options apart; see typemesh/core/option_bits.hpp.");
+        static_assert(detail::is_given_once<Option...>,
+                      "typemesh: this mesher is given two policies of one kind (two triangulators, say).");
         planner_.font = font_ref{font};
         (take(std::move(options)), ...);
     }
@@ -107,11 +110,18 @@ public:
         planner_.font = font_ref{font};
     }
     template <class Option>
-        requires(!outline_source<Option>)
+        requires(!outline_source<Option> && !is_result<Option>)
     void use(Option option) noexcept
     {
         planner_.clear();
         take(std::move(option));
+    }
+    template <outline_source Font>
+    detail::keep_the_font_in_a_variable use(const Font&&) = delete;
+    template <class Font>
+    void use(const result<Font>&) noexcept
+    {
+        (void)refuse_result<Font>();
     }
 
     /// The solid, to change its options between texts. The plan goes on with those that it was made with.
@@ -255,8 +265,9 @@ private:
             observer_ = std::move(option);
         else if constexpr (kind == policy_kind::extruder) {
             static_assert(std::is_convertible_v<Option, Solid>,
-                          "typemesh: this mesher makes another solid, which its type names. To choose one while the "
-                          "program runs, name all of them: text_mesher<one_of<flat, extruded<>>>.");
+                          "typemesh: this mesher makes another solid, which its type names (of a one_of: none of its "
+                          "solids is this one). To choose one while the program runs, name all of them: "
+                          "text_mesher<one_of<flat, extruded<>>>.");
             if constexpr (std::is_convertible_v<Option, Solid>) solid_ = std::move(option);
         } else if constexpr (std::same_as<Option, cached_in>)
             planner_.cache = option;
@@ -277,10 +288,10 @@ private:
         observer_.ref()(stage::extrude);
         return sink;
     }
-    [[nodiscard]] result<text_report> finish(const plan_type& made, error e) noexcept
+    [[nodiscard]] result<text_report> finish(const plan_type& made, const result<void>& written) noexcept
     {
         observer_.ref()(stage::idle);
-        if (e) return e;
+        if (!written) return written.error();
         return made.report();
     }
 

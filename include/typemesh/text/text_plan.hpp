@@ -4,6 +4,7 @@
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/executor.hpp>
 #include <typemesh/core/first_where.hpp>
+#include <typemesh/core/result.hpp>
 #include <typemesh/extrude/extrude.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/text/mesh_layout.hpp>
@@ -140,7 +141,7 @@ public:
     {
         const drawn_glyph& s = fresh().records[glyph];
         if (s.merged == drawn_glyph::none) return s.glyph;
-        if constexpr (makes_own_caps<Extruder>) return shared_glyph;
+        if (has_own_caps(extruder_)) return shared_glyph;
         const merged_group& group = glyphs_->merged.groups[s.merged];
         if (p == part::side) return glyphs_->merged.owners_of(group)[triangle / 2];
         if (p > part::side) return shared_glyph;
@@ -247,7 +248,7 @@ public:
     /// nothing is allocated.
     template <class Sink>
         requires mesh_sink<std::remove_reference_t<Sink>>
-    error write(Sink&& sink) const noexcept
+    result<void> write(Sink&& sink) const noexcept
     {
         if (error e = sink.begin(size())) return e;
         whole().everything(extruder_, sink);
@@ -258,7 +259,7 @@ public:
     /// (see ranged_sink), as those over arrays and containers do. Each share is written in ascending order.
     template <class Sink, executor Executor>
         requires ranged_sink<std::remove_reference_t<Sink>>
-    error write(Sink&& sink, Executor& workers) const noexcept
+    result<void> write(Sink&& sink, Executor& workers) const noexcept
     {
         if (error e = sink.begin(size())) return e;
         const mesh_layout all = whole();
@@ -282,7 +283,7 @@ public:
     /// Fails as write() does. For sinks over memory that holds the whole mesh, not for a container of another size.
     template <class Sink>
         requires ranged_sink<std::remove_reference_t<Sink>>
-    error write(glyph_span some, Sink&& sink) const noexcept
+    result<void> write(glyph_span some, Sink&& sink) const noexcept
     {
         const mesh_layout all = whole();
         if (error e = sink.begin(all.size())) return e;
@@ -296,17 +297,17 @@ public:
 
     // Arrays without their into().
     template <array_without_sink Vertices, array_without_sink Indices, class... Workers>
-    error write(Vertices&&, Indices&&, Workers&...) const noexcept
+    result<void> write(Vertices&&, Indices&&, Workers&...) const noexcept
     {
         return refuse_arrays<Vertices>();
     }
     template <array_without_sink Vertices, array_without_sink Indices>
-    error write(glyph_span, Vertices&&, Indices&&) const noexcept
+    result<void> write(glyph_span, Vertices&&, Indices&&) const noexcept
     {
         return refuse_arrays<Vertices>();
     }
     template <array_without_sink Vertices, array_without_sink Indices>
-    error write_meshes(Vertices&&, Indices&&) const noexcept
+    result<void> write_meshes(Vertices&&, Indices&&) const noexcept
     {
         return refuse_arrays<Vertices>();
     }
@@ -337,7 +338,7 @@ public:
     /// its own origin. Fails as write() does.
     template <class Sink>
         requires mesh_sink<std::remove_reference_t<Sink>>
-    error write_meshes(Sink&& sink) const noexcept
+    result<void> write_meshes(Sink&& sink) const noexcept
     {
         const text_glyphs& all = fresh();
         if (error e = sink.begin(meshes_size())) return e;

@@ -108,9 +108,9 @@ error text_planner::layout(text_view text, const text_options& options, const po
     with.observe(stage::shape);
     if (!font->is_shaper()) return stop(error::not_a_shaper, with);
     shaper_ref shaper = font->shaper();
-    const error e = team != nullptr ? team->layout(*font, text, options.shape, options.layout, run_)
-                                    : typemesh::layout(shaper, text, options.shape, options.layout, run_);
-    return e ? stop(e, with) : e;
+    const auto laid = team != nullptr ? team->layout(*font, text, options.shape, options.layout, run_)
+                                      : typemesh::layout(shaper, text, options.shape, options.layout, run_);
+    return laid ? error{} : stop(laid.error(), with);
 }
 
 template <class Find, class Keep>
@@ -135,27 +135,31 @@ error text_planner::each_glyph(const call& now, const glyph_settings& how, const
             if (error e = build(k, *font, builder_, glyphs_.store, now.with)) return e;
         return {};
     }
-    return now.team->each(
-        keys.size(), [&](std::size_t k, font_ref from, glyph_builder& builder, glyph_store& store) noexcept {
-            no_observer nobody;
-            return build(k, from, builder, store, {now.with.flatten, now.with.cut, now.with.raise, nobody});
-        });
+    return now.team->each(keys.size(), [&](std::size_t k, font_ref from, glyph_builder& builder,
+                                           glyph_store& store) noexcept {
+        no_observer nobody;
+        return build(k, from, builder, store, {now.with.flatten, now.with.cut, now.with.raise, nobody, now.with.step});
+    });
 }
 
-// Where floats are to tell cells apart, letters that reach farther from their pens than was thought are built again.
+// Where floats are to tell cells apart, letters that reach farther from their pens than was thought are built again; on
+// a coarser grid some may fit that were too large before, and reach farther still.
 template <class Team>
 error text_planner::plan(const glyph_run& run, const text_options& options, const policies& with, Team* team) noexcept
 {
     const call now{run, options, with, team};
     clear();
     if (options.corners == touching::keep) return plan_once(now, 0.0);
-    const double units_per_em = font->units_per_em(), expected = reach_of(run, units_per_em);
-    if (error e = plan_once(now, expected)) return e;
-    const double reach = reach_of(glyphs_.ink, units_per_em);
+    const double units_per_em = font->units_per_em();
     const bool along_axes = options.frame.is_along_axes();
-    if (cells_told_apart(reach, along_axes) >= cells_told_apart(expected, along_axes)) return {};
-    clear();
-    return plan_once(now, reach + 1.0);
+    double expected = reach_of(run, units_per_em);
+    for (;;) {  // 14 times at most: the cells halve
+        if (error e = plan_once(now, expected)) return e;
+        const double reach = reach_of(glyphs_.ink, units_per_em);
+        if (cells_told_apart(reach, along_axes) >= cells_told_apart(expected, along_axes)) return {};
+        expected = reach + 1.0;
+        clear();
+    }
 }
 
 inline error text_planner::plan_once(const call& now, double reach) noexcept

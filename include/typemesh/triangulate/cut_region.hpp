@@ -3,6 +3,7 @@
 
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/region.hpp>
+#include <typemesh/core/result.hpp>
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/triangulate/appended_triangles.hpp>
@@ -34,7 +35,8 @@ namespace detail {
 ///
 /// Fails  as the triangulator does; error::out_of_memory. `out` is then unchanged
 template <triangulator Triangulator>
-[[nodiscard]] error cut_region(const region& r, const Triangulator& how, workspace& space, triangle_list& out) noexcept
+[[nodiscard]] result<void> cut_region(const region& r, const Triangulator& how, workspace& space,
+                                      triangle_list& out) noexcept
 {
     const std::size_t before = out.size();
     if (error e = how(r, space, out)) return e;

@@ -62,7 +62,7 @@ private:
 template <triangulator T>
 constinit const triangulator_ref::calls triangulator_ref::table<T>::of = [] {
     calls made{[](const void* how, const region& r, workspace& space, triangle_list& out) noexcept {
-                   return cut_region(r, *static_cast<const T*>(how), space, out);
+                   return cut_region(r, *static_cast<const T*>(how), space, out).error();
                },
                [](const void* how) noexcept { return key_of(*static_cast<const T*>(how)); }};
     if constexpr (proving_triangulator<T>)

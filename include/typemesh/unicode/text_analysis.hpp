@@ -4,6 +4,7 @@
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/first_where.hpp>
+#include <typemesh/core/result.hpp>
 #include <typemesh/unicode/script_runs.hpp>
 #include <typemesh/unicode/text_mark.hpp>
 #include <typemesh/unicode/text_range.hpp>
@@ -64,7 +65,7 @@ struct text_analysis {
 /// The runs of one line, which is in one paragraph, from left to right: see visual_order.hpp.
 ///
 /// Fails  error::out_of_memory
-inline error visual_runs(const text_analysis& text, text_range line, buffer<visual_run>& runs) noexcept
+inline result<void> visual_runs(const text_analysis& text, text_range line, buffer<visual_run>& runs) noexcept
 {
     TYPEMESH_ASSERT(line.first <= line.last && line.last <= text.levels.size(), "a line lies outside its text");
     return visual_runs(text.levels.data(), text.marks.data(), text.paragraph_of(line.first).level, line, runs);

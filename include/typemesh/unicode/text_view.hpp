@@ -24,17 +24,17 @@ public:
 
     template <class Text>
         requires std::is_convertible_v<const Text&, std::string_view>
-    constexpr text_view(const Text& text) noexcept : text_view{std::string_view{text}}
+    constexpr text_view(const Text& text) noexcept : text_view{std::string_view{given(text)}}
     {
     }
     template <class Text>
         requires std::is_convertible_v<const Text&, std::u8string_view>
-    constexpr text_view(const Text& text) noexcept : text_view{std::u8string_view{text}}
+    constexpr text_view(const Text& text) noexcept : text_view{std::u8string_view{given(text)}}
     {
     }
     template <class Text>
         requires std::is_convertible_v<const Text&, std::u16string_view>
-    constexpr text_view(const Text& text) noexcept : text_view{std::u16string_view{text}}
+    constexpr text_view(const Text& text) noexcept : text_view{std::u16string_view{given(text)}}
     {
     }
     constexpr text_view(std::string_view text) noexcept : units_{text.data()}, size_{text.size()} {}
@@ -69,6 +69,13 @@ public:
     }
 
 private:
+    template <class Text>
+    static constexpr const Text& given(const Text& text) noexcept
+    {
+        if constexpr (std::is_pointer_v<Text>) TYPEMESH_ASSERT(text != nullptr, "a text was given as a null pointer");
+        return text;
+    }
+
     const void* units_ = nullptr;
     std::size_t size_ = 0;
     typemesh::encoding encoding_ = typemesh::encoding::utf8;

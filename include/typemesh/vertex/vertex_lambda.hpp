@@ -75,8 +75,9 @@ template <class Vertex, class F>
 {
     constexpr bool is_known = detail::call_of<F>::is_known;
     static_assert(is_known,
-                  "typemesh: a lambda that makes vertices names the attributes it takes, which `auto` cannot: "
-                  "`[](const surface_point<wants>& s) noexcept { return my_vertex{...}; }`, const, wants a constant.");
+                  "typemesh: a lambda that makes vertices takes one parameter, which names the attributes and is not "
+                  "`auto`, and uses no other attribute: `[](const surface_point<wants>& s) noexcept { return "
+                  "my_vertex{...}; }`, where `wants` is constexpr; it is not mutable.");
     if constexpr (is_known) {
         static_assert(detail::call_of<F>::is_noexcept,
                       "typemesh: a lambda that makes vertices is noexcept, for a mesh is never left half-written: "
