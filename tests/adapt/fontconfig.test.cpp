@@ -34,13 +34,13 @@ TEST_CASE("an installed font is found by its family and style", "[adapt][fontcon
     CHECK(found.options().variations.empty());
     CHECK(found.named_instance() == 0);
     REQUIRE(harfbuzz_font::open(found.path(), found.options()));
-    REQUIRE_FALSE(fonts->find("dejavu sans:bold", found));  // letters count as on paper
+    REQUIRE(fonts->find("dejavu sans:bold", found));  // letters count as on paper
     CHECK(file_of(found) == "DejaVuSans-Bold.ttf");
-    REQUIRE_FALSE(fonts->find("Liberation Serif:bold:italic", found));
+    REQUIRE(fonts->find("Liberation Serif:bold:italic", found));
     CHECK(file_of(found) == "LiberationSerif-BoldItalic.ttf");
-    REQUIRE_FALSE(fonts->find("Comic Neue:style=Light Italic", found));
+    REQUIRE(fonts->find("Comic Neue:style=Light Italic", found));
     CHECK(file_of(found) == "ComicNeue-LightItalic.otf");
-    REQUIRE_FALSE(fonts->find("WenQuanYi Micro Hei Mono", found));
+    REQUIRE(fonts->find("WenQuanYi Micro Hei Mono", found));
     CHECK(found.options().face == 1);  // of a collection
 }
 
@@ -55,15 +55,15 @@ TEST_CASE("where aliases are asked for, what the system binds to a family stands
     REQUIRE(fonts->find("Arial", found, family_names::aliases));
     CHECK(file_of(found) == "LiberationSans-Regular.ttf");
     CHECK(std::string_view{found.family()} == "Liberation Sans");
-    REQUIRE_FALSE(fonts->find("Times New Roman:bold:italic", found, family_names::aliases));
+    REQUIRE(fonts->find("Times New Roman:bold:italic", found, family_names::aliases));
     CHECK(file_of(found) == "LiberationSerif-BoldItalic.ttf");
     for (const char* generic : {"sans-serif", "Serif", "monospace"}) {
-        REQUIRE_FALSE(fonts->find(generic, found, family_names::aliases));
+        REQUIRE(fonts->find(generic, found, family_names::aliases));
         CHECK(harfbuzz_font::open(found.path(), found.options()));
     }
     CHECK(fonts->find("Nobodys Sans", found, family_names::aliases) == error::no_such_family);
     CHECK(fonts->find("Arial:condensed", found, family_names::aliases) == error::no_such_style);
-    REQUIRE_FALSE(fonts->find("DejaVu Sans", found, family_names::aliases));
+    REQUIRE(fonts->find("DejaVu Sans", found, family_names::aliases));
     CHECK(file_of(found) == "DejaVuSans.ttf");
 }
 

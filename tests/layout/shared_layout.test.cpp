@@ -204,7 +204,7 @@ TEST_CASE("setting a text again needs no memory, and memory that fails leaves an
             CHECK(out.glyphs.empty());
             CHECK(out.lines.empty());
         }
-        REQUIRE_FALSE(team.set(text, {}, {}, out));
+        REQUIRE(team.set(text, {}, {}, out));
         check_same(out, expected);
         if (failing.requests < n) break;
     }

@@ -3,6 +3,7 @@
 
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/error.hpp>
+#include <typemesh/core/result.hpp>
 #include <typemesh/unicode/text_mark.hpp>
 #include <typemesh/unicode/text_range.hpp>
 
@@ -79,8 +80,8 @@ inline error line_runs(const std::uint8_t* levels, const text_mark* marks, std::
 ///
 /// Fails  error::out_of_memory
 /// Cost   O(length of the line), and as order_visually()
-inline error visual_runs(const std::uint8_t* levels, const text_mark* marks, std::uint8_t paragraph, text_range line,
-                         buffer<visual_run>& runs) noexcept
+inline result<void> visual_runs(const std::uint8_t* levels, const text_mark* marks, std::uint8_t paragraph,
+                                text_range line, buffer<visual_run>& runs) noexcept
 {
     runs.clear();
     if (error e = detail::line_runs(levels, marks, paragraph, line, runs)) {
