@@ -131,7 +131,7 @@ double draw(const std::vector<drawing>& all, double tolerance, bool whole, int p
                 benchmark::DoNotOptimize(
                     caps.build(d.shape, tolerance, d.cells, {}, policies{certified{}, monotone{}, flat{}, nobody}));
             else
-                benchmark::DoNotOptimize(caps.flatten(d.shape, certified{}, tolerance, d.cells).code);
+                benchmark::DoNotOptimize(caps.flatten(d.shape, certified{}, tolerance, d.cells).error().code);
         }
         best = (std::min)(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     }
