@@ -96,7 +96,7 @@ TEMPLATE_TEST_CASE("Direct3D 11 gets the vertex of 32 bytes and the packed one, 
     {
         const guarded_bytes vertices{n * sizeof(d11::packed_vertex)}, indices{m * 4};
         REQUIRE(d11::fill<d11::packed_vertex>(*plan, vertices.bytes().data(), n * sizeof(d11::packed_vertex),
-                                                    indices.bytes().data(), m * 4, DXGI_FORMAT_R32_UINT));
+                                              indices.bytes().data(), m * 4, DXGI_FORMAT_R32_UINT));
         seen mesh;
         std::size_t of_second = 0;
         for (const d11::packed_vertex& v : vertices.as<d11::packed_vertex>()) {
