@@ -177,7 +177,7 @@ TEST_CASE("layouts whose faces, sizes or lines come in another order share a cac
     const auto read = [&](auto&& changes) {
         const auto layout = files.layout(L"aga aga", 30.0f);
         changes(*layout.get());
-        REQUIRE_FALSE(text.read(layout.get()));
+        REQUIRE(text.read(layout.get()));
         check_unharmed(text, cache);
         return text.variation_key();
     };
@@ -211,11 +211,11 @@ TEST_CASE("a layout at another size finds the letters of the same faces", "[wind
     const test::font_files files{{dejavu}};
     glyph_cache cache;
     directwrite_text one, other;
-    REQUIRE_FALSE(one.read(files.layout(L"abc", 30.0f).get()));
+    REQUIRE(one.read(files.layout(L"abc", 30.0f).get()));
     check_unharmed(one, cache);
     const std::uint64_t misses = cache.statistics().misses;
     CHECK(misses == 3);
-    REQUIRE_FALSE(other.read(files.layout(L"cab", 45.0f).get()));
+    REQUIRE(other.read(files.layout(L"cab", 45.0f).get()));
     CHECK(other.variation_key() == one.variation_key());
     check_unharmed(other, cache);
     CHECK(cache.statistics().misses == misses);
@@ -234,12 +234,12 @@ TEST_CASE("a face without a file of the system's shares nothing between layouts 
         object.face = &face;
         const auto layout = files.layout(L"ab*", 20.0f);
         REQUIRE(SUCCEEDED(layout->SetInlineObject(&object, range(2, 1))));
-        REQUIRE_FALSE(text.read(layout.get()));
+        REQUIRE(text.read(layout.get()));
         REQUIRE(text.run().glyphs.size() == 3);
         check_unharmed(text, cache);
         CHECK(keys.insert(text.variation_key()).second);
         CHECK(text.variation_key() == text.variation_key());
-        REQUIRE_FALSE(text.read(files.layout(L"ab", 20.0f).get()));  // lets go of the face
+        REQUIRE(text.read(files.layout(L"ab", 20.0f).get()));  // lets go of the face
         CHECK(face.references == 1);
     }
 }
