@@ -270,9 +270,7 @@ private:
 
     [[nodiscard]] bevel_carver carver_of(const region& filled, bool outwards) const noexcept
     {
-        const double em = filled.grid().cells * filled.grid().units_per_em;
-        const double joins_at = wanted > width ? as_double(wanted) * em : 0.0;  // as before refit()
-        return {{as_double(mitre_limit), filled.tolerance(), joins == bevel_joins::round, outwards, joins_at},
+        return {{as_double(mitre_limit), filled.tolerance(), joins == bevel_joins::round, outwards},
                 mode != bevel_mode::clip};
     }
 
