@@ -39,9 +39,10 @@ int main(int, char** argv)
     if (!font) return std::puts(font.error().message()), 1;
     paragraph words{*font};
     glyph_run run;
-    error e = words.set(u"one \u05E9\u05EA\u05D9\u05D9\u05DD 12 three");
-    if (!e) e = words.lay_out({}, run);
-    if (e) return std::puts(e.message()), 1;
+    const auto laid = words.set(u"one \u05E9\u05EA\u05D9\u05D9\u05DD 12 three").and_then([&]() noexcept {
+        return words.lay_out({}, run);
+    });
+    if (!laid) return std::puts(laid.error().message()), 1;
 
     std::printf("translate 20,110 stroke '#2060c0' fill '#bcd6ff'\n");
     words.laid().boxes_of(2, 11, [](const box& b) {

@@ -65,7 +65,7 @@ double time_of(session& made, const std::u16string& text, double milliseconds)
     const auto begun = clock::now();
     do {
         const auto before = clock::now();
-        if (made.make(text, false)) return 0.0;
+        if (!made.make(text, false)) return 0.0;
         least = std::min(least, std::chrono::duration<double, std::micro>(clock::now() - before).count());
     } while (std::chrono::duration<double, std::milli>(clock::now() - begun).count() < milliseconds);
     return least;

@@ -209,8 +209,7 @@ void upload(const Plan& plan)
     glBindVertexArray(layout);
     mapped<recipe::vertex> vertices{GL_ARRAY_BUFFER, plan.size().vertices};
     mapped<std::uint32_t> indices{GL_ELEMENT_ARRAY_BUFFER, plan.size().indices()};
-    const error e = plan.write(into(vertices.elements(), indices.elements()));
-    REQUIRE_FALSE(e);
+    REQUIRE(plan.write(into(vertices.elements(), indices.elements())));
     vertices.close();
     indices.close();
     recipe::describe(glVertexAttribPointer);
