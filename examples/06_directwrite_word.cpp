@@ -50,10 +50,10 @@ int wmain(int argc, wchar_t** argv)
     if (layout == nullptr) return std::puts("DirectWrite made no layout"), 1;
 
     directwrite_text text;
-    const error read = text.read(layout);
+    const auto read = text.read(layout);
     layout->Release();
     char words[200];
-    if (read) return std::puts(describe(read, words)), 1;
+    if (!read) return std::puts(describe(read.error(), words)), 1;
 
     auto mesher = text_mesher{text}.with(extruded<>{.depth = 0.3f});
     std::vector<vertex> vertices;
