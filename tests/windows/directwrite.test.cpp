@@ -328,7 +328,7 @@ TEST_CASE("a face that fails, or breaks the sink's rules, gives an error with th
     REQUIRE(fake.font);
     outline o;
     fake.face.draws = [](auto& to) { return square(to, D2D1_FIGURE_END_CLOSED), E_FAIL; };
-    const error failed = record(*fake.font, 3, o);
+    const error failed = record(*fake.font, 3, o).error();
     CHECK(failed == error::font_library_failed);
     CHECK(failed.count == 0x80004005u);
     CHECK(failed.glyph == 3);
