@@ -26,7 +26,7 @@ public:
         return label{std::make_unique<harfbuzz_font>(std::move(*font))};
     }
 
-    /// The mesh of this text; after an error still that of the last one.
+    /// Makes the mesh of this text. After an error the label keeps the mesh of the text before.
     result<text_report> show(text_view text)
     {
         constexpr auto position = [](const surface_point<attribute::position>& s) noexcept { return s.position; };

@@ -114,9 +114,9 @@ private:
 ///
 ///     if (auto written = plan->write(sink); !written) puts(written.error().message());
 ///
-/// True when all is well, as every result is. The errors that calls returned before were true when something was wrong:
-/// so that code for them does not compile, `if (plan->write(sink))` does not; `if (!plan->write(sink))` does, and
-/// has_value().
+/// A result is true when all is well. Calls used to return an error, which was true when something was wrong. To keep
+/// code for that from compiling, an unnamed result<void> does not convert to bool: write `if (!plan->write(sink))`, or
+/// call has_value().
 template <>
 class [[nodiscard]] result<void> {
 public:

@@ -152,7 +152,7 @@ private:
     {
         return unit(bevel_tilt{a.out + b.out, a.up + b.up});
     }
-    /// A normal that stands less than 90 degrees off its strip's own: that of a wall does not at a level strip.
+    /// Turns a normal that is upright to its strip's own, as a wall's is to a level strip's, a little towards it.
     static bevel_tilt off_level(bevel_tilt n, bevel_tilt own) noexcept
     {
         constexpr double least = 0x1p-6;

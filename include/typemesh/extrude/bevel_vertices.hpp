@@ -26,7 +26,7 @@ class bevel_vertices {
 public:
     struct sharing {
         double crease = 1.0;       ///< the cosine of the crease angle
-        double most_apart = -1.0;  ///< of `along`; negative: it does not matter
+        double most_apart = -1.0;  ///< the largest difference of `along`; negative: any
     };
 
     bevel_vertices(bevel_data& data, const bevel_light& light, sharing how) noexcept

@@ -19,7 +19,6 @@
 #include <typemesh/extrude/surroundings.hpp>
 #include <typemesh/extrude/texture.hpp>
 #include <typemesh/extrude/upright_walls.hpp>
-#include <typemesh/fill/corner_parting.hpp>
 
 #include <algorithm>
 #include <cstddef>

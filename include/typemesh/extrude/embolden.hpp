@@ -23,12 +23,12 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 ///     text_mesher mesher{font, embolden{.by = 0.02f}, bevelled{.width = 0.01f}};
 ///
-/// Corners stay as sharp as they are drawn, up to the mitre limit: at 4, which is that of strokes in SVG, those of 29
-/// degrees and more. Sharper ones, which would grow spikes, become round.
+/// Corners stay as sharp as they are drawn, up to the mitre limit. A limit of 4, the default for strokes in SVG, keeps
+/// corners of 29 degrees and more; sharper ones would grow spikes and become round.
 ///
 /// Advances are the layout's: layout_options::letter_spacing of twice the distance keeps the letters' own spacing.
-/// Letters are merged (text_options::merge) where they meet when they have grown; thinner ones where they meet as they
-/// are drawn.
+/// Letters are merged (text_options::merge) where they meet when they have grown. Thinner letters are merged where they
+/// meet as drawn, or where their solid, with outward bevels for example, makes them meet again.
 ///
 /// A distance at which the new edges are not proven is halved for that glyph (solid_plan::narrowed). Where corners meet
 /// and grow a spike beyond the limit, that glyph is moved with a limit of 1.5 first.

@@ -12,6 +12,7 @@
 #include <typemesh/extrude/inner_solid.hpp>
 #include <typemesh/extrude/plan_arrays.hpp>
 #include <typemesh/extrude/surroundings.hpp>
+#include <typemesh/fill/corner_parting.hpp>
 
 #include <cstddef>
 #include <cstdint>

@@ -49,15 +49,6 @@ public:
     [[nodiscard]] result<region> operator()(contours& loops, buffer<curve>& curves, workspace& space,
                                             std::uint32_t most_pieces = default_most_pieces) noexcept;
 
-    /// How many points loops pass through more than once.
-    ///
-    /// Fails  error::out_of_memory
-    [[nodiscard]] static result<void> count(contours& loops, workspace& space, std::uint32_t& found) noexcept
-    {
-        workspace::scope scratch{space};
-        return find(loops, scratch, space, found) == nullptr ? error{error::out_of_memory} : error{};
-    }
-
     /// How far the diamonds reach, in cells, where they are as small as they can be.
     [[nodiscard]] static double reach(const grid& g) noexcept { return smallest(g); }
 
