@@ -75,6 +75,8 @@ riscv64      command:riscv64-linux-gnu-g++                   g++-riscv64-linux-g
 s390x        command:s390x-linux-gnu-g++                     g++-s390x-linux-gnu -                     -           -                 -
 qemu         command:qemu-s390x                              qemu-user          qemu-user              qemu-user   qemu              -
 dpkg-source  command:dpkg-source                              dpkg-dev           -                      -           -                 -
+imagemagick  command:mogrify                                  imagemagick        ImageMagick            imagemagick imagemagick       -
+pngquant     command:pngquant                                 pngquant           pngquant               pngquant    pngquant          -
 pyflakes     command:pyflakes3                                pyflakes3          python3-pyflakes       python-pyflakes -             -
 END
 }

@@ -1,14 +1,23 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# Draws the pictures of this folder anew with text_to_mesh (build/release, or the first argument), but for three.png, which
-# bench/three/run.sh draws. Needs ImageMagick, pngquant and, for selection.png, HarfBuzz.
+# Draws the pictures of this folder anew with text_to_mesh, which is built first unless the first argument names one, but for
+# three.png, which bench/three/run.sh draws. Installs what is missing.
 set -eu
+typemesh_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+. "$typemesh_root/cmake/setup.sh"
 case ${1:-} in
     -h | --help) sed -n '3,5s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" && exit 0 ;;
 esac
-cd "$(dirname "${BASH_SOURCE[0]}")"
-program=${1:-../../build/release/examples/text_to_mesh}
+install_missing g++ cmake ninja pkg-config harfbuzz freetype fontconfig-dev icu cli11 tinygltf stb imagemagick pngquant
+install_fonts fonts-liberation fonts-hosny-amiri fonts-sawarabi-mincho fonts-mplus culmus fonts-inter-variable fonts-cegui fonts-dejavu-core
+if [ -n "${1:-}" ]; then
+    program=$(realpath "$1")
+else
+    program=$typemesh_root/build/release/examples/text_to_mesh
+    build_preset release text_to_mesh
+fi
+cd "$typemesh_root/docs/pictures"
 scratch=$(mktemp -d) && trap 'rm -rf "$scratch"' EXIT
 sans=/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf
 arabic=/usr/share/fonts/opentype/fonts-hosny-amiri/Amiri-Regular.ttf
