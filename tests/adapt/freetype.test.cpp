@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "adapt/opened_font.hpp"
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
 #include "support/type1_mm_font.hpp"
@@ -17,14 +18,15 @@ using namespace typemesh;
 
 namespace {
 
-const char* const dejavu = "truetype/dejavu/DejaVuSans.ttf";
+using test::dejavu;
+using test::inter;
+using test::microhei;
+
 const char* const liberation = "truetype/liberation/LiberationSans-Regular.ttf";
 const char* const comic = "opentype/comic-neue/ComicNeue-Regular.otf";
-const char* const inter = "truetype/inter-vf/Inter-roman.var.ttf";
-const char* const microhei = "truetype/wqy/wqy-microhei.ttc";
 const char* const type1 = "X11/Type1/AharoniCLM-Book.pfa";  // with culmus of Debian 12 alone
 
-freetype_font opened(const char* name, const font_options& options = {})
+freetype_font opened_face(const char* name, const font_options& options = {})
 {
     auto font = freetype_font::open(font_file(name).c_str(), options);
     INFO(font.error().message());
@@ -86,7 +88,7 @@ struct callers_face {
 
 TEST_CASE("quadratics stay quadratics, cubics cubics", "[adapt][freetype]")
 {
-    freetype_font truetype = opened(dejavu), cff = opened(comic);
+    freetype_font truetype = opened_face(dejavu), cff = opened_face(comic);
     const auto highest = [](freetype_font& font) {
         std::uint32_t degree = 0;
         for (const curve& c : drawn(font, shaped(font, "o").glyphs[0].id).curves)
@@ -96,14 +98,14 @@ TEST_CASE("quadratics stay quadratics, cubics cubics", "[adapt][freetype]")
     CHECK(highest(truetype) == 2);
     CHECK(highest(cff) == 3);
     if (!has_font(type1)) return;
-    freetype_font postscript = opened(type1);
+    freetype_font postscript = opened_face(type1);
     CHECK(postscript.units_per_em() == 1090.0);  // from its font matrix
     CHECK(highest(postscript) == 3);
 }
 
 TEST_CASE("plain text is set by character map, advances and kerning", "[adapt][freetype]")
 {
-    freetype_font font = opened(liberation);
+    freetype_font font = opened_face(liberation);
     CHECK(font.units_per_em() == 2048.0);
     const glyph_run run = shaped(font, u8"Grüße, мир");
     REQUIRE(run.glyphs.size() == 10);
@@ -126,7 +128,7 @@ TEST_CASE("plain text is set by character map, advances and kerning", "[adapt][f
 
 TEST_CASE("a FreeType face kerns pairs in their order, across what is not drawn", "[adapt][freetype]")
 {
-    freetype_font font = opened(liberation);
+    freetype_font font = opened_face(liberation);
     const auto length = [&font](text_view text) { return shaped(font, text).lines[0].advance; };
     CHECK(length("To") < length("T") + length("o"));
     CHECK(length("oT") == length("o") + length("T"));
@@ -142,7 +144,7 @@ TEST_CASE("each contour of a FreeType face is begun and closed once", "[adapt][f
     };
     for (const char* name : {dejavu, comic, type1}) {
         if (!has_font(name)) continue;
-        freetype_font font = opened(name);
+        freetype_font font = opened_face(name);
         counter count;
         REQUIRE_FALSE(font.outline(shaped(font, "i").glyphs[0].id, count));
         CHECK(count.moves == 2);
@@ -152,7 +154,7 @@ TEST_CASE("each contour of a FreeType face is begun and closed once", "[adapt][f
 
 TEST_CASE("letters of a FreeType face are spaced beside their kerning", "[adapt][freetype]")
 {
-    freetype_font font = opened(liberation);
+    freetype_font font = opened_face(liberation);
     const glyph_run plain = shaped(font, "AVA");
     glyph_run run;
     REQUIRE(layout(font, "AVA", {}, {.letter_spacing = 0.125}, run));
@@ -163,7 +165,7 @@ TEST_CASE("letters of a FreeType face are spaced beside their kerning", "[adapt]
 
 TEST_CASE("lines of a FreeType face stand as far apart as the font says", "[adapt][freetype]")
 {
-    freetype_font font = opened(dejavu);
+    freetype_font font = opened_face(dejavu);
     const line_metrics m = font.metrics(direction::automatic);
     CHECK(m.ascender == 1901.0);
     CHECK(m.descender == -483.0);
@@ -173,7 +175,7 @@ TEST_CASE("lines of a FreeType face stand as far apart as the font says", "[adap
 
 TEST_CASE("what the plain shaper would set wrongly it refuses, and names the place", "[adapt][freetype]")
 {
-    freetype_font font = opened(dejavu);
+    freetype_font font = opened_face(dejavu);
     const error e = refusal(font, u"ok\nab \u0633\u0644\u0627\u0645");
     CHECK(e == error::needs_shaping);
     CHECK(e.cluster == 6);
@@ -187,7 +189,7 @@ TEST_CASE("what the plain shaper would set wrongly it refuses, and names the pla
 
 TEST_CASE("missing and invalid characters are counted as by any shaper", "[adapt][freetype]")
 {
-    freetype_font font = opened(comic);
+    freetype_font font = opened_face(comic);
     const glyph_run run = shaped(font, u8"a世b\u00AD界");
     CHECK(run.missing == 2);
     CHECK(run.first_missing == 1);
@@ -195,7 +197,7 @@ TEST_CASE("missing and invalid characters are counted as by any shaper", "[adapt
     CHECK(run.glyphs[1].missing);
     CHECK(run.glyphs[1].id == 0);
 
-    freetype_font wide = opened(dejavu);
+    freetype_font wide = opened_face(dejavu);
     const glyph_run broken = shaped(wide, "a\xE2\x82z\xFF");
     CHECK(broken.invalid_units == 2);
     CHECK(broken.first_invalid_unit == 1);
@@ -207,8 +209,8 @@ TEST_CASE("missing and invalid characters are counted as by any shaper", "[adapt
 TEST_CASE("varied outlines keep 1/64 unit", "[adapt][freetype]")
 {
     const variation between[] = {{"wght", 603.0f}}, bold[] = {{"wght", 900.0f}}, beyond[] = {{"wght", 4000.0f}};
-    freetype_font varied = opened(inter, {0, between}), plain = opened(inter), heavy = opened(inter, {0, bold}),
-                  heaviest = opened(inter, {0, beyond});
+    freetype_font varied = opened_face(inter, {0, between}), plain = opened_face(inter),
+                  heavy = opened_face(inter, {0, bold}), heaviest = opened_face(inter, {0, beyond});
     const glyph_id o = shaped(plain, "o").glyphs[0].id;
     bool fractions = false;
     for (const point p : points_of(varied, o)) fractions = fractions || p.x != std::floor(p.x);
@@ -228,7 +230,7 @@ TEST_CASE("a font opens alike from its path, its bytes and the caller's library"
     const auto bytes = bytes_of(font_file(comic));
     auto lent = freetype_font::open(bytes);
     REQUIRE(lent);
-    freetype_font read = opened(comic);
+    freetype_font read = opened_face(comic);
     const callers_face other{font_file(dejavu)};
     auto shared = freetype_font::open(font_file(comic).c_str(), {}, other.library);
     REQUIRE(shared);
@@ -245,7 +247,7 @@ TEST_CASE("the caller's FT_Face keeps its size and transform, and has no part in
     FT_Matrix doubled{2 << 16, 0, 0, 2 << 16};
     FT_Set_Transform(callers.face, &doubled, nullptr);
     const FT_Size size = callers.face->size;
-    freetype_font own = opened(dejavu);
+    freetype_font own = opened_face(dejavu);
     {
         auto wrapped = freetype_font::wrap(callers.face);
         REQUIRE(wrapped);
@@ -263,7 +265,7 @@ TEST_CASE("the caller's FT_Face keeps its size and transform, and has no part in
 
 TEST_CASE("glyphs that do not exist are an error, blank ones are not", "[adapt][freetype]")
 {
-    freetype_font font = opened(dejavu);
+    freetype_font font = opened_face(dejavu);
     CHECK(points_of(font, shaped(font, " ").glyphs[0].id).empty());
     outline o;
     const error e = record(font, font.glyph_count(), o).error();

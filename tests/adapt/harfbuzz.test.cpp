@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "adapt/opened_font.hpp"
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
 
@@ -16,20 +17,14 @@ using namespace typemesh;
 
 namespace {
 
-const char* const dejavu = "truetype/dejavu/DejaVuSans.ttf";
-const char* const amiri = "opentype/fonts-hosny-amiri/Amiri-Regular.ttf";
-const char* const inter = "truetype/inter-vf/Inter-roman.var.ttf";
-const char* const sawarabi = "truetype/sawarabi-mincho/sawarabi-mincho-medium.ttf";
-const char* const lohit = "truetype/lohit-devanagari/Lohit-Devanagari.ttf";
-const char* const microhei = "truetype/wqy/wqy-microhei.ttc";
+using test::amiri;
+using test::dejavu;
+using test::inter;
+using test::microhei;
+using test::opened;
+using test::sawarabi;
 
-harfbuzz_font opened(const char* name, const font_options& options = {})
-{
-    auto font = harfbuzz_font::open(font_file(name).c_str(), options);
-    INFO(font.error().message());
-    REQUIRE(font);
-    return std::move(*font);
-}
+const char* const lohit = "truetype/lohit-devanagari/Lohit-Devanagari.ttf";
 
 glyph_run shaped(harfbuzz_font& font, text_view text, const shape_options& how = {})
 {

@@ -52,17 +52,17 @@ const std::u16string mixed =
     u"Tea, \u0634\u0627\u064A \u0623\u062E\u0636\u0631 (12) and \u7DD1\u8336 \u2013 "
     u"\u0643\u064F\u062A\u064F\u0628 e\u0301a\u0489 office AVAT \u6587\u5B57!";
 
-struct drawn {
+struct drawn_glyph {
     cluster_id cluster;
     std::uint32_t face;
     glyph_id id;
-    friend auto operator<=>(const drawn&, const drawn&) = default;
+    friend auto operator<=>(const drawn_glyph&, const drawn_glyph&) = default;
 };
 
 template <class Glyphs, class FaceOf>
-std::vector<drawn> sorted(const Glyphs& glyphs, const FaceOf& face_of)
+std::vector<drawn_glyph> sorted(const Glyphs& glyphs, const FaceOf& face_of)
 {
-    std::vector<drawn> all;
+    std::vector<drawn_glyph> all;
     for (const auto& g : glyphs) all.push_back({g.cluster, face_of(g), g.id});
     std::sort(all.begin(), all.end());
     return all;

@@ -2,6 +2,7 @@
 //
 // Columns through HarfBuzz: what lies on its side is held against lines, what is upright against HarfBuzz's own columns.
 
+#include "adapt/opened_font.hpp"
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
 
@@ -22,16 +23,11 @@ namespace {
 
 namespace column_fonts {
 
-const char* const sawarabi = "truetype/sawarabi-mincho/sawarabi-mincho-medium.ttf";  // with vertical metrics
-const char* const mplus = "opentype/mplus/Mplus1-Regular.otf";  // with a BASE table; not everywhere
-const char* const dejavu = "truetype/dejavu/DejaVuSans.ttf";
+using test::dejavu;
+using test::opened;
+using test::sawarabi;
 
-harfbuzz_font opened(const char* name)
-{
-    auto font = harfbuzz_font::open(font_file(name).c_str());
-    REQUIRE(font);
-    return std::move(*font);
-}
+const char* const mplus = "opentype/mplus/Mplus1-Regular.otf";  // with a BASE table; not everywhere
 
 glyph_run set(harfbuzz_font& font, text_view text, direction flow, const column_options& columns = {})
 {

@@ -2,6 +2,7 @@
 //
 // Items shaped through HarfBuzz, held against whole lines of one direction, which are shaped another way.
 
+#include "adapt/opened_font.hpp"
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
 
@@ -15,21 +16,15 @@ using namespace typemesh;
 
 namespace {
 
+using test::amiri;
+using test::dejavu;
+using test::opened;
+
 constexpr std::uint32_t tag(const char (&letters)[5])
 {
     std::uint32_t made = 0;
     for (int i = 0; i < 4; ++i) made = made << 8 | static_cast<unsigned char>(letters[i]);
     return made;
-}
-
-const char* const dejavu = "truetype/dejavu/DejaVuSans.ttf";
-const char* const amiri = "opentype/fonts-hosny-amiri/Amiri-Regular.ttf";
-
-harfbuzz_font opened(const char* name)
-{
-    auto font = harfbuzz_font::open(font_file(name).c_str());
-    REQUIRE(font);
-    return std::move(*font);
 }
 
 struct items {

@@ -27,7 +27,7 @@ const std::u32string letters =
 
 double below(std::mt19937& random, unsigned n) { return static_cast<double>(random() % n); }
 
-std::u16string random_text(std::mt19937& random)
+std::u16string random_line(std::mt19937& random)
 {
     std::u32string some;  // few letters in a text, so that they meet
     for (std::size_t n = 2 + random() % 10; some.size() < n;) some += letters[random() % letters.size()];
@@ -40,7 +40,7 @@ std::u16string random_text(std::mt19937& random)
     return text;
 }
 
-paragraph_options random_options(std::mt19937& random)
+paragraph_options random_line_options(std::mt19937& random)
 {
     paragraph_options how{.width = 0.1 + below(random, 400) / 100.0};
     how.wrap = random() % 2 != 0 ? wrap_mode::word_or_grapheme : wrap_mode::grapheme;
@@ -77,7 +77,7 @@ std::size_t too_wide(Words& words, std::mt19937& random, const std::u16string& t
     REQUIRE(words.set(text, how, spans, random() % 4 == 0 ? 0.1 : 0.0));
     std::size_t wrong = 0;
     for (int k = 0; k < 6; ++k) {
-        const paragraph_options options = random_options(random);
+        const paragraph_options options = random_line_options(random);
         glyph_run run;
         REQUIRE(words.lay_out(options, run));
         bool begins = true;
@@ -111,7 +111,7 @@ TEST_CASE("no line of a random text is wider than its room, unless it is a singl
     std::mt19937 random{29};
     std::size_t wrong = 0;
     for (int k = 0; k < texts && wrong < 20; ++k) {
-        const std::u16string text = random_text(random);
+        const std::u16string text = random_line(random);
         wrong += k % 4 == 0 ? too_wide(total, random, text) : too_wide(first, random, text);
     }
     CHECK(wrong == 0);

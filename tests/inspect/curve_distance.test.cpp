@@ -16,7 +16,7 @@ using namespace typemesh;
 namespace {
 
 /// The toy font's o, filled to a tolerance of 2 font units.
-struct ring {
+struct curved_ring {
     static constexpr double tolerance = 2.0;
     test::toy_font font;
     outline drawn;
@@ -26,7 +26,7 @@ struct ring {
     double cells = 0.0, allowed = 0.0;
     inspect::curve_chords curves;
 
-    ring()
+    curved_ring()
     {
         REQUIRE(record(font, 1, drawn));
         const auto g = grid::fitting(font.units_per_em(), drawn.bounds);
@@ -45,7 +45,7 @@ struct ring {
 
 TEST_CASE("the boundary keeps its tolerance, and a point beyond it shows", "[inspect]")
 {
-    ring r;
+    curved_ring r;
     const auto right = inspect::check_distance(r.filled, r.curves, r.allowed);
     CHECK(right.places == 2 * r.filled.points().size());
     CHECK(right.strays == 0);
@@ -65,7 +65,7 @@ TEST_CASE("the boundary keeps its tolerance, and a point beyond it shows", "[ins
 
 TEST_CASE("a region fills what its curves do, and another does not", "[inspect]")
 {
-    const ring r;
+    const curved_ring r;
     const auto kept = inspect::loops_of(r.filled);
     const auto right = inspect::check_fill(r.curves, r.drawn.rule, kept, r.allowed, 500);
     CHECK(right.places + right.skipped == 500);
@@ -78,7 +78,7 @@ TEST_CASE("a region fills what its curves do, and another does not", "[inspect]"
 
 TEST_CASE("chords stand for their curves within the error that was asked for", "[inspect]")
 {
-    const ring r;
+    const curved_ring r;
     const auto fine = inspect::curve_chords{r.drawn, r.cells, 1.0};
     CHECK(fine.all().size() > inspect::curve_chords(r.drawn, r.cells, 100.0).all().size());
     for (std::uint32_t k = 0; k < r.drawn.curves.size(); ++k) {

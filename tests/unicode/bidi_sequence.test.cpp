@@ -20,55 +20,55 @@ classes after(Rule rule, bidi_class start, classes given, bidi_class end, std::u
     return given;
 }
 
-const auto marks = [](const detail::bidi_sequence& s) { detail::resolve_marks(s); };
-const auto numbers = [](const detail::bidi_sequence& s) { detail::resolve_numbers(s); };
-const auto neutrals = [](const detail::bidi_sequence& s) { detail::resolve_neutrals(s); };
+const auto mark_rules = [](const detail::bidi_sequence& s) { detail::resolve_marks(s); };
+const auto number_rules = [](const detail::bidi_sequence& s) { detail::resolve_numbers(s); };
+const auto neutral_rules = [](const detail::bidi_sequence& s) { detail::resolve_neutrals(s); };
 
 }  // namespace
 
 // The examples of UAX #9, 3.3.4 and 3.3.6.
 TEST_CASE("rules W1 to W3: marks, Arabic numbers and letters", "[bidi]")
 {
-    CHECK(after(marks, r, {al, nsm, nsm}, r) == classes{r, r, r});
-    CHECK(after(marks, r, {nsm}, r) == classes{r});
-    CHECK(after(marks, l, {lri, nsm}, l) == classes{lri, on});
-    CHECK(after(marks, l, {pdi, nsm}, l) == classes{pdi, on});
-    CHECK(after(marks, l, {al, en}, l) == classes{r, an});
-    CHECK(after(marks, l, {al, on, en}, l) == classes{r, on, an});
-    CHECK(after(marks, r, {on, en}, r) == classes{on, en});
-    CHECK(after(marks, l, {l, on, en}, l) == classes{l, on, en});
-    CHECK(after(marks, r, {r, on, en}, r) == classes{r, on, en});
+    CHECK(after(mark_rules, r, {al, nsm, nsm}, r) == classes{r, r, r});
+    CHECK(after(mark_rules, r, {nsm}, r) == classes{r});
+    CHECK(after(mark_rules, l, {lri, nsm}, l) == classes{lri, on});
+    CHECK(after(mark_rules, l, {pdi, nsm}, l) == classes{pdi, on});
+    CHECK(after(mark_rules, l, {al, en}, l) == classes{r, an});
+    CHECK(after(mark_rules, l, {al, on, en}, l) == classes{r, on, an});
+    CHECK(after(mark_rules, r, {on, en}, r) == classes{on, en});
+    CHECK(after(mark_rules, l, {l, on, en}, l) == classes{l, on, en});
+    CHECK(after(mark_rules, r, {r, on, en}, r) == classes{r, on, en});
 }
 
 TEST_CASE("rules W4 to W7: separators, terminators and digits", "[bidi]")
 {
-    CHECK(after(numbers, r, {en, es, en}, r) == classes{en, en, en});
-    CHECK(after(numbers, r, {en, cs, en}, r) == classes{en, en, en});
-    CHECK(after(numbers, r, {an, cs, an}, r) == classes{an, an, an});
-    CHECK(after(numbers, r, {an, es, an}, r) == classes{an, on, an});
-    CHECK(after(numbers, r, {en, cs, cs, en}, r) == classes{en, on, on, en});
-    CHECK(after(numbers, r, {en, cs, an}, r) == classes{en, on, an});
-    CHECK(after(numbers, r, {et, et, en}, r) == classes{en, en, en});
-    CHECK(after(numbers, r, {en, et, et}, r) == classes{en, en, en});
-    CHECK(after(numbers, r, {an, et, en}, r) == classes{an, en, en});
-    CHECK(after(numbers, r, {an, et}, r) == classes{an, on});
-    CHECK(after(numbers, r, {en, et, es, en}, r) == classes{en, en, on, en});
-    CHECK(after(numbers, r, {l, es, en}, r) == classes{l, on, l});
-    CHECK(after(numbers, r, {l, on, en, et}, r) == classes{l, on, l, l});
-    CHECK(after(numbers, r, {r, on, en}, r) == classes{r, on, en});
-    CHECK(after(numbers, l, {en, et}, r) == classes{l, l});
+    CHECK(after(number_rules, r, {en, es, en}, r) == classes{en, en, en});
+    CHECK(after(number_rules, r, {en, cs, en}, r) == classes{en, en, en});
+    CHECK(after(number_rules, r, {an, cs, an}, r) == classes{an, an, an});
+    CHECK(after(number_rules, r, {an, es, an}, r) == classes{an, on, an});
+    CHECK(after(number_rules, r, {en, cs, cs, en}, r) == classes{en, on, on, en});
+    CHECK(after(number_rules, r, {en, cs, an}, r) == classes{en, on, an});
+    CHECK(after(number_rules, r, {et, et, en}, r) == classes{en, en, en});
+    CHECK(after(number_rules, r, {en, et, et}, r) == classes{en, en, en});
+    CHECK(after(number_rules, r, {an, et, en}, r) == classes{an, en, en});
+    CHECK(after(number_rules, r, {an, et}, r) == classes{an, on});
+    CHECK(after(number_rules, r, {en, et, es, en}, r) == classes{en, en, on, en});
+    CHECK(after(number_rules, r, {l, es, en}, r) == classes{l, on, l});
+    CHECK(after(number_rules, r, {l, on, en, et}, r) == classes{l, on, l, l});
+    CHECK(after(number_rules, r, {r, on, en}, r) == classes{r, on, en});
+    CHECK(after(number_rules, l, {en, et}, r) == classes{l, l});
 }
 
 TEST_CASE("rules N1 and N2: neutrals take the direction on both sides, else the embedding's", "[bidi]")
 {
-    CHECK(after(neutrals, l, {r, on, r}, l) == classes{r, r, r});
-    CHECK(after(neutrals, l, {r, on, ws, an}, l) == classes{r, r, r, an});
-    CHECK(after(neutrals, l, {an, on, en}, l) == classes{an, r, en});
-    CHECK(after(neutrals, l, {r, on, l}, l, 0) == classes{r, l, l});
-    CHECK(after(neutrals, l, {r, on, l}, l, 1) == classes{r, r, l});
-    CHECK(after(neutrals, r, {on, on}, r, 0) == classes{r, r});
-    CHECK(after(neutrals, l, {on, on}, r, 1) == classes{r, r});
-    CHECK(after(neutrals, l, {}, r).empty());
+    CHECK(after(neutral_rules, l, {r, on, r}, l) == classes{r, r, r});
+    CHECK(after(neutral_rules, l, {r, on, ws, an}, l) == classes{r, r, r, an});
+    CHECK(after(neutral_rules, l, {an, on, en}, l) == classes{an, r, en});
+    CHECK(after(neutral_rules, l, {r, on, l}, l, 0) == classes{r, l, l});
+    CHECK(after(neutral_rules, l, {r, on, l}, l, 1) == classes{r, r, l});
+    CHECK(after(neutral_rules, r, {on, on}, r, 0) == classes{r, r});
+    CHECK(after(neutral_rules, l, {on, on}, r, 1) == classes{r, r});
+    CHECK(after(neutral_rules, l, {}, r).empty());
 }
 
 TEST_CASE("rules I1 and I2: levels of letters and digits", "[bidi]")
