@@ -156,7 +156,7 @@ public:
             const auto own = sides.subspan(filled.starts()[loop], filled.starts()[loop + 1] - filled.starts()[loop]);
             float whole = 0.0f;
             for (const side_point& s : own) whole = s.along > whole ? s.along : whole;
-            for (side_point& s : own) s.along = s.along == whole ? 1.0f : s.along / whole;  // 1 with -ffast-math too
+            for (side_point& s : own) s.along = s.along < whole ? s.along / whole : 1.0f;  // 1 with -ffast-math too
         }
     }
     [[nodiscard]] static constexpr double most_apart(double) noexcept { return 0x1p-10; }
