@@ -11,7 +11,7 @@ usage: tests/run.sh [--quick | --all] [--with TIER[,TIER...]] [--only TIER[,TIER
 Installs what is missing, builds and runs the tests, those of the tier gcc by default. The tiers:
   quick      some of the tests of each stage with g++, in five minutes on two cores; the end says what is left out
   gcc        all tests of the core and its adapters with g++
-  clang      the tests of the core and the adapters with clang++; the benchmarks are built
+  clang      the rooms that the tier sanitize does not build, with clang++; the benchmarks are built
   sanitize   the tests of what touches memory most, under the address and undefined behaviour sanitizers of clang++ and g++
   tsan       the tests that use threads with g++ under the thread sanitizer
   windows    the tests of the core and of DirectWrite as Windows programs (mingw-w64), run under Wine
