@@ -100,7 +100,7 @@ smaller=  # linked for speed and then optimised for size: both alone are larger 
 em++ "$@" "${features[@]}" --no-entry -fno-exceptions -fno-rtti "$objects"/*.o -o "$work/typemesh.part.wasm" -s STANDALONE_WASM=1 \
     -s "EXPORTED_FUNCTIONS=${exports}_malloc,_free" -s ALLOW_MEMORY_GROWTH=1 -s MAXIMUM_MEMORY=4GB -s INITIAL_MEMORY=16MB \
     -s TOTAL_STACK=1MB -s ABORTING_MALLOC=0 -s FILESYSTEM=0 -s ERROR_ON_UNDEFINED_SYMBOLS=1
-[ -z "$smaller" ] || wasm-opt -Oz ${TYPEMESH_WEB_NAMES:+-g} --enable-sign-ext --enable-nontrapping-float-to-int \
+[ -z "$smaller" ] || wasm-opt -Oz ${TYPEMESH_WEB_NAMES:+-g} --enable-sign-ext --enable-nontrapping-float-to-int --enable-bulk-memory \
     "$work/typemesh.part.wasm" -o "$work/typemesh.part.wasm"
 mv "$work/typemesh.part.wasm" "$output"
 cp "$typemesh_root/LICENSE" "$web/package/"  # for npm pack
