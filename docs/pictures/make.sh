@@ -23,6 +23,9 @@ sans=/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf
 arabic=/usr/share/fonts/opentype/fonts-hosny-amiri/Amiri-Regular.ttf
 japanese=/usr/share/fonts/truetype/sawarabi-mincho/sawarabi-mincho-medium.ttf
 serif=/usr/share/fonts/truetype/liberation/LiberationSerif
+font_names=../../tests/support/font_path.hpp
+. ../../tests/support/font_file.sh
+hebrew=$(font_file truetype/culmus/FrankRuehlCLM-Medium.ttf)
 
 # The README's picture: there solid, back as wires. Each view has the height that suits it; its edges go on above and below.
 views=24
@@ -42,7 +45,7 @@ convert "$scratch/arabic.png" "$scratch/japanese.png" -resize x300 -gravity cent
 
 text='Letters of three scripts share a page: in the beginning there was English, then comes עברית שנכתבת מימין לשמאל, 2024 in its midst, '
 text+='and العربية التي تكتب من اليمين إلى اليسار وتتصل حروفها بعضها ببعض, before the line goes on as it began and is as wide as all the others.'
-"$program" "$text" --font ${sans/Sans/Serif} --fallback /usr/share/fonts/truetype/culmus/FrankRuehlCLM-Medium.ttf --fallback $arabic \
+"$program" "$text" --font ${sans/Sans/Serif} --fallback "$hebrew" --fallback $arabic \
     --width 20 --align justify --justify kashida --picture paragraph.png
 
 # shellcheck disable=SC1112
@@ -60,8 +63,6 @@ montage -label '%t' "$scratch"/gouraud-{shared,averaged,creased,curve}.png "$scr
 
 "$program" "aBg" --font $sans --depth 0 --quality normal --show triangles,points,control,contours --picture stages.png
 
-font_names=../../tests/support/font_path.hpp
-. ../../tests/support/font_file.sh
 inter=$(font_file truetype/inter-vf/Inter.var.ttf)
 "$program" "A&f4" --font "$inter" --depth 0 --quality normal --show contours,triangles --picture "$scratch/before.png"
 "$program" "A&f4" --font "$inter" --depth 0 --quality normal --triangulator delaunay --show triangles --picture "$scratch/after.png"

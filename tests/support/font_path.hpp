@@ -22,6 +22,7 @@ inline std::filesystem::path font_path(const std::string& name)
         {"truetype/inter-vf/Inter.var.ttf", "truetype/inter-vf/InterVariable.ttf"},
         {"truetype/inter-vf/Inter-roman.var.ttf", "truetype/inter-vf/InterVariable.ttf"},
         {"truetype/inter-vf/Inter-italic.var.ttf", "truetype/inter-vf/InterVariable-Italic.ttf"},
+        {"truetype/culmus/FrankRuehlCLM-Medium.ttf", "truetype/culmus/FrankRuehlCLM-Medium.otf"},
     };
     const auto path = font_folder() / name;
     if (!std::filesystem::exists(path))
