@@ -246,3 +246,24 @@ TEST_CASE("level steps are lit from outside, however smooth they are to be", "[t
                 CHECK(inspect::check_normals(m.view(), &test::lit_vertex::normal).is_right());
             }
 }
+
+TEST_CASE("bevels that fit leave a letter its cap, however few joins its corners have", "[text]")
+{
+    for (const double stem : {30.0, 40.0, 44.0, 60.0})
+        for (const float mitre_limit : {1.0f, 1.05f, 1.3f, 1.5f, 2.0f}) {
+            recorded_outlines letter{attacked_units};
+            REQUIRE(letter.add([&](auto& pen) {
+                draw_polygon(pen, {{0, 0}, {400, 0}, {400, stem}, {stem, stem}, {stem, 700}, {0, 700}});
+            }));
+            const glyph_run run = glyph_row({0.0});
+            for (const double tolerance : {quality::low, quality::normal, quality::high}) {
+                if (2.0 * tolerance * attacked_units >= stem) continue;  // no circle of the tolerance has room
+                text_mesher mesher{letter,
+                                   bevelled{.width = 0.1f, .mode = bevel_mode::fit, .mitre_limit = mitre_limit}};
+                const auto plan = mesher.plan(run, {.tolerance = tolerance});
+                REQUIRE(plan);
+                CHECK(plan->report().lost_caps == 0);
+                CHECK(plan->range(part::front).index_count != 0);
+            }
+        }
+}

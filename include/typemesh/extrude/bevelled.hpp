@@ -269,7 +269,9 @@ private:
 
     [[nodiscard]] bevel_carver carver_of(const region& filled, bool outwards) const noexcept
     {
-        return {{as_double(mitre_limit), filled.tolerance(), joins == bevel_joins::round, outwards},
+        const double em = filled.grid().cells * filled.grid().units_per_em;
+        const double joins_at = wanted > width ? as_double(wanted) * em : 0.0;  // as before refit()
+        return {{as_double(mitre_limit), filled.tolerance(), joins == bevel_joins::round, outwards, joins_at},
                 mode != bevel_mode::clip};
     }
 
