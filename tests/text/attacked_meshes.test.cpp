@@ -153,6 +153,54 @@ TEST_CASE("outward bevels that nearly close a hole leave no walls back to back",
     }
 }
 
+TEST_CASE("outward bevels on both sides that nearly close a hole have walls all round what remains", "[text]")
+{
+    struct near_closed {
+        double cells;  // of the width
+        double half;   // of the square around the hole
+        bevel_profile profile;
+        std::vector<point> hole;
+    };
+    // What remains is turned over by rounding, or meets in a point what was swept before; a cell more or less is right.
+    const near_closed found[] = {
+        {10691.8057,
+         115.30430,
+         round_profile(16),
+         {{-9972, -4977},
+          {-11140, 1212},
+          {-8668, 7002},
+          {-3533, 10657},
+          {2770, 10796},
+          {8166, 7585},
+          {10971, 1965},
+          {10292, -4278},
+          {6345, -9163},
+          {384, -11139},
+          {-5699, -9578}}},
+        {47729.828524,
+         372.94511,
+         {{0, 0}, {0.98f, 0.5f}, {0.98f, 0.8f}, {1, 1}},
+         {{50705, 21605}, {44063, -33110}, {-6642, -54714}, {-50705, -21605}, {-44063, 33110}, {6675, 54982}}},
+    };
+    const glyph_run run = glyph_row({0.0});
+    for (const near_closed& f : found)
+        for (int k = -4; k <= 4; ++k)
+            for (const touching way : {touching::part, touching::join}) {
+                recorded_outlines ring{attacked_units};
+                REQUIRE(ring.add([&](auto& pen) {
+                    draw_rectangle(pen, {200 - f.half, 200 - f.half}, {200 + f.half, 200 + f.half});
+                    std::vector<point> hole;
+                    for (const point p : f.hole) hole.push_back({200 + p.x / 512, 200 + p.y / 512});
+                    draw_polygon(pen, hole);
+                }));
+                const auto width = static_cast<float>((f.cells + k) / (512 * attacked_units));
+                text_mesher mesher{
+                    ring, bevelled{.width = width, .bevel_depth = 0.02f, .outward = true, .profile = f.profile}};
+                const auto mesh = checked_faces(mesher.plan(run, {.unit = output_unit::font_units, .corners = way}));
+                CHECK(mesh.is_manifold());
+            }
+}
+
 TEST_CASE("a solid chosen at run time names the owners of merged letters and the option to blame", "[text]")
 {
     test::toy_font font;
