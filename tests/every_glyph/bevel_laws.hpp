@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace test {
@@ -153,10 +154,11 @@ private:
                                       bevel_findings& f)
     {
         namespace inspect = typemesh::inspect;
-        if (!oracle_ || oracle_width_ < width || oracle_width_ > width)
-            oracle_.emplace(region_, width, double(how.mitre_limit),
+        const double joins_at = how.mode == typemesh::bevel_mode::fit ? double(how.width) * em() : width;
+        if (!oracle_ || oracle_widths_ != std::pair{width, joins_at})
+            oracle_.emplace(region_, width, joins_at, double(how.mitre_limit),
                             std::vector<const plain_profile*>{&chamfer_, &round_});
-        oracle_width_ = width;
+        oracle_widths_ = {width, joins_at};
         if (oracle_->is_doubtful()) return {};
         ++f.compared;
         const auto loops = inspect::loops_of(region_);
@@ -253,8 +255,8 @@ private:
     bool narrowed_ = false;
     std::size_t lost_caps_ = 0;
     const plain_profile chamfer_ = plain_profile::chamfer(), round_ = plain_profile::round(4);
-    std::optional<bevel_oracle> oracle_;  // at oracle_width_
-    double oracle_width_ = 0.0;
+    std::optional<bevel_oracle> oracle_;  // at these
+    std::pair<double, double> oracle_widths_;
 };
 
 }  // namespace test

@@ -166,7 +166,7 @@ TEST_CASE("a bevel_oracle has the volume of a ring with chamfers, and its places
 {
     const bevelled_ring ring;
     const auto chamfer = test::plain_profile::chamfer(), round = test::plain_profile::round(4);
-    const test::bevel_oracle oracle{ring.of, 10'000.0, 2.0, {&chamfer, &round}};
+    const test::bevel_oracle oracle{ring.of, 10'000.0, 10'000.0, 2.0, {&chamfer, &round}};
     CHECK_FALSE(oracle.is_doubtful());
     CHECK(oracle.cap_area() == Catch::Approx(80'000.0 * 80'000.0 - 40'000.0 * 40'000.0));
     const auto frustum = [](double a, double b) { return (a * a + a * b + b * b) / 3.0; };

@@ -65,8 +65,9 @@ public:
         double distance;  ///< that the wavefront had moved when it came here
     };
 
-    /// Stops where these profiles bend.
-    bevel_oracle(const typemesh::region& r, double width, double mitre_limit,
+    /// Stops where these profiles bend. Corners get as many joins as they need at `joins_at`, which is the width, or what
+    /// a narrowed bevel was to have.
+    bevel_oracle(const typemesh::region& r, double width, double joins_at, double mitre_limit,
                  const std::vector<const plain_profile*>& profiles)
         : width_{width}
     {
@@ -78,7 +79,7 @@ public:
         for (const plain_profile* p : profiles)
             for (const auto& point : p->points) stops.push_back(point.first);
         std::sort(stops.begin(), stops.end());
-        slow_wavefront front{given, {mitre_limit, r.tolerance(), width}};
+        slow_wavefront front{given, {mitre_limit, r.tolerance(), joins_at}};
         for (const double t : stops) {
             front.advance(t * width);
             swept_.emplace_back(t, static_cast<double>(front.swept_volume()));

@@ -153,6 +153,54 @@ TEST_CASE("outward bevels that nearly close a hole leave no walls back to back",
     }
 }
 
+TEST_CASE("outward bevels on both sides that nearly close a hole have walls all round what remains", "[text]")
+{
+    struct near_closed {
+        double cells;  // of the width
+        double half;   // of the square around the hole
+        bevel_profile profile;
+        std::vector<point> hole;
+    };
+    // What remains is turned over by rounding, or meets in a point what was swept before; a cell more or less is right.
+    const near_closed found[] = {
+        {10691.8057,
+         115.30430,
+         round_profile(16),
+         {{-9972, -4977},
+          {-11140, 1212},
+          {-8668, 7002},
+          {-3533, 10657},
+          {2770, 10796},
+          {8166, 7585},
+          {10971, 1965},
+          {10292, -4278},
+          {6345, -9163},
+          {384, -11139},
+          {-5699, -9578}}},
+        {47729.828524,
+         372.94511,
+         {{0, 0}, {0.98f, 0.5f}, {0.98f, 0.8f}, {1, 1}},
+         {{50705, 21605}, {44063, -33110}, {-6642, -54714}, {-50705, -21605}, {-44063, 33110}, {6675, 54982}}},
+    };
+    const glyph_run run = glyph_row({0.0});
+    for (const near_closed& f : found)
+        for (int k = -4; k <= 4; ++k)
+            for (const touching way : {touching::part, touching::join}) {
+                recorded_outlines ring{attacked_units};
+                REQUIRE(ring.add([&](auto& pen) {
+                    draw_rectangle(pen, {200 - f.half, 200 - f.half}, {200 + f.half, 200 + f.half});
+                    std::vector<point> hole;
+                    for (const point p : f.hole) hole.push_back({200 + p.x / 512, 200 + p.y / 512});
+                    draw_polygon(pen, hole);
+                }));
+                const auto width = static_cast<float>((f.cells + k) / (512 * attacked_units));
+                text_mesher mesher{
+                    ring, bevelled{.width = width, .bevel_depth = 0.02f, .outward = true, .profile = f.profile}};
+                const auto mesh = checked_faces(mesher.plan(run, {.unit = output_unit::font_units, .corners = way}));
+                CHECK(mesh.is_manifold());
+            }
+}
+
 TEST_CASE("a solid chosen at run time names the owners of merged letters and the option to blame", "[text]")
 {
     test::toy_font font;
@@ -245,4 +293,25 @@ TEST_CASE("level steps are lit from outside, however smooth they are to be", "[t
                 const test::lit_mesh m = test::written(*plan);
                 CHECK(inspect::check_normals(m.view(), &test::lit_vertex::normal).is_right());
             }
+}
+
+TEST_CASE("bevels that fit leave a letter its cap, however few joins its corners have", "[text]")
+{
+    for (const double stem : {30.0, 40.0, 44.0, 60.0})
+        for (const float mitre_limit : {1.0f, 1.05f, 1.3f, 1.5f, 2.0f}) {
+            recorded_outlines letter{attacked_units};
+            REQUIRE(letter.add([&](auto& pen) {
+                draw_polygon(pen, {{0, 0}, {400, 0}, {400, stem}, {stem, stem}, {stem, 700}, {0, 700}});
+            }));
+            const glyph_run run = glyph_row({0.0});
+            for (const double tolerance : {quality::low, quality::normal, quality::high}) {
+                if (2.0 * tolerance * attacked_units >= stem) continue;  // no circle of the tolerance has room
+                text_mesher mesher{letter,
+                                   bevelled{.width = 0.1f, .mode = bevel_mode::fit, .mitre_limit = mitre_limit}};
+                const auto plan = mesher.plan(run, {.tolerance = tolerance});
+                REQUIRE(plan);
+                CHECK(plan->report().lost_caps == 0);
+                CHECK(plan->range(part::front).index_count != 0);
+            }
+        }
 }

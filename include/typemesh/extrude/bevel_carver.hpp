@@ -39,6 +39,8 @@ struct bevel_carver {
                      swept_region& out, const Make& make) noexcept
     {
         bool is_wanted = !fits;
+        // What was measured at one width holds at a narrower one if corners move alike.
+        if (fits && sweep.joins_at < scale.width) sweep.joins_at = scale.width;
         int slight = 0;  // how often a hundredth was taken off
         narrowed = false;
         for (;;) {

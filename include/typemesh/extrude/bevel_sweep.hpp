@@ -32,7 +32,8 @@ struct bevel_sweep {
     double mitre_limit = 2.0;  ///< as in sweep_options
     double tolerance = 0.0;
     bool round = true;
-    bool outward = false;  ///< the region lies around another one, at which the profile ends
+    bool outward = false;   ///< the region lies around another one, at which the profile ends
+    double joins_at = 0.0;  ///< as in sweep_options
 
     /// Sweeps it to the levels of a profile; `out` is emptied first.
     ///
@@ -50,6 +51,7 @@ struct bevel_sweep {
         workspace::scope scratch{space};
         sweep_options how{{distances, levels.size()}, mitre_limit, tolerance, round};
         how.speck = tolerance;
+        how.joins_at = joins_at;
         return sweep_inwards(filled, triangles, how, scratch, out);
     }
 };

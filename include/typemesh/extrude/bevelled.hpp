@@ -19,6 +19,7 @@
 #include <typemesh/extrude/surroundings.hpp>
 #include <typemesh/extrude/texture.hpp>
 #include <typemesh/extrude/upright_walls.hpp>
+#include <typemesh/offset/touching_walls.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -269,7 +270,9 @@ private:
 
     [[nodiscard]] bevel_carver carver_of(const region& filled, bool outwards) const noexcept
     {
-        return {{as_double(mitre_limit), filled.tolerance(), joins == bevel_joins::round, outwards},
+        const double em = filled.grid().cells * filled.grid().units_per_em;
+        const double joins_at = wanted > width ? as_double(wanted) * em : 0.0;  // as before refit()
+        return {{as_double(mitre_limit), filled.tolerance(), joins == bevel_joins::round, outwards, joins_at},
                 mode != bevel_mode::clip};
     }
 
@@ -309,13 +312,20 @@ private:
             if (!is_in_reach(data.swept.cap, filled, way * scale.width + slack)) return error{error::crossing_contours};
             leave_frame(data.swept.cap);
             if (filled.corners() != touching::keep) {
-                std::uint32_t found = 0;
-                if (error e = count_touching_walls(data.swept, caps.space(), found)) return e;
-                made.corners_moved += found;
-                carve.touches = found != 0;
-                if (found != 0) return error{error::crossing_contours};
+                const auto found = count_touching_walls(data.swept, caps.space());
+                if (!found) return found.error();
+                made.corners_moved += *found;
+                carve.touches = *found != 0;
+                if (*found != 0) return error{error::crossing_contours};
             }
-            return sides == bevel_sides::both ? keep_outline(data) : make_cap(data, caps);
+            if (sides != bevel_sides::both) return make_cap(data, caps);
+            if (filled.corners() != touching::keep) {
+                const auto proven = fill_exactly(data.swept.cap, caps, data.of<triangle>());
+                data.of<triangle>().clear();
+                carve.touches = !proven;
+                if (!proven) return proven.error();
+            }
+            return keep_outline(data);
         };
         const auto profile_at = [this](const profile_scale& at) noexcept { return profile.at(at); };
         const region_to_carve given{*around, data.triangles.view()};
@@ -341,36 +351,6 @@ private:
         if (!cap) return cap.error();
         const bool kept = data.of<grid_point>().append(cap->points()) && data.of<std::uint32_t>().append(cap->starts());
         return kept ? error{} : error{error::out_of_memory};
-    }
-
-    /// How often the walls at the last level touch: points through which they pass more than once, as the cap's
-    /// boundary may, and walls back to back, where what lies around is thin as a line, which the cap leaves out.
-    static error count_touching_walls(const swept_region& swept, workspace& space, std::uint32_t& found) noexcept
-    {
-        struct wall {
-            grid_point from, to;
-        };
-        const std::size_t first = swept.at_level[swept.at_level.size() - 2], end = swept.at_level.back();
-        workspace::scope scratch{space};
-        auto* const walls = scratch.take<wall>(end - first);
-        if (walls == nullptr && end != first) return error::out_of_memory;
-        std::size_t n = 0;
-        for (std::size_t i = first; i < end; ++i) {
-            const wall w{swept.nodes[swept.edges_at[i].a].at, swept.nodes[swept.edges_at[i].b].at};
-            if (w.from != w.to) walls[n++] = w;
-        }
-        const auto before = [](grid_point p, grid_point q) noexcept { return p.x != q.x ? p.x < q.x : p.y < q.y; };
-        std::sort(walls, walls + n,
-                  [&before](const wall& v, const wall& w) noexcept { return before(v.from, w.from); });
-        for (std::size_t i = 1; i < n; ++i) found += walls[i].from == walls[i - 1].from ? 1u : 0u;
-        for (std::size_t i = 0; i < n; ++i)
-            if (before(walls[i].to, walls[i].from)) std::swap(walls[i].from, walls[i].to);
-        std::sort(walls, walls + n, [&before](const wall& v, const wall& w) noexcept {
-            return v.from != w.from ? before(v.from, w.from) : before(v.to, w.to);
-        });
-        for (std::size_t i = 1; i < n; ++i)
-            found += walls[i].from == walls[i - 1].from && walls[i].to == walls[i - 1].to ? 1u : 0u;
-        return {};
     }
 
     /// Of outward bevels on both sides there is no such cap, but the walls have an outline.

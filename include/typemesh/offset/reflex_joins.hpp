@@ -13,7 +13,7 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 /// Which reflex corners get joins, and how many.
 struct join_rule {
     double mitre_limit = 2.0;  ///< a corner may move as far as this many distances; 0: 2^18
-    double width = 0.0;        ///< the last level, in cells
+    double width = 0.0;        ///< the last level, in cells, or sweep_options::joins_at
     double tolerance = 0.0;    ///< in cells; 0: unknown
     bool round = true;  ///< joins are within the tolerance of an arc at the width; else as few as the limit needs
 

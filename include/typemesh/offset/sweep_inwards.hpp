@@ -33,6 +33,8 @@ struct sweep_options {
     double tolerance = 0.0;
     /// Joins are rounded to the tolerance at the width; else they have as few edges as the limit needs.
     bool round = true;
+    /// The width at which joins are counted, so that corners move as in a wider sweep; 0: the last level.
+    double joins_at = 0.0;
     /// swept_region::first_loss is that of components that are swept wholly no sooner, if there are any.
     double speck = 0.0;
     /// The faces are of no interest: it is no failure that some of them cannot be cut.
@@ -160,7 +162,8 @@ private:
     [[nodiscard]] error add_joins(const sweep_options& how) noexcept
     {
         reflex_joins joins{front_};
-        return joins.add({how.mitre_limit, how.levels.back(), how.tolerance, how.round},
+        const double width = how.joins_at > 0.0 ? how.joins_at : how.levels.back();
+        return joins.add({how.mitre_limit, width, how.tolerance, how.round},
                          [&](std::uint32_t point, fixed_vector inward) noexcept -> error {
                              const auto share = [](std::int64_t unit) noexcept {
                                  return static_cast<float>(static_cast<double>(unit) * 0x1p-30);
