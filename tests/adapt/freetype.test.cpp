@@ -221,6 +221,7 @@ TEST_CASE("varied outlines keep 1/64 unit", "[adapt][freetype]")
 
     const variation unknown[] = {{"abcd", 1.0f}}, infinite[] = {{"wght", std::numeric_limits<float>::infinity()}};
     CHECK(freetype_font::open(font_file(inter).c_str(), {0, unknown}).error() == error::unknown_variation);
+    CHECK(freetype_font::open(font_file(inter).c_str(), {0, unknown}).error().count == error::no_axis("abcd").count);
     CHECK(freetype_font::open(font_file(dejavu).c_str(), {0, bold}).error() == error::unknown_variation);
     CHECK(freetype_font::open(font_file(inter).c_str(), {0, infinite}).error() == error::bad_option);
 }

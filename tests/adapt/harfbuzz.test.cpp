@@ -377,6 +377,7 @@ TEST_CASE("variations change outlines and advances, and are kept inside their ra
     const variation unknown[] = {{"wght", 500.0f}, {"abcd", 1.0f}},
                     infinite[] = {{"wght", std::numeric_limits<float>::infinity()}};
     CHECK(harfbuzz_font::open(font_file(inter).c_str(), {0, unknown}).error() == error::unknown_variation);
+    CHECK(harfbuzz_font::open(font_file(inter).c_str(), {0, unknown}).error().count == error::no_axis("abcd").count);
     CHECK(harfbuzz_font::open(font_file(dejavu).c_str(), {0, bold}).error() == error::unknown_variation);
     CHECK(harfbuzz_font::open(font_file(inter).c_str(), {0, infinite}).error() == error::bad_option);
 }

@@ -50,7 +50,13 @@ TEST_CASE("a description names glyph, cluster, count and option where they are k
     CHECK(std::string{describe(error{error::unknown_glyph}.at(37, no_cluster), room)}.rfind("glyph 37: ", 0) == 0);
     CHECK(std::string{describe(error{error::needs_shaping}.at(no_glyph, 9), room)}.rfind("cluster 9: ", 0) == 0);
     CHECK(std::string{describe(error{error::no_such_face, 2}, room)} ==
-          "There is no face with that number in the font file or among the given fonts. (2)");
+          "There is no face with that number in the font file or among the given fonts. (faces: 2)");
+    CHECK(std::string{describe(error{error::font_library_failed, 22}, room)} ==
+          "The font library refused the request. (its error: 22)");
+    CHECK(std::string{describe(error::short_of("indices", 720), room)} ==
+          "The caller's buffer is too small for the mesh. (needed: 720 indices)");
+    CHECK(std::string{describe(error::no_axis("wdth"), room)} == "The font has no such variation axis. (wdth)");
+    CHECK(error::no_axis("wdth").count == 0x77647468);
     CHECK(std::string{describe(error::bad("depth"), room)} == "An option is outside its range. (depth)");
     CHECK(error::bad("depth") == error::bad_option);
     CHECK(std::string{describe(error{}, room)} == "No error.");

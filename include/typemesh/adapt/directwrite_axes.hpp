@@ -92,14 +92,14 @@ inline error vary(com_ptr<IDWriteFontFace>& face, std::span<const variation> wan
     for (const variation& v : wanted)
         if (!is_finite(double{v.value})) return error::bad("variations");
     const auto fixed = varied(face.get());
-    if (!fixed) return error::unknown_variation;
+    if (!fixed) return error::no_axis(wanted[0].tag);
     com_ptr<directwrite_resource> resource;
     if (error e = directwrite_error(fixed->GetFontResource(resource.put()))) return e;
 
     const UINT32 axes = resource->GetFontAxisCount();
     buffer<directwrite_axis_range> ranges;
     buffer<directwrite_axis_value> values;
-    if (axes == 0) return error::unknown_variation;
+    if (axes == 0) return error::no_axis(wanted[0].tag);
     if (ranges.append(axes) == nullptr) return error::out_of_memory;
     if (error e = directwrite_error(resource->GetFontAxisRanges(ranges.data(), axes))) return e;
     for (const variation& v : wanted) {
@@ -107,7 +107,7 @@ inline error vary(com_ptr<IDWriteFontFace>& face, std::span<const variation> wan
         const std::uint32_t tag = directwrite_tag(v.tag);
         while (i < axes && ranges[i].tag != tag) ++i;
         // The other axes are added by DirectWrite for the family's sake.
-        if (i == axes || (resource->GetFontAxisAttributes(i) & is_variable) == 0) return error::unknown_variation;
+        if (i == axes || (resource->GetFontAxisAttributes(i) & is_variable) == 0) return error::no_axis(v.tag);
         const float low = ranges[i].low, high = ranges[i].high;
         const float inside = v.value < low ? low : v.value > high ? high : v.value;
         if (!values.push_back({tag, inside})) return error::out_of_memory;

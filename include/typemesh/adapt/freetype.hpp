@@ -336,7 +336,7 @@ private:
         for (const variation& v : wanted)
             if (!is_finite(as_double(v.value))) return error::bad("variations");
         FT_MM_Var* axes = nullptr;
-        if (!FT_HAS_MULTIPLE_MASTERS(face_) || FT_Get_MM_Var(face_, &axes)) return error::unknown_variation;
+        if (!FT_HAS_MULTIPLE_MASTERS(face_) || FT_Get_MM_Var(face_, &axes)) return error::no_axis(wanted[0].tag);
 
         error trouble;
         buffer<FT_Fixed> at;
@@ -348,7 +348,7 @@ private:
             FT_UInt i = 0;
             while (i < axes->num_axis && axes->axis[i].tag != tag_of(v.tag)) ++i;
             if (i == axes->num_axis)
-                trouble = error::unknown_variation;
+                trouble = error::no_axis(v.tag);
             else
                 values[i] = bounded(as_double(v.value), axes->axis[i].minimum, axes->axis[i].maximum);
         }

@@ -357,7 +357,7 @@ private:
             if (!is_finite(as_double(v.value))) return error::bad("variations");
             const hb_variation_t value{hb_tag_from_string(v.tag, 4), v.value};
             hb_ot_var_axis_info_t axis;
-            if (!hb_ot_var_find_axis_info(hb_font_get_face(font_), value.tag, &axis)) return error::unknown_variation;
+            if (!hb_ot_var_find_axis_info(hb_font_get_face(font_), value.tag, &axis)) return error::no_axis(v.tag);
             if (!values.push_back(value)) return error::out_of_memory;
         }
         hb_font_set_variations(font_, values.data(), static_cast<unsigned>(values.size()));

@@ -35,7 +35,7 @@ struct [[nodiscard]] error {
         no_cache_key,         ///< a policy with data members has no cache_key(), which a glyph_cache needs
         no_outlines,          ///< the font holds bitmaps only, or is not scalable
         unknown_glyph,        ///< the font has no such glyph, or its outline cannot be loaded
-        unknown_variation,    ///< the font has no such axis
+        unknown_variation,    ///< the font has no such axis; count = its tag, the first letter highest
         bad_feature,          ///< the tag of an OpenType feature is not four printable ASCII characters
         bad_outline,          ///< a contour does not start with move(), or the like
         outline_not_finite,   ///< an outline contains NaN or infinity
@@ -69,6 +69,14 @@ struct [[nodiscard]] error {
         error e = bad_option;
         e.option = option;
         return e;
+    }
+
+    /// error::unknown_variation with the axis's tag.
+    [[nodiscard]] static constexpr error no_axis(const char (&tag)[5]) noexcept
+    {
+        std::uint64_t letters = 0;
+        for (int i = 0; i < 4; ++i) letters = letters << 8 | static_cast<unsigned char>(tag[i]);
+        return {unknown_variation, letters};
     }
 
     /// error::buffer_too_small: `needed` elements of `what` are needed.
@@ -144,7 +152,9 @@ struct [[nodiscard]] error {
 /// Writes the sentence with its numbers into `out`, always zero-terminated and truncated where it does not fit (200
 /// characters always suffice); returns out.data(), or "" when `out` is empty.
 ///
-/// "glyph 37, cluster 4: Contours of the outline cross, touch or overlap."
+///     glyph 37, cluster 4: Contours of the outline cross, touch or overlap.
+///     The caller's buffer is too small for the mesh. (needed: 720 vertices)
+///     The font has no such variation axis. (wdth)
 inline const char* describe(const error& e, std::span<char> out) noexcept
 {
     if (out.empty()) return "";
@@ -165,12 +175,32 @@ inline const char* describe(const error& e, std::span<char> out) noexcept
     if (has_glyph || has_cluster) put(": ");
     put(e.message());
     const char* what = e.option != nullptr ? e.option : "";
-    if (e.count != 0) put_number(" (", e.count);
-    if (*what != '\0') {
-        put(e.count != 0 ? " " : " (");
-        put(what);
+    if (e.count == 0 && *what == '\0') {
+    } else if (e == error::unknown_variation) {
+        put(" (");
+        for (int shift = 24; shift >= 0; shift -= 8) {
+            const char letter[] = {static_cast<char>(e.count >> shift), '\0'};
+            put(letter);
+        }
+        put(")");
+    } else if (e.count == 0) {
+        put(" ("), put(what), put(")");
+    } else {
+        const char* before = " (";
+        switch (e.code) {
+        case error::buffer_too_small: before = " (needed: "; break;
+        case error::index_overflow: before = " (vertices: "; break;
+        case error::no_such_face: before = " (faces: "; break;
+        case error::no_such_look: before = " (it holds: "; break;
+        case error::too_many_pieces:
+        case error::too_many_points: before = " (the limit: "; break;
+        case error::font_library_failed: before = " (its error: "; break;
+        default: break;
+        }
+        put_number(before, e.count);
+        if (*what != '\0') put(" "), put(what);
+        put(")");
     }
-    if (e.count != 0 || *what != '\0') put(")");
     out[size] = '\0';
     return out.data();
 }
