@@ -105,13 +105,12 @@ struct extruded {
     template <attribute Wants, class Put>
     void vertices(part p, const solid_with<plan_data>& s, const placement& at, Put&& put) const noexcept
     {
-        const double high = centred ? 0.5 * as_double(depth) : 0.0, low = high - as_double(depth);
         with_axes(at, [&](const auto& axes) noexcept {
-            if (p == part::front && has_front()) cap<Wants>(s, axes, at, high, 1.0f, put);
-            if (p == part::back && has_back()) cap<Wants>(s, axes, at, low, -1.0f, put);
+            if (p == part::front && has_front()) cap<Wants>(s, axes, at, high(), 1.0f, put);
+            if (p == part::back && has_back()) cap<Wants>(s, axes, at, low(), -1.0f, put);
             if constexpr (!Normals::shares_caps) {
                 if (p == part::side && side) {
-                    const upright_walls walls{high, low, high, texture};
+                    const upright_walls walls{high(), low(), high(), texture};
                     walls.vertices<Wants>(s.points, s.data.of<side_point>(), axes, at, put);
                 }
             }
@@ -140,6 +139,9 @@ struct extruded {
 private:
     /// Whether the normals of caps lean towards the walls that share their vertices.
     static constexpr bool leans = Normals::shares_caps && !requires { requires Normals::leaves_caps_alone; };
+
+    [[nodiscard]] double high() const noexcept { return centred ? 0.5 * as_double(depth) : 0.0; }
+    [[nodiscard]] double low() const noexcept { return high() - as_double(depth); }
 
     [[nodiscard]] bool has_front() const noexcept { return front || (Normals::shares_caps && side); }
     [[nodiscard]] bool has_back() const noexcept { return back || (Normals::shares_caps && side); }
