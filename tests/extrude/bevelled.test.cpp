@@ -829,7 +829,7 @@ TEST_CASE("bevelled refuses options out of range, each by its name, with or with
 TEST_CASE("bevels that plan differently have different keys", "[bevelled]")
 {
     const bevelled plain{.profile = round_profile()};
-    std::vector<bevelled> others(16, plain);
+    std::vector<bevelled> others(18, plain);
     others[0].width = 0.021f;
     others[1].bevel_depth = 0.021f;
     others[2].sides = bevel_sides::front;
@@ -845,7 +845,9 @@ TEST_CASE("bevels that plan differently have different keys", "[bevelled]")
     others[12].depth = 0.01f;  // refused
     others[13].side = false;
     others[14].outward = true;
-    others[15].wanted = 0.1f;  // so that it is reported
+    others[15].wanted = 0.1f;   // so that it is reported
+    others[16].wanted = 0.03f;  // joins are counted there
+    others[17].wanted = 0.11f;
     for (std::size_t i = 0; i < others.size(); ++i) {
         INFO(i);
         CHECK_FALSE(others[i].cache_key() == plain.cache_key());

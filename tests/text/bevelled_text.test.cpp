@@ -290,6 +290,34 @@ TEST_CASE("bevels that fit a text are as narrow as its narrowest letter's, with 
     }
 }
 
+TEST_CASE("bevels that fit a text are its own, though another in the cache was as narrow and wanted more", "[text]")
+{
+    recorded_outlines font{1000.0};
+    const auto polygon = [&](std::initializer_list<point> corners) {
+        return font.add([&](auto& pen) {
+            pen.move(*corners.begin());
+            for (const point* p = corners.begin() + 1; p != corners.end(); ++p) pen.line(*p);
+            pen.close();
+        });
+    };
+    REQUIRE(polygon({{0, 0}, {30, 0}, {30, 700}, {0, 700}}));  // is as narrow, whatever is wanted
+    REQUIRE(polygon({{0, 0}, {400, 0}, {400, 200}, {200, 200}, {200, 700}, {0, 700}}));  // has a corner that gets joins
+    glyph_run run;
+    run.units_per_em = 1000.0;
+    for (const glyph_id g : {0u, 1u}) REQUIRE(run.glyphs.push_back({g, 0, {500.0 * g, 0.0}}));
+    glyph_cache<> cache;
+    const bevelled how{.bevel_depth = 0.03f, .mode = bevel_mode::fit_text, .mitre_limit = 1.0f};
+    auto alone = text_mesher{font}.with(how);
+    auto cached = text_mesher{font}.with(how).with(cached_in{cache, 1});
+    for (const float width : {0.2f, 0.02f, 0.05f, 0.1f}) {
+        alone.solid().width = cached.solid().width = width;
+        const auto plan = alone.plan(run);
+        const auto again = cached.plan(run);
+        REQUIRE((plan && again));
+        CHECK(checked_mesh(*again) == checked_mesh(*plan));
+    }
+}
+
 TEST_CASE("the bounds of a bevelled text are those of its vertices, in height as well", "[text]")
 {
     test::toy_font font;

@@ -106,11 +106,12 @@ struct bevelled {
         };
         note({front, back, side, own_heights().is_bevelled(true), own_heights().is_bevelled(false), outward});
         note({mode != bevel_mode::clip, joins == bevel_joins::round});
-        note({shading == bevel_shading::rounded, !refused(), own_heights().has_walls(0.0f), is_narrow(width)});
+        note({shading == bevel_shading::rounded, !refused(), own_heights().has_walls(0.0f)});
         bits.words[1] |= static_cast<std::uint64_t>(texture) << bit;
         bits.words[1] |= option_bits{mitre_limit}.words[0] << 32;
         option_hash rest;
         rest.add(option_bits{crease_degrees, profile_crease_degrees});
+        rest.add(option_bits{wanted > width ? wanted : 0.0f}.words[0]);  // joins are counted there
         rest.add_key_of(profile);
         bits.words[2] = rest.first;
         bits.words[3] = rest.second;
