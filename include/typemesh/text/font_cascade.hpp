@@ -27,7 +27,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Move-only. Used by one thread at a time.
 template <outline_source... Fonts>
     requires(item_shaper<Fonts> && ...)
-class font_cascade : private font_faces<Fonts...> {
+class font_cascade : public font_faces<Fonts...> {
     using faces = font_faces<Fonts...>;
     static_assert(!(face_source<Fonts> || ...), "typemesh: a font_cascade takes fonts of one face each");
 
@@ -38,17 +38,6 @@ public:
     explicit font_cascade(Given&... given) noexcept : font_cascade{refuse_result(given)...}
     {
     }
-
-    using faces::column_middle;
-    using faces::face_count;
-    using faces::fill;
-    using faces::has_vertical_form;
-    using faces::ligature_carets;
-    using faces::metrics;
-    using faces::outline;
-    using faces::suggested_metrics;
-    using faces::units_per_em;
-    using faces::variation_key;
 
     /// See shaper and item_shaper.
     result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& options,

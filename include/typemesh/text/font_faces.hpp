@@ -27,25 +27,21 @@ inline void belong_to(std::span<shaped_glyph> glyphs, std::uint16_t face, double
     }
 }
 
-}  // namespace detail
-
-/// Several fonts, or sets of drawings, as the faces of one source, in the given order:
+/// Several faces as one source, in units of the first. `Store` keeps them:
 ///
-///     font_faces faces{latin, arabic, icons};              // all must outlive it
-///     text_mesher mesher{faces};
-///     auto icon = run.number_of({.face = 2});              // for placed_glyph::look; a result, see glyph_run.hpp
-///
-/// Plain text is shaped by the first one, if that is a shaper; an item of a paragraph by the one that it names, if all
-/// are item shapers. Where one is to stand in for what another lacks: font_cascade.hpp.
-template <outline_source... Sources>
-class font_faces {
-    static_assert(sizeof...(Sources) != 0, "typemesh: font_faces needs a font");
-    using first_type = std::tuple_element_t<0, std::tuple<Sources...>>;
+///     face_count()                        how many there are
+///     first()                             the first one
+///     call(face, what)                    what(face number `face`), or nothing if there is none of that number
+///     any(what)                           whether what(face) is true for any of them
+///     first_type, shapes_items            the type of the first; whether all are item shapers
+template <class Store>
+class numbered_faces : public Store {
+    using first_type = typename Store::first_type;
+    using Store::any, Store::call, Store::first;
 
 public:
-    explicit font_faces(Sources&... sources) noexcept : sources_{&sources...} {}
+    using Store::Store;
 
-    [[nodiscard]] static constexpr std::uint32_t face_count() noexcept { return sizeof...(Sources); }
     [[nodiscard]] double units_per_em() const noexcept { return first().units_per_em(); }
     [[nodiscard]] double units_per_em(std::uint32_t face) const noexcept
     {
@@ -98,10 +94,10 @@ public:
     /// See item_shaper. Lengths are in units of the first face. Fails also with error::no_such_face.
     error shape_item(text_view text, const text_item& item, const shape_options& options,
                      buffer<shaped_glyph>& glyphs) const noexcept
-        requires(item_shaper<Sources> && ...)
+        requires(Store::shapes_items)
     {
         const std::size_t before = glyphs.size();
-        error e{error::no_such_face, face_count()};
+        error e{error::no_such_face, Store::face_count()};
         call(item.face, [&](auto& source) noexcept { e = source.shape_item(text, item, options, glyphs); });
         if (!e && item.face != 0)
             detail::belong_to(glyphs.view().subspan(before), item.face, units_per_em() / units_per_em(item.face));
@@ -110,21 +106,21 @@ public:
 
     /// What one face says of lines, bars and carets, in units of the first: see face_metrics.hpp, ligature_carets.hpp.
     [[nodiscard]] line_metrics metrics(direction d, std::uint32_t face) const noexcept
-        requires(item_shaper<Sources> && ...)
+        requires(Store::shapes_items)
     {
         line_metrics own;
         call(face, [&](auto& source) noexcept { own = source.metrics(d); });
         return scaled(own, units_per_em() / units_per_em(face));
     }
     [[nodiscard]] face_metrics suggested_metrics(std::uint32_t face) const noexcept
-        requires(item_shaper<Sources> && ...)
+        requires(Store::shapes_items)
     {
         face_metrics own;
         call(face, [&](auto& source) noexcept { own = face_metrics_of(source, 0); });
         return own;
     }
     error ligature_carets(std::uint32_t face, glyph_id id, bool down, buffer<double>& carets) const noexcept
-        requires(item_shaper<Sources> && ...)
+        requires(Store::shapes_items)
     {
         error e;
         const std::size_t before = carets.size();
@@ -136,21 +132,30 @@ public:
     }
     /// See item_shaper: whether any of them has one; and of the first one.
     [[nodiscard]] bool has_vertical_form(char32_t c) const noexcept
-        requires(item_shaper<Sources> && ...)
+        requires(Store::shapes_items)
     {
-        const auto any = [c](auto*... source) noexcept { return (vertical_form_of(*source, c) || ...); };
-        return std::apply(any, sources_);
+        return any([c](auto& source) noexcept { return vertical_form_of(source, c); });
     }
     [[nodiscard]] double column_middle() const noexcept
         requires item_shaper<first_type>
     {
         return column_middle_of(first());
     }
+};
 
-private:
+/// Sources of different types, which outlive it.
+template <class... Sources>
+class faces_of_types {
+public:
+    explicit faces_of_types(Sources&... sources) noexcept : sources_{&sources...} {}
+
+    [[nodiscard]] static constexpr std::uint32_t face_count() noexcept { return sizeof...(Sources); }
+
+protected:
+    using first_type = std::tuple_element_t<0, std::tuple<Sources...>>;
+    static constexpr bool shapes_items = (item_shaper<Sources> && ...);
+
     [[nodiscard]] first_type& first() const noexcept { return *std::get<0>(sources_); }
-
-    /// what(the face of that number).
     template <class What>
     void call(std::uint32_t face, const What& what) const noexcept
     {
@@ -161,8 +166,35 @@ private:
             },
             sources_);
     }
+    template <class What>
+    [[nodiscard]] bool any(const What& what) const noexcept
+    {
+        return std::apply([&](auto*... source) noexcept { return (what(*source) || ...); }, sources_);
+    }
 
+private:
     std::tuple<Sources*...> sources_;
+};
+
+}  // namespace detail
+
+/// Several fonts, or sets of drawings, as the faces of one source, in the given order:
+///
+///     font_faces faces{latin, arabic, icons};              // all must outlive it
+///     text_mesher mesher{faces};
+///     auto icon = run.number_of({.face = 2});              // for placed_glyph::look; a result, see glyph_run.hpp
+///
+/// Plain text is shaped by the first one, if that is a shaper; an item of a paragraph by the one that it names, if all
+/// are item shapers. Where one is to stand in for what another lacks: font_cascade.hpp.
+template <outline_source... Sources>
+class font_faces : public detail::numbered_faces<detail::faces_of_types<Sources...>> {
+    static_assert(sizeof...(Sources) != 0, "typemesh: font_faces needs a font");
+
+public:
+    explicit font_faces(Sources&... sources) noexcept
+        : detail::numbered_faces<detail::faces_of_types<Sources...>>{sources...}
+    {
+    }
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI
