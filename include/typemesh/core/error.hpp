@@ -175,32 +175,28 @@ inline const char* describe(const error& e, std::span<char> out) noexcept
     if (has_glyph || has_cluster) put(": ");
     put(e.message());
     const char* what = e.option != nullptr ? e.option : "";
-    if (e.count == 0 && *what == '\0') {
-    } else if (e == error::unknown_variation) {
+    const auto before = [&e]() noexcept {
+        if (e == error::buffer_too_small) return " (needed: ";
+        if (e == error::index_overflow) return " (vertices: ";
+        if (e == error::no_such_face) return " (faces: ";
+        if (e == error::no_such_look) return " (it holds: ";
+        if (e == error::too_many_pieces || e == error::too_many_points) return " (the limit: ";
+        return e == error::font_library_failed ? " (its error: " : " (";
+    };
+    if (e == error::unknown_variation && e.count != 0) {
         put(" (");
         for (int shift = 24; shift >= 0; shift -= 8) {
             const char letter[] = {static_cast<char>(e.count >> shift), '\0'};
             put(letter);
         }
-        put(")");
-    } else if (e.count == 0) {
-        put(" ("), put(what), put(")");
-    } else {
-        const char* before = " (";
-        switch (e.code) {
-        case error::buffer_too_small: before = " (needed: "; break;
-        case error::index_overflow: before = " (vertices: "; break;
-        case error::no_such_face: before = " (faces: "; break;
-        case error::no_such_look: before = " (it holds: "; break;
-        case error::too_many_pieces:
-        case error::too_many_points: before = " (the limit: "; break;
-        case error::font_library_failed: before = " (its error: "; break;
-        default: break;
-        }
-        put_number(before, e.count);
-        if (*what != '\0') put(" "), put(what);
-        put(")");
+    } else if (e.count != 0) {
+        put_number(before(), e.count);
     }
+    if (*what != '\0') {
+        put(e.count != 0 ? " " : " (");
+        put(what);
+    }
+    if (e.count != 0 || *what != '\0') put(")");
     out[size] = '\0';
     return out.data();
 }
