@@ -103,14 +103,14 @@ TEST_CASE("no line of a random text is wider than its room, unless it is a singl
           "[adapt][harfbuzz][paragraph]")
 {
     const char* wanted = std::getenv("TYPEMESH_LINE_WIDTHS");
-    const int texts = wanted != nullptr ? std::atoi(wanted) : 1500;
+    const int rounds = wanted != nullptr ? std::atoi(wanted) : 1500;
     auto font = harfbuzz_font::open(font_file("truetype/dejavu/DejaVuSans.ttf").c_str());
     REQUIRE(font);
     paragraph first{*font};
     paragraph<harfbuzz_font, unicode_analyser, total_fit> total{*font};
     std::mt19937 random{29};
     std::size_t wrong = 0;
-    for (int k = 0; k < texts && wrong < 20; ++k) {
+    for (int k = 0; k < rounds && wrong < 20; ++k) {
         const std::u16string text = random_line(random);
         wrong += k % 4 == 0 ? too_wide(total, random, text) : too_wide(first, random, text);
     }
