@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/layout/column_glyphs.hpp>
@@ -23,7 +24,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
@@ -281,7 +281,8 @@ private:
     {
         features_.clear();
         // What is requested by name comes later and wins.
-        for (const feature& f : wanted.ligatures ? std::span<const feature>{} : std::span<const feature>{no_ligatures})
+        for (const feature& f :
+             wanted.ligatures ? array_view<const feature>{} : array_view<const feature>{no_ligatures})
             if (error e = take_feature(f)) return e;
         for (const feature& f : wanted.features) {
             for (int i = 0; i < 4; ++i)
@@ -398,7 +399,7 @@ private:
 
     /// Whether the glyph before i is the first of several that draw an emoji of several code points in parts. HarfBuzz
     /// makes a cluster of a grapheme.
-    [[nodiscard]] bool begins_parted(std::span<const hb_glyph_info_t> all, std::size_t i) const noexcept
+    [[nodiscard]] bool begins_parted(array_view<const hb_glyph_info_t> all, std::size_t i) const noexcept
     {
         const unsigned cluster = all[i].cluster;
         if (all[i - 1].cluster != cluster || (i > 1 && all[i - 2].cluster == cluster)) return false;
@@ -406,7 +407,7 @@ private:
         if (decode(text_, first, last_unit_).value < 0x203C) return false;  // the first of the emoji beyond Latin-1
         return is_parted(all.subspan(i - 1), first);
     }
-    [[nodiscard]] bool is_parted(std::span<const hb_glyph_info_t> glyphs, std::size_t first) const noexcept
+    [[nodiscard]] bool is_parted(array_view<const hb_glyph_info_t> glyphs, std::size_t first) const noexcept
     {
         std::size_t count = 0, last = last_unit_;
         while (count < glyphs.size() && glyphs[count].cluster == glyphs[0].cluster) ++count;

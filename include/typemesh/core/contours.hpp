@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/curve.hpp>
@@ -10,7 +11,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -39,7 +39,7 @@ struct contours {
     buffer<grid_point> points;
     buffer<contour_edge> edges;
     buffer<std::uint32_t> starts;
-    std::span<const curve> curves;  ///< not owned: the outline's
+    array_view<const curve> curves;  ///< not owned: the outline's
     typemesh::grid grid;
     double tolerance = 0.0;                    ///< in cells: how far the edges may be from their curves; 0: unknown
     std::uint32_t most_points = 0xFFFF'FFFFu;  ///< discretise() refuses to put in more; clear() leaves this alone
@@ -69,7 +69,7 @@ struct contours {
     /// The indices of the points in the order of a left-to-right sweep: by x, then y, then index. Empty unless they
     /// have been sorted (see sort_points() in sweep/sweep_order.hpp) since their number last changed and since clear()
     /// or forget_order(). After moving points one of these must be called; this is asserted.
-    [[nodiscard]] std::span<const std::uint32_t> order() const noexcept
+    [[nodiscard]] array_view<const std::uint32_t> order() const noexcept
     {
         if (order_.size() != points.size()) return {};
         TYPEMESH_ASSERT(is_in_order(),

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/version.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -32,7 +32,7 @@ template <class Holds>
 ///                                                                     no difference while i lies before it
 ///
 /// Of ranges with the same start, of which all but the last are empty, it is the last. Needs starts[0] <= i.
-[[nodiscard]] constexpr std::size_t range_of(std::span<const std::uint32_t> starts, std::uint32_t i) noexcept
+[[nodiscard]] constexpr std::size_t range_of(array_view<const std::uint32_t> starts, std::uint32_t i) noexcept
 {
     return first_where(1, starts.size(), [&](std::size_t k) noexcept { return starts[k] > i; }) - 1;
 }

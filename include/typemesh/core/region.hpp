@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/touching.hpp>
 
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -46,12 +46,12 @@ public:
         return r;
     }
 
-    [[nodiscard]] std::span<const grid_point> points() const noexcept { return points_; }
-    [[nodiscard]] std::span<const contour_edge> edges() const noexcept { return edges_; }
-    [[nodiscard]] std::span<const std::uint32_t> starts() const noexcept { return starts_; }
+    [[nodiscard]] array_view<const grid_point> points() const noexcept { return points_; }
+    [[nodiscard]] array_view<const contour_edge> edges() const noexcept { return edges_; }
+    [[nodiscard]] array_view<const std::uint32_t> starts() const noexcept { return starts_; }
     /// The order of the points, as contours::order() has it; empty unless they have been sorted.
-    [[nodiscard]] std::span<const std::uint32_t> order() const noexcept { return order_; }
-    [[nodiscard]] std::span<const curve> curves() const noexcept { return curves_; }
+    [[nodiscard]] array_view<const std::uint32_t> order() const noexcept { return order_; }
+    [[nodiscard]] array_view<const curve> curves() const noexcept { return curves_; }
     /// The grid that its points lie on.
     [[nodiscard]] typemesh::grid grid() const noexcept { return grid_; }
 
@@ -79,11 +79,11 @@ public:
     }
 
 private:
-    std::span<const grid_point> points_;
-    std::span<const contour_edge> edges_;
-    std::span<const std::uint32_t> starts_;
-    std::span<const std::uint32_t> order_;
-    std::span<const curve> curves_;
+    array_view<const grid_point> points_;
+    array_view<const contour_edge> edges_;
+    array_view<const std::uint32_t> starts_;
+    array_view<const std::uint32_t> order_;
+    array_view<const curve> curves_;
     typemesh::grid grid_;
     double tolerance_ = 0.0;
     std::uint32_t holes_ = 0;

@@ -33,7 +33,7 @@ public:
 
     result(result&& other) noexcept : nothing_{}, error_{other.error_} { take(std::move(other)); }
     result(const result& other) noexcept
-        requires std::copy_constructible<T>
+        requires requires(const T& t) { T(t); }
         : nothing_{}, error_{other.error_}
     {
         take(other);
@@ -44,7 +44,7 @@ public:
         return *this;
     }
     result& operator=(const result& other) noexcept
-        requires std::copy_constructible<T>
+        requires requires(const T& t) { T(t); }
     {
         if (this != &other) drop(), error_ = other.error_, take(other);
         return *this;

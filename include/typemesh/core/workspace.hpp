@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/memory.hpp>
+#include <typemesh/core/taken.hpp>
 
 #include <cstddef>
 #include <cstring>
 #include <new>
-#include <span>
 #include <type_traits>
-#include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -36,21 +36,21 @@ public:
     explicit workspace(memory source = heap()) noexcept : source_{source} {}
     workspace(workspace&& other) noexcept
         : source_{other.source_},
-          first_{std::exchange(other.first_, nullptr)},
-          current_{std::exchange(other.current_, nullptr)},
-          most_{std::exchange(other.most_, 0)},
-          joined_{std::exchange(other.joined_, false)}
+          first_{taken(other.first_)},
+          current_{taken(other.current_)},
+          most_{taken(other.most_)},
+          joined_{taken(other.joined_)}
     {
         TYPEMESH_ASSERT(other.depth_ == 0, "a workspace was moved while a scope was open");
     }
     workspace& operator=(workspace&& other) noexcept
     {
         TYPEMESH_ASSERT(depth_ == 0 && other.depth_ == 0, "a workspace was moved while a scope was open");
-        std::swap(source_, other.source_);
-        std::swap(first_, other.first_);
-        std::swap(current_, other.current_);
-        std::swap(most_, other.most_);
-        std::swap(joined_, other.joined_);
+        swap_values(source_, other.source_);
+        swap_values(first_, other.first_);
+        swap_values(current_, other.current_);
+        swap_values(most_, other.most_);
+        swap_values(joined_, other.joined_);
         return *this;
     }
     ~workspace() { release(first_); }
@@ -125,7 +125,7 @@ public:
         /// array after the other. List them in the order in which they were taken; no inner scope may be open. Takes
         /// no memory. Empty blocks go back to their source, so that what is taken next does not come on top of them.
         template <class... T>
-        void keep(std::span<T>&... kept) noexcept
+        void keep(array_view<T>&... kept) noexcept
         {
             workspace_.rewind(block_, used_, taken_);
             (move_down(kept), ...);
@@ -134,7 +134,7 @@ public:
 
     private:
         template <class T>
-        void move_down(std::span<T>& values) noexcept
+        void move_down(array_view<T>& values) noexcept
         {
             static_assert(std::is_trivially_copyable_v<T>);
             void* const place = workspace_.take_there(values.size_bytes());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/error.hpp>
@@ -13,7 +14,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -130,7 +130,7 @@ private:
 };
 
 /// Twice the area that a contour's curves enclose, counter-clockwise positive: Green's formula over the control points.
-[[nodiscard]] inline double doubled_area(std::span<const curve> contour) noexcept
+[[nodiscard]] inline double doubled_area(array_view<const curve> contour) noexcept
 {
     double sum = 0.0;
     for (const curve& c : contour) {
@@ -188,7 +188,7 @@ struct curve_emitter {
 };
 
 /// Whether finer chords can give a contour an area: not all its curves are lines, and they enclose some cells.
-[[nodiscard]] inline bool has_curved_area(std::span<const curve> contour, const grid& g) noexcept
+[[nodiscard]] inline bool has_curved_area(array_view<const curve> contour, const grid& g) noexcept
 {
     bool curved = false;
     for (const curve& c : contour) curved |= c.degree > 1;
@@ -203,7 +203,7 @@ public:
     static constexpr std::uint32_t most_halvings = 31;
 
     contour_flattener(const outline& curves, const D& how, double tolerance, const grid& g,
-                      std::span<const std::uint8_t> halvings, contour_writer& writer) noexcept
+                      array_view<const std::uint8_t> halvings, contour_writer& writer) noexcept
         : curves_{curves},
           how_{how},
           tolerance_{tolerance},
@@ -266,7 +266,7 @@ private:
     const D& how_;
     double tolerance_;
     const grid& cells_;
-    std::span<const std::uint8_t> halvings_;
+    array_view<const std::uint8_t> halvings_;
     contour_writer& writer_;
     double snap_;
     double rest_;  // halved(0)
@@ -300,7 +300,7 @@ private:
 /// Cost   the discretiser's, and a few nanoseconds per point; nothing is allocated once `out` has grown
 template <discretiser D>
 result<void> discretise(const outline& curves, const D& how, double tolerance, const grid& g, contours& out,
-                        std::span<const std::uint8_t> halvings = {}) noexcept
+                        array_view<const std::uint8_t> halvings = {}) noexcept
 {
     TYPEMESH_ASSERT(halvings.empty() || halvings.size() == curves.curves.size(),
                     "there must be one number of halvings per curve, or none at all");

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/policy_key.hpp>
 #include <typemesh/discretise/discretise.hpp>
 
 #include <concepts>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -17,7 +17,7 @@ public:
     /// One table for each type of discretiser.
     struct calls {
         error (*flatten)(const void* how, const outline& curves, double tolerance, contours& out,
-                         std::span<const std::uint8_t> halvings) noexcept;
+                         array_view<const std::uint8_t> halvings) noexcept;
         policy_key (*key)(const void* how) noexcept;
         bool keeps_tolerance;
     };
@@ -34,7 +34,7 @@ public:
 
     /// discretise()
     [[nodiscard]] error flatten(const outline& curves, double tolerance, const grid& cells, contours& out,
-                                std::span<const std::uint8_t> halvings = {}) const noexcept
+                                array_view<const std::uint8_t> halvings = {}) const noexcept
     {
         out.grid = cells;
         return does_->flatten(how_, curves, tolerance, out, halvings);
@@ -50,7 +50,7 @@ private:
 template <discretiser D>
 constinit const discretiser_ref::calls discretiser_ref::table<D>::of = {
     [](const void* how, const outline& curves, double tolerance, contours& out,
-       std::span<const std::uint8_t> halvings) noexcept {
+       array_view<const std::uint8_t> halvings) noexcept {
         const grid cells = out.grid;
         return discretise(curves, *static_cast<const D*>(how), tolerance, cells, out, halvings).error();
     },

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/region.hpp>
+#include <typemesh/core/taken.hpp>
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/extrude/bevel_sweep.hpp>
@@ -10,15 +12,12 @@
 #include <typemesh/extrude/profile_points.hpp>
 #include <typemesh/offset/swept_region.hpp>
 
-#include <span>
-#include <utility>
-
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// What a bevel is swept over: a region with its triangles.
 struct region_to_carve {
     const region& filled;
-    std::span<const triangle> triangles;
+    array_view<const triangle> triangles;
 };
 
 /// Sweeps a region for a bevel, and narrows the bevel where it cannot be as wide as it should.
@@ -53,7 +52,7 @@ struct bevel_carver {
             }
             if (!e) e = make(out);
             if (!e || e != error::crossing_contours || scale.width < profile_levels::finest) return e;
-            if (std::exchange(touches, false) && slight++ < 16) {
+            if (taken(touches) && slight++ < 16) {
                 scale.width *= 0.99;
                 continue;
             }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/extrude/side_point.hpp>
@@ -10,7 +11,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -33,7 +33,7 @@ public:
     };
 
     /// One face for each edge and then for each join of `swept`, taken from `scratch`; false when memory runs out.
-    [[nodiscard]] bool prepare(const region& filled, std::span<const side_point> sides, const swept_region& swept,
+    [[nodiscard]] bool prepare(const region& filled, array_view<const side_point> sides, const swept_region& swept,
                                workspace::scope& scratch) noexcept
     {
         const auto n = static_cast<std::uint32_t>(filled.points().size());
@@ -49,7 +49,7 @@ public:
     }
 
     /// Makes `along` run the other way, and normals point into the region: for what lies around another region.
-    void turn_round(const region& filled, std::span<const side_point> sides, const swept_region& swept) noexcept
+    void turn_round(const region& filled, array_view<const side_point> sides, const swept_region& swept) noexcept
     {
         const auto n = static_cast<std::uint32_t>(filled.points().size());
         std::uint32_t join = 0;
@@ -101,7 +101,8 @@ private:
         }
     };
 
-    void add_edge(const region& filled, std::span<const side_point> sides, std::uint32_t i, std::uint32_t next) noexcept
+    void add_edge(const region& filled, array_view<const side_point> sides, std::uint32_t i,
+                  std::uint32_t next) noexcept
     {
         const point along = delta(filled.points()[i], filled.points()[next]);
         const side_point &a = sides[i], &b = sides[next];
@@ -122,7 +123,7 @@ private:
     /// Whether two unit vectors are less than 45 degrees apart.
     static bool is_near(point a, point b) noexcept { return dot(a, b) > 0.7072; }
 
-    void add_join(const region& filled, std::span<const side_point> sides, const swept_join& j,
+    void add_join(const region& filled, array_view<const side_point> sides, const swept_join& j,
                   std::uint32_t to) noexcept
     {
         const point inward = unit(wide(j.inward)), out = -1.0 * inward;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/extrude/bevel_data.hpp>
 #include <typemesh/extrude/profile_levels.hpp>
@@ -9,7 +10,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -79,7 +79,7 @@ struct bevel_tilt {
 }
 
 /// A vertex's height as a share of the bevel's depth; that of its strip's end to the bit.
-[[nodiscard]] inline float height_of(const bevel_vertex& v, std::span<const bevel_strip> strips) noexcept
+[[nodiscard]] inline float height_of(const bevel_vertex& v, array_view<const bevel_strip> strips) noexcept
 {
     const bevel_strip& s = strips[v.strip];
     if (!(v.share > 0.0f)) return s.from;
@@ -92,7 +92,7 @@ struct bevel_tilt {
 class bevel_slopes {
 public:
     /// `depth` in cells.
-    bevel_slopes(std::span<const bevel_strip> strips, double depth, bevel_shading shading) noexcept : strips_{strips}
+    bevel_slopes(array_view<const bevel_strip> strips, double depth, bevel_shading shading) noexcept : strips_{strips}
     {
         double begin = 0.0;
         for (std::size_t i = 0; i < strips.size(); ++i) {
@@ -161,7 +161,7 @@ private:
     }
     static bevel_tilt rounded_at(double share) noexcept { return unit(bevel_tilt{1.0 - share, share}); }
 
-    std::span<const bevel_strip> strips_;
+    array_view<const bevel_strip> strips_;
     slope slopes_[2 * profile_points::most];
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/triangle.hpp>
@@ -10,7 +11,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -38,7 +38,7 @@ struct bevel_sweep {
     /// Sweeps it to the levels of a profile; `out` is emptied first.
     ///
     /// Fails  as sweep_inwards() does
-    [[nodiscard]] error operator()(const region& filled, std::span<const triangle> triangles,
+    [[nodiscard]] error operator()(const region& filled, array_view<const triangle> triangles,
                                    const profile_levels& profile, workspace& space, swept_region& out) const noexcept
     {
         const auto levels = profile.view();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/extrude/axes.hpp>
 #include <typemesh/extrude/bevel_data.hpp>
 #include <typemesh/extrude/bevel_heights.hpp>
@@ -12,7 +13,6 @@
 #include <typemesh/vertex/surface_point.hpp>
 
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -35,11 +35,11 @@ public:
     {
     }
 
-    [[nodiscard]] std::span<const triangle> cap_triangles(bool in_front) const noexcept
+    [[nodiscard]] array_view<const triangle> cap_triangles(bool in_front) const noexcept
     {
         return has_own_cap(in_front) ? solid_.triangles : solid_.data.of<triangle>();
     }
-    [[nodiscard]] std::span<const bevel_triangle> bevel_triangles() const noexcept
+    [[nodiscard]] array_view<const bevel_triangle> bevel_triangles() const noexcept
     {
         return solid_.data.of<bevel_triangle>().first(rims_.triangles);
     }

@@ -3,6 +3,7 @@
 
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/option_hash.hpp>
+#include <typemesh/core/taken.hpp>
 #include <typemesh/extrude/axes.hpp>
 #include <typemesh/extrude/bevel_carver.hpp>
 #include <typemesh/extrude/bevel_data.hpp>

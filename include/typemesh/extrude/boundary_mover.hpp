@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/curve.hpp>
@@ -17,7 +18,6 @@
 #include <typemesh/offset/swept_region.hpp>
 
 #include <cmath>
-#include <span>
 #include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI {
@@ -79,7 +79,7 @@ public:
 private:
     struct moving {
         const region& r;
-        std::span<const triangle> triangles;
+        array_view<const triangle> triangles;
         double width;
     };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/region.hpp>
@@ -9,7 +10,6 @@
 #include <typemesh/core/workspace.hpp>
 
 #include <concepts>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -29,7 +29,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// The library passes one in. Your own are for an extruder's tests, or for calling the stage by itself.
 template <class C>
 concept cap_maker = requires(C& caps, const region& r, triangle_list& out) {
-    { caps.triangles() } noexcept -> std::same_as<std::span<const triangle>>;
+    { caps.triangles() } noexcept -> std::same_as<array_view<const triangle>>;
     { caps(r, out) } noexcept -> std::same_as<error>;
     { caps.loops() } noexcept -> std::same_as<contours&>;
     { caps.fill(out) } noexcept -> std::same_as<result<region>>;
@@ -39,7 +39,7 @@ concept cap_maker = requires(C& caps, const region& r, triangle_list& out) {
 /// A cap_maker for an empty region, which an extruder has to plan before any other.
 class no_caps {
 public:
-    [[nodiscard]] std::span<const triangle> triangles() const noexcept { return {}; }
+    [[nodiscard]] array_view<const triangle> triangles() const noexcept { return {}; }
     error operator()(const region&, triangle_list&) noexcept { return {}; }
     [[nodiscard]] contours& loops() noexcept { return loops_; }
     result<region> fill(triangle_list&) noexcept { return region{}; }

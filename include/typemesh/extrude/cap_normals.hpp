@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/extrude/side_normals.hpp>
 
 namespace typemesh::inline TYPEMESH_ABI {
@@ -15,7 +16,7 @@ struct cap_normals {
     static constexpr bool shares_caps = true;
     static constexpr bool leaves_caps_alone = true;
 
-    error operator()(const region&, std::span<side_point>) const noexcept { return {}; }
+    error operator()(const region&, array_view<side_point>) const noexcept { return {}; }
 };
 static_assert(side_normals<cap_normals>);
 

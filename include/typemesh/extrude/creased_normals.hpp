@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/extrude/side_normals.hpp>
 #include <typemesh/extrude/wall_normal.hpp>
 
@@ -21,7 +22,7 @@ struct creased_normals {
     /// See option_bits.
     [[nodiscard]] option_bits cache_key() const noexcept { return {crease_degrees}; }
 
-    error operator()(const region& filled, std::span<side_point> sides) const noexcept
+    error operator()(const region& filled, array_view<side_point> sides) const noexcept
     {
         if (!is_crease_angle(crease_degrees)) return error::bad("crease_degrees");
         const double crease = crease_cosine(crease_degrees);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/same.hpp>
 #include <typemesh/core/tangent.hpp>
 #include <typemesh/extrude/side_normals.hpp>
@@ -9,7 +10,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -47,7 +47,7 @@ struct curve_normals {
     /// See option_bits.
     [[nodiscard]] option_bits cache_key() const noexcept { return {crease_degrees}; }
 
-    error operator()(const region& filled, std::span<side_point> sides) const noexcept
+    error operator()(const region& filled, array_view<side_point> sides) const noexcept
     {
         if (!is_crease_angle(crease_degrees)) return error::bad("crease_degrees");
         const wall_light light{filled, crease_cosine(crease_degrees)};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/extrude/extruder.hpp>
@@ -94,7 +95,7 @@ result<void> write_solid(const planned_solid_of<Extruder>& s, const Extruder& ho
 /// Fails  error::bad_option, error::out_of_memory, error::too_large, or what else the extruder's plan() returns;
 ///        nothing is written then. And as write_solid() does
 template <extruder Extruder, mesh_sink Sink>
-result<void> extrude(const region& filled, std::span<const triangle> cap, const Extruder& how, const placement& at,
+result<void> extrude(const region& filled, array_view<const triangle> cap, const Extruder& how, const placement& at,
                      plan_data_of<Extruder>& data, Sink& sink) noexcept
 {
     static_assert(!capping_extruder<Extruder>,
@@ -109,7 +110,7 @@ result<void> extrude(const region& filled, std::span<const triangle> cap, const 
 
 /// The same for extruders without plan data, or for a single call.
 template <extruder Extruder, mesh_sink Sink>
-result<void> extrude(const region& filled, std::span<const triangle> cap, const Extruder& how, const placement& at,
+result<void> extrude(const region& filled, array_view<const triangle> cap, const Extruder& how, const placement& at,
                      Sink& sink) noexcept
 {
     plan_data_of<Extruder> data{heap()};

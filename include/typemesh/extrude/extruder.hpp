@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/option_bits.hpp>
 #include <typemesh/core/region.hpp>
@@ -14,7 +15,6 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -27,8 +27,8 @@ struct height_range {
 
 /// Loops in the plane, as those of a region: what a solid covers.
 struct solid_outline {
-    std::span<const grid_point> points;
-    std::span<const std::uint32_t> starts;
+    array_view<const grid_point> points;
+    array_view<const std::uint32_t> starts;
 };
 
 /// The output that the concept `extruder` is checked with.
@@ -54,7 +54,7 @@ inline constexpr std::size_t part_count_of<E> = E::part_count;
 
 /// Those parts.
 template <class E>
-inline constexpr std::span<const part> parts_of = std::span{all_parts}.first(part_count_of<E>);
+inline constexpr array_view<const part> parts_of = {all_parts, part_count_of<E>};
 
 /// The type of an extruder's plan data; no_plan_data if it has none.
 template <class E>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/box.hpp>
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/memory.hpp>
@@ -15,7 +16,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -25,9 +25,9 @@ namespace detail {
 template <cap_maker Caps>
 class caps_of_region {
 public:
-    caps_of_region(Caps& caps, std::span<const triangle> triangles) noexcept : caps_{caps}, triangles_{triangles} {}
+    caps_of_region(Caps& caps, array_view<const triangle> triangles) noexcept : caps_{caps}, triangles_{triangles} {}
 
-    [[nodiscard]] std::span<const triangle> triangles() const noexcept { return triangles_; }
+    [[nodiscard]] array_view<const triangle> triangles() const noexcept { return triangles_; }
     error operator()(const region& r, triangle_list& out) noexcept { return caps_(r, out); }
     [[nodiscard]] contours& loops() noexcept { return caps_.loops(); }
     result<region> fill(triangle_list& out) noexcept { return caps_.fill(out); }
@@ -35,7 +35,7 @@ public:
 
 private:
     Caps& caps_;
-    std::span<const triangle> triangles_;
+    array_view<const triangle> triangles_;
 };
 
 }  // namespace detail
@@ -117,16 +117,16 @@ private:
     }
 
     template <class T>
-    static void copy(std::span<const T> array, std::byte*& to) noexcept
+    static void copy(array_view<const T> array, std::byte*& to) noexcept
     {
         if (!array.empty()) std::memcpy(to, array.data(), array.size_bytes());
         to += rounded(array.size_bytes());
     }
     template <class T>
-    static std::span<const T> found(std::uint64_t count, const std::byte*& from) noexcept
+    static array_view<const T> found(std::uint64_t count, const std::byte*& from) noexcept
     {
         const T* first = reinterpret_cast<const T*>(from);
-        const std::span<const T> array{first, first + count};
+        const array_view<const T> array{first, static_cast<std::size_t>(count)};
         from += rounded(array.size_bytes());
         return array;
     }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/box.hpp>
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/vertex/bounds3.hpp>
 
 #include <cmath>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -39,7 +39,7 @@ namespace detail {
 
 /// The box that an extruder's vertices must lie in, in builds with asserts, whether or not its plan() gave one;
 /// enlarged by what positions computed in another way may be rounded by.
-[[nodiscard]] inline bounds3 promised_bounds(box around, std::span<const grid_point> points, height_range heights,
+[[nodiscard]] inline bounds3 promised_bounds(box around, array_view<const grid_point> points, height_range heights,
                                              const placement& at) noexcept
 {
     if (around.empty())

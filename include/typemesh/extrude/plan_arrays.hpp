@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <span>
 #include <type_traits>
 
 namespace typemesh::inline TYPEMESH_ABI {
@@ -21,7 +21,7 @@ struct growing_array {
 
 template <class T>
 struct read_array {
-    std::span<const T> values;
+    array_view<const T> values;
 };
 
 template <class T, class... Values>
@@ -76,7 +76,7 @@ public:
 
     public:
         template <class T>
-        [[nodiscard]] std::span<const T> of() const noexcept
+        [[nodiscard]] array_view<const T> of() const noexcept
         {
             static_assert(detail::times_among<T, Values...> == 1,
                           "typemesh: these plan_arrays have no array of this type");
@@ -127,7 +127,7 @@ private:
     static constexpr std::size_t rounded(std::size_t bytes) noexcept { return (bytes + 7) & ~std::size_t{7}; }
 
     template <class T>
-    static void copy(std::span<const T> array, std::byte*& block) noexcept
+    static void copy(array_view<const T> array, std::byte*& block) noexcept
     {
         const std::uint64_t count = array.size();
         std::memcpy(block, &count, 8);
@@ -137,13 +137,13 @@ private:
     }
 
     template <class T>
-    static void find(std::span<const T>& array, const std::byte*& block) noexcept
+    static void find(array_view<const T>& array, const std::byte*& block) noexcept
     {
         std::uint64_t count = 0;
         std::memcpy(&count, block, 8);
         block += 8;
         const T* first = reinterpret_cast<const T*>(block);
-        array = {first, first + count};
+        array = {first, static_cast<std::size_t>(count)};
         block += rounded(array.size_bytes());
     }
 };

@@ -3,10 +3,10 @@
 
 #include <typemesh/core/memory.hpp>
 #include <typemesh/core/place_of_type.hpp>
+#include <typemesh/core/taken.hpp>
 
 #include <cstddef>
 #include <new>
-#include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -16,18 +16,15 @@ class plan_scratch {
 public:
     explicit plan_scratch(memory source = heap()) noexcept : source_{source} {}
     plan_scratch(plan_scratch&& other) noexcept
-        : source_{other.source_},
-          type_{std::exchange(other.type_, nullptr)},
-          data_{std::exchange(other.data_, nullptr)},
-          how_{other.how_}
+        : source_{other.source_}, type_{taken(other.type_)}, data_{taken(other.data_)}, how_{other.how_}
     {
     }
     plan_scratch& operator=(plan_scratch&& other) noexcept
     {
-        std::swap(source_, other.source_);
-        std::swap(type_, other.type_);
-        std::swap(data_, other.data_);
-        std::swap(how_, other.how_);
+        swap_values(source_, other.source_);
+        swap_values(type_, other.type_);
+        swap_values(data_, other.data_);
+        swap_values(how_, other.how_);
         return *this;
     }
     ~plan_scratch() { release(); }

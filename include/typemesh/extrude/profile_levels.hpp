@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/assert.hpp>
 #include <typemesh/extrude/profile_points.hpp>
 #include <typemesh/offset/swept_region.hpp>
 
 #include <cmath>
 #include <cstddef>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -64,7 +64,7 @@ public:
         if (scale.leans) lean();
     }
 
-    [[nodiscard]] std::span<const profile_level> view() const noexcept { return {levels_, count_}; }
+    [[nodiscard]] array_view<const profile_level> view() const noexcept { return {levels_, count_}; }
 
 private:
     /// Parts the levels that have a riser; each was made of two points at least, so there is room for them.

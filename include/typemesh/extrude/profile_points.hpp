@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/point.hpp>
 #include <typemesh/core/same.hpp>
 
 #include <cstddef>
 #include <initializer_list>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -35,7 +35,7 @@ public:
     {
         for (const profile_point p : points) add(p);
     }
-    explicit constexpr profile_points(std::span<const profile_point> points) noexcept
+    explicit constexpr profile_points(array_view<const profile_point> points) noexcept
     {
         for (const profile_point p : points) add(p);
     }
@@ -49,7 +49,7 @@ public:
             fits_ = false;
     }
 
-    [[nodiscard]] constexpr std::span<const profile_point> view() const noexcept { return {at_, count_}; }
+    [[nodiscard]] constexpr array_view<const profile_point> view() const noexcept { return {at_, count_}; }
 
     /// Whether they make a profile: from (0, 0) to t = 1, t never decreasing, h between 0 and 1, everything finite, at
     /// most 64 points.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/memory.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/result.hpp>
@@ -9,19 +10,18 @@
 
 #include <concepts>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// What a step makes of a region.
 struct stepped_region {
-    region filled;                        ///< in the scratch, or the drawn one itself
-    std::span<const triangle> triangles;  ///< its cap
-    bool grown = false;                   ///< it covers the drawn one: glyphs are merged where they meet as grown,
-                                          ///< and otherwise where they meet as drawn
-    bool narrowed = false;                ///< it has changed less than wanted: see solid_plan
-    bool touching = false;                ///< corners touch that should have been parted or joined
-    std::uint32_t corners_moved = 0;      ///< that the step has parted or joined
+    region filled;                         ///< in the scratch, or the drawn one itself
+    array_view<const triangle> triangles;  ///< its cap
+    bool grown = false;                    ///< it covers the drawn one: glyphs are merged where they meet as grown,
+                                           ///< and otherwise where they meet as drawn
+    bool narrowed = false;                 ///< it has changed less than wanted: see solid_plan
+    bool touching = false;                 ///< corners touch that should have been parted or joined
+    std::uint32_t corners_moved = 0;       ///< that the step has parted or joined
 };
 
 /// A step before the solid: makes another region of each glyph's, whatever extruder makes a solid of it then.

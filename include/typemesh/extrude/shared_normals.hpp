@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/extrude/side_normals.hpp>
 #include <typemesh/extrude/wall_normal.hpp>
 
@@ -12,7 +13,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 struct shared_normals {
     static constexpr bool shares_caps = true;
 
-    error operator()(const region& filled, std::span<side_point> sides) const noexcept
+    error operator()(const region& filled, array_view<side_point> sides) const noexcept
     {
         const auto points = filled.points();
         for (std::uint32_t loop = 0; loop < filled.loop_count(); ++loop) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/option_bits.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/extrude/side_point.hpp>
 
 #include <concepts>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -23,7 +23,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Ready ones: cap_normals, shared_normals, averaged_normals, creased_normals, curve_normals. Options out of range are
 /// error::bad_option, for an empty region as well.
 template <class S>
-concept side_normals = requires(const S& s, const region& filled, std::span<side_point> sides) {
+concept side_normals = requires(const S& s, const region& filled, array_view<side_point> sides) {
     { S::shares_caps } -> std::convertible_to<bool>;
     { s(filled, sides) } noexcept -> std::same_as<error>;
 };

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/box.hpp>
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/extrude/part_sizes.hpp>
 
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -15,9 +15,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     points, starts    the region's (region.hpp)
 ///     triangles         its cap, indices into points
 struct solid {
-    std::span<const grid_point> points;
-    std::span<const std::uint32_t> starts;
-    std::span<const triangle> triangles;
+    array_view<const grid_point> points;
+    array_view<const std::uint32_t> starts;
+    array_view<const triangle> triangles;
 };
 
 /// The same with the plan data that the extruder's own plan() left: see plan_arrays.hpp.

@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/box.hpp>
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/region.hpp>
+#include <typemesh/core/taken.hpp>
 #include <typemesh/extrude/wall_normal.hpp>
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <span>
-#include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
 struct loop_arrays {
-    std::span<const grid_point> points;
-    std::span<const contour_edge> edges;
-    std::span<const std::uint32_t> starts;
+    array_view<const grid_point> points;
+    array_view<const contour_edge> edges;
+    array_view<const std::uint32_t> starts;
 };
 [[nodiscard]] inline loop_arrays arrays_of(const region& r) noexcept { return {r.points(), r.edges(), r.starts()}; }
 [[nodiscard]] inline loop_arrays arrays_of(const contours& c) noexcept
@@ -48,10 +48,10 @@ template <class Loops>
 inline void turn_loop(contours& loops, std::uint32_t k) noexcept
 {
     const std::uint32_t begin = loops.starts[k], end = loops.starts[k + 1];
-    for (std::uint32_t i = begin, j = end - 1; i < j; ++i, --j) std::swap(loops.points[i], loops.points[j]);
+    for (std::uint32_t i = begin, j = end - 1; i < j; ++i, --j) swap_values(loops.points[i], loops.points[j]);
     // The last edge, back to the first point, stays the last one.
-    for (std::uint32_t i = begin, j = end - 2; i < j; ++i, --j) std::swap(loops.edges[i], loops.edges[j]);
-    for (std::uint32_t i = begin; i < end; ++i) std::swap(loops.edges[i].t0, loops.edges[i].t1);
+    for (std::uint32_t i = begin, j = end - 2; i < j; ++i, --j) swap_values(loops.edges[i], loops.edges[j]);
+    for (std::uint32_t i = begin; i < end; ++i) swap_values(loops.edges[i].t0, loops.edges[i].t1);
     loops.forget_order();
 }
 

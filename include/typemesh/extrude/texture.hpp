@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/extrude/placement.hpp>
 #include <typemesh/extrude/side_point.hpp>
 #include <typemesh/extrude/texture_tangent.hpp>
 
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -108,7 +108,7 @@ struct wall_place {
 class box_mapping {
 public:
     static constexpr bool has_seams = false;
-    static void measure(const region&, std::span<side_point>) noexcept {}
+    static void measure(const region&, array_view<side_point>) noexcept {}
     [[nodiscard]] static constexpr double most_apart(double) noexcept { return -1.0; }
 
     explicit box_mapping(const placement& at) noexcept : planar_{texture_mapping::box, at}, tangents_{at.frame} {}
@@ -129,7 +129,7 @@ private:
 class em_mapping {
 public:
     static constexpr bool has_seams = true;
-    static void measure(const region&, std::span<side_point>) noexcept {}
+    static void measure(const region&, array_view<side_point>) noexcept {}
     [[nodiscard]] static constexpr double most_apart(double em) noexcept { return em / 1024.0; }
 
     explicit em_mapping(const placement& at) noexcept : tangents_{at.frame}, walls_{at} {}
@@ -150,7 +150,7 @@ private:
 class cylindrical_mapping {
 public:
     static constexpr bool has_seams = true;
-    static void measure(const region& filled, std::span<side_point> sides) noexcept
+    static void measure(const region& filled, array_view<side_point> sides) noexcept
     {
         for (std::uint32_t loop = 0; loop < filled.loop_count(); ++loop) {
             const auto own = sides.subspan(filled.starts()[loop], filled.starts()[loop + 1] - filled.starts()[loop]);

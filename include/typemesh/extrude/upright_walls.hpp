@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/point.hpp>
 #include <typemesh/core/region.hpp>
@@ -15,7 +16,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <span>
 #include <type_traits>
 
 namespace typemesh::inline TYPEMESH_ABI {
@@ -36,7 +36,7 @@ struct upright_walls {
     texture_mapping texture = texture_mapping::em;
 
     template <attribute Wants, class Axes, class Put>
-    void vertices(std::span<const grid_point> points, std::span<const side_point> side_points, const Axes& axes,
+    void vertices(array_view<const grid_point> points, array_view<const side_point> side_points, const Axes& axes,
                   const placement& at, Put& put) const noexcept
     {
         if constexpr (has(Wants, attribute::uv | attribute::tangent))
@@ -47,7 +47,7 @@ struct upright_walls {
     }
 
     template <class Put>
-    static void triangles(std::span<const std::uint32_t> starts, std::span<const side_point> side_points,
+    static void triangles(array_view<const std::uint32_t> starts, array_view<const side_point> side_points,
                           std::uint32_t first, Put& put) noexcept
     {
         const side_point* sides = side_points.data();
@@ -81,7 +81,7 @@ private:
     };
 
     template <attribute Wants, class Mapping, class Axes, class Put>
-    void write(std::span<const grid_point> points, std::span<const side_point> side_points, const Axes& axes,
+    void write(array_view<const grid_point> points, array_view<const side_point> side_points, const Axes& axes,
                const placement& at, Put& put) const noexcept
     {
         const float upper = at.height(top), lower = at.height(bottom);
@@ -186,7 +186,7 @@ inline std::uint32_t measure_sides(const region& filled, side_point* sides) noex
 }  // namespace detail
 
 /// The points whose walls meet hard: they have two pairs of vertices; seams are not counted.
-[[nodiscard]] inline std::uint64_t count_hard(std::span<const side_point> sides) noexcept
+[[nodiscard]] inline std::uint64_t count_hard(array_view<const side_point> sides) noexcept
 {
     std::uint64_t hard = 0;
     for (const side_point& one : sides) hard += one.doubled && !(one.seam && one.before == one.after) ? 1u : 0u;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/orientation.hpp>
@@ -12,7 +13,6 @@
 #include <cstdint>
 #include <cstring>
 #include <new>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
@@ -125,8 +125,8 @@ struct arrangement {
 
     /// The same for segments between numbered points that already lie in `scratch`: the first `piece_count` and
     /// `given_points` of two arrays of one size. False when memory runs out.
-    [[nodiscard]] bool adopt(workspace::scope& scratch, std::span<segment> pieces, std::uint32_t piece_count,
-                             std::span<grid_point> places, std::uint32_t given_points) noexcept
+    [[nodiscard]] bool adopt(workspace::scope& scratch, array_view<segment> pieces, std::uint32_t piece_count,
+                             array_view<grid_point> places, std::uint32_t given_points) noexcept
     {
         is_rounded = true;
         segments = pieces.data();
@@ -150,7 +150,7 @@ struct arrangement {
         workspace::scope scratch{space};
         auto* const number = scratch.take<std::uint32_t>(n);
         if (number == nullptr) return false;
-        const std::span<const std::uint32_t> order = given.order();
+        const array_view<const std::uint32_t> order = given.order();
         TYPEMESH_ASSERT(order.size() == n, "the points of contours must be sorted first: see sort_points()");
         const grid_point* const place = given.points.data();
         std::uint32_t different = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/fill/crossing.hpp>
@@ -10,7 +11,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
@@ -43,7 +43,7 @@ public:
     /// the crossing. Stops when met() returns false. False then, and when memory runs out. `edges` come from
     /// make_net_edges().
     template <class Met>
-    [[nodiscard]] static bool run(std::span<const net_edge> edges, workspace::scope& scratch, workspace& space,
+    [[nodiscard]] static bool run(array_view<const net_edge> edges, workspace::scope& scratch, workspace& space,
                                   Met&& met) noexcept
     {
         crossing_sweep sweep{edges};
@@ -51,7 +51,7 @@ public:
     }
 
 private:
-    explicit crossing_sweep(std::span<const net_edge> edges) noexcept : edges_{edges} {}
+    explicit crossing_sweep(array_view<const net_edge> edges) noexcept : edges_{edges} {}
 
     /// A grid point as a place that compares with those of crossings.
     [[nodiscard]] static std::int64_t place_of(grid_point p) noexcept
@@ -201,7 +201,7 @@ private:
         put(at, m);
     }
 
-    std::span<const net_edge> edges_;
+    array_view<const net_edge> edges_;
     sweep_status status_;
     std::uint32_t* edge_in_ = nullptr;  // of every slot; for a free slot the next free one
     std::uint32_t* slot_of_ = nullptr;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/fill/intersect.hpp>
@@ -8,7 +9,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -43,7 +43,7 @@ struct box_sweep {
             return first != other.first ? first < other.first : number < other.number;
         }
     };
-    std::span<entry> entries;
+    array_view<entry> entries;
 
     /// Picks the axis along which fewer boxes overlap: along a line of text, but across the lines of a page.
     void put_in_order() noexcept
@@ -82,7 +82,7 @@ struct box_sweep {
 ///
 /// Fails  error::too_large: 2^32 - 1 regions or more; error::out_of_memory
 /// Cost   O(n log n), a look at every two regions that overlap along one axis, and meet() for those whose boxes do
-[[nodiscard]] inline error group_intersection(std::span<const placed_loops> all, std::span<std::uint32_t> group,
+[[nodiscard]] inline error group_intersection(array_view<const placed_loops> all, array_view<std::uint32_t> group,
                                               workspace& space) noexcept
 {
     const std::size_t n = all.size();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/sweep/sweep_order.hpp>
@@ -8,7 +9,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
@@ -40,7 +40,7 @@ public:
     };
 
     /// False when memory runs out. The points are distinct.
-    [[nodiscard]] bool open(std::span<const grid_point> points, workspace::scope& scratch, workspace& space) noexcept
+    [[nodiscard]] bool open(array_view<const grid_point> points, workspace::scope& scratch, workspace& space) noexcept
     {
         count_ = points.size();
         if (count_ == 0) return true;

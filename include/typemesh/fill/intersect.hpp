@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/point.hpp>
 #include <typemesh/core/result.hpp>
@@ -8,15 +9,14 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// The loops of a region, placed on a grid that it shares with others: a point p lies at p + (x, y), an offset of up to
 /// 2^60.
 struct placed_loops {
-    std::span<const grid_point> points;
-    std::span<const std::uint32_t> starts;
+    array_view<const grid_point> points;
+    array_view<const std::uint32_t> starts;
     std::int64_t x = 0;
     std::int64_t y = 0;
     std::uint32_t kind = 0;  ///< regions of different kinds are never grouped: see group_intersection()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/fill_rule.hpp>
@@ -10,7 +11,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
@@ -31,7 +31,7 @@ struct net_edge {
 [[nodiscard]] inline std::uint32_t number_points(const contours& given, std::uint32_t* number) noexcept
 {
     const grid_point* const place = given.points.data();
-    const std::span<const std::uint32_t> order = given.order();
+    const array_view<const std::uint32_t> order = given.order();
     TYPEMESH_ASSERT(order.size() == given.points.size(),
                     "the points of contours must be sorted first: see sort_points()");
     std::uint32_t different = 0;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/orientation.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -14,7 +14,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 ///     points  a b c d            ->  d c b a
 ///     edges   ab bc cd da        ->  dc cb ba ad      with t0 and t1 swapped
-inline void reverse_contour(std::span<grid_point> points, std::span<contour_edge> edges) noexcept
+inline void reverse_contour(array_view<grid_point> points, array_view<contour_edge> edges) noexcept
 {
     if (points.empty()) return;
     for (std::size_t i = 0, j = points.size() - 1; i < j; ++i, --j) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/orientation.hpp>
@@ -10,7 +11,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -83,7 +83,7 @@ struct loop_extent {
 ///        there is one outer loop
 /// Space  32 bytes per loop from `space`
 /// Exact  in 64 bits
-[[nodiscard]] inline result<void> outer_of(const region& r, workspace& space, std::span<std::uint32_t> out) noexcept
+[[nodiscard]] inline result<void> outer_of(const region& r, workspace& space, array_view<std::uint32_t> out) noexcept
 {
     const std::uint32_t count = r.loop_count();
     TYPEMESH_ASSERT(out.size() == count, "outer_of() gives a number for each loop");

@@ -3,6 +3,7 @@
 
 #include <typemesh/core/fill_rule.hpp>
 #include <typemesh/core/orientation.hpp>
+#include <typemesh/core/taken.hpp>
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/fill/arrangement.hpp>
 #include <typemesh/fill/bent_edges.hpp>
@@ -18,7 +19,6 @@
 #include <cstdint>
 #include <cstring>
 #include <new>
-#include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
@@ -100,7 +100,7 @@ public:
         rough = a_.is_rounded ? bent_ : a_.is_bent && (rough_ || close_);
         again = unsure_ || out_of_order || rough;
         if (out_of_order) return a_.put_in_order(space);
-        std::swap(a_.points, a_.spare);
+        swap_values(a_.points, a_.spare);
         a_.point_count = passed_;
         a_.is_touching = touching;
         if (again) a_.list();

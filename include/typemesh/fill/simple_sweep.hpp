@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/orientation.hpp>
@@ -51,7 +52,7 @@ public:
         if (n == 0) return error::none;
         points_ = loops.points.data();
         workspace::scope scratch{space};
-        const std::span<const std::uint32_t> order = loops.order();
+        const array_view<const std::uint32_t> order = loops.order();
         TYPEMESH_ASSERT(order.size() == n, "the points of contours must be sorted first: see sort_points()");
         vertices_ = scratch.take<vertex>(n);
         contour_of_ = scratch.take<std::uint32_t>(n);

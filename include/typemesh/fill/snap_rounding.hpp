@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/workspace.hpp>
@@ -14,7 +15,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <new>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
@@ -195,8 +195,8 @@ private:
     {
         const std::size_t count = edges_.size() + cuts_.size(), more = count / 32 + 32;
         const std::size_t most = (count > points_.size() ? count : points_.size()) + more;
-        std::span<segment> pieces{scratch.take<segment>(most), most};
-        std::span<grid_point> places{scratch.take<grid_point>(most), most};
+        array_view<segment> pieces{scratch.take<segment>(most), most};
+        array_view<grid_point> places{scratch.take<grid_point>(most), most};
         if (pieces.data() == nullptr || places.data() == nullptr) return error::out_of_memory;
         std::uint32_t made = 0, next_cut = 0, point_count = 0;
         for (std::size_t i = 0; i < edges_.size(); ++i) {
@@ -242,11 +242,11 @@ private:
 
     const contours* loops_;
     std::uint32_t most_;
-    std::span<net_edge> edges_;
-    std::span<std::uint32_t> cut_ends_;  // of each edge: where its cuts end
-    std::span<packed_sweep_key> hot_;
-    std::span<grid_point> points_;   // the same, in their place
-    std::span<std::uint32_t> cuts_;  // their numbers
+    array_view<net_edge> edges_;
+    array_view<std::uint32_t> cut_ends_;  // of each edge: where its cuts end
+    array_view<packed_sweep_key> hot_;
+    array_view<grid_point> points_;   // the same, in their place
+    array_view<std::uint32_t> cuts_;  // their numbers
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail

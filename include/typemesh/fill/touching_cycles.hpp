@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/error.hpp>
+#include <typemesh/core/taken.hpp>
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/sweep/sectors.hpp>
 #include <typemesh/sweep/sweep_order.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI {
@@ -39,7 +40,7 @@ public:
         const std::size_t n = loops.points.size();
         auto* const order = scratch.take<std::uint32_t>(n);
         if (order == nullptr || !sort_points(loops, space)) return error::out_of_memory;
-        const std::span<const std::uint32_t> sorted = loops.order();
+        const array_view<const std::uint32_t> sorted = loops.order();
         for (std::size_t i = 0; i < n; ++i) order[i] = sorted[i];
         const grid_point* const place = loops.points.data();
         std::size_t most = 1, visits = 0;
@@ -134,8 +135,8 @@ private:
     {
         loops.forget_order();
         for (std::size_t i = 0; i < loops.points.size(); ++i) {
-            std::swap(loops.points[i], points_[i]);
-            std::swap(loops.edges[i], edges_[i]);
+            swap_values(loops.points[i], points_[i]);
+            swap_values(loops.edges[i], edges_[i]);
         }
     }
 

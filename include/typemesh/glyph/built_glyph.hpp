@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/box.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/grid.hpp>
@@ -11,7 +12,6 @@
 #include <cstddef>
 #include <cstring>
 #include <new>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -111,7 +111,7 @@ private:
         ink_ = {font_units_per_cell_ * plan_.around.low, font_units_per_cell_ * plan_.around.high};
     }
 
-    void set_box_of(std::span<const grid_point> points) noexcept
+    void set_box_of(array_view<const grid_point> points) noexcept
     {
         grid_point low = points.front(), high = low;
         for (const grid_point& p : points) {
@@ -125,7 +125,7 @@ private:
     [[nodiscard]] const std::byte* data() const noexcept { return reinterpret_cast<const std::byte*>(this + 1); }
 
     template <class T>
-    static std::span<const T> copied(std::span<const T> from, std::byte*& free) noexcept
+    static array_view<const T> copied(array_view<const T> from, std::byte*& free) noexcept
     {
         static_assert(alignof(T) <= 4 && sizeof(T) % 4 == 0, "the arrays of a block follow each other without gaps");
         if (from.empty()) return {};

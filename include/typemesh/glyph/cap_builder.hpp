@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/curve.hpp>
@@ -25,7 +26,6 @@
 #include <typemesh/triangulate/triangulator_ref.hpp>
 
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -119,7 +119,7 @@ public:
 
     /// Flattens the outline's curves into loops(), into no more than loops().most_points: see discretise().
     [[nodiscard]] result<void> flatten(const outline& curves, discretiser_ref how, double tolerance, const grid& cells,
-                                       std::span<const std::uint8_t> halvings = {}) noexcept
+                                       array_view<const std::uint8_t> halvings = {}) noexcept
     {
         return how.flatten(curves, tolerance, cells, loops_, halvings);
     }

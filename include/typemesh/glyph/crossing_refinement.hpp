@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/curve.hpp>
 #include <typemesh/core/first_where.hpp>
 #include <typemesh/core/grid.hpp>
@@ -11,7 +12,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -80,7 +80,7 @@ public:
     }
 
     /// For discretise(): how often each curve's tolerance is halved.
-    [[nodiscard]] std::span<const std::uint8_t> halvings() const noexcept
+    [[nodiscard]] array_view<const std::uint8_t> halvings() const noexcept
     {
         return {halvings_, outline_->curves.size()};
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/glyph/built_glyph.hpp>
@@ -9,7 +10,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <new>
-#include <span>
 #include <type_traits>
 
 namespace typemesh::inline TYPEMESH_ABI {
@@ -141,7 +141,7 @@ public:
 
     /// Removes one pin from each of these, which find() or keep() returned; nulls are skipped. They count as just used,
     /// the last one last.
-    void release(std::span<const built_glyph* const> glyphs) noexcept
+    void release(array_view<const built_glyph* const> glyphs) noexcept
     {
         const locked until_end{lock_};
         for (const built_glyph* built : glyphs) {
@@ -266,10 +266,14 @@ private:
 /// Refers to a glyph_cache with any lock, which must outlive it.
 class cache_ref {
 public:
+    cache_ref() noexcept = default;  ///< to none
     template <cache_lock Lock>
     cache_ref(glyph_cache<Lock>& cache) noexcept : cache_{&cache}, does_{&calls_of<Lock>}
     {
     }
+
+    /// Whether it refers to one; all else needs that.
+    [[nodiscard]] explicit operator bool() const noexcept { return does_ != nullptr; }
 
     /// See glyph_cache.
     [[nodiscard]] const built_glyph* find(const glyph_context& context, std::uint64_t hash, glyph_id id) const noexcept
@@ -281,7 +285,7 @@ public:
     {
         return does_->keep(cache_, context, hash, id, draft);
     }
-    void release(std::span<const built_glyph* const> glyphs) const noexcept { does_->release(cache_, glyphs); }
+    void release(array_view<const built_glyph* const> glyphs) const noexcept { does_->release(cache_, glyphs); }
 
     /// Whether several threads may use it at once.
     [[nodiscard]] bool has_lock() const noexcept { return does_->has_lock; }
@@ -291,7 +295,7 @@ private:
         const built_glyph* (*find)(void* cache, const glyph_context& context, std::uint64_t hash, glyph_id id) noexcept;
         const built_glyph* (*keep)(void* cache, const glyph_context& context, std::uint64_t hash, glyph_id id,
                                    const glyph_draft& draft) noexcept;
-        void (*release)(void* cache, std::span<const built_glyph* const> glyphs) noexcept;
+        void (*release)(void* cache, array_view<const built_glyph* const> glyphs) noexcept;
         bool has_lock;
     };
     template <cache_lock Lock>
@@ -303,13 +307,13 @@ private:
            const glyph_draft& draft) noexcept {
             return static_cast<glyph_cache<Lock>*>(cache)->keep(context, hash, id, draft);
         },
-        [](void* cache, std::span<const built_glyph* const> glyphs) noexcept {
+        [](void* cache, array_view<const built_glyph* const> glyphs) noexcept {
             static_cast<glyph_cache<Lock>*>(cache)->release(glyphs);
         },
         !std::is_same_v<Lock, no_lock>};
 
-    void* cache_;
-    const calls* does_;
+    void* cache_ = nullptr;
+    const calls* does_ = nullptr;
 };
 
 /// What a text_mesher takes to use a cache: the cache, and the caller's number for the font. Fonts of your own that
@@ -317,7 +321,9 @@ private:
 /// automatically, axes included. The cache must outlive the mesher.
 struct cached_in {
     cache_ref cache;
-    std::uint64_t font;
+    std::uint64_t font = 0;
+
+    cached_in() noexcept = default;  ///< in none
 
     template <cache_lock Lock>
     cached_in(glyph_cache<Lock>& c, std::uint64_t font_number) noexcept : cache{c}, font{font_number}

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <typemesh/core/memory.hpp>
+#include <typemesh/core/taken.hpp>
 #include <typemesh/glyph/built_glyph.hpp>
 
 #include <cstddef>
 #include <new>
-#include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -26,18 +26,15 @@ class glyph_store {
 public:
     explicit glyph_store(memory source) noexcept : source_{source} {}
     glyph_store(glyph_store&& other) noexcept
-        : source_{other.source_},
-          newest_{std::exchange(other.newest_, nullptr)},
-          used_{std::exchange(other.used_, 0)},
-          total_{std::exchange(other.total_, 0)}
+        : source_{other.source_}, newest_{taken(other.newest_)}, used_{taken(other.used_)}, total_{taken(other.total_)}
     {
     }
     glyph_store& operator=(glyph_store&& other) noexcept
     {
-        std::swap(source_, other.source_);
-        std::swap(newest_, other.newest_);
-        std::swap(used_, other.used_);
-        std::swap(total_, other.total_);
+        swap_values(source_, other.source_);
+        swap_values(newest_, other.newest_);
+        swap_values(used_, other.used_);
+        swap_values(total_, other.total_);
         return *this;
     }
     ~glyph_store() { release(); }

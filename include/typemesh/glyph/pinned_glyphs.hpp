@@ -2,11 +2,11 @@
 #pragma once
 
 #include <typemesh/core/buffer.hpp>
+#include <typemesh/core/taken.hpp>
 #include <typemesh/glyph/built_glyph.hpp>
 #include <typemesh/glyph/glyph_cache.hpp>
 
 #include <cstddef>
-#include <optional>
 #include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI {
@@ -15,14 +15,11 @@ namespace typemesh::inline TYPEMESH_ABI {
 class pinned_glyphs {
 public:
     explicit pinned_glyphs(memory source = heap()) noexcept : glyphs_{source} {}
-    pinned_glyphs(pinned_glyphs&& other) noexcept
-        : glyphs_{std::move(other.glyphs_)}, cache_{std::exchange(other.cache_, std::nullopt)}
-    {
-    }
+    pinned_glyphs(pinned_glyphs&& other) noexcept : glyphs_{std::move(other.glyphs_)}, cache_{taken(other.cache_)} {}
     pinned_glyphs& operator=(pinned_glyphs&& other) noexcept
     {
         glyphs_.swap(other.glyphs_);
-        std::swap(cache_, other.cache_);
+        swap_values(cache_, other.cache_);
         return *this;
     }
     ~pinned_glyphs() { release(); }
@@ -50,7 +47,7 @@ public:
     /// Gives the pins back; the glyphs must no longer be read.
     void release() noexcept
     {
-        if (cache_) std::exchange(cache_, std::nullopt)->release(glyphs_.view());
+        if (cache_) taken(cache_).release(glyphs_.view());
     }
 
     void clear() noexcept
@@ -61,7 +58,7 @@ public:
 
 private:
     buffer<const built_glyph*> glyphs_;
-    std::optional<cache_ref> cache_;
+    cache_ref cache_;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/extrude/cap_maker.hpp>
 #include <typemesh/glyph/cap_builder.hpp>
 
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -19,12 +19,12 @@ public:
     }
     /// For another region, which has these triangles.
     region_caps(cap_builder& caps, cap_builder& further, triangulator_ref cut,
-                std::span<const triangle> triangles) noexcept
+                array_view<const triangle> triangles) noexcept
         : caps_{caps}, further_{further}, cut_{cut}, triangles_{triangles}
     {
     }
 
-    [[nodiscard]] std::span<const triangle> triangles() const noexcept { return triangles_; }
+    [[nodiscard]] array_view<const triangle> triangles() const noexcept { return triangles_; }
     error operator()(const region& r, triangle_list& out) noexcept
     {
         return is_on_grid(r.points()) ? caps_.cap(r, cut_, out).error() : error{error::outline_beyond_grid};
@@ -42,7 +42,7 @@ public:
     [[nodiscard]] workspace& space() noexcept { return caps_.space(); }
 
 private:
-    [[nodiscard]] static bool is_on_grid(std::span<const grid_point> points) noexcept
+    [[nodiscard]] static bool is_on_grid(array_view<const grid_point> points) noexcept
     {
         constexpr auto reach = static_cast<std::int32_t>(grid::reach);
         for (const grid_point p : points)
@@ -53,7 +53,7 @@ private:
     cap_builder& caps_;
     cap_builder& further_;
     triangulator_ref cut_;
-    std::span<const triangle> triangles_;
+    array_view<const triangle> triangles_;
 };
 static_assert(cap_maker<region_caps>);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/box.hpp>
 #include <typemesh/core/outline.hpp>
 
@@ -8,7 +9,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace typemesh::inline TYPEMESH_ABI::inspect {
@@ -54,8 +54,8 @@ public:
         }
     }
 
-    [[nodiscard]] std::span<const chord> all() const noexcept { return chords_; }
-    [[nodiscard]] std::span<const chord> of_curve(std::uint32_t curve) const noexcept
+    [[nodiscard]] array_view<const chord> all() const noexcept { return chords_; }
+    [[nodiscard]] array_view<const chord> of_curve(std::uint32_t curve) const noexcept
     {
         return all().subspan(first_[curve], first_[curve + 1] - first_[curve]);
     }
@@ -64,7 +64,7 @@ public:
     [[nodiscard]] const box& bounds() const noexcept { return bounds_; }
 
     /// The squared distance from p to the nearest of some chords, in cells; 1e300 if there are none.
-    [[nodiscard]] static double squared_distance(point p, std::span<const chord> some) noexcept
+    [[nodiscard]] static double squared_distance(point p, array_view<const chord> some) noexcept
     {
         double nearest = 1e300;
         for (const chord& c : some) nearest = (std::min)(nearest, squared_distance(p, c.start, c.end));

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <typemesh/core/affine.hpp>
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/layout/shaped_glyph.hpp>
 #include <typemesh/layout/text_item.hpp>
 
 #include <cstddef>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -24,7 +24,7 @@ struct column_metrics {
 
 /// Lays an item's glyphs, shaped as in a line, on their side: the pen moves down, and what is column.middle above the
 /// baseline stands in the column's middle. They are to be drawn with quarter_turn.
-inline void turn_glyphs(std::span<shaped_glyph> glyphs, const column_metrics& column) noexcept
+inline void turn_glyphs(array_view<shaped_glyph> glyphs, const column_metrics& column) noexcept
 {
     for (shaped_glyph& g : glyphs) {
         g.offset = {g.offset.y - column.middle, 0.0 - g.offset.x};
@@ -36,7 +36,7 @@ inline void turn_glyphs(std::span<shaped_glyph> glyphs, const column_metrics& co
 /// the gaps between them take half at most. They become one cluster, which begins at `first`.
 ///
 /// Returns by how much they are to be drawn narrower, along x: 1 unless they are wider than that.
-inline double combine_glyphs(std::span<shaped_glyph> glyphs, const column_metrics& column, cluster_id first) noexcept
+inline double combine_glyphs(array_view<shaped_glyph> glyphs, const column_metrics& column, cluster_id first) noexcept
 {
     double width = 0.0, letters = 0.0;
     for (const shaped_glyph& g : glyphs) {
@@ -62,7 +62,7 @@ inline double combine_glyphs(std::span<shaped_glyph> glyphs, const column_metric
 
 /// Puts an item's glyphs where its orientation has them in a column; others stay as they are. Returns the map that
 /// they are to be drawn with.
-[[nodiscard]] inline affine place_in_column(std::span<shaped_glyph> glyphs, const text_item& item,
+[[nodiscard]] inline affine place_in_column(array_view<shaped_glyph> glyphs, const text_item& item,
                                             const column_metrics& column) noexcept
 {
     if (item.orientation == glyph_orientation::combined) return {.xx = combine_glyphs(glyphs, column, item.first)};
@@ -74,8 +74,8 @@ inline double combine_glyphs(std::span<shaped_glyph> glyphs, const column_metric
 /// Appends an item's glyphs to a run, in a line or in a column, from the pen on, which moves by their advances.
 ///
 /// Fails  error::out_of_memory
-inline error place_item(std::span<shaped_glyph> glyphs, const text_item& item, const column_metrics& column, point& pen,
-                        glyph_run& run) noexcept
+inline error place_item(array_view<shaped_glyph> glyphs, const text_item& item, const column_metrics& column,
+                        point& pen, glyph_run& run) noexcept
 {
     const affine map = place_in_column(glyphs, item, column);
     const bool down = item.orientation != glyph_orientation::horizontal;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/layout/column_options.hpp>
@@ -11,7 +12,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -59,7 +59,7 @@ namespace detail {
 template <class HasForm>
 class column_run_finder {
 public:
-    column_run_finder(text_view text, std::span<const text_mark> marks, const column_options& how,
+    column_run_finder(text_view text, array_view<const text_mark> marks, const column_options& how,
                       const HasForm& has_form, buffer<column_run>& runs) noexcept
         : text_{text}, marks_{marks}, how_{how}, has_form_{has_form}, runs_{runs}
     {
@@ -136,7 +136,7 @@ private:
     }
 
     text_view text_;
-    std::span<const text_mark> marks_;
+    array_view<const text_mark> marks_;
     const column_options& how_;
     const HasForm& has_form_;
     buffer<column_run>& runs_;
@@ -161,8 +161,8 @@ private:
 /// Fails  error::out_of_memory
 /// Cost   O(n), besides has_form's
 template <class HasForm>
-error find_column_runs(text_view text, std::span<const text_mark> marks, const column_options& how,
-                       std::span<const column_span> styles, const HasForm& has_form, buffer<column_run>& runs) noexcept
+error find_column_runs(text_view text, array_view<const text_mark> marks, const column_options& how,
+                       array_view<const column_span> styles, const HasForm& has_form, buffer<column_run>& runs) noexcept
 {
     runs.clear();
     detail::column_run_finder<HasForm> find{text, marks, how, has_form, runs};

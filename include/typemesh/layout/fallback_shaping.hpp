@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/first_where.hpp>
 #include <typemesh/core/result.hpp>
+#include <typemesh/core/taken.hpp>
 #include <typemesh/layout/column_glyphs.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/layout/mixed_line.hpp>
@@ -17,8 +19,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
-#include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -195,7 +195,7 @@ private:
             return keep(h.first, h.last) ? error{} : error{error::out_of_memory};
         }
         if (e) return e;
-        const std::span<shaped_glyph> made = made_.view().subspan(before);
+        const array_view<shaped_glyph> made = made_.view().subspan(before);
         if (of.item.to_the_left()) reverse(made);
         // Where a line could not end before it cannot now, for what stands beside the hole has not been shaped again.
         // Nor can it in a grapheme, of which a part may have another face.
@@ -297,7 +297,7 @@ private:
     {
         return k + 1 < clusters_.size() ? clusters_[k + 1].first : of.item.last;
     }
-    [[nodiscard]] std::span<shaped_glyph> glyphs_of(const cluster& c) noexcept
+    [[nodiscard]] array_view<shaped_glyph> glyphs_of(const cluster& c) noexcept
     {
         return now_.view().subspan(c.glyph, c.glyph_count);
     }
@@ -308,12 +308,12 @@ private:
         if (first == last) return true;
         const std::size_t begin = clusters_[first].glyph,
                           end = clusters_[last - 1].glyph + clusters_[last - 1].glyph_count;
-        return made_.append(std::span<const shaped_glyph>{now_.view().subspan(begin, end - begin)});
+        return made_.append(array_view<const shaped_glyph>{now_.view().subspan(begin, end - begin)});
     }
 
-    static void reverse(std::span<shaped_glyph> glyphs) noexcept
+    static void reverse(array_view<shaped_glyph> glyphs) noexcept
     {
-        for (std::size_t i = 0, k = glyphs.size(); i + 1 < k; ++i) std::swap(glyphs[i], glyphs[--k]);
+        for (std::size_t i = 0, k = glyphs.size(); i + 1 < k; ++i) swap_values(glyphs[i], glyphs[--k]);
     }
 
     buffer<shaped_glyph> now_;   // of the item, in the order of its text

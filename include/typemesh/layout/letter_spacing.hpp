@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/point.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/layout/plain_text.hpp>
@@ -8,7 +9,6 @@
 #include <typemesh/unicode/utf.hpp>
 
 #include <cstddef>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -37,7 +37,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 /// Returns how much longer the segment has become. Cost: O(n)
 inline double space_letters(text_view text, std::size_t last, double distance, bool down,
-                            std::span<placed_glyph> glyphs) noexcept
+                            array_view<placed_glyph> glyphs) noexcept
 {
     cluster_id before = no_cluster;  // of the previous letter
     char32_t letter_before = 0;

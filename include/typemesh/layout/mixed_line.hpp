@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/first_where.hpp>
+#include <typemesh/core/taken.hpp>
 #include <typemesh/layout/column_runs.hpp>
 #include <typemesh/layout/shape_options.hpp>
 #include <typemesh/layout/text_item.hpp>
@@ -10,9 +12,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string_view>
-#include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -94,8 +94,8 @@ private:
     error split_run(const visual_run& run, std::uint32_t offset, buffer<text_item>& items) noexcept
     {
         const std::size_t before = items.size();
-        const std::span<const script_run> scripts = found_.scripts.view();
-        const std::span<const column_run> columns = columns_.view();
+        const array_view<const script_run> scripts = found_.scripts.view();
+        const array_view<const column_run> columns = columns_.view();
         const auto ends_behind = [&run](const auto& runs) noexcept {
             return first_where(0, runs.size(), [&](std::size_t k) noexcept { return runs[k].last > run.first; });
         };
@@ -116,7 +116,7 @@ private:
             while (c < columns.size() && columns[c].last <= last) ++c;
         }
         if (run.level % 2 != 0)
-            for (std::size_t i = before, end = items.size(); i + 1 < end; ++i) std::swap(items[i], items[--end]);
+            for (std::size_t i = before, end = items.size(); i + 1 < end; ++i) swap_values(items[i], items[--end]);
         return {};
     }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/same.hpp>
+#include <typemesh/core/taken.hpp>
 #include <typemesh/layout/layout_options.hpp>
 #include <typemesh/layout/letter_spacing.hpp>
 #include <typemesh/layout/reading_order.hpp>
@@ -11,9 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string_view>
-#include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -73,9 +73,9 @@ result<double> advance_of(Shaper& shaper, char character, const shape_options& h
     return line.to_the_left < line.to_the_right ? direction::right_to_left : direction::left_to_right;
 }
 
-inline void reverse(std::span<placed_glyph> glyphs) noexcept
+inline void reverse(array_view<placed_glyph> glyphs) noexcept
 {
-    for (std::size_t i = 0, k = glyphs.size(); i + 1 < k; ++i) std::swap(glyphs[i], glyphs[--k]);
+    for (std::size_t i = 0, k = glyphs.size(); i + 1 < k; ++i) swap_values(glyphs[i], glyphs[--k]);
 }
 
 }  // namespace detail
@@ -147,7 +147,7 @@ result<point> shape_line(Shaper& shaper, text_view text, std::size_t first, std:
             if (!advance) return advance.error();
             const double length = down ? -advance->y : advance->x;
             const double start = to_the_left ? 0.0 - (pen + length) : pen;
-            const std::span<placed_glyph> glyphs = run.glyphs.view().subspan(before);
+            const array_view<placed_glyph> glyphs = run.glyphs.view().subspan(before);
             for (placed_glyph& g : glyphs) g.origin = g.origin + (down ? point{0.0, 0.0 - start} : point{start, 0.0});
             if (to_the_left) detail::reverse(glyphs);
             pen += length;
@@ -158,7 +158,7 @@ result<point> shape_line(Shaper& shaper, text_view text, std::size_t first, std:
         end = next_tab(begin);
     }
     if (to_the_left) {
-        const std::span<placed_glyph> glyphs = run.glyphs.view().subspan(first_glyph);
+        const array_view<placed_glyph> glyphs = run.glyphs.view().subspan(first_glyph);
         detail::reverse(glyphs);  // reverses the segments, whose own glyphs come back into order
         for (placed_glyph& g : glyphs) g.origin.x += pen;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/executor.hpp>
 #include <typemesh/core/result.hpp>
@@ -14,7 +15,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -133,7 +133,7 @@ private:
         return {};
     }
 
-    [[nodiscard]] std::span<line> lines_of(std::size_t b) noexcept
+    [[nodiscard]] array_view<line> lines_of(std::size_t b) noexcept
     {
         const std::size_t last = b + 1 < blocks_.size() ? blocks_[b + 1].first_line : lines_.size();
         return lines_.view().subspan(blocks_[b].first_line, last - blocks_[b].first_line);

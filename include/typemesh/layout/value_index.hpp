@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -29,7 +29,7 @@ public:
     /// The number of a value that equals this one, among those that have been read; table.size() if there is none.
     ///
     /// Cost  O(1) on average
-    [[nodiscard]] std::size_t find(std::span<const Value> table, const Value& value) const noexcept
+    [[nodiscard]] std::size_t find(array_view<const Value> table, const Value& value) const noexcept
     {
         if (slots_.empty()) return table.size();
         const std::size_t mask = slots_.size() - 1;
@@ -44,7 +44,7 @@ public:
     /// knows none.
     ///
     /// Cost  O(new values), on average over many calls
-    [[nodiscard]] bool read(std::span<const Value> table) noexcept
+    [[nodiscard]] bool read(array_view<const Value> table) noexcept
     {
         if (known_ > table.size()) known_ = table.size();
         const std::size_t fresh = table.size() - known_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/contours.hpp>
@@ -14,7 +15,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -52,7 +52,7 @@ public:
 private:
     static constexpr std::uint32_t none = ~std::uint32_t{0};
 
-    std::span<const swept_edge_at> edges_;
+    array_view<const swept_edge_at> edges_;
     std::uint32_t* first_ = nullptr;
     std::uint32_t* next_ = nullptr;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/memory.hpp>
@@ -10,7 +11,6 @@
 #include <typemesh/offset/wavefront.hpp>
 
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
@@ -52,7 +52,7 @@ public:
 
     /// Appends a cell for each of the given triangles that lies in a covered component. It goes with the longest edge
     /// of the region that it has.
-    [[nodiscard]] error add(const wavefront& front, std::span<const triangle> given, swept_region& out) const noexcept
+    [[nodiscard]] error add(const wavefront& front, array_view<const triangle> given, swept_region& out) const noexcept
     {
         if (empty()) return {};
         for (const triangle t : given) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/error.hpp>
@@ -19,14 +20,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// How sweep_inwards() goes about it. All lengths are in cells.
 struct sweep_options {
     /// Distances at which faces are cut: from 0 to the width, each at least finest_band more than the one before.
-    std::span<const double> levels;
+    array_view<const double> levels;
     /// A reflex corner that would move farther than this many distances gets joins, 31 at most; 0: only needles do.
     double mitre_limit = 2.0;
     /// By so much a corner may lie beyond a limit near 1 at the width, below 1.42; 0: unknown.
@@ -61,7 +61,7 @@ public:
     {
     }
 
-    [[nodiscard]] error run(const region& r, std::span<const triangle> cap, const sweep_options& how) noexcept
+    [[nodiscard]] error run(const region& r, array_view<const triangle> cap, const sweep_options& how) noexcept
     {
         if (error e = begin(r, cap)) return e;
         if (error e = add_joins(how)) return e;
@@ -99,7 +99,7 @@ private:
     }
 
     /// Segment, line, vertex and node i belong to point i and the edge that begins there.
-    [[nodiscard]] error begin(const region& r, std::span<const triangle> cap) noexcept
+    [[nodiscard]] error begin(const region& r, array_view<const triangle> cap) noexcept
     {
         // Half-edges are numbered below 2^31, those of up to 31 joins a corner included.
         if (r.points().size() > std::size_t{1} << 24 || cap.size() > std::size_t{1} << 25) return error::too_large;
@@ -404,7 +404,7 @@ private:
     buffer<std::uint32_t> path_, stack_, ring_, on_path_;
     speck_cover cover_;
     cell_repair repair_;
-    std::span<const triangle> given_;
+    array_view<const triangle> given_;
     std::size_t first_node_ = 0;  // of a band
     bool only_cap_ = false, changed_ = false;
 };
@@ -428,8 +428,9 @@ private:
 ///        error::out_of_memory
 /// Cost   O(n log n) and O(log n) per event (see wavefront.hpp). A band in which a cell must be mended is cut again,
 ///        and mending takes the square of that cell's nodes (cell_repair.hpp)
-[[nodiscard]] inline error sweep_inwards(const region& r, std::span<const triangle> triangles, const sweep_options& how,
-                                         workspace::scope& scratch, swept_region& out) noexcept
+[[nodiscard]] inline error sweep_inwards(const region& r, array_view<const triangle> triangles,
+                                         const sweep_options& how, workspace::scope& scratch,
+                                         swept_region& out) noexcept
 {
     TYPEMESH_ASSERT(how.levels.size() >= 2 && !(how.levels[0] > 0.0) && how.levels.back() < grid::reach,
                     "levels begin with 0 and end with the width, which is below 2^28 cells");

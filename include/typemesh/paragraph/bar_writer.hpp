@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/layout/face_metrics.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/outline/bar_face.hpp>
@@ -8,7 +9,6 @@
 #include <typemesh/paragraph/line_slices.hpp>
 
 #include <cstdint>
-#include <span>
 #include <string_view>
 
 namespace typemesh::inline TYPEMESH_ABI {
@@ -42,7 +42,7 @@ public:
     ///
     /// Fails  error::out_of_memory
     /// Cost   O(clusters of the line); nothing in a text without decorations
-    error write(const laid_line& line, std::span<const line_slice> slices) noexcept
+    error write(const laid_line& line, array_view<const line_slice> slices) noexcept
     {
         for (const decoration kind : {decoration::underline, decoration::strike_through, decoration::overline})
             if (has(shaped_.styles.decorations(), kind))
@@ -62,7 +62,7 @@ private:
         }
     };
 
-    error write(decoration kind, const laid_line& line, std::span<const line_slice> slices) noexcept
+    error write(decoration kind, const laid_line& line, array_view<const line_slice> slices) noexcept
     {
         bar open;
         for (const line_slice& s : slices) {

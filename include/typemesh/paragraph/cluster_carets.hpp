@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/first_where.hpp>
@@ -9,7 +10,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -33,7 +33,7 @@ public:
     ///
     /// Fails  error::out_of_memory; nothing is kept then
     template <knows_ligature_carets Font>
-    error find(const Font& font, std::span<const shaped_glyph> glyphs, const wanted& which) noexcept
+    error find(const Font& font, array_view<const shaped_glyph> glyphs, const wanted& which) noexcept
     {
         double all = 0.0, pen = 0.0;
         for (const shaped_glyph& g : glyphs) all += g.advance;
@@ -53,7 +53,7 @@ public:
     }
 
     /// Those of a cluster, from where its pen begins. Cost: O(log clusters)
-    [[nodiscard]] std::span<const double> of(std::uint32_t cluster) const noexcept
+    [[nodiscard]] array_view<const double> of(std::uint32_t cluster) const noexcept
     {
         const std::size_t k = first_at(cluster);
         if (k == clusters_.size() || clusters_[k].cluster != cluster) return {};

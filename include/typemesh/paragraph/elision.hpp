@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/layout/mixed_line.hpp>
@@ -13,7 +14,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -51,7 +51,7 @@ public:
     static result<const text_pieces::list*> graphemes_of(const line_source<Shaper>& from,
                                                          const broken_line& line) noexcept
     {
-        const std::span<const break_piece> p = line.all.pieces.view();
+        const array_view<const break_piece> p = line.all.pieces.view();
         const std::size_t last = line.drops ? p.size() : line.last;
         double pen = line.pen;
         std::size_t k = line.first;
@@ -73,7 +73,7 @@ public:
         const auto made = graphemes_of(from, line);
         if (!made) return made.error();
         const text_pieces::list& graphemes = **made;
-        const std::span<const break_piece> p = graphemes.pieces.view();
+        const array_view<const break_piece> p = graphemes.pieces.view();
         shaped_text& shaped = from.shaped;
         const auto text_end = static_cast<std::uint32_t>(shaped.text().size());
         const auto dots = static_cast<std::uint32_t>(shaped.all_clusters());
@@ -128,7 +128,7 @@ private:
     };
 
     /// Whether some of the text of pieces is read against the direction of a level.
-    [[nodiscard]] static bool is_mixed(const shaped_text& shaped, std::span<const break_piece> p,
+    [[nodiscard]] static bool is_mixed(const shaped_text& shaped, array_view<const break_piece> p,
                                        std::uint8_t level) noexcept
     {
         for (std::size_t i = shaped.item_at(p.front().first); i < shaped.items().size(); ++i) {
@@ -162,7 +162,7 @@ private:
     }
 
     template <item_shaper Shaper>
-    [[nodiscard]] static shown fitting(std::span<const break_piece> p, const line_source<Shaper>& from, double pen,
+    [[nodiscard]] static shown fitting(array_view<const break_piece> p, const line_source<Shaper>& from, double pen,
                                        double room) noexcept
     {
         const ellipsis_place place = from.options.elide;
@@ -173,7 +173,7 @@ private:
         if (s.tail <= s.head) s.head = s.tail = p.size();
         return s;
     }
-    static void take_head(std::span<const break_piece> p, const line_room& room, double start, double most,
+    static void take_head(array_view<const break_piece> p, const line_room& room, double start, double most,
                           shown& s) noexcept
     {
         double pen = start + (p.empty() ? 0.0 : p.front().begin_change);
@@ -187,7 +187,7 @@ private:
             if (p[k].tab) pen = room.after_tab(pen);
         }
     }
-    static void take_tail(std::span<const break_piece> p, double most, shown& s) noexcept
+    static void take_tail(array_view<const break_piece> p, double most, shown& s) noexcept
     {
         const double head = s.width;
         double width = head;

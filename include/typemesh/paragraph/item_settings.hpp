@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/core/same.hpp>
@@ -11,7 +12,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string_view>
 
 namespace typemesh::inline TYPEMESH_ABI {
@@ -39,7 +39,7 @@ public:
     /// Fails  error::out_of_memory, and as the shaper does, which is asked for superscripts and subscripts
     template <item_shaper Shaper>
     error read(Shaper& shaper, text_view text, const text_analysis& found, const style_spans& styles, const base& plain,
-               std::span<text_item> items) noexcept
+               array_view<text_item> items) noexcept
     {
         plain_ = plain;
         clear();
@@ -93,7 +93,7 @@ private:
         return how;
     }
 
-    error add_features(std::span<const feature> some, std::span<const feature> more, setting& own) noexcept
+    error add_features(array_view<const feature> some, array_view<const feature> more, setting& own) noexcept
     {
         if (more.empty()) return {};
         const auto first = static_cast<std::uint32_t>(features_.size());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/layout/column_runs.hpp>
 #include <typemesh/layout/line_break.hpp>
@@ -9,7 +10,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -37,8 +37,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 /// Fails  error::out_of_memory
 /// Cost   O(n)
-inline error itemise(text_view text, const text_analysis& found, std::span<const std::uint32_t> borders,
-                     std::span<const column_run> columns, buffer<text_item>& items) noexcept
+inline error itemise(text_view text, const text_analysis& found, array_view<const std::uint32_t> borders,
+                     array_view<const column_run> columns, buffer<text_item>& items) noexcept
 {
     items.clear();
     constexpr column_run line{.orientation = glyph_orientation::horizontal};

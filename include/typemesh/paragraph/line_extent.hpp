@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/layout/face_metrics.hpp>
 #include <typemesh/paragraph/line_slices.hpp>
 
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -15,7 +15,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 /// Cost: O(clusters), and O(glyphs) with several faces; constant for a text without styles in one face
 template <item_shaper Font>
-[[nodiscard]] line_metrics extent_of(Font& font, const shaped_text& shaped, std::span<const line_slice> slices,
+[[nodiscard]] line_metrics extent_of(Font& font, const shaped_text& shaped, array_view<const line_slice> slices,
                                      const line_metrics& plain) noexcept
 {
     constexpr bool knows_faces = requires(direction d) { font.metrics(d, 0u); };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/paragraph/line_slices.hpp>
@@ -9,7 +10,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string_view>
 
 namespace typemesh::inline TYPEMESH_ABI {
@@ -72,7 +72,7 @@ private:
     };
 
     /// Which slice of [first, last) stands outermost on a side, once they are in visual order.
-    static std::size_t outermost(std::span<const line_slice> s, std::size_t first, std::size_t last,
+    static std::size_t outermost(array_view<const line_slice> s, std::size_t first, std::size_t last,
                                  bool right) noexcept
     {
         for (;;) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/same.hpp>
 #include <typemesh/paragraph/ideograph_gaps.hpp>
@@ -10,7 +11,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -58,8 +58,8 @@ public:
         slices_.clear();
         visible_ = 0;
     }
-    [[nodiscard]] std::span<line_slice> slices() noexcept { return slices_.view(); }
-    [[nodiscard]] std::span<const line_slice> slices() const noexcept { return slices_.view(); }
+    [[nodiscard]] array_view<line_slice> slices() noexcept { return slices_.view(); }
+    [[nodiscard]] array_view<const line_slice> slices() const noexcept { return slices_.view(); }
     /// How many of them count for the line's width: those behind hang, or show nothing.
     [[nodiscard]] std::size_t visible() const noexcept { return visible_; }
 

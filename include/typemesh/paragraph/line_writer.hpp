@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/same.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/paragraph/item_look.hpp>
@@ -8,7 +9,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -76,7 +76,8 @@ private:
     }
 
     /// Writes glyphs up to the first that is drawn otherwise, and moves the pen. Returns how many.
-    std::uint32_t write_alike(std::span<const shaped_glyph> glyphs, point base, double& pen, placed_glyph* out) noexcept
+    std::uint32_t write_alike(array_view<const shaped_glyph> glyphs, point base, double& pen,
+                              placed_glyph* out) noexcept
     {
         const drawn_with now = now_;
         const bool down = down_;

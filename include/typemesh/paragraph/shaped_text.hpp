@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/first_where.hpp>
 #include <typemesh/core/same.hpp>
@@ -17,7 +18,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string_view>
 
 namespace typemesh::inline TYPEMESH_ABI {
@@ -50,7 +50,7 @@ public:
     /// Whether its lines are columns: their pen moves down.
     [[nodiscard]] bool in_columns() const noexcept { return options_.direction == direction::top_to_bottom; }
 
-    [[nodiscard]] std::span<const text_item> items() const noexcept { return items_.view(); }
+    [[nodiscard]] array_view<const text_item> items() const noexcept { return items_.view(); }
     /// By their numbers; glyphs are in drawing order within a cluster.
     [[nodiscard]] const text_cluster& cluster(std::size_t i) const noexcept { return clusters_[i]; }
     [[nodiscard]] const shaped_glyph& glyph(std::size_t i) const noexcept { return glyphs_[i]; }
@@ -95,7 +95,7 @@ public:
 
     /// Where carets stand within a ligature, along the line from where its cluster's pen begins, in font units,
     /// ascending: one fewer than it has graphemes, or none if the font does not say. Cost: O(log ligatures)
-    [[nodiscard]] std::span<const double> carets_of(std::uint32_t cluster) const noexcept
+    [[nodiscard]] array_view<const double> carets_of(std::uint32_t cluster) const noexcept
     {
         return carets_.of(cluster);
     }
@@ -229,7 +229,7 @@ public:
     /// It neither hangs nor stretches. Returns whether the font has all its glyphs.
     template <item_shaper Shaper>
     result<bool> append_foreign(Shaper& shaper, std::uint32_t item, std::uint32_t at, text_view shown,
-                                std::span<const text_item> parts) noexcept
+                                array_view<const text_item> parts) noexcept
     {
         const std::size_t before = glyphs_.size();
         const text_item home = items_.empty() ? text_item{} : items_[item];
@@ -454,7 +454,7 @@ private:
                 for (std::uint32_t u = c.first + 1; u < c.last; ++u)
                     inner += has(analysis.marks[u], text_mark::grapheme) ? 1u : 0u;
                 if (inner == 0) continue;
-                const std::span<const shaped_glyph> own = glyphs_.view().subspan(c.glyph, c.glyph_count);
+                const array_view<const shaped_glyph> own = glyphs_.view().subspan(c.glyph, c.glyph_count);
                 const glyph_orientation as = items_[c.item].orientation;
                 const cluster_carets::wanted which{.cluster = static_cast<std::uint32_t>(i),
                                                    .count = inner,

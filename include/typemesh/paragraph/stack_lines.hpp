@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/paragraph/laid_line.hpp>
 #include <typemesh/paragraph/paragraph_options.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -23,7 +23,7 @@ enum class line_stack : std::uint8_t {
 /// the text begins: in columns that go to the right the first one's descender, on the left.
 ///
 /// Returns how high they are together, from the first one's outer edge to the last one's, in font units.
-inline double stack_lines(std::span<laid_line> lines, double units_per_em, const paragraph_options& options,
+inline double stack_lines(array_view<laid_line> lines, double units_per_em, const paragraph_options& options,
                           line_stack way) noexcept
 {
     if (lines.empty()) return 0.0;

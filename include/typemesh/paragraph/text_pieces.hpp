@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/first_where.hpp>
 #include <typemesh/paragraph/break_piece.hpp>
@@ -10,7 +11,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -136,7 +136,7 @@ public:
                                      Shaper& shaper) noexcept
     {
         elided_.clear();
-        const std::span<const break_piece> words = words_.pieces.view();
+        const array_view<const break_piece> words = words_.pieces.view();
         for (std::size_t i =
                  first_where(0, words.size(), [&](std::size_t k) noexcept { return words[k].last > first; });
              i < words.size() && words[i].first < last; ++i) {
@@ -322,7 +322,7 @@ private:
     /// before it.
     static bool begins_line(const shaped_text& shaped, std::uint32_t unit) noexcept
     {
-        const std::span<const text_mark> marks = shaped.analysis.marks.view();
+        const array_view<const text_mark> marks = shaped.analysis.marks.view();
         if (!has(marks[unit], text_mark::grapheme)) return false;
         if (!has(marks[unit], text_mark::space | text_mark::separator)) return true;
         return !is_blank(shaped.text(), marks, unit, grapheme_end(marks, unit));

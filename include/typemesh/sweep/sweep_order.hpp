@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/workspace.hpp>
@@ -10,7 +11,6 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -160,7 +160,7 @@ struct coordinate_range {
     }
 };
 template <std::int32_t grid_point::* coordinate>
-[[nodiscard]] coordinate_range range_of(std::span<const grid_point> points) noexcept
+[[nodiscard]] coordinate_range range_of(array_view<const grid_point> points) noexcept
 {
     coordinate_range r{points[0].*coordinate, points[0].*coordinate};
     for (const grid_point& p : points) {
@@ -178,7 +178,7 @@ template <std::int32_t grid_point::* coordinate>
 /// False when memory runs out. O(n log n) at worst; in practice O(n) passes over 64-bit keys, in about half the time
 /// that std::sort takes on glyphs. Scratch: 16 bytes per point (32 where x, y and index together need more than 64
 /// bits).
-[[nodiscard]] inline bool sweep_order(std::span<const grid_point> points, workspace& space,
+[[nodiscard]] inline bool sweep_order(array_view<const grid_point> points, workspace& space,
                                       std::uint32_t* order) noexcept
 {
     const std::size_t n = points.size();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/layout/face_metrics.hpp>
 #include <typemesh/layout/item_shaper.hpp>
 #include <typemesh/layout/ligature_carets.hpp>
@@ -9,7 +10,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <tuple>
 #include <type_traits>
 
@@ -18,7 +18,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 namespace detail {
 
 /// Says of which face glyphs are, whose unit is `unit` units of the first face.
-inline void belong_to(std::span<shaped_glyph> glyphs, std::uint16_t face, double unit) noexcept
+inline void belong_to(array_view<shaped_glyph> glyphs, std::uint16_t face, double unit) noexcept
 {
     for (shaped_glyph& g : glyphs) {
         g.face = face;

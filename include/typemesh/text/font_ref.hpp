@@ -17,10 +17,14 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// glyph is recorded, and a line is shaped, behind one call.
 class font_ref {
 public:
+    font_ref() noexcept = default;  ///< to none
     template <outline_source Font>
     font_ref(Font& font) noexcept : font_{const_cast<std::remove_const_t<Font>*>(&font)}, does_{&table<Font>::of}
     {
     }
+
+    /// Whether it refers to one; all else needs that.
+    [[nodiscard]] explicit operator bool() const noexcept { return does_ != nullptr; }
 
     [[nodiscard]] double units_per_em() const noexcept { return does_->units_per_em(font_, bar_face); }
 
@@ -68,8 +72,8 @@ private:
         static const calls of;
     };
 
-    void* font_;
-    const calls* does_;
+    void* font_ = nullptr;
+    const calls* does_ = nullptr;
 };
 
 template <outline_source Font>

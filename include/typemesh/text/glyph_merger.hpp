@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/same.hpp>
 #include <typemesh/fill/group_intersection.hpp>
 #include <typemesh/fill/region_union.hpp>
@@ -13,7 +14,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -114,7 +114,7 @@ private:
     }
 
     error find_groups(const text_glyphs& all, const glyph_run& run, solid_ref how,
-                      std::span<std::uint32_t> first_of) noexcept
+                      array_view<std::uint32_t> first_of) noexcept
     {
         workspace::scope scratch{caps_.space()};
         auto* loops = scratch.take<placed_loops>(first_of.size());
@@ -139,7 +139,7 @@ private:
 
     /// The finest grid onto which all members fit, relative to the first one's pen.
     static result<grid> grid_for(const text_glyphs& all, const glyph_run& run,
-                                 std::span<const std::uint32_t> members) noexcept
+                                 array_view<const std::uint32_t> members) noexcept
     {
         const point first = run.glyphs[members[0]].origin;
         box around;
@@ -179,7 +179,7 @@ private:
     error try_to_join(merged_group& made, text_glyphs& all, const glyph_run& run, const member_builder& build) noexcept
     {
         const auto& [by, font, how, with] = build;
-        const std::span<const std::uint32_t> members = all.merged.members_of(made);
+        const array_view<const std::uint32_t> members = all.merged.members_of(made);
         const auto onto = grid_for(all, run, members);
         if (!onto) return onto.error();
         union_.begin(*onto, how.corners);

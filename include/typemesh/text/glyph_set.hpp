@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/glyph_id.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -34,7 +34,7 @@ public:
         slots_.clear();
     }
 
-    [[nodiscard]] std::span<const glyph_key> keys() const noexcept { return keys_.view(); }
+    [[nodiscard]] array_view<const glyph_key> keys() const noexcept { return keys_.view(); }
 
     /// The glyph's number, a new one if it was unknown; no_room when memory runs out.
     [[nodiscard]] std::uint32_t number_of(glyph_key key) noexcept

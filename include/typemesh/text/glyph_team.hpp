@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/executor_ref.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/glyph/glyph_builder.hpp>
@@ -12,7 +13,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -34,7 +34,7 @@ struct alignas(64) team_member {
 /// The part of a glyph_workers that does not depend on the types of its executor and of its fonts.
 struct glyph_team {
     executor_ref executor;
-    std::span<team_member> members;
+    array_view<team_member> members;
     shared_layout shared;
     std::uint64_t plans = 0;  ///< begun so far
 
@@ -46,7 +46,7 @@ struct glyph_team {
         shaper_ref shaper = font.shaper();
         if (members.size() < 2 || !members[0].font.is_like(font))
             return typemesh::layout(shaper, text, how, options, run);
-        const std::span<team_member> all = members;
+        const array_view<team_member> all = members;
         return shared(
             executor, [all](std::size_t worker) noexcept { return all[worker].font.shaper(); },
             [all](std::size_t worker) noexcept -> glyph_run& { return all[worker].lines; }, shaper, text, how, options,
@@ -65,7 +65,7 @@ struct glyph_team {
     template <class Task>
     error each(std::size_t n, const Task& task) noexcept
     {
-        const std::span<team_member> all = members;
+        const array_view<team_member> all = members;
         for (team_member& m : all) m.failure = {};
         executor.run(n, [all, &task](std::size_t k, std::size_t worker) noexcept {
             team_member& own = all[worker];

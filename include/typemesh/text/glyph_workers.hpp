@@ -4,6 +4,7 @@
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/executor.hpp>
 #include <typemesh/core/result.hpp>
+#include <typemesh/core/taken.hpp>
 #include <typemesh/outline/outline_source.hpp>
 #include <typemesh/text/glyph_team.hpp>
 
@@ -85,18 +86,18 @@ public:
     glyph_workers(glyph_workers&& other) noexcept
         : executor_{other.executor_},
           source_{other.source_},
-          block_{std::exchange(other.block_, nullptr)},
+          block_{taken(other.block_)},
           sources_{other.sources_},
           bytes_{other.bytes_}
     {
     }
     glyph_workers& operator=(glyph_workers&& other) noexcept
     {
-        std::swap(executor_, other.executor_);
-        std::swap(source_, other.source_);
-        std::swap(block_, other.block_);
-        std::swap(sources_, other.sources_);
-        std::swap(bytes_, other.bytes_);
+        swap_values(executor_, other.executor_);
+        swap_values(source_, other.source_);
+        swap_values(block_, other.block_);
+        swap_values(sources_, other.sources_);
+        swap_values(bytes_, other.bytes_);
         return *this;
     }
     ~glyph_workers()

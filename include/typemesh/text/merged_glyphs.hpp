@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/first_where.hpp>
 #include <typemesh/glyph/built_glyph.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -43,11 +43,11 @@ struct merged_glyphs {
         owners.clear();
     }
 
-    [[nodiscard]] std::span<const std::uint32_t> members_of(const merged_group& g) const noexcept
+    [[nodiscard]] array_view<const std::uint32_t> members_of(const merged_group& g) const noexcept
     {
         return members.view().subspan(g.first_member, g.member_count);
     }
-    [[nodiscard]] std::span<const std::uint32_t> owners_of(const merged_group& g) const noexcept
+    [[nodiscard]] array_view<const std::uint32_t> owners_of(const merged_group& g) const noexcept
     {
         return owners.view().subspan(g.first_owner, g.built->form().points.size());
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/box.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/layout/face_metrics.hpp>
@@ -15,7 +16,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -39,7 +39,7 @@ struct picked_cluster {
 [[nodiscard]] inline double along(point p, bool down) noexcept { return down ? 0.0 - p.y : p.x; }
 
 /// The text of a cluster ends where the line does, or where the next cluster of the line begins.
-[[nodiscard]] inline std::uint32_t end_of_cluster(std::span<const placed_glyph> line, text_view text,
+[[nodiscard]] inline std::uint32_t end_of_cluster(array_view<const placed_glyph> line, text_view text,
                                                   std::uint32_t first) noexcept
 {
     auto last = static_cast<std::uint32_t>(text.size());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/first_where.hpp>
@@ -10,7 +11,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -107,7 +107,7 @@ inline error place_glyphs(text_glyphs& all, const glyph_run& run, bool on_grid =
     report.glyphs = static_cast<std::uint32_t>(run.glyphs.size());
     if (!all.reserve_records(run.glyphs.size())) return error::out_of_memory;
     if (error e = all.looks.sort(run)) return e;
-    const std::span<const std::uint32_t> order = all.looks.order();
+    const array_view<const std::uint32_t> order = all.looks.order();
     std::uint32_t line = 0;
     detail::glyph_counts counts{report};
     for (std::uint32_t k = 0; k < run.glyphs.size(); ++k) {

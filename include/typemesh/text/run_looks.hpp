@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/finite.hpp>
@@ -12,7 +13,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -107,7 +107,7 @@ public:
         }
         return {};
     }
-    [[nodiscard]] std::span<const hashed_context> contexts() const noexcept { return contexts_.view(); }
+    [[nodiscard]] array_view<const hashed_context> contexts() const noexcept { return contexts_.view(); }
 
     /// Sorts the glyphs of the run by style, and keeps their order within a style.
     ///
@@ -128,7 +128,7 @@ public:
     }
 
     /// The indices of the run's glyphs, sorted by style; empty if all are of one style, hence sorted already.
-    [[nodiscard]] std::span<const std::uint32_t> order() const noexcept { return order_.view(); }
+    [[nodiscard]] array_view<const std::uint32_t> order() const noexcept { return order_.view(); }
 
 private:
     struct drawn_look {

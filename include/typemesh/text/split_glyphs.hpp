@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/triangle.hpp>
@@ -9,7 +10,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -164,7 +164,7 @@ private:
         static constexpr attribute wants = Sink::wants;
 
         Sink& sink;
-        std::span<const std::uint32_t> left;
+        array_view<const std::uint32_t> left;
         std::uint32_t number = 0;
 
         error begin(mesh_size) noexcept { return {}; }

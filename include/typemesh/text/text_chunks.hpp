@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/executor.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/text/split_glyphs.hpp>
@@ -8,7 +9,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -86,7 +86,7 @@ public:
     }
 
     /// The chunks, in the order of the output.
-    [[nodiscard]] std::span<const text_chunk> view() const noexcept { return chunks_.view(); }
+    [[nodiscard]] array_view<const text_chunk> view() const noexcept { return chunks_.view(); }
 
     /// The size of all chunks together.
     [[nodiscard]] mesh_size size() const noexcept { return total_; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/first_where.hpp>
 #include <typemesh/extrude/placement.hpp>
@@ -17,7 +18,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -190,7 +190,7 @@ struct text_glyphs {
     }
 
     /// The styles of what is drawn, ascending.
-    [[nodiscard]] std::span<const style_id> styles() const noexcept
+    [[nodiscard]] array_view<const style_id> styles() const noexcept
     {
         if (!several_styles.empty() || records.empty()) return several_styles.view();
         return {&records[0].style, 1};

@@ -272,7 +272,7 @@ private:
         } else if constexpr (std::same_as<Option, cached_in>)
             planner_.cache = option;
         else if constexpr (std::same_as<Option, no_cache>)
-            planner_.cache.reset();
+            planner_.cache = {};
         else if constexpr (!std::same_as<Option, memory>)
             detail::refuse_policy<Option>();
     }

@@ -5,6 +5,7 @@
 #include <typemesh/core/executor.hpp>
 #include <typemesh/core/first_where.hpp>
 #include <typemesh/core/result.hpp>
+#include <typemesh/core/taken.hpp>
 #include <typemesh/extrude/extrude.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/text/mesh_layout.hpp>
@@ -56,7 +57,7 @@ public:
     {
     }
     text_plan(text_plan&& other) noexcept
-        : glyphs_{std::exchange(other.glyphs_, nullptr)},
+        : glyphs_{taken(other.glyphs_)},
           run_{other.run_},
           extruder_{std::move(other.extruder_)},
           generation_{other.generation_}
@@ -64,10 +65,10 @@ public:
     }
     text_plan& operator=(text_plan&& other) noexcept
     {
-        std::swap(glyphs_, other.glyphs_);
-        std::swap(run_, other.run_);
-        std::swap(extruder_, other.extruder_);
-        std::swap(generation_, other.generation_);
+        swap_values(glyphs_, other.glyphs_);
+        swap_values(run_, other.run_);
+        swap_values(extruder_, other.extruder_);
+        swap_values(generation_, other.generation_);
         return *this;
     }
     ~text_plan()

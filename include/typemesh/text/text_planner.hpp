@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/same.hpp>
@@ -21,8 +22,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <span>
 #include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI {
@@ -34,8 +33,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// type is a parameter only so that typemesh::compiled can keep the functions out of other units.
 class text_planner {
 public:
-    std::optional<font_ref> font;
-    std::optional<cached_in> cache;
+    font_ref font;
+    cached_in cache;
 
     explicit text_planner(memory source) noexcept : builder_{source}, merger_{source}, run_{source}, glyphs_{source} {}
 
@@ -106,9 +105,9 @@ error text_planner::layout(text_view text, const text_options& options, const po
 {
     clear();
     with.observe(stage::shape);
-    if (!font->is_shaper()) return stop(error::not_a_shaper, with);
-    shaper_ref shaper = font->shaper();
-    const auto laid = team != nullptr ? team->layout(*font, text, options.shape, options.layout, run_)
+    if (!font.is_shaper()) return stop(error::not_a_shaper, with);
+    shaper_ref shaper = font.shaper();
+    const auto laid = team != nullptr ? team->layout(font, text, options.shape, options.layout, run_)
                                       : typemesh::layout(shaper, text, options.shape, options.layout, run_);
     return laid ? error{} : stop(laid.error(), with);
 }
@@ -132,7 +131,7 @@ error text_planner::each_glyph(const call& now, const glyph_settings& how, const
     };
     if (now.team == nullptr) {
         for (std::size_t k = 0; k < keys.size(); ++k)
-            if (error e = build(k, *font, builder_, glyphs_.store, now.with)) return e;
+            if (error e = build(k, font, builder_, glyphs_.store, now.with)) return e;
         return {};
     }
     return now.team->each(keys.size(), [&](std::size_t k, font_ref from, glyph_builder& builder,
@@ -150,7 +149,7 @@ error text_planner::plan(const glyph_run& run, const text_options& options, cons
     const call now{run, options, with, team};
     clear();
     if (options.corners == touching::keep) return plan_once(now, 0.0);
-    const double units_per_em = font->units_per_em();
+    const double units_per_em = font.units_per_em();
     const bool along_axes = options.frame.is_along_axes();
     double expected = reach_of(run, units_per_em);
     for (;;) {  // 14 times at most: the cells halve
@@ -170,13 +169,13 @@ inline error text_planner::plan_once(const call& now, double reach) noexcept
     report(run);
     e = with.step.refused_options();
     if (!e) e = with.raise.refused_options();
-    if (!e) e = glyphs_.looks.read(run, *font);
+    if (!e) e = glyphs_.looks.read(run, font);
     if (!e) e = collect(run, options);
     const glyph_settings how = settings_of(options, reach);
     if (!e) e = build_glyphs(now, how);
-    if (!e && options.merge) e = merger_(glyphs_, run, builder_, *font, how, with);
+    if (!e && options.merge) e = merger_(glyphs_, run, builder_, font, how, with);
     if (!e) e = place_glyphs(glyphs_, run, options.merge && options.corners != touching::keep);
-    if (!e) e = arrange(glyphs_, run, options, font->units_per_em(), with.raise);
+    if (!e) e = arrange(glyphs_, run, options, font.units_per_em(), with.raise);
     if (!e) e = refuse_extremes(glyphs_.placed, glyphs_.bounds, with.raise.heights(), with.raise.heights_name());
     if (e) glyphs_.pinned.release();
     return stop(e, with);
@@ -190,7 +189,7 @@ inline error text_planner::refused(const call& now) const noexcept
         return error::bad("pixels_per_em");
     const double largest = options.unit == output_unit::pixels ? 0x1p30 / options.pixels_per_em : 0x1p30;
     if (!is_finite(options.size) || !(options.size > 0.0) || options.size > largest) return error::bad("size");
-    const double own = font->units_per_em(), units_per_em = now.run.units_per_em;
+    const double own = font.units_per_em(), units_per_em = now.run.units_per_em;
     for (const double units : {own, is_zero(units_per_em) ? own : units_per_em})
         if (!is_finite(units) || !(units > 0.0)) return error::bad("units_per_em");
     if (!is_zero(units_per_em) && !same(units_per_em, own)) return error::other_units;
@@ -198,8 +197,8 @@ inline error text_planner::refused(const call& now) const noexcept
     if (now.team == nullptr) return {};
     font_ref of_team = now.team->members[0].font;
     TYPEMESH_ASSERT(same(of_team.units_per_em(), own), "the sources of a glyph_workers are of another font");
-    if (of_team.face_count() < font->face_count()) return {error::no_such_face, of_team.face_count()};
-    return cache && !cache->cache.has_lock() ? error{error::unlocked_cache} : error{};
+    if (of_team.face_count() < font.face_count()) return {error::no_such_face, of_team.face_count()};
+    return cache.cache && !cache.cache.has_lock() ? error{error::unlocked_cache} : error{};
 }
 
 inline void text_planner::report(const glyph_run& run) noexcept
@@ -250,13 +249,13 @@ inline error text_planner::build_glyphs(const call& now, const glyph_settings& h
 {
     const std::size_t count = glyphs_.different.keys().size();
     if (now.team != nullptr) now.with.observe(stage::outline);
-    if (cache && now.options.reuse) {
-        const cache_ref kept = cache->cache;
+    if (cache.cache && now.options.reuse) {
+        const cache_ref kept = cache.cache;
         if (!glyphs_.pinned.reserve(count, kept)) return error::out_of_memory;
-        const glyph_context plain = context_of(cache->font, font->variation(), how, now.with);
+        const glyph_context plain = context_of(cache.font, font.variation(), how, now.with);
         if (!plain.is_complete()) return error::no_cache_key;
-        if (error e = glyphs_.looks.find_contexts(plain, *font)) return e;
-        const std::span<const hashed_context> of_look = glyphs_.looks.contexts();
+        if (error e = glyphs_.looks.find_contexts(plain, font)) return e;
+        const array_view<const hashed_context> of_look = glyphs_.looks.contexts();
         return each_glyph(
             now, how,
             [kept, of_look](const glyph_key& key) noexcept {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/region.hpp>
@@ -8,7 +9,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
@@ -16,7 +16,7 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 /// O(points + triangles), so release builds never use it.
 struct appended_triangles {
     const region& filled;
-    std::span<const triangle> all;
+    array_view<const triangle> all;
 
     [[nodiscard]] bool are_as_many_as_promised() const noexcept { return all.size() == filled.triangle_count(); }
     [[nodiscard]] bool are_over_its_points() const noexcept
@@ -58,7 +58,7 @@ inline bool assert_triangles([[maybe_unused]] const region& filled, [[maybe_unus
 {
     [[maybe_unused]] const auto appended = [&]() noexcept {
         return appended_triangles{filled,
-                                  before < out.size() ? out.view().subspan(before) : std::span<const triangle>{}};
+                                  before < out.size() ? out.view().subspan(before) : array_view<const triangle>{}};
     };
     bool readable = true;  // else the checks below would read past the points
     [[maybe_unused]] bool enough = true, turned = true;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/workspace.hpp>
 
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
@@ -27,8 +27,8 @@ public:
     /// No edge turns away from the first of its subrange by 1 / `straightness` or more (as a tangent); with keep_all no
     /// point is left out. `sheared` moves points by x -> 5x + 2y: the loops stay the same to a sweep, which then meets
     /// few points on one vertical line. False when memory runs out.
-    [[nodiscard]] bool take(workspace::scope& scratch, std::span<const grid_point> points,
-                            std::span<const std::uint32_t> starts, std::int64_t straightness, bool sheared) noexcept
+    [[nodiscard]] bool take(workspace::scope& scratch, array_view<const grid_point> points,
+                            array_view<const std::uint32_t> starts, std::int64_t straightness, bool sheared) noexcept
     {
         const std::size_t n = points.size();
         places_ = scratch.take<grid_point>(n);
@@ -49,8 +49,8 @@ public:
         return true;
     }
 
-    [[nodiscard]] std::span<const grid_point> points() const noexcept { return {places_, size_}; }
-    [[nodiscard]] std::span<const std::uint32_t> starts() const noexcept { return {starts_, loops_ + 1}; }
+    [[nodiscard]] array_view<const grid_point> points() const noexcept { return {places_, size_}; }
+    [[nodiscard]] array_view<const std::uint32_t> starts() const noexcept { return {starts_, loops_ + 1}; }
     /// The indices that these points had.
     [[nodiscard]] const std::uint32_t* names() const noexcept { return names_; }
 

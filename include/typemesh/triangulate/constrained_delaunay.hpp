@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/option_bits.hpp>
+#include <typemesh/core/taken.hpp>
 #include <typemesh/sweep/sweep_order.hpp>
 #include <typemesh/triangulate/chain_cutter.hpp>
 #include <typemesh/triangulate/coarse_loops.hpp>
@@ -13,8 +15,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
-#include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -80,7 +80,7 @@ private:
     {
         const std::size_t n = loops.points.size();
         workspace::scope scratch{space};
-        std::span<const std::uint32_t> order = loops.order();
+        array_view<const std::uint32_t> order = loops.order();
         if (order.empty() && n != 0) {
             auto* const sorted = scratch.take<std::uint32_t>(n);
             if (sorted == nullptr || !sweep_order(loops.points.view(), space, sorted)) return error::out_of_memory;
@@ -101,7 +101,7 @@ private:
 
     /// `order` is that of the points, or empty. A template, so that it is compiled only where it is called.
     template <class = void>
-    [[nodiscard]] error cut(const region& r, std::span<const std::uint32_t> order, workspace& space,
+    [[nodiscard]] error cut(const region& r, array_view<const std::uint32_t> order, workspace& space,
                             triangle_list& out) const noexcept
     {
         if (r.points().empty()) return error::none;
@@ -130,7 +130,7 @@ private:
     /// Fails with error::crossing_contours where this way does not work; once flips have begun, no budget is left for
     /// another attempt. When all points are kept nothing needs proof. `order`: of the points that are kept, or empty.
     template <bool Proving>
-    [[nodiscard]] static error by_flips(const region& r, std::span<const std::uint32_t> order, workspace& space,
+    [[nodiscard]] static error by_flips(const region& r, array_view<const std::uint32_t> order, workspace& space,
                                         triangle* write, std::int64_t straightness, attempts& left) noexcept
     {
         const std::size_t n = r.points().size();
@@ -148,7 +148,7 @@ private:
         if (Proving && (sweep.holes() != r.holes() || sweep.outers() != r.outers())) return error::crossing_contours;
         mesh.finish(sweep.cutter().output());
 
-        detail::delaunay_flips flips{mesh, r.points(), std::exchange(left.budget, 0)};
+        detail::delaunay_flips flips{mesh, r.points(), taken(left.budget)};
         if (!flips.open(scratch, r.triangle_count())) return error::out_of_memory;
         if (!flips.everywhere()) return error::crossing_contours;
         if constexpr (Proving) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/in_circle.hpp>
 #include <typemesh/triangulate/half_edges.hpp>
 #include <typemesh/triangulate/point_star.hpp>
@@ -18,7 +19,7 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///       constrained Delaunay triangulations (1993)
 class delaunay_flips {
 public:
-    delaunay_flips(half_edges& mesh, std::span<const grid_point> points, std::uint64_t budget) noexcept
+    delaunay_flips(half_edges& mesh, array_view<const grid_point> points, std::uint64_t budget) noexcept
         : mesh_{mesh}, points_{points}, left_{static_cast<std::int64_t>(budget)}
     {
     }
@@ -97,7 +98,7 @@ private:
     }
 
     /// The same from the edges of a star for which there was no room; false when the budget is spent.
-    [[nodiscard]] bool around(std::span<const point_star::open_edge> star) noexcept
+    [[nodiscard]] bool around(array_view<const point_star::open_edge> star) noexcept
     {
         for (std::size_t i = 0; i < star.size(); ++i) stack_[i] = star[i].edge;
         size_ = star.size();
@@ -167,7 +168,7 @@ private:
     }
 
     half_edges& mesh_;
-    std::span<const grid_point> points_;
+    array_view<const grid_point> points_;
     std::uint32_t* stack_ = nullptr;
     std::size_t room_ = 0;
     std::size_t size_ = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/in_circle.hpp>
 #include <typemesh/core/region.hpp>
@@ -12,7 +13,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
@@ -257,8 +257,8 @@ private:
         }
     }
 
-    std::span<const grid_point> points_;
-    std::span<const std::uint32_t> starts_;
+    array_view<const grid_point> points_;
+    array_view<const std::uint32_t> starts_;
     std::uint32_t* rank_ = nullptr;  // of each point: its number in sweep order
     half* halves_ = nullptr;
     std::uint32_t* last_ = nullptr;  // of each point: the half of the region's edge that arrives at it

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/core/workspace.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
@@ -29,7 +29,7 @@ public:
         grid_point place;  // of the origin
     };
 
-    explicit half_edges(std::span<const grid_point> points) noexcept : points_{points} {}
+    explicit half_edges(array_view<const grid_point> points) noexcept : points_{points} {}
 
     /// Takes memory for `triangles` triangles; false when memory runs out.
     [[nodiscard]] bool open(workspace::scope& scratch, std::size_t triangles) noexcept
@@ -211,7 +211,7 @@ private:
         edges_[g].twin = h;
     }
 
-    std::span<const grid_point> points_;
+    array_view<const grid_point> points_;
     half_edge* edges_ = nullptr;
     std::uint32_t rim_ = 0;
     std::uint32_t count_ = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/triangle.hpp>
@@ -11,7 +12,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -34,9 +34,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Fails with error::out_of_memory; the triangles are a valid triangulation then, too.
 /// Cost    about 20 instructions per triangle where none is low, and little more where few are
 /// Space   from `space`: none, or 32 bytes per triangle where very many are low
-[[nodiscard]] inline error raise_low_triangles(std::span<const grid_point> points,
-                                               std::span<const std::uint32_t> starts, const triangle_heights& heights,
-                                               std::span<triangle> triangles, workspace& space) noexcept
+[[nodiscard]] inline error raise_low_triangles(array_view<const grid_point> points,
+                                               array_view<const std::uint32_t> starts, const triangle_heights& heights,
+                                               array_view<triangle> triangles, workspace& space) noexcept
 {
     if (heights.doubled_area_of_low() == 0) return {};
     workspace::scope scratch{space};
@@ -58,7 +58,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 }
 
 /// The same for a triangulated region.
-[[nodiscard]] inline error raise_low_triangles(const region& r, std::span<triangle> triangles,
+[[nodiscard]] inline error raise_low_triangles(const region& r, array_view<triangle> triangles,
                                                workspace& space) noexcept
 {
     return raise_low_triangles(r.points(), r.starts(), triangle_heights{r.grid()}, triangles, space);

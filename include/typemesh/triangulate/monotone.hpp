@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/triangulate/chain_cutter.hpp>
 #include <typemesh/triangulate/low_triangles.hpp>
 #include <typemesh/triangulate/monotone_sweep.hpp>
@@ -8,7 +9,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -78,8 +78,8 @@ struct monotone {
 private:
     /// What the sweep reads of contours or of a region.
     struct loops_view {
-        std::span<const grid_point> points;
-        std::span<const std::uint32_t> starts, order;
+        array_view<const grid_point> points;
+        array_view<const std::uint32_t> starts, order;
         grid cells;
     };
     [[nodiscard]] static loops_view view_of(const contours& loops) noexcept

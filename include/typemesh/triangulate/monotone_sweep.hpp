@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/orientation.hpp>
@@ -11,7 +12,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
@@ -80,7 +80,7 @@ class monotone_sweep {
     };
 
 public:
-    monotone_sweep(std::span<const grid_point> points, std::span<const std::uint32_t> starts, Cutter cutter) noexcept
+    monotone_sweep(array_view<const grid_point> points, array_view<const std::uint32_t> starts, Cutter cutter) noexcept
         : points_{points}, starts_{starts}, cut_{cutter}
     {
     }
@@ -89,7 +89,7 @@ public:
     /// error::crossing_contours.
     ///
     ///     known   the order of the points, from sweep_order(); empty: unknown
-    [[nodiscard]] error run(workspace& space, std::span<const std::uint32_t> known = {}) noexcept
+    [[nodiscard]] error run(workspace& space, array_view<const std::uint32_t> known = {}) noexcept
     {
         const std::size_t n = points_.size();
         if (n == 0) return error::none;
@@ -167,7 +167,7 @@ private:
     }
 
     /// Whether every visit of a point has a sector of its own, and no two of them overlap.
-    [[nodiscard]] bool are_sectors(std::span<const std::uint32_t> visits, outgoing_edge* outgoing_edges) const noexcept
+    [[nodiscard]] bool are_sectors(array_view<const std::uint32_t> visits, outgoing_edge* outgoing_edges) const noexcept
     {
         std::size_t count = 0;
         for (const std::uint32_t v : visits) {
@@ -358,8 +358,8 @@ private:
         }
     }
 
-    std::span<const grid_point> points_;
-    std::span<const std::uint32_t> starts_;
+    array_view<const grid_point> points_;
+    array_view<const std::uint32_t> starts_;
     vertex* vertices_ = nullptr;
     span_of_interior* spans_ = nullptr;
     sweep_status status_;

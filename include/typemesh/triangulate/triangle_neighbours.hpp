@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/core/workspace.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
@@ -23,8 +23,8 @@ class triangle_neighbours {
 public:
     static constexpr std::uint32_t none = ~std::uint32_t{0};
 
-    triangle_neighbours(std::size_t points, std::span<const std::uint32_t> starts,
-                        std::span<const triangle> triangles) noexcept
+    triangle_neighbours(std::size_t points, array_view<const std::uint32_t> starts,
+                        array_view<const triangle> triangles) noexcept
         : points_{points}, starts_{starts}, triangles_{triangles}
     {
     }
@@ -123,8 +123,8 @@ private:
     }
 
     std::size_t points_;
-    std::span<const std::uint32_t> starts_;
-    std::span<const triangle> triangles_;
+    array_view<const std::uint32_t> starts_;
+    array_view<const triangle> triangles_;
     std::uint32_t* twins_ = nullptr;
     std::size_t looked_at_ = 0;
 };

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/triangulate/triangle_heights.hpp>
 #include <typemesh/triangulate/triangle_neighbours.hpp>
 
 #include <cstdint>
-#include <span>
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
@@ -29,7 +29,7 @@ class triangle_patch {
 public:
     static constexpr std::uint32_t most = 32;  ///< corners: their counts of each level fit into 5 bits
 
-    triangle_patch(std::span<const grid_point> points, std::span<triangle> triangles, const triangle_heights& heights,
+    triangle_patch(array_view<const grid_point> points, array_view<triangle> triangles, const triangle_heights& heights,
                    triangle_neighbours& neighbours) noexcept
         : points_{points}, triangles_{triangles}, heights_{heights}, neighbours_{neighbours}
     {
@@ -198,8 +198,8 @@ private:
             neighbours_.join(edge_[i], partner[i] < size_ ? edge_[partner[i]] : outside[i]);
     }
 
-    std::span<const grid_point> points_;
-    std::span<triangle> triangles_;
+    array_view<const grid_point> points_;
+    array_view<triangle> triangles_;
     const triangle_heights& heights_;
     triangle_neighbours& neighbours_;
     std::uint64_t cost_ = 0;

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/result.hpp>
+#include <typemesh/core/taken.hpp>
 #include <typemesh/unicode/text_mark.hpp>
 #include <typemesh/unicode/text_range.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
-#include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -24,7 +24,7 @@ struct visual_run {
 /// Rule L2 of UAX #9: puts what a line consists of, each of one `level`, from left to right; it stands in the order in
 /// which it is read. Cost: O(n) for each of the levels, 126 at most
 template <class Run>
-void order_visually(std::span<Run> line) noexcept
+void order_visually(array_view<Run> line) noexcept
 {
     unsigned highest = 0;
     for (const Run& run : line) highest = run.level > highest ? run.level : highest;
@@ -32,7 +32,7 @@ void order_visually(std::span<Run> line) noexcept
         for (std::size_t first = 0; first < line.size(); ++first) {
             std::size_t last = first;
             while (last < line.size() && line[last].level >= level) ++last;
-            for (std::size_t a = first, b = last; a + 1 < b;) std::swap(line[a++], line[--b]);
+            for (std::size_t a = first, b = last; a + 1 < b;) swap_values(line[a++], line[--b]);
             if (last > first) first = last;
         }
 }
@@ -88,7 +88,7 @@ inline result<void> visual_runs(const std::uint8_t* levels, const text_mark* mar
         runs.clear();
         return e;
     }
-    for (std::size_t a = 0, b = runs.size(); a + 1 < b;) std::swap(runs[a++], runs[--b]);
+    for (std::size_t a = 0, b = runs.size(); a + 1 < b;) swap_values(runs[a++], runs[--b]);
     order_visually(runs.view());
     return {};
 }
