@@ -3,6 +3,7 @@
 #include <typemesh/extrude/bevel_light.hpp>
 
 #include <typemesh/extrude/curve_normals.hpp>
+#include <typemesh/extrude/texture.hpp>
 #include <typemesh/extrude/upright_walls.hpp>
 
 #include <cmath>
@@ -24,7 +25,7 @@ struct lit_shape {
     swept_region swept;
     workspace space;
     workspace::scope scratch{space};
-    bevel_light light;
+    bevel_light light{em_mapping::after_seam};
 
     lit_shape(shapes::shape s, double width, double mitre_limit = 0.0) : of{std::move(s)}
     {

@@ -5,6 +5,7 @@
 #include <typemesh/extrude/bevel_profile.hpp>
 #include <typemesh/extrude/bevel_strips.hpp>
 #include <typemesh/extrude/curve_normals.hpp>
+#include <typemesh/extrude/texture.hpp>
 #include <typemesh/extrude/upright_walls.hpp>
 
 #include <cmath>
@@ -32,7 +33,7 @@ void make_plain_bevel(const shapes::shape& s, const profile_points& points, beve
     sweeps::plain_sweep{}(r, {distances, 0.0, 0.0}, data.swept);
     workspace space;
     workspace::scope scratch{space};
-    bevel_light light;
+    bevel_light light{em_mapping::after_seam};
     REQUIRE(light.prepare(r, data.of<side_point>().view(), data.swept, scratch));
     REQUIRE_FALSE(bevel_vertices{data, light, how}.make(levels, scratch));
 }
@@ -123,7 +124,7 @@ TEST_CASE("where very many faces meet in a point they need vertices and time in 
     REQUIRE(add_strips(levels, 30.0f, bevel_shading::by_slope, data.of<bevel_strip>()));
     workspace space;
     workspace::scope scratch{space};
-    bevel_light light;
+    bevel_light light{em_mapping::after_seam};
     REQUIRE(light.prepare(r, data.of<side_point>().view(), data.swept, scratch));
     REQUIRE_FALSE(bevel_vertices{data, light, everything_near}.make(levels, scratch));
     CHECK(data.of<bevel_triangle>().size() == n);
@@ -173,7 +174,7 @@ TEST_CASE("at no crease angle is a vertex's normal 90 degrees or more off a face
             REQUIRE(add_strips(levels, 30.0f, bevel_shading::by_slope, data.of<bevel_strip>()));
             workspace space;
             workspace::scope scratch{space};
-            bevel_light light;
+            bevel_light light{em_mapping::after_seam};
             REQUIRE(light.prepare(r, data.of<side_point>().view(), data.swept, scratch));
             REQUIRE_FALSE(
                 bevel_vertices{data, light, {std::cos(degrees / 180.0 * 3.14159265), -1.0}}.make(levels, scratch));

@@ -248,7 +248,7 @@ TEST_CASE("bevelled meshes have exactly the vertices and triangles that their fa
 TEST_CASE("a bevelled mesh obeys its laws in every frame, centred or not, in all texture mappings", "[bevelled]")
 {
     for (const frame& f : frames())
-        for (const auto texture : {texture_mapping::em, texture_mapping::box, texture_mapping::cylindrical})
+        for (const auto texture : texture_mappings)
             for (const bool centred : {false, true}) {
                 const bevelled how{.centred = centred,
                                    .texture = texture,

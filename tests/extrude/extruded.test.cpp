@@ -103,7 +103,7 @@ TEMPLATE_TEST_CASE("extruded is closed, faces outward and turns as the frame ask
 {
     for (const frame& f : frames()) {
         for (const auto& s : shapes::all()) {
-            for (const auto texture : {texture_mapping::box, texture_mapping::em, texture_mapping::cylindrical}) {
+            for (const auto texture : texture_mappings) {
                 INFO(s.name << " in a frame whose right is " << f.right.x << " " << f.right.y << ", winding "
                             << int(f.winding));
                 const built b = build(s, extruded<TestType>{.texture = texture}, in_em(f));

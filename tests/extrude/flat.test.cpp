@@ -34,7 +34,7 @@ TEST_CASE("flat is the front alone: N vertices, n + 2h - 2c triangles, at z = 0"
 
 TEST_CASE("flat is the front of extruded, bit by bit", "[extrude]")
 {
-    for (const auto texture : {texture_mapping::box, texture_mapping::em, texture_mapping::cylindrical}) {
+    for (const auto texture : texture_mappings) {
         for (const auto& s : shapes::all()) {
             const built f = build(s, flat{.texture = texture});
             const built e = build(s, extruded<>{.back = false, .side = false, .texture = texture});

@@ -169,7 +169,7 @@ TEST_CASE("ring and letter have parts and heights of their own", "[outlined]")
 TEST_CASE("hollow letters obey their laws in every frame", "[outlined]")
 {
     for (const frame& f : frames())
-        for (const auto texture : {texture_mapping::em, texture_mapping::box, texture_mapping::cylindrical}) {
+        for (const auto texture : texture_mappings) {
             placement at = in_em(f);
             at.texture_per_cell = {1.0 / 512000.0, 1.0 / 512000.0};
             check_laws(

@@ -164,7 +164,7 @@ TEST_CASE("any point gets the texture coordinates of a grid point, to the bit, a
           "[extrude]")
 {
     for (const auto origin : {uv_origin::top_left, uv_origin::bottom_left}) {
-        for (const auto mapping : {texture_mapping::box, texture_mapping::em, texture_mapping::cylindrical}) {
+        for (const auto mapping : texture_mappings) {
             const auto s = shapes::letter_d();
             const placement at = mapping == texture_mapping::box ? over_box(s, origin) : with_origin(origin);
             const planar_texture texture{mapping, at};

@@ -83,7 +83,7 @@ TEMPLATE_TEST_CASE(
     for (const auto& s : shapes::all()) {
         INFO(s.name);
         for (const placement& at : placements(s)) {
-            for (const auto mapping : {texture_mapping::box, texture_mapping::em, texture_mapping::cylindrical}) {
+            for (const auto mapping : texture_mappings) {
                 const built b = build(s, extruded<TestType>{.depth = 0.25f, .texture = mapping}, at);
                 for (const auto& v : b.vertices) obeys_the_laws_of_one_vertex(v);
                 std::size_t told = 0;

@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <span>
 #include <string>
 #include <vector>
@@ -189,7 +190,7 @@ inline bevelled read_bevel(values& in, std::uint32_t ready)
     how.joins = (bits & 16) != 0 ? bevel_joins{1} : bevel_joins{0};
     how.shading = (bits & 32) != 0 ? bevel_shading::rounded : bevel_shading::by_slope;
     how.centred = (bits & 64) != 0;
-    how.texture = static_cast<texture_mapping>(bits % 3);
+    how.texture = texture_mappings[bits % std::size(texture_mappings)];
     how.mitre_limit = in.one_of(mitres);
     how.crease_degrees = in.one_of(creases);
     how.profile_crease_degrees = in.one_of(creases);

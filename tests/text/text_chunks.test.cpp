@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -138,7 +139,7 @@ TEMPLATE_TEST_CASE("chunks draw what the text in one piece draws, none larger th
 {
     test::toy_font font;
     TestType how;
-    how.texture = GENERATE(texture_mapping::box, texture_mapping::em, texture_mapping::cylindrical);
+    how.texture = GENERATE(from_range(std::begin(texture_mappings), std::end(texture_mappings)));
     auto mesher = text_mesher{font}.with(how);
     const auto frame = GENERATE(right_handed_y_up, left_handed_z_up);
     auto plan = mesher.plan("oEi x\nEoo", {.tolerance = quality::low, .frame = frame});

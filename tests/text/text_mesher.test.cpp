@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <concepts>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -144,7 +145,7 @@ TEST_CASE("the size multiplies every position of every unit, and nothing else ch
     test::toy_font font;
     const auto unit = GENERATE(output_unit::em, output_unit::font_units, output_unit::pixels, output_unit::unit_box);
     const auto frame = GENERATE(right_handed_y_up, left_handed_z_up);
-    const auto texture = GENERATE(texture_mapping::box, texture_mapping::em, texture_mapping::cylindrical);
+    const auto texture = GENERATE(from_range(std::begin(texture_mappings), std::end(texture_mappings)));
     const bool merge = GENERATE(false, true);
     const double size = GENERATE(0.37, 0.5, 2.0, 1e-6, 1000.0);
     auto mesher = text_mesher{font}.with(extruded<>{.depth = 0.3f, .texture = texture});

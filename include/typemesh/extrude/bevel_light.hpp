@@ -32,6 +32,9 @@ public:
         point face;     ///< the outward unit vector of the flat face that the edge sweeps
     };
 
+    /// `after_seam` is that of the texture's mapping.
+    explicit bevel_light(float (*after_seam)(float along) noexcept) noexcept : after_seam_{after_seam} {}
+
     /// One face for each edge and then for each join of `swept`, taken from `scratch`; false when memory runs out.
     [[nodiscard]] bool prepare(const region& filled, array_view<const side_point> sides, const swept_region& swept,
                                workspace::scope& scratch) noexcept
@@ -113,7 +116,7 @@ private:
                      0.0,
                      wide(a.after),
                      wide(b.before),
-                     a.seam ? 0.0 : as_double(a.along),
+                     as_double(a.seam ? after_seam_(a.along) : a.along),
                      as_double(b.along),
                      outward(unit(along))};
         strays_ =
@@ -178,6 +181,7 @@ private:
     static point placed(grid_point p) noexcept { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
     static point wide(vec2 v) noexcept { return {as_double(v.x), as_double(v.y)}; }
 
+    float (*after_seam_)(float along) noexcept;
     face* faces_ = nullptr;
     bool strays_ = false;
 };

@@ -372,7 +372,7 @@ private:
     {
         if (!add_strips(levels, profile_crease_degrees, shading, data.of<bevel_strip>())) return error::out_of_memory;
         workspace::scope scratch{space};
-        bevel_light light;
+        bevel_light light{with_mapping(texture, []<class Mapping>() noexcept { return &Mapping::after_seam; })};
         const auto sides_of = data.of<side_point>().view();
         if (!light.prepare(filled, sides_of, data.swept, scratch)) return error::out_of_memory;
         const double em = filled.grid().cells * filled.grid().units_per_em;

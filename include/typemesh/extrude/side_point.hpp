@@ -17,9 +17,9 @@ struct side_point {
     vec2 before;
     vec2 after;
     float along = 0.0f;    ///< length of the contour from its seam to this point, in cells, or as the texture mapping
-                           ///< counts it; at the seam, all of it
+                           ///< counts it; at the seam, for the wall before
     bool doubled = false;  ///< has a vertex pair for each of its two walls
-    bool seam = false;     ///< `along` starts here at 0 again, for the wall after; such a point is doubled
+    bool seam = false;     ///< `along` starts anew for the wall after, where the mapping says; such a point is doubled
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -6,6 +6,7 @@
 #include <typemesh/extrude/placement.hpp>
 #include <typemesh/extrude/side_point.hpp>
 #include <typemesh/extrude/texture_tangent.hpp>
+#include <typemesh/extrude/wall_normal.hpp>
 
 #include <cstdint>
 
@@ -25,8 +26,13 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///                   closes on itself has no seam on any letter
 ///
 /// Each is a small type below, which says where walls have seams, when they are planned, and what u, v and tangent are,
-/// when they are written: wall_mapping. A new one is such a type, its name here, and its line in with_mapping().
+/// when they are written: wall_mapping. A new one is such a type, its name here and in texture_mappings, and its line
+/// in with_mapping().
 enum class texture_mapping : std::uint8_t { box, em, cylindrical };
+
+/// All of them.
+inline constexpr texture_mapping texture_mappings[] = {texture_mapping::box, texture_mapping::em,
+                                                       texture_mapping::cylindrical};
 
 /// Texture coordinates of points by their position in the plane.
 ///
@@ -86,29 +92,78 @@ private:
 
 /// What of a wall's or bevel's vertex a mapping needs.
 struct wall_place {
-    point at;              ///< in the plane, in cells
-    float along;           ///< side_point::along
-    float v;               ///< wall_texture's
-    vec2 outward;          ///< the normal in the plane
-    vec3 normal;           ///< the whole, in the text's own axes: for bevels alone
-    float facing = 1.0f;   ///< 1 on the front's bevel, -1 on the back's
-    bool upright = false;  ///< a wall's, or a riser's
+    point at;             ///< in the plane, in cells
+    float along;          ///< side_point::along
+    float v;              ///< wall_texture's
+    vec2 outward;         ///< the normal in the plane
+    vec3 normal{};        ///< the whole, in the text's own axes: for bevels alone
+    float facing = 1.0f;  ///< 1 on the front's bevel, -1 on the back's
+    bool upright = true;  ///< a wall's, or a riser's
+
+    [[nodiscard]] wall_place with_v(float other) const noexcept
+    {
+        wall_place p = *this;
+        p.v = other;
+        return p;
+    }
 };
 
 // A wall_mapping M:
 //
-//     M::has_seams                     whether each contour gets one, and side_point::along from there
-//     M::measure(filled, sides)        changes `along`, which is the length from the seam, to what its u needs
-//     M::most_apart(em)                how far apart in `along` corners that share a vertex may be; negative: any way.
-//                                      em: in cells
-//     M{at}.uv(place)                  when written
+//     M::plan(filled, sides)     where contours have seams, when a glyph is planned: changes `along`, `seam` and
+//                                `doubled` of all side_points of a region, which are lit but not measured, and
+//                                returns how many are doubled. measure_sides() does it for lengths.
+//     M::after_seam(along)       `along` of the wall after a seam, from that of the wall before it
+//     M::most_apart(em)          how far apart in `along` corners of a bevel that share a vertex may be; negative: any
+//                                way. em: in cells
+//     M{at}.uv(place)            when written
 //     M{at}.tangent(axes, place)
+
+namespace detail {
+
+/// Measures lengths along each contour, from its first doubled point; without one its first point is doubled. Returns
+/// how many are doubled then.
+inline std::uint32_t measure_sides(const region& filled, array_view<side_point> all) noexcept
+{
+    const grid_point* points = filled.points().data();
+    side_point* sides = all.data();
+    std::uint32_t doubled = 0;
+    for (std::uint32_t loop = 0; loop < filled.loop_count(); ++loop) {
+        const std::uint32_t first = filled.starts()[loop], last = filled.starts()[loop + 1] - 1;
+        std::uint32_t seam = first;
+        while (seam < last && !sides[seam].doubled) ++seam;
+        if (!sides[seam].doubled) seam = first;
+        sides[seam].doubled = sides[seam].seam = true;
+        double along = 0.0;
+        const auto add_lengths = [&](std::uint32_t from, std::uint32_t to) noexcept {
+            for (std::uint32_t i = from; i < to; ++i) {
+                const grid_point a = points[i], b = points[i + 1];  // below 2^28: differences fit, and are cheaper
+                along += length({static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y)});
+                sides[i + 1].along = static_cast<float>(along);
+                doubled += sides[i + 1].doubled;
+            }
+        };
+        add_lengths(seam, last);
+        along += length(delta(points[last], points[first]));
+        sides[first].along = static_cast<float>(along);
+        doubled += sides[first].doubled;
+        add_lengths(first, seam);
+    }
+    return doubled;
+}
+
+}  // namespace detail
 
 /// texture_mapping::box
 class box_mapping {
 public:
-    static constexpr bool has_seams = false;
-    static void measure(const region&, array_view<side_point>) noexcept {}
+    [[nodiscard]] static std::uint32_t plan(const region&, array_view<const side_point> sides) noexcept
+    {
+        std::uint32_t doubled = 0;
+        for (const side_point& s : sides) doubled += s.doubled;
+        return doubled;
+    }
+    [[nodiscard]] static float after_seam(float along) noexcept { return along; }
     [[nodiscard]] static constexpr double most_apart(double) noexcept { return -1.0; }
 
     explicit box_mapping(const placement& at) noexcept : planar_{texture_mapping::box, at}, tangents_{at.frame} {}
@@ -128,8 +183,11 @@ private:
 /// texture_mapping::em
 class em_mapping {
 public:
-    static constexpr bool has_seams = true;
-    static void measure(const region&, array_view<side_point>) noexcept {}
+    [[nodiscard]] static std::uint32_t plan(const region& filled, array_view<side_point> sides) noexcept
+    {
+        return detail::measure_sides(filled, sides);
+    }
+    [[nodiscard]] static float after_seam(float) noexcept { return 0.0f; }
     [[nodiscard]] static constexpr double most_apart(double em) noexcept { return em / 1024.0; }
 
     explicit em_mapping(const placement& at) noexcept : tangents_{at.frame}, walls_{at} {}
@@ -149,16 +207,18 @@ private:
 /// texture_mapping::cylindrical
 class cylindrical_mapping {
 public:
-    static constexpr bool has_seams = true;
-    static void measure(const region& filled, array_view<side_point> sides) noexcept
+    [[nodiscard]] static std::uint32_t plan(const region& filled, array_view<side_point> sides) noexcept
     {
+        const std::uint32_t doubled = detail::measure_sides(filled, sides);
         for (std::uint32_t loop = 0; loop < filled.loop_count(); ++loop) {
             const auto own = sides.subspan(filled.starts()[loop], filled.starts()[loop + 1] - filled.starts()[loop]);
             float whole = 0.0f;
             for (const side_point& s : own) whole = s.along > whole ? s.along : whole;
             for (side_point& s : own) s.along = s.along < whole ? s.along / whole : 1.0f;  // 1 with -ffast-math too
         }
+        return doubled;
     }
+    [[nodiscard]] static float after_seam(float) noexcept { return 0.0f; }
     [[nodiscard]] static constexpr double most_apart(double) noexcept { return 0x1p-10; }
 
     explicit cylindrical_mapping(const placement& at) noexcept : tangents_{at.frame} {}

@@ -9,8 +9,6 @@
 #include <typemesh/extrude/placement.hpp>
 #include <typemesh/extrude/side_normals.hpp>
 #include <typemesh/extrude/texture.hpp>
-#include <typemesh/extrude/texture_tangent.hpp>
-#include <typemesh/extrude/wall_normal.hpp>
 #include <typemesh/vertex/surface_point.hpp>
 
 #include <cstddef>
@@ -101,12 +99,13 @@ private:
             if constexpr (has(Wants, attribute::normal)) {
                 front_point.normal = back_point.normal = axes.direction(here.before.x, here.before.y, 0.0f);
             }
+            wall_place place{placement::exact(g), here.along, v_top, here.before};
             if constexpr (has(Wants, attribute::uv)) {
-                front_point.uv = mapping.uv(place(g, here.along, v_top));
-                back_point.uv = mapping.uv(place(g, here.along, v_bottom));
+                front_point.uv = mapping.uv(place);
+                back_point.uv = mapping.uv(place.with_v(v_bottom));
             }
             if constexpr (has(Wants, attribute::tangent)) {
-                front_point.tangent = back_point.tangent = mapping.tangent(axes, lit(here.before));
+                front_point.tangent = back_point.tangent = mapping.tangent(axes, place);
             }
             put(front_point);
             put(back_point);
@@ -114,31 +113,20 @@ private:
             if constexpr (has(Wants, attribute::normal)) {
                 front_point.normal = back_point.normal = axes.direction(here.after.x, here.after.y, 0.0f);
             }
+            place.outward = here.after;
             if constexpr (has(Wants, attribute::uv)) {
-                if (here.seam) front_point.uv.x = back_point.uv.x = 0.0f;
+                if (here.seam) {
+                    place.along = Mapping::after_seam(here.along);
+                    front_point.uv = mapping.uv(place);
+                    back_point.uv = mapping.uv(place.with_v(v_bottom));
+                }
             }
             if constexpr (has(Wants, attribute::tangent)) {
-                front_point.tangent = back_point.tangent = mapping.tangent(axes, lit(here.after));
+                front_point.tangent = back_point.tangent = mapping.tangent(axes, place);
             }
             put(front_point);
             put(back_point);
         }
-    }
-
-    static wall_place place(grid_point g, float along, float v) noexcept
-    {
-        wall_place p{};
-        p.at = placement::exact(g);
-        p.along = along;
-        p.v = v;
-        return p;
-    }
-    static wall_place lit(vec2 outward) noexcept
-    {
-        wall_place p{};
-        p.outward = outward;
-        p.upright = true;
-        return p;
     }
 };
 
@@ -151,36 +139,6 @@ inline void clear_sides(side_point* sides, std::size_t n) noexcept
     constexpr std::size_t piece = 64;
     for (; n > piece; n -= piece, sides += piece) std::memset(static_cast<void*>(sides), 0, piece * sizeof *sides);
     std::memset(static_cast<void*>(sides), 0, n * sizeof *sides);
-}
-
-/// Measures lengths along each contour, from its first doubled point; without one its first point is doubled. Returns
-/// how many are doubled then.
-inline std::uint32_t measure_sides(const region& filled, side_point* sides) noexcept
-{
-    const grid_point* points = filled.points().data();
-    std::uint32_t doubled = 0;
-    for (std::uint32_t loop = 0; loop < filled.loop_count(); ++loop) {
-        const std::uint32_t first = filled.starts()[loop], last = filled.starts()[loop + 1] - 1;
-        std::uint32_t seam = first;
-        while (seam < last && !sides[seam].doubled) ++seam;
-        if (!sides[seam].doubled) seam = first;
-        sides[seam].doubled = sides[seam].seam = true;
-        double along = 0.0;
-        const auto add_lengths = [&](std::uint32_t from, std::uint32_t to) noexcept {
-            for (std::uint32_t i = from; i < to; ++i) {
-                const grid_point a = points[i], b = points[i + 1];  // below 2^28: differences fit, and are cheaper
-                along += length({static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y)});
-                sides[i + 1].along = static_cast<float>(along);
-                doubled += sides[i + 1].doubled;
-            }
-        };
-        add_lengths(seam, last);
-        along += length(delta(points[last], points[first]));
-        sides[first].along = static_cast<float>(along);
-        doubled += sides[first].doubled;
-        add_lengths(first, seam);
-    }
-    return doubled;
 }
 
 }  // namespace detail
@@ -208,16 +166,7 @@ template <side_normals Normals>
     detail::clear_sides(sides, n);
     if (error e = normals(filled, {sides, n})) return e;
     if constexpr (Normals::shares_caps) return 0u;
-    return with_mapping(texture, [&]<class Mapping>() noexcept -> std::uint32_t {
-        std::uint32_t doubled = 0;
-        if constexpr (Mapping::has_seams) {
-            doubled = detail::measure_sides(filled, sides);
-            Mapping::measure(filled, {sides, n});
-        } else {
-            for (std::size_t i = 0; i < n; ++i) doubled += sides[i].doubled;
-        }
-        return doubled;
-    });
+    return with_mapping(texture, [&]<class Mapping>() noexcept { return Mapping::plan(filled, {sides, n}); });
 }
 
 }  // namespace typemesh::inline TYPEMESH_ABI
