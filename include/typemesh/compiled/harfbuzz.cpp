@@ -19,6 +19,15 @@ template struct triangulator_ref::table<constrained_delaunay>;
 
 template struct region_step_ref::table<embolden>;
 
+template result<solid_plan> plan_solid(const extruded<>&, const region&, plan_data_of<extruded<>>&,
+                                       region_caps&) noexcept;
+template result<solid_plan> plan_solid(const extruded<>&, const region&, plan_data_of<extruded<>>&, no_caps&) noexcept;
+template result<solid_plan> plan_solid(const bevelled&, const region&, plan_data_of<bevelled>&, region_caps&) noexcept;
+template result<solid_plan> plan_solid(const bevelled&, const region&, plan_data_of<bevelled>&, no_caps&) noexcept;
+template result<solid_plan> plan_solid(const outlined<>&, const region&, plan_data_of<outlined<>>&,
+                                       region_caps&) noexcept;
+template result<solid_plan> plan_solid(const outlined<>&, const region&, plan_data_of<outlined<>>&, no_caps&) noexcept;
+
 template struct solid_ref::table<flat>;
 template struct solid_ref::table<extruded<>>;
 template struct solid_ref::table<extruded<averaged_normals>>;

@@ -41,6 +41,20 @@ extern template struct triangulator_ref::table<constrained_delaunay>;
 
 extern template struct region_step_ref::table<embolden>;
 
+// one_of plans with these; those without caps see whether options are good.
+extern template result<solid_plan> plan_solid(const extruded<>&, const region&, plan_data_of<extruded<>>&,
+                                              region_caps&) noexcept;
+extern template result<solid_plan> plan_solid(const extruded<>&, const region&, plan_data_of<extruded<>>&,
+                                              no_caps&) noexcept;
+extern template result<solid_plan> plan_solid(const bevelled&, const region&, plan_data_of<bevelled>&,
+                                              region_caps&) noexcept;
+extern template result<solid_plan> plan_solid(const bevelled&, const region&, plan_data_of<bevelled>&,
+                                              no_caps&) noexcept;
+extern template result<solid_plan> plan_solid(const outlined<>&, const region&, plan_data_of<outlined<>>&,
+                                              region_caps&) noexcept;
+extern template result<solid_plan> plan_solid(const outlined<>&, const region&, plan_data_of<outlined<>>&,
+                                              no_caps&) noexcept;
+
 extern template struct solid_ref::table<flat>;
 extern template struct solid_ref::table<extruded<>>;
 extern template struct solid_ref::table<extruded<averaged_normals>>;

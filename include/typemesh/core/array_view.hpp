@@ -35,10 +35,14 @@ public:
     {
     }
 
-    constexpr operator std::span<T>() const noexcept { return {data_, size_}; }
+    // One for each kind of value, so that each is as good as the constructor of std::span for ranges, and preferred.
+    constexpr operator std::span<T>() & noexcept { return {data_, size_}; }
+    constexpr operator std::span<T>() const& noexcept { return {data_, size_}; }
+    constexpr operator std::span<T>() && noexcept { return {data_, size_}; }
 
     [[nodiscard]] constexpr T* data() const noexcept { return data_; }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
+    /// The size of all in memory.
     [[nodiscard]] constexpr std::size_t size_bytes() const noexcept { return size_ * sizeof(T); }
     [[nodiscard]] constexpr bool empty() const noexcept { return size_ == 0; }
     [[nodiscard]] constexpr T* begin() const noexcept { return data_; }

@@ -125,8 +125,8 @@ private:
     template <class T>
     static array_view<const T> found(std::uint64_t count, const std::byte*& from) noexcept
     {
-        const T* first = reinterpret_cast<const T*>(from);
-        const array_view<const T> array{first, static_cast<std::size_t>(count)};
+        const T *first = reinterpret_cast<const T*>(from), *last = first + count;
+        const array_view<const T> array{first, static_cast<std::size_t>(last - first)};
         from += rounded(array.size_bytes());
         return array;
     }

@@ -142,8 +142,8 @@ private:
         std::uint64_t count = 0;
         std::memcpy(&count, block, 8);
         block += 8;
-        const T* first = reinterpret_cast<const T*>(block);
-        array = {first, static_cast<std::size_t>(count)};
+        const T *first = reinterpret_cast<const T*>(block), *last = first + count;
+        array = {first, static_cast<std::size_t>(last - first)};
         block += rounded(array.size_bytes());
     }
 };

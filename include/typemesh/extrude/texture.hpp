@@ -100,6 +100,7 @@ struct wall_place {
     float facing = 1.0f;  ///< 1 on the front's bevel, -1 on the back's
     bool upright = true;  ///< a wall's, or a riser's
 
+    /// The same at another v.
     [[nodiscard]] wall_place with_v(float other) const noexcept
     {
         wall_place p = *this;
