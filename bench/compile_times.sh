@@ -1,21 +1,34 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
 #
-# How long the compiler takes for what users include: seconds of its own time, the least of several runs, and as a share
-# of a yardstick that is compiled in the same minute (<regex>, used once). The program is the first one of README.md.
+# What the compiler needs for what users include: seconds of its own time, the least of several runs, also as a share of
+# a yardstick that is compiled in the same minute (<regex>, used once); its memory (g++ only) and the size of the code
+# in the object, which do not depend on the load. The program is the first one of README.md.
 #
 #     compile_times.sh [RUNS]      3 without it; CXX names the compiler, CXXFLAGS adds to its flags (-DNDEBUG)
 set -eu
 case ${1:-} in
-    -h | --help) sed -n '3,7s/^# \{0,1\}//p' "$0" && exit 0 ;;
+    -h | --help) sed -n '3,8s/^# \{0,1\}//p' "$0" && exit 0 ;;
 esac
 runs=${1:-3}
 compiler=${CXX:-g++}
 root=$(cd "$(dirname "$0")/.." && pwd)
 scratch=$(mktemp -d) && trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
+report=
+! "$compiler" --version | grep -q 'Free Software' || report=-ftime-report
 
 sed -n '/^```cpp$/,/^```$/p' "$root/README.md" | sed '1d; /^```$/q' | sed '$d' >program.cpp
+# with SOLID NAME...: the same program with these policies, from the headers of these names
+with() {
+    policies=$1 && shift
+    printf '#include <typemesh/%s.hpp>\n' "$@"
+    sed "s/typemesh::text_mesher mesher{\*font}/using namespace typemesh; text_mesher mesher{*font, $policies}/" program.cpp
+}
+with 'constrained_delaunay{}, bevelled{}' triangulate/constrained_delaunay extrude/bevelled >bevelled.cpp
+with 'embolden{.by = 0.01f}, bevelled{}' extrude/embolden extrude/bevelled >bold.cpp
+with 'outlined<>{}' extrude/outlined >hollow.cpp
+with 'one_of<flat, extruded<>, bevelled>{flat{}}' extrude/one_of extrude/flat extrude/bevelled >chosen.cpp
 echo '#include <typemesh/typemesh.hpp>' >umbrella.cpp
 # shellcheck disable=SC2086  # flags are several words
 flags="-std=c++20 ${CXXFLAGS:-} -I$root/include $(pkg-config --cflags harfbuzz)"
@@ -26,19 +39,21 @@ cat >yardstick.cpp <<'END'
 bool matches(const char* s) { return std::regex_match(s, std::regex{"a+b*"}); }
 END
 
-# The compiler's own time, in seconds.
+# The compiler's own time, in seconds; its report is left in report.txt.
 seconds() {
-    { { time -p "$@" >/dev/null 2>&1; } 2>&1; } | sed -n 's/^user //p'
+    { { time -p "$@" >/dev/null 2>report.txt; } 2>&1; } | sed -n 's/^user //p'
 }
 # measure NAME FLAGS... : the least of all runs, and of the yardstick beside them
 measure() {
     name=$1 && shift
     for _ in $(seq "$runs"); do
-        echo "$(seconds "$compiler" -std=c++20 -O1 -c -o yardstick.o yardstick.cpp) $(seconds "$compiler" "$@" -c -o made.o)"
+        echo "$(seconds "$compiler" -std=c++20 -O1 -c -o yardstick.o yardstick.cpp) $(seconds "$compiler" $report "$@" -c -o made.o)"
     done | awk -v name="$name" '
         NR == 1 || $1 < yardstick { yardstick = $1 }
         NR == 1 || $2 < least { least = $2 }
-        END { printf "%-58s %6.2f s   %5.2f yardsticks\n", name, least, least / yardstick }'
+        END { printf "%-64s %6.2f s %6.2f yardsticks", name, least, least / yardstick }'
+    memory=$(awk '$1 == "TOTAL" { print $NF }' report.txt)
+    size made.o | awk -v memory="${memory:-?}" 'NR == 2 { printf " %6s %5d kB of code\n", memory, $1 / 1000 }'
 }
 
 # shellcheck disable=SC2086
@@ -46,7 +61,16 @@ measure() {
     measure "the standard headers of typemesh.hpp" $flags standard.cpp
     measure "typemesh.hpp" $flags umbrella.cpp
     measure "the README's program, -O0" $flags -O0 program.cpp
-    measure "the README's program, -O2" $flags -O2 program.cpp
-    measure "the README's program, -O2, with typemesh::compiled" $flags -O2 -DTYPEMESH_COMPILED program.cpp
+    for each in program bevelled bold hollow chosen; do
+        case $each in
+            program) name="the README's program" ;;
+            bevelled) name="the same, bevelled, by constrained Delaunay" ;;
+            bold) name="the same, bold and bevelled" ;;
+            hollow) name="the same, hollow" ;;
+            chosen) name="the same, flat, extruded or bevelled at run time" ;;
+        esac
+        measure "$name, -O2" $flags -O2 $each.cpp
+        measure "$name, -O2, with typemesh::compiled" $flags -O2 -DTYPEMESH_COMPILED $each.cpp
+    done
     measure "what typemesh::compiled adds to a build, once, -O2" $flags -O2 -DTYPEMESH_COMPILED "$root/include/typemesh/compiled/harfbuzz.cpp"
 }
